@@ -1,0 +1,64 @@
+#pragma once
+
+#include "render/scene/description.h"
+
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace parser {
+
+/// What the command line tells the parser.
+struct Options {
+    std::vector<std::string> library_path;             ///< searched after the scene's folder, in order
+    std::map<std::string, double> declared_numbers;    ///< Declare=name=value
+    std::map<std::string, std::string> declared_strings;
+    int version = 370;                                 ///< before any #version
+    int image_width = 320, image_height = 240;
+    double clock = 0.0;
+    bool clock_on = false;
+    int frame_number = 0, initial_frame = 0, final_frame = 0;
+    double clock_delta = 0;
+};
+
+enum class Severity { Debug, Note, Warning, Error };
+
+/// One message, already rendered as text in the form of STYLE.md: `file:line:column: error: ...`, source line, caret,
+/// notes for macros and includes. Debug text is as the scene wrote it.
+struct Message {
+    Severity severity;
+    std::string text;
+    scene::SourceRef source;
+};
+
+/// Thrown once for a scene that cannot be read; what() is the rendered message.
+struct Error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Statistics {
+    std::uint64_t files = 0, bytes = 0, tokens = 0, macro_calls = 0;
+};
+
+struct Result {
+    scene::Description scene;
+    std::vector<Message> messages;                     ///< in order; without errors
+    Statistics statistics;
+};
+
+/// Called with each message as it arises (may be empty).
+using MessageSink = void (*)(void* context, const Message&);
+
+/// Reads a scene file and everything it includes. Throws Error.
+Result parse_file(const std::string& path, const Options& options, MessageSink sink = nullptr, void* context = nullptr);
+
+/// The same for text in memory; `name` stands for the file in messages.
+Result parse_text(const std::string& text, const std::string& name, const Options& options,
+                  MessageSink sink = nullptr, void* context = nullptr);
+
+/// --dump=tokens: one token a line, with position.
+std::string dump_tokens(const std::string& path);
+
+}  // namespace parser

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "render/scene/object.h"
+
+#include <string>
+#include <vector>
+
+namespace scene {
+
+struct Camera {
+    enum class Kind { Perspective, Orthographic, Fisheye, UltraWideAngle, Omnimax, Panoramic, Cylinder, Spherical, Mesh };
+    Kind kind = Kind::Perspective;
+    int cylinder_type = 1;
+    glm::dvec3 location{0}, direction{0, 0, 1}, right{4.0 / 3.0, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
+    double angle_deg = 0;                  ///< as written, 0 if not; direction already holds its effect for perspective
+    double angle2_deg = 0;                 ///< spherical: vertical
+    /// Focal blur; off while aperture is 0.
+    double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
+    int blur_samples = 0;
+    SourceRef source;
+};
+
+struct SkySphere { std::vector<Pigment> layers; glm::vec3 emission{1}; SourceRef source; };
+
+struct Fog {
+    int type = 1;
+    double distance = 0, offset = 0, altitude = 0;
+    Color color;
+    Turbulence turbulence; double turb_depth = 0.5;
+    glm::dvec3 up{0, 1, 0};
+    SourceRef source;
+};
+
+/// assumed_gamma as written (spec 2, 10.1).
+struct AssumedGamma { enum class Kind { Unset, Power, Srgb } kind = Kind::Unset; double exponent = 1.0; };
+
+struct GlobalSettings {
+    AssumedGamma assumed_gamma;
+    double adc_bailout = 1.0 / 255.0;
+    glm::vec3 ambient_light{1};
+    int max_trace_level = 5;
+    int number_of_waves = 10;
+    int noise_generator = 2;
+    glm::vec3 irid_wavelength{0.70f, 0.52f, 0.48f};
+    bool radiosity = false, photons = false, subsurface = false;  ///< asked for; not rendered yet
+};
+
+/// A thing the text asks for that the renderer does not do yet: told once, never dropped in silence.
+struct Unsupported { std::string what; SourceRef source; };
+
+/// The whole scene: everything the parser knows, immutable afterwards.
+struct Description {
+    std::vector<std::string> files;        ///< SourceRef::file
+    int version = 370;                     ///< language version * 100 at the end of the text
+    Camera camera;
+    std::vector<Object> objects;           ///< in order; lights among them
+    TexturePtr default_texture;            ///< in force at the end
+    Color background{0, 0, 0, 0, 1};
+    bool background_given = false;
+    std::optional<SkySphere> sky_sphere;
+    std::vector<Fog> fogs;
+    GlobalSettings global;
+    std::vector<Unsupported> unsupported;
+};
+
+}  // namespace scene

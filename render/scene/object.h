@@ -1,0 +1,101 @@
+#pragma once
+
+#include "csg/types.h"
+#include "render/scene/texture.h"
+
+#include <array>
+#include <memory>
+#include <variant>
+#include <vector>
+
+/// Objects as the author wrote them: a tree, each node with the transformation into its parent's space.
+namespace scene {
+
+struct Sphere { glm::dvec3 center{0}; double radius = 1; };
+struct Box { glm::dvec3 lower{0}, upper{1}; };                 ///< corners sorted
+struct Plane { glm::dvec3 normal{0, 1, 0}; double offset = 0; };  ///< unit normal; inside: dot(normal, p) <= offset
+struct Cylinder { glm::dvec3 base{0}, cap{0, 1, 0}; double radius = 1; bool open = false; };
+struct Cone { glm::dvec3 base{0}; double base_radius = 1; glm::dvec3 cap{0, 1, 0}; double cap_radius = 0; bool open = false; };
+struct Torus { double major = 1, minor = 0.25; };               ///< axis y
+/// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0: square <A,B,C>, mixed <D,E,F>, linear <G,H,I>.
+struct Quadric { glm::dvec3 square{0}, mixed{0}, linear{0}; double constant = 0; };
+struct Disc { glm::dvec3 center{0}, normal{0, 0, 1}; double radius = 1, hole = 0; };
+struct Triangle {
+    std::array<glm::dvec3, 3> vertex;
+    std::array<glm::dvec3, 3> normal;
+    bool smooth = false;
+};
+
+/// Triangles that share vertices, normals and textures; shared by every instance.
+struct MeshData {
+    struct Face {
+        std::array<std::uint32_t, 3> vertex;
+        std::array<std::uint32_t, 3> normal;       ///< equal to {kNone,...} on a flat face
+        std::array<std::uint32_t, 3> uv;
+        std::array<std::uint32_t, 3> texture;      ///< index into textures or kNone
+    };
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    std::vector<glm::dvec3> vertices, normals;
+    std::vector<glm::dvec2> uvs;
+    std::vector<Face> faces;
+    std::vector<TexturePtr> textures;
+    bool has_inside_vector = false;
+    glm::dvec3 inside_vector{0};
+};
+struct Mesh { std::shared_ptr<const MeshData> data; };
+
+struct Object;
+
+enum class CsgOp { Union, Intersection, Difference, Merge };
+struct Csg {
+    CsgOp op = CsgOp::Union;
+    /// Operands in order. Shared between copies of a declared object: never changed in place once shared.
+    std::shared_ptr<const std::vector<Object>> operands;
+    bool split_union = true;
+    bool cutaway_textures = false;
+};
+
+/// Kinds of light (spec 3, 12). Lights may stand inside a union; plan/ collects them.
+struct Light {
+    enum class Kind { Point, Spot, Cylinder } kind = Kind::Point;
+    glm::dvec3 location{0};
+    glm::vec3 color{1};
+    glm::dvec3 point_at{0};
+    double radius_deg = 30, falloff_deg = 45, tightness = 0;  ///< degrees for a spot; lengths for `cylinder`
+    bool parallel = false, shadowless = false;
+    double fade_distance = 0, fade_power = 0;
+    bool area = false, circular = false, orient = false, jitter = false, area_illumination = false;
+    glm::dvec3 axis1{0}, axis2{0};
+    int size1 = 1, size2 = 1, adaptive = 0;
+    bool media_interaction = true, media_attenuation = false;
+    std::shared_ptr<const Object> looks_like, projected_through;
+};
+
+using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Csg, Light>;
+
+struct Flags {
+    bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
+    bool double_illuminate = false;
+    std::optional<bool> hollow;
+    bool uv_mapping = false;
+};
+
+/// One object. `transform` maps the shape into the parent's space; textures, clips and bounds stand in the
+/// parent's space already (a transformation written after them was applied to them too: call transform_by).
+struct Object {
+    Shape shape;
+    csg::Transform transform;
+    bool inverse = false;
+    TexturePtr texture;                 ///< null: inherits from the parent, else the default texture
+    TexturePtr interior_texture;
+    std::shared_ptr<const Interior> interior;
+    std::vector<Object> clipped_by, bounded_by;
+    bool bounded_by_clip = false;       ///< bounded_by { clipped_by } and the like: one set, both uses
+    Flags flags;
+    SourceRef source;
+
+    /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.
+    void transform_by(const csg::Transform& t);
+};
+
+}  // namespace scene

@@ -1,0 +1,146 @@
+#pragma once
+
+#include "csg/types.h"
+#include "render/scene/color.h"
+#include "render/scene/source_ref.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Textures as the author wrote them, defaults filled in (reference manual 3.6; spec chapter 4).
+namespace scene {
+
+enum class WaveForm { Ramp, Sine, Triangle, Scallop, Cubic, Poly };
+
+/// The turbulence of a pattern ("classic", applied last) or of `warp { turbulence }`.
+struct Turbulence {
+    glm::dvec3 amount{0.0};
+    int octaves = 6;
+    double lambda = 2.0, omega = 0.5;
+};
+
+struct RepeatWarp { glm::dvec3 width{0}, offset{0}, flip{0}; };
+struct BlackHoleWarp {
+    glm::dvec3 center{0}; double radius = 1, strength = 1, falloff = 2;
+    bool inverse = false; glm::dvec3 repeat{0}, turbulence{0};
+};
+struct MappingWarp {
+    enum class Kind { Planar, Cylindrical, Spherical, Toroidal, Cubic } kind = Kind::Planar;
+    glm::dvec3 orientation{0, 0, 1};
+    double distance = 0;          ///< planar only
+    double dist_exp = 0, major_radius = 1;
+};
+
+/// One step of a pattern's coordinate change. Kept in evaluation order: front first.
+using WarpStep = std::variant<csg::Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp>;
+
+/// One entry of a catalogue: `name` is POV-Ray's keyword ("checker", "gradient", "granite", ...).
+/// Parameters have fixed meanings per pattern, see docs/patterns.md.
+struct Pattern {
+    std::string name;
+    glm::dvec3 vector{0};               ///< gradient's axis, brick size, julia's complex number, slope's direction, ...
+    std::vector<double> numbers;        ///< mortar, control values, exponents, ...
+    int noise_generator = 0;            ///< 0: the scene's
+    double frequency = 1, phase = 0;
+    WaveForm wave = WaveForm::Ramp;
+    double poly_exponent = 1;
+    std::vector<WarpStep> warps;        ///< front to back = order of evaluation; classic turbulence, if any, last
+    std::optional<Turbulence> turbulence;  ///< classic turbulence: after all warps
+    SourceRef source;
+
+    /// A transformation written after what is there: composes with a transformation at the front, else goes in front.
+    void transform(const csg::Transform& t);
+};
+
+template <class T> struct MapEntry { double key = 0; T value; };
+
+struct Pigment;
+using PigmentPtr = std::shared_ptr<const Pigment>;
+
+/// color_map, pigment_map, list of colours or pigments (checker, ...: keys 0, 1, 2, ...).
+using ColorMap = std::vector<MapEntry<Color>>;
+using PigmentMap = std::vector<MapEntry<PigmentPtr>>;
+
+struct PatternedPigment {
+    Pattern pattern;                               ///< name "average" and "uv_mapping" included
+    std::variant<ColorMap, PigmentMap> map;        ///< defaults filled in, never empty
+};
+
+struct Pigment {
+    std::variant<Color, PatternedPigment> kind = Color{};
+    std::optional<Color> quick_color;
+    SourceRef source;
+
+    void transform(const csg::Transform& t);       ///< deep: a pigment_map's entries stay in the map's space
+};
+
+struct Normal;
+using NormalPtr = std::shared_ptr<const Normal>;
+struct Normal {
+    Pattern pattern;
+    double amount = 0.5;                           ///< bump size
+    double accuracy = 0.02;
+    bool no_bump_scale = false;
+    std::variant<std::monostate, std::vector<MapEntry<NormalPtr>>, std::vector<MapEntry<glm::dvec2>>> map;  ///< normal_map, slope_map
+    SourceRef source;
+    void transform(const csg::Transform& t);
+};
+
+struct Reflection {
+    glm::vec3 min{0}, max{0};
+    bool fresnel = false;
+    float falloff = 1, exponent = 1, metallic = 0;
+};
+
+/// Defaults: spec chapter 3, 7.1.
+struct Finish {
+    glm::vec3 ambient{0.1f}, emission{0};
+    float diffuse = 0.6f, diffuse_back = 0, brilliance = 1, crand = 0;
+    float phong = 0, phong_size = 40, specular = 0, roughness = 0.05f, metallic = 0;
+    bool diffuse_albedo = false, phong_albedo = false, specular_albedo = false;
+    Reflection reflection;
+    bool conserve_energy = false;
+    float irid = 0, irid_thickness = 0, irid_turbulence = 0;
+    bool use_radiosity = true;                     ///< reserved for later
+    /// Legacy finish keywords, moved to the interior of the object (spec 3, 8.7); unset if negative.
+    float legacy_ior = -1, legacy_caustics = -1;
+    SourceRef source;
+};
+
+struct Layer {
+    Pigment pigment;
+    std::optional<Normal> normal;
+    Finish finish;
+};
+
+struct Texture;
+using TexturePtr = std::shared_ptr<const Texture>;
+
+/// texture_map, tiles, or a list pattern of textures.
+struct PatternedTexture {
+    Pattern pattern;
+    std::vector<MapEntry<TexturePtr>> map;
+};
+
+/// Layers in the order written: the last is the top. Exactly one of the two kinds.
+struct Texture {
+    std::variant<std::vector<Layer>, PatternedTexture> kind;
+    SourceRef source;
+    void transform(const csg::Transform& t);
+};
+
+/// What fills an object (reference manual 3.5.8). Identity matters for refraction: compare pointers.
+struct Interior {
+    float ior = 1, dispersion = 1;
+    int dispersion_samples = 7;
+    float caustics = 0, fade_distance = 0, fade_power = 0;
+    glm::vec3 fade_color{0};
+    bool hollow = false;
+    float refraction = 1;  ///< legacy factor on transmitted light (spec 3, 8.7)
+    SourceRef source;
+};
+
+}  // namespace scene
