@@ -1,0 +1,12 @@
+# Flags shared by every target of ours: `target_link_libraries(x PRIVATE project_options)`.
+add_library(project_options INTERFACE)
+target_compile_options(project_options INTERFACE -Wall -Wextra -Wconversion -Wshadow -fno-math-errno -fno-trapping-math
+                       -ffp-contract=off -fvisibility=hidden)
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+if(WHITTLE_SANITIZE)
+  add_compile_options(-fsanitize=${WHITTLE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${WHITTLE_SANITIZE})
+endif()
+
+# Levels of x86-64 that get a kernel module of their own.
+set(WHITTLE_ISA_LEVELS v2 v3 v4)

@@ -1,0 +1,11 @@
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)
+find_package(fmt REQUIRED)
+find_package(glm REQUIRED)
+find_package(TBB REQUIRED)
+find_package(xsimd REQUIRED)
+find_package(pegtl REQUIRED)
+find_package(Catch2 2 REQUIRED)
+
+# The package's own CMake file carries an include path that does not exist on Debian 12; pkg-config is right.
+pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)

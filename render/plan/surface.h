@@ -1,0 +1,26 @@
+#pragma once
+
+#include "csg/types.h"
+
+#include <cstdint>
+
+namespace plan {
+
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
+/// What a csg::SurfaceId means: one entry per (texture, interior, flags, ...) combination in use.
+/// Two leaves of one object share an entry; two objects never share an interior they did not share in the text.
+struct Surface {
+    std::uint32_t texture = kNone;           ///< index into TextureSet::textures; kNone: contributes black
+    std::uint32_t interior_texture = kNone;  ///< used when the raw normal faces along the ray
+    std::uint32_t interior = kNone;          ///< index into CompiledScene::interiors; identity decides refraction
+    std::uint32_t object = kNone;            ///< top-level object after splitting unions, in order of declaration
+    bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
+    bool opaque = true;                      ///< spec 3, 13.2: a shadow ray may stop here
+    bool uv_mapping = false;
+};
+
+/// Which kind of ray asks; objects hide from some (spec 3, 14).
+enum class RayKind : std::uint8_t { Image, Reflection, Shadow };
+
+}  // namespace plan
