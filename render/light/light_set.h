@@ -1,0 +1,34 @@
+#pragma once
+
+#include "csg/types.h"
+
+#include <cstdint>
+#include <vector>
+
+/// Lights as the tracer uses them: built once by plan/, read by every thread. Formulas: spec 3, section 12.
+namespace light {
+
+struct Light {
+    enum class Kind : std::uint8_t { Point, Spot, Cylinder } kind = Kind::Point;
+    bool parallel = false, shadowless = false;
+    bool area = false, circular = false, orient = false, jitter = false, area_illumination = false;
+    bool atmosphere = false;                   ///< media_attenuation and media_interaction: fog dims it
+    glm::dvec3 location{0}, point_at{0, 0, 1};
+    glm::dvec3 axis{0, 0, 1};                  ///< unit, from location to point_at
+    glm::vec3 color{1};
+    double cos_radius = 0, cos_falloff = 0;    ///< Spot
+    double radius = 0, falloff = 0;            ///< Cylinder: lengths
+    double tightness = 0;
+    double fade_distance = 0, fade_power = 0;  ///< fade_power 0: no fading
+    glm::dvec3 axis1{0}, axis2{0};             ///< area light: edges
+    int size1 = 1, size2 = 1, adaptive = 100;
+
+    /// Every lit point has the light in the same direction or sees it at one place: shadow rays form a beam.
+    bool from_one_point() const { return !parallel && kind != Kind::Cylinder && !area; }
+};
+
+struct LightSet {
+    std::vector<Light> lights;                 ///< in order of declaration
+};
+
+}  // namespace light

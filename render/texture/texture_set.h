@@ -1,0 +1,76 @@
+#pragma once
+
+#include "render/scene/color.h"
+#include "render/texture/pattern.h"
+
+#include <vector>
+
+/// All textures of a scene as flat arrays: built once by plan/, read by every thread.
+namespace texture {
+
+/// What a pigment, a normal or a texture with a pattern looks its value up in.
+struct Pigment {
+    enum class Kind : std::uint8_t { Solid, ColorMap, PigmentMap, Average, Uv } kind = Kind::Solid;
+    scene::Color color;                    ///< Solid
+    std::uint32_t pattern = kNone;
+    std::uint32_t first = 0, count = 0;    ///< entries: keys[first..], and colors (ColorMap) or children beside them
+};
+
+struct Normal {
+    enum class Map : std::uint8_t { None, Normals, Slopes, Average, Uv } map = Map::None;
+    std::uint32_t pattern = kNone;
+    double amount = 0.5, accuracy = 0.02;  ///< single precision values
+    bool no_bump_scale = false;
+    std::uint32_t first = 0, count = 0;    ///< keys and children (Normals, Average, Uv) or slopes
+};
+
+/// The author's finish with albedo forms resolved and every exponent as used.
+struct Finish {
+    glm::vec3 ambient{0.1f}, emission{0};  ///< ambient holds the scene's ambient_light too
+    float diffuse = 0.6f, diffuse_back = 0, brilliance = 1, crand = 0;
+    float phong = 0, phong_size = 40, specular = 0, specular_exponent = 20, metallic = 0;
+    glm::vec3 reflection_min{0}, reflection_max{0};
+    float reflection_falloff = 1, reflection_exponent = 1, reflection_metallic = 0;
+    bool fresnel = false, conserve_energy = false;
+    float irid = 0, irid_thickness = 0, irid_turbulence = 0;
+
+    bool lit() const { return diffuse != 0 || diffuse_back != 0 || phong != 0 || specular != 0; }
+    bool reflects() const { return reflection_min != glm::vec3(0) || reflection_max != glm::vec3(0); }
+};
+
+struct Layer {
+    std::uint32_t pigment = 0, normal = kNone, finish = 0;
+};
+
+/// Either layers (the last is the top) or a pattern over other textures.
+struct Texture {
+    enum class Kind : std::uint8_t { Layers, Map, Average, Uv } kind = Kind::Layers;
+    bool opaque = true;                    ///< spec 3, 13.2: stops light outright
+    bool plain = false;                    ///< one opaque layer, no normal, no reflection, no crand, no irid: the small kernel
+    std::uint32_t pattern = kNone;
+    std::uint32_t first = 0, count = 0;    ///< layers, or keys and children
+};
+
+/// Fields named by the structs above. `keys`, `colors`, `children` and `slopes` share one index space per map:
+/// entry i of a map has keys[i] and whichever of the others its kind uses.
+struct TextureSet {
+    std::vector<Texture> textures;
+    std::vector<Layer> layers;
+    std::vector<Finish> finishes;
+    std::vector<Pigment> pigments;
+    std::vector<Normal> normals;
+    std::vector<Pattern> patterns;
+    std::vector<Warp> warps;
+    std::vector<float> keys;
+    std::vector<scene::Color> colors;
+    std::vector<std::uint32_t> children;
+    std::vector<glm::dvec2> slopes;
+    /// Source points and frequencies of `ripples` and `waves` (spec 4, 2.8); number_of_waves long.
+    std::vector<glm::dvec3> wave_sources;
+    std::vector<double> wave_frequencies;
+    glm::vec3 irid_wavelength{0.70f, 0.52f, 0.48f};
+    bool legacy_opacity = false;           ///< language version below 3.7 (spec 3, 7.2)
+    int noise_generator = 2;               ///< the scene's: fog, irid, crackle's `solid`
+};
+
+}  // namespace texture
