@@ -1,0 +1,48 @@
+#pragma once
+
+#include "render/scene/description.h"
+#include "render/texture/sky.h"
+#include "render/texture/texture_set.h"
+
+#include <string>
+#include <unordered_map>
+
+namespace plan {
+
+/// Turns descriptions of textures into the flat set, each shared description once.
+class TextureCompiler {
+public:
+    /// quality: +Q, 0 to 9 (quick colours up to 5, normals from 8). `notes` receives what is not rendered yet.
+    TextureCompiler(const scene::Description& scene, int quality, texture::TextureSet& out,
+                    std::vector<scene::Unsupported>& notes);
+
+    /// Index into TextureSet::textures, or texture::kNone for a null pointer.
+    std::uint32_t texture(const scene::TexturePtr& description);
+    /// Index into TextureSet::pigments.
+    std::uint32_t pigment(const scene::Pigment& description);
+
+private:
+    std::uint32_t compile(const scene::Texture& description);
+    std::uint32_t layers(const std::vector<scene::Layer>& description);
+    std::uint32_t patterned(const scene::PatternedTexture& description);
+    std::uint32_t pigment_map(const scene::PatternedPigment& description);
+    std::uint32_t normal(const scene::Normal& description, bool no_bump_scale);
+    std::uint32_t finish(const scene::Finish& description);
+    std::uint32_t pattern(const scene::Pattern& description);
+    std::uint32_t reserve_map(std::size_t count);
+    void note(const std::string& what, const scene::SourceRef& source);
+    bool pigment_opaque(std::uint32_t index) const;
+
+    const scene::Description& scene_;
+    int quality_;
+    texture::TextureSet& out_;
+    std::vector<scene::Unsupported>& notes_;
+    std::unordered_map<const scene::Texture*, std::uint32_t> known_;
+    std::vector<scene::TexturePtr> alive_;  ///< keeps the keys of known_ from being reused
+};
+
+/// alpha_output: the picture is written with an alpha channel (+UA).
+texture::Sky compile_sky(const scene::Description& scene, TextureCompiler& textures, bool alpha_output);
+std::vector<texture::Fog> compile_fogs(const scene::Description& scene);
+
+}  // namespace plan
