@@ -1,56 +1,21 @@
 #pragma once
 
-#include "csg/types.h"
+#include "csg/hit.h"
+#include "csg/world.h"
 #include "render/plan/surface.h"
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
-/// What shading asks of geometry. Implemented over csg::World; inlined into each kernel module.
+/// What shading asks of geometry, under the names that shading uses.
 namespace trace {
 
-/// The winner of a ray: just enough to find it again.
-struct Hit {
-    double t = csg::kInfinity;
-    csg::SurfaceId surface = csg::kNoSurface;
-    std::uint32_t part = 0;         ///< solid (kind and index, packed as World likes): what details() needs
-    std::uint32_t face = 0;         ///< box side, cylinder cap, triangle of a mesh, ...
-    bool inverted = false;          ///< subtracted or inverse: the raw normal is negated
-    bool found() const { return surface != csg::kNoSurface; }
-};
+using csg::Hit;
+using csg::HitDetails;
+using csg::HitTile;
+using csg::kTileRays;
+using csg::kTileSide;
+using csg::RayTile;
+using csg::Shadow;
 
-/// Computed for the winner alone.
-struct HitDetails {
-    glm::dvec3 point;               ///< world
-    glm::dvec3 normal;              ///< raw outward normal, unit length, negated if inverted; not yet turned to the viewer
-    glm::dvec2 uv{0};               ///< only where Surface::uv_mapping asks for it
-};
-
-inline constexpr int kTileSide = 8;
-inline constexpr int kTileRays = kTileSide * kTileSide;
-
-/// Up to 64 rays as arrays. Lane i of a camera tile is pixel (i % 8, i / 8) of the tile, unless compacted.
-struct alignas(64) RayTile {
-    std::array<double, kTileRays> ox, oy, oz, dx, dy, dz;
-    std::array<double, kTileRays> t_min, t_max;
-    int count = 0;
-    bool common_origin = false;     ///< all rays start in one point (eye, or a point light: traced from the light)
-};
-
-/// Nearest hits of a tile as arrays.
-struct alignas(64) HitTile {
-    std::array<double, kTileRays> t;
-    std::array<csg::SurfaceId, kTileRays> surface;
-    std::array<std::uint32_t, kTileRays> part, face;
-    std::array<std::uint8_t, kTileRays> inverted;
-    Hit at(int i) const
-    {
-        return {t[i], surface[i], part[i], face[i], inverted[i] != 0};
-    }
-};
-
-/// What a shadow ray met.
-enum class Shadow : std::uint8_t { Clear, Blocked, Filtered };  ///< Filtered: crosses only transparent surfaces
+/// The bit of a kind of ray in csg::World's visibility masks.
+constexpr std::uint8_t bit(plan::RayKind kind) { return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind)); }
 
 }  // namespace trace

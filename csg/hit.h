@@ -1,0 +1,69 @@
+#pragma once
+
+#include "csg/types.h"
+
+#include <array>
+#include <cstdint>
+
+/// What is asked of geometry and what it answers: hits of one ray, and of a tile of rays as arrays.
+namespace csg {
+
+/// The winner of a ray: just enough to find it again.
+struct Hit {
+    double t = kInfinity;
+    SurfaceId surface = kNoSurface;
+    std::uint32_t part = 0;         ///< solid (kind and index, packed as World likes): what details() needs
+    std::uint32_t face = 0;         ///< box side, cylinder cap, triangle of a mesh, ...
+    bool inverted = false;          ///< subtracted or inverse: the raw normal is negated
+    bool found() const { return surface != kNoSurface; }
+};
+
+/// Computed for the winner alone.
+struct HitDetails {
+    glm::dvec3 point;               ///< world
+    glm::dvec3 normal;              ///< raw outward normal, unit length, negated if inverted; not yet turned to the viewer
+    glm::dvec2 uv{0};               ///< only where Surface::uv_mapping asks for it
+};
+
+inline constexpr int kTileSide = 8;
+inline constexpr int kTileRays = kTileSide * kTileSide;
+
+/// Up to 64 rays as arrays. Lane i of a camera tile is pixel (i % 8, i / 8) of the tile, unless compacted.
+struct alignas(64) RayTile {
+    std::array<double, kTileRays> ox, oy, oz, dx, dy, dz;
+    std::array<double, kTileRays> t_min, t_max;
+    int count = 0;
+    bool common_origin = false;     ///< all rays start in one point (eye, or a point light: traced from the light)
+    Ray ray(int i) const
+    {
+        const auto k = static_cast<std::size_t>(i);
+        return {{ox[k], oy[k], oz[k]}, {dx[k], dy[k], dz[k]}};
+    }
+};
+
+/// Nearest hits of a tile as arrays.
+struct alignas(64) HitTile {
+    std::array<double, kTileRays> t;
+    std::array<SurfaceId, kTileRays> surface;
+    std::array<std::uint32_t, kTileRays> part, face;
+    std::array<std::uint8_t, kTileRays> inverted;
+    Hit at(int i) const
+    {
+        const auto k = static_cast<std::size_t>(i);
+        return {t[k], surface[k], part[k], face[k], inverted[k] != 0};
+    }
+    void set(int i, const Hit& h)
+    {
+        const auto k = static_cast<std::size_t>(i);
+        t[k] = h.t;
+        surface[k] = h.surface;
+        part[k] = h.part;
+        face[k] = h.face;
+        inverted[k] = h.inverted ? 1 : 0;
+    }
+};
+
+/// What a shadow ray met.
+enum class Shadow : std::uint8_t { Clear, Blocked, Filtered };  ///< Filtered: crosses only transparent surfaces
+
+}  // namespace csg

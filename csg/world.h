@@ -1,0 +1,46 @@
+#pragma once
+
+#include "csg/hit.h"
+#include "csg/types.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace csg {
+
+struct WorldData;   // csg/world_data.h
+struct Scratch;     // csg/scratch.h: per thread, reused; one per caller, never shared
+
+/// All top-level objects of a scene behind one bounding hierarchy. Immutable once built; safe for any number of threads.
+/// Ray directions have unit length; t is a distance in scene units. Bits of `kinds`: trace::bit(plan::RayKind).
+/// At equal t the object declared first wins (spec 5a, 2.2).
+class World {
+public:
+    explicit World(const WorldData& data) : data_(&data) {}
+
+    /// The first visible crossing with t_min <= t < t_max among objects visible to `kind_bit`; !found() if none.
+    Hit nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
+
+    /// Point, normal and uv of a hit of that ray.
+    HitDetails details(const Ray& ray, const Hit& hit) const;
+
+    /// Whether anything that casts a shadow lies in (t_min, t_max): Blocked as soon as an opaque surface is met.
+    Shadow shadow(const Ray& ray, double t_min, double t_max, Scratch& scratch) const;
+
+    /// Every crossing of shadow casters in (t_min, t_max), nearest first. `out` is cleared first; reuse it.
+    void shadow_crossings(const Ray& ray, double t_min, double t_max, Scratch& scratch, std::vector<Hit>& out) const;
+
+    /// Indices (Surface::object, in order of declaration) of the top-level objects whose solid holds the point.
+    void containing(const glm::dvec3& point, std::vector<std::uint32_t>& out) const;
+
+    /// nearest() for a tile: rays i < count, with their own t_min and t_max. Same answers, bit for bit, as one by one.
+    void nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const;
+
+    /// shadow() for a tile. `out` has kTileRays places.
+    void shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const;
+
+private:
+    const WorldData* data_;
+};
+
+}  // namespace csg

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "csg/world_data.h"
+#include "render/light/light_set.h"
+#include "render/plan/interior.h"
+#include "render/plan/surface.h"
+#include "render/scene/description.h"
+#include "render/texture/sky.h"
+#include "render/texture/texture_set.h"
+
+#include <string>
+#include <vector>
+
+/// From the description of a scene to what the tracer reads: flat arrays, and a list of what was kept or left out.
+namespace plan {
+
+/// How samples are added where the picture is not smooth (spec 2, 8).
+struct Antialiasing {
+    int method = 0;            ///< 0 off, 1 or 2
+    double threshold = 0.3;    ///< [0, 1]
+    int depth = 3;             ///< [1, 9]
+    double jitter = 1.0;       ///< [0, 1]; 0 is off
+    double gamma = 2.5;        ///< Antialias_Gamma
+};
+
+/// What the command line says about the picture.
+struct Options {
+    int width = 320, height = 240;
+    int quality = 9;                       ///< +Q, 0 to 11 (spec 3, 16)
+    bool alpha = false;                    ///< +UA: the background is transparent
+    Antialiasing antialiasing;
+    int start_row = 0, start_column = 0;   ///< from 0
+    int end_row = -1, end_column = -1;     ///< from 0, inclusive; -1: the last
+    int block_size = 32;                   ///< +BS; antialiasing depends on it as in POV-Ray
+    bool split_unions = true;              ///< +SU
+};
+
+/// One decision of the compiler, for --explain: "left out 12 operands: their bounds never meet the rest".
+struct Decision {
+    std::string what;
+    std::string why;
+    scene::SourceRef source;
+};
+
+/// A top-level object after splitting unions, in order of declaration.
+struct ObjectInfo {
+    std::uint32_t interior = kNone;        ///< index into CompiledScene::interiors
+    scene::SourceRef source;
+};
+
+/// Scene-wide numbers that shading reads.
+struct Settings {
+    int max_trace_level = 5;
+    double adc_bailout = 1.0 / 255.0;
+    glm::vec3 ambient_light{1};
+    int quality = 9;
+    bool alpha = false;
+    scene::AssumedGamma assumed_gamma;
+};
+
+/// Everything a render needs; immutable, shared by all threads.
+struct CompiledScene {
+    csg::WorldData geometry;               ///< ask through world()
+    std::vector<Surface> surfaces;         ///< by csg::SurfaceId
+    std::vector<ObjectInfo> objects;       ///< by Surface::object
+    texture::TextureSet textures;
+    std::vector<Interior> interiors;       ///< by Surface::interior; identity decides refraction
+    light::LightSet lights;
+    texture::Sky sky;
+    std::vector<texture::Fog> fogs;
+    scene::Camera camera;
+    Settings settings;
+    Options options;
+    std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)
+    std::vector<Decision> decisions;
+
+    csg::World world() const { return csg::World(geometry); }
+};
+
+/// Compiles a description. Throws std::runtime_error for a scene that cannot be compiled.
+CompiledScene compile(const scene::Description& description, const Options& options);
+
+/// --explain: the decisions, one a line.
+std::string explain(const CompiledScene& scene, const std::vector<std::string>& files);
+
+/// --dump=plan: objects, programs, surfaces, bounds and the hierarchy's figures as text.
+std::string dump(const CompiledScene& scene);
+
+}  // namespace plan

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "render/image/image.h"
+#include "render/plan/compiled_scene.h"
+#include "render/trace/scratch.h"
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace trace {
+
+/// Instruction sets with a kernel module of their own. Auto takes the best that the processor has.
+enum class Isa { Auto, V2, V3, V4 };
+
+struct RenderOptions {
+    int threads = 0;                              ///< 0: all cores
+    Isa isa = Isa::Auto;
+    /// Called now and then from any thread with the share of blocks done in [0, 1]; may be empty.
+    std::function<void(double)> progress;
+    const std::atomic<bool>* cancel = nullptr;    ///< set to true to stop early
+};
+
+struct RenderStatistics {
+    RayCounts rays;
+    double seconds_trace = 0;                     ///< wall clock
+    int threads = 1;
+    std::string isa;                              ///< "v2", "v3" or "v4"
+    bool cancelled = false;
+};
+
+/// Traces the picture: same bytes for any number of threads and any instruction set.
+/// Pixels outside the window of plan::Options stay black and opaque. Throws std::runtime_error if the kernel module
+/// for the asked instruction set is missing or the processor cannot run it.
+RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image);
+
+/// What the processor can run, best last.
+std::string best_isa();
+
+}  // namespace trace

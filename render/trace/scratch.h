@@ -1,0 +1,32 @@
+#pragma once
+
+#include "csg/scratch.h"
+#include "csg/hit.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace trace {
+
+/// Rays by kind, counted per tile without locks and added up at the end.
+struct RayCounts {
+    std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, supersamples = 0;
+    RayCounts& operator+=(const RayCounts& other)
+    {
+        camera += other.camera;
+        shadow += other.shadow;
+        reflected += other.reflected;
+        refracted += other.refracted;
+        supersamples += other.supersamples;
+        return *this;
+    }
+};
+
+/// What one thread needs while it traces and shades; reused for every tile.
+struct Scratch {
+    csg::Scratch geometry;
+    std::vector<csg::Hit> crossings;   ///< shadow_crossings of the ray at hand
+    RayCounts counts;
+};
+
+}  // namespace trace
