@@ -37,12 +37,15 @@ struct MappingWarp {
 /// One step of a pattern's coordinate change. Kept in evaluation order: front first.
 using WarpStep = std::variant<csg::Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp>;
 
+struct Pigment;
+
 /// One entry of a catalogue: `name` is POV-Ray's keyword ("checker", "gradient", "granite", ...).
 /// Parameters have fixed meanings per pattern, see docs/patterns.md.
 struct Pattern {
     std::string name;
     glm::dvec3 vector{0};               ///< gradient's axis, brick size, julia's complex number, slope's direction, ...
     std::vector<double> numbers;        ///< mortar, control values, exponents, ...
+    std::shared_ptr<const Pigment> pigment;  ///< pigment_pattern only
     int noise_generator = 0;            ///< 0: the scene's
     double frequency = 1, phase = 0;
     WaveForm wave = WaveForm::Ramp;
@@ -57,7 +60,6 @@ struct Pattern {
 
 template <class T> struct MapEntry { double key = 0; T value; };
 
-struct Pigment;
 using PigmentPtr = std::shared_ptr<const Pigment>;
 
 /// color_map, pigment_map, list of colours or pigments (checker, ...: keys 0, 1, 2, ...).
