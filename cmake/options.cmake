@@ -10,3 +10,7 @@ endif()
 
 # Levels of x86-64 that get a kernel module of their own.
 set(WHITTLE_ISA_LEVELS v2 v3 v4)
+
+# One folder for programs and the modules that they open at run time, so that each finds them beside itself.
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

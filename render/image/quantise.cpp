@@ -1,0 +1,60 @@
+#include "render/image/quantise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace image {
+
+namespace {
+
+constexpr int kLeastBits = 5, kMostBits = 16;  // the range of Bits_Per_Color
+
+/// POV-Ray divides the colour of a wholly clear pixel by this in place of 0.
+constexpr float kClearDivisor = 1e-6f;
+
+}  // namespace
+
+std::uint16_t quantised(float x, int bits)
+{
+    const auto largest = static_cast<float>((1 << bits) - 1);
+    if (!(x > 0.0f)) return 0;  // NaN fails every comparison
+    if (x >= 1.0f) return static_cast<std::uint16_t>(largest);
+    return static_cast<std::uint16_t>(std::floor(x * largest + 0.5f));
+}
+
+void make_straight(const float weighted[4], float straight[4])
+{
+    const float alpha_given = 1.0f - weighted[3];
+    const float bright = luminance(weighted[0], weighted[1], weighted[2]);
+    const float alpha = bright > alpha_given ? std::min(1.0f, bright) : alpha_given;
+    const float divisor = alpha == 0.0f ? kClearDivisor : alpha;
+    for (int c = 0; c < 3; ++c) straight[c] = weighted[c] / divisor;
+    straight[3] = alpha;
+}
+
+Raster quantise(const Image& picture, const Encoding& encoding)
+{
+    const Transcoder transcode(encoding.curves.working, encoding.curves.file);
+    Raster out;
+    out.width = picture.width;
+    out.height = picture.height;
+    out.bits = std::clamp(encoding.bits, kLeastBits, kMostBits);
+    const int colours = encoding.greyscale ? 1 : 3;
+    out.channels = colours + (encoding.alpha ? 1 : 0);
+    out.samples.resize(picture.pixels.size() / 4 * static_cast<std::size_t>(out.channels));
+    std::uint16_t* to = out.samples.data();
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        std::array<float, 4> pixel{picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2], picture.pixels[i + 3]};
+        if (encoding.greyscale) {
+            pixel[0] = luminance(pixel[0], pixel[1], pixel[2]);
+            pixel[1] = pixel[2] = pixel[0];
+        }
+        if (encoding.alpha) make_straight(pixel.data(), pixel.data());
+        for (int c = 0; c < colours; ++c) *to++ = quantised(transcode.to_file(pixel[static_cast<std::size_t>(c)]), out.bits);
+        if (encoding.alpha) *to++ = quantised(pixel[3], out.bits);  // alpha is a share of area: never gamma encoded
+    }
+    return out;
+}
+
+}  // namespace image

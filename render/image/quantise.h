@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/image/image.h"
+#include "render/image/transfer_curve.h"
+
+namespace image {
+
+/// How float pixels become integers (spec 2, 12).
+struct Encoding {
+    OutputCurves curves;
+    int bits = 8;             ///< per channel, clamped to 5..16
+    bool alpha = false;       ///< straight alpha as the last channel; without it the picture stands before black
+    bool greyscale = false;   ///< one channel of luminance
+};
+
+/// floor(clamp(x, 0, 1) * (2^bits - 1) + 0.5) in single precision; a NaN becomes 0.
+std::uint16_t quantised(float x, int bits);
+
+/// Luminance with POV-Ray's weights.
+inline float luminance(float red, float green, float blue) { return 0.297f * red + 0.589f * green + 0.114f * blue; }
+
+/// Straight colour and alpha of a pixel weighted by its opacity, r, g, b, transmit in and r, g, b, alpha out: pixels
+/// brighter than their alpha become more opaque, a clear one is divided by 1e-6 (spec 2, 12.1).
+void make_straight(const float weighted[4], float straight[4]);
+
+/// The file's integers. Rows are independent: the result does not depend on how many threads traced the picture.
+Raster quantise(const Image& picture, const Encoding& encoding);
+
+}  // namespace image

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+namespace image {
+
+/// How a light level is stored: `encode` maps linear light to the stored value, `decode` maps it back (spec 2, 10.2).
+/// Single precision, as POV-Ray computes it; nothing is clamped above 1.
+struct TransferCurve {
+    enum class Kind { Linear, Power, Srgb };
+    Kind kind = Kind::Linear;
+    float gamma = 1.0f;  ///< Power only: the decoding exponent, stored^gamma is linear light
+
+    static TransferCurve linear() { return {}; }
+    static TransferCurve srgb() { return {Kind::Srgb, 2.2f}; }
+    /// Within 1 % of an exponent of 1 the curve is the identity, so that negative values survive, as in POV-Ray.
+    static TransferCurve power(float decoding_gamma);
+
+    float encode(float linear) const;
+    float decode(float stored) const;
+    /// The exponent that comes nearest, for a file's gAMA entry: 2.2 for sRGB.
+    float approximate_gamma() const { return kind == Kind::Linear ? 1.0f : gamma; }
+    friend bool operator==(const TransferCurve&, const TransferCurve&) = default;
+};
+
+/// From the scene's working space to a file's values: encode_file(decode_work(x)). Equal curves cancel and two power
+/// laws become one, which keeps values that a decode and an encode in turn would lose.
+class Transcoder {
+public:
+    Transcoder() = default;
+    Transcoder(const TransferCurve& working, const TransferCurve& file);
+    float to_file(float working) const { return file_.encode(working_.decode(working)); }
+    float to_working(float file) const { return working_.encode(file_.decode(file)); }
+
+private:
+    TransferCurve working_, file_;
+};
+
+/// The curves of a picture, chosen at the end of the parse (spec 2, 10.1 and 10.4).
+struct OutputCurves {
+    TransferCurve working, file;
+};
+
+/// \param assumed       the scene's assumed_gamma, nothing if it gives none
+/// \param version       the language version in force at the end of the text, times 100; a scene that names none is 362
+/// \param file_gamma    option File_Gamma
+/// \param display_gamma option Display_Gamma: tags the file where gamma handling is off
+OutputCurves output_curves(const std::optional<TransferCurve>& assumed, int version, const TransferCurve& file_gamma,
+                           const TransferCurve& display_gamma);
+
+}  // namespace image
