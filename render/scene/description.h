@@ -52,6 +52,9 @@ struct Unsupported { std::string what; SourceRef source; };
 struct Description {
     std::vector<std::string> files;        ///< SourceRef::file
     int version = 370;                     ///< language version * 100 at the end of the text
+    /// The version that gamma, background, layers and sky follow: `version` if the text or the command line set one,
+    /// else 362 (spec 1, 15.1).
+    int effective_version = 362;
     Camera camera;
     std::vector<Object> objects;           ///< in order; lights among them
     TexturePtr default_texture;            ///< in force at the end
@@ -62,5 +65,8 @@ struct Description {
     GlobalSettings global;
     std::vector<Unsupported> unsupported;
 };
+
+/// The description as text, one fact a line, defaults included: --dump=scene. The same description gives the same text.
+std::string dump(const Description& description);
 
 }  // namespace scene

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -92,6 +93,12 @@ struct Object {
     std::vector<Object> clipped_by, bounded_by;
     bool bounded_by_clip = false;       ///< bounded_by { clipped_by } and the like: one set, both uses
     Flags flags;
+    /// The default texture in force when the outermost statement that holds this object was added to the scene
+    /// (spec 3, 15.1); set on top-level objects only. What is untextured after inheritance from parents gets it.
+    TexturePtr default_texture;
+    /// Keyword of a kind that the renderer cannot draw yet; empty for all others. Such an object is recorded in
+    /// Description::unsupported and never stands in Description::objects or among the operands of a Csg.
+    std::string undrawn;
     SourceRef source;
 
     /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.

@@ -1,0 +1,88 @@
+#include "render/scene/object.h"
+
+#include <utility>
+
+namespace scene {
+
+void Pattern::transform(const csg::Transform& t)
+{
+    if (!warps.empty()) {
+        if (auto* front = std::get_if<csg::Transform>(&warps.front())) {
+            *front = t * *front;
+            return;
+        }
+    }
+    warps.insert(warps.begin(), t);
+}
+
+void Pigment::transform(const csg::Transform& t)
+{
+    // A plain colour has no space to move.
+    if (auto* patterned = std::get_if<PatternedPigment>(&kind)) patterned->pattern.transform(t);
+}
+
+void Normal::transform(const csg::Transform& t)
+{
+    pattern.transform(t);
+}
+
+void Texture::transform(const csg::Transform& t)
+{
+    if (auto* patterned = std::get_if<PatternedTexture>(&kind)) {
+        patterned->pattern.transform(t);
+        return;
+    }
+    for (Layer& layer : std::get<std::vector<Layer>>(kind)) {
+        layer.pigment.transform(t);
+        if (layer.normal) layer.normal->transform(t);
+    }
+}
+
+namespace {
+
+TexturePtr transformed(const TexturePtr& texture, const csg::Transform& t)
+{
+    if (!texture) return texture;
+    auto copy = std::make_shared<Texture>(*texture);
+    copy->transform(t);
+    return copy;
+}
+
+std::shared_ptr<const Object> transformed(const std::shared_ptr<const Object>& object, const csg::Transform& t)
+{
+    if (!object) return object;
+    auto copy = std::make_shared<Object>(*object);
+    copy->transform_by(t);
+    return copy;
+}
+
+void transform_light(Light& light, const csg::Transform& t)
+{
+    light.location = t.point(light.location);
+    light.point_at = t.point(light.point_at);
+    light.axis1 = t.vector(light.axis1);
+    light.axis2 = t.vector(light.axis2);
+    light.looks_like = transformed(light.looks_like, t);
+    light.projected_through = transformed(light.projected_through, t);
+}
+
+}  // namespace
+
+void Object::transform_by(const csg::Transform& t)
+{
+    // A light keeps no transformation of its own: items written later must not be moved.
+    if (auto* light = std::get_if<Light>(&shape))
+        transform_light(*light, t);
+    else
+        transform = t * transform;
+
+    // Textures of a uv-mapped object live on its surface (spec 5a, 6).
+    if (!flags.uv_mapping) {
+        texture = transformed(texture, t);
+        interior_texture = transformed(interior_texture, t);
+    }
+    for (Object& clip : clipped_by) clip.transform_by(t);
+    for (Object& bound : bounded_by) bound.transform_by(t);
+}
+
+}  // namespace scene
