@@ -1,0 +1,39 @@
+#pragma once
+
+#include "parser/lexer/token.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace parser {
+
+/// One text, read as bytes, and its tokens. Made once however often the text is included or looped over.
+///
+/// The `jump` of a Hash before if/ifdef/ifndef/while/for/switch/macro/else/elseif/case/range is the index of the Hash
+/// of the next branch at the same level (at last of `#end`), kNoIndex where the file ends first: a false branch is
+/// left in one step. For Hash tokens before other words it is kNoIndex.
+struct SourceFile {
+    std::string path;                       ///< as told in messages
+    std::string text;
+    std::vector<Token> tokens;              ///< ends with EndOfText
+    std::vector<std::string> strings;       ///< raw text of String tokens, messages of Bad tokens
+    std::vector<std::uint32_t> bad;         ///< indices of Bad tokens, ascending: skipped text must be well-formed too
+
+    struct Place { std::uint32_t line, column; };  ///< both from 1; column in bytes
+    Place locate(std::uint32_t offset) const;
+    std::string_view line_text(std::uint32_t line) const;  ///< without its line end
+    /// The text of a token as the author wrote it (a word, a number, a string with its quotes).
+    std::string_view token_text(const Token& token) const;
+
+private:
+    mutable std::vector<std::uint32_t> line_starts_;
+    const std::vector<std::uint32_t>& line_starts() const;
+};
+
+/// Turns file.text into tokens (spec of the language: comments nest, signs are never part of a number, ...).
+/// Never throws for any bytes: what is no token becomes a Bad token. `main_text`: a byte-order mark and other bytes
+/// above 127 at the very start are skipped; returns whether there were any.
+bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool main_text);
+
+}  // namespace parser

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "parser/stream/value.h"
+
+#include <optional>
+
+namespace parser {
+
+class TokenStream;
+
+/// What the stream asks of the grammar, which knows the scene's constructs. Cold: one call per declaration.
+class GrammarHooks {
+public:
+    virtual ~GrammarHooks() = default;
+
+    /// The right-hand side of a declaration, a macro argument or an array element that is no expression, string, array,
+    /// function or spline: `sphere { ... }`, `texture { ... } texture { ... }`, `color_map { ... }`, `transform { ... }`.
+    /// stream.peek() is its first token. nullopt, with nothing consumed: no value begins here.
+    virtual std::optional<Value> parse_declared_value(TokenStream& stream) = 0;
+
+    /// The block after `#default` (or `default`), braces included.
+    virtual void parse_default(TokenStream& stream) = 0;
+
+    struct ObjectHit { bool hit = false; glm::dvec3 point{0}, normal{0}; };
+    /// Questions to a declared object; nullopt: cannot be answered (the stream makes it an error at the call).
+    virtual std::optional<ObjectHit> trace(const scene::Object&, const glm::dvec3& /*origin*/,
+                                           const glm::dvec3& /*direction, unit length*/) { return std::nullopt; }
+    virtual std::optional<bool> inside(const scene::Object&, const glm::dvec3&) { return std::nullopt; }
+    virtual std::optional<csg::Aabb> extent(const scene::Object&) { return std::nullopt; }
+};
+
+}  // namespace parser

@@ -1,0 +1,239 @@
+#pragma once
+
+#include "parser/lexer/lexer.h"
+#include "parser/parse.h"
+#include "parser/stream/hooks.h"
+#include "parser/stream/symbols.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace parser {
+
+/// A macro: parameters and the token range of its body.
+struct Macro {
+    std::uint32_t name = 0;
+    std::vector<std::uint32_t> parameters;
+    std::uint16_t file = 0;
+    std::uint32_t begin = 0, end = 0;  ///< tokens of the body; end is the Hash of its `#end`
+};
+
+/// Settings of the text that change how the rest of it is read.
+struct LanguageState {
+    int version = 370;                      ///< `#version` * 100
+    bool version_set = false;               ///< by a directive or an option; off: gamma and the like act as in 3.62
+    bool utf8 = false;                      ///< global_settings { charset utf8 }
+    scene::AssumedGamma assumed_gamma;      ///< the grammar keeps it up to date: srgb colours depend on it
+    int effective_version() const { return version_set ? version : 362; }
+};
+
+/// Executes directives and macro calls and hands on plain tokens, one token of look-ahead.
+class TokenStream {
+public:
+    TokenStream(const Options& options, GrammarHooks& hooks, MessageSink sink = nullptr, void* sink_context = nullptr);
+    ~TokenStream();
+    TokenStream(const TokenStream&) = delete;
+    TokenStream& operator=(const TokenStream&) = delete;
+
+    void open_file(const std::string& path);                          ///< the main scene; throws Error if unreadable
+    void open_text(const std::string& text, const std::string& name); ///< the same from memory
+
+    // ---- tokens ----------------------------------------------------------------------------------------------
+    /// The next plain token; directives and macro calls before it have been executed.
+    const Token& peek()
+    {
+        if (!has_ahead_ || ahead_raw_) fetch();
+        return ahead_;
+    }
+    Token next();                                     ///< takes it
+    bool accept(Kind kind);                           ///< takes it if it is of that kind
+    void expect(Kind kind, std::string_view what);    ///< or fails with "expected <what>, found ..."
+    bool accept_comma() { return accept(Kind::Comma); }
+    /// The next token where directives are not executed: `#` and a macro's name are returned as they stand.
+    const Token& peek_raw();
+    std::uint64_t taken() const { return taken_; }    ///< tokens taken so far (a grammar may rewind only if unchanged)
+
+    // ---- places and messages ---------------------------------------------------------------------------------
+    scene::SourceRef here();                          ///< of the token that peek() shows
+    scene::SourceRef last() const;                    ///< of the token taken last
+    scene::SourceRef place(const Token& token) const;
+    [[noreturn]] void fail(const scene::SourceRef& at, std::string_view text);
+    [[noreturn]] void fail_expected(std::string_view what);  ///< "expected <what>, found '<peek()>'" at peek()
+    void warn(const scene::SourceRef& at, std::string_view text);
+    /// For a name that means nothing where it stands: "'shpere' is not declared; did you mean 'sphere'?"
+    [[noreturn]] void fail_undeclared(const Token& token);
+
+    // ---- names and values ------------------------------------------------------------------------------------
+    Symbols& symbols() { return symbols_; }
+    const std::string& word(const Token& token) const { return names_.word(token.name); }
+    /// What an Identifier token means; null if undeclared. Copy what you need before the next peek().
+    const Value* value_of(const Token& token) const { return symbols_.find(token.name); }
+    /// If the next token is an identifier (or array element) holding a T: takes it and gives the content, else nothing
+    /// is taken. Array subscripts are read: `texture { T[2] }`.
+    template <class T> std::optional<T> accept_identifier();
+    /// Raw string token -> text (escapes resolved, characters as the charset says); `path`: backslashes stay.
+    std::string string_text(const Token& token, bool path);
+
+    LanguageState& language() { return language_; }
+    const Options& options() const { return options_; }
+    GrammarHooks& hooks() { return hooks_; }
+    std::vector<std::uint32_t>& random_streams() { return random_streams_; }
+    std::vector<std::string> files() const;           ///< paths in order of SourceRef::file
+    std::vector<Message>& messages() { return messages_; }
+    const Statistics& statistics() const { return statistics_; }
+
+    /// Full path of a file by the rules of `#include` (current folder, scene's folder, library path, the including
+    /// file's folder); empty if there is none. `extensions` are tried as the manual says, e.g. {".inc", ".INC"}.
+    std::string find_file(const std::string& name, const std::vector<std::string>& extensions) const;
+
+    /// Guards recursion: `const auto guard = stream.nest();` fails with a message when nested too deeply.
+    class Nesting {
+    public:
+        explicit Nesting(TokenStream& stream);
+        ~Nesting() { --stream_.nesting_; }
+        Nesting(const Nesting&) = delete;
+        Nesting& operator=(const Nesting&) = delete;
+    private:
+        TokenStream& stream_;
+    };
+    [[nodiscard]] Nesting nest() { return Nesting(*this); }
+
+    // ---- used by the expression reader -----------------------------------------------------------------------
+    /// In the right-hand side of a declaration directives are not executed where an operator may stand
+    /// (spec of the language 2.1); inside parentheses they are.
+    bool raw_operators() const { return raw_operators_; }
+    void set_raw_operators(bool raw) { raw_operators_ = raw; }
+    const Token& peek_operator() { return raw_operators_ ? peek_raw() : peek(); }
+    /// Subscripts after an identifier just taken whose value is an array: the element's cell (the array's own cell if
+    /// no `[` follows). `may_create`: an unset element is not an error.
+    Cell subscripted(Cell cell, const Token& name, bool may_create);
+    /// A value of any kind: right-hand side, macro argument, array element. `by_reference` is set to the cell if the
+    /// text was one identifier and nothing else.
+    Value read_value(Cell* by_reference = nullptr);
+    /// The word inside `defined ( name )`, with the parentheses.
+    bool read_defined();
+
+private:
+    struct Cursor {
+        std::uint16_t file = 0;
+        bool macro = false;                ///< else a whole text
+        std::uint32_t name = 0;            ///< of the macro
+        std::uint32_t position = 0, end = 0;
+        std::size_t blocks = 0;            ///< blocks open when it was entered
+        scene::SourceRef call;             ///< where the macro was called or the file included
+    };
+    enum class BlockKind : std::uint8_t { If, Switch, While, For, Macro };
+    struct Block {
+        BlockKind kind = BlockKind::If;
+        std::uint16_t file = 0;
+        std::uint32_t branch = 0;          ///< Hash of the branch that is being read
+        std::uint32_t again = 0;           ///< While: token of its condition; For: first token of the body
+        std::size_t cursors = 0;           ///< depth of the cursor it began in
+        Cell variable;                     ///< For
+        double limit = 0, step = 0;        ///< For
+    };
+
+    void fetch();
+    const Token& advance();                ///< the next token of the text, leaving finished macros and files
+    void leave_cursor();
+    void unfetch();                        ///< a raw look-ahead goes back into the text
+    bool execute_directive(const Token& hash);
+    void call_macro(const Token& name, std::shared_ptr<const Macro> macro);
+    [[noreturn]] void fail_bad(const Token& token);
+
+    // conditionals.cpp
+    double condition();
+    void begin_if(const Token& hash, bool truth);
+    void begin_while(const Token& hash);
+    void begin_for(const Token& hash);
+    void begin_switch(const Token& hash);
+    void else_branch(const Token& hash, bool with_condition);
+    void end_block(const Token& hash);
+    void break_block(const Token& hash);
+    std::uint32_t skip_to_branch(std::uint32_t from_hash, bool to_end);
+    void skip_if_branches();
+    void skip_switch_branches(double value);
+    bool case_matches(double value);
+    bool range_matches(double value);
+    void check_skipped(std::uint32_t begin, std::uint32_t end);
+    Block& push_block(BlockKind kind, const Token& hash);
+
+    // declarations.cpp
+    void declare(bool local);
+    void assign(const Cell& target, Value value, const Token& name, bool element);
+    void undefine();
+    void define_macro(const Token& hash);
+    void set_version();
+    void end_declaration(bool mandatory);
+    std::shared_ptr<Array> read_array();
+    void read_elements(Array& array, std::size_t dimension, std::size_t& at);
+    Token raw_next();
+
+    // files.cpp
+    void include();
+    void message_directive(Kind kind);
+    std::uint16_t load(const std::string& path, std::string text, bool main_text);
+    void open_cursor(std::uint16_t file, const scene::SourceRef& call);
+    void predefine();
+    std::string rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const;
+
+    // data_files.cpp
+    void open_data_file();
+    void close_data_file();
+    void read_data();
+    void write_data();
+
+    Options options_;
+    GrammarHooks& hooks_;
+    MessageSink sink_;
+    void* sink_context_;
+    Names names_;
+    std::vector<std::unique_ptr<SourceFile>> files_;
+    std::unordered_map<std::string, std::uint16_t> loaded_;
+    std::string scene_folder_;
+    std::vector<Cursor> cursors_;
+    std::vector<Block> blocks_;
+    Symbols symbols_;
+    Token ahead_, last_;
+    bool has_ahead_ = false, ahead_raw_ = false, raw_operators_ = false;
+    std::uint64_t taken_ = 0;
+    int nesting_ = 0;
+    LanguageState language_;
+    std::vector<std::uint32_t> random_streams_;
+    std::vector<Message> messages_;
+    Statistics statistics_;
+};
+
+template <class T> std::optional<T> TokenStream::accept_identifier()
+{
+    if (peek().kind != Kind::Identifier) return std::nullopt;
+    Cell cell = symbols_.find_cell(ahead_.name);
+    if (!cell) return std::nullopt;
+    if (const T* whole = cell->template get_if<T>()) {
+        T content = *whole;
+        next();
+        return content;
+    }
+    const auto* array = cell->template get_if<std::shared_ptr<Array>>();
+    if (!array) return std::nullopt;
+    const Value* first = nullptr;  // arrays of arrays: look at the innermost elements
+    for (const Array* level = array->get(); level != nullptr;) {
+        first = nullptr;
+        for (const Value& element : level->elements)
+            if (element.set()) { first = &element; break; }
+        const auto* inner = first ? first->template get_if<std::shared_ptr<Array>>() : nullptr;
+        level = inner ? inner->get() : nullptr;
+    }
+    if (!first || !first->template get_if<T>()) return std::nullopt;
+    const Token name = next();
+    const scene::SourceRef at = place(name);
+    const Cell element = subscripted(std::move(cell), name, false);
+    if (const T* content = element->template get_if<T>()) return *content;
+    fail(at, "this array element is of another kind");
+}
+
+}  // namespace parser

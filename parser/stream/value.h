@@ -1,0 +1,80 @@
+#pragma once
+
+#include "render/scene/description.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace parser {
+
+/// A number, vector or colour: `count` components of `at`, the rest 0. 1 float, 2 uv vector, 3 vector, 4 vector, 5 colour.
+struct Tuple {
+    std::array<double, 5> at{};
+    int count = 1;
+
+    static Tuple of(double v) { return {{v, 0, 0, 0, 0}, 1}; }
+    static Tuple of(const glm::dvec3& v) { return {{v.x, v.y, v.z, 0, 0}, 3}; }
+    static Tuple of(const scene::Color& c) { return {{c.red, c.green, c.blue, c.filter, c.transmit}, 5}; }
+    glm::dvec3 vec3() const { return {at[0], at[1], at[2]}; }
+    scene::Color color() const;
+};
+
+struct Value;
+
+/// Elements of a 1- to 5-dimensional array, last subscript fastest. Unset elements hold monostate.
+struct Array {
+    std::vector<std::uint32_t> sizes;
+    std::vector<Value> elements;
+};
+
+/// `material { }`: what an object gets at once.
+struct Material {
+    scene::TexturePtr texture, interior_texture;
+    std::shared_ptr<const scene::Interior> interior;
+};
+
+using NormalMap = std::vector<scene::MapEntry<scene::NormalPtr>>;
+using SlopeMap = std::vector<scene::MapEntry<glm::dvec2>>;
+using TextureMap = std::vector<scene::MapEntry<scene::TexturePtr>>;
+
+class Function;  ///< function.h
+class Spline;    ///< spline.h
+struct Macro;    ///< token_stream.h
+struct DataFile; ///< data_file.h
+
+/// What an identifier may stand for. Scene things are shared and never changed in place.
+/// A texture identifier keeps its layers; a `color_map` and a colour list are both ColorMap.
+struct Value : std::variant<
+    std::monostate,                                 // never set
+    Tuple, std::string, std::shared_ptr<Array>,
+    std::shared_ptr<const scene::Object>, scene::TexturePtr, scene::PigmentPtr, scene::NormalPtr,
+    std::shared_ptr<const scene::Finish>, std::shared_ptr<const scene::Interior>, std::shared_ptr<const Material>,
+    std::shared_ptr<const scene::ColorMap>, std::shared_ptr<const scene::PigmentMap>, std::shared_ptr<const NormalMap>,
+    std::shared_ptr<const SlopeMap>, std::shared_ptr<const TextureMap>, std::shared_ptr<const csg::Transform>,
+    std::shared_ptr<const scene::Camera>, std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>,
+    std::shared_ptr<const Function>, std::shared_ptr<const Spline>,
+    std::shared_ptr<const Macro>, std::shared_ptr<DataFile>> {
+    using variant::variant;
+    using variant::operator=;
+
+    bool set() const { return index() != 0; }
+    /// Pointer to the content if it is a T, else null: value.get_if<scene::TexturePtr>().
+    template <class T> const T* get_if() const { return std::get_if<T>(static_cast<const variant*>(this)); }
+    template <class T> T* get_if() { return std::get_if<T>(static_cast<variant*>(this)); }
+};
+
+/// A declared place: shared by a variable and the macro parameters that refer to it.
+using Cell = std::shared_ptr<Value>;
+
+/// "float", "vector", "color", "texture", ... for messages.
+std::string_view type_name(const Value& value);
+
+/// A copy that shares no array with the original.
+Value deep_copy(const Value& value);
+
+}  // namespace parser
