@@ -1,0 +1,49 @@
+#pragma once
+
+#include "render/texture/texture_set.h"
+
+/// Values of patterns, pigments and normals at a point. Pure functions of the set and the point; no allocation.
+namespace texture {
+
+/// What a pattern may ask beyond its point: slope and aoi read it, uv_mapping takes `uv`.
+struct Surroundings {
+    glm::dvec3 point{0};         ///< the hit, world space
+    glm::dvec3 normal{0};        ///< current normal of the hit (spec 4, 15.1); unit
+    glm::dvec3 direction{0};     ///< of the ray, unit
+    glm::dvec2 uv{0};
+    bool surface = false;        ///< false for skies: slope and aoi give 0
+};
+
+/// `p` after the pattern's warps and classic turbulence (spec 4, section 8), components within +-1e17.
+glm::dvec3 warp_point(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p);
+
+/// Value before frequency and wave at a warped point (spec 4, section 5).
+double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around);
+
+/// Value after frequency, phase and wave form at a warped point (spec 4, section 4).
+double pattern_value(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around);
+
+/// Two neighbouring entries of a map and the share of the upper one; lower == upper: that entry alone.
+struct Blend {
+    std::uint32_t lower = 0, upper = 0;  ///< indices into keys
+    double share = 0;
+};
+
+/// Looks a value up (spec 4, 9.1). count >= 1.
+Blend blend_at(const TextureSet& set, std::uint32_t first, std::uint32_t count, double value);
+
+/// Per component: differences single, product with the double share rounded, sum single (spec 4, 9.2).
+scene::Color mix(const scene::Color& lower, const scene::Color& upper, double share);
+
+scene::Color pigment_color(const TextureSet& set, std::uint32_t pigment, const glm::dvec3& p,
+                           const Surroundings& around);
+
+/// Bends `n` (faces the viewer) as the normal says (spec 4, section 15). Unit length. `around.normal` takes the result.
+glm::dvec3 perturb(const TextureSet& set, std::uint32_t normal, const glm::dvec3& n, const glm::dvec3& p,
+                   Surroundings& around);
+
+/// The normal carried into and out of the space of a pattern by its transformations alone (spec 4, 15.1).
+glm::dvec3 normal_into(const TextureSet& set, const Pattern& pattern, glm::dvec3 n, bool keep_length);
+glm::dvec3 normal_out_of(const TextureSet& set, const Pattern& pattern, glm::dvec3 n, bool keep_length);
+
+}  // namespace texture

@@ -1,0 +1,86 @@
+#include "render/texture/angle.h"
+#include "render/texture/evaluate.h"
+#include "render/texture/patterns/patterns.h"
+
+#include <cmath>
+
+namespace texture {
+namespace {
+
+constexpr double kModulus = 1.00001;  // keeps an exact 1 from wrapping to 0 (spec 4, section 4)
+
+double wave(const Pattern& pattern, double v)
+{
+    switch (pattern.wave) {
+    case scene::WaveForm::Ramp: return v;
+    case scene::WaveForm::Sine: return (1.0 + cycle(v)) / 2.0;
+    case scene::WaveForm::Triangle: return triangle(v);
+    case scene::WaveForm::Scallop: return std::abs(cycle(v / 2.0));
+    case scene::WaveForm::Cubic: return v * v * (3.0 - 2.0 * v);
+    case scene::WaveForm::Poly: return std::pow(v, pattern.poly_exponent);
+    }
+    return v;
+}
+
+double grey_of(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around)
+{
+    return static_cast<double>(scene::grey(pigment_color(set, pattern.pigment, p, around).rgb()));
+}
+
+}  // namespace
+
+double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around)
+{
+    switch (pattern.kind) {
+    case PatternKind::Average:
+    case PatternKind::Uv:
+    case PatternKind::Facets: return 0.0;  // not functions of a point: whoever holds the map handles them
+    case PatternKind::Agate: return agate(pattern, p);
+    case PatternKind::Aoi: return aoi(around);
+    case PatternKind::Boxed: return boxed(p);
+    case PatternKind::Bozo:
+    case PatternKind::Bumps: return bozo(pattern, p);
+    case PatternKind::Brick: return brick(pattern, p);
+    case PatternKind::Cells: return cells(p);
+    case PatternKind::Checker: return checker(p);
+    case PatternKind::Crackle: return crackle(pattern, p);
+    case PatternKind::Cubic: return cubic(p);
+    case PatternKind::Cylindrical: return cylindrical(p);
+    case PatternKind::Dents: return dents(pattern, p);
+    case PatternKind::Gradient: return gradient(pattern, p);
+    case PatternKind::Granite: return granite(pattern, p);
+    case PatternKind::Hexagon: return hexagon(p);
+    case PatternKind::Julia: return julia(pattern, p);
+    case PatternKind::Leopard: return leopard(p);
+    case PatternKind::MagnetJulia: return magnet_julia(pattern, p);
+    case PatternKind::MagnetMandel: return magnet_mandel(pattern, p);
+    case PatternKind::Mandel: return mandel(pattern, p);
+    case PatternKind::Marble: return marble(pattern, p);
+    case PatternKind::Onion: return onion(p);
+    case PatternKind::PigmentPattern: return grey_of(set, pattern, p, around);
+    case PatternKind::Planar: return planar(p);
+    case PatternKind::Quilted: return quilted(pattern, p);
+    case PatternKind::Radial: return radial(p);
+    case PatternKind::Ripples: return ripples(set, pattern, p);
+    case PatternKind::Slope: return slope(pattern, p, around);
+    case PatternKind::Spherical: return spherical(p);
+    case PatternKind::Spiral1: return spiral1(pattern, p);
+    case PatternKind::Spiral2: return spiral2(pattern, p);
+    case PatternKind::Square: return square(p);
+    case PatternKind::Triangular: return triangular(p);
+    case PatternKind::Waves: return waves(set, pattern, p);
+    case PatternKind::Wood: return wood(pattern, p);
+    case PatternKind::Wrinkles: return wrinkles(pattern, p);
+    }
+    return 0.0;
+}
+
+double pattern_value(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around)
+{
+    double v = raw_pattern(set, pattern, p, around);
+    if (pattern.folds) v = std::fmod(v * pattern.frequency + pattern.phase, kModulus);
+    if (v < 0.0) v -= std::floor(v);
+    return wave(pattern, v);
+}
+
+}  // namespace texture

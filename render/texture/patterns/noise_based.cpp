@@ -1,0 +1,101 @@
+#include "render/texture/angle.h"
+#include "render/texture/noise.h"
+#include "render/texture/patterns/patterns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace texture {
+namespace {
+
+double turbulence_at(const Pattern& pattern, const glm::dvec3& p)
+{
+    const scene::Turbulence& t = pattern.turbulence;
+    return scalar_turbulence(p, t.octaves, t.lambda, t.omega, pattern.noise_generator);
+}
+
+/// Angle of a spiral's arm about z, from the arc sine of y / r: 0 to 2 pi.
+double arm_angle(const glm::dvec3& p, double r)
+{
+    if (r == 0.0) return 0.0;
+    const double a = std::asin(p.y / r);
+    return p.x >= 0.0 ? std::numbers::pi / 2 + a : 3 * std::numbers::pi / 2 - a;
+}
+
+/// z + r + arms * angle / 2 pi, plus the turbulence where the pattern has one.
+double spiral_phase(const Pattern& pattern, const glm::dvec3& p, double r)
+{
+    const double arms = std::trunc(pattern.numbers[0]);
+    const double base = p.z + r + arms * arm_angle(p, r) / kTau;
+    return pattern.has_turbulence ? base + pattern.turbulence.amount.x * turbulence_at(pattern, p) : base;
+}
+
+}  // namespace
+
+double bozo(const Pattern& pattern, const glm::dvec3& p) { return noise(p, pattern.noise_generator); }
+
+double dents(const Pattern& pattern, const glm::dvec3& p)
+{
+    const double n = noise(p, pattern.noise_generator);
+    return n * n * n;
+}
+
+double granite(const Pattern& pattern, const glm::dvec3& p)
+{
+    double sum = 0.0, scale = 1.0;
+    for (int i = 0; i < 6; ++i) {
+        const double n = noise(4.0 * scale * p, pattern.noise_generator);
+        const double g = pattern.noise_generator == 1 ? std::abs(0.5 - n) : std::min(0.5, std::abs(1.0 - 2.0 * n));
+        sum += g / scale;
+        scale *= 2.0;
+    }
+    return sum;
+}
+
+double wrinkles(const Pattern& pattern, const glm::dvec3& p)
+{
+    double sum = 0.0, scale = 1.0;
+    for (int i = 0; i < 10; ++i) {
+        const double n = noise(scale * p, pattern.noise_generator);
+        sum += (pattern.noise_generator == 1 ? n : std::clamp(2.0 * n - 0.5, 0.0, 1.0)) / scale;
+        scale *= 2.0;
+    }
+    return sum / 2.0;
+}
+
+double agate(const Pattern& pattern, const glm::dvec3& p)
+{
+    const double c = (1.0 + cycle(1.3 * pattern.numbers[0] * turbulence_at(pattern, p) + 1.1 * p.z)) / 2.0;
+    return c < 0.0 ? 0.0 : std::pow(std::min(1.0, c), 0.77);
+}
+
+double marble(const Pattern& pattern, const glm::dvec3& p)
+{
+    return pattern.has_turbulence ? p.x + pattern.turbulence.amount.x * turbulence_at(pattern, p) : p.x;
+}
+
+double wood(const Pattern& pattern, const glm::dvec3& p)
+{
+    double x = p.x, y = p.y;
+    if (pattern.has_turbulence) {
+        const scene::Turbulence& t = pattern.turbulence;
+        const glm::dvec3 d = vector_turbulence(p, t.octaves, t.lambda, t.omega);
+        x += cycle((p.x + d.x) * t.amount.x);
+        y += cycle((p.y + d.y) * t.amount.y);
+    }
+    return std::sqrt(x * x + y * y);
+}
+
+double spiral1(const Pattern& pattern, const glm::dvec3& p)
+{
+    return spiral_phase(pattern, p, std::sqrt(p.x * p.x + p.y * p.y));
+}
+
+double spiral2(const Pattern& pattern, const glm::dvec3& p)
+{
+    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    return triangle(r) + triangle(spiral_phase(pattern, p, r));
+}
+
+}  // namespace texture

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "render/texture/evaluate.h"
+
+/// Raw values of the patterns, one function each, by family. Formulas and ranges: spec 4, section 5.
+/// `p` is the warped point; parameters as in docs/patterns.md.
+namespace texture {
+
+// noise based
+double bozo(const Pattern& pattern, const glm::dvec3& p);
+double dents(const Pattern& pattern, const glm::dvec3& p);
+double granite(const Pattern& pattern, const glm::dvec3& p);
+double wrinkles(const Pattern& pattern, const glm::dvec3& p);
+double agate(const Pattern& pattern, const glm::dvec3& p);
+double marble(const Pattern& pattern, const glm::dvec3& p);
+double wood(const Pattern& pattern, const glm::dvec3& p);
+double spiral1(const Pattern& pattern, const glm::dvec3& p);
+double spiral2(const Pattern& pattern, const glm::dvec3& p);
+
+// geometric
+double boxed(const glm::dvec3& p);
+double spherical(const glm::dvec3& p);
+double cylindrical(const glm::dvec3& p);
+double planar(const glm::dvec3& p);
+double gradient(const Pattern& pattern, const glm::dvec3& p);
+double onion(const glm::dvec3& p);
+double radial(const glm::dvec3& p);
+double leopard(const glm::dvec3& p);
+double cells(const glm::dvec3& p);
+double quilted(const Pattern& pattern, const glm::dvec3& p);
+double ripples(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p);
+double waves(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p);
+double aoi(const Surroundings& around);
+double slope(const Pattern& pattern, const glm::dvec3& p, const Surroundings& around);
+
+// integer valued
+double checker(const glm::dvec3& p);
+double brick(const Pattern& pattern, const glm::dvec3& p);
+double hexagon(const glm::dvec3& p);
+double square(const glm::dvec3& p);
+double cubic(const glm::dvec3& p);
+double triangular(const glm::dvec3& p);
+
+double crackle(const Pattern& pattern, const glm::dvec3& p);
+
+// fractals
+double mandel(const Pattern& pattern, const glm::dvec3& p);
+double julia(const Pattern& pattern, const glm::dvec3& p);
+double magnet_mandel(const Pattern& pattern, const glm::dvec3& p);
+double magnet_julia(const Pattern& pattern, const glm::dvec3& p);
+
+}  // namespace texture

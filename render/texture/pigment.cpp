@@ -1,0 +1,65 @@
+#include "render/texture/evaluate.h"
+
+namespace texture {
+
+Blend blend_at(const TextureSet& set, std::uint32_t first, std::uint32_t count, double value)
+{
+    const std::uint32_t last = first + count - 1;
+    if (value >= static_cast<double>(set.keys[last])) return {last, last, 0.0};
+    std::uint32_t i = first;
+    while (static_cast<double>(set.keys[i]) < value) ++i;  // ends: the last key is above; NaN stops at the first
+    const auto upper_key = static_cast<double>(set.keys[i]);
+    if (i == first || value == upper_key || value != value) return {i, i, 0.0};
+    const auto lower_key = static_cast<double>(set.keys[i - 1]);
+    return {i - 1, i, (value - lower_key) / (upper_key - lower_key)};
+}
+
+scene::Color mix(const scene::Color& lower, const scene::Color& upper, double share)
+{
+    const auto one = [share](float a, float b) { return a + static_cast<float>(share * static_cast<double>(b - a)); };
+    return {one(lower.red, upper.red), one(lower.green, upper.green), one(lower.blue, upper.blue),
+            one(lower.filter, upper.filter), one(lower.transmit, upper.transmit)};
+}
+
+namespace {
+
+scene::Color average_color(const TextureSet& set, const Pigment& pigment, const glm::dvec3& p,
+                           const Surroundings& around)
+{
+    scene::Color sum;
+    float weights = 0;
+    for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
+        const scene::Color c = pigment_color(set, set.children[i], p, around);
+        const float w = set.keys[i];
+        weights += w;
+        sum.red += w * c.red;
+        sum.green += w * c.green;
+        sum.blue += w * c.blue;
+        sum.filter += w * c.filter;
+        sum.transmit += w * c.transmit;
+    }
+    return {sum.red / weights, sum.green / weights, sum.blue / weights, sum.filter / weights, sum.transmit / weights};
+}
+
+}  // namespace
+
+scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm::dvec3& p, const Surroundings& around)
+{
+    const Pigment& pigment = set.pigments[index];
+    if (pigment.kind == Pigment::Kind::Solid) return pigment.color;
+    if (pigment.kind == Pigment::Kind::Uv)
+        return pigment_color(set, set.children[pigment.first], {around.uv.x, around.uv.y, 0.0}, around);
+    const Pattern& pattern = set.patterns[pigment.pattern];
+    const glm::dvec3 q = warp_point(set, pattern, p);
+    if (pigment.kind == Pigment::Kind::Average) return average_color(set, pigment, q, around);
+    const Blend blend = blend_at(set, pigment.first, pigment.count, pattern_value(set, pattern, q, around));
+    if (pigment.kind == Pigment::Kind::ColorMap) {
+        if (blend.lower == blend.upper) return set.colors[blend.lower];
+        return mix(set.colors[blend.lower], set.colors[blend.upper], blend.share);
+    }
+    const scene::Color lower = pigment_color(set, set.children[blend.lower], q, around);
+    if (blend.lower == blend.upper) return lower;
+    return mix(lower, pigment_color(set, set.children[blend.upper], q, around), blend.share);
+}
+
+}  // namespace texture
