@@ -1,0 +1,139 @@
+#include "render/trace/antialias.h"
+
+#include "render/trace/jitter.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace {
+
+using trace::Block;
+using trace::SamplePosition;
+
+/// A picture given as a formula, and how often each position was asked for.
+struct Formula {
+    std::function<float(double, double)> grey;
+    std::map<std::pair<double, double>, int> asked;
+
+    static void trace(void* context, const SamplePosition* positions, int count, scene::Color* out)
+    {
+        auto& self = *static_cast<Formula*>(context);
+        for (int i = 0; i < count; ++i) {
+            ++self.asked[{positions[i].x, positions[i].y}];
+            const float v = self.grey(positions[i].x, positions[i].y);
+            out[i] = {v, v, v, 0, 0};
+        }
+    }
+};
+
+plan::Antialiasing settings(int method, int depth, double jitter)
+{
+    plan::Antialiasing s;
+    s.method = method;
+    s.depth = depth;
+    s.jitter = jitter;
+    s.threshold = 0.3;
+    return s;
+}
+
+std::vector<float> run(Formula& formula, const plan::Antialiasing& s, const Block& block)
+{
+    std::vector<scene::Color> out(static_cast<std::size_t>(block.width * block.height));
+    trace::AntialiasScratch scratch;
+    trace::antialias(s, {}, block, {&Formula::trace, &formula}, scratch, out.data());
+    std::vector<float> grey;
+    for (const scene::Color& c : out) grey.push_back(c.red);
+    return grey;
+}
+
+/// White to the right of x = edge.
+Formula edge_at(double edge)
+{
+    return {[edge](double x, double) { return x > edge ? 1.0f : 0.0f; }, {}};
+}
+
+}  // namespace
+
+TEST_CASE("without antialiasing every pixel is its centre sample, once", "[render][antialias]")
+{
+    Formula picture{[](double x, double y) { return static_cast<float>(x + 10 * y); }, {}};
+    const auto grey = run(picture, settings(0, 3, 1), {2, 3, 4, 2});
+    CHECK(grey == std::vector<float>{32, 33, 34, 35, 42, 43, 44, 45});
+    CHECK(picture.asked.size() == 8);
+}
+
+TEST_CASE("method 1 refines both sides of an edge and keeps the centre's weight", "[render][antialias]")
+{
+    // The edge lies right of column 1's centre: columns 1 and 2 differ. Of column 1's nine samples the three at
+    // x = 1 + 1/3 are white, the centre is black: 3 of 10. Column 2 is white throughout.
+    Formula picture = edge_at(1.2);
+    const auto grey = run(picture, settings(1, 3, 0), {0, 0, 4, 1});
+    CHECK(grey[0] == 0.0f);
+    CHECK(grey[1] == Approx(0.3));
+    CHECK(grey[2] == 1.0f);
+    CHECK(grey[3] == 1.0f);
+}
+
+TEST_CASE("method 1 never refines the border of a block", "[render][antialias]")
+{
+    // The edge lies between the left border and the block's first column: the border pixel keeps its centre sample.
+    Formula picture = edge_at(-0.5);
+    run(picture, settings(1, 3, 0), {0, 0, 3, 2});
+    for (const auto& [position, count] : picture.asked) {
+        CHECK(position.first >= -1.0);
+        if (position.first < -0.5) CHECK(position.first == -1.0);
+    }
+}
+
+TEST_CASE("a pixel is refined at most once", "[render][antialias]")
+{
+    Formula picture{[](double x, double y) {
+                        return (static_cast<int>(std::floor(x + 0.5)) + static_cast<int>(std::floor(y + 0.5))) % 2 == 0 ? 1.0f : 0.0f;
+                    },
+                    {}};
+    run(picture, settings(1, 2, 0), {0, 0, 6, 6});
+    for (const auto& [position, count] : picture.asked) REQUIRE(count == 1);
+    // 7 x 7 centres with the border, and 4 samples in each of the 36 pixels.
+    CHECK(picture.asked.size() == 49 + 36 * 4);
+}
+
+TEST_CASE("method 2 takes corners, and splits where they differ", "[render][antialias]")
+{
+    Formula flat{[](double, double) { return 0.25f; }, {}};
+    for (const float v : run(flat, settings(2, 3, 1), {0, 0, 3, 2})) CHECK(v == 0.25f);
+    CHECK(flat.asked.size() == 4 * 3);
+
+    // Depth 1 never splits: an edge through the pixel gives the mean of the corners.
+    Formula picture = edge_at(0.2);
+    CHECK(run(picture, settings(2, 1, 0), {0, 0, 1, 1})[0] == 0.5f);
+    // One split at depth 2: the left half sees no white; the right half is white at its right corners only.
+    Formula again = edge_at(0.2);
+    CHECK(run(again, settings(2, 2, 0), {0, 0, 1, 1})[0] == 0.25f);
+}
+
+TEST_CASE("jitter depends on the position alone and stays in its range", "[render][antialias]")
+{
+    for (int i = -50; i < 50; ++i) {
+        const double x = 0.37 * i, y = 1.7 - 0.11 * i;
+        const glm::dvec2 j = trace::jitter(x, y);
+        REQUIRE(j == trace::jitter(x, y));
+        REQUIRE(std::abs(j.x) <= 0.5);
+        REQUIRE(std::abs(j.y) <= 0.5);
+    }
+    CHECK(trace::jitter(0.25, 0.5) != trace::jitter(0.5, 0.25));
+}
+
+TEST_CASE("colours differ by the sum over channels after the display curve", "[render][antialias]")
+{
+    const trace::ColorDistance distance(settings(1, 3, 0), {});
+    const scene::Color black{}, dark{0.001f, 0.001f, 0.001f, 0, 0}, dim{0.0005f, 0, 0, 0, 0};
+    CHECK_FALSE(distance.differ(black, black));
+    CHECK_FALSE(distance.differ(black, dim));  // 0.0005^(1/2.5) = 0.048
+    CHECK_FALSE(distance.differ(black, dark));  // 3 * 0.063 = 0.19
+    CHECK(distance.differ(black, {0.004f, 0.004f, 0.004f, 0, 0}));  // 3 * 0.110 = 0.33
+    CHECK(distance.differ(black, {0, 0, 0, 0, 1}));
+}
