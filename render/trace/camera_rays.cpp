@@ -1,0 +1,150 @@
+#include "render/trace/camera_rays.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace trace {
+namespace {
+
+using Kind = scene::Camera::Kind;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDefaultAngleDeg = 90.0;
+constexpr double kDefaultSphericalAngleDeg = 360.0;
+/// Aspect ratio above which an omnimax picture is cropped at the sides instead of squeezed (spec 2, 4.6).
+constexpr double kOmnimaxAspect = 1.283458;
+
+double radians(double degrees) { return degrees * (kPi / 180.0); }
+
+/// A zero vector stays zero: a camera without an extent gives rays along its axis, not NaN.
+glm::dvec3 unit(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0 ? v / length : v;
+}
+
+/// Rotation by `angle` about the unit vector `axis`, in POV-Ray's left-handed sense (as vaxis_rotate).
+glm::dvec3 rotated(const glm::dvec3& v, const glm::dvec3& axis, double angle)
+{
+    const double c = std::cos(angle), s = std::sin(angle);
+    return v * c + glm::cross(axis, v) * s + axis * (glm::dot(axis, v) * (1 - c));
+}
+
+bool shared_eye(const scene::Camera& camera)
+{
+    if (camera.aperture != 0) return false;
+    if (camera.kind == Kind::Cylinder) return camera.cylinder_type <= 2;
+    return camera.kind != Kind::Orthographic && camera.kind != Kind::Mesh;
+}
+
+}  // namespace
+
+CameraRays::CameraRays(const scene::Camera& camera, int width, int height)
+    : camera_(camera), width_(width), height_(height), unit_direction_(unit(camera.direction)),
+      unit_right_(unit(camera.right)), unit_up_(unit(camera.up)), length_right_(glm::length(camera.right)),
+      length_up_(glm::length(camera.up)), common_origin_(shared_eye(camera))
+{
+    const bool spherical = camera.kind == Kind::Spherical;
+    const double fallback = spherical ? kDefaultSphericalAngleDeg : kDefaultAngleDeg;
+    const double angle = camera.angle_deg != 0 ? camera.angle_deg : fallback;
+    angle_ = radians(angle);
+    angle2_ = radians(camera.angle2_deg != 0 ? camera.angle2_deg : angle / 2);
+}
+
+bool CameraRays::ray(double px, double py, csg::Ray& out) const
+{
+    const double u = (px + 0.5) / width_ - 0.5;
+    const double v = (height_ - 0.5 - py) / height_ - 0.5;
+    out.origin = camera_.location;
+    bool found = true;
+    switch (camera_.kind) {
+    case Kind::Perspective: out.direction = camera_.direction + u * camera_.right + v * camera_.up; break;
+    case Kind::Orthographic:
+        out.origin += u * camera_.right + v * camera_.up;
+        out.direction = camera_.direction;
+        break;
+    case Kind::Fisheye: found = fisheye(u, v, out); break;
+    case Kind::UltraWideAngle: {
+        const double alpha = u * angle_, beta = v * angle_ * length_up_ / length_right_;
+        out.direction = std::sin(alpha) * unit_right_ + std::sin(beta) * unit_up_ +
+                        std::cos(alpha) * std::cos(beta) * unit_direction_;
+        break;
+    }
+    case Kind::Omnimax: found = omnimax(u, v, out); break;
+    case Kind::Panoramic: panoramic(px, v, out); break;
+    case Kind::Cylinder: cylinder(u, v, out); break;
+    case Kind::Spherical: spherical(u, v, out); break;
+    case Kind::Mesh: found = false; break;
+    }
+    if (!found) return false;
+    const double length = glm::length(out.direction);
+    if (!(length > 0)) return false;
+    out.direction /= length;
+    return true;
+}
+
+glm::dvec3 CameraRays::polar(double theta, double a, double b) const
+{
+    const double phi = std::atan2(b, a);
+    return std::sin(theta) * std::cos(phi) * unit_right_ + std::sin(theta) * std::sin(phi) * unit_up_ +
+           std::cos(theta) * unit_direction_;
+}
+
+bool CameraRays::fisheye(double u, double v, csg::Ray& out) const
+{
+    const double a = 2 * u * length_right_, b = 2 * v * length_up_, rho = std::hypot(a, b);
+    if (rho > 1) return false;
+    out.direction = polar(rho * angle_ / 2, a, b);
+    return true;
+}
+
+bool CameraRays::omnimax(double u, double v, csg::Ray& out) const
+{
+    const double q = length_right_ / length_up_;
+    double a = 2 * u, b = 2 * v;
+    if (q > kOmnimaxAspect) {
+        a *= q / kOmnimaxAspect;
+        b = (b - 1) / kOmnimaxAspect + 1;
+    } else if (q > 1) {
+        b = (b - 1) / q + 1;
+    } else {
+        b /= q;
+    }
+    const double rho = std::hypot(a, b);
+    if (rho > 1) return false;
+    const double rho2 = rho * rho;
+    const double theta = rho * (1.411269 + rho2 * (-0.09439 + rho2 * 0.25674));
+    // More than 45 degrees below the horizon there is only the projection booth.
+    if (std::sin(std::atan2(b, a)) * std::sin(theta) < std::tan(radians(135)) * std::cos(theta)) return false;
+    out.direction = polar(theta, a, b);
+    return true;
+}
+
+void CameraRays::panoramic(double px, double v, csg::Ray& out) const
+{
+    constexpr double kVertical = 1e-10;        // closer to straight up than this counts as straight up
+    constexpr double kVerticalTangent = 2e10;
+    const double a = (1 - (px + 0.5) / width_) * kPi, b = v * kPi;
+    const double rise = std::abs(kPi / 2 - std::abs(b)) < kVertical ? std::copysign(kVerticalTangent, b) : std::tan(b);
+    out.direction = std::cos(a) * camera_.right + rise * camera_.up + std::sin(a) * camera_.direction;
+}
+
+void CameraRays::cylinder(double u, double v, csg::Ray& out) const
+{
+    const double across = u * angle_, along = v * angle_;
+    if (camera_.cylinder_type == 1 || camera_.cylinder_type == 3) {
+        out.direction = std::sin(across) * unit_right_ + std::cos(across) * unit_direction_;
+        (camera_.cylinder_type == 1 ? out.direction : out.origin) += v * length_up_ * unit_up_;
+    } else {
+        out.direction = std::sin(along) * unit_up_ + std::cos(along) * unit_direction_;
+        (camera_.cylinder_type == 2 ? out.direction : out.origin) += u * length_right_ * unit_right_;
+    }
+}
+
+void CameraRays::spherical(double u, double v, csg::Ray& out) const
+{
+    const glm::dvec3 tilted = rotated(unit_direction_, unit_right_, -v * angle2_);
+    out.direction = rotated(tilted, unit_up_, u * angle_);
+}
+
+}  // namespace trace

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "csg/types.h"
+#include "render/scene/description.h"
+
+namespace trace {
+
+/// From a sample position to a ray, for every kind of camera but the mesh camera (spec 2, section 4).
+/// A position counts pixels from the top left; whole numbers are pixel centres.
+class CameraRays {
+public:
+    CameraRays(const scene::Camera& camera, int width, int height);
+
+    /// False for a sample without a ray (outside a fisheye's circle): it is black with transmit 1.
+    bool ray(double px, double py, csg::Ray& out) const;
+
+    /// All rays start in the eye: a tile of them is a beam.
+    bool common_origin() const { return common_origin_; }
+
+    /// Perspective with its directions in one half space: neighbours stay neighbours in every plane through the eye.
+    bool flat_projection() const { return camera_.kind == scene::Camera::Kind::Perspective; }
+
+private:
+    bool fisheye(double u, double v, csg::Ray& out) const;
+    bool omnimax(double u, double v, csg::Ray& out) const;
+    void cylinder(double u, double v, csg::Ray& out) const;
+    void spherical(double u, double v, csg::Ray& out) const;
+    void panoramic(double px, double v, csg::Ray& out) const;
+    /// The direction at `theta` from the axis, towards the polar angle of (a, b) in the picture.
+    glm::dvec3 polar(double theta, double a, double b) const;
+
+    scene::Camera camera_;
+    double width_, height_;
+    glm::dvec3 unit_direction_, unit_right_, unit_up_;
+    double length_right_, length_up_;
+    double angle_, angle2_;  ///< radians
+    bool common_origin_;
+};
+
+}  // namespace trace
