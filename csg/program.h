@@ -1,0 +1,88 @@
+#pragma once
+
+#include "csg/solid.h"
+
+#include <memory>
+#include <vector>
+
+namespace csg {
+
+/// A CSG object as the planner describes it. Leaves name solids of a SolidStore.
+struct Tree {
+    enum class Op : std::uint8_t { Leaf, Union, Intersection, Difference, Merge };
+    Op op = Op::Leaf;
+    std::vector<Tree> operands = {};  ///< in order of declaration
+    PartId solid = kNoPart;       ///< leaf only
+    bool inverse = false;
+    std::vector<Tree> clips = {};  ///< clipped_by: surfaces and inside end where any of them does; no caps
+
+    static Tree leaf(PartId part) { return {.solid = part}; }
+};
+
+/// Difference is an intersection with inverted operands and inversion is pushed down to the leaves, turning operators
+/// round as POV-Ray does (spec 5a, 8.1). Clip: the first operand is drawn, the others only cut.
+enum class Op : std::uint8_t { Leaf, Union, Merge, Intersection, Clip };
+
+/// One node of a flattened tree, in pre-order: an operator stands before its operands.
+struct Node {
+    std::array<float, 3> lower, upper;  ///< world box, rounded outward, of everything the node draws
+    std::uint32_t end = 0;              ///< one past the last operand: a missed box jumps here
+    PartId solid = kNoPart;             ///< leaf only
+    std::uint32_t max_spans = 0;        ///< at most so many spans along any ray
+    Op op = Op::Leaf;
+    bool inverted = false;              ///< leaf only
+    bool inside_beyond = false;         ///< what lies outside the box is inside the solid (an inverted operand)
+    bool test_box = true;               ///< false where the box test costs as much as the solid
+};
+static_assert(sizeof(Node) <= 64, "one cache line");
+
+/// A flattened CSG tree. Immutable once built; shared by all threads.
+struct Program {
+    std::vector<Node> nodes;            ///< empty: nothing to draw, nothing inside
+    Aabb bounds;                        ///< world box of everything drawn; empty when nothing is
+    bool inside_beyond = false;         ///< the solid goes on outside the bounds
+    bool flat_convex = false;           ///< an intersection of convex solids and inverted ones: the front loop serves
+    std::uint32_t span_memory = 0;      ///< spans of scratch one query needs
+    std::uint32_t crossing_memory = 0;  ///< crossings of scratch one query needs
+};
+
+/// Flattens, pushes inversion to the leaves, drops operands that cannot matter and works out boxes.
+Program build(const Tree& tree, const SolidStore& store);
+
+/// Working memory of one thread, reused from ray to ray.
+class Scratch {
+public:
+    void prepare(const Program& program)
+    {
+        if (program.span_memory > span_capacity_ || program.crossing_memory > crossing_capacity_ ||
+            program.nodes.size() > record_capacity_)
+            grow(program);
+        span_top_ = 0;
+        crossing_top_ = 0;
+        record_top_ = 0;
+    }
+
+    /// What an operator remembers of one operand while it works.
+    struct Record {
+        SpanList spans;
+        std::uint32_t first = 0, last = 0;  ///< its crossings
+        bool known = false;                 ///< spans were evaluated already
+    };
+
+private:
+    friend class Evaluation;
+    friend class Front;
+    void grow(const Program& program);
+    std::unique_ptr<Span[]> spans_;
+    std::unique_ptr<Crossing[]> crossings_;
+    std::unique_ptr<Record[]> records_;
+    std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0;
+    std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;
+};
+
+/// Whether the world point is inside (spec 5a, 8.1 and 2.4).
+bool contains(const Program& program, const SolidStore& store, const glm::dvec3& p);
+
+}  // namespace csg
+
+#include "csg/evaluate.h"

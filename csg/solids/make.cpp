@@ -1,0 +1,89 @@
+#include "csg/solid.h"
+
+#include <utility>
+
+namespace csg {
+
+Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double across, double along)
+{
+    // Rodrigues: z turned to the axis about k = (-axis_y, axis_x, 0); where that vanishes, about x (spec 5a, 3.3).
+    glm::dvec3 k(-axis.y, axis.x, 0.0);
+    double c = axis.z, s = std::sqrt(axis.x * axis.x + axis.y * axis.y);
+    if (std::abs(axis.z) > 1.0 - 1e-10) {
+        k = {1.0, 0.0, 0.0};
+        c = axis.z > 0.0 ? 1.0 : -1.0;
+        s = 0.0;
+    } else {
+        k /= s;
+    }
+    const glm::dmat3 cross({0, k.z, -k.y}, {-k.z, 0, k.x}, {k.y, -k.x, 0});
+    Transform turn;
+    turn.linear = glm::dmat3(c) + cross * s + glm::outerProduct(k, k) * (1.0 - c);
+    turn.inverse_linear = glm::transpose(turn.linear);
+    return Transform::translate(base) * (turn * Transform::scale({across, across, along}));
+}
+
+Cylinder Cylinder::make(const glm::dvec3& first, const glm::dvec3& second, double radius, bool open, const Transform& t)
+{
+    const double length = glm::length(first - second);
+    return {t * axis_frame(second, (first - second) / length, radius, length), open};
+}
+
+bool Cone::make(const glm::dvec3& first, double first_radius, const glm::dvec3& second, double second_radius, bool open,
+                const Transform& t, Cone& out, double& cylinder_radius)
+{
+    constexpr double kSameRadius = 1e-10;  // absolute, POV-Ray's (spec 5a, 5.4)
+    if (std::abs(first_radius - second_radius) < kSameRadius) {
+        cylinder_radius = first_radius;
+        return false;
+    }
+    glm::dvec3 large = first, small = second;
+    double big = first_radius, little = second_radius;
+    if (big < little) std::swap(large, small), std::swap(big, little);
+    if ((big - little) * (big - little) < kSameRadius * std::abs(big)) {
+        cylinder_radius = big;
+        return false;
+    }
+    const double length = glm::length(large - small);
+    const glm::dvec3 axis = (large - small) / length;
+    const double below = little * length / (big - little);  // apex to the small end
+    out.low = little / big;
+    out.open = open;
+    out.frame = t * axis_frame(small - axis * below, axis, big, below + length);
+    return true;
+}
+
+Plane Plane::transformed(const Transform& t) const
+{
+    const glm::dvec3 n = t.normal(normal_out);
+    const double length = glm::length(n);
+    if (!(length > 0.0)) return *this;
+    // A translation or rotation keeps the offset's accuracy: no point of the plane is rounded.
+    return {n / length, (offset - glm::dot(normal_out, t.inverse_offset)) / length};
+}
+
+Disc Disc::make(const glm::dvec3& center, const glm::dvec3& normal, double radius, double hole, const Transform& t)
+{
+    const double length = glm::length(normal);
+    if (!(length > 0.0)) return {0.0, 1.0, t};  // never drawn
+    return {std::abs(radius), std::abs(hole), t * axis_frame(center, normal / length, 1.0, 1.0)};
+}
+
+Triangle Triangle::make(const std::array<glm::dvec3, 3>& vertices)
+{
+    Triangle made;
+    made.corner = vertices[0];
+    made.edge1 = vertices[1] - vertices[0];
+    made.edge2 = vertices[2] - vertices[0];
+    return made;
+}
+
+Triangle Triangle::make(const std::array<glm::dvec3, 3>& vertices, const std::array<glm::dvec3, 3>& normals)
+{
+    Triangle made = make(vertices);
+    made.normals = normals;
+    made.smooth = true;
+    return made;
+}
+
+}  // namespace csg
