@@ -1,10 +1,3 @@
 #pragma once
 
-#include "csg/hit.h"
-
-namespace csg {
-
-/// What one thread needs to answer rays; reused, never shared.
-struct Scratch {};
-
-}  // namespace csg
+#include "csg/program.h"   // csg::Scratch: what one thread needs to answer rays; reused, never shared

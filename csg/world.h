@@ -9,7 +9,7 @@
 namespace csg {
 
 struct WorldData;   // csg/world_data.h
-struct Scratch;     // csg/scratch.h: per thread, reused; one per caller, never shared
+class Scratch;      // csg/scratch.h: per thread, reused; never shared
 
 /// All top-level objects of a scene behind one bounding hierarchy. Immutable once built; safe for any number of threads.
 /// Ray directions have unit length; t is a distance in scene units. Bits of `kinds`: trace::bit(plan::RayKind).

@@ -1,16 +1,47 @@
 #pragma once
 
-#include "csg/types.h"
+#include "csg/bvh.h"
+#include "csg/program.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace csg {
 
-/// What World reads: built by plan/, immutable afterwards.
+/// One thing that is tested on its own: a lone solid or a CSG program.
+struct WorldItem {
+    PartId solid = kNoPart;           ///< kNoPart: a program
+    std::uint32_t program = 0;        ///< index into WorldData::programs
+    std::uint32_t object = 0;         ///< Surface::object
+    std::uint8_t visible = 0xff;      ///< bits of the kinds of ray that see it
+    bool inverted = false;            ///< lone solid only
+    bool all_opaque = true;           ///< every surface of it stops light
+};
+
+/// Eight balls in lanes; an empty place has radius -1.
+struct alignas(64) SphereBlock {
+    double x[8], y[8], z[8], radius[8];
+    std::uint32_t item[8];
+};
+
+/// What World reads: filled through add_*, then finished once; immutable afterwards. Items keep the order in which they
+/// were added: at equal distance the first wins.
 struct WorldData {
-    /// By SurfaceId: a shadow ray may stop at it for good (spec 3, 13.2).
-    std::vector<std::uint8_t> surface_opaque;
+    SolidStore store;
+    std::vector<Program> programs;
+    std::vector<WorldItem> items;
+    std::vector<std::uint32_t> unbounded;      ///< items outside the hierarchy
+    Bvh bvh;
+    std::vector<SphereBlock> spheres;          ///< by leaf block
+    std::vector<std::uint8_t> surface_opaque;  ///< by SurfaceId: a shadow ray may stop at it for good (spec 3, 13.2)
+    std::uint8_t visible_everywhere = 0xff;    ///< kinds of ray that see every item
+
+    /// A solid by itself.
+    void add_solid(PartId solid, bool inverted, std::uint32_t object, std::uint8_t visible);
+    /// A CSG object.
+    void add_program(Program program, std::uint32_t object, std::uint8_t visible);
+    /// Builds the hierarchy. surface_opaque must be set.
+    void finish();
 };
 
 }  // namespace csg

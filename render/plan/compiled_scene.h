@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/world.h"
 #include "csg/world_data.h"
 #include "render/light/light_set.h"
 #include "render/plan/interior.h"

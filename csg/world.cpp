@@ -1,0 +1,160 @@
+#include "csg/world.h"
+
+#include "csg/traverse.h"
+#include "csg/world_item.h"
+
+#include <algorithm>
+
+namespace csg {
+namespace {
+
+/// What a leaf block means to a query: calls each(item index) for the members that must be asked one by one, and
+/// ball(item index, near, far) for balls already intersected.
+template <class Each, class Ball>
+inline void open_block(const WorldData& world, ChildWord leaf, const Ray& ray, Each&& each, Ball&& ball)
+{
+    switch (leaf.kind()) {
+        case LeafKind::Item: each(leaf.index()); return;
+        case LeafKind::Triangles:
+            for (std::uint32_t k = world.bvh.triangle_first[leaf.index()]; k < world.bvh.triangle_first[leaf.index() + 1]; ++k)
+                each(world.bvh.triangle_members[k]);
+            return;
+        case LeafKind::Spheres: {
+            alignas(64) double near[8], far[8];
+            const SphereBlock& block = world.spheres[leaf.index()];
+            for (std::uint32_t mask = sphere_block(block, ray, near, far); mask != 0; mask &= mask - 1) {
+                const int k = std::countr_zero(mask);
+                if (near[k] <= far[k]) ball(block.item[k], near[k], far[k]);
+            }
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
+{
+    const WorldData& world = *data_;
+    Nearest best;
+    best.limit = t_max;
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) != 0) best.offer(item_nearest(world, item, ray, t_min, best.limit, scratch), i);
+    };
+    const auto ball = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        const double t = near >= t_min ? near : far;
+        if (t < t_min || t > best.limit || (item.visible & kind_bit) == 0) return;
+        best.offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, ray, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, ball);
+        return best.limit;
+    });
+    return best.hit;
+}
+
+HitDetails World::details(const Ray& ray, const Hit& hit) const
+{
+    HitDetails out;
+    out.point = ray.at(hit.t);
+    out.normal = normal_at(data_->store, hit.part, hit.face, hit.inverted, out.point);
+    out.uv = uv_at(data_->store, hit.part, hit.face, out.point);
+    return out;
+}
+
+Shadow World::shadow(const Ray& ray, double t_min, double t_max, Scratch& scratch) const
+{
+    constexpr std::uint8_t kShadowBit = 1u << 2;
+    const WorldData& world = *data_;
+    Shadow found = Shadow::Clear;
+    const auto meet = [&](SurfaceId surface) {
+        if (world.surface_opaque[surface] != 0) found = Shadow::Blocked;
+        else if (found == Shadow::Clear) found = Shadow::Filtered;
+    };
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kShadowBit) == 0) return;
+        if (item.all_opaque) {
+            const Hit hit = item_nearest(world, item, ray, t_min, t_max, scratch);
+            if (hit.found()) found = Shadow::Blocked;
+            return;
+        }
+        item_crossings(world, item, ray, t_min, t_max, scratch, [&](const Hit& hit) { meet(hit.surface); });
+    };
+    const auto ball = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kShadowBit) == 0) return;
+        if ((near >= t_min && near <= t_max) || (far >= t_min && far <= t_max)) meet(world.store.surface(item.solid));
+    };
+    for (const std::uint32_t i : world.unbounded) {
+        each(i);
+        if (found == Shadow::Blocked) return found;
+    }
+    traverse(world.bvh, ray, t_min, t_max, kShadowBit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, ball);
+        return found == Shadow::Blocked ? -1.0 : t_max;
+    });
+    return found;
+}
+
+void World::shadow_crossings(const Ray& ray, double t_min, double t_max, Scratch& scratch, std::vector<Hit>& out) const
+{
+    constexpr std::uint8_t kShadowBit = 1u << 2;
+    const WorldData& world = *data_;
+    out.clear();
+    const auto keep = [&](const Hit& hit) { out.push_back(hit); };
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kShadowBit) != 0) item_crossings(world, item, ray, t_min, t_max, scratch, keep);
+    };
+    const auto ball = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kShadowBit) == 0) return;
+        const SurfaceId surface = world.store.surface(item.solid);
+        if (near >= t_min && near <= t_max) keep({near, surface, item.solid, 0, false});
+        if (far >= t_min && far <= t_max) keep({far, surface, item.solid, 0, false});
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, ray, t_min, t_max, kShadowBit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, ball);
+        return t_max;
+    });
+    // Equal distances in one fixed order, whatever order the walk had.
+    std::sort(out.begin(), out.end(), [](const Hit& a, const Hit& b) {
+        return a.t != b.t ? a.t < b.t : a.part != b.part ? a.part < b.part : a.face < b.face;
+    });
+}
+
+void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out) const
+{
+    out.clear();
+    for (const WorldItem& item : data_->items) {
+        const bool inside = item.solid == kNoPart
+                                ? contains(data_->programs[item.program], data_->store, point)
+                                : with_solid(data_->store, item.solid, [&](const auto& solid) {
+                                      return item.inverted ? solid.contains_inverted(point) : solid.contains(point);
+                                  });
+        if (inside && (out.empty() || out.back() != item.object)) out.push_back(item.object);
+    }
+}
+
+void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
+{
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        out.set(i, nearest(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
+    }
+}
+
+void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
+{
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        out[i] = shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
+    }
+}
+
+}  // namespace csg

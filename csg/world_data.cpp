@@ -1,0 +1,97 @@
+#include "csg/world_data.h"
+
+#include <utility>
+
+namespace csg {
+namespace {
+
+/// A box around what the item draws.
+Aabb drawn_bounds(const WorldData& world, const WorldItem& item)
+{
+    if (item.solid == kNoPart) return world.programs[item.program].bounds;
+    if (kind_of(item.solid) == SolidKind::Disc) return world.store.all<Disc>()[index_of(item.solid)].drawn_bounds();
+    return with_solid(world.store, item.solid, [](const auto& solid) { return solid.bounds(); });
+}
+
+LeafKind leaf_kind(const WorldItem& item)
+{
+    if (item.solid == kNoPart || item.inverted) return LeafKind::Item;
+    switch (kind_of(item.solid)) {
+        case SolidKind::Sphere: return LeafKind::Spheres;
+        case SolidKind::Triangle: return LeafKind::Triangles;
+        default: return LeafKind::Item;
+    }
+}
+
+bool all_opaque(const WorldData& world, const WorldItem& item)
+{
+    const auto opaque = [&](PartId part) {
+        const SurfaceId surface = world.store.surface(part);
+        return surface < world.surface_opaque.size() && world.surface_opaque[surface] != 0;
+    };
+    if (item.solid != kNoPart) return opaque(item.solid);
+    for (const Node& node : world.programs[item.program].nodes)
+        if (node.op == Op::Leaf && !opaque(node.solid)) return false;
+    return true;
+}
+
+/// A box too wide for single precision counts as unbounded.
+bool fits(const Aabb& box)
+{
+    constexpr double kWidest = 1e30;
+    return box.finite() && glm::all(glm::lessThan(glm::abs(box.lower), glm::dvec3(kWidest))) &&
+           glm::all(glm::lessThan(glm::abs(box.upper), glm::dvec3(kWidest)));
+}
+
+void fill_spheres(WorldData& world)
+{
+    const auto& first = world.bvh.sphere_first;
+    for (std::size_t b = 0; b + 1 < first.size(); ++b) {
+        SphereBlock block{};
+        for (std::uint32_t k = 0; k < 8; ++k) {
+            block.radius[k] = -1.0;
+            block.item[k] = 0;
+            const std::uint32_t member = first[b] + k;
+            if (member >= first[b + 1]) continue;
+            const std::uint32_t item = world.bvh.sphere_members[member];
+            const Sphere& sphere = world.store.all<Sphere>()[index_of(world.items[item].solid)];
+            block.x[k] = sphere.center.x;
+            block.y[k] = sphere.center.y;
+            block.z[k] = sphere.center.z;
+            block.radius[k] = sphere.radius;
+            block.item[k] = item;
+        }
+        world.spheres.push_back(block);
+    }
+}
+
+}  // namespace
+
+void WorldData::add_solid(PartId solid, bool inverted, std::uint32_t object, std::uint8_t visible)
+{
+    items.push_back({.solid = solid, .object = object, .visible = visible, .inverted = inverted});
+}
+
+void WorldData::add_program(Program program, std::uint32_t object, std::uint8_t visible)
+{
+    items.push_back({.program = static_cast<std::uint32_t>(programs.size()), .object = object, .visible = visible});
+    programs.push_back(std::move(program));
+}
+
+void WorldData::finish()
+{
+    std::vector<BvhInput> inputs;
+    for (std::uint32_t i = 0; i < items.size(); ++i) {
+        WorldItem& item = items[i];
+        item.all_opaque = all_opaque(*this, item);
+        visible_everywhere &= item.visible;
+        const Aabb box = drawn_bounds(*this, item);
+        if (box.empty()) continue;
+        if (fits(box)) inputs.push_back({box, leaf_kind(item), i, item.visible});
+        else unbounded.push_back(i);
+    }
+    bvh = build_bvh(std::move(inputs));
+    fill_spheres(*this);
+}
+
+}  // namespace csg

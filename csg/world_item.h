@@ -1,0 +1,141 @@
+#pragma once
+
+#include "csg/hit.h"
+#include "csg/lanes.h"
+#include "csg/world_data.h"
+
+/// One item against one ray. Compiled once per instruction set.
+namespace csg {
+
+inline Hit hit_of(const SolidStore& store, const Crossing& c)
+{
+    return {c.t, store.surface(c.part), c.part, c.face, c.inverted};
+}
+
+/// A lone solid's crossings in [t_min, t_max]: f(t, face) for each drawn one, in POV-Ray's order of generation where that
+/// decides ties.
+template <class F>
+inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray, double t_min, double t_max, F&& f)
+{
+    const auto offer = [&](double t, std::uint32_t face) {
+        if (t >= t_min && t <= t_max && face != kUndrawnFace && t < kInfinity && t > -kInfinity) f(t, face);
+    };
+    with_solid(store, part, [&](const auto& solid) {
+        using T = std::decay_t<decltype(solid)>;
+        if constexpr (std::is_same_v<T, Triangle>) {
+            double t = 0.0;
+            if (solid.crossing(ray, t)) offer(t, 0);
+        } else if constexpr (requires { solid.intersect(ray, std::declval<SpanList&>()); }) {
+            Span memory[4];
+            SpanList spans(memory, 4);
+            solid.intersect(ray, spans);
+            for (const Span& span : spans) {
+                offer(span.in.t, span.in.face);
+                offer(span.out.t, span.out.face);
+            }
+            if constexpr (std::is_same_v<T, Torus>) {
+                if (!solid.spindle()) return;
+                double t[4];
+                const int n = solid.inner_sheet(ray, t);
+                for (int i = 0; i < n; ++i) offer(t[i], 0);
+            }
+        } else {
+            Interval in;
+            if (!solid.interval(ray, in)) return;
+            offer(in.entry, in.entry_face);
+            offer(in.exit, in.exit_face);
+        }
+    });
+}
+
+/// Whether an inverted solid's normal is turned: a quadric's is negated twice (spec 5a, 2.5).
+inline bool turned(const WorldItem& item) { return item.inverted && kind_of(item.solid) != SolidKind::Quadric; }
+
+/// The nearest crossing of an item in [t_min, t_max]; at equal t the last generated (spec 5a, 2.1).
+inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
+                        Scratch& scratch)
+{
+    if (item.solid == kNoPart) {
+        const Crossing c = Evaluation(world.programs[item.program], world.store, ray, t_min, t_max, scratch).nearest();
+        if (!(c.t <= t_max)) return {};
+        return hit_of(world.store, c);
+    }
+    Hit best;
+    double limit = t_max;
+    solid_crossings(world.store, item.solid, ray, t_min, t_max, [&](double t, std::uint32_t face) {
+        if (t > limit) return;
+        limit = t;
+        best.t = t;
+        best.face = face;
+        best.part = item.solid;
+    });
+    if (best.t <= t_max && best.t < kInfinity) {
+        best.surface = world.store.surface(item.solid);
+        best.inverted = turned(item);
+    }
+    return best;
+}
+
+/// All crossings of an item in [t_min, t_max], in any order: f(Hit).
+template <class F>
+inline void item_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
+                           Scratch& scratch, F&& f)
+{
+    if (item.solid == kNoPart) {
+        Evaluation evaluation(world.programs[item.program], world.store, ray, t_min, t_max, scratch);
+        const auto [first, last] = evaluation.crossings();
+        for (const Crossing* c = first; c != last; ++c) f(hit_of(world.store, *c));
+        return;
+    }
+    const SurfaceId surface = world.store.surface(item.solid);
+    solid_crossings(world.store, item.solid, ray, t_min, t_max, [&](double t, std::uint32_t face) {
+        f(Hit{t, surface, item.solid, face, turned(item)});
+    });
+}
+
+/// What a ray keeps while it meets items: the nearest so far, and at equal distance the first declared.
+struct Nearest {
+    Hit hit;
+    std::uint32_t item = 0xffffffffu;
+    double limit = kInfinity;            ///< nothing beyond matters
+
+    void offer(const Hit& found, std::uint32_t from)
+    {
+        if (!found.found() || found.t > limit) return;
+        if (found.t < hit.t || from < item) {
+            hit = found;
+            item = from;
+            limit = found.t;
+        }
+    }
+};
+
+/// Entry and exit of a ray and the balls of a block, eight at a time, bit for bit as sphere_roots gives them. A bit per
+/// ball that is met; misses leave anything in `near` and `far`.
+inline std::uint32_t sphere_block(const SphereBlock& block, const Ray& ray, double* near, double* far)
+{
+    using lanes::Double;
+    const Double dx(ray.direction.x), dy(ray.direction.y), dz(ray.direction.z);
+    const Double inverse_a(1.0 / glm::dot(ray.direction, ray.direction));
+    std::uint32_t mask = 0;
+    for (int at = 0; at < 8; at += lanes::kDoubles) {
+        const Double x = Double(ray.origin.x) - Double::load_aligned(block.x + at);
+        const Double y = Double(ray.origin.y) - Double::load_aligned(block.y + at);
+        const Double z = Double(ray.origin.z) - Double::load_aligned(block.z + at);
+        const Double radius = Double::load_aligned(block.radius + at);
+        const Double foot_t = -(x * dx + y * dy + z * dz) * inverse_a;
+        const Double fx = x + foot_t * dx, fy = y + foot_t * dy, fz = z + foot_t * dz;
+        const Double below = radius * radius - (fx * fx + fy * fy + fz * fz);
+        const auto met = (below > Double(0.0)) & (radius > Double(0.0));
+        const std::uint32_t some = lanes::mask(met);
+        if (some == 0) continue;
+        const Double correction = -(fx * dx + fy * dy + fz * dz) * inverse_a;
+        const Double half = xsimd::sqrt(below * inverse_a);
+        (foot_t + (correction - half)).store_aligned(near + at);
+        (foot_t + (correction + half)).store_aligned(far + at);
+        mask |= some << at;
+    }
+    return mask;
+}
+
+}  // namespace csg
