@@ -57,16 +57,12 @@ private:
 
     void trace_centres()
     {
-        const std::size_t size = stride_ * (static_cast<std::size_t>(block_.height) + 1);
-        scratch_.positions.resize(size);
-        scratch_.colors.resize(size);
-        scratch_.marked.assign(size, 0);
-        for (int row = -1; row < block_.height; ++row)
-            for (int column = -1; column < block_.width; ++column) {
-                scratch_.positions[index(column, row)] = {block_.left + column, block_.top + row};
-                if (row < 0 || column < 0) scratch_.marked[index(column, row)] = 1;
-            }
-        tracer_(scratch_.positions.data(), static_cast<int>(size), scratch_.colors.data());
+        const SampleGrid grid{{block_.left - 1, block_.top - 1}, block_.width + 1, block_.height + 1};
+        scratch_.colors.resize(grid.count());
+        scratch_.marked.assign(grid.count(), 0);
+        for (int column = -1; column < block_.width; ++column) scratch_.marked[index(column, -1)] = 1;
+        for (int row = 0; row < block_.height; ++row) scratch_.marked[index(-1, row)] = 1;
+        tracer_.grid(grid, scratch_.colors.data());
     }
 
     void visit(int column, int row)
@@ -85,7 +81,8 @@ private:
         scratch_.marked[pixel] = 1;
         const int n = settings_.depth;
         const double amplitude = settings_.jitter / n;
-        const SamplePosition centre = scratch_.positions[pixel];
+        const SamplePosition centre(block_.left - 1 + static_cast<int>(pixel % stride_),
+                                    block_.top - 1 + static_cast<int>(pixel / stride_));
         scratch_.sub_positions.clear();
         for (int row = 0; row < n; ++row)
             for (int column = 0; column < n; ++column) {
@@ -94,7 +91,7 @@ private:
                 scratch_.sub_positions.push_back(p);
             }
         scratch_.sub_colors.resize(scratch_.sub_positions.size());
-        tracer_(scratch_.sub_positions.data(), n * n, scratch_.sub_colors.data());
+        tracer_.few(scratch_.sub_positions.data(), n * n, scratch_.sub_colors.data());
         scratch_.supersamples += static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n);
         scene::Color sum = scratch_.colors[pixel];
         for (const scene::Color& c : scratch_.sub_colors) add(sum, c);
@@ -122,12 +119,9 @@ public:
     void run(scene::Color* out)
     {
         const std::size_t stride = static_cast<std::size_t>(block_.width) + 1;
-        scratch_.positions.clear();
-        for (int row = 0; row <= block_.height; ++row)
-            for (int column = 0; column <= block_.width; ++column)
-                scratch_.positions.push_back({block_.left + column - 0.5, block_.top + row - 0.5});
-        scratch_.colors.resize(scratch_.positions.size());
-        tracer_(scratch_.positions.data(), static_cast<int>(scratch_.positions.size()), scratch_.colors.data());
+        const SampleGrid corners{{block_.left - 0.5, block_.top - 0.5}, block_.width + 1, block_.height + 1};
+        scratch_.colors.resize(corners.count());
+        tracer_.grid(corners, scratch_.colors.data());
         for (int row = 0; row < block_.height; ++row)
             for (int column = 0; column < block_.width; ++column) {
                 const std::size_t at = static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(column);
@@ -166,7 +160,7 @@ private:
         SamplePosition p = nominal;
         if (settings_.jitter > 0) p += amplitude_ * jitter(nominal.x, nominal.y);
         scene::Color color;
-        tracer_(&p, 1, &color);
+        tracer_.few(&p, 1, &color);
         ++scratch_.supersamples;
         known_positions_.push_back(nominal);
         known_colors_.push_back(color);
@@ -228,11 +222,7 @@ void antialias(const plan::Antialiasing& settings, const scene::AssumedGamma& ga
                const SampleTracer& tracer, AntialiasScratch& scratch, scene::Color* out)
 {
     if (settings.method == 0) {
-        scratch.positions.clear();
-        for (int row = 0; row < block.height; ++row)
-            for (int column = 0; column < block.width; ++column)
-                scratch.positions.push_back({block.left + column, block.top + row});
-        tracer(scratch.positions.data(), block.width * block.height, out);
+        tracer.grid({{block.left, block.top}, block.width, block.height}, out);
         return;
     }
     const ColorDistance distance(settings, gamma);

@@ -14,13 +14,23 @@ namespace trace {
 /// A pixel's centre is (column, row); positions grow to the right and downwards.
 using SamplePosition = glm::dvec2;
 
-/// Traces `count` samples; any count, any positions. A function and its context, so that a block costs no allocation.
+/// Samples one pixel apart: columns x rows of them from `first` on, row by row.
+struct SampleGrid {
+    SamplePosition first{0};
+    int columns = 0, rows = 0;
+    std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+};
+
+/// Traces samples: a whole grid, which can go in tiles, or a few that lie anywhere. Functions and their context, so
+/// that a block costs no allocation.
 struct SampleTracer {
-    void (*trace)(void* context, const SamplePosition* positions, int count, scene::Color* out);
+    void (*trace_grid)(void* context, const SampleGrid& grid, scene::Color* out);
+    void (*trace_few)(void* context, const SamplePosition* positions, int count, scene::Color* out);
     void* context;
-    void operator()(const SamplePosition* positions, int count, scene::Color* out) const
+    void grid(const SampleGrid& g, scene::Color* out) const { trace_grid(context, g, out); }
+    void few(const SamplePosition* positions, int count, scene::Color* out) const
     {
-        trace(context, positions, count, out);
+        trace_few(context, positions, count, out);
     }
 };
 
@@ -31,7 +41,6 @@ struct Block {
 
 /// Working storage of one thread; reused from block to block.
 struct AntialiasScratch {
-    std::vector<SamplePosition> positions;
     std::vector<scene::Color> colors;      ///< the block with a border of one pixel (method 1) or its corners (method 2)
     std::vector<std::uint8_t> marked;      ///< method 1: supersampled or never to be
     std::vector<SamplePosition> sub_positions;

@@ -19,7 +19,16 @@ struct Formula {
     std::function<float(double, double)> grey;
     std::map<std::pair<double, double>, int> asked;
 
-    static void trace(void* context, const SamplePosition* positions, int count, scene::Color* out)
+    static void trace_grid(void* context, const trace::SampleGrid& grid, scene::Color* out)
+    {
+        for (int row = 0; row < grid.rows; ++row)
+            for (int column = 0; column < grid.columns; ++column) {
+                const SamplePosition p = grid.first + SamplePosition(column, row);
+                trace_few(context, &p, 1, out++);
+            }
+    }
+
+    static void trace_few(void* context, const SamplePosition* positions, int count, scene::Color* out)
     {
         auto& self = *static_cast<Formula*>(context);
         for (int i = 0; i < count; ++i) {
@@ -44,7 +53,7 @@ std::vector<float> run(Formula& formula, const plan::Antialiasing& s, const Bloc
 {
     std::vector<scene::Color> out(static_cast<std::size_t>(block.width * block.height));
     trace::AntialiasScratch scratch;
-    trace::antialias(s, {}, block, {&Formula::trace, &formula}, scratch, out.data());
+    trace::antialias(s, {}, block, {&Formula::trace_grid, &Formula::trace_few, &formula}, scratch, out.data());
     std::vector<float> grey;
     for (const scene::Color& c : out) grey.push_back(c.red);
     return grey;
