@@ -16,6 +16,7 @@ struct Options {
     std::map<std::string, double> declared_numbers;    ///< Declare=name=value
     std::map<std::string, std::string> declared_strings;
     int version = 370;                                 ///< before any #version
+    bool version_given = false;                        ///< by an option: gamma and the like follow it (spec 1, 15.1)
     int image_width = 320, image_height = 240;
     double clock = 0.0;
     bool clock_on = false;

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 namespace image {
 
@@ -115,7 +116,12 @@ bool stores_alpha(FileType type) { return facts(type).alpha; }
 bool stores_greyscale(FileType type) { return facts(type).greyscale; }
 bool stores_linear_light(FileType type) { return facts(type).linear_light; }
 
-Files::Files() : module_(std::async(std::launch::async, load_module).share()) {}
+Files::Files()
+{
+    std::packaged_task<const IoModule*()> load(load_module);
+    module_ = load.get_future().share();
+    std::thread(std::move(load)).detach();  // unlike std::async, a program that stops early does not wait for it
+}
 
 void Files::write(const std::string& path, const Image& picture, const FileSettings& settings) const
 {

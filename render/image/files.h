@@ -47,7 +47,7 @@ struct FileSettings {
 };
 
 /// Reads and writes picture files. The constructor starts to load the library in the background (it takes some 0.2 s),
-/// so make one early; the first read or write waits for it.
+/// so make one early; the first read or write waits for it, the destructor does not.
 class Files {
 public:
     Files();

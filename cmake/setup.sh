@@ -1,0 +1,45 @@
+# Sourced by ./run and ./check: packages, configuration. Defines `root`, `install_packages` and `build`.
+# A second call costs a comparison of two small files and one look of Ninja at the sources.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# The names in packages.txt.
+packages() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packages.txt"; }
+
+# Those of them that are not installed, on one line.
+missing_packages() {
+    local name
+    for name in $(packages); do
+        [[ $(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null) == installed ]] || printf '%s ' "$name"
+    done
+}
+
+install_packages() {
+    local stamp=$root/build/packages.stamp missing
+    cmp -s "$root/packages.txt" "$stamp" && return
+    command -v dpkg-query >/dev/null || { echo "this needs Debian 12 packages: $(packages | tr '\n' ' ')" >&2; exit 1; }
+    missing=$(missing_packages)
+    if [[ -n $missing ]]; then
+        if [[ $(id -u) != 0 ]]; then
+            echo "packages are missing; install them with:" >&2
+            echo "  sudo apt-get update && sudo apt-get install --no-install-recommends $missing" >&2
+            exit 1
+        fi
+        apt-get update -q >&2
+        # shellcheck disable=SC2086  # a list of names
+        DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2
+    fi
+    mkdir -p "$root/build"
+    cp "$root/packages.txt" "$stamp"
+}
+
+# build PRESET TARGET...: configures once (Ninja itself configures again when a CMake file changed) and builds; quiet
+# when there is nothing to do.
+build() {
+    local preset=$1 folder=$root/build/$1
+    shift
+    if [[ ! -f $folder/build.ninja ]]; then
+        (cd "$root" && cmake --preset "$preset") >&2
+    fi
+    ninja -C "$folder" --quiet "$@" >&2
+}

@@ -1,0 +1,102 @@
+#include "render/app/command_line.h"
+
+#include "render/app/ini_file.h"
+#include "render/app/option_table.h"
+#include "render/app/switch_table.h"
+#include "render/app/text.h"
+
+#include <filesystem>
+
+namespace app {
+
+namespace {
+
+bool is_file(const std::string& name)
+{
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(name, ignored);
+}
+
+/// Whittle's own options. False if the word is none of them.
+bool apply_own_option(Settings& settings, const std::string& word)
+{
+    using Dump = Settings::Dump;
+    if (word == "--explain") settings.explain = true;
+    else if (word == "--parse-only") settings.parse_only = true;
+    else if (word == "--dump=tokens") settings.dump = Dump::Tokens;
+    else if (word == "--dump=scene") settings.dump = Dump::Scene;
+    else if (word == "--dump=plan") settings.dump = Dump::Plan;
+    else if (word == "--isa=v2" || word == "--isa=v3" || word == "--isa=v4") settings.isa = word.substr(6);
+    else if (word == "--isa=auto") settings.isa.clear();
+    else return false;
+    return true;
+}
+
+bool is_keyword_with_value(const std::string& word)
+{
+    const std::size_t equals = word.find('=');
+    return equals != std::string::npos && equals > 0 && find_option(word.substr(0, equals)) != nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> words_of(const std::string& argument)
+{
+    std::vector<std::string> words;
+    std::string word;
+    bool begun = false;
+    char quote = 0;
+    for (const char c : argument) {
+        if (quote) {
+            if (c == quote) quote = 0;
+            else word += c;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+            begun = true;
+        } else if (is_blank(c)) {
+            if (begun) words.push_back(std::move(word));
+            word.clear();
+            begun = false;
+        } else {
+            word += c;
+            begun = true;
+        }
+    }
+    if (begun) words.push_back(std::move(word));
+    return words;
+}
+
+void apply_word(Settings& settings, const std::string& word)
+{
+    if (word.empty()) return;
+    if (word.starts_with("--")) {
+        if (!apply_own_option(settings, word)) throw OptionError("unknown option '" + word + "'");
+    } else if ((word[0] == '+' || word[0] == '-') && !(ends_with_text(word, ".pov") && is_file(word))) {
+        apply_switch(settings, word);
+    } else if (is_keyword_with_value(word)) {
+        const std::size_t equals = word.find('=');
+        set_option(settings, word.substr(0, equals), word.substr(equals + 1));
+    } else if (ends_with_text(word, ".pov")) {
+        settings.input_file = word;
+    } else if (word.back() == '/') {
+        set_option(settings, "Library_Path", word);
+    } else if (word.find('=') != std::string::npos && !is_file(word)) {
+        throw OptionError("unknown option '" + word.substr(0, word.find('=')) + "'");
+    } else if (!read_ini_file(settings, word)) {
+        if (!is_file(word + ".pov")) throw OptionError("no INI file or scene is called '" + word + "'");
+        settings.input_file = word + ".pov";
+    }
+}
+
+void apply_command_line(Settings& settings, const std::vector<std::string>& arguments)
+{
+    for (const std::string& argument : arguments) {
+        if (is_file(argument) && ends_with_text(argument, ".pov")) {
+            settings.input_file = argument;  // a name with blanks is one name if there is such a file
+            continue;
+        }
+        for (const std::string& word : words_of(argument)) apply_word(settings, word);
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,146 @@
+#include "render/app/ini_file.h"
+
+#include "render/app/command_line.h"
+#include "render/app/option_table.h"
+#include "render/app/text.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace app {
+
+namespace {
+
+/// INI files that name INI files end somewhere.
+constexpr int kMostNested = 32;
+
+/// Up to an unquoted `;` or `#`.
+std::string_view without_comment(std::string_view line)
+{
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (quote) {
+            if (c == quote) quote = 0;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == ';' || c == '#') {
+            return line.substr(0, i);
+        }
+    }
+    return line;
+}
+
+/// Values between unquoted commas, without their quotes.
+std::vector<std::string> values_of(std::string_view text)
+{
+    std::vector<std::string> values(1);
+    char quote = 0;
+    for (const char c : text) {
+        if (quote) {
+            if (c == quote) quote = 0;
+            else values.back() += c;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == ',') {
+            values.emplace_back();
+        } else {
+            values.back() += c;
+        }
+    }
+    for (std::string& value : values) value = std::string(trimmed(value));
+    return values;
+}
+
+void apply_line(Settings& settings, std::string_view line)
+{
+    const std::size_t equals = line.find('=');
+    const bool is_switch = line[0] == '+' || line[0] == '-';
+    if (is_switch || equals == std::string_view::npos) {
+        for (const std::string& word : words_of(std::string(line))) apply_word(settings, word);
+        return;
+    }
+    const std::string_view keyword = trimmed(line.substr(0, equals));
+    const Option* option = find_option(keyword);
+    if (option && option->state == State::Obsolete) {
+        settings.notes.push_back(std::string(option->keyword) + " is obsolete and has no effect");
+        return;
+    }
+    const std::string_view text = line.substr(equals + 1);
+    if (keyword.ends_with("_Command") || same_text(keyword, "Declare")) {
+        // A command is taken as it stands; a declared string keeps its quotes.
+        return set_option(settings, keyword, std::string(trimmed(text)));
+    }
+    for (const std::string& value : values_of(text)) set_option(settings, keyword, value);
+}
+
+std::string found_file(const Settings& settings, const std::string& name)
+{
+    std::error_code ignored;
+    std::vector<std::string> folders{""};
+    for (const std::string& folder : settings.library_path) folders.push_back(folder + "/");
+    const bool has_extension = !std::filesystem::path(name).extension().empty();
+    for (const std::string& folder : folders) {
+        if (has_extension && std::filesystem::is_regular_file(folder + name, ignored)) return folder + name;
+        for (const char* extension : {".ini", ".INI"})
+            if (std::filesystem::is_regular_file(folder + name + extension, ignored)) return folder + name + extension;
+    }
+    return {};
+}
+
+}  // namespace
+
+void apply_ini_text(Settings& settings, const std::string& text, const std::string& section, const std::string& file_name)
+{
+    thread_local int nested = 0;
+    struct Level {
+        Level() { ++nested; }
+        ~Level() { --nested; }
+    } level;
+    if (nested > kMostNested) throw OptionError(file_name + ": INI files name each other without end");
+    std::istringstream lines(text);
+    std::string line;
+    bool applies = true;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        const std::string_view content = trimmed(without_comment(line));
+        if (content.empty()) continue;
+        if (content.front() == '[') {
+            applies = !section.empty() && same_text(trimmed(content.substr(1, content.find(']') - 1)), section);
+            continue;
+        }
+        if (!applies) continue;
+        try {
+            apply_line(settings, content);
+        } catch (const OptionError& error) {
+            throw OptionError(file_name + ":" + std::to_string(number) + ": " + error.what());
+        }
+    }
+}
+
+bool read_ini_file(Settings& settings, const std::string& name)
+{
+    const std::size_t bracket = name.back() == ']' ? name.rfind('[') : std::string::npos;
+    const std::string section = bracket == std::string::npos ? "" : name.substr(bracket + 1, name.size() - bracket - 2);
+    const std::string path = found_file(settings, name.substr(0, bracket));
+    if (path.empty()) return false;
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) return false;
+    apply_ini_text(settings, text.str(), section, path);
+    return true;
+}
+
+void read_default_ini_file(Settings& settings)
+{
+    if (const char* given = std::getenv("POVINI")) {
+        if (read_ini_file(settings, given)) return;
+        settings.notes.push_back(std::string("the INI file of POVINI cannot be read: ") + given);
+    }
+    if (read_ini_file(settings, "./povray.ini")) return;
+    if (const char* home = std::getenv("HOME")) read_ini_file(settings, std::string(home) + "/.povray/3.7/povray.ini");
+}
+
+}  // namespace app

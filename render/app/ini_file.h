@@ -1,0 +1,20 @@
+#pragma once
+
+#include "render/app/settings.h"
+
+#include <string>
+
+namespace app {
+
+/// Applies an INI file, `name` or `name[section]`, with or without its extension, from the current folder or the
+/// library path (spec 1, 18.2 and 18.4). False if there is no such file. Throws OptionError with file and line.
+bool read_ini_file(Settings& settings, const std::string& name);
+
+/// The INI file that applies without being named: of the environment variable POVINI, ./povray.ini, or
+/// ~/.povray/3.7/povray.ini, the first that exists.
+void read_default_ini_file(Settings& settings);
+
+/// The lines of an INI file. \param section only its lines and those before the first section apply
+void apply_ini_text(Settings& settings, const std::string& text, const std::string& section, const std::string& file_name);
+
+}  // namespace app

@@ -1,0 +1,201 @@
+#include "render/app/render_command.h"
+
+#include "parser/parse.h"
+#include "render/app/frames.h"
+#include "render/app/library_path.h"
+#include "render/app/output_name.h"
+#include "render/app/progress.h"
+#include "render/app/report.h"
+#include "render/app/window.h"
+#include "render/image/files.h"
+#include "render/plan/compiled_scene.h"
+#include "render/trace/render.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace app {
+
+namespace {
+
+/// Which messages reach the terminal.
+struct Console {
+    bool debug, warnings;
+};
+
+void print_message(void* context, const parser::Message& message)
+{
+    const auto* console = static_cast<const Console*>(context);
+    if (message.severity == parser::Severity::Debug) {
+        if (console->debug) fmt::print(stderr, "{}", message.text);
+    } else if (message.severity == parser::Severity::Error || console->warnings) {
+        fmt::print(stderr, "{}{}", message.text, message.text.ends_with('\n') ? "" : "\n");
+    }
+}
+
+parser::Options parser_options(const Settings& settings, const FrameList& list, const Frame& frame)
+{
+    parser::Options options;
+    options.library_path = settings.library_path;
+    for (std::string& folder : default_library_path()) options.library_path.push_back(std::move(folder));
+    options.declared_numbers = settings.declared_numbers;
+    options.declared_strings = settings.declared_strings;
+    options.version_given = settings.version.has_value();
+    options.version = settings.version.value_or(options.version);
+    options.image_width = settings.width;
+    options.image_height = settings.height;
+    options.clock = static_cast<double>(frame.clock);
+    options.clock_on = list.clock_on;
+    options.frame_number = frame.number;
+    options.initial_frame = list.initial_frame;
+    options.final_frame = list.final_frame;
+    options.clock_delta = list.clock_delta;
+    return options;
+}
+
+plan::Options plan_options(const Settings& settings)
+{
+    plan::Options options;
+    options.width = settings.width;
+    options.height = settings.height;
+    options.quality = settings.quality;
+    options.alpha = settings.alpha && image::stores_alpha(settings.file_type);
+    plan::Antialiasing& aa = options.antialiasing;
+    aa.method = settings.antialias ? settings.sampling_method : 0;
+    aa.threshold = static_cast<double>(settings.antialias_threshold);
+    aa.depth = settings.antialias_depth;
+    aa.jitter = settings.jitter ? static_cast<double>(settings.jitter_amount) : 0.0;
+    aa.gamma = static_cast<double>(settings.antialias_gamma);
+    const Window window = window_of(settings);
+    options.start_row = window.first_row;
+    options.end_row = window.last_row;
+    options.start_column = window.first_column;
+    options.end_column = window.last_column;
+    options.block_size = settings.block_size;
+    if (settings.split_unions) options.split_unions = *settings.split_unions;
+    return options;
+}
+
+image::FileSettings file_settings(const Settings& settings, const scene::Description& description)
+{
+    std::optional<image::TransferCurve> assumed;
+    using Kind = scene::AssumedGamma::Kind;
+    const scene::AssumedGamma& gamma = description.global.assumed_gamma;
+    if (gamma.kind == Kind::Srgb) assumed = image::TransferCurve::srgb();
+    if (gamma.kind == Kind::Power) assumed = image::TransferCurve::power(static_cast<float>(gamma.exponent));
+    // An option Version=3.7 turns gamma handling on for the output of an older scene too (spec 2, 10.1).
+    const int version = std::max(description.effective_version, settings.version.value_or(0));
+    image::FileSettings file;
+    file.type = settings.file_type;
+    file.encoding.curves = image::output_curves(assumed, version, settings.file_gamma, settings.display_gamma);
+    file.encoding.bits = settings.greyscale && file.type == image::FileType::Png ? 16 : settings.bits_per_color;
+    file.encoding.alpha = settings.alpha;
+    file.encoding.greyscale = settings.greyscale;
+    if (settings.compression > 1) file.jpeg_quality = settings.compression;
+    return file;
+}
+
+/// Through a file of its own: picture libraries want to seek.
+void write_to_standard_output(const image::Files& files, const image::Image& picture, const image::FileSettings& file)
+{
+    const std::string path = (std::filesystem::temp_directory_path() / fmt::format("whittle-{}{}", getpid(), image::extension(file.type))).string();
+    files.write(path, picture, file);
+    std::ifstream in(path, std::ios::binary);
+    char block[65536];
+    while (in.read(block, sizeof block) || in.gcount() > 0) std::fwrite(block, 1, static_cast<std::size_t>(in.gcount()), stdout);
+    std::filesystem::remove(path);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw image::FileError("cannot write to standard output");
+}
+
+/// Prints what --dump and --explain ask for. True if that was all.
+bool print_stage(const Settings& settings, const scene::Description& description)
+{
+    using Dump = Settings::Dump;
+    if (settings.dump == Dump::Scene) fmt::print("{}", scene::dump(description));
+    if (settings.dump != Dump::Plan && !settings.explain) return settings.dump == Dump::Scene || settings.parse_only;
+    const plan::CompiledScene compiled = plan::compile(description, plan_options(settings));
+    if (settings.dump == Dump::Plan) fmt::print("{}", plan::dump(compiled));
+    if (settings.explain) fmt::print(stderr, "{}", plan::explain(compiled, description.files));
+    return settings.dump == Dump::Plan || settings.parse_only;
+}
+
+trace::RenderOptions render_options(const Settings& settings, Progress& progress, const std::atomic<bool>& cancel)
+{
+    trace::RenderOptions options;
+    options.threads = settings.threads;
+    options.progress = [&progress](double share) { progress.show(share); };
+    options.cancel = &cancel;
+    if (settings.isa == "v2") options.isa = trace::Isa::V2;
+    if (settings.isa == "v3") options.isa = trace::Isa::V3;
+    if (settings.isa == "v4") options.isa = trace::Isa::V4;
+    return options;
+}
+
+bool already_rendered(const Settings& settings, const std::string& path)
+{
+    std::error_code error;
+    return settings.continue_trace && settings.output_to_file && std::filesystem::file_size(path, error) > 0 && !error;
+}
+
+int render_frame(const Settings& settings, const FrameList& list, const Frame& frame, const image::Files& files, const std::atomic<bool>& cancel)
+{
+    const std::string path = output_path(settings, list, frame);
+    if (already_rendered(settings, path)) {
+        fmt::print(stderr, "{} exists and continue was asked for: skipped\n", path);
+        return kSuccess;
+    }
+    StageTimes times;
+    Console console{settings.all_console.value_or(settings.debug_console), settings.all_console.value_or(settings.warning_console)};
+    const parser::Result parsed = parser::parse_file(settings.input_file, parser_options(settings, list, frame), print_message, &console);
+    times.finish("parse");
+    if (print_stage(settings, parsed.scene)) return kSuccess;
+
+    const plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
+    times.finish("plan");
+    image::Image picture;
+    trace::RenderStatistics statistics;
+    {
+        Progress progress(settings.verbose);
+        statistics = trace::render(compiled, render_options(settings, progress, cancel), picture);
+    }
+    times.finish("trace");
+    if (statistics.cancelled) {
+        fmt::print(stderr, "cancelled: no picture written\n");
+        return kCancelled;
+    }
+    if (settings.output_to_file) {
+        const image::FileSettings file = file_settings(settings, parsed.scene);
+        if (path.empty()) write_to_standard_output(files, picture, file);
+        else files.write(path, picture, file);
+        times.finish("write");
+        if (!path.empty()) fmt::print(stderr, "{}  {}x{}\n", path, settings.width, settings.height);
+    }
+    if (settings.all_console.value_or(settings.statistic_console)) fmt::print(stderr, "{}", report_text(times, statistics));
+    return kSuccess;
+}
+
+}  // namespace
+
+int render_command(Settings& settings, const std::atomic<bool>& cancel)
+{
+    if (settings.input_file.empty()) throw OptionError("no scene given: whittle scene.pov, or whittle --help");
+    if (settings.dump == Settings::Dump::Tokens) {
+        fmt::print("{}", parser::dump_tokens(settings.input_file));
+        return kSuccess;
+    }
+    if (settings.greyscale && !image::stores_greyscale(settings.file_type)) throw OptionError("this output file type stores no greyscale: use +FN or +FP");
+    window_of(settings);  // a window outside the picture is an error before the parse
+    const image::Files files;
+    const FrameList list = frames_of(settings);
+    for (const Frame& frame : list.frames) {
+        if (list.animation) fmt::print(stderr, "frame {} of {}, clock {:g}\n", frame.number, list.final_frame, frame.clock);
+        if (const int status = render_frame(settings, list, frame, files, cancel); status != kSuccess) return status;
+    }
+    return kSuccess;
+}
+
+}  // namespace app

@@ -1,0 +1,32 @@
+#include "render/app/window.h"
+
+namespace app {
+
+namespace {
+
+/// Single precision, truncated, as POV-Ray reads them.
+int first_of(double start, int size, const char* what)
+{
+    const auto value = static_cast<float>(start);
+    const int first = value >= 0.0f && value < 1.0f ? static_cast<int>(value * static_cast<float>(size)) : static_cast<int>(value) - 1;
+    if (first < 0 || first >= size) throw OptionError(std::string("invalid start ") + what);
+    return first;
+}
+
+int last_of(double end, int size, const char* what)
+{
+    const auto value = static_cast<float>(end);
+    const int last = value >= 0.0f && value <= 1.0f ? static_cast<int>(value * static_cast<float>(size)) - 1 : static_cast<int>(value) - 1;
+    if (last < 0 || last >= size) throw OptionError(std::string("invalid end ") + what);
+    return last;
+}
+
+}  // namespace
+
+Window window_of(const Settings& s)
+{
+    return {first_of(s.start_column, s.width, "column"), last_of(s.end_column, s.width, "column"),
+            first_of(s.start_row, s.height, "row"), last_of(s.end_row, s.height, "row")};
+}
+
+}  // namespace app

@@ -1,0 +1,87 @@
+#include "render/app/ini_file.h"
+
+#include "render/app/command_line.h"
+#include "tests/support/temporary_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+
+using namespace app;
+
+namespace {
+
+Settings settings_of(const std::string& text, const std::string& section = "")
+{
+    Settings settings;
+    apply_ini_text(settings, text, section, "test.ini");
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("an INI file has one option a line, with comments", "[app][ini]")
+{
+    const Settings s = settings_of("; comment\nWidth = 9 ; nine\n  Height=7 # seven\n\nOutput_File_Name=\"a ; b.png\"\r\n");
+    CHECK(s.width == 9);
+    CHECK(s.height == 7);
+    CHECK(s.output_file == "a ; b.png");
+    CHECK(settings_of("Width=9 Height=7").height == 600);
+}
+
+TEST_CASE("lines of switches, lists of values", "[app][ini]")
+{
+    const Settings s = settings_of("+W9 +H7 -A\nLibrary_Path=one,\"two, three\"\nWidth=9,8\n'my scene.pov'");
+    CHECK(s.width == 8);
+    CHECK(s.library_path == std::vector<std::string>{"one", "two, three"});
+    CHECK(s.input_file == "my scene.pov");
+}
+
+TEST_CASE("a section applies only where it is asked for", "[app][ini]")
+{
+    const std::string text = "Width=1\n[Small]\nWidth=2\n[large]\nWidth=3\n[small]\nHeight=5\n";
+    CHECK(settings_of(text).width == 1);
+    CHECK(settings_of(text, "small").width == 2);
+    CHECK(settings_of(text, "small").height == 5);
+    CHECK(settings_of(text, "LARGE").width == 3);
+    CHECK(settings_of(text, "other").width == 1);
+}
+
+TEST_CASE("declared strings keep their quotes until they are read", "[app][ini]")
+{
+    const Settings s = settings_of("Declare=a=2\nDeclare=b=\"two words\"");
+    CHECK(s.declared_numbers.at("a") == 2.0);
+    CHECK(s.declared_strings.at("b") == "two words");
+}
+
+TEST_CASE("an error in an INI file names file and line; an obsolete option is a remark", "[app][ini]")
+{
+    CHECK_THROWS_WITH(settings_of("Width=9\nWidht=9\n"), "test.ini:2: unknown option 'Widht'");
+    const Settings s = settings_of("Buffer_Output=on\nWidth=9");
+    CHECK(s.width == 9);
+    CHECK(s.notes == std::vector<std::string>{"Buffer_Output is obsolete and has no effect"});
+}
+
+TEST_CASE("an INI file is found with or without its extension, also with a section", "[app][ini]")
+{
+    const support::TemporaryFolder folder;
+    std::ofstream(folder / "sizes.ini") << "Height=11\n[a]\nWidth=22\n";
+    for (const char* name : {"sizes", "sizes.ini", "sizes[a]", "sizes.ini[a]"}) {
+        Settings settings;
+        apply_command_line(settings, {folder / name});
+        CHECK(settings.height == 11);
+        CHECK(settings.width == (std::string(name).ends_with(']') ? 22 : 800));
+    }
+    Settings by_path;
+    apply_command_line(by_path, {"+L" + folder.path(), "sizes"});
+    CHECK(by_path.height == 11);
+}
+
+TEST_CASE("INI files that name each other are an error, not a hang", "[app][ini]")
+{
+    const support::TemporaryFolder folder;
+    std::ofstream(folder / "a.ini") << "'" << (folder / "b.ini") << "'\n";
+    std::ofstream(folder / "b.ini") << "'" << (folder / "a.ini") << "'\n";
+    Settings settings;
+    CHECK_THROWS_WITH(read_ini_file(settings, folder / "a.ini"), Catch::Contains("without end"));
+}
