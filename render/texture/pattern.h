@@ -23,6 +23,7 @@ enum class PatternKind : std::uint8_t {
 struct Affine {
     glm::dmat3 linear{1.0};
     glm::dvec3 offset{0.0};
+    glm::dmat3 normal_into{1.0};   ///< normals into pattern space: the transpose of what the author wrote
 };
 
 using Warp = std::variant<Affine, scene::Turbulence, scene::RepeatWarp, scene::BlackHoleWarp, scene::MappingWarp>;

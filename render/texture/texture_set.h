@@ -46,7 +46,8 @@ struct Layer {
 struct Texture {
     enum class Kind : std::uint8_t { Layers, Map, Average, Uv } kind = Kind::Layers;
     bool opaque = true;                    ///< spec 3, 13.2: stops light outright
-    bool plain = false;                    ///< one opaque layer, no normal, no reflection, no crand, no irid: the small kernel
+    bool plain = false;                    ///< one layer that can neither let light through nor reflect, no normal: the small kernel
+    bool lit = true;                       ///< some layer asks for light sources
     std::uint32_t pattern = kNone;
     std::uint32_t first = 0, count = 0;    ///< layers, or keys and children
 };

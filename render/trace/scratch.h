@@ -2,6 +2,7 @@
 
 #include "csg/scratch.h"
 #include "csg/hit.h"
+#include "render/trace/shade_scratch.h"
 
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,7 @@ struct Scratch {
     csg::Scratch geometry;
     std::vector<csg::Hit> crossings;   ///< shadow_crossings of the ray at hand
     RayCounts counts;
+    ShadeScratch shade;
 };
 
 }  // namespace trace

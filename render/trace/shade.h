@@ -9,11 +9,11 @@ struct CompiledScene;
 
 namespace trace {
 
-struct ShadeScratch;
+struct Scratch;
 
 /// Colours of a tile of camera rays: hits are shaded, misses see the sky. `transmit` of a colour is what the
 /// background shows through (alpha output). rays.count colours are written. Recursion happens inside.
 void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const HitTile& hits, scene::Color* out,
-                ShadeScratch& scratch);
+                Scratch& scratch);
 
 }  // namespace trace

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/light/light_set.h"
+
+/// Direction, distance and colour of the light that reaches a point if nothing stands between (spec 3, 12.2 to 12.4).
+namespace light {
+
+struct Illumination {
+    glm::dvec3 direction{0};   ///< unit, from the point toward the light
+    double distance = 0;       ///< along direction; may be negative for parallel lights
+    glm::vec3 color{0};        ///< after cone and distance attenuation
+};
+
+/// `offset`: of a sample of an area light from its centre.
+Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::dvec3& offset = glm::dvec3(0));
+
+/// Direction and distance alone, for the shadow rays of an area light's sample.
+Illumination toward(const Light& light, const glm::dvec3& point, const glm::dvec3& offset);
+
+/// Offset of the node (i, j) of an area light; i and j may be moved by jitter (spec 3, 12.5).
+glm::dvec3 node_offset(const Light& light, const glm::dvec3& point, double i, double j);
+
+}  // namespace light

@@ -1,0 +1,103 @@
+#include "render/texture/finish.h"
+
+#include "render/texture/angle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace texture {
+
+float opacity(const scene::Color& c, bool legacy)
+{
+    if (!legacy) return 1.0f - c.filter - c.transmit;
+    return 1.0f - (c.filter * std::max({c.red, c.green, c.blue}) + c.transmit);
+}
+
+double grazing_weight(double cosine)
+{
+    if (cosine >= 1.0) return 0.0;
+    const double x = std::acos(std::max(cosine, -1.0)) / (std::numbers::pi / 2.0);
+    const double q = x - 1.12;
+    return std::clamp(0.014567225 / (q * q) - 0.011612903, 0.0, 1.0);
+}
+
+double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
+{
+    const glm::dvec3 mirrored = d - 2.0 * glm::dot(d, n) * n;
+    const double c = glm::dot(mirrored, l);
+    if (!(c > 0.0)) return 0.0;
+    // POV-Ray skips powers that would vanish anyway.
+    if (finish.phong_size >= 60.0f && c <= 0.0008) return 0.0;
+    return static_cast<double>(finish.phong) * std::pow(c, static_cast<double>(finish.phong_size));
+}
+
+double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
+{
+    const glm::dvec3 half = l - d;
+    const double length = glm::length(half);
+    if (!(length > 0.0)) return 0.0;
+    const double c = glm::dot(half, n) / length;
+    if (!(c > 0.0)) return 0.0;
+    return static_cast<double>(finish.specular) * std::pow(c, static_cast<double>(finish.specular_exponent));
+}
+
+namespace {
+
+glm::vec3 metallic_tint(float amount, double cosine, const scene::Color& pigment)
+{
+    const auto share = static_cast<float>(static_cast<double>(amount) * (1.0 - grazing_weight(cosine)));
+    return glm::vec3(1.0f) + share * (pigment.rgb() - 1.0f);
+}
+
+}  // namespace
+
+glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const scene::Color& pigment,
+                          const glm::dvec3& n, const glm::dvec3& l)
+{
+    if (!(finish.metallic > 0.0f)) return light;
+    return light * metallic_tint(finish.metallic, glm::dot(n, l), pigment);
+}
+
+namespace {
+
+/// Share of the maximum at an angle, by Fresnel's equations; 1 beyond the critical angle.
+double fresnel_share(double eta, double c)
+{
+    const double q = eta * eta + c * c - 1.0;
+    if (q <= 0.0) return 1.0;
+    const double g = std::sqrt(q);
+    const double a = (g - c) / (g + c);
+    const double b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+    return std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
+}
+
+}  // namespace
+
+glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, const glm::dvec3& d, const glm::dvec3& n,
+                       double eta)
+{
+    const double c = -glm::dot(d, n);
+    const double s = finish.fresnel ? fresnel_share(eta, c)
+                     : finish.reflection_falloff == 1.0f
+                         ? 1.0 - c
+                         : std::pow(1.0 - c, static_cast<double>(finish.reflection_falloff));
+    const auto share = static_cast<float>(s);
+    glm::vec3 r = finish.reflection_min == finish.reflection_max
+                      ? finish.reflection_max
+                      : share * finish.reflection_max + (1.0f - share) * finish.reflection_min;
+    if (finish.reflection_metallic != 0.0f) r *= metallic_tint(finish.reflection_metallic, c, pigment);
+    return r;
+}
+
+glm::vec3 film(const Finish& finish, double h, double cos_light, double cos_view, const glm::vec3& wavelength)
+{
+    glm::vec3 out;
+    for (int k = 0; k < 3; ++k)
+        out[k] = static_cast<float>(1.0 + static_cast<double>(finish.irid) *
+                                              std::cos(kTau * h * (cos_light + cos_view) /
+                                                       static_cast<double>(wavelength[k])));
+    return out;
+}
+
+}  // namespace texture

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/texture/texture_set.h"
+
+/// The terms of a finish as formulas (spec 3, section 7). Unit vectors throughout; `d` is the ray's direction,
+/// `n` the layer's normal, `l` the direction to the light.
+namespace texture {
+
+/// Share of a layer that is its own colour rather than what shines through (7.2).
+float opacity(const scene::Color& c, bool legacy);
+
+/// W of 7.8: 0 head-on, 1 at grazing angles; `cosine` of the angle to the normal.
+double grazing_weight(double cosine);
+
+/// Phong term for one light, without the light's colour (7.7).
+double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l);
+
+/// Specular term for one light, without the light's colour (7.7).
+double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l);
+
+/// Colour of a highlight: the light's, tinted by a metallic finish (7.8).
+glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const scene::Color& pigment,
+                          const glm::dvec3& n, const glm::dvec3& l);
+
+/// Reflectivity per channel (7.9). eta: relative index, read by a fresnel finish only.
+glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, const glm::dvec3& d, const glm::dvec3& n,
+                       double eta);
+
+/// Iridescence per channel (7.11) for a film of thickness h.
+glm::vec3 film(const Finish& finish, double h, double cos_light, double cos_view, const glm::vec3& wavelength);
+
+}  // namespace texture

@@ -1,0 +1,114 @@
+#include "render/texture/finish.h"
+#include "render/trace/area_shadow.h"
+#include "render/trace/random.h"
+#include "render/trace/shade_context.h"
+
+#include <cmath>
+
+namespace trace {
+namespace {
+
+bool dark(const glm::vec3& c) { return std::abs(c.x) < kDark && std::abs(c.y) < kDark && std::abs(c.z) < kDark; }
+
+/// The light's colour with all that shadows it; found once per hit and light.
+const glm::vec3& shadowed(Context& context, const HitContext& hit, const light::Light& light, LightSample& sample)
+{
+    if (!sample.shadow_known) {
+        sample.shadowed = light.area ? area_shadow(context, hit, light, sample.lit)
+                                     : filtered_light(context, hit, sample.lit, sample.lit.color);
+        sample.shadow_known = true;
+    }
+    return sample.shadowed;
+}
+
+/// What one light adds to a layer (spec 3, 7.4, from its second step on).
+struct Layer {
+    const texture::Finish& finish;
+    const scene::Color& pigment;
+    const glm::dvec3& normal;
+    double alpha;
+    std::uint32_t purpose;   ///< tells the random numbers of layers and lights apart
+};
+
+glm::vec3 contribution(Context& context, const HitContext& hit, const Layer& layer, const light::Light& light,
+                       const light::Illumination& lit, const glm::vec3& color, bool behind)
+{
+    const texture::Finish& finish = layer.finish;
+    const glm::dvec3& d = hit.state.ray.direction;
+    glm::vec3 sum(0);
+    const auto diffuse = static_cast<double>(behind ? finish.diffuse_back : finish.diffuse);
+    if (diffuse > 0.0) {
+        const double facing = std::abs(glm::dot(layer.normal, lit.direction));
+        double intensity = finish.brilliance == 1.0f ? facing : std::pow(facing, static_cast<double>(finish.brilliance));
+        intensity *= diffuse * layer.alpha;
+        if (finish.crand > 0.0f)
+            intensity -= static_cast<double>(finish.crand) * random_at(hit.point, layer.purpose);
+        sum += static_cast<float>(intensity) * layer.pigment.rgb() * color;
+    }
+    if (!behind && !light.shadowless && (finish.phong > 0.0f || finish.specular > 0.0f)) {
+        double strength = 0.0;
+        if (finish.phong > 0.0f) strength += texture::phong(finish, d, layer.normal, lit.direction);
+        if (finish.specular > 0.0f) strength += texture::specular(finish, d, layer.normal, lit.direction);
+        if (strength != 0.0)
+            sum += static_cast<float>(strength) *
+                   texture::highlight_color(finish, color, layer.pigment, layer.normal, lit.direction);
+    }
+    if (finish.irid > 0.0f) sum *= film_color(context, hit, finish, layer.normal, lit.direction);
+    return sum;
+}
+
+/// area_illumination: every node is a light of its own under one common shadow (spec 3, 12.7).
+glm::vec3 from_area(Context& context, const HitContext& hit, const Layer& layer, const light::Light& light,
+                    const glm::vec3& shadow)
+{
+    glm::vec3 sum(0);
+    const float share = 1.0f / static_cast<float>(light.size1 * light.size2);
+    for (int j = 0; j < light.size2; ++j)
+        for (int i = 0; i < light.size1; ++i) {
+            const glm::dvec3 offset = light::node_offset(light, hit.point, i, j);
+            const light::Illumination lit = light::illuminate(light, hit.point, offset);
+            const bool behind = glm::dot(layer.normal, lit.direction) < kNearlyZero && !hit.surface.double_illuminate;
+            if (behind && layer.finish.diffuse_back == 0.0f) continue;
+            // `shadow` is the unattenuated colour behind its shadow; the node's own cone and fading dim it.
+            glm::vec3 color = shadow * share;
+            for (int k = 0; k < 3; ++k)
+                if (light.color[k] != 0.0f) color[k] *= lit.color[k] / light.color[k];
+            sum += contribution(context, hit, layer, light, lit, color, behind);
+        }
+    return sum;
+}
+
+}  // namespace
+
+glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish& finish, const scene::Color& pigment,
+                       const glm::dvec3& normal, double alpha)
+{
+    const auto& lights = context.scene.lights.lights;
+    const int quality = context.scene.settings.quality;
+    Layer layer{finish, pigment, normal, alpha, 0};
+    glm::vec3 sum(0);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const light::Light& light = lights[i];
+        LightSample& sample = context.scratch.shade.lights[hit.lights + i];
+        if (!sample.illuminated) {
+            sample.lit = light::illuminate(light, hit.point);
+            sample.illuminated = true;
+        }
+        if (!light.area_illumination && dark(sample.lit.color)) continue;
+        bool behind = false;
+        if (!hit.surface.double_illuminate && !light.area_illumination &&
+            glm::dot(normal, sample.lit.direction) < kNearlyZero) {
+            if (finish.diffuse_back == 0.0f) continue;
+            behind = true;
+        }
+        glm::vec3 color = light.area_illumination ? light.color : sample.lit.color;
+        if (quality >= 4 && !light.shadowless) color = shadowed(context, hit, light, sample);
+        if (!(std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)) continue;
+        layer.purpose = static_cast<std::uint32_t>(i);
+        sum += light.area_illumination ? from_area(context, hit, layer, light, color)
+                                       : contribution(context, hit, layer, light, sample.lit, color, behind);
+    }
+    return sum;
+}
+
+}  // namespace trace

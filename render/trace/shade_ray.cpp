@@ -1,0 +1,132 @@
+#include "render/trace/shade_context.h"
+
+namespace trace {
+
+void InteriorList::remove_first(std::uint32_t interior)
+{
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (items_[i] != interior) continue;
+        for (std::size_t k = i + 1; k < count_; ++k) items_[k - 1] = items_[k];
+        --count_;
+        return;
+    }
+}
+
+bool InteriorList::holds(std::uint32_t interior) const
+{
+    for (std::size_t i = 0; i < count_; ++i)
+        if (items_[i] == interior) return true;
+    return false;
+}
+
+namespace {
+
+bool all_hollow(const Context& context, const InteriorList& list)
+{
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (!context.scene.interiors[list[i]].hollow) return false;
+    return true;
+}
+
+scene::Color mixed(const scene::Color& lower, const scene::Color& upper, double share)
+{
+    return texture::mix(lower, upper, share);
+}
+
+scene::Color average(Context& context, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p)
+{
+    const auto& set = context.scene.textures;
+    scene::Color sum;
+    float weights = 0;
+    for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
+        const scene::Color c = shade_texture(context, hit, set.children[i], p);
+        const float w = set.keys[i];
+        weights += w;
+        sum = {sum.red + w * c.red, sum.green + w * c.green, sum.blue + w * c.blue, sum.filter + w * c.filter,
+               sum.transmit + w * c.transmit};
+    }
+    return {sum.red / weights, sum.green / weights, sum.blue / weights, sum.filter / weights, sum.transmit / weights};
+}
+
+}  // namespace
+
+scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t index, const glm::dvec3& p)
+{
+    const auto& set = context.scene.textures;
+    const texture::Texture& texture = set.textures[index];
+    if (texture.kind == texture::Texture::Kind::Layers) return shade_layers(context, hit, texture, p);
+    if (texture.kind == texture::Texture::Kind::Uv) {
+        // Transformations around a uv_mapping item do not reach it.
+        const std::size_t enclosing = hit.enclosing_count;
+        hit.enclosing_count = 0;
+        const glm::dvec3 uv{hit.around.uv.x, hit.around.uv.y, 0.0};
+        const scene::Color c = shade_texture(context, hit, set.children[texture.first], uv);
+        hit.enclosing_count = enclosing;
+        return c;
+    }
+    const texture::Pattern& pattern = set.patterns[texture.pattern];
+    const glm::dvec3 q = texture::warp_point(set, pattern, p);
+    const bool nested = hit.enclosing_count < hit.enclosing.size();
+    if (nested) hit.enclosing[hit.enclosing_count++] = texture.pattern;
+    scene::Color c;
+    if (texture.kind == texture::Texture::Kind::Average) {
+        c = average(context, hit, texture, q);
+    } else {
+        const double v = texture::pattern_value(set, pattern, q, hit.around);
+        const texture::Blend blend = texture::blend_at(set, texture.first, texture.count, v);
+        c = shade_texture(context, hit, set.children[blend.lower], q);
+        if (blend.lower != blend.upper)
+            c = mixed(c, shade_texture(context, hit, set.children[blend.upper], q), blend.share);
+    }
+    if (nested) --hit.enclosing_count;
+    return c;
+}
+
+scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, const HitDetails& details, int level,
+                       std::size_t first_light)
+{
+    const plan::Surface& surface = context.scene.surfaces[hit.surface];
+    const bool from_inside = glm::dot(details.normal, state.ray.direction) > 0.0;
+    const std::uint32_t texture =
+        from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture : surface.texture;
+    if (texture == plan::kNone) return {};
+    HitContext at{state,
+                  surface,
+                  details.point,
+                  from_inside ? -details.normal : details.normal,
+                  hit.t,
+                  level,
+                  first_light,
+                  {}};
+    at.around = {details.point, at.normal, state.ray.direction, details.uv, true};
+    const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+    return shade_texture(context, at, texture, p);
+}
+
+scene::Color through_air(const Context& context, const RayState& state, double length, const scene::Color& color)
+{
+    if (context.scene.fogs.empty() || context.scene.settings.quality < 9) return color;
+    return all_hollow(context, state.interiors) ? through_fog(context, state, length, color) : color;
+}
+
+scene::Color trace_ray(Context& context, const RayState& state, bool straight)
+{
+    const plan::Settings& settings = context.scene.settings;
+    if (state.level >= settings.max_trace_level || static_cast<double>(state.weight) < settings.adc_bailout) return {};
+    const int level = straight ? state.level : state.level + 1;
+    const Hit hit = context.world.nearest(state.ray, kMinDistance, csg::kInfinity, bit(state.kind),
+                                          context.scratch.geometry);
+    scene::Color color;
+    if (hit.found()) {
+        auto& stack = context.scratch.shade.lights;
+        const std::size_t base = stack.size();
+        stack.resize(base + context.scene.lights.lights.size());
+        color = shade_hit(context, state, hit, context.world.details(state.ray, hit), level, base);
+        stack.resize(base);
+    } else {
+        color = sky_color(context, state);
+    }
+    return through_air(context, state, hit.t, color);
+}
+
+}  // namespace trace

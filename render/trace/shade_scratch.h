@@ -1,0 +1,29 @@
+#pragma once
+
+#include "csg/hit.h"
+#include "render/light/illuminate.h"
+
+#include <array>
+#include <vector>
+
+namespace trace {
+
+/// One light at one shaded point: computed when first asked for, shared by all layers of the hit (spec 3, 13.4).
+struct LightSample {
+    light::Illumination lit;
+    glm::vec3 shadowed{0};
+    bool illuminated = false;    ///< `lit` is there
+    bool shadow_known = false;   ///< `shadowed` is there
+};
+
+/// What shading keeps per thread; grows to what the scene needs and stays.
+struct ShadeScratch {
+    std::vector<LightSample> lights;     ///< a stack: every shaded hit owns lights.size() entries at its level
+    std::vector<glm::vec3> area_nodes;   ///< shadow values of the area light at hand; red below 0: not yet known
+    csg::RayTile rays;                   ///< shadow rays of a tile
+    std::array<csg::Shadow, csg::kTileRays> shadows;
+    std::array<csg::HitDetails, csg::kTileRays> details;
+    std::array<std::uint8_t, csg::kTileRays> lane;   ///< of each shadow ray: which hit it belongs to
+};
+
+}  // namespace trace
