@@ -109,6 +109,7 @@ struct Finish {
     bool use_radiosity = true;                     ///< reserved for later
     /// Legacy finish keywords, moved to the interior of the object (spec 3, 8.7); unset if negative.
     float legacy_ior = -1, legacy_caustics = -1;
+    float legacy_refraction = 1;                   ///< `refraction`: always moved to the interior
     SourceRef source;
 };
 

@@ -1,0 +1,96 @@
+#include "parser/grammar/scene_builder.h"
+
+#include <fmt/format.h>
+
+namespace parser {
+
+SceneBuilder::SceneBuilder()
+{
+    auto texture = std::make_shared<scene::Texture>();
+    texture->kind = std::vector<scene::Layer>{scene::Layer{}};
+    default_texture_ = texture;
+    default_camera.right = {1.33, 0, 0};  // not 4/3 (spec 2, 3.1)
+    default_camera.variance = 1.0 / 10000.0;
+    default_camera.focal_distance = 1.0;
+    description.camera = default_camera;
+}
+
+const scene::Layer& SceneBuilder::default_layer() const
+{
+    return std::get<std::vector<scene::Layer>>(default_texture_->kind).back();
+}
+
+void SceneBuilder::set_default_layer(scene::Layer layer)
+{
+    auto texture = std::make_shared<scene::Texture>();
+    texture->kind = std::vector<scene::Layer>{std::move(layer)};
+    default_texture_ = std::move(texture);
+}
+
+void SceneBuilder::add(scene::Object object)
+{
+    if (!object.undrawn.empty()) {
+        unsupported(object.undrawn, object.source);
+        return;
+    }
+    object.default_texture = default_texture_;
+    description.objects.push_back(std::move(object));
+}
+
+void SceneBuilder::unsupported(const std::string& what, const scene::SourceRef& source)
+{
+    if (told_.insert(what).second) description.unsupported.push_back({what, source});
+}
+
+scene::Description SceneBuilder::take()
+{
+    const LanguageState& language = stream_->language();
+    description.version = language.version < 350 ? 350 : language.version;
+    description.effective_version = language.version_set ? description.version : 362;
+    if (!noise_generator_given) description.global.noise_generator = language.version < 350 ? 1 : 2;
+    description.global.assumed_gamma = language.assumed_gamma;
+    description.default_texture = default_texture_;
+    description.files = stream_->files();
+    return std::move(description);
+}
+
+std::optional<csg::Aabb> SceneBuilder::extent(const scene::Object&)
+{
+    return std::nullopt;
+}
+
+scene::SourceRef SceneBuilder::open_block(const char* what)
+{
+    const scene::SourceRef at = stream_->here();
+    stream_->expect(Kind::LeftBrace, fmt::format("'{{' after {}", what));
+    return at;
+}
+
+void SceneBuilder::close_block(const char* what, const scene::SourceRef& opened)
+{
+    if (stream_->accept(Kind::RightBrace)) return;
+    if (stream_->peek().kind == Kind::EndOfText)
+        stream_->fail(opened, fmt::format("this block of '{}' is not closed: the text ends before its '}}'", what));
+    fail_unknown(fmt::format("an item of '{}' or '}}'", what).c_str());
+}
+
+void SceneBuilder::fail_unknown(const char* expected)
+{
+    const Token token = stream_->peek();
+    if (token.kind == Kind::Identifier && !stream_->value_of(token)) stream_->fail_undeclared(token);
+    stream_->fail_expected(expected);
+}
+
+void SceneBuilder::skip_block(const char* what)
+{
+    const scene::SourceRef opened = open_block(what);
+    for (int depth = 1; depth > 0;) {
+        if (stream_->peek().kind == Kind::EndOfText)
+            stream_->fail(opened, fmt::format("this block of '{}' is not closed: the text ends before its '}}'", what));
+        const Kind kind = stream_->next().kind;
+        if (kind == Kind::LeftBrace) ++depth;
+        if (kind == Kind::RightBrace) --depth;
+    }
+}
+
+}  // namespace parser

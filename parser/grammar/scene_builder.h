@@ -1,0 +1,112 @@
+#pragma once
+
+#include "parser/stream/token_stream.h"
+#include "render/scene/description.h"
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace parser {
+
+/// Gathers the description while the text is read, and answers the stream's questions about scene constructs.
+class SceneBuilder final : public GrammarHooks {
+public:
+    SceneBuilder();
+
+    void attach(TokenStream& stream) { stream_ = &stream; }
+    TokenStream& stream() { return *stream_; }
+    int version() { return stream_->language().version; }
+
+    /// Reads the whole scene. Afterwards take() gives the description.
+    void read_scene();
+    scene::Description take();
+
+    std::optional<Value> parse_declared_value(TokenStream& stream) override;
+    void parse_default(TokenStream& stream) override;
+    std::optional<csg::Aabb> extent(const scene::Object& object) override;
+
+    /// The texture that `#default` has made so far: one layer.
+    const scene::TexturePtr& default_texture() const { return default_texture_; }
+    const scene::Layer& default_layer() const;
+    void set_default_layer(scene::Layer layer);
+
+    /// An object statement at top level is complete.
+    void add(scene::Object object);
+    /// Something understood but not drawn yet: told once for each `what`.
+    void unsupported(const std::string& what, const scene::SourceRef& source);
+
+    /// '{' of a block whose keyword has been taken; its place. close_block() tells what is wrong if '}' does not follow.
+    scene::SourceRef open_block(const char* what);
+    void close_block(const char* what, const scene::SourceRef& opened);
+    /// Takes a whole `{ ... }` unread; the keyword has been taken.
+    void skip_block(const char* what);
+    /// The next token belongs to nothing known here.
+    [[noreturn]] void fail_unknown(const char* expected);
+
+    scene::Description description;
+    scene::Camera default_camera;
+    bool camera_given = false, noise_generator_given = false;
+
+private:
+    TokenStream* stream_ = nullptr;
+    scene::TexturePtr default_texture_;
+    std::set<std::string> told_;
+};
+
+/// At the first token of an object statement (or at an object identifier): reads it. nullopt, nothing taken: no object.
+std::optional<scene::Object> read_object(SceneBuilder& build);
+/// A block of the shape that `keyword` (already taken) names, modifiers included.
+scene::Object read_solid(SceneBuilder& build, Kind keyword);
+bool is_solid(Kind keyword);
+scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source);
+scene::Object read_mesh2(SceneBuilder& build, const scene::SourceRef& source);
+scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef& source);
+scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source);
+scene::Object read_undrawn(SceneBuilder& build, Kind keyword, const scene::SourceRef& source);
+bool is_undrawn(Kind keyword);
+/// Modifiers of any object until something else stands there.
+void read_modifiers(SceneBuilder& build, scene::Object& object);
+
+// Blocks: the keyword has been taken, braces included. `base` is what the block starts from.
+csg::Transform read_transform(SceneBuilder& build);               ///< `transform N` or `transform { ... }`
+/// One of translate, rotate, scale, matrix, transform if it is next.
+std::optional<csg::Transform> read_transformation(SceneBuilder& build);
+scene::Pigment read_pigment(SceneBuilder& build, const scene::Pigment& base);
+scene::Pigment read_pigment_body(SceneBuilder& build, const scene::Pigment& base);  ///< without braces
+scene::Normal read_normal(SceneBuilder& build, const std::optional<scene::Normal>& base);
+scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::Normal>& base);
+scene::Finish read_finish(SceneBuilder& build);
+scene::TexturePtr read_texture(SceneBuilder& build);
+scene::TexturePtr read_texture_body(SceneBuilder& build);         ///< without braces
+/// texture { } texture { } ...: layers; the first keyword has been taken.
+scene::TexturePtr read_textures(SceneBuilder& build);
+/// `top` over `below` (may be null); fails at `at` where one of them is patterned.
+scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, const scene::TexturePtr& top,
+                          const scene::SourceRef& at);
+scene::Interior read_interior(SceneBuilder& build, const scene::Interior& base);
+Material read_material(SceneBuilder& build);
+scene::ColorMap read_color_map(SceneBuilder& build);
+scene::PigmentMap read_pigment_map(SceneBuilder& build, bool weights);
+NormalMap read_normal_map(SceneBuilder& build, bool weights);
+SlopeMap read_slope_map(SceneBuilder& build);
+TextureMap read_texture_map(SceneBuilder& build, bool weights);
+scene::Camera read_camera(SceneBuilder& build, const scene::Camera& base);
+scene::Fog read_fog(SceneBuilder& build);
+scene::SkySphere read_sky_sphere(SceneBuilder& build);
+void read_background(SceneBuilder& build);
+void read_global_settings(SceneBuilder& build);
+
+/// The pattern keyword at the front, with its parameters, if there is one: replaces the type in `pattern`.
+/// Colours or blocks of list patterns are left to the caller.
+bool read_pattern_type(SceneBuilder& build, scene::Pattern& pattern);
+/// One pattern modifier (warp, turbulence, frequency, wave form, transformation, ...) if it is next.
+bool read_pattern_modifier(SceneBuilder& build, scene::Pattern& pattern);
+/// Number of entries of a list pattern (checker 2, ...); 0 for all others.
+int list_size(const scene::Pattern& pattern);
+/// Colours of a list pattern where the text gives none, and colour maps of other patterns (spec 4, 10).
+scene::ColorMap default_colors(const scene::Pattern& pattern);
+
+}  // namespace parser
