@@ -1,0 +1,131 @@
+#include "render/trace/kernel.h"
+
+#include "render/trace/camera_rays.h"
+#include "render/trace/geometry.h"
+#include "render/trace/shade.h"
+
+#include <algorithm>
+#include <limits>
+
+// Given by the build: the instruction set that this copy is compiled for.
+#ifndef WHITTLE_ISA
+#error "WHITTLE_ISA names the kernel's instruction set"
+#endif
+
+namespace trace {
+
+/// Traces blocks for one thread: samples to rays, rays to hits, hits to colours, a tile at a time.
+class BlockTracer {
+public:
+    explicit BlockTracer(const plan::CompiledScene& scene)
+        : scene_(scene), world_(scene.world()), camera_(scene.camera, scene.options.width, scene.options.height)
+    {
+    }
+
+    void trace(const Block& block, scene::Color* out)
+    {
+        const SampleTracer tracer{&grid, &few, this};
+        antialias(scene_.options.antialiasing, scene_.settings.assumed_gamma, block, tracer, antialias_, out);
+    }
+
+    RayCounts counts() const
+    {
+        RayCounts counts = scratch_.counts;
+        counts.supersamples += antialias_.supersamples;
+        return counts;
+    }
+
+private:
+    static void grid(void* context, const SampleGrid& samples, scene::Color* out)
+    {
+        auto& self = *static_cast<BlockTracer*>(context);
+        for (int top = 0; top < samples.rows; top += kTileSide)
+            for (int left = 0; left < samples.columns; left += kTileSide) self.grid_tile(samples, left, top, out);
+    }
+
+    void grid_tile(const SampleGrid& samples, int left, int top, scene::Color* out)
+    {
+        const int right = std::min(left + kTileSide, samples.columns);
+        const int bottom = std::min(top + kTileSide, samples.rows);
+        begin_tile();
+        for (int row = top; row < bottom; ++row)
+            for (int column = left; column < right; ++column) {
+                const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(samples.columns) +
+                                       static_cast<std::size_t>(column);
+                add_sample(samples.first + SamplePosition(column, row), out + at);
+            }
+        finish_tile();
+    }
+
+    static void few(void* context, const SamplePosition* positions, int count, scene::Color* out)
+    {
+        auto& self = *static_cast<BlockTracer*>(context);
+        for (int first = 0; first < count; first += kTileRays) {
+            self.begin_tile();
+            for (int i = first; i < std::min(first + kTileRays, count); ++i) self.add_sample(positions[i], out + i);
+            self.finish_tile();
+        }
+    }
+
+    void begin_tile()
+    {
+        rays_.count = 0;
+        rays_.common_origin = camera_.common_origin();
+    }
+
+    void add_sample(const SamplePosition& p, scene::Color* out)
+    {
+        csg::Ray ray;
+        if (!camera_.ray(p.x, p.y, ray)) {
+            *out = {0, 0, 0, 0, 1};  // no ray: black, and clear where alpha is asked for (spec 2, 4.10)
+            return;
+        }
+        const auto i = static_cast<std::size_t>(rays_.count++);
+        rays_.ox[i] = ray.origin.x;
+        rays_.oy[i] = ray.origin.y;
+        rays_.oz[i] = ray.origin.z;
+        rays_.dx[i] = ray.direction.x;
+        rays_.dy[i] = ray.direction.y;
+        rays_.dz[i] = ray.direction.z;
+        rays_.t_min[i] = kCameraMinDistance;
+        rays_.t_max[i] = csg::kInfinity;
+        targets_[i] = out;
+    }
+
+    void finish_tile()
+    {
+        if (rays_.count == 0) return;
+        scratch_.counts.camera += static_cast<std::uint64_t>(rays_.count);
+        world_.nearest(rays_, bit(plan::RayKind::Image), scratch_.geometry, hits_);
+        shade_tile(scene_, rays_, hits_, colors_, scratch_);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) *targets_[i] = colors_[i];
+    }
+
+    /// POV-Ray ignores what is nearer than this (spec 3, 3.1).
+    static constexpr double kCameraMinDistance = 1e-4;
+
+    const plan::CompiledScene& scene_;
+    csg::World world_;
+    CameraRays camera_;
+    Scratch scratch_;
+    AntialiasScratch antialias_;
+    RayTile rays_;
+    HitTile hits_;
+    scene::Color colors_[kTileRays];
+    std::array<scene::Color*, kTileRays> targets_;
+};
+
+namespace {
+
+const KernelTable kTable = {
+    WHITTLE_ISA,
+    [](const plan::CompiledScene& scene) { return new BlockTracer(scene); },
+    [](BlockTracer* tracer) { delete tracer; },
+    [](BlockTracer& tracer, const Block& block, scene::Color* out) { tracer.trace(block, out); },
+    [](const BlockTracer& tracer) { return tracer.counts(); },
+};
+
+}  // namespace
+}  // namespace trace
+
+extern "C" __attribute__((visibility("default"))) const trace::KernelTable* whittle_kernel() { return &trace::kTable; }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+#include "render/scene/color.h"
+#include "render/trace/antialias.h"
+#include "render/trace/scratch.h"
+
+/// The interface of a kernel module: everything that runs per ray, compiled once per instruction set.
+namespace trace {
+
+class BlockTracer;
+
+/// Functions of one module. A BlockTracer belongs to one thread and lives inside the module that made it.
+struct KernelTable {
+    const char* isa;
+    BlockTracer* (*make)(const plan::CompiledScene& scene);
+    void (*free)(BlockTracer* tracer);
+    /// Colours of the block's pixels, row by row.
+    void (*trace)(BlockTracer& tracer, const Block& block, scene::Color* out);
+    RayCounts (*counts)(const BlockTracer& tracer);
+};
+
+/// The one symbol that a module exports.
+inline constexpr const char* kKernelSymbol = "whittle_kernel";
+using KernelEntry = const KernelTable* (*)();
+
+}  // namespace trace
