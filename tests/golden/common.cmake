@@ -1,0 +1,22 @@
+# Shared by the run_*.cmake scripts: runs whittle from the scene's own folder, as POV-Ray's pictures were made.
+get_filename_component(scene_folder "${SCENE}" DIRECTORY)
+get_filename_component(scene_file "${SCENE}" NAME)
+get_filename_component(out_folder "${OUT}" DIRECTORY)
+file(MAKE_DIRECTORY "${out_folder}")
+
+# render(<output.png> <switch>...): stops the test when whittle fails; its messages are the explanation.
+function(render output)
+  string(REGEX MATCH "^([0-9]+)x([0-9]+)$" ignored "${SIZE}")
+  separate_arguments(switches UNIX_COMMAND "${SWITCHES}")
+  set(command "${WHITTLE}" +I${scene_file} +O${output} +W${CMAKE_MATCH_1} +H${CMAKE_MATCH_2} -A ${switches} -D -P +FN8 ${ARGN})
+  file(REMOVE "${output}")
+  execute_process(COMMAND ${command} WORKING_DIRECTORY "${scene_folder}" RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  string(JOIN " " line ${command})
+  set(render_command "cd ${scene_folder} && ${line}" PARENT_SCOPE)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "exit status ${status} of\n  cd ${scene_folder} && ${line}\n${text}")
+  endif()
+  if(NOT EXISTS "${output}")
+    message(FATAL_ERROR "no picture from\n  cd ${scene_folder} && ${line}\n${text}")
+  endif()
+endfunction()

@@ -1,0 +1,40 @@
+# golden_case(csg/bite SIZE 160x120 [AGREE 0.99] [SWITCHES +A0.3 -J])
+#   Renders scenes/csg/bite.pov and compares with reference_images/csg/bite.png: at least the share AGREE of the pixels
+#   within 3/255 in every channel. A failure leaves bite.actual.png and bite.diff.png in the build folder, names the worst
+#   pixel and the command that traces it alone. make_references.py reads the same lines, so size and switches stand once.
+#
+# golden_same_bytes(csg/bite SIZE 160x120)
+#   One thread, several threads and every instruction set this machine has give the same file, byte by byte.
+#
+# golden_dump(csg/bite scene)
+#   What --dump=scene prints is dumps/csg/bite.scene.txt.
+
+function(golden_case name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SIZE;AGREE" "SWITCHES")
+  if(NOT DEFINED arg_AGREE)
+    set(arg_AGREE 0.99)
+  endif()
+  golden_test(golden/${name} render ${name} SIZE=${arg_SIZE} AGREE=${arg_AGREE} "SWITCHES=${arg_SWITCHES}"
+              REFERENCE=${PROJECT_SOURCE_DIR}/reference_images/${name}.png)
+endfunction()
+
+function(golden_same_bytes name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SIZE" "SWITCHES")
+  golden_test(same_bytes/${name} same_bytes ${name} SIZE=${arg_SIZE} "SWITCHES=${arg_SWITCHES}")
+endfunction()
+
+function(golden_dump name stage)
+  golden_test(dump/${name}.${stage} dump ${name} STAGE=${stage} EXPECTED=${CMAKE_CURRENT_SOURCE_DIR}/dumps/${name}.${stage}.txt)
+endfunction()
+
+# test name, script run_<kind>.cmake, scene, KEY=value...
+function(golden_test test kind name)
+  set(definitions "")
+  foreach(definition IN LISTS ARGN)
+    string(REPLACE ";" " " definition "${definition}")
+    list(APPEND definitions "-D${definition}")
+  endforeach()
+  add_test(NAME ${test} COMMAND ${CMAKE_COMMAND} -DWHITTLE=$<TARGET_FILE:whittle> -DSCENE=${PROJECT_SOURCE_DIR}/scenes/${name}.pov
+           -DOUT=${CMAKE_CURRENT_BINARY_DIR}/${name} ${definitions} -P ${CMAKE_CURRENT_SOURCE_DIR}/run_${kind}.cmake)
+  set_tests_properties(${test} PROPERTIES LABELS golden TIMEOUT 120)
+endfunction()

@@ -1,0 +1,16 @@
+# One golden case; see golden.cmake.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+render("${OUT}.actual.png")
+execute_process(COMMAND "${WHITTLE}" compare "${REFERENCE}" "${OUT}.actual.png" --out "${OUT}.diff.png" --tolerance 3 --share ${AGREE}
+                RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+message("${text}")
+if(status EQUAL 0)
+  file(REMOVE "${OUT}.actual.png" "${OUT}.diff.png")
+  return()
+endif()
+if(text MATCHES "pixel \\(([0-9]+), ([0-9]+)\\)")
+  math(EXPR column "${CMAKE_MATCH_1} + 1")
+  math(EXPR row "${CMAKE_MATCH_2} + 1")
+  message("the worst pixel alone:\n  ${render_command} +SC${column} +EC${column} +SR${row} +ER${row}")
+endif()
+message(FATAL_ERROR "differs from POV-Ray's picture\n  reference  ${REFERENCE}\n  actual     ${OUT}.actual.png\n  difference ${OUT}.diff.png")
