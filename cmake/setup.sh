@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by ./run and ./check: packages, configuration. Defines `root`, `install_packages` and `build`.
 # A second call costs a comparison of two small files and one look of Ninja at the sources.
 

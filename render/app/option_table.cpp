@@ -1,5 +1,6 @@
 #include "render/app/option_table.h"
 
+#include "render/app/ini_file.h"
 #include "render/app/text.h"
 
 #include <algorithm>
@@ -92,6 +93,11 @@ void set_file_type(Settings& s, const Value& v)
     s.file_type = file_type_of(v.text[0]);  // digits behind it are ignored here, unlike in the switch
 }
 
+void include_ini(Settings& s, const Value& v)
+{
+    if (!read_ini_file(s, v.text)) throw OptionError("no INI file is called '" + v.text + "'");
+}
+
 /// Every keyword of POV-Ray 3.7 (spec 1, data/01-options.csv), in alphabetical order.
 constexpr Option kOptions[] = {
     {"All_Console", kFlag, State::Acts, set<&Settings::all_console>},
@@ -146,6 +152,7 @@ constexpr Option kOptions[] = {
     {"Histogram_Name", kText, State::Obsolete, nullptr},
     {"Histogram_Type", kText, State::Obsolete, nullptr},
     {"Include_Header", kText, State::NotYet, nullptr},
+    {"Include_Ini", kText, State::Acts, include_ini},
     {"Initial_Clock", kNumber, State::Acts, set<&Settings::initial_clock>},
     {"Initial_Frame", kInteger, State::Acts, set<&Settings::initial_frame>},
     {"Input_File_Name", kText, State::Acts, set<&Settings::input_file>},
