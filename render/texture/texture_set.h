@@ -30,7 +30,8 @@ struct Finish {
     float diffuse = 0.6f, diffuse_back = 0, brilliance = 1, crand = 0;
     float phong = 0, phong_size = 40, specular = 0, specular_exponent = 20, metallic = 0;
     glm::vec3 reflection_min{0}, reflection_max{0};
-    float reflection_falloff = 1, reflection_exponent = 1, reflection_metallic = 0;
+    float reflection_falloff = 1, reflection_metallic = 0;
+    float reflection_power = 1;            ///< the mirrored colour is raised to it
     bool fresnel = false, conserve_energy = false;
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
 

@@ -52,8 +52,7 @@ glm::vec3 mirrored_light(Context& context, const HitContext& hit, const Mirror& 
     scene::Color c = reflected(context, hit, mirror.normal, mirror.weight, direction);
     if (mirror.finish->irid > 0.0f)
         c = scene::Color::of(c.rgb() * film_color(context, hit, *mirror.finish, mirror.normal, direction));
-    const float exponent = mirror.finish->reflection_exponent;
-    return mirror.reflectivity * raised(c, exponent == 1.0f ? 1.0f : 1.0f / exponent);
+    return mirror.reflectivity * raised(c, mirror.finish->reflection_power);
 }
 
 /// State while going down the layers (spec 3, section 6).
@@ -97,12 +96,24 @@ void add_layer(Context& context, HitContext& hit, const texture::Layer& layer, c
     stack.residual = std::min(1.0f, std::abs(scene::grey(stack.filter)));
 }
 
+/// The plain case by itself: one layer that lets no light through and mirrors none.
+scene::Color shade_plain(Context& context, HitContext& hit, const texture::Layer& layer, const glm::dvec3& p)
+{
+    const auto& set = context.scene.textures;
+    const texture::Finish& finish = set.finishes[layer.finish];
+    const scene::Color c = texture::pigment_color(set, layer.pigment, p, hit.around);
+    glm::vec3 sum = c.rgb() * (finish.ambient + finish.emission);
+    if (finish.lit()) sum += direct_light(context, hit, finish, c, hit.normal, 1.0);
+    return scene::Color::of(sum);
+}
+
 }  // namespace
 
 scene::Color shade_layers(Context& context, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p)
 {
     const auto& set = context.scene.textures;
     const plan::Settings& settings = context.scene.settings;
+    if (texture.plain && settings.quality >= 2) return shade_plain(context, hit, set.layers[texture.first], p);
     const auto bailout = static_cast<float>(settings.adc_bailout);
     Stack stack;
     for (std::uint32_t i = texture.count; i-- > 0 && stack.residual > bailout;)

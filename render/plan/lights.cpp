@@ -1,0 +1,62 @@
+#include "render/plan/lights.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace plan {
+namespace {
+
+/// Unit vector; the axis of a light that points at itself is z.
+glm::dvec3 unit(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : glm::dvec3(0, 0, 1);
+}
+
+}  // namespace
+
+light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, int quality,
+                           const scene::SourceRef& source, std::vector<scene::Unsupported>& notes)
+{
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    light::Light out;
+    out.location = to_world.point(description.location);
+    out.point_at = to_world.point(description.point_at);
+    out.axis = unit(out.point_at - out.location);
+    out.color = description.color;
+    out.shadowless = description.shadowless;
+    out.parallel = description.parallel;
+    switch (description.kind) {
+    case scene::Light::Kind::Point: break;
+    case scene::Light::Kind::Spot:
+        // Parallel rays all run along the axis: the cone has no edge.
+        out.kind = description.parallel ? light::Light::Kind::Point : light::Light::Kind::Spot;
+        out.cos_radius = std::cos(description.radius_deg * kDegree);
+        out.cos_falloff = std::cos(description.falloff_deg * kDegree);
+        break;
+    case scene::Light::Kind::Cylinder:
+        out.kind = light::Light::Kind::Cylinder;
+        out.parallel = true;
+        out.radius = description.radius_deg;
+        out.falloff = description.falloff_deg;
+        break;
+    }
+    out.tightness = description.tightness;
+    out.fade_distance = description.fade_distance;
+    out.fade_power = description.fade_power;
+    out.area = description.area && quality >= 5;
+    out.area_illumination = out.area && description.area_illumination;
+    out.circular = description.circular || description.orient;
+    out.orient = description.orient;
+    out.jitter = description.jitter;
+    out.axis1 = to_world.vector(description.axis1);
+    out.axis2 = to_world.vector(description.axis2);
+    out.size1 = description.size1;
+    out.size2 = description.size2;
+    out.adaptive = description.adaptive;
+    out.atmosphere = description.media_attenuation && description.media_interaction;
+    if (description.projected_through) notes.push_back({"projected_through", source});
+    return out;
+}
+
+}  // namespace plan

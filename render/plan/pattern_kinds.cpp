@@ -1,0 +1,116 @@
+#include "render/plan/pattern_kinds.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace plan {
+namespace {
+
+using texture::PatternKind;
+
+const std::unordered_map<std::string, PatternKind> kKinds{
+    {"agate", PatternKind::Agate}, {"aoi", PatternKind::Aoi}, {"average", PatternKind::Average},
+    {"boxed", PatternKind::Boxed}, {"bozo", PatternKind::Bozo}, {"brick", PatternKind::Brick},
+    {"bumps", PatternKind::Bumps}, {"cells", PatternKind::Cells}, {"checker", PatternKind::Checker},
+    {"crackle", PatternKind::Crackle}, {"cubic", PatternKind::Cubic}, {"cylindrical", PatternKind::Cylindrical},
+    {"dents", PatternKind::Dents}, {"facets", PatternKind::Facets}, {"gradient", PatternKind::Gradient},
+    {"granite", PatternKind::Granite}, {"hexagon", PatternKind::Hexagon}, {"julia", PatternKind::Julia},
+    {"leopard", PatternKind::Leopard}, {"magnet_julia", PatternKind::MagnetJulia},
+    {"magnet_mandel", PatternKind::MagnetMandel}, {"mandel", PatternKind::Mandel}, {"marble", PatternKind::Marble},
+    {"onion", PatternKind::Onion}, {"pigment_pattern", PatternKind::PigmentPattern}, {"planar", PatternKind::Planar},
+    {"quilted", PatternKind::Quilted}, {"radial", PatternKind::Radial}, {"ripples", PatternKind::Ripples},
+    {"slope", PatternKind::Slope}, {"spherical", PatternKind::Spherical}, {"spiral1", PatternKind::Spiral1},
+    {"spiral2", PatternKind::Spiral2}, {"spotted", PatternKind::Bozo}, {"square", PatternKind::Square},
+    {"triangular", PatternKind::Triangular}, {"uv_mapping", PatternKind::Uv}, {"waves", PatternKind::Waves},
+    {"wood", PatternKind::Wood}, {"wrinkles", PatternKind::Wrinkles},
+};
+
+double single(double v) { return static_cast<double>(static_cast<float>(v)); }
+
+scene::Turbulence rounded(scene::Turbulence t)
+{
+    t.octaves = std::clamp(t.octaves, 1, 10);
+    t.lambda = single(t.lambda);
+    t.omega = single(t.omega);
+    return t;
+}
+
+struct CompileWarp {
+    std::vector<texture::Warp>& out;
+    void operator()(const csg::Transform& t) const
+    {
+        if (t.identity()) return;
+        out.emplace_back(texture::Affine{t.inverse_linear, t.inverse_offset, glm::transpose(t.linear)});
+    }
+    void operator()(const scene::Turbulence& t) const
+    {
+        if (t.amount != glm::dvec3(0)) out.emplace_back(rounded(t));
+    }
+    void operator()(const scene::RepeatWarp& w) const { out.emplace_back(w); }
+    void operator()(scene::BlackHoleWarp w) const
+    {
+        // POV-Ray moves a repeated hole away from the block's faces and widens the block to hold it (spec 4, 8.2).
+        for (int k = 0; k < 3; ++k)
+            if (w.repeat[k] > 0.0) {
+                w.center[k] = std::max(w.center[k], w.radius);
+                w.repeat[k] = std::max(w.repeat[k], w.center[k] + w.radius + w.turbulence[k]);
+            }
+        out.emplace_back(w);
+    }
+    void operator()(const scene::MappingWarp& w) const { out.emplace_back(w); }
+};
+
+/// Parameters by kind, defaults where none is given (docs/patterns.md).
+void set_numbers(const scene::Pattern& from, texture::Pattern& to)
+{
+    const std::size_t count = std::min(from.numbers.size(), to.numbers.size());
+    std::copy_n(from.numbers.begin(), count, to.numbers.begin());
+    to.vector = from.vector;
+    switch (to.kind) {
+    case PatternKind::Agate: to.numbers[0] = count > 0 ? single(to.numbers[0]) : 1.0; break;
+    case PatternKind::Brick: to.numbers[0] = single((count > 0 ? to.numbers[0] : 0.5) - 2e-10); break;
+    case PatternKind::Quilted:
+        for (std::size_t i = 0; i < 2; ++i) to.numbers[i] = i < count ? single(to.numbers[i]) : 1.0;
+        break;
+    case PatternKind::Gradient: {
+        const double length = glm::length(to.vector);
+        to.vector = length > 0.0 ? to.vector / length : glm::dvec3(1, 0, 0);
+        break;
+    }
+    default: break;
+    }
+}
+
+}  // namespace
+
+std::optional<texture::PatternKind> pattern_kind(const std::string& keyword)
+{
+    const auto found = kKinds.find(keyword);
+    return found == kKinds.end() ? std::nullopt : std::optional(found->second);
+}
+
+texture::Pattern compile_pattern(const scene::Pattern& description, texture::PatternKind kind, int scene_generator,
+                                 std::vector<texture::Warp>& warps)
+{
+    texture::Pattern out;
+    out.kind = kind;
+    out.noise_generator = static_cast<std::uint8_t>(description.noise_generator ? description.noise_generator
+                                                                                : scene_generator);
+    out.wave = description.wave;
+    out.frequency = single(description.frequency);
+    out.phase = single(description.phase);
+    out.poly_exponent = single(description.poly_exponent);
+    out.folds = out.frequency != 0.0;
+    set_numbers(description, out);
+    out.first_warp = static_cast<std::uint32_t>(warps.size());
+    for (const scene::WarpStep& step : description.warps) std::visit(CompileWarp{warps}, step);
+    out.warp_count = static_cast<std::uint32_t>(warps.size()) - out.first_warp;
+    if (description.turbulence) {
+        out.has_turbulence = true;
+        out.turbulence = rounded(*description.turbulence);
+        out.displaces = out.turbulence.amount != glm::dvec3(0) && kind != PatternKind::Marble && kind != PatternKind::Wood;
+    }
+    return out;
+}
+
+}  // namespace plan
