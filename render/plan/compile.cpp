@@ -1,0 +1,70 @@
+#include "render/plan/compiled_scene.h"
+#include "render/plan/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plan {
+namespace {
+
+Settings settings(const scene::Description& description, const Options& options)
+{
+    Settings s;
+    s.max_trace_level = description.global.max_trace_level;
+    s.adc_bailout = description.global.adc_bailout;
+    s.ambient_light = description.global.ambient_light;
+    s.quality = options.quality;
+    s.alpha = options.alpha;
+    s.assumed_gamma = description.global.assumed_gamma;
+    return s;
+}
+
+/// Interiors of the objects that hold the eye (spec 2, 4.11).
+void find_camera_interiors(CompiledScene& scene)
+{
+    std::vector<std::uint32_t> objects;
+    scene.world().containing(scene.camera.location, objects);
+    for (const std::uint32_t object : objects) {
+        const std::uint32_t interior = scene.objects[object].interior;
+        if (interior == kNone) continue;
+        auto& list = scene.camera_interiors;
+        if (std::find(list.begin(), list.end(), interior) == list.end()) list.push_back(interior);
+    }
+}
+
+}  // namespace
+
+CompiledScene compile(const scene::Description& description, const Options& options)
+{
+    CompiledScene out;
+    out.options = options;
+    out.camera = description.camera;
+    out.settings = settings(description, options);
+    std::vector<scene::Unsupported> notes;
+    TextureCompiler textures(description, options.quality, out.textures, notes);
+    GeometryCompiler geometry(description, options, textures, out, notes);
+    for (const scene::Object& object : description.objects) geometry.add(object);
+    out.sky = compile_sky(description, textures, options.alpha);
+    out.fogs = compile_fogs(description);
+    geometry.finish();
+    find_camera_interiors(out);
+    for (const scene::Unsupported& note : notes) out.decisions.push_back({note.what, "not rendered yet", note.source});
+    return out;
+}
+
+std::string explain(const CompiledScene& scene, const std::vector<std::string>& files)
+{
+    const csg::WorldData& world = scene.geometry;
+    std::string text = fmt::format("kept: {} objects as {} items ({} CSG programs, {} outside the hierarchy), {} surfaces, {} textures, {} lights\n",
+                                   scene.objects.size(), world.items.size(), world.programs.size(), world.unbounded.size(),
+                                   scene.surfaces.size(), scene.textures.textures.size(), scene.lights.lights.size());
+    for (const Decision& d : scene.decisions) {
+        if (d.source.line != 0 && d.source.file < files.size())
+            text += fmt::format("{}:{}:{}: ", files[d.source.file], d.source.line, d.source.column);
+        text += fmt::format("{}: {}\n", d.what, d.why);
+    }
+    return text;
+}
+
+}  // namespace plan

@@ -1,0 +1,276 @@
+#include "render/plan/geometry.h"
+
+#include "render/plan/lights.h"
+#include "render/plan/solids.h"
+
+#include <utility>
+
+namespace plan {
+namespace {
+
+/// Whether an old finish keyword changes the interior of the object (spec 3, 8.7).
+bool carries_legacy_finish(const scene::TexturePtr& texture)
+{
+    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
+    if (layers == nullptr || layers->empty()) return false;
+    const scene::Finish& finish = layers->back().finish;
+    return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f;
+}
+
+bool same(const csg::Transform& a, const csg::Transform& b)
+{
+    return a.linear == b.linear && a.offset == b.offset && a.inverse_linear == b.inverse_linear &&
+           a.inverse_offset == b.inverse_offset;
+}
+
+csg::Tree::Op tree_op(scene::CsgOp op)
+{
+    switch (op) {
+        case scene::CsgOp::Union: return csg::Tree::Op::Union;
+        case scene::CsgOp::Intersection: return csg::Tree::Op::Intersection;
+        case scene::CsgOp::Difference: return csg::Tree::Op::Difference;
+        case scene::CsgOp::Merge: return csg::Tree::Op::Merge;
+    }
+    return csg::Tree::Op::Union;
+}
+
+bool is_light(const scene::Object& object) { return std::holds_alternative<scene::Light>(object.shape); }
+
+}  // namespace
+
+GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
+                                   CompiledScene& out, std::vector<scene::Unsupported>& notes)
+    : description_(description), options_(options), textures_(textures), out_(out), notes_(notes), interiors_(out.interiors)
+{
+}
+
+void GeometryCompiler::add(const scene::Object& object)
+{
+    default_texture_ = object.default_texture ? object.default_texture : description_.default_texture;
+    automatic_interiors_.clear();
+    collect_lights(object, {});
+    add_top(object, {});
+}
+
+void GeometryCompiler::finish()
+{
+    out_.geometry.surface_opaque.clear();
+    for (Surface& s : out_.surfaces) {
+        const auto opaque = [&](std::uint32_t texture) { return texture == kNone || out_.textures.textures[texture].opaque; };
+        s.opaque = opaque(s.texture) && opaque(s.interior_texture);
+        out_.geometry.surface_opaque.push_back(s.opaque ? 1 : 0);
+    }
+    out_.geometry.finish();
+    const auto tell = [&](std::uint64_t count, const char* what, const char* why) {
+        if (count != 0) out_.decisions.push_back({std::to_string(count) + " " + what, why, {}});
+    };
+    tell(split_unions_, "unions split into their operands", "nothing at top level needs them as one object");
+    tell(empty_programs_, "objects left out", "bounds of their operands leave nothing to draw");
+    tell(bounds_, "bounded_by left out", "the hierarchy bounds every object itself");
+}
+
+/// What `object` hands down to its operands and to its own surface.
+GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object, const Inherited& above)
+{
+    Inherited own = above;
+    own.uv_mapping = object.flags.uv_mapping || (!object.texture && above.uv_mapping);
+    const auto in_world = [&](const scene::TexturePtr& t) { return own.uv_mapping ? t : moved(t, above.to_world); };
+    if (object.texture) own.texture = in_world(object.texture);
+    if (object.interior_texture) own.interior_texture = in_world(object.interior_texture);
+    if (object.interior) own.interior = object.interior;
+    if (object.flags.hollow) own.hollow = object.flags.hollow;
+    own.no_shadow = above.no_shadow || object.flags.no_shadow;
+    own.no_image = above.no_image || object.flags.no_image;
+    own.no_reflection = above.no_reflection || object.flags.no_reflection;
+    own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
+    own.to_world = is_light(object) ? above.to_world : above.to_world * object.transform;
+    return own;
+}
+
+void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
+{
+    if (is_light(object)) return;
+    const Inherited own = below(object, above);
+    if (!object.bounded_by.empty() && !object.bounded_by_clip) ++bounds_;
+    const auto* csg = std::get_if<scene::Csg>(&object.shape);
+    const bool whole = !object.clipped_by.empty() || (!object.bounded_by.empty() && !options_.split_unions) || object.inverse;
+    if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !whole) {
+        ++split_unions_;
+        for (const scene::Object& operand : *csg->operands) add_top(operand, own);
+        return;
+    }
+    add_alone(object, own);
+}
+
+void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& own)
+{
+    object_ = static_cast<std::uint32_t>(out_.objects.size());
+    out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source});
+    csg::WorldData& world = out_.geometry;
+    const bool clipped = !object.clipped_by.empty();
+    if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh != nullptr && !clipped) {
+        for (const csg::PartId part : mesh_parts(*mesh->data, own, own.to_world)) world.add_solid(part, false, object_, visible(own));
+        return;
+    }
+    if (!std::holds_alternative<scene::Csg>(object.shape) && !std::holds_alternative<scene::Mesh>(object.shape) && !clipped) {
+        const csg::PartId part = world.store.add(world_solid(object.shape, own.to_world), surface(own));
+        world.add_solid(part, object.inverse, object_, visible(own));
+        return;
+    }
+    csg::Program program = csg::build(tree(object, own), world.store);
+    if (program.nodes.empty() || program.bounds.empty()) {
+        ++empty_programs_;
+        return;
+    }
+    world.add_program(std::move(program), object_, visible(own));
+}
+
+csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& own)
+{
+    csg::Tree made;
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
+        made.op = tree_op(csg->op);
+        Inherited later = own;
+        for (const scene::Object& operand : *csg->operands) {
+            if (is_light(operand)) continue;
+            const Inherited mine = below(operand, made.operands.empty() ? own : later);
+            made.operands.push_back(tree(operand, mine));
+            // A cut shows the texture of the first operand; deeper rules of cutaway_textures are not followed.
+            if (csg->cutaway_textures && made.operands.size() == 1 && !own.texture) later.texture = mine.texture;
+        }
+    } else if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
+        made = mesh_tree(*mesh->data, own, own.to_world);
+    } else {
+        const csg::SurfaceId id = clipping_ ? csg::kNoSurface : surface(own);
+        made = csg::Tree::leaf(out_.geometry.store.add(world_solid(object.shape, own.to_world), id));
+    }
+    made.inverse = object.inverse;
+    // Clips stand in the space of the parent.
+    const csg::Transform parent = own.to_world * object.transform.inverted();
+    for (const scene::Object& clip : object.clipped_by) made.clips.push_back(clip_tree(clip, parent));
+    return made;
+}
+
+csg::Tree GeometryCompiler::clip_tree(const scene::Object& clip, const csg::Transform& to_world)
+{
+    Inherited none;
+    none.to_world = to_world * clip.transform;
+    const bool before = std::exchange(clipping_, true);
+    csg::Tree made = tree(clip, none);
+    clipping_ = before;
+    return made;
+}
+
+csg::Tree GeometryCompiler::mesh_tree(const scene::MeshData& mesh, const Inherited& own, const csg::Transform& to_world)
+{
+    csg::Tree made;
+    made.op = csg::Tree::Op::Union;
+    for (const csg::PartId part : mesh_parts(mesh, own, to_world)) made.operands.push_back(csg::Tree::leaf(part));
+    return made;
+}
+
+std::vector<csg::PartId> GeometryCompiler::mesh_parts(const scene::MeshData& mesh, const Inherited& own,
+                                                      const csg::Transform& to_world)
+{
+    constexpr std::uint32_t kOwn = scene::MeshData::kNone;
+    std::map<std::uint32_t, csg::SurfaceId> surfaces;  // by texture of the mesh
+    std::vector<csg::PartId> parts;
+    parts.reserve(mesh.faces.size());
+    for (const scene::MeshData::Face& face : mesh.faces) {
+        const std::uint32_t texture = face.texture[0];
+        auto known = surfaces.find(texture);
+        if (known == surfaces.end()) {
+            Inherited of_face = own;
+            if (texture != kOwn) of_face.texture = own.uv_mapping ? mesh.textures[texture] : moved(mesh.textures[texture], to_world);
+            known = surfaces.emplace(texture, clipping_ ? csg::kNoSurface : surface(of_face)).first;
+        }
+        parts.push_back(out_.geometry.store.add(world_triangle(mesh, face, to_world), known->second));
+    }
+    return parts;
+}
+
+void GeometryCompiler::collect_lights(const scene::Object& object, const Inherited& above)
+{
+    if (const auto* light = std::get_if<scene::Light>(&object.shape)) {
+        add_light(*light, object, above);
+        return;
+    }
+    const auto* csg = std::get_if<scene::Csg>(&object.shape);
+    if (csg == nullptr) return;
+    Inherited own;
+    own.to_world = above.to_world * object.transform;
+    for (const scene::Object& operand : *csg->operands) collect_lights(operand, own);
+}
+
+void GeometryCompiler::add_light(const scene::Light& light, const scene::Object& object, const Inherited& above)
+{
+    out_.lights.lights.push_back(compile_light(light, above.to_world, options_.quality, object.source, notes_));
+    if (!light.looks_like) return;
+    Inherited own = above;
+    own.no_shadow = true;
+    automatic_interiors_.clear();
+    collect_lights(*light.looks_like, own);
+    add_top(*light.looks_like, own);
+    automatic_interiors_.clear();
+}
+
+csg::SurfaceId GeometryCompiler::surface(const Inherited& own)
+{
+    const scene::TexturePtr& texture = own.texture ? own.texture : default_texture_;
+    Surface s;
+    s.texture = textures_.texture(texture);
+    s.interior_texture = own.interior_texture ? textures_.texture(own.interior_texture) : kNone;
+    s.interior = interior(own, texture);
+    s.object = object_;
+    s.no_shadow = own.no_shadow;
+    s.no_image = own.no_image;
+    s.no_reflection = own.no_reflection;
+    s.double_illuminate = own.double_illuminate;
+    s.uv_mapping = own.uv_mapping;
+    const std::uint32_t flags = (s.no_shadow ? 1u : 0u) | (s.no_image ? 2u : 0u) | (s.no_reflection ? 4u : 0u) |
+                                (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u);
+    const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
+    const auto [known, fresh] = known_surfaces_.try_emplace({s.texture, s.interior_texture, s.interior, s.object, flags}, id);
+    if (fresh) out_.surfaces.push_back(s);
+    return known->second;
+}
+
+std::uint32_t GeometryCompiler::interior(const Inherited& own, const scene::TexturePtr& texture)
+{
+    std::uint32_t index = kNone;
+    if (own.interior) {
+        index = interiors_.interior(own.interior, texture.get());
+    } else {
+        const scene::Texture* key = carries_legacy_finish(texture) ? texture.get() : nullptr;
+        const auto known = automatic_interiors_.find(key);
+        index = known != automatic_interiors_.end() ? known->second : interiors_.interior(nullptr, texture.get());
+        if (known == automatic_interiors_.end()) automatic_interiors_.emplace(key, index);
+    }
+    if (own.hollow) out_.interiors[index].hollow = *own.hollow;
+    return index;
+}
+
+/// The texture in world space; equal for equal transformations, so that copies share it.
+scene::TexturePtr GeometryCompiler::moved(const scene::TexturePtr& texture, const csg::Transform& to_world)
+{
+    if (!texture || to_world.identity()) return texture;
+    std::vector<Moved>& known = moved_[texture.get()];
+    for (const Moved& m : known)
+        if (same(m.by, to_world)) return m.to;
+    auto copy = std::make_shared<scene::Texture>(*texture);
+    copy->transform(to_world);
+    known.push_back({to_world, texture, copy});
+    return copy;
+}
+
+std::uint8_t GeometryCompiler::visible(const Inherited& own) const
+{
+    const auto bit = [](RayKind kind) { return 1u << static_cast<unsigned>(kind); };
+    unsigned bits = 0;
+    if (!own.no_image) bits |= bit(RayKind::Image);
+    if (!own.no_reflection) bits |= bit(RayKind::Reflection);
+    if (!own.no_shadow) bits |= bit(RayKind::Shadow);
+    return static_cast<std::uint8_t>(bits);
+}
+
+}  // namespace plan

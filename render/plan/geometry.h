@@ -1,0 +1,71 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+#include "render/plan/interiors.h"
+#include "render/plan/textures.h"
+
+#include <map>
+#include <unordered_map>
+
+namespace plan {
+
+/// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its parents
+/// (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays together.
+class GeometryCompiler {
+public:
+    GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
+                     CompiledScene& out, std::vector<scene::Unsupported>& notes);
+
+    /// A statement of the scene. Lights inside are collected too.
+    void add(const scene::Object& object);
+    /// After the last object: opacity of surfaces, then the hierarchy.
+    void finish();
+
+private:
+    /// What comes down from the parents. Textures are in world space already.
+    struct Inherited {
+        csg::Transform to_world;                 ///< of the space that the node's transformation maps into
+        scene::TexturePtr texture, interior_texture;
+        std::shared_ptr<const scene::Interior> interior;
+        std::optional<bool> hollow;
+        bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
+    };
+
+    Inherited below(const scene::Object& object, const Inherited& above);
+    void add_top(const scene::Object& object, const Inherited& above);
+    void add_alone(const scene::Object& object, const Inherited& own);
+    csg::Tree tree(const scene::Object& object, const Inherited& own);
+    csg::Tree mesh_tree(const scene::MeshData& mesh, const Inherited& own, const csg::Transform& to_world);
+    std::vector<csg::PartId> mesh_parts(const scene::MeshData& mesh, const Inherited& own, const csg::Transform& to_world);
+    csg::Tree clip_tree(const scene::Object& clip, const csg::Transform& to_world);
+    void collect_lights(const scene::Object& object, const Inherited& above);
+    void add_light(const scene::Light& light, const scene::Object& object, const Inherited& above);
+
+    csg::SurfaceId surface(const Inherited& own);
+    std::uint32_t interior(const Inherited& own, const scene::TexturePtr& texture);
+    scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
+    std::uint8_t visible(const Inherited& own) const;
+
+    const scene::Description& description_;
+    const Options& options_;
+    TextureCompiler& textures_;
+    CompiledScene& out_;
+    std::vector<scene::Unsupported>& notes_;
+    InteriorCompiler interiors_;
+
+    scene::TexturePtr default_texture_;          ///< of the statement at hand
+    std::uint32_t object_ = 0;                   ///< Surface::object at hand
+    bool clipping_ = false;                      ///< inside a clip: nothing is drawn, no surface is made
+    /// Interiors made for the statement at hand where the text gives none: by texture with a legacy finish, else null.
+    std::map<const scene::Texture*, std::uint32_t> automatic_interiors_;
+    using SurfaceKey = std::array<std::uint32_t, 5>;
+    std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
+    struct Moved {
+        csg::Transform by;
+        scene::TexturePtr from, to;
+    };
+    std::unordered_map<const scene::Texture*, std::vector<Moved>> moved_;
+    std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0;
+};
+
+}  // namespace plan

@@ -1,0 +1,89 @@
+#include "render/plan/solids.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace plan {
+namespace {
+
+/// Columns of a rotation times one factor, to within rounding: relative to the factor squared, a few hundred units in the
+/// last place, for matrices multiplied up from many rotations.
+constexpr double kSimilarity = 1e-13;
+
+bool similarity(const glm::dmat3& m, double& factor)
+{
+    const double a = glm::dot(m[0], m[0]), b = glm::dot(m[1], m[1]), c = glm::dot(m[2], m[2]);
+    const double slack = kSimilarity * a;
+    factor = std::sqrt(a);
+    return a > 0.0 && std::abs(a - b) <= slack && std::abs(a - c) <= slack && std::abs(glm::dot(m[0], m[1])) <= slack &&
+           std::abs(glm::dot(m[0], m[2])) <= slack && std::abs(glm::dot(m[1], m[2])) <= slack;
+}
+
+bool diagonal(const glm::dmat3& m)
+{
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (row != column && m[column][row] != 0.0) return false;
+    return true;
+}
+
+struct ToWorld {
+    const csg::Transform& t;
+
+    csg::Solid operator()(const scene::Sphere& s) const
+    {
+        double factor = 1.0;
+        if (similarity(t.linear, factor)) return csg::Sphere{t.point(s.center), std::abs(s.radius) * factor};
+        return csg::Ellipsoid{t * csg::Transform::translate(s.center) * csg::Transform::scale(glm::dvec3(std::abs(s.radius)))};
+    }
+    csg::Solid operator()(const scene::Box& s) const
+    {
+        if (!diagonal(t.linear)) return csg::OrientedBox{s.lower, s.upper, t};
+        const glm::dvec3 a = t.point(s.lower), b = t.point(s.upper);
+        return csg::Box{glm::min(a, b), glm::max(a, b)};
+    }
+    csg::Solid operator()(const scene::Plane& s) const { return csg::Plane{s.normal, s.offset}.transformed(t); }
+    csg::Solid operator()(const scene::Cylinder& s) const
+    {
+        return csg::Cylinder::make(s.base, s.cap, std::abs(s.radius), s.open, t);
+    }
+    csg::Solid operator()(const scene::Cone& s) const
+    {
+        csg::Cone cone;
+        double radius = 0.0;
+        if (csg::Cone::make(s.base, s.base_radius, s.cap, s.cap_radius, s.open, t, cone, radius)) return cone;
+        return csg::Cylinder::make(s.base, s.cap, radius, s.open, t);
+    }
+    csg::Solid operator()(const scene::Torus& s) const { return csg::Torus{std::abs(s.major), std::abs(s.minor), t}; }
+    csg::Solid operator()(const scene::Quadric& s) const
+    {
+        return csg::Quadric{s.square, s.mixed, s.linear, s.constant, t};
+    }
+    csg::Solid operator()(const scene::Disc& s) const { return csg::Disc::make(s.center, s.normal, s.radius, s.hole, t); }
+    csg::Solid operator()(const scene::Triangle& s) const
+    {
+        const std::array<glm::dvec3, 3> corners{t.point(s.vertex[0]), t.point(s.vertex[1]), t.point(s.vertex[2])};
+        if (!s.smooth) return csg::Triangle::make(corners);
+        return csg::Triangle::make(corners, {t.normal(s.normal[0]), t.normal(s.normal[1]), t.normal(s.normal[2])});
+    }
+    csg::Solid operator()(const scene::Mesh&) const { throw std::logic_error("a mesh is many solids"); }
+    csg::Solid operator()(const scene::Csg&) const { throw std::logic_error("a CSG object is many solids"); }
+    csg::Solid operator()(const scene::Light&) const { throw std::logic_error("a light is no solid"); }
+};
+
+}  // namespace
+
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world) { return std::visit(ToWorld{to_world}, shape); }
+
+csg::Triangle world_triangle(const scene::MeshData& mesh, const scene::MeshData::Face& face, const csg::Transform& to_world)
+{
+    std::array<glm::dvec3, 3> corner, normal;
+    for (std::size_t k = 0; k < 3; ++k) {
+        corner[k] = to_world.point(mesh.vertices[face.vertex[k]]);
+        if (face.normal[k] != scene::MeshData::kNone) normal[k] = to_world.normal(mesh.normals[face.normal[k]]);
+    }
+    if (face.normal[0] == scene::MeshData::kNone) return csg::Triangle::make(corner);
+    return csg::Triangle::make(corner, normal);
+}
+
+}  // namespace plan

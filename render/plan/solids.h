@@ -1,0 +1,14 @@
+#pragma once
+
+#include "csg/solid.h"
+#include "render/scene/object.h"
+
+namespace plan {
+
+/// A described primitive in world space. Not for meshes, CSG and lights.
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world);
+
+/// A triangle of a mesh in world space.
+csg::Triangle world_triangle(const scene::MeshData& mesh, const scene::MeshData::Face& face, const csg::Transform& to_world);
+
+}  // namespace plan
