@@ -87,7 +87,8 @@ scene::TexturePtr read_textures(SceneBuilder& build);
 scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, const scene::TexturePtr& top,
                           const scene::SourceRef& at);
 scene::Interior read_interior(SceneBuilder& build, const scene::Interior& base);
-Material read_material(SceneBuilder& build);
+/// `current`: what the object has already.
+Material read_material(SceneBuilder& build, Material current);
 scene::ColorMap read_color_map(SceneBuilder& build);
 scene::PigmentMap read_pigment_map(SceneBuilder& build, bool weights);
 NormalMap read_normal_map(SceneBuilder& build, bool weights);
@@ -98,6 +99,8 @@ scene::Fog read_fog(SceneBuilder& build);
 scene::SkySphere read_sky_sphere(SceneBuilder& build);
 void read_background(SceneBuilder& build);
 void read_global_settings(SceneBuilder& build);
+/// max_trace_level or max_intersections outside of global_settings, if it is next.
+bool read_old_setting(SceneBuilder& build);
 
 /// The pattern keyword at the front, with its parameters, if there is one: replaces the type in `pattern`.
 /// Colours or blocks of list patterns are left to the caller.

@@ -1,0 +1,116 @@
+#include "parser/grammar/rules.h"
+
+namespace parser {
+namespace {
+
+using Shared = std::shared_ptr<const scene::Object>;
+
+scene::CsgOp op_of(Kind keyword)
+{
+    switch (keyword) {
+    case Kind::Intersection: return scene::CsgOp::Intersection;
+    case Kind::Difference: return scene::CsgOp::Difference;
+    case Kind::Merge: return scene::CsgOp::Merge;
+    default: return scene::CsgOp::Union;
+    }
+}
+
+/// object { NAME or any object statement, modifiers }.
+scene::Object read_wrapper(SceneBuilder& build, const scene::SourceRef& source)
+{
+    const auto opened = build.open_block("object");
+    auto object = read_object(build);
+    if (!object) build.fail_unknown("an object or the name of one");
+    object->source = source;
+    read_modifiers(build, *object);
+    build.close_block("object", opened);
+    return *object;
+}
+
+scene::Object placeholder(Kind keyword, const scene::SourceRef& source)
+{
+    scene::Object object;
+    object.undrawn = spelling(keyword);
+    object.source = source;
+    return object;
+}
+
+}  // namespace
+
+bool is_undrawn(Kind keyword)
+{
+    switch (keyword) {
+    case Kind::Blob: case Kind::Isosurface: case Kind::Text: case Kind::HeightField: case Kind::Prism: case Kind::Lathe:
+    case Kind::Sor: case Kind::Superellipsoid: case Kind::JuliaFractal: case Kind::BicubicPatch: case Kind::Poly:
+    case Kind::Cubic: case Kind::Quartic: case Kind::Polynomial: case Kind::SphereSweep: case Kind::Polygon:
+    case Kind::Parametric: case Kind::Ovus: case Kind::LightGroup:
+        return true;
+    default:
+        return false;
+    }
+}
+
+scene::Object read_undrawn(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
+{
+    build.skip_block(std::string(spelling(keyword)).c_str());
+    return placeholder(keyword, source);
+}
+
+scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
+{
+    TokenStream& in = build.stream();
+    const std::string name(spelling(keyword));
+    const auto opened = build.open_block(name.c_str());
+    scene::Object object;
+    // A name right after the brace is the whole object; further operands are an error (spec 1, 14.2).
+    if (const auto declared = in.accept_identifier<Shared>()) {
+        object = **declared;
+        object.source = source;
+    } else {
+        object.source = source;
+        auto operands = std::make_shared<std::vector<scene::Object>>();
+        std::size_t written = 0;
+        while (auto operand = read_object(build)) {
+            ++written;
+            if (operand->undrawn.empty()) operands->push_back(std::move(*operand));
+            else build.unsupported(operand->undrawn, operand->source);
+        }
+        if (written < 2 && build.version() >= 150) in.warn(source, "'" + name + "' should have at least two objects");
+        object.shape = scene::Csg{op_of(keyword), std::move(operands), true, false};
+    }
+    read_modifiers(build, object);
+    build.close_block(name.c_str(), opened);
+    return object;
+}
+
+std::optional<scene::Object> read_object(SceneBuilder& build)
+{
+    TokenStream& in = build.stream();
+    const auto guard = in.nest();
+    if (const auto declared = in.accept_identifier<Shared>()) {
+        scene::Object copy = **declared;
+        copy.source = in.last();
+        return copy;
+    }
+    const Kind keyword = in.peek().kind;
+    if (is_solid(keyword)) {
+        in.next();
+        return read_solid(build, keyword);
+    }
+    if (is_undrawn(keyword)) {
+        in.next();
+        return read_undrawn(build, keyword, in.last());
+    }
+    switch (keyword) {
+    case Kind::Union: case Kind::Intersection: case Kind::Difference: case Kind::Merge: case Kind::Composite:
+        in.next();
+        return read_csg(build, keyword, in.last());
+    case Kind::Object: in.next(); return read_wrapper(build, in.last());
+    case Kind::LightSource: in.next(); return read_light(build, in.last());
+    case Kind::Mesh: in.next(); return read_mesh(build, in.last());
+    case Kind::Mesh2: in.next(); return read_mesh2(build, in.last());
+    default: return std::nullopt;
+    }
+}
+
+}  // namespace parser
