@@ -115,9 +115,10 @@ private:
                 if (close(cut.t, end.t)) return Answer::Undecided;
                 if (cut.t < end.t) end = cut, next = i;
             }
+            if (end.t > t_max_) return Answer::Nothing;
             if (end.t >= t_min_) {
                 found = end;
-                return end.t <= t_max_ ? Answer::Found : Answer::Nothing;
+                return Answer::Found;
             }
             if (next == count_) return Answer::Nothing;
             front = scratch_.spans_[next].out;

@@ -1,0 +1,224 @@
+#include "tests/csg/residual.h"
+#include "tests/csg/support.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace csg;
+using csg_test::Rng;
+
+namespace {
+
+struct Check {
+    glm::dvec3 target{0.0};       ///< rays pass near it
+    double size = 1.5;            ///< within this distance
+    double distance = 5.0;        ///< from so far away
+    double tolerance = 1e-12;     ///< of a crossing from the surface, in the solid's own units
+    int least_hits = 200;         ///< of 2000 rays, so that a test cannot pass by missing
+};
+
+bool within(const Aabb& box, const glm::dvec3& p, double slack)
+{
+    for (int i = 0; i < 3; ++i)
+        if (!(p[i] >= box.lower[i] - slack && p[i] <= box.upper[i] + slack)) return false;
+    return true;
+}
+
+/// The laws of any solid: crossings lie on the surface, span middles are inside, points just beyond are not, bounds hold
+/// every span, normals have unit length and point out, and scaling the direction scales the parameter.
+template <class T>
+void check_solid(const T& solid, const Check& how = {})
+{
+    int hits = 0;
+    const double just = 1e-6 * how.size;  // beyond an end; spans and gaps shorter than that prove nothing
+    const double rounding = 4e-16 * (how.distance + glm::length(how.target));
+    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const Ray ray = csg_test::ray_near(rng, how.target, how.size, rng.coin() ? how.distance : 0.5 * how.size);
+        FixedSpans<8> spans;
+        intersect(solid, ray, spans);
+        for (std::uint32_t i = 0; i < spans.size(); ++i) {
+            ++hits;
+            const Span& span = spans[i];
+            for (const Crossing& end : {span.in, span.out}) {
+                if (!std::isfinite(end.t)) continue;
+                REQUIRE(csg_test::residual(solid, ray, end.t, end.face) <= how.tolerance);
+                REQUIRE(within(solid.bounds(), ray.at(end.t), 4.0 * rounding + how.tolerance * how.size));
+                const glm::dvec3 n = solid.normal(ray.at(end.t), end.face);
+                REQUIRE(glm::length(n) == Approx(1.0).epsilon(1e-12));
+                const double along = glm::dot(n, ray.direction);  // 1e-4: a grazing ray's crossing is that far off
+                if (end.face != kUndrawnFace) REQUIRE((end.t == span.in.t ? along <= 1e-4 : along >= -1e-4));
+            }
+            const double first = std::max(span.in.t, -1e3 * how.distance), last = std::min(span.out.t, 1e3 * how.distance);
+            if (last - first > 4.0 * just) {
+                REQUIRE(solid.contains(ray.at(0.5 * (first + last))));
+                REQUIRE_FALSE(solid.contains_inverted(ray.at(0.5 * (first + last))));
+            }
+            const bool gap_before = i == 0 || span.in.t - spans[i - 1].out.t > 2.0 * just;
+            if (std::isfinite(span.in.t) && gap_before) REQUIRE_FALSE(solid.contains(ray.at(span.in.t - just)));
+            const bool gap_after = i + 1 == spans.size() || spans[i + 1].in.t - span.out.t > 2.0 * just;
+            if (std::isfinite(span.out.t) && gap_after) REQUIRE_FALSE(solid.contains(ray.at(span.out.t + just)));
+        }
+        // Points along the ray agree with the spans, where they are clear of an end.
+        for (int k = 0; k < 8; ++k) {
+            const double t = rng.uniform(-2.0, 2.0) * how.size + (k % 2 ? how.distance : 0.0);
+            bool clear = true;
+            for (const Span& span : spans)
+                clear = clear && std::abs(t - span.in.t) > just && std::abs(t - span.out.t) > just;
+            if (clear) REQUIRE(spans.contains(t) == solid.contains(ray.at(t)));
+        }
+        FixedSpans<8> slow;
+        intersect(solid, Ray{ray.origin, 0.25 * ray.direction}, slow);
+        REQUIRE(slow.size() == spans.size());
+        for (std::uint32_t i = 0; i < spans.size(); ++i)
+            if (std::isfinite(spans[i].in.t))
+                REQUIRE(slow[i].in.t == Approx(4.0 * spans[i].in.t).margin(1e-9 * how.size + 1e3 * rounding));
+    }
+    REQUIRE(hits >= how.least_hits);
+}
+
+/// Whatever is asked, no NaN comes back.
+template <class T>
+void check_hostile(const T& solid)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = kInfinity;
+    const double values[] = {0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, -1e308, inf, -inf, nan, 1e-160};
+    Rng rng(7);
+    for (int k = 0; k < 4000; ++k) {
+        Ray ray{};
+        for (int i = 0; i < 3; ++i) {
+            ray.origin[i] = values[rng.below(11)];
+            ray.direction[i] = values[rng.below(11)];
+        }
+        FixedSpans<8> spans;
+        intersect(solid, ray, spans);
+        for (const Span& span : spans) REQUIRE(span.in.t <= span.out.t);
+    }
+}
+
+const Transform kSkew = Transform::translate({0.1, -0.2, 0.3}) * Transform::rotate_degrees({30, 40, 50}) *
+                        Transform::scale({1.0, 0.7, 1.3});
+
+}  // namespace
+
+TEST_CASE("sphere", "[csg][solid]")
+{
+    check_solid(Sphere{{0.2, 0.1, -0.3}, 1.0});
+    check_solid(Sphere{{0, 0, 0}, 1e-6}, {.size = 1.5e-6, .distance = 5.0, .tolerance = 1e-15});
+    check_solid(Sphere{{0, 0, 0}, 1e6}, {.size = 1.5e6, .distance = 5e6, .tolerance = 1e-8});
+    check_solid(Sphere{{1e6, 0, 0}, 1.0}, {.target = {1e6, 0, 0}, .tolerance = 1e-9});
+    check_solid(Sphere{{0, 0, 0}, 1.0}, {.distance = 1e6, .tolerance = 1e-9});
+    check_hostile(Sphere{});
+    CHECK_FALSE(Sphere{{0, 0, 0}, 0.0}.contains({0, 0, 0}));
+}
+
+TEST_CASE("ellipsoid", "[csg][solid]")
+{
+    check_solid(Ellipsoid{kSkew});
+    check_solid(Ellipsoid{Transform::scale({1, 1e-3, 1})}, {.tolerance = 1e-10});
+    check_hostile(Ellipsoid{kSkew});
+}
+
+TEST_CASE("box and oriented box", "[csg][solid]")
+{
+    check_solid(Box{{-1, -0.5, -0.7}, {1, 0.5, 0.8}});
+    check_solid(Box{{-1e-6, -1e-6, -1e-6}, {1e-6, 1e-6, 1e-6}}, {.size = 2e-6, .tolerance = 1e-15});
+    check_solid(Box{{-1, -1, -1}, {1, 1, 1}}, {.distance = 1e6, .tolerance = 1e-9});
+    check_solid(OrientedBox{{-1, -0.5, -0.7}, {1, 0.5, 0.8}, kSkew});
+    check_hostile(Box{});
+    check_hostile(OrientedBox{{-1, -1, -1}, {1, 1, 1}, kSkew});
+}
+
+TEST_CASE("plane and disc", "[csg][solid]")
+{
+    check_solid(Plane{{0, 1, 0}, 0.3});
+    check_solid(Plane{glm::normalize(glm::dvec3(1, 2, 3)), -0.2}, {.tolerance = 1e-11});
+    check_solid(Disc::make({0.1, 0, 0}, {1, 1, 0}, 1.0, 0.3, {}), {.tolerance = 1e-11});
+    check_hostile(Plane{});
+    check_hostile(Disc::make({0, 0, 0}, {0, 0, 1}, 1.0, 0.0, {}));
+}
+
+TEST_CASE("cylinder", "[csg][solid]")
+{
+    check_solid(Cylinder::make({0, 0, 0}, {0.5, 1, 0.2}, 0.6, false, {}));
+    check_solid(Cylinder::make({0, 0, 0}, {0, 1, 0}, 0.6, true, {}));
+    check_solid(Cylinder::make({0, -1, 0}, {0, 1, 0}, 1.0, false, kSkew));
+    check_solid(Cylinder::make({0, -1, 0}, {0, 1, 0}, 1.0, false, {}), {.distance = 1e6, .tolerance = 1e-9});
+    check_hostile(Cylinder::make({0, -1, 0}, {0, 1, 0}, 1.0, false, kSkew));
+}
+
+TEST_CASE("cone", "[csg][solid]")
+{
+    Cone cone;
+    double radius = 0.0;
+    REQUIRE(Cone::make({0, 0, 0}, 1.0, {0, 2, 0}, 0.25, false, {}, cone, radius));
+    check_solid(cone);
+    check_solid(cone, {.distance = 1e6, .tolerance = 1e-8});
+    REQUIRE(Cone::make({0, 0, 0}, 0.0, {0.3, 1, 0}, 0.8, true, kSkew, cone, radius));
+    check_solid(cone);
+    REQUIRE(Cone::make({0, 0, 0}, 1.0, {0, 2, 0}, -0.5, false, {}, cone, radius));
+    CHECK_FALSE(cone.convex());
+    CHECK_FALSE(Cone::make({0, 0, 0}, 1.0, {0, 2, 0}, 1.0, false, {}, cone, radius));
+    CHECK(radius == 1.0);
+    check_hostile(cone);
+}
+
+TEST_CASE("torus", "[csg][solid]")
+{
+    check_solid(Torus{1.0, 0.25, {}});
+    check_solid(Torus{1.0, 0.25, kSkew});
+    check_solid(Torus{1.0, 0.999, {}}, {.tolerance = 1e-10});
+    check_solid(Torus{1e-4, 0.25e-4, {}}, {.size = 1.5e-4, .tolerance = 1e-14});
+    check_solid(Torus{1.0, 0.25, {}}, {.distance = 1e6, .tolerance = 1e-9});
+    check_solid(Torus{1.0, 1e-3, {}}, {.size = 1.0, .tolerance = 1e-11, .least_hits = 2});
+    check_hostile(Torus{1.0, 0.25, kSkew});
+}
+
+TEST_CASE("quadric", "[csg][solid]")
+{
+    check_solid(Quadric{{1, 2, 4}, {0, 0, 0}, {-0.5, 0, 0}, -1.0, {}});
+    check_solid(Quadric{{1, 0.5, 2}, {0.3, -0.2, 0.1}, {0.1, 0.2, 0.3}, -1.0, kSkew}, {.tolerance = 1e-11});
+    check_solid(Quadric{{1, 1, -1}, {0, 0, 0}, {0, 0, 0}, -0.1, {}}, {.tolerance = 1e-8});  // far ends along a ruling
+    check_solid(Quadric{{1, 0, 1}, {0, 0, 0}, {0, -1, 0}, 0.0, {}}, {.tolerance = 1e-8});
+    check_hostile(Quadric{{1, 2, 4}, {0, 0, 0}, {-0.5, 0, 0}, -1.0, {}});
+    check_hostile(Quadric{});
+}
+
+TEST_CASE("rays along axes and edges", "[csg][solid]")
+{
+    FixedSpans<8> spans;
+    intersect(Box{{-1, -1, -1}, {1, 1, 1}}, Ray{{-5, 1, 1}, {1, 0, 0}}, spans);  // along an edge: closed
+    REQUIRE(spans.size() == 1);
+    CHECK(spans[0].in.t == 4.0);
+    spans.clear();
+    intersect(Box{{-1, -1, -1}, {1, 1, 1}}, Ray{{-5, 1.0000001, 1}, {1, 0, 0}}, spans);
+    CHECK(spans.empty());
+    intersect(Torus{1.0, 0.25, {}}, Ray{{0, 0, -5}, {0, 0, 1}}, spans);
+    REQUIRE(spans.size() == 2);
+    CHECK(spans[0].in.t == Approx(3.75).epsilon(1e-15));
+    CHECK(spans[1].out.t == Approx(6.25).epsilon(1e-15));
+    spans.clear();
+    intersect(Torus{1.0, 0.25, {}}, Ray{{1, 5, 0}, {0, -1, 0}}, spans);
+    REQUIRE(spans.size() == 1);
+    CHECK(spans[0].in.t == Approx(4.75).epsilon(1e-15));
+    spans.clear();
+    intersect(Torus{1.0, 0.25, {}}, Ray{{0, 5, 0}, {0, -1, 0}}, spans);  // through the hole
+    CHECK(spans.empty());
+    const Cylinder tube = Cylinder::make({0, 0, 0}, {0, 0, 1}, 1.0, false, {});
+    intersect(tube, Ray{{0.5, 0, -5}, {0, 0, 1}}, spans);
+    REQUIRE(spans.size() == 1);
+    CHECK(spans[0].in.t == 5.0);
+    CHECK(spans[0].out.t == 6.0);
+}
+
+TEST_CASE("a zero-thickness box is a sheet whose exit face is generated last", "[csg][solid]")
+{
+    FixedSpans<8> spans;
+    intersect(Box{{-1, -1, 0}, {1, 1, 0}}, Ray{{0.2, 0.3, -3}, {0, 0, 1}}, spans);
+    REQUIRE(spans.size() == 1);
+    CHECK(spans[0].in.t == 3.0);
+    CHECK(spans[0].out.t == 3.0);
+    CHECK(spans[0].out.face == kMaxZ);
+}
