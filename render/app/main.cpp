@@ -14,10 +14,14 @@
 
 namespace {
 
-std::atomic<bool> cancelled{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
+app::Cancellation cancellation;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler uses them");
 
-void cancel(int) { cancelled = true; }
+void cancel(int)
+{
+    const bool again = cancellation.requested.exchange(true);
+    if (again || !cancellation.heeded) _exit(app::kCancelled);
+}
 
 bool has_word(const std::vector<std::string>& arguments, std::initializer_list<const char*> words)
 {
@@ -46,7 +50,7 @@ int run(const std::vector<std::string>& arguments)
     app::read_default_ini_file(settings);
     app::apply_command_line(settings, arguments);
     print_notes(settings);
-    return app::render_command(settings, cancelled);
+    return app::render_command(settings, cancellation);
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ bool already_rendered(const Settings& settings, const std::string& path)
     return settings.continue_trace && settings.output_to_file && std::filesystem::file_size(path, error) > 0 && !error;
 }
 
-int render_frame(const Settings& settings, const FrameList& list, const Frame& frame, const image::Files& files, const std::atomic<bool>& cancel)
+int render_frame(const Settings& settings, const FrameList& list, const Frame& frame, const image::Files& files, Cancellation& cancel)
 {
     const std::string path = output_path(settings, list, frame);
     if (already_rendered(settings, path)) {
@@ -158,9 +158,10 @@ int render_frame(const Settings& settings, const FrameList& list, const Frame& f
     times.finish("plan");
     image::Image picture;
     trace::RenderStatistics statistics;
+    cancel.heeded = true;  // until the picture file is in place
     {
         Progress progress(settings.verbose);
-        statistics = trace::render(compiled, render_options(settings, progress, cancel), picture);
+        statistics = trace::render(compiled, render_options(settings, progress, cancel.requested), picture);
     }
     times.finish("trace");
     if (statistics.cancelled) {
@@ -174,13 +175,14 @@ int render_frame(const Settings& settings, const FrameList& list, const Frame& f
         times.finish("write");
         if (!path.empty()) fmt::print(stderr, "{}  {}x{}\n", path, settings.width, settings.height);
     }
+    cancel.heeded = false;
     if (settings.all_console.value_or(settings.statistic_console)) fmt::print(stderr, "{}", report_text(times, statistics));
     return kSuccess;
 }
 
 }  // namespace
 
-int render_command(Settings& settings, const std::atomic<bool>& cancel)
+int render_command(const Settings& settings, Cancellation& cancel)
 {
     if (settings.input_file.empty()) throw OptionError("no scene given: whittle scene.pov, or whittle --help");
     if (settings.dump == Settings::Dump::Tokens) {
@@ -192,6 +194,7 @@ int render_command(Settings& settings, const std::atomic<bool>& cancel)
     const image::Files files;
     const FrameList list = frames_of(settings);
     for (const Frame& frame : list.frames) {
+        if (cancel.requested) return kCancelled;
         if (list.animation) fmt::print(stderr, "frame {} of {}, clock {:g}\n", frame.number, list.final_frame, frame.clock);
         if (const int status = render_frame(settings, list, frame, files, cancel); status != kSuccess) return status;
     }

@@ -8,8 +8,14 @@ namespace app {
 
 inline constexpr int kSuccess = 0, kError = 1, kCancelled = 2;  // POV-Ray's exit codes
 
+/// Between a signal handler and the run.
+struct Cancellation {
+    std::atomic<bool> requested{false};
+    std::atomic<bool> heeded{false};  ///< on while the run looks at `requested` by itself; else a signal ends it at once
+};
+
 /// Everything from the scene file to the picture file, frame by frame. Returns the exit status.
-/// \param cancel set by a signal: the trace stops and nothing is written
-int render_command(Settings& settings, const std::atomic<bool>& cancel);
+/// \param cancel when requested the trace stops and nothing is written
+int render_command(const Settings& settings, Cancellation& cancel);
 
 }  // namespace app
