@@ -1,5 +1,7 @@
 #include "csg/program.h"
 
+#include "csg/polyhedron_box.h"
+
 #include <cmath>
 #include <optional>
 
@@ -14,6 +16,7 @@ struct Draft {
     PartId solid = kNoPart;
     bool inverted = false;
     Aabb box = {};
+    std::optional<Plane> half_space = {};  ///< a plane's leaf, turned round if inverted
     bool inside_beyond = false;
 };
 
@@ -28,7 +31,8 @@ Draft leaf(PartId part, bool inverted, const SolidStore& store)
     with_solid(store, part, [&](const auto& solid) {
         using T = std::decay_t<decltype(solid)>;
         if constexpr (std::is_same_v<T, Plane>) {  // the other half-space is as good a solid
-            made.box = inverted ? Plane{-solid.normal_out, -solid.offset}.bounds() : solid.bounds();
+            made.half_space = inverted ? Plane{-solid.normal_out, -solid.offset} : solid;
+            made.box = made.half_space->bounds();
         } else {
             made.box = solid.bounds();
             made.inside_beyond = inverted && !std::is_same_v<T, Triangle>;
@@ -51,6 +55,12 @@ void enclose(Draft& draft)
     }
     draft.inside_beyond = both ? all_beyond : any_beyond;
     draft.box = both && !all_beyond ? common : hull;
+    if (both && !draft.box.empty() && !draft.box.finite()) {
+        std::vector<Plane> planes;
+        for (const Draft& operand : draft.operands)
+            if (operand.half_space) planes.push_back(*operand.half_space);
+        draft.box = polyhedron_box(planes, draft.box);
+    }
     if (draft.box.empty()) draft.box = Aabb{};
 }
 

@@ -283,3 +283,21 @@ TEST_CASE("patches bound nothing", "[csg][program]")
     CHECK(count(Tree::Op::Intersection, ball, patch) == 1);  // only the patch, where it is inside the ball
     CHECK(count(Tree::Op::Difference, ball, patch) == 1);
 }
+
+TEST_CASE("planes that enclose a polyhedron give it a box", "[csg][program]")
+{
+    Object o;
+    Tree tree{.op = Tree::Op::Intersection};  // |x| + |y| + |z| <= 1, moved
+    for (int k = 0; k < 8; ++k) {
+        const glm::dvec3 n = glm::dvec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1) / std::sqrt(3.0);
+        const Plane side{n, 1.0 / std::sqrt(3.0)};
+        tree.operands.push_back(Tree::leaf(o.store.add(side.transformed(Transform::translate({10, 20, 30})))));
+    }
+    const Program program = build(tree, o.store);
+    for (int i = 0; i < 3; ++i) {
+        CHECK(program.bounds.lower[i] == Approx(10.0 * (i + 1) - 1.0).margin(1e-5));
+        CHECK(program.bounds.upper[i] == Approx(10.0 * (i + 1) + 1.0).margin(1e-5));
+    }
+    tree.operands.resize(4);  // open toward +z
+    CHECK_FALSE(build(tree, o.store).bounds.finite());
+}
