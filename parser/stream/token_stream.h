@@ -138,47 +138,59 @@ private:
     };
 
     void fetch();
-    const Token& advance();                ///< the next token of the text, leaving finished macros and files
+    Token advance();                       ///< the next token of the text, leaving finished macros and files
     void leave_cursor();
-    void unfetch();                        ///< a raw look-ahead goes back into the text
-    bool execute_directive(const Token& hash);
-    void call_macro(const Token& name, std::shared_ptr<const Macro> macro);
+    bool is_macro(const Token& token) const;
+    SourceFile& file() { return *files_[cursors_.back().file]; }
+    Token raw_next();
+    void execute_directive();              ///< the cursor stands behind a Hash
+    bool execute(Kind word, std::uint32_t hash);
     [[noreturn]] void fail_bad(const Token& token);
+    [[noreturn]] void fail_expected_at(const Token& found, std::string_view what);
 
-    // conditionals.cpp
+    // conditionals.cpp, loops.cpp; `hash` is the index of the directive's Hash in the file being read
     double condition();
-    void begin_if(const Token& hash, bool truth);
-    void begin_while(const Token& hash);
-    void begin_for(const Token& hash);
-    void begin_switch(const Token& hash);
-    void else_branch(const Token& hash, bool with_condition);
-    void end_block(const Token& hash);
-    void break_block(const Token& hash);
-    std::uint32_t skip_to_branch(std::uint32_t from_hash, bool to_end);
-    void skip_if_branches();
-    void skip_switch_branches(double value);
-    bool case_matches(double value);
-    bool range_matches(double value);
+    bool read_ifdef();
+    void begin_if(std::uint32_t hash, bool (TokenStream::*test)(), bool wanted);
+    bool read_if();
+    void begin_switch(std::uint32_t hash);
+    void next_case(Kind word, std::uint32_t hash);
+    void else_branch(std::uint32_t hash);
+    void end_block(std::uint32_t hash);
+    void break_block(std::uint32_t hash);
+    Kind next_branch();
+    Kind scan_for_branch();
+    void skip_to_end();
     void check_skipped(std::uint32_t begin, std::uint32_t end);
-    Block& push_block(BlockKind kind, const Token& hash);
+    Block block(BlockKind kind, std::uint32_t hash) const;
+    void push_block(const Block& block);
+    void begin_while(std::uint32_t hash);
+    void begin_for(std::uint32_t hash);
+    void end_while(std::uint32_t hash);
+    void end_for(std::uint32_t hash);
+    void leave_loop(std::uint32_t hash_of_loop);
+
+    // macros.cpp
+    void define_macro(std::uint32_t hash);
+    void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro);
 
     // declarations.cpp
     void declare(bool local);
-    void assign(const Cell& target, Value value, const Token& name, bool element);
+    void assign(const Cell& target, Value value, const Token& name, bool element, const Cell& whole);
     void undefine();
-    void define_macro(const Token& hash);
     void set_version();
     void end_declaration(bool mandatory);
+    Value read_identifier_value(Cell* by_reference);
     std::shared_ptr<Array> read_array();
     void read_elements(Array& array, std::size_t dimension, std::size_t& at);
-    Token raw_next();
 
     // files.cpp
     void include();
     void message_directive(Kind kind);
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
-    void open_cursor(std::uint16_t file, const scene::SourceRef& call);
+    void open_main(std::uint16_t file, const std::string& path);
     void predefine();
+    void report(Severity severity, const scene::SourceRef& at, std::string text);
     std::string rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const;
 
     // data_files.cpp

@@ -47,6 +47,9 @@ class Spline;    ///< spline.h
 struct Macro;    ///< token_stream.h
 struct DataFile; ///< data_file.h
 
+/// A declared thing that the renderer does not draw yet (media, density, rainbow): only its keyword is kept.
+struct Undrawn { std::string keyword; };
+
 /// What an identifier may stand for. Scene things are shared and never changed in place.
 /// A texture identifier keeps its layers; a `color_map` and a colour list are both ColorMap.
 struct Value : std::variant<
@@ -58,7 +61,7 @@ struct Value : std::variant<
     std::shared_ptr<const SlopeMap>, std::shared_ptr<const TextureMap>, std::shared_ptr<const csg::Transform>,
     std::shared_ptr<const scene::Camera>, std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>,
     std::shared_ptr<const Function>, std::shared_ptr<const Spline>,
-    std::shared_ptr<const Macro>, std::shared_ptr<DataFile>> {
+    std::shared_ptr<const Macro>, std::shared_ptr<DataFile>, Undrawn> {
     using variant::variant;
     using variant::operator=;
 

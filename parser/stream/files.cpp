@@ -1,0 +1,158 @@
+#include "parser/stream/expression.h"
+#include "parser/stream/token_stream.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace parser {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDeepestIncludes = 100;   // POV-Ray stops at 32
+
+std::optional<std::string> read_bytes(const std::string& path)
+{
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return std::nullopt;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return std::nullopt;
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    return std::move(bytes).str();
+}
+
+bool is_file(const fs::path& path)
+{
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
+
+}  // namespace
+
+std::uint16_t TokenStream::load(const std::string& path, std::string text, bool main_text)
+{
+    constexpr std::size_t kMostFiles = 60'000, kMostBytes = 0xffffffffu;
+    if (files_.size() >= kMostFiles) throw Error(path + ": error: too many files");
+    if (text.size() >= kMostBytes) throw Error(path + ": error: this file is too long");
+    const auto index = static_cast<std::uint16_t>(files_.size());
+    auto source = std::make_unique<SourceFile>();
+    source->path = path;
+    source->text = std::move(text);
+    if (tokenize(*source, index, names_, main_text)) language_.utf8 = true;
+    ++statistics_.files;
+    statistics_.bytes += source->text.size();
+    statistics_.tokens += source->tokens.size();
+    files_.push_back(std::move(source));
+    return index;
+}
+
+void TokenStream::open_main(std::uint16_t index, const std::string& path)
+{
+    scene_folder_ = fs::path(path).parent_path().string();
+    Cursor cursor;
+    cursor.file = index;
+    cursor.end = static_cast<std::uint32_t>(files_[index]->tokens.size() - 1);
+    cursors_.push_back(cursor);
+    *symbols_.global(names_.intern("input_file_name")) = fs::path(path).filename().string();
+}
+
+void TokenStream::open_file(const std::string& path)
+{
+    auto text = read_bytes(path);
+    if (!text) throw Error(path + ": error: cannot read this file");
+    open_main(load(path, std::move(*text), true), path);
+}
+
+void TokenStream::open_text(const std::string& text, const std::string& name)
+{
+    open_main(load(name, text, true), name);
+}
+
+void TokenStream::predefine()
+{
+    const auto set = [&](const char* name, double value) { *symbols_.global(names_.intern(name)) = Tuple::of(value); };
+    set("image_width", options_.image_width);
+    set("image_height", options_.image_height);
+    set("frame_number", options_.frame_number);
+    set("initial_frame", options_.initial_frame);
+    set("final_frame", options_.final_frame);
+    set("initial_clock", 0.0);
+    set("final_clock", 0.0);
+    set("clock_delta", options_.clock_delta);
+    for (const auto& [name, value] : options_.declared_numbers) set(name.c_str(), value);
+    for (const auto& [name, text] : options_.declared_strings) *symbols_.global(names_.intern(name)) = text;
+}
+
+std::vector<std::string> TokenStream::files() const
+{
+    std::vector<std::string> paths;
+    for (const auto& source : files_) paths.push_back(source->path);
+    return paths;
+}
+
+std::string TokenStream::find_file(const std::string& name, const std::vector<std::string>& extensions) const
+{
+    if (name.empty() || name.find('\0') != std::string::npos) return {};
+    std::vector<std::string> names;
+    bool has_extension = extensions.empty();
+    for (const std::string& extension : extensions) has_extension = has_extension || name.ends_with(extension);
+    if (has_extension) names.push_back(name);
+    for (const std::string& extension : extensions) names.push_back(name + extension);
+    if (!has_extension) names.push_back(name);
+
+    std::vector<fs::path> folders{fs::path(), fs::path(scene_folder_)};
+    for (const std::string& folder : options_.library_path) folders.emplace_back(folder);
+    if (!cursors_.empty()) folders.push_back(fs::path(files_[cursors_.back().file]->path).parent_path());
+    for (const std::string& candidate : names) {
+        if (fs::path(candidate).is_absolute()) {
+            if (is_file(candidate)) return candidate;
+            continue;
+        }
+        for (const fs::path& folder : folders)
+            if (is_file(folder / candidate)) return (folder / candidate).string();
+    }
+    return {};
+}
+
+void TokenStream::include()
+{
+    const scene::SourceRef call = last();
+    const scene::SourceRef at = here();
+    const std::string name = path_expr(*this);
+    const std::string path = find_file(name, {".inc", ".INC"});
+    if (path.empty()) fail(at, fmt::format("cannot find the include file '{}'", name));
+    std::size_t depth = 0;
+    for (const Cursor& cursor : cursors_) depth += !cursor.macro;
+    if (depth >= kDeepestIncludes || cursors_.size() >= 2 * kDeepestIncludes + 2000)
+        fail(at, "files include each other too deeply; does one include itself?");
+
+    auto known = loaded_.find(path);
+    if (known == loaded_.end()) {
+        auto text = read_bytes(path);
+        if (!text) fail(at, fmt::format("cannot read the include file '{}'", path));
+        known = loaded_.emplace(path, load(path, std::move(*text), false)).first;
+    }
+    symbols_.open_scope();
+    Cursor cursor;
+    cursor.file = known->second;
+    cursor.end = static_cast<std::uint32_t>(files_[cursor.file]->tokens.size() - 1);
+    cursor.blocks = blocks_.size();
+    cursor.call = call;
+    cursors_.push_back(cursor);
+}
+
+void TokenStream::message_directive(Kind kind)
+{
+    const scene::SourceRef at = last();
+    const std::string text = string_expr(*this);
+    if (kind == Kind::Error) fail(at, text);
+    if (kind == Kind::Warning) return warn(at, text);
+    report(Severity::Debug, at, text);
+}
+
+}  // namespace parser

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "parser/lexer/lexer.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace parser {
+
+/// `path:line:column: kind: text`, the source line and a caret under the column. ASCII only; long lines are cut around
+/// the caret. `line` 0 (a place that stands nowhere): the text alone after the path.
+std::string render_message(const SourceFile& file, std::uint32_t line, std::uint32_t column, std::string_view kind,
+                           std::string_view text);
+
+/// How many letters must be inserted, removed, exchanged or swapped with their neighbour to turn one into the other.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// Keeps the candidate nearest to `word`, if any is near enough to be a slip of the pen.
+class NearestName {
+public:
+    explicit NearestName(std::string_view word);
+    void offer(std::string_view candidate);
+    std::string_view best() const { return best_; }  ///< empty if none
+
+private:
+    std::string_view word_, best_;
+    std::size_t distance_;
+};
+
+}  // namespace parser

@@ -1,0 +1,277 @@
+#include "parser/stream/token_stream.h"
+
+#include "parser/stream/messages.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace parser {
+namespace {
+
+/// Deep enough for any real scene, shallow enough for an 8 MB stack also in a sanitizer build.
+constexpr int kDeepestNesting = 400;
+
+}  // namespace
+
+TokenStream::TokenStream(const Options& options, GrammarHooks& hooks, MessageSink sink, void* sink_context)
+    : options_(options), hooks_(hooks), sink_(sink), sink_context_(sink_context)
+{
+    language_.version = options.version;
+    predefine();
+}
+
+TokenStream::~TokenStream() = default;
+
+TokenStream::Nesting::Nesting(TokenStream& stream) : stream_(stream)
+{
+    if (stream_.nesting_ >= kDeepestNesting) stream_.fail(stream_.last(), "this is nested too deeply");
+    ++stream_.nesting_;
+}
+
+Token TokenStream::advance()
+{
+    for (;;) {
+        Cursor& cursor = cursors_.back();
+        const std::vector<Token>& tokens = files_[cursor.file]->tokens;
+        if (cursor.position < cursor.end) return tokens[cursor.position++];
+        if (cursors_.size() == 1) return tokens.back();
+        leave_cursor();
+    }
+}
+
+void TokenStream::leave_cursor()
+{
+    const Cursor cursor = cursors_.back();
+    if (cursor.macro) {
+        blocks_.resize(cursor.blocks);
+    } else {
+        for (std::size_t i = cursor.blocks; i < blocks_.size(); ++i)
+            if (blocks_[i].kind == BlockKind::While || blocks_[i].kind == BlockKind::For)
+                fail(place(files_[blocks_[i].file]->tokens[blocks_[i].branch]), "this loop has no #end in its file");
+    }
+    symbols_.close_scope();
+    cursors_.pop_back();
+}
+
+bool TokenStream::is_macro(const Token& token) const
+{
+    if (token.kind != Kind::Identifier) return false;
+    const Value* value = symbols_.find(token.name);
+    return value && value->get_if<std::shared_ptr<const Macro>>();
+}
+
+void TokenStream::fetch()
+{
+    for (;;) {
+        if (has_ahead_) {
+            if (!ahead_raw_) return;
+            // Fetched where directives are not executed: now they are.
+            ahead_raw_ = false;
+            if (ahead_.kind != Kind::Hash && !is_macro(ahead_)) return;
+            has_ahead_ = false;
+            --cursors_.back().position;
+        }
+        const Token token = advance();
+        switch (token.kind) {
+        case Kind::Hash: execute_directive(); break;
+        case Kind::Bad: fail_bad(token);
+        case Kind::EndOfText:
+            if (!blocks_.empty())
+                fail(place(files_[blocks_.back().file]->tokens[blocks_.back().branch]), "this has no #end");
+            ahead_ = token;
+            has_ahead_ = true;
+            return;
+        case Kind::Identifier:
+            if (const Value* value = symbols_.find(token.name))
+                if (const auto* macro = value->get_if<std::shared_ptr<const Macro>>()) {
+                    call_macro(token, std::shared_ptr<const Macro>(*macro));
+                    break;
+                }
+            [[fallthrough]];
+        default:
+            ahead_ = token;
+            has_ahead_ = true;
+            return;
+        }
+    }
+}
+
+const Token& TokenStream::peek_raw()
+{
+    if (!has_ahead_) {
+        ahead_ = advance();
+        if (ahead_.kind == Kind::Bad) fail_bad(ahead_);
+        has_ahead_ = ahead_raw_ = true;
+    }
+    return ahead_;
+}
+
+Token TokenStream::raw_next()
+{
+    peek_raw();
+    has_ahead_ = ahead_raw_ = false;
+    ++taken_;
+    return last_ = ahead_;
+}
+
+Token TokenStream::next()
+{
+    peek();
+    if (ahead_.kind != Kind::EndOfText) has_ahead_ = false;
+    ++taken_;
+    return last_ = ahead_;
+}
+
+bool TokenStream::accept(Kind kind)
+{
+    if (peek().kind != kind) return false;
+    next();
+    return true;
+}
+
+void TokenStream::expect(Kind kind, std::string_view what)
+{
+    if (!accept(kind)) fail_expected(what);
+}
+
+void TokenStream::execute_directive()
+{
+    Cursor& cursor = cursors_.back();
+    if (cursor.position >= cursor.end) return;
+    const Token word = file().tokens[cursor.position];
+    if (!is_keyword(word.kind)) return;  // `#name` means `name`
+    const std::uint32_t hash = cursor.position - 1;
+    ++cursor.position;
+    const auto guard = nest();
+    const bool raw = std::exchange(raw_operators_, false);
+    last_ = word;
+    if (!execute(word.kind, hash)) --cursors_.back().position;  // `#sphere` means `sphere`
+    raw_operators_ = raw;
+}
+
+bool TokenStream::execute(Kind word, std::uint32_t hash)
+{
+    switch (word) {
+    case Kind::If: begin_if(hash, &TokenStream::read_if, true); break;
+    case Kind::Ifdef: begin_if(hash, &TokenStream::read_ifdef, true); break;
+    case Kind::Ifndef: begin_if(hash, &TokenStream::read_ifdef, false); break;
+    case Kind::Else:
+    case Kind::Elseif: else_branch(hash); break;
+    case Kind::End: end_block(hash); break;
+    case Kind::Switch: begin_switch(hash); break;
+    case Kind::Case:
+    case Kind::Range: next_case(word, hash); break;
+    case Kind::While: begin_while(hash); break;
+    case Kind::For: begin_for(hash); break;
+    case Kind::Break: break_block(hash); break;
+    case Kind::Macro: define_macro(hash); break;
+    case Kind::Declare: declare(false); break;
+    case Kind::Local: declare(true); break;
+    case Kind::Undef: undefine(); break;
+    case Kind::Version: set_version(); break;
+    case Kind::Include: include(); break;
+    case Kind::Default: hooks_.parse_default(*this); break;
+    case Kind::Debug:
+    case Kind::Warning:
+    case Kind::Error:
+    case Kind::Render:
+    case Kind::Statistics: message_directive(word); break;
+    case Kind::Fopen: open_data_file(); break;
+    case Kind::Fclose: close_data_file(); break;
+    case Kind::Read: read_data(); break;
+    case Kind::Write: write_data(); break;
+    default: return false;
+    }
+    return true;
+}
+
+scene::SourceRef TokenStream::place(const Token& token) const
+{
+    if (token.file >= files_.size()) return {};
+    const auto found = files_[token.file]->locate(token.offset);
+    return {token.file, found.line, found.column};
+}
+
+scene::SourceRef TokenStream::here()
+{
+    return place(peek());
+}
+
+scene::SourceRef TokenStream::last() const
+{
+    return place(last_);
+}
+
+std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const
+{
+    if (at.file >= files_.size()) return fmt::format("{}: {}", kind, text);
+    std::string all = render_message(*files_[at.file], at.line, at.column, kind, text);
+    constexpr std::size_t kMostNotes = 8;  // a runaway recursion has hundreds
+    std::size_t notes = 0;
+    for (std::size_t i = cursors_.size(); i-- > 1 && notes < kMostNotes; ++notes) {
+        const Cursor& cursor = cursors_[i];
+        all += fmt::format("\n{}:{}:{}: note: {}", files_[cursor.call.file]->path, cursor.call.line, cursor.call.column,
+                           cursor.macro ? "in the expansion of macro " + names_.word(cursor.name) : "included here");
+    }
+    return all;
+}
+
+void TokenStream::fail(const scene::SourceRef& at, std::string_view text)
+{
+    throw Error(rendered(at, "error", text));
+}
+
+void TokenStream::fail_bad(const Token& token)
+{
+    fail(place(token), files_[token.file]->strings[token.name]);
+}
+
+void TokenStream::fail_expected(std::string_view what)
+{
+    if (!has_ahead_) peek();
+    fail_expected_at(Token(ahead_), what);
+}
+
+void TokenStream::fail_expected_at(const Token& found, std::string_view what)
+{
+    if (found.kind == Kind::EndOfText) fail(place(found), fmt::format("expected {}, found the end of the text", what));
+    std::string text(files_[found.file]->token_text(found));
+    constexpr std::size_t kLongestQuote = 40;
+    if (text.size() > kLongestQuote) text = text.substr(0, kLongestQuote) + "...";
+    for (char& c : text)
+        if (c < ' ' || c > '~') c = '?';
+    if (found.kind == Kind::Identifier && !value_of(found)) {
+        NearestName nearest(text);
+        for (std::uint32_t name = 0; name < names_.size(); ++name)
+            if (names_.kind(name) != Kind::Identifier || symbols_.find(name)) nearest.offer(names_.word(name));
+        if (!nearest.best().empty())
+            fail(place(found), fmt::format("expected {}, found '{}', which is not declared; did you mean '{}'?", what, text,
+                                           nearest.best()));
+        fail(place(found), fmt::format("expected {}, found '{}', which is not declared", what, text));
+    }
+    fail(place(found), fmt::format("expected {}, found '{}'", what, text));
+}
+
+void TokenStream::fail_undeclared(const Token& token)
+{
+    const std::string& word = names_.word(token.name);
+    NearestName nearest(word);
+    for (std::uint32_t name = 0; name < names_.size(); ++name)
+        if (names_.kind(name) != Kind::Identifier || symbols_.find(name)) nearest.offer(names_.word(name));
+    if (nearest.best().empty()) fail(place(token), fmt::format("'{}' is not declared", word));
+    fail(place(token), fmt::format("'{}' is not declared; did you mean '{}'?", word, nearest.best()));
+}
+
+void TokenStream::report(Severity severity, const scene::SourceRef& at, std::string text)
+{
+    messages_.push_back({severity, std::move(text), at});
+    if (sink_) sink_(sink_context_, messages_.back());
+}
+
+void TokenStream::warn(const scene::SourceRef& at, std::string_view text)
+{
+    report(Severity::Warning, at, rendered(at, "warning", text));
+}
+
+}  // namespace parser

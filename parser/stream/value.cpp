@@ -1,0 +1,36 @@
+#include "parser/stream/value.h"
+
+namespace parser {
+
+scene::Color Tuple::color() const
+{
+    return {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]), static_cast<float>(at[3]),
+            static_cast<float>(at[4])};
+}
+
+std::string_view type_name(const Value& value)
+{
+    if (const auto* tuple = value.get_if<Tuple>()) {
+        static constexpr std::string_view kTuples[] = {"float", "uv vector", "vector", "4-component vector", "color"};
+        return kTuples[tuple->count - 1];
+    }
+    static constexpr std::string_view kNames[] = {
+        "nothing", "number", "string", "array", "object", "texture", "pigment", "normal", "finish", "interior", "material",
+        "color_map", "pigment_map", "normal_map", "slope_map", "texture_map", "transform", "camera", "fog", "sky_sphere",
+        "function", "spline", "macro", "file", "effect"};
+    static_assert(std::size(kNames) == std::variant_size_v<Value::variant>);
+    return kNames[value.index()];
+}
+
+Value deep_copy(const Value& value)
+{
+    const auto* array = value.get_if<std::shared_ptr<Array>>();
+    if (!array) return value;
+    auto copy = std::make_shared<Array>();
+    copy->sizes = (*array)->sizes;
+    copy->elements.reserve((*array)->elements.size());
+    for (const Value& element : (*array)->elements) copy->elements.push_back(deep_copy(element));
+    return copy;
+}
+
+}  // namespace parser
