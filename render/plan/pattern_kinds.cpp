@@ -25,7 +25,12 @@ const std::unordered_map<std::string, PatternKind> kKinds{
     {"wood", PatternKind::Wood}, {"wrinkles", PatternKind::Wrinkles},
 };
 
-double single(double v) { return static_cast<double>(static_cast<float>(v)); }
+/// Through memory on purpose: g++ 12.2's vectoriser drops a pair of double-float-double conversions side by side.
+double single(double v)
+{
+    const volatile float rounded = static_cast<float>(v);
+    return static_cast<double>(rounded);
+}
 
 scene::Turbulence rounded(scene::Turbulence t)
 {

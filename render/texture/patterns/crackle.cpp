@@ -13,7 +13,7 @@ namespace {
 double powered_distance(const glm::dvec3& delta, double metric, bool signed_sum)
 {
     if (metric == 2.0) return glm::dot(delta, delta);
-    if (metric == 1.0 && signed_sum) return delta.x + delta.y + delta.z;
+    if (metric == 1.0 && signed_sum) return -(delta.x + delta.y + delta.z);
     const glm::dvec3 a = glm::abs(delta);
     if (metric == 1.0) return a.x + a.y + a.z;
     return std::pow(a.x, metric) + std::pow(a.y, metric) + std::pow(a.z, metric);
