@@ -1,0 +1,161 @@
+#include "parser/grammar/rules.h"
+
+/// The top level of a scene, the values that a declaration can hold, and `#default`.
+namespace parser {
+namespace {
+
+struct SceneState : BlockState {
+    using BlockState::BlockState;
+};
+
+struct camera : item<Kind::Camera> {
+    static void act(SceneState& s)
+    {
+        SceneBuilder& build = s.build;
+        if (build.camera_given && build.version() >= 350)
+            s.stream().warn(s.stream().last(), "more than one camera: the last one counts");
+        // Before version 3.5 every statement changes the same camera (spec 2, 3.7).
+        const bool goes_on = build.version() < 350 && build.camera_given;
+        build.description.camera = read_camera(build, goes_on ? build.description.camera : build.default_camera);
+        build.camera_given = true;
+    }
+};
+struct background : item<Kind::Background> { static void act(SceneState& s) { read_background(s.build); } };
+struct fog : item<Kind::Fog> { static void act(SceneState& s) { s.build.description.fogs.push_back(read_fog(s.build)); } };
+struct sky_sphere : item<Kind::SkySphere> {
+    static void act(SceneState& s)
+    {
+        if (s.build.description.sky_sphere) s.stream().warn(s.stream().last(), "more than one sky_sphere: the last one counts");
+        s.build.description.sky_sphere = read_sky_sphere(s.build);
+    }
+};
+struct global_settings : item<Kind::GlobalSettings> { static void act(SceneState& s) { read_global_settings(s.build); } };
+struct default_block : item<Kind::Default> { static void act(SceneState& s) { s.build.parse_default(s.stream()); } };
+template <Kind kind> struct undrawn_effect : item<kind> {
+    static void act(SceneState& s)
+    {
+        const std::string name(spelling(kind));
+        s.build.unsupported(name, s.stream().last());
+        s.build.skip_block(name.c_str());
+    }
+};
+struct dtag : item<Kind::Dtag, a_text> { static void act(SceneState& s) { s.pop_string(); } };
+
+using SceneItems = table<SceneState, camera, background, fog, sky_sphere, global_settings, default_block,
+                         undrawn_effect<Kind::Rainbow>, undrawn_effect<Kind::Media>, dtag>;
+
+// ---- #default -------------------------------------------------------------------------------------------------
+scene::Layer changed(SceneState& s) { return s.build.default_layer(); }
+struct default_texture : item<Kind::Texture> {
+    static void act(SceneState& s)
+    {
+        const scene::SourceRef at = s.stream().last();
+        const scene::TexturePtr texture = read_texture(s.build);
+        const auto* layers = std::get_if<std::vector<scene::Layer>>(&texture->kind);
+        if (!layers || layers->size() != 1) s.stream().fail(at, "the default texture must be plain, not patterned or layered");
+        s.build.set_default_layer(layers->front());
+    }
+};
+struct default_pigment : item<Kind::Pigment> {
+    static void act(SceneState& s)
+    {
+        scene::Layer layer = changed(s);
+        layer.pigment = read_pigment(s.build, layer.pigment);
+        s.build.set_default_layer(std::move(layer));
+    }
+};
+struct default_normal : item<Kind::Normal> {
+    static void act(SceneState& s)
+    {
+        scene::Layer layer = changed(s);
+        layer.normal = read_normal(s.build, layer.normal);
+        s.build.set_default_layer(std::move(layer));
+    }
+};
+struct default_finish : item<Kind::Finish> {
+    static void act(SceneState& s)
+    {
+        scene::Layer layer = changed(s);
+        layer.finish = read_finish(s.build);
+        s.build.set_default_layer(std::move(layer));
+    }
+};
+struct default_camera : item<Kind::Camera> {
+    static void act(SceneState& s) { s.build.default_camera = read_camera(s.build, s.build.default_camera); }
+};
+struct default_radiosity : item<Kind::Radiosity> { static void act(SceneState& s) { s.build.skip_block("radiosity"); } };
+using DefaultItems = table<SceneState, default_texture, default_pigment, default_normal, default_finish, default_camera,
+                           default_radiosity>;
+
+// ---- declared values ------------------------------------------------------------------------------------------
+template <class T> Value shared(T value)
+{
+    return std::make_shared<const T>(std::move(value));
+}
+Value undrawn_value(SceneBuilder& build, Kind kind)
+{
+    build.skip_block(std::string(spelling(kind)).c_str());
+    return Undrawn{std::string(spelling(kind))};
+}
+
+using ValueReader = Value (*)(SceneBuilder&);
+struct ValueEntry { Kind keyword; ValueReader read; };
+const ValueEntry kValues[] = {
+    {Kind::Texture, [](SceneBuilder& b) -> Value { return read_textures(b); }},
+    {Kind::Pigment, [](SceneBuilder& b) -> Value {
+         return scene::PigmentPtr(std::make_shared<scene::Pigment>(read_pigment(b, b.default_layer().pigment)));
+     }},
+    {Kind::Normal, [](SceneBuilder& b) -> Value {
+         return scene::NormalPtr(std::make_shared<scene::Normal>(read_normal(b, b.default_layer().normal)));
+     }},
+    {Kind::Finish, [](SceneBuilder& b) -> Value { return shared(read_finish(b)); }},
+    {Kind::Interior, [](SceneBuilder& b) -> Value { return shared(read_interior(b, scene::Interior{})); }},
+    {Kind::Material, [](SceneBuilder& b) -> Value { return shared(read_material(b, Material{})); }},
+    {Kind::ColorMap, [](SceneBuilder& b) -> Value { return shared(read_color_map(b)); }},
+    {Kind::PigmentMap, [](SceneBuilder& b) -> Value { return shared(read_pigment_map(b, false)); }},
+    {Kind::NormalMap, [](SceneBuilder& b) -> Value { return shared(read_normal_map(b, false)); }},
+    {Kind::SlopeMap, [](SceneBuilder& b) -> Value { return shared(read_slope_map(b)); }},
+    {Kind::TextureMap, [](SceneBuilder& b) -> Value { return shared(read_texture_map(b, false)); }},
+    {Kind::Transform, [](SceneBuilder& b) -> Value { return shared(read_transform(b)); }},
+    {Kind::Camera, [](SceneBuilder& b) -> Value { return shared(read_camera(b, b.default_camera)); }},
+    {Kind::Fog, [](SceneBuilder& b) -> Value { return shared(read_fog(b)); }},
+    {Kind::SkySphere, [](SceneBuilder& b) -> Value { return shared(read_sky_sphere(b)); }},
+    {Kind::Media, [](SceneBuilder& b) { return undrawn_value(b, Kind::Media); }},
+    {Kind::Density, [](SceneBuilder& b) { return undrawn_value(b, Kind::Density); }},
+    {Kind::DensityMap, [](SceneBuilder& b) { return undrawn_value(b, Kind::DensityMap); }},
+    {Kind::Rainbow, [](SceneBuilder& b) { return undrawn_value(b, Kind::Rainbow); }},
+};
+
+}  // namespace
+
+void SceneBuilder::read_scene()
+{
+    SceneState s(*this);
+    while (stream_->peek().kind != Kind::EndOfText) {
+        if (SceneItems::match(*this, s) || read_old_setting(*this)) continue;
+        if (auto object = read_object(*this)) add(std::move(*object));
+        else fail_unknown("an object, a camera, a light_source or another statement");
+    }
+    if (description.objects.empty() && description.unsupported.empty())
+        stream_->warn(stream_->last(), "the scene has no objects");
+}
+
+void SceneBuilder::parse_default(TokenStream&)
+{
+    SceneState s(*this);
+    read_block<DefaultItems>(*this, s, "default");
+}
+
+std::optional<Value> SceneBuilder::parse_declared_value(TokenStream& stream)
+{
+    const Kind keyword = stream.peek().kind;
+    for (const ValueEntry& entry : kValues) {
+        if (entry.keyword != keyword) continue;
+        stream.next();
+        return entry.read(*this);
+    }
+    if (auto object = read_object(*this)) return Value(std::make_shared<const scene::Object>(std::move(*object)));
+    return std::nullopt;
+}
+
+}  // namespace parser

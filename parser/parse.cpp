@@ -1,0 +1,61 @@
+#include "parser/parse.h"
+
+#include "parser/grammar/scene_builder.h"
+#include "parser/stream/token_stream.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace parser {
+namespace {
+
+template <class Open> Result parse(const Options& options, MessageSink sink, void* context, Open&& open)
+{
+    SceneBuilder build;
+    TokenStream stream(options, build, sink, context);
+    build.attach(stream);
+    open(stream);
+    build.read_scene();
+    Result result;
+    result.scene = build.take();
+    result.messages = std::move(stream.messages());
+    result.statistics = stream.statistics();
+    return result;
+}
+
+}  // namespace
+
+Result parse_file(const std::string& path, const Options& options, MessageSink sink, void* context)
+{
+    return parse(options, sink, context, [&](TokenStream& stream) { stream.open_file(path); });
+}
+
+Result parse_text(const std::string& text, const std::string& name, const Options& options, MessageSink sink, void* context)
+{
+    return parse(options, sink, context, [&](TokenStream& stream) { stream.open_text(text, name); });
+}
+
+std::string dump_tokens(const std::string& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw Error(fmt::format("{}: error: cannot read this file", path));
+    SourceFile file;
+    file.path = path;
+    file.text.assign(std::istreambuf_iterator<char>(in), {});
+    Names names;
+    tokenize(file, 0, names, true);
+    std::string out;
+    for (const Token& token : file.tokens) {
+        const SourceFile::Place place = file.locate(token.offset);
+        fmt::format_to(std::back_inserter(out), "{}:{} {}", place.line, place.column, spelling(token.kind));
+        const std::string_view text = file.token_text(token);
+        if (!text.empty() && text != spelling(token.kind)) fmt::format_to(std::back_inserter(out), " {}", text);
+        out += '\n';
+    }
+    return out;
+}
+
+}  // namespace parser
