@@ -150,7 +150,9 @@ scene::TexturePtr read_texture(SceneBuilder& build)
 scene::TexturePtr read_textures(SceneBuilder& build)
 {
     scene::TexturePtr all = read_texture(build);
-    while (build.stream().accept(Kind::Texture)) {
+    // Looked for without running directives: in a declaration the next `#declare` may already use this value.
+    while (build.stream().peek_raw().kind == Kind::Texture) {
+        build.stream().next();
         const scene::SourceRef at = build.stream().last();
         all = layered(build, all, read_texture(build), at);
     }

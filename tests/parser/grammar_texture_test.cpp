@@ -80,6 +80,13 @@ TEST_CASE("an untextured object gets the default of the moment it is added", "[p
     CHECK(plain(layers(d.default_texture).front().pigment) == scene::Color{0, 1, 0, 0, 0});
 }
 
+TEST_CASE("a declared texture can be used by the declaration right behind it", "[parser][texture]")
+{
+    const scene::Description d = parsed("#declare A = texture { pigment { rgb x } }\n#declare B = texture { A finish { phong 1 } }\n"
+                                        "sphere { 0, 1 texture { B } }");
+    CHECK(layers(only_object(d).texture).front().finish.phong == 1.0f);
+}
+
 TEST_CASE("list patterns fill up with their defaults", "[parser][texture]")
 {
     const scene::Description d = parsed("plane { y, 0 pigment { checker rgb 1 } }");
