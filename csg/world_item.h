@@ -57,7 +57,7 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
 {
     if (item.solid == kNoPart) {
         const Crossing c = Evaluation(world.programs[item.program], world.store, ray, t_min, t_max, scratch).nearest();
-        if (!(c.t <= t_max)) return {};
+        if (c.part == kNoPart || !(c.t <= t_max)) return {};
         return hit_of(world.store, c);
     }
     Hit best;
