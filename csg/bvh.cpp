@@ -9,6 +9,9 @@ namespace {
 constexpr int kBins = 16;
 /// A node's eight boxes cost about as much as half a leaf's test (measured: notes on tracing speed, section 1).
 constexpr double kNodeCost = 0.5;
+/// Deeper cuts halve the count: 40 levels and the 28 that halving can add stay within kBvhStack.
+constexpr int kFreeLevels = 40;
+static_assert((kFreeLevels + 28) * 7 < kBvhStack);
 
 struct BinaryNode {
     Aabb bounds;
@@ -41,12 +44,12 @@ public:
     {
         nodes_.reserve(2 * inputs_.size());
         nodes_.emplace_back();
-        divide(0, 0, static_cast<std::uint32_t>(inputs_.size()));
+        divide(0, 0, static_cast<std::uint32_t>(inputs_.size()), 0);
         return std::move(nodes_);
     }
 
 private:
-    void divide(std::uint32_t at, std::uint32_t begin, std::uint32_t end)
+    void divide(std::uint32_t at, std::uint32_t begin, std::uint32_t end, int level)
     {
         Aabb bounds, centers;
         bool one_kind = true;
@@ -64,14 +67,14 @@ private:
             nodes_[at].end = end;
             return;
         }
-        const std::uint32_t middle = partition(begin, end, split, centers);
+        const std::uint32_t middle = level < kFreeLevels ? partition(begin, end, split, centers) : begin + count / 2;
         const auto left = static_cast<std::uint32_t>(nodes_.size());
         nodes_.emplace_back();
         nodes_.emplace_back();
         nodes_[at].left = left;
         nodes_[at].right = left + 1;
-        divide(left, begin, middle);
-        divide(left + 1, middle, end);
+        divide(left, begin, middle, level + 1);
+        divide(left + 1, middle, end, level + 1);
     }
 
     static glm::dvec3 center(const BvhInput& input) { return 0.5 * (input.bounds.lower + input.bounds.upper); }

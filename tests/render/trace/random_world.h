@@ -1,0 +1,73 @@
+#pragma once
+
+#include "csg/world.h"
+#include "csg/world_data.h"
+
+#include <cstdint>
+#include <random>
+
+/// Random scenes and rays; the same seed gives the same ones.
+namespace random_world {
+
+class Rng {
+public:
+    explicit Rng(std::uint32_t seed) : engine_(seed) {}
+    double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32); }
+    glm::dvec3 point(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
+    glm::dvec3 direction()
+    {
+        for (;;) {
+            const glm::dvec3 v = point(1.0);
+            const double length = glm::length(v);
+            if (length > 0.1 && length < 1.0) return v / length;
+        }
+    }
+    std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(engine_()) % n; }
+
+private:
+    std::mt19937 engine_;
+};
+
+inline csg::Solid solid(Rng& rng, const glm::dvec3& center, double size)
+{
+    const glm::dvec3 half(rng.uniform(0.3, 1.0) * size, rng.uniform(0.3, 1.0) * size, rng.uniform(0.3, 1.0) * size);
+    switch (rng.below(5)) {
+        case 0: return csg::Sphere{center, size};
+        case 1: return csg::Box{center - half, center + half};
+        case 2: return csg::Cylinder::make(center, center + 2.0 * size * rng.direction(), 0.5 * size, rng.below(4) == 0);
+        case 3: return csg::Torus{size, 0.3 * size, csg::Transform::translate(center)};
+        default: {
+            const glm::dvec3 a = center + size * rng.direction(), b = center + size * rng.direction();
+            return csg::Triangle::make({center, a, b});
+        }
+    }
+}
+
+/// A hundred lone solids, some CSG objects and two planes; every fifth surface is clear, some items are hidden from shadow rays.
+inline void fill(csg::WorldData& world, Rng& rng, int count)
+{
+    std::uint32_t object = 0;
+    const auto next_surface = [&] {
+        world.surface_opaque.push_back(rng.below(5) == 0 ? 0 : 1);
+        return static_cast<csg::SurfaceId>(world.surface_opaque.size() - 1);
+    };
+    const auto visible = [&] { return static_cast<std::uint8_t>(rng.below(6) == 0 ? 3 : 7); };
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 center = rng.point(10.0);
+        if (rng.below(3) != 0) {
+            world.add_solid(world.store.add(solid(rng, center, rng.uniform(0.2, 1.2)), next_surface()), false, object++, visible());
+            continue;
+        }
+        csg::Tree tree;
+        tree.op = rng.below(2) == 0 ? csg::Tree::Op::Difference : csg::Tree::Op::Intersection;
+        for (std::uint32_t k = 0; k < 2 + rng.below(3); ++k)
+            tree.operands.push_back(csg::Tree::leaf(world.store.add(solid(rng, center + rng.point(0.5), rng.uniform(0.5, 1.2)), next_surface())));
+        csg::Program program = csg::build(tree, world.store);
+        if (!program.nodes.empty()) world.add_program(std::move(program), object++, visible());
+    }
+    world.add_solid(world.store.add(csg::Plane{{0, 1, 0}, -9.0}, next_surface()), false, object++, 7);
+    world.add_solid(world.store.add(csg::Plane{{0, 0, -1}, -12.0}, next_surface()), false, object++, 7);
+    world.finish();
+}
+
+}  // namespace random_world

@@ -1,0 +1,132 @@
+#include "render/trace/render.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstring>
+
+namespace {
+
+scene::TexturePtr plain(float red, float green, float blue, float reflection)
+{
+    scene::Layer layer;
+    layer.pigment.kind = scene::Color{red, green, blue, 0, 0};
+    layer.finish.reflection.min = layer.finish.reflection.max = glm::vec3(reflection);
+    auto texture = std::make_shared<scene::Texture>();
+    texture->kind = std::vector<scene::Layer>{layer};
+    return texture;
+}
+
+scene::Object object(scene::Shape shape, scene::TexturePtr texture)
+{
+    scene::Object made;
+    made.shape = std::move(shape);
+    made.texture = std::move(texture);
+    return made;
+}
+
+/// Balls over a plane, a drilled box, a mirror, one light.
+scene::Description description()
+{
+    scene::Description d;
+    d.default_texture = plain(0, 0, 0, 0);
+    d.camera.location = {0, 2, -8};
+    d.camera.direction = {0, -0.1, 1};
+    d.background = {0.2f, 0.3f, 0.5f, 0, 0};
+    for (int i = 0; i < 40; ++i)
+        d.objects.push_back(object(scene::Sphere{{i % 8 - 3.5, 0.3, i / 8}, 0.3 + 0.01 * i}, plain(0.02f * static_cast<float>(i), 0.5f, 0.4f, i % 5 == 0 ? 0.4f : 0.0f)));
+    scene::Csg cut;
+    cut.op = scene::CsgOp::Difference;
+    std::vector<scene::Object> operands{object(scene::Box{{-1, 1, 0}, {1, 3, 2}}, plain(1, 0, 0, 0))};
+    operands.push_back(object(scene::Sphere{{0, 2, 0}, 0.8}, plain(0, 1, 0, 0)));
+    operands.push_back(object(scene::Cylinder{{-2, 2, 1}, {2, 2, 1}, 0.4, false}, plain(0, 0, 1, 0)));
+    cut.operands = std::make_shared<const std::vector<scene::Object>>(std::move(operands));
+    d.objects.push_back(object(cut, nullptr));
+    d.objects.push_back(object(scene::Plane{{0, 1, 0}, 0}, plain(0.8f, 0.8f, 0.7f, 0)));
+    scene::Light light;
+    light.location = {5, 9, -6};
+    d.objects.push_back(object(light, nullptr));
+    return d;
+}
+
+image::Image picture(const plan::CompiledScene& scene, int threads, trace::Isa isa)
+{
+    image::Image out;
+    trace::RenderOptions options;
+    options.threads = threads;
+    options.isa = isa;
+    trace::render(scene, options, out);
+    return out;
+}
+
+bool same_bytes(const image::Image& a, const image::Image& b)
+{
+    return a.pixels.size() == b.pixels.size() &&
+           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
+}
+
+std::vector<trace::Isa> runnable()
+{
+    const std::string best = trace::best_isa();
+    std::vector<trace::Isa> all{trace::Isa::V2};
+    if (best >= "v3") all.push_back(trace::Isa::V3);
+    if (best >= "v4") all.push_back(trace::Isa::V4);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a picture has the same bytes for any number of threads and any instruction set", "[trace][render]")
+{
+    for (const int method : {0, 1, 2}) {
+        plan::Options options;
+        options.width = 150;
+        options.height = 110;
+        options.antialiasing.method = method;
+        const plan::CompiledScene scene = plan::compile(description(), options);
+        const image::Image reference = picture(scene, 1, trace::Isa::V2);
+        INFO("antialiasing " << method);
+        CHECK(*std::max_element(reference.pixels.begin(), reference.pixels.end()) > 0.5f);
+        for (const trace::Isa isa : runnable())
+            for (const int threads : {1, 2, 3}) {
+                INFO("isa " << static_cast<int>(isa) << " threads " << threads);
+                CHECK(same_bytes(reference, picture(scene, threads, isa)));
+            }
+    }
+}
+
+TEST_CASE("rays are counted by kind and the same for any number of threads", "[trace][render]")
+{
+    plan::Options options;
+    options.width = 64;
+    options.height = 48;
+    const plan::CompiledScene scene = plan::compile(description(), options);
+    image::Image out;
+    trace::RenderOptions one;
+    one.threads = 1;
+    trace::RenderOptions three;
+    three.threads = 3;
+    const trace::RayCounts a = trace::render(scene, one, out).rays, b = trace::render(scene, three, out).rays;
+    CHECK(a.camera == 64 * 48);
+    CHECK(a.shadow > 0);
+    CHECK(a.reflected > 0);
+    CHECK(a.shadow == b.shadow);
+    CHECK(a.reflected == b.reflected);
+}
+
+TEST_CASE("pixels outside the window stay black", "[trace][render]")
+{
+    plan::Options options;
+    options.width = 40;
+    options.height = 30;
+    options.start_column = 10;
+    options.end_column = 19;
+    options.start_row = 5;
+    options.end_row = 14;
+    image::Image out = picture(plan::compile(description(), options), 2, trace::Isa::Auto);
+    const auto sum = [&](int x, int y) { return out.at(x, y)[0] + out.at(x, y)[1] + out.at(x, y)[2]; };
+    CHECK(sum(9, 10) == 0.0f);
+    CHECK(sum(20, 10) == 0.0f);
+    CHECK(sum(10, 5) > 0.0f);
+    CHECK(sum(19, 14) > 0.0f);
+}

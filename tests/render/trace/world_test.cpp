@@ -1,0 +1,155 @@
+#include "tests/render/trace/random_world.h"
+
+#include "csg/world_item.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <memory>
+
+using random_world::Rng;
+
+namespace {
+
+constexpr std::uint8_t kImage = 1, kShadow = 4;
+
+/// The answer that needs no hierarchy: every item in turn, the first of the nearest.
+csg::Hit by_force(const csg::WorldData& world, const csg::Ray& ray, double t_min, double t_max, csg::Scratch& scratch)
+{
+    csg::Hit best;
+    for (const csg::WorldItem& item : world.items) {
+        if ((item.visible & kImage) == 0) continue;
+        const csg::Hit hit = csg::item_nearest(world, item, ray, t_min, t_max, scratch);
+        if (hit.found() && hit.t < best.t) best = hit;
+    }
+    return best;
+}
+
+csg::Shadow shadow_by_force(const csg::WorldData& world, const csg::Ray& ray, double t_min, double t_max, csg::Scratch& scratch)
+{
+    csg::Shadow found = csg::Shadow::Clear;
+    for (const csg::WorldItem& item : world.items) {
+        if ((item.visible & kShadow) == 0) continue;
+        csg::item_crossings(world, item, ray, t_min, t_max, scratch, [&](const csg::Hit& hit) {
+            if (world.surface_opaque[hit.surface] != 0) found = csg::Shadow::Blocked;
+            else if (found == csg::Shadow::Clear) found = csg::Shadow::Filtered;
+        });
+    }
+    return found;
+}
+
+void check_same(const csg::Hit& a, const csg::Hit& b)
+{
+    REQUIRE(a.found() == b.found());
+    if (!a.found()) return;
+    REQUIRE(a.t == b.t);
+    REQUIRE(a.surface == b.surface);
+    REQUIRE(a.part == b.part);
+    REQUIRE(a.face == b.face);
+    REQUIRE(a.inverted == b.inverted);
+}
+
+csg::Ray random_ray(Rng& rng)
+{
+    csg::Ray ray{rng.point(15.0), rng.direction()};
+    if (rng.below(8) == 0) {  // along an axis: zero components
+        ray.direction = glm::dvec3(0.0);
+        ray.direction[static_cast<int>(rng.below(3))] = rng.below(2) == 0 ? 1.0 : -1.0;
+    }
+    return ray;
+}
+
+/// Rays from one point through an 8x8 grid of a picture, as a camera makes them.
+csg::RayTile camera_tile(Rng& rng, double spread)
+{
+    csg::RayTile tile{};
+    const glm::dvec3 eye = rng.point(20.0), towards = glm::normalize(rng.point(6.0) - eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(towards, glm::dvec3(0.3, 1.0, 0.2))), up = glm::cross(right, towards);
+    tile.common_origin = true;
+    tile.count = rng.below(4) == 0 ? 1 + static_cast<int>(rng.below(64)) : 64;
+    for (int i = 0; i < tile.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const glm::dvec3 d = glm::normalize(towards + spread * (i % 8 - 3.5) * right + spread * (i / 8 - 3.5) * up);
+        tile.ox[k] = eye.x, tile.oy[k] = eye.y, tile.oz[k] = eye.z;
+        tile.dx[k] = d.x, tile.dy[k] = d.y, tile.dz[k] = d.z;
+        tile.t_min[k] = 1e-4;
+        tile.t_max[k] = rng.below(3) == 0 ? rng.uniform(1.0, 30.0) : csg::kInfinity;
+    }
+    return tile;
+}
+
+}  // namespace
+
+TEST_CASE("the hierarchy finds what a loop over all items finds", "[trace][world]")
+{
+    for (std::uint32_t seed = 0; seed < 30; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        csg::WorldData data;
+        random_world::fill(data, rng, 1 + static_cast<int>(rng.below(150)));
+        const csg::World world(data);
+        csg::Scratch scratch;
+        std::vector<csg::Hit> crossings;
+        for (int i = 0; i < 400; ++i) {
+            INFO("ray " << i);
+            const csg::Ray ray = random_ray(rng);
+            check_same(world.nearest(ray, 1e-4, csg::kInfinity, kImage, scratch), by_force(data, ray, 1e-4, csg::kInfinity, scratch));
+            const double t_max = rng.uniform(0.5, 25.0);
+            const csg::Shadow shadow = shadow_by_force(data, ray, 1e-3, t_max, scratch);
+            REQUIRE(world.shadow(ray, 1e-3, t_max, scratch) == shadow);
+            world.shadow_crossings(ray, 1e-3, t_max, scratch, crossings);
+            REQUIRE(crossings.empty() == (shadow == csg::Shadow::Clear));
+            REQUIRE(std::is_sorted(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.t < b.t; }));
+        }
+    }
+}
+
+TEST_CASE("a tile gives the answers of its rays one by one, bit for bit", "[trace][tile]")
+{
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(1000 + seed);
+        csg::WorldData data;
+        random_world::fill(data, rng, 200);
+        const csg::World world(data);
+        csg::Scratch scratch;
+        for (int k = 0; k < 60; ++k) {
+            const csg::RayTile tile = camera_tile(rng, k % 3 == 0 ? 0.05 : 0.003);
+            const auto hits = std::make_unique<csg::HitTile>();
+            world.nearest(tile, kImage, scratch, *hits);
+            csg::Shadow shadows[csg::kTileRays];
+            world.shadow(tile, scratch, shadows);
+            for (int i = 0; i < tile.count; ++i) {
+                INFO("tile " << k << " ray " << i);
+                const auto at = static_cast<std::size_t>(i);
+                check_same(hits->at(i), world.nearest(tile.ray(i), tile.t_min[at], tile.t_max[at], kImage, scratch));
+                REQUIRE(shadows[i] == world.shadow(tile.ray(i), tile.t_min[at], tile.t_max[at], scratch));
+            }
+        }
+    }
+}
+
+TEST_CASE("of two surfaces in one place the first declared is seen", "[trace][world]")
+{
+    csg::WorldData data;
+    for (csg::SurfaceId s = 0; s < 20; ++s) {
+        data.surface_opaque.push_back(1);
+        data.add_solid(data.store.add(csg::Box{{-1, -1, 0}, {1, 1, 1}}, s), false, s, 7);
+    }
+    data.finish();
+    csg::Scratch scratch;
+    CHECK(csg::World(data).nearest({{0.1, 0.2, -5}, {0, 0, 1}}, 1e-4, csg::kInfinity, kImage, scratch).surface == 0);
+}
+
+TEST_CASE("a point is reported inside the objects that hold it", "[trace][world]")
+{
+    csg::WorldData data;
+    data.surface_opaque = {1, 1, 1};
+    data.add_solid(data.store.add(csg::Sphere{{0, 0, 0}, 2}, 0), false, 0, 7);
+    data.add_solid(data.store.add(csg::Sphere{{9, 0, 0}, 2}, 1), false, 1, 7);
+    data.add_solid(data.store.add(csg::Plane{{0, 1, 0}, 1}, 2), false, 2, 7);
+    data.finish();
+    std::vector<std::uint32_t> objects;
+    csg::World(data).containing({0, 0, 0}, objects);
+    CHECK(objects == std::vector<std::uint32_t>{0, 2});
+}
