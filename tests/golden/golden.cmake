@@ -14,13 +14,15 @@ function(golden_case name)
   if(NOT DEFINED arg_AGREE)
     set(arg_AGREE 0.99)
   endif()
-  golden_test(golden/${name} render ${name} SIZE=${arg_SIZE} AGREE=${arg_AGREE} "SWITCHES=${arg_SWITCHES}"
+  list(JOIN arg_SWITCHES " " switches)
+  golden_test(golden/${name} render ${name} SIZE=${arg_SIZE} AGREE=${arg_AGREE} "SWITCHES=${switches}"
               REFERENCE=${PROJECT_SOURCE_DIR}/reference_images/${name}.png)
 endfunction()
 
 function(golden_same_bytes name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "SIZE" "SWITCHES")
-  golden_test(same_bytes/${name} same_bytes ${name} SIZE=${arg_SIZE} "SWITCHES=${arg_SWITCHES}")
+  list(JOIN arg_SWITCHES " " switches)
+  golden_test(same_bytes/${name} same_bytes ${name} SIZE=${arg_SIZE} "SWITCHES=${switches}")
 endfunction()
 
 function(golden_dump name stage)
@@ -31,7 +33,6 @@ endfunction()
 function(golden_test test kind name)
   set(definitions "")
   foreach(definition IN LISTS ARGN)
-    string(REPLACE ";" " " definition "${definition}")
     list(APPEND definitions "-D${definition}")
   endforeach()
   add_test(NAME ${test} COMMAND ${CMAKE_COMMAND} -DWHITTLE=$<TARGET_FILE:whittle> -DSCENE=${PROJECT_SOURCE_DIR}/scenes/${name}.pov
