@@ -83,6 +83,9 @@ def main():
     parser.add_argument("--whittle", default=str(HERE.parent / "build/release/whittle"))
     parser.add_argument("--povray", default="povray")
     options = parser.parse_args()
+    for program in ("whittle", "povray"):  # a path is meant from here, not from the scene's folder
+        if "/" in getattr(options, program):
+            setattr(options, program, str(pathlib.Path(getattr(options, program)).resolve()))
     unknown = set(options.scenes) - set(SIZES)
     if unknown:
         parser.error(f"no such scene: {', '.join(sorted(unknown))}; there are {', '.join(SIZES)}")
