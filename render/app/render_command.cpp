@@ -123,15 +123,21 @@ bool print_stage(const Settings& settings, const scene::Description& description
     return settings.dump == Dump::Plan || settings.parse_only;
 }
 
+trace::Isa isa_of(const Settings& settings)
+{
+    if (settings.isa == "v2") return trace::Isa::V2;
+    if (settings.isa == "v3") return trace::Isa::V3;
+    if (settings.isa == "v4") return trace::Isa::V4;
+    return trace::Isa::Auto;
+}
+
 trace::RenderOptions render_options(const Settings& settings, Progress& progress, const std::atomic<bool>& cancel)
 {
     trace::RenderOptions options;
     options.threads = settings.threads;
     options.progress = [&progress](double share) { progress.show(share); };
     options.cancel = &cancel;
-    if (settings.isa == "v2") options.isa = trace::Isa::V2;
-    if (settings.isa == "v3") options.isa = trace::Isa::V3;
-    if (settings.isa == "v4") options.isa = trace::Isa::V4;
+    options.isa = isa_of(settings);
     return options;
 }
 
@@ -191,6 +197,8 @@ int render_command(const Settings& settings, Cancellation& cancel)
     }
     if (settings.greyscale && !image::stores_greyscale(settings.file_type)) throw OptionError("this output file type stores no greyscale: use +FN or +FP");
     window_of(settings);  // a window outside the picture is an error before the parse
+    const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
+    if (traces) trace::prepare(isa_of(settings), settings.threads);
     const image::Files files;
     const FrameList list = frames_of(settings);
     for (const Frame& frame : list.frames) {

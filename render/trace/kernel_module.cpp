@@ -5,6 +5,8 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 namespace trace {
@@ -41,6 +43,11 @@ std::string best_isa() { return name(best()); }
 const KernelTable& load_kernel(Isa isa)
 {
     const Isa chosen = isa == Isa::Auto ? best() : isa;
+    // Asking the loader again would wait for whatever else it loads, so the answer is kept.
+    static std::mutex guard;
+    static std::map<Isa, const KernelTable*> known;
+    const std::lock_guard lock(guard);
+    if (const auto at = known.find(chosen); at != known.end()) return *at->second;
     if (chosen > best())
         throw std::runtime_error(fmt::format("this processor cannot run the kernel '{}'; its best is '{}'", name(chosen), best_isa()));
     const auto path = program_folder() / fmt::format("libwhittle_kernel_{}.so", name(chosen));
@@ -48,7 +55,7 @@ const KernelTable& load_kernel(Isa isa)
     if (module == nullptr) throw std::runtime_error(fmt::format("cannot load the kernel: {}", dlerror()));
     const auto entry = reinterpret_cast<KernelEntry>(dlsym(module, kKernelSymbol));
     if (entry == nullptr) throw std::runtime_error(fmt::format("'{}' is no kernel module", path.string()));
-    return *entry();
+    return *known.emplace(chosen, entry()).first->second;
 }
 
 }  // namespace trace

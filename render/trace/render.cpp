@@ -57,6 +57,14 @@ void store(const Block& block, const std::vector<scene::Color>& colors, image::I
 
 }  // namespace
 
+void prepare(Isa isa, int threads)
+{
+    load_kernel(isa);
+    const int count = threads > 0 ? threads : tbb::info::default_concurrency();
+    tbb::task_arena arena(count);
+    arena.execute([count] { tbb::parallel_for(0, 4 * count, [](int) {}); });
+}
+
 RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image)
 {
     const KernelTable& kernel = load_kernel(options.isa);
