@@ -17,10 +17,8 @@ import sys
 
 # What the text of a scene says when it needs something not rendered yet. A line goes when its feature arrives.
 LACKING = {
-    "area lights": r"\barea_light\b",
     "bicubic_patch": r"\bbicubic_patch\b",
     "blob": r"\bblob\b",
-    "crand, iridescence": r"\bcrand\b|\birid\b",
     "dispersion": r"\bdispersion\b",
     "focal blur": r"\baperture\b",
     "height_field": r"\bheight_field\b",
@@ -30,7 +28,6 @@ LACKING = {
     "lathe, sor, prism": r"\blathe\b|\bsor\b|\bprism\b",
     "light groups": r"\blight_group\b",
     "media": r"\bmedia\b|\bhalo\b",
-    "normals (bumps, ripples, ...)": r"\bnormal\s*\{",
     "photons": r"\bphotons\b",
     "poly, cubic, quartic": r"\b(?:poly|polynomial|cubic|quartic)\s*\{",
     "polygon": r"\bpolygon\b",
