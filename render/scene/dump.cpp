@@ -48,7 +48,7 @@ void ShapeDump::operator()(const Mesh& mesh) const
                          d.uvs.size(), d.faces.size(), d.textures.size()));
     for (const glm::dvec3& v : d.vertices) out.value("vertex", v);
     for (const glm::dvec3& n : d.normals) out.value("normal", n);
-    for (const glm::dvec2& uv : d.uvs) out.line("uv", "<" + text(uv.x) + ", " + text(uv.y) + ">");
+    for (const glm::dvec2& uv : d.uvs) out.line("uv", fmt::format("<{}, {}>", text(uv.x), text(uv.y)));
     const auto indices = [](const std::array<std::uint32_t, 3>& i) {
         return i[0] == MeshData::kNone ? std::string("-") : fmt::format("{},{},{}", i[0], i[1], i[2]);
     };
