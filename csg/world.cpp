@@ -1,5 +1,6 @@
 #include "csg/world.h"
 
+#include "csg/tile_query.h"
 #include "csg/traverse.h"
 #include "csg/world_item.h"
 
@@ -143,6 +144,11 @@ void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out)
 
 void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
 {
+    if (rays.common_origin && rays.count >= kFewestForBeam) {
+        TileRays lanes(rays);
+        NearestOfTile query(*data_, lanes, scratch, out);
+        if (ask_tile(*data_, lanes, kind_bit, query)) return query.finish();
+    }
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         out.set(i, nearest(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
@@ -151,6 +157,14 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
 
 void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
 {
+    if (rays.common_origin && rays.count >= kFewestForBeam) {
+        TileRays lanes(rays);
+        ShadowOfTile query(*data_, lanes, scratch);
+        if (ask_tile(*data_, lanes, 1u << 2, query)) {
+            for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
+            return;
+        }
+    }
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         out[i] = shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);

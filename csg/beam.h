@@ -1,0 +1,129 @@
+#pragma once
+
+#include "csg/bvh.h"
+#include "csg/tile_rays.h"
+#include "csg/traverse.h"
+#include "csg/world_data.h"
+
+/// The pyramid around a tile's rays. Compiled once per instruction set.
+namespace csg {
+
+/// Four planes through the common origin and a depth along the axis. Every ray of the tile lies inside; what is outside
+/// is missed by all of them.
+class Beam {
+public:
+    Beam(const TileRays& rays, const Aabb& scene)
+    {
+        find_axes(rays);
+        find_planes(rays);
+        const glm::dvec3 widest = glm::max(glm::max(glm::abs(scene.lower), glm::abs(scene.upper)), glm::abs(rays.origin));
+        // A dozen roundings of 6e-8 each, of terms no larger than this.
+        const double size = 1e-6 * (widest.x + widest.y + widest.z);
+        for (int p = 0; p < 5; ++p) {
+            at_origin_[p] = glm::dot(normal_[p], rays.origin);
+            for (int axis = 0; axis < 3; ++axis) {
+                normal_f_[p][axis] = static_cast<float>(normal_[p][axis]);
+                far_row_[p][axis] = normal_[p][axis] >= 0.0 ? axis + 3 : axis;
+            }
+            threshold_[p] = RaySlabs::rounded_down(at_origin_[p] - size);
+        }
+    }
+
+    /// False: rays too far apart for one beam.
+    bool narrow() const { return narrow_; }
+
+    /// Which of a node's boxes reach into the beam no deeper than `limit`; `near` receives where at the earliest.
+    std::uint32_t meet(const BvhNode& node, float limit, float* near) const
+    {
+        using lanes::FloatPart;
+        std::uint32_t mask = 0;
+        for (int part = 0; part < lanes::kFloatParts; ++part) {
+            const int at = part * lanes::kFloatPart;
+            std::uint32_t inside = ~0u;
+            for (int p = 0; p < 5; ++p) inside &= lanes::mask(along(node, p, 0, at) >= FloatPart(threshold_[p]));
+            const FloatPart depth = along(node, kAxis, 3, at) - FloatPart(threshold_far());
+            depth.store_aligned(near + at);
+            mask |= (inside & lanes::mask(depth <= FloatPart(limit))) << at;
+        }
+        return mask;
+    }
+
+    /// Which balls of a block reach into the beam.
+    std::uint32_t meet(const SphereBlock& block) const
+    {
+        using lanes::Double;
+        std::uint32_t mask = 0;
+        for (int at = 0; at < 8; at += lanes::kDoubles) {
+            const Double x = Double::load_aligned(block.x + at), y = Double::load_aligned(block.y + at),
+                         z = Double::load_aligned(block.z + at);
+            const Double reach = Double::load_aligned(block.radius + at) * Double(-1.0 - 1e-9);
+            std::uint32_t inside = lanes::mask(reach < Double(0.0));
+            for (int p = 0; p < 5; ++p) {
+                const Double d = x * Double(normal_[p].x) + y * Double(normal_[p].y) + z * Double(normal_[p].z);
+                inside &= lanes::mask(d - reach >= Double(static_cast<double>(threshold_[p])));
+            }
+            mask |= inside << at;
+        }
+        return mask;
+    }
+
+private:
+    static constexpr int kAxis = 4;
+
+    /// dot(normal p, corner) for the corner farthest along the normal (rows 0) or the opposite one (rows 3).
+    lanes::FloatPart along(const BvhNode& node, int p, int rows, int at) const
+    {
+        using lanes::FloatPart;
+        const auto term = [&](int axis) {
+            const int row = rows == 0 ? far_row_[p][axis] : (far_row_[p][axis] + 3) % 6;
+            return FloatPart::load_aligned(node.bounds[row] + at) * FloatPart(normal_f_[p][axis]);
+        };
+        return term(0) + term(1) + term(2);
+    }
+
+    /// The axis' own threshold lies below the origin by the margin; depths are lessened by as much.
+    float threshold_far() const { return RaySlabs::rounded_up(2.0 * at_origin_[kAxis] - static_cast<double>(threshold_[kAxis])); }
+
+    void find_axes(const TileRays& rays)
+    {
+        glm::dvec3 sum(0.0);
+        for (int i = 0; i < rays.count; ++i) sum += rays.ray(i).direction;
+        const double length = glm::length(sum);
+        narrow_ = length > 0.5 * rays.count;
+        axis_ = narrow_ ? sum / length : glm::dvec3(0, 0, 1);
+        // Along the tile's first row, so that the pyramid fits a camera's tile.
+        const glm::dvec3 row = rays.ray(std::min(7, rays.count - 1)).direction - rays.ray(0).direction;
+        glm::dvec3 u = row - glm::dot(row, axis_) * axis_;
+        if (glm::dot(u, u) < 1e-16) u = glm::cross(axis_, std::abs(axis_.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+        side_ = glm::normalize(u);
+        up_ = glm::cross(axis_, side_);
+    }
+
+    void find_planes(const TileRays& rays)
+    {
+        glm::dvec2 least(kInfinity), most(-kInfinity);
+        for (int i = 0; i < rays.count && narrow_; ++i) {
+            const glm::dvec3 d = rays.ray(i).direction;
+            const double depth = glm::dot(d, axis_);
+            if (!(depth > 0.3)) narrow_ = false;
+            const glm::dvec2 slope(glm::dot(d, side_) / depth, glm::dot(d, up_) / depth);
+            least = glm::min(least, slope);
+            most = glm::max(most, slope);
+        }
+        // Wider than any rounding of what is computed in double.
+        constexpr double kMargin = 1e-7;
+        normal_[0] = glm::normalize(side_ - (least.x - kMargin) * axis_);
+        normal_[1] = glm::normalize((most.x + kMargin) * axis_ - side_);
+        normal_[2] = glm::normalize(up_ - (least.y - kMargin) * axis_);
+        normal_[3] = glm::normalize((most.y + kMargin) * axis_ - up_);
+        normal_[kAxis] = axis_;
+    }
+
+    bool narrow_ = false;
+    glm::dvec3 axis_, side_, up_, normal_[5];
+    double at_origin_[5];
+    float normal_f_[5][3], threshold_[5];
+    int far_row_[5][3];
+};
+
+}  // namespace csg

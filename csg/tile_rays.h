@@ -1,0 +1,93 @@
+#pragma once
+
+#include "csg/hit.h"
+#include "csg/lanes.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+/// A tile of rays from one point, ready for vector lanes. Compiled once per instruction set.
+namespace csg {
+
+/// Rays go in groups of eight; places beyond the tile's count are dead.
+inline constexpr int kRayGroup = 8;
+using RayMask = std::uint64_t;   ///< bit i: ray i of the tile
+
+struct alignas(64) TileRays {
+    using Lanes = std::array<double, kTileRays>;
+    alignas(64) Lanes dx, dy, dz;
+    alignas(64) Lanes inverse_x, inverse_y, inverse_z;   ///< of the direction, clamped as RaySlabs does
+    alignas(64) Lanes inverse_a;                         ///< 1 / dot(direction, direction)
+    alignas(64) Lanes t_min, limit;                      ///< limit: nothing beyond matters; -infinity: the ray is done
+    glm::dvec3 origin;
+    int count, groups;
+
+    explicit TileRays(const RayTile& tile)
+        : origin(tile.ox[0], tile.oy[0], tile.oz[0]), count(tile.count), groups((tile.count + kRayGroup - 1) / kRayGroup)
+    {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(groups * kRayGroup); ++i) {
+            const bool real = i < static_cast<std::size_t>(count);
+            const std::size_t k = real ? i : 0;
+            dx[i] = tile.dx[k];
+            dy[i] = tile.dy[k];
+            dz[i] = tile.dz[k];
+            inverse_x[i] = inverse(dx[i]);
+            inverse_y[i] = inverse(dy[i]);
+            inverse_z[i] = inverse(dz[i]);
+            inverse_a[i] = 1.0 / (dx[i] * dx[i] + dy[i] * dy[i] + dz[i] * dz[i]);
+            t_min[i] = tile.t_min[k];
+            limit[i] = real ? tile.t_max[k] : -kInfinity;
+        }
+    }
+
+    Ray ray(int i) const
+    {
+        const auto k = static_cast<std::size_t>(i);
+        return {origin, {dx[k], dy[k], dz[k]}};
+    }
+
+    /// The farthest limit of groups first <= g < last; negative when all of them are done.
+    double farthest(int first, int last) const
+    {
+        lanes::Double most(-kInfinity);
+        for (int i = first * kRayGroup; i < last * kRayGroup; i += lanes::kDoubles)
+            most = xsimd::max(most, lanes::Double::load_aligned(limit.data() + i));
+        alignas(64) double all[lanes::kDoubles];
+        most.store_aligned(all);
+        double farthest = all[0];
+        for (const double t : all) farthest = t > farthest ? t : farthest;
+        return farthest;
+    }
+
+    /// Which rays of the groups meet the box between t_min and limit.
+    RayMask meet(const glm::dvec3& lower, const glm::dvec3& upper, int first, int last) const
+    {
+        using lanes::Double;
+        // The box is rounded outward to single precision; this covers the roundings of the slabs in double.
+        constexpr double kWider = 1.0 + 1e-12;
+        const glm::dvec3 low = lower - origin, high = upper - origin;
+        RayMask mask = 0;
+        for (int i = first * kRayGroup; i < last * kRayGroup; i += lanes::kDoubles) {
+            const Double ix = Double::load_aligned(inverse_x.data() + i), iy = Double::load_aligned(inverse_y.data() + i),
+                         iz = Double::load_aligned(inverse_z.data() + i);
+            const Double ax = Double(low.x) * ix, bx = Double(high.x) * ix;
+            const Double ay = Double(low.y) * iy, by = Double(high.y) * iy;
+            const Double az = Double(low.z) * iz, bz = Double(high.z) * iz;
+            const Double near = xsimd::max(xsimd::max(xsimd::min(ax, bx), xsimd::min(ay, by)),
+                                           xsimd::max(xsimd::min(az, bz), Double::load_aligned(t_min.data() + i)));
+            const Double far = xsimd::min(xsimd::min(xsimd::max(ax, bx), xsimd::max(ay, by)), xsimd::max(az, bz));
+            const Double end = xsimd::min(far * Double(kWider), Double::load_aligned(limit.data() + i));
+            mask |= static_cast<RayMask>(lanes::mask(near <= end)) << i;
+        }
+        return mask;
+    }
+
+private:
+    static double inverse(double d)
+    {
+        return std::abs(d) < 1e-30 ? std::copysign(1e30, d) : 1.0 / d;
+    }
+};
+
+}  // namespace csg
