@@ -34,8 +34,6 @@ csg::Tree::Op tree_op(scene::CsgOp op)
     return csg::Tree::Op::Union;
 }
 
-bool is_light(const scene::Object& object) { return std::holds_alternative<scene::Light>(object.shape); }
-
 }  // namespace
 
 GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
@@ -129,15 +127,7 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
 {
     csg::Tree made;
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
-        made.op = tree_op(csg->op);
-        Inherited later = own;
-        for (const scene::Object& operand : *csg->operands) {
-            if (is_light(operand)) continue;
-            const Inherited mine = below(operand, made.operands.empty() ? own : later);
-            made.operands.push_back(tree(operand, mine));
-            // A cut shows the texture of the first operand; deeper rules of cutaway_textures are not followed.
-            if (csg->cutaway_textures && made.operands.size() == 1 && !own.texture) later.texture = mine.texture;
-        }
+        made = csg_tree(*csg, own);
     } else if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
         made = mesh_tree(*mesh->data, own, own.to_world);
     } else {
@@ -148,6 +138,25 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
     // Clips stand in the space of the parent.
     const csg::Transform parent = own.to_world * object.transform.inverted();
     for (const scene::Object& clip : object.clipped_by) made.clips.push_back(clip_tree(clip, parent));
+    return made;
+}
+
+csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own)
+{
+    csg::Tree made;
+    made.op = tree_op(csg.op);
+    const bool cutaway = csg.cutaway_textures && !own.texture;
+    Inherited later = own;
+    for (const scene::Object& operand : *csg.operands) {
+        if (is_light(operand)) continue;
+        const Inherited mine = below(operand, made.operands.empty() ? own : later);
+        const auto* parts = std::get_if<scene::Csg>(&operand.shape);
+        const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union && operand.clipped_by.empty() && !operand.inverse;
+        if (cutaway && made.operands.empty() && csg.op == scene::CsgOp::Difference && plain && !mine.texture)
+            return cut_parts(csg, *parts, operand, own, mine);
+        made.operands.push_back(tree(operand, mine));
+        if (cutaway && made.operands.size() == 1) later.texture = cut_texture(operand, mine);
+    }
     return made;
 }
 

@@ -9,6 +9,9 @@
 
 namespace plan {
 
+/// Lights stand among the operands of a CSG object and are collected apart.
+inline bool is_light(const scene::Object& object) { return std::holds_alternative<scene::Light>(object.shape); }
+
 /// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its parents
 /// (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays together.
 class GeometryCompiler {
@@ -35,6 +38,10 @@ private:
     void add_top(const scene::Object& object, const Inherited& above);
     void add_alone(const scene::Object& object, const Inherited& own);
     csg::Tree tree(const scene::Object& object, const Inherited& own);
+    csg::Tree csg_tree(const scene::Csg& csg, const Inherited& own);
+    csg::Tree cut_parts(const scene::Csg& csg, const scene::Csg& parts, const scene::Object& whole, const Inherited& own,
+                        const Inherited& of_whole);
+    scene::TexturePtr cut_texture(const scene::Object& object, const Inherited& own);
     csg::Tree mesh_tree(const scene::MeshData& mesh, const Inherited& own, const csg::Transform& to_world);
     std::vector<csg::PartId> mesh_parts(const scene::MeshData& mesh, const Inherited& own, const csg::Transform& to_world);
     csg::Tree clip_tree(const scene::Object& clip, const csg::Transform& to_world);
