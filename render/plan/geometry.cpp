@@ -149,7 +149,8 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
     Inherited later = own;
     for (const scene::Object& operand : *csg.operands) {
         if (is_light(operand)) continue;
-        const Inherited mine = below(operand, made.operands.empty() ? own : later);
+        const bool cuts = !made.operands.empty() && takes_cut_texture(operand, csg.op == scene::CsgOp::Difference);
+        const Inherited mine = below(operand, cuts ? later : own);
         const auto* parts = std::get_if<scene::Csg>(&operand.shape);
         const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union && operand.clipped_by.empty() && !operand.inverse;
         if (cutaway && made.operands.empty() && csg.op == scene::CsgOp::Difference && plain && !mine.texture)

@@ -12,6 +12,9 @@ namespace plan {
 /// Lights stand among the operands of a CSG object and are collected apart.
 inline bool is_light(const scene::Object& object) { return std::holds_alternative<scene::Light>(object.shape); }
 
+/// Whether an untextured operand of a difference or intersection with cutaway_textures shows what is cut (spec 5a, 8.3).
+bool takes_cut_texture(const scene::Object& operand, bool subtracted);
+
 /// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its parents
 /// (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays together.
 class GeometryCompiler {

@@ -15,6 +15,15 @@ scene::TexturePtr average(const scene::TexturePtr& a, const scene::TexturePtr& b
 
 }  // namespace
 
+/// Only parts of what is an intersection once inversion is pushed down stay without texture; others get the default.
+bool takes_cut_texture(const scene::Object& operand, bool subtracted)
+{
+    const auto* csg = std::get_if<scene::Csg>(&operand.shape);
+    if (csg == nullptr) return true;
+    const bool unites = csg->op == scene::CsgOp::Union || csg->op == scene::CsgOp::Merge;
+    return unites == (subtracted != operand.inverse);
+}
+
 /// A difference from a union is the union of the differences from its parts, so that each cut shows its own part. Two
 /// parts that overlap are followed by what they share: there the cut shows the average, being the last of equal crossings.
 csg::Tree GeometryCompiler::cut_parts(const scene::Csg& csg, const scene::Csg& parts, const scene::Object& whole,
@@ -29,7 +38,7 @@ csg::Tree GeometryCompiler::cut_parts(const scene::Csg& csg, const scene::Csg& p
         Inherited later = own;
         later.texture = texture;
         for (const scene::Object& cutter : *csg.operands)
-            if (&cutter != &whole && !is_light(cutter)) difference.operands.push_back(tree(cutter, below(cutter, later)));
+            if (&cutter != &whole && !is_light(cutter)) difference.operands.push_back(tree(cutter, below(cutter, takes_cut_texture(cutter, true) ? later : own)));
         made.operands.push_back(std::move(difference));
     };
     std::vector<std::pair<csg::Tree, scene::TexturePtr>> known;
