@@ -18,7 +18,7 @@ import sys
 VERSION = "3.7.0.10"
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-CASE = re.compile(r"^golden_case\((\S+) SIZE (\d+)x(\d+)(?: AGREE [\d.]+)?(?: SWITCHES ([^)]*))?\)", re.M)
+CASE = re.compile(r"^golden_case\((\S+) SIZE (\d+)x(\d+)(?: AGREE [\d.]+)?(?: SWITCHES ((?:(?! SHOULDFAIL)[^)])*))?(?: SHOULDFAIL "[^"]*")?\)", re.M)
 
 
 def version_of(povray):
