@@ -9,10 +9,11 @@ packages() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packages.txt"; }
 
 # Those of them that are not installed, on one line.
 missing_packages() {
-    local name
+    local name names=()
     for name in $(packages); do
-        [[ $(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null) == installed ]] || printf '%s ' "$name"
+        [[ $(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null) == installed ]] || names+=("$name")
     done
+    echo "${names[*]}"
 }
 
 install_packages() {
