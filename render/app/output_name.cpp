@@ -2,8 +2,6 @@
 
 #include "render/app/text.h"
 
-#include <filesystem>
-
 namespace app {
 
 namespace {
@@ -31,8 +29,6 @@ Name output_name(const Settings& settings, const std::string& extension)
     const Name scene = split(settings.input_file);
     if (settings.output_file.empty()) return {scene.folder, without_extension(scene.base)};
     Name given = split(settings.output_file);
-    std::error_code ignored;
-    if (!given.base.empty() && std::filesystem::is_directory(settings.output_file, ignored)) given = {settings.output_file + "/", ""};
     if (given.base.empty() || given.base == extension) return {given.folder, without_extension(scene.base)};
     if (given.base.ends_with('.')) given.base.pop_back();
     else if (given.base.ends_with(extension)) given.base.resize(given.base.size() - extension.size());

@@ -6,6 +6,7 @@
 #include "render/app/output_name.h"
 #include "render/app/progress.h"
 #include "render/app/report.h"
+#include "render/app/scene_file.h"
 #include "render/app/window.h"
 #include "render/image/files.h"
 #include "render/plan/compiled_scene.h"
@@ -156,7 +157,7 @@ int render_frame(const Settings& settings, const FrameList& list, const Frame& f
     }
     StageTimes times;
     Console console{settings.all_console.value_or(settings.debug_console), settings.all_console.value_or(settings.warning_console)};
-    const parser::Result parsed = parser::parse_file(settings.input_file, parser_options(settings, list, frame), print_message, &console);
+    const parser::Result parsed = parser::parse_file(find_scene(settings), parser_options(settings, list, frame), print_message, &console);
     times.finish("parse");
     if (print_stage(settings, parsed.scene)) return kSuccess;
 
@@ -192,7 +193,7 @@ int render_command(const Settings& settings, Cancellation& cancel)
 {
     if (settings.input_file.empty()) throw OptionError("no scene given: whittle scene.pov, or whittle --help");
     if (settings.dump == Settings::Dump::Tokens) {
-        fmt::print("{}", parser::dump_tokens(settings.input_file));
+        fmt::print("{}", parser::dump_tokens(find_scene(settings)));
         return kSuccess;
     }
     if (settings.greyscale && !image::stores_greyscale(settings.file_type)) throw OptionError("this output file type stores no greyscale: use +FN or +FP");

@@ -39,10 +39,11 @@ TEST_CASE("the extension of a given name", "[app][output]")
     CHECK(path_of("d.pov", "x.png", image::FileType::Targa) == "x.png.tga");
 }
 
-TEST_CASE("a folder that exists is a folder with or without a slash", "[app][output]")
+TEST_CASE("without its slash a folder is a name like any other, as in POV-Ray", "[app][output]")
 {
     const support::TemporaryFolder folder;
-    CHECK(path_of("sub/d.pov", folder.path()) == folder / "d.png");
+    CHECK(path_of("sub/d.pov", folder.path()) == folder.path() + ".png");
+    CHECK(path_of("sub/d.pov", folder.path() + "/") == folder / "d.png");
 }
 
 TEST_CASE("standard output", "[app][output]")

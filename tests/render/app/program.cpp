@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -146,4 +147,30 @@ TEST_CASE("the same bytes for one thread and for several", "[program]")
     REQUIRE(run(folder, "scene.pov +W80 +H60 +A0.1 +WT1 +Oone.png").status == 0);
     REQUIRE(run(folder, "scene.pov +W80 +H60 +A0.1 +WT4 +Ofour.png").status == 0);
     CHECK(text_of(folder / "one.png") == text_of(folder / "four.png"));
+}
+
+TEST_CASE("the picture stands where POV-Ray puts it", "[program]")
+{
+    const support::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "sub");
+    const auto pictures = [&](const std::string& arguments) {
+        const Run result = run(folder, arguments + " +W8 +H6 -D");
+        INFO(arguments << "\n" << result.err);
+        CHECK(result.status == 0);
+        std::vector<std::string> found;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+            if (entry.path().extension() != ".png") continue;
+            found.push_back(std::filesystem::relative(entry.path(), folder.path()).string());
+        }
+        for (const std::string& name : found) std::filesystem::remove(folder / name);
+        return found;
+    };
+    write(folder / "sub/d.pov", kScene);
+    using Names = std::vector<std::string>;
+    CHECK(pictures("sub/d.pov") == Names{"sub/d.png"});      // beside the scene
+    CHECK(pictures("+Isub/d") == Names{"sub/d.png"});
+    CHECK(pictures("+Isub/d.pov +Oe.png") == Names{"e.png"});
+    CHECK(pictures("sub/d.pov +Osub/") == Names{"sub/d.png"});
+    CHECK(pictures("sub/d.pov +Osub") == Names{"sub.png"});  // a folder needs its slash
+    CHECK(pictures("+Lsub +Id.pov") == Names{"d.png"});      // found by the library path: the name as it was given counts
 }
