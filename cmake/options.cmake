@@ -8,6 +8,9 @@ if(WHITTLE_SANITIZE)
   add_compile_options(-fsanitize=${WHITTLE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${WHITTLE_SANITIZE})
 endif()
+if(WHITTLE_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)  # counts branches; the target that has no main links the rest
+endif()
 
 # Levels of x86-64 that get a kernel module of their own.
 set(WHITTLE_ISA_LEVELS v2 v3 v4)

@@ -22,6 +22,7 @@ struct Options {
     bool clock_on = false;
     int frame_number = 0, initial_frame = 0, final_frame = 0;
     double clock_delta = 0;
+    std::uint64_t most_tokens = 0;                     ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
 };
 
 enum class Severity { Debug, Note, Warning, Error };

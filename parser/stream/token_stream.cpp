@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <utility>
 
 namespace parser {
@@ -18,6 +19,7 @@ TokenStream::TokenStream(const Options& options, GrammarHooks& hooks, MessageSin
     : options_(options), hooks_(hooks), sink_(sink), sink_context_(sink_context)
 {
     language_.version = options.version;
+    left_ = options.most_tokens != 0 ? options.most_tokens : std::numeric_limits<std::uint64_t>::max();
     predefine();
 }
 
@@ -34,7 +36,10 @@ Token TokenStream::advance()
     for (;;) {
         Cursor& cursor = cursors_.back();
         const std::vector<Token>& tokens = files_[cursor.file]->tokens;
-        if (cursor.position < cursor.end) return tokens[cursor.position++];
+        if (cursor.position < cursor.end) {
+            if (left_-- == 0) fail(place(tokens[cursor.position]), "the limit of tokens is reached: does this loop end?");
+            return tokens[cursor.position++];
+        }
         if (cursors_.size() == 1) return tokens.back();
         leave_cursor();
     }

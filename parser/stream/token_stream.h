@@ -138,7 +138,8 @@ private:
     };
 
     void fetch();
-    Token advance();                       ///< the next token of the text, leaving finished macros and files
+    Token advance();                       ///< throws at Options::most_tokens;
+                                           ///< the next token of the text, leaving finished macros and files
     void leave_cursor();
     bool is_macro(const Token& token) const;
     SourceFile& file() { return *files_[cursors_.back().file]; }
@@ -213,6 +214,7 @@ private:
     Token ahead_, last_;
     bool has_ahead_ = false, ahead_raw_ = false, raw_operators_ = false;
     std::uint64_t taken_ = 0;
+    std::uint64_t left_ = 0;               ///< tokens until Options::most_tokens
     int nesting_ = 0;
     LanguageState language_;
     std::vector<std::uint32_t> random_streams_;
