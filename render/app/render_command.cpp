@@ -201,6 +201,7 @@ int render_command(const Settings& settings, Cancellation& cancel)
     const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
     if (traces) trace::prepare(isa_of(settings), settings.threads);
     const image::Files files;
+    if (traces && settings.output_to_file) files.prepare(settings.file_type);
     const FrameList list = frames_of(settings);
     for (const Frame& frame : list.frames) {
         if (cancel.requested) return kCancelled;

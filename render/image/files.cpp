@@ -1,16 +1,14 @@
 #include "render/image/files.h"
 
-#include "render/image/io_module.h"
+#include "render/image/io_loader.h"
+#include "render/image/png_writer.h"
 
-#include <dlfcn.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <thread>
 
 namespace image {
 
@@ -39,19 +37,6 @@ constexpr TypeFacts kTypes[] = {
 const TypeFacts& facts(FileType type)
 {
     return *std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeFacts& f) { return f.type == type; });
-}
-
-const IoModule* load_module()
-{
-    // Beside the program, where the build puts it.
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-    const std::filesystem::path module = program.parent_path() / kIoModuleName;
-    void* handle = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle) throw FileError(std::string("cannot load the picture file library: ") + dlerror());
-    using Entry = const IoModule* (*)();
-    const auto entry = reinterpret_cast<Entry>(dlsym(handle, kIoModuleEntry));
-    if (!entry) throw FileError(std::string("the picture file library is not ours: ") + dlerror());
-    return entry();
 }
 
 /// A file of this process beside `path`, removed unless it was put in place.
@@ -88,12 +73,12 @@ std::vector<std::uint16_t> widened(const Raster& raster)
     return wide;
 }
 
-void write_request(const IoModule* module, const std::string& path, WriteRequest request)
+void write_request(const IoModule& module, const std::string& path, WriteRequest request)
 {
     const Replacement replacement(path);
     request.path = replacement.beside().c_str();
     request.software = kSoftware;
-    if (const char* message = module->write(request)) throw FileError("cannot write '" + path + "': " + message);
+    if (const char* message = module.write(request)) throw FileError("cannot write '" + path + "': " + message);
     replacement.put_in_place();
 }
 
@@ -116,11 +101,11 @@ bool stores_alpha(FileType type) { return facts(type).alpha; }
 bool stores_greyscale(FileType type) { return facts(type).greyscale; }
 bool stores_linear_light(FileType type) { return facts(type).linear_light; }
 
-Files::Files()
+Files::Files() : loader_(std::make_shared<IoLoader>()) {}
+
+void Files::prepare(FileType type) const
 {
-    std::packaged_task<const IoModule*()> load(load_module);
-    module_ = load.get_future().share();
-    std::thread(std::move(load)).detach();  // unlike std::async, a program that stops early does not wait for it
+    if (type != FileType::Png) loader_->start();
 }
 
 void Files::write(const std::string& path, const Image& picture, const FileSettings& settings) const
@@ -139,12 +124,21 @@ void Files::write(const std::string& path, const Image& picture, const FileSetti
     request.height = picture.height;
     request.channels = encoding.alpha ? 4 : 3;
     request.levels = levels.data();
-    write_request(module_.get(), path, request);
+    write_request(loader_->get(), path, request);
 }
 
 void Files::write(const std::string& path, const Raster& raster, FileType type, const TransferCurve& file_curve, int jpeg_quality) const
 {
     const std::vector<std::uint16_t> wide = widened(raster);
+    if (type == FileType::Png) {
+        const Replacement replacement(path);
+        try {
+            write_png(replacement.beside(), raster, wide, file_curve, kSoftware);
+        } catch (const FileError& error) {
+            throw FileError("cannot write '" + path + "': " + error.what());
+        }
+        return replacement.put_in_place();
+    }
     WriteRequest request{};
     request.format = facts(type).format;
     request.width = raster.width;
@@ -156,14 +150,14 @@ void Files::write(const std::string& path, const Raster& raster, FileType type, 
     request.srgb = file_curve.kind == TransferCurve::Kind::Srgb;
     request.gamma = file_curve.approximate_gamma();
     request.jpeg_quality = jpeg_quality;
-    write_request(module_.get(), path, request);
+    write_request(loader_->get(), path, request);
 }
 
 Picture Files::read(const std::string& path) const
 {
-    const IoModule* module = module_.get();
+    const IoModule& module = loader_->get();
     ReadResult result{};
-    if (const char* message = module->read(path.c_str(), result)) throw FileError("cannot read '" + path + "': " + message);
+    if (const char* message = module.read(path.c_str(), result)) throw FileError("cannot read '" + path + "': " + message);
     Picture picture;
     picture.width = result.width;
     picture.height = result.height;
@@ -173,7 +167,7 @@ Picture Files::read(const std::string& path) const
     picture.srgb = result.srgb;
     const auto count = static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height) * static_cast<std::size_t>(result.channels);
     picture.samples.assign(result.samples, result.samples + count);
-    module->release(result);
+    module.release(result);
     return picture;
 }
 

@@ -3,13 +3,13 @@
 #include "render/image/image.h"
 #include "render/image/quantise.h"
 
-#include <future>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 namespace image {
 
-struct IoModule;
+class IoLoader;
 
 /// A picture could not be read or written; what() names the file.
 struct FileError : std::runtime_error {
@@ -46,11 +46,13 @@ struct FileSettings {
     int jpeg_quality = 85;
 };
 
-/// Reads and writes picture files. The constructor starts to load the library in the background (it takes some 0.2 s),
-/// so make one early; the first read or write waits for it, the destructor does not.
+/// Reads and writes picture files. PNG is written by libpng itself; all else waits for OpenImageIO, which takes some
+/// 0.2 s to load: prepare() early. The destructor does not wait for it. Copies share it.
 class Files {
 public:
     Files();
+    /// Starts to load in the background what writing this type needs.
+    void prepare(FileType type) const;
     /// Replaces `path` at once or not at all: the picture is written beside it and then renamed. Throws FileError.
     void write(const std::string& path, const Image& picture, const FileSettings& settings) const;
     /// The same for integers that are ready, tagged with the file curve.
@@ -59,7 +61,7 @@ public:
     Picture read(const std::string& path) const;
 
 private:
-    std::shared_future<const IoModule*> module_;
+    std::shared_ptr<IoLoader> loader_;
 };
 
 }  // namespace image

@@ -8,7 +8,7 @@ namespace image {
 /// What a writer is told. Strings live until the call returns.
 struct WriteRequest {
     const char* path;               ///< written as it is, the format is `format`
-    const char* format;             ///< OpenImageIO's name: "png", "targa", "pnm", "bmp", "jpeg", "openexr" or "hdr"
+    const char* format;             ///< OpenImageIO's name: "targa", "pnm", "bmp", "jpeg", "openexr" or "hdr"
     int width, height, channels;
     const std::uint16_t* samples;   ///< integers over the full 16 bits, or null
     const float* levels;            ///< linear light for exr and hdr, or null

@@ -34,6 +34,7 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
 /// Libraries with one home.
 const std::map<std::string, std::string> kHomeOfLibrary = {
     {"OpenImageIO/", "render/image"},
+    {"png.h", "render/image"},
     {"tao/pegtl", "parser"},
 };
 
