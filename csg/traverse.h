@@ -2,6 +2,7 @@
 
 #include "csg/bvh.h"
 #include "csg/lanes.h"
+#include "csg/rounding.h"
 
 #include <bit>
 #include <cmath>
@@ -52,16 +53,8 @@ public:
         return mask;
     }
 
-    static float rounded_down(double v)
-    {
-        const auto f = static_cast<float>(v);
-        return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
-    }
-    static float rounded_up(double v)
-    {
-        const auto f = static_cast<float>(v);
-        return static_cast<double>(f) >= v ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
-    }
+    static float rounded_down(double v) { return csg::rounded_down(v); }
+    static float rounded_up(double v) { return csg::rounded_up(v); }
 
 private:
     int near_row[3], far_row[3];

@@ -32,6 +32,47 @@ inline void open_block(const WorldData& world, ChildWord leaf, const Ray& ray, E
     }
 }
 
+/// One shadow ray: how it ends, and keep(hit) for every crossing of a transparent surface until an opaque one is met.
+template <class Keep>
+inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, double t_max, Scratch& scratch, Keep&& keep)
+{
+    constexpr std::uint8_t kShadowBit = 1u << 2;
+    Shadow found = Shadow::Clear;
+    const auto meet = [&](const Hit& hit) {
+        if (world.surface_opaque[hit.surface] != 0) {
+            found = Shadow::Blocked;
+        } else {
+            if (found == Shadow::Clear) found = Shadow::Filtered;
+            keep(hit);
+        }
+    };
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kShadowBit) == 0) return;
+        if (item.all_opaque) {
+            if (item_nearest(world, item, ray, t_min, t_max, scratch).found()) found = Shadow::Blocked;
+            return;
+        }
+        item_crossings(world, item, ray, t_min, t_max, scratch, meet);
+    };
+    const auto ball = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kShadowBit) == 0) return;
+        const SurfaceId surface = world.store.surface(item.solid);
+        if (near >= t_min && near <= t_max) meet({near, surface, item.solid, 0, false});
+        if (far >= t_min && far <= t_max) meet({far, surface, item.solid, 0, false});
+    };
+    for (const std::uint32_t i : world.unbounded) {
+        each(i);
+        if (found == Shadow::Blocked) return found;
+    }
+    traverse(world.bvh, ray, t_min, t_max, kShadowBit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, ball);
+        return found == Shadow::Blocked ? -1.0 : t_max;
+    });
+    return found;
+}
+
 }  // namespace
 
 Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
@@ -57,76 +98,41 @@ Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind
     return best.hit;
 }
 
-HitDetails World::details(const Ray& ray, const Hit& hit) const
+HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
 {
     HitDetails out;
     out.point = ray.at(hit.t);
     out.normal = normal_at(data_->store, hit.part, hit.face, hit.inverted, out.point);
-    out.uv = uv_at(data_->store, hit.part, hit.face, out.point);
+    if (with_uv) out.uv = uv_at(data_->store, hit.part, hit.face, out.point);
     return out;
 }
 
 Shadow World::shadow(const Ray& ray, double t_min, double t_max, Scratch& scratch) const
 {
-    constexpr std::uint8_t kShadowBit = 1u << 2;
-    const WorldData& world = *data_;
-    Shadow found = Shadow::Clear;
-    const auto meet = [&](SurfaceId surface) {
-        if (world.surface_opaque[surface] != 0) found = Shadow::Blocked;
-        else if (found == Shadow::Clear) found = Shadow::Filtered;
-    };
-    const auto each = [&](std::uint32_t i) {
-        const WorldItem& item = world.items[i];
-        if ((item.visible & kShadowBit) == 0) return;
-        if (item.all_opaque) {
-            const Hit hit = item_nearest(world, item, ray, t_min, t_max, scratch);
-            if (hit.found()) found = Shadow::Blocked;
-            return;
-        }
-        item_crossings(world, item, ray, t_min, t_max, scratch, [&](const Hit& hit) { meet(hit.surface); });
-    };
-    const auto ball = [&](std::uint32_t i, double near, double far) {
-        const WorldItem& item = world.items[i];
-        if ((item.visible & kShadowBit) == 0) return;
-        if ((near >= t_min && near <= t_max) || (far >= t_min && far <= t_max)) meet(world.store.surface(item.solid));
-    };
-    for (const std::uint32_t i : world.unbounded) {
-        each(i);
-        if (found == Shadow::Blocked) return found;
-    }
-    traverse(world.bvh, ray, t_min, t_max, kShadowBit, [&](ChildWord leaf) {
-        open_block(world, leaf, ray, each, ball);
-        return found == Shadow::Blocked ? -1.0 : t_max;
-    });
-    return found;
+    return shadow_walk(*data_, ray, t_min, t_max, scratch, [](const Hit&) {});
 }
 
-void World::shadow_crossings(const Ray& ray, double t_min, double t_max, Scratch& scratch, std::vector<Hit>& out) const
+Shadow World::shadow_crossings(const Ray& ray, double t_min, double t_max, Scratch& scratch, std::vector<Hit>& out) const
 {
-    constexpr std::uint8_t kShadowBit = 1u << 2;
-    const WorldData& world = *data_;
     out.clear();
-    const auto keep = [&](const Hit& hit) { out.push_back(hit); };
-    const auto each = [&](std::uint32_t i) {
-        const WorldItem& item = world.items[i];
-        if ((item.visible & kShadowBit) != 0) item_crossings(world, item, ray, t_min, t_max, scratch, keep);
-    };
-    const auto ball = [&](std::uint32_t i, double near, double far) {
-        const WorldItem& item = world.items[i];
-        if ((item.visible & kShadowBit) == 0) return;
-        const SurfaceId surface = world.store.surface(item.solid);
-        if (near >= t_min && near <= t_max) keep({near, surface, item.solid, 0, false});
-        if (far >= t_min && far <= t_max) keep({far, surface, item.solid, 0, false});
-    };
-    for (const std::uint32_t i : world.unbounded) each(i);
-    traverse(world.bvh, ray, t_min, t_max, kShadowBit, [&](ChildWord leaf) {
-        open_block(world, leaf, ray, each, ball);
-        return t_max;
-    });
-    // Equal distances in one fixed order, whatever order the walk had.
-    std::sort(out.begin(), out.end(), [](const Hit& a, const Hit& b) {
+    const Shadow found = shadow_walk(*data_, ray, t_min, t_max, scratch, [&](const Hit& hit) { out.push_back(hit); });
+    if (found != Shadow::Filtered) return found;
+    // Equal distances in one fixed order, whatever order the walk had. Few of them: one by one into place.
+    const auto before = [](const Hit& a, const Hit& b) {
         return a.t != b.t ? a.t < b.t : a.part != b.part ? a.part < b.part : a.face < b.face;
-    });
+    };
+    constexpr std::size_t kFew = 32;
+    if (out.size() > kFew) {
+        std::sort(out.begin(), out.end(), before);
+        return found;
+    }
+    for (std::size_t i = 1; i < out.size(); ++i) {
+        const Hit hit = out[i];
+        std::size_t k = i;
+        for (; k > 0 && before(hit, out[k - 1]); --k) out[k] = out[k - 1];
+        out[k] = hit;
+    }
+    return found;
 }
 
 void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out) const

@@ -21,14 +21,15 @@ public:
     /// The first visible crossing with t_min <= t < t_max among objects visible to `kind_bit`; !found() if none.
     Hit nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
 
-    /// Point, normal and uv of a hit of that ray.
-    HitDetails details(const Ray& ray, const Hit& hit) const;
+    /// Point and normal of a hit of that ray; uv where asked for.
+    HitDetails details(const Ray& ray, const Hit& hit, bool with_uv = true) const;
 
     /// Whether anything that casts a shadow lies in (t_min, t_max): Blocked as soon as an opaque surface is met.
     Shadow shadow(const Ray& ray, double t_min, double t_max, Scratch& scratch) const;
 
-    /// Every crossing of shadow casters in (t_min, t_max), nearest first. `out` is cleared first; reuse it.
-    void shadow_crossings(const Ray& ray, double t_min, double t_max, Scratch& scratch, std::vector<Hit>& out) const;
+    /// shadow(), and where it is Filtered every crossing in (t_min, t_max), nearest first, in `out`; what is in it
+    /// otherwise means nothing.
+    Shadow shadow_crossings(const Ray& ray, double t_min, double t_max, Scratch& scratch, std::vector<Hit>& out) const;
 
     /// Indices (Surface::object, in order of declaration) of the top-level objects whose solid holds the point.
     void containing(const glm::dvec3& point, std::vector<std::uint32_t>& out) const;

@@ -1,5 +1,7 @@
 #include "csg/world_data.h"
 
+#include "csg/ball_bounds.h"
+
 #include <utility>
 
 namespace csg {
@@ -8,7 +10,7 @@ namespace {
 /// A box around what the item draws.
 Aabb drawn_bounds(const WorldData& world, const WorldItem& item)
 {
-    if (item.solid == kNoPart) return world.programs[item.program].bounds;
+    if (item.solid == kNoPart) return lens_bounds(world.programs[item.program], world.store);
     if (kind_of(item.solid) == SolidKind::Disc) return world.store.all<Disc>()[index_of(item.solid)].drawn_bounds();
     return with_solid(world.store, item.solid, [](const auto& solid) { return solid.bounds(); });
 }

@@ -25,7 +25,7 @@ public:
     void find_details()
     {
         for (int i = 0; i < rays_.count; ++i)
-            if (hits_.at(i).found()) details(i) = context_.world.details(rays_.ray(i), hits_.at(i));
+            if (hits_.at(i).found()) details(i) = hit_details(context_, rays_.ray(i), hits_.at(i));
     }
 
     /// Shadow rays of one light for the whole tile; what they find waits in the hits' LightSamples.
@@ -118,6 +118,7 @@ void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const Hit
                 Scratch& scratch)
 {
     Context context{scene, scene.world(), scratch};
+    if (scratch.shade.surfaces.empty()) scratch.shade.surfaces = surface_traits(scene);
     auto& stack = scratch.shade.lights;
     const std::size_t base = stack.size();
     stack.resize(base + scene.lights.lights.size() * static_cast<std::size_t>(rays.count));

@@ -19,6 +19,15 @@ inline constexpr float kDark = 1e-10f;              ///< kNearlyZero for colours
 /// The interiors a ray is inside of, in order of entry (spec 3, 8.2). Entries past the capacity are forgotten.
 class InteriorList {
 public:
+    InteriorList() = default;
+    InteriorList(const InteriorList& other) { *this = other; }
+    /// Copies what is there: a list is handed down with every ray, and hardly ever has more than two entries.
+    InteriorList& operator=(const InteriorList& other)
+    {
+        count_ = other.count_;
+        for (std::size_t i = 0; i < count_; ++i) items_[i] = other.items_[i];
+        return *this;
+    }
     void append(std::uint32_t interior)
     {
         if (count_ < kCapacity) items_[count_++] = interior;
@@ -51,6 +60,12 @@ struct Context {
     csg::World world;
     Scratch& scratch;
 };
+
+/// Point, normal and what else the surface's textures ask for.
+inline HitDetails hit_details(const Context& context, const csg::Ray& ray, const Hit& hit)
+{
+    return context.world.details(ray, hit, context.scratch.shade.surfaces[hit.surface].needs_uv);
+}
 
 /// A hit being shaded.
 struct HitContext {

@@ -121,7 +121,7 @@ scene::Color trace_ray(Context& context, const RayState& state, bool straight)
         auto& stack = context.scratch.shade.lights;
         const std::size_t base = stack.size();
         stack.resize(base + context.scene.lights.lights.size());
-        color = shade_hit(context, state, hit, context.world.details(state.ray, hit), level, base);
+        color = shade_hit(context, state, hit, hit_details(context, state.ray, hit), level, base);
         stack.resize(base);
     } else {
         color = sky_color(context, state);

@@ -2,6 +2,7 @@
 
 #include "csg/hit.h"
 #include "render/light/illuminate.h"
+#include "render/trace/surface_traits.h"
 
 #include <array>
 #include <vector>
@@ -18,6 +19,7 @@ struct LightSample {
 
 /// What shading keeps per thread; grows to what the scene needs and stays.
 struct ShadeScratch {
+    std::vector<SurfaceTraits> surfaces; ///< of the scene; filled by the first tile
     std::vector<LightSample> lights;     ///< a stack: every shaded hit owns lights.size() entries at its level
     std::vector<glm::vec3> area_nodes;   ///< shadow values of the area light at hand; red below 0: not yet known
     csg::RayTile rays;                   ///< shadow rays of a tile

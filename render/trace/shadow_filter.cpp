@@ -83,17 +83,19 @@ glm::vec3 filtered_light(Context& context, const HitContext& hit, const light::I
     if (end <= kShadowTolerance) return color;
     ++context.scratch.counts.shadow;
     RayState ray{{hit.point, lit.direction}, 1.0f, 0, plan::RayKind::Shadow, hit.state.interiors};
-    const Shadow met = context.world.shadow(ray.ray, kShadowTolerance, end, context.scratch.geometry);
+    auto& crossings = context.scratch.crossings;
+    const Shadow met =
+        context.world.shadow_crossings(ray.ray, kShadowTolerance, end, context.scratch.geometry, crossings);
     if (met == Shadow::Clear) return color;
     if (met == Shadow::Blocked) return glm::vec3(0.0f);
-    auto& crossings = context.scratch.crossings;
-    context.world.shadow_crossings(ray.ray, kShadowTolerance, end, context.scratch.geometry, crossings);
     double last = 0.0;
     for (const Hit& crossing : crossings) {
         if (crossing.t - last <= kShadowTolerance) continue;  // the next ray would not see it
         const plan::Surface& surface = context.scene.surfaces[crossing.surface];
-        if (surface.opaque) return glm::vec3(0.0f);
-        color *= surface_filter(context, ray, crossing, context.world.details(ray.ray, crossing));
+        const SurfaceTraits& traits = context.scratch.shade.surfaces[crossing.surface];
+        color *= traits.steady_filter
+                     ? traits.filter
+                     : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
         const bool inside = surface.interior != plan::kNone && ray.interiors.holds(surface.interior);
         if (inside) color *= interior_fade(context.scene.interiors[surface.interior], crossing.t - last, true);
         // Signed on purpose: light below zero never updates the list (spec 3, 13.2).

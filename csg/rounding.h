@@ -1,0 +1,27 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+/// Double to single precision in one direction, without a call: boxes and rays are rounded for every query.
+namespace csg {
+
+/// The float below `f`; finite or +infinity.
+inline float next_below(float f)
+{
+    const auto bits = std::bit_cast<std::int32_t>(f);
+    constexpr std::int32_t kLeastNegative = std::bit_cast<std::int32_t>(-0x1p-149f);
+    return std::bit_cast<float>(bits > 0 ? bits - 1 : bits == 0 ? kLeastNegative : bits + 1);
+}
+
+/// The largest float that is not above `v`.
+inline float rounded_down(double v)
+{
+    const auto f = static_cast<float>(v);
+    return static_cast<double>(f) <= v ? f : next_below(f);
+}
+
+/// The smallest float that is not below `v`.
+inline float rounded_up(double v) { return -rounded_down(-v); }
+
+}  // namespace csg

@@ -1,0 +1,54 @@
+#include "render/trace/surface_traits.h"
+
+#include <algorithm>
+
+namespace trace {
+namespace {
+
+using texture::TextureSet;
+
+bool any_uv(const TextureSet& set)
+{
+    const auto texture = [](const texture::Texture& t) { return t.kind == texture::Texture::Kind::Uv; };
+    const auto pigment = [](const texture::Pigment& p) { return p.kind == texture::Pigment::Kind::Uv; };
+    const auto normal = [](const texture::Normal& n) { return n.map == texture::Normal::Map::Uv; };
+    const auto pattern = [](const texture::Pattern& p) { return p.kind == texture::PatternKind::Uv; };
+    return std::any_of(set.textures.begin(), set.textures.end(), texture) ||
+           std::any_of(set.pigments.begin(), set.pigments.end(), pigment) ||
+           std::any_of(set.normals.begin(), set.normals.end(), normal) ||
+           std::any_of(set.patterns.begin(), set.patterns.end(), pattern);
+}
+
+/// As the layers are gone through for one crossing, so that the bits are the same.
+bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
+{
+    const texture::Texture& texture = set.textures[index];
+    if (texture.kind != texture::Texture::Kind::Layers) return false;
+    filter = glm::vec3(1);
+    for (std::uint32_t i = texture.count; i-- > 0;) {
+        const texture::Pigment& pigment = set.pigments[set.layers[texture.first + i].pigment];
+        if (pigment.kind != texture::Pigment::Kind::Solid) return false;
+        filter *= pigment.color.filter * pigment.color.rgb() + pigment.color.transmit;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::vector<SurfaceTraits> surface_traits(const plan::CompiledScene& scene)
+{
+    const bool uv = any_uv(scene.textures);
+    std::vector<SurfaceTraits> all(scene.surfaces.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const plan::Surface& surface = scene.surfaces[i];
+        all[i].needs_uv = uv || surface.uv_mapping;
+        const bool focused =
+            surface.interior != plan::kNone && scene.interiors[surface.interior].caustics_power != 0.0f;
+        if (focused || surface.texture == plan::kNone) continue;
+        if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
+        all[i].steady_filter = plain_filter(scene.textures, surface.texture, all[i].filter);
+    }
+    return all;
+}
+
+}  // namespace trace
