@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/hit.h"
-#include "csg/lanes.h"
+#include "csg/lane_interval.h"
 
 #include <array>
 #include <bit>
@@ -13,6 +13,18 @@ namespace csg {
 /// Rays go in groups of eight; places beyond the tile's count are dead.
 inline constexpr int kRayGroup = 8;
 using RayMask = std::uint64_t;   ///< bit i: ray i of the tile
+
+/// Calls f(i) for the first ray of every vector that has a ray in the mask.
+template <class F>
+inline void each_vector(RayMask mask, F&& f)
+{
+    constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
+    while (mask != 0) {
+        const int i = std::countr_zero(mask) & ~(lanes::kDoubles - 1);
+        mask &= ~(kVector << i);
+        f(i);
+    }
+}
 
 struct alignas(64) TileRays {
     using Lanes = std::array<double, kTileRays>;
@@ -47,6 +59,20 @@ struct alignas(64) TileRays {
         return {origin, {dx[k], dy[k], dz[k]}};
     }
 
+    lanes::Directions directions(int i) const
+    {
+        using lanes::Double;
+        return {Double::load_aligned(dx.data() + i), Double::load_aligned(dy.data() + i), Double::load_aligned(dz.data() + i)};
+    }
+
+    /// The rays of groups first <= g < last, and those of the tile.
+    static RayMask mask_of(int first, int last)
+    {
+        const RayMask below = last * kRayGroup < kTileRays ? (RayMask{1} << (last * kRayGroup)) - 1 : ~RayMask{0};
+        return below & ~((RayMask{1} << (first * kRayGroup)) - 1);
+    }
+    RayMask all() const { return count < kTileRays ? (RayMask{1} << count) - 1 : ~RayMask{0}; }
+
     /// The farthest limit of groups first <= g < last; negative when all of them are done.
     double farthest(int first, int last) const
     {
@@ -60,15 +86,15 @@ struct alignas(64) TileRays {
         return farthest;
     }
 
-    /// Which rays of the groups meet the box between t_min and limit.
-    RayMask meet(const glm::dvec3& lower, const glm::dvec3& upper, int first, int last) const
+    /// Which of the rays meet the box between t_min and limit.
+    RayMask meet(const glm::dvec3& lower, const glm::dvec3& upper, RayMask asked) const
     {
         using lanes::Double;
         // The box is rounded outward to single precision; this covers the roundings of the slabs in double.
         constexpr double kWider = 1.0 + 1e-12;
         const glm::dvec3 low = lower - origin, high = upper - origin;
         RayMask mask = 0;
-        for (int i = first * kRayGroup; i < last * kRayGroup; i += lanes::kDoubles) {
+        each_vector(asked, [&](int i) {
             const Double ix = Double::load_aligned(inverse_x.data() + i), iy = Double::load_aligned(inverse_y.data() + i),
                          iz = Double::load_aligned(inverse_z.data() + i);
             const Double ax = Double(low.x) * ix, bx = Double(high.x) * ix;
@@ -79,8 +105,8 @@ struct alignas(64) TileRays {
             const Double far = xsimd::min(xsimd::min(xsimd::max(ax, bx), xsimd::max(ay, by)), xsimd::max(az, bz));
             const Double end = xsimd::min(far * Double(kWider), Double::load_aligned(limit.data() + i));
             mask |= static_cast<RayMask>(lanes::mask(near <= end)) << i;
-        }
-        return mask;
+        });
+        return mask & asked;
     }
 
 private:

@@ -67,7 +67,7 @@ private:
             const auto i = static_cast<std::uint32_t>(std::countr_zero(mask));
             if ((node.kinds[i] & kinds_) == 0) continue;
             const Entry made{node.child[i], index * 8 + i, near[i]};
-            if (packet >= 0 && rays_.meet(corner(made.slot, 0), corner(made.slot, 3), packet, packet + 1) == 0) continue;
+            if (packet >= 0 && rays_.meet(corner(made.slot, 0), corner(made.slot, 3), TileRays::mask_of(packet, packet + 1)) == 0) continue;
             int at = top++;
             for (; at > bottom && stack[at - 1].near < made.near; --at) stack[at] = stack[at - 1];
             stack[at] = made;

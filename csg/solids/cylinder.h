@@ -25,15 +25,15 @@ struct Cylinder {
         out.exit_face = end_face(out.exit_face);
         const glm::dvec2 o(local.origin), d(local.direction);
         const double a = glm::dot(d, d);
-        if (!(a > 0.0)) return glm::dot(o, o) <= 1.0 && out.entry > -kInfinity;
-        // About the point nearest to the axis the roots are symmetric; 1 - l^2 as a product does not cancel.
-        const double foot_t = -glm::dot(o, d) / a;
+        if (!(a > kAlong)) return glm::dot(o, o) <= 1.0 && out.entry > -kInfinity;
+        // About the point nearest to the axis the roots are symmetric and nothing large cancels.
+        const double inverse_a = 1.0 / a;
+        const double foot_t = -glm::dot(o, d) * inverse_a;
         const glm::dvec2 foot = o + foot_t * d;
-        const double l = std::sqrt(glm::dot(foot, foot));
-        const double below = (1.0 - l) * (1.0 + l);
+        const double below = 1.0 - glm::dot(foot, foot);
         if (!(below >= 0.0)) return false;
-        const double correction = -glm::dot(foot, d) / a;
-        const double half = std::sqrt(below / a);
+        const double correction = -glm::dot(foot, d) * inverse_a;
+        const double half = std::sqrt(below * inverse_a);
         const Interval side{foot_t + (correction - half), foot_t + (correction + half), kSide, kSide};
         if (!(side.entry <= side.exit)) return false;
         return narrow(out, side);
@@ -53,6 +53,8 @@ struct Cylinder {
     static Cylinder make(const glm::dvec3& first, const glm::dvec3& second, double radius, bool open,
                          const Transform& t = {});
 
+    /// Square of a direction across the axis that is none: the side lies beyond any distance.
+    static constexpr double kAlong = 1e-300;
     /// Slack of POV-Ray's own inside test, in units of the canonical frame (spec 5a, 2.4).
     static constexpr double kSkin = 1e-10;
 

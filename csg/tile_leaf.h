@@ -1,0 +1,73 @@
+#pragma once
+
+#include "csg/lane_interval.h"
+#include "csg/tile_walk.h"
+#include "csg/world_item.h"
+
+/// What a leaf block means to a tile. Compiled once per instruction set.
+namespace csg {
+
+/// Opens leaf blocks for Query:
+///   query.solid(item index, rays, at)  a convex solid; at(i) gives lanes::Intervals of the rays from i on
+///   query.each(item index, ray)        anything else, ray by ray
+template <class Query>
+struct TileLeaf {
+    const WorldData& world;
+    const Beam& beam;
+    TileRays& rays;
+    Query& query;
+    std::uint32_t kinds;
+
+    void operator()(ChildWord leaf, const glm::dvec3& lower, const glm::dvec3& upper, int first, int last) const
+    {
+        if (leaf.kind() == LeafKind::Spheres) {
+            balls(world.spheres[leaf.index()], first, last);
+            return;
+        }
+        const RayMask mask = rays.meet(lower, upper, TileRays::mask_of(first, last));
+        if (mask == 0) return;
+        if (leaf.kind() == LeafKind::Item) {
+            item(leaf.index(), mask);
+            return;
+        }
+        const auto& start = world.bvh.triangle_first;
+        for (RayMask left = mask; left != 0; left &= left - 1)
+            for (std::uint32_t k = start[leaf.index()]; k < start[leaf.index() + 1]; ++k)
+                each(world.bvh.triangle_members[k], std::countr_zero(left));
+    }
+
+    /// An item against the rays of the mask.
+    void item(std::uint32_t index, RayMask mask) const
+    {
+        const WorldItem& item = world.items[index];
+        if ((item.visible & kinds) == 0) return;
+        if (item.solid != kNoPart && lanes::has_test(world.store, item.solid)) {
+            lanes::with_test(world.store, item.solid, rays.origin, [&](const auto& test) {
+                query.solid(index, mask, [&](int i) { return test(rays.directions(i)); });
+            });
+            return;
+        }
+        for (; mask != 0; mask &= mask - 1) each(index, std::countr_zero(mask));
+    }
+
+private:
+    void balls(const SphereBlock& block, int first, int last) const
+    {
+        for (std::uint32_t mask = beam.meet(block); mask != 0; mask &= mask - 1) {
+            const int k = std::countr_zero(mask);
+            if ((world.items[block.item[k]].visible & kinds) == 0) continue;
+            const glm::dvec3 f = rays.origin - glm::dvec3(block.x[k], block.y[k], block.z[k]);
+            query.solid(block.item[k], TileRays::mask_of(first, last), [&](int i) {
+                const auto inverse_a = lanes::Double::load_aligned(rays.inverse_a.data() + i);
+                return lanes::sphere_roots(f, rays.directions(i), inverse_a, block.radius[k]);
+            });
+        }
+    }
+
+    void each(std::uint32_t item, int ray) const
+    {
+        if ((world.items[item].visible & kinds) != 0 && !(rays.limit[static_cast<std::size_t>(ray)] < 0.0)) query.each(item, ray);
+    }
+};
+
+}  // namespace csg

@@ -1,0 +1,132 @@
+#include "csg/lane_interval.h"
+#include "tests/csg/support.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cstring>
+
+using namespace csg;
+using csg_test::Rng;
+
+namespace {
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Directions that meet, miss, graze and run along the axes of a solid near `target`.
+glm::dvec3 direction(Rng& rng, const glm::dvec3& origin, const glm::dvec3& target, const Transform& frame)
+{
+    glm::dvec3 d = glm::normalize(target + rng.point(1.5) - origin);
+    switch (rng.below(6)) {
+        case 0: {
+            glm::dvec3 axis(0.0);
+            axis[rng.below(3)] = rng.coin() ? 1.0 : -1.0;
+            if (rng.coin()) axis = frame.vector(axis);
+            return glm::normalize(axis);
+        }
+        case 1: d[rng.below(3)] = rng.coin() ? 0.0 : -0.0; return glm::normalize(d);
+        case 2: d = glm::normalize(target + glm::dvec3(rng.below(3) - 1, rng.below(3) - 1, rng.below(3) - 1) - origin); return d;
+        default: return d;
+    }
+}
+
+/// The answers in lanes are those of interval(), to the last bit.
+template <class T>
+int check_lanes(const T& solid, const glm::dvec3& target, const Transform& frame, std::uint32_t seed)
+{
+    Rng rng(seed);
+    glm::dvec3 origin = target + rng.direction() * (rng.coin() ? 5.0 : 0.5);
+    if (rng.below(4) == 0) origin = target + glm::dvec3(rng.below(3) - 1, rng.below(3) - 1, rng.below(7) - 3);
+    const lanes::Test<T> test(solid, origin);
+    int met = 0;
+    for (int round = 0; round < 4; ++round) {
+        alignas(64) std::array<double, 8> x, y, z, entry, exit, entry_face, exit_face;
+        for (std::size_t i = 0; i < 8; ++i) {
+            const glm::dvec3 d = direction(rng, origin, target, frame);
+            x[i] = d.x;
+            y[i] = d.y;
+            z[i] = d.z;
+        }
+        for (int at = 0; at < 8; at += lanes::kDoubles) {
+            const auto part = [&](auto& all) { return all.data() + at; };
+            const lanes::Intervals in = test({lanes::Double::load_aligned(part(x)), lanes::Double::load_aligned(part(y)),
+                                              lanes::Double::load_aligned(part(z))});
+            in.entry.store_aligned(part(entry));
+            in.exit.store_aligned(part(exit));
+            in.entry_face.store_aligned(part(entry_face));
+            in.exit_face.store_aligned(part(exit_face));
+            for (int lane = 0; lane < lanes::kDoubles; ++lane) {
+                const auto i = static_cast<std::size_t>(at + lane);
+                INFO("seed " << seed << ", round " << round << ", ray " << i << ": direction " << x[i] << ' ' << y[i] << ' ' << z[i]);
+                Interval alone;
+                const bool hit = solid.interval({origin, {x[i], y[i], z[i]}}, alone);
+                REQUIRE(((lanes::mask(in.met) >> lane) & 1u) == (hit ? 1u : 0u));
+                if (!hit) continue;
+                ++met;
+                REQUIRE(same_bits(entry[i], alone.entry));
+                REQUIRE(same_bits(exit[i], alone.exit));
+                if (alone.entry > -kInfinity) REQUIRE(entry_face[i] == static_cast<double>(alone.entry_face));
+                if (alone.exit < kInfinity) REQUIRE(exit_face[i] == static_cast<double>(alone.exit_face));
+            }
+        }
+    }
+    return met;
+}
+
+template <class Make>
+void check_kind(Make&& make)
+{
+    int met = 0;
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        Rng rng(seed + 100000);
+        const Transform frame = csg_test::random_transform(rng);
+        const glm::dvec3 target = frame.offset;
+        met += check_lanes(make(rng, frame, target), target, frame, seed);
+    }
+    REQUIRE(met > 10000);
+}
+
+}  // namespace
+
+TEST_CASE("intervals in lanes are those of single rays, bit for bit", "[csg][lanes]")
+{
+#if defined(__AVX512F__)
+    if (!__builtin_cpu_supports("avx512f")) return;
+#elif defined(__AVX2__)
+    if (!__builtin_cpu_supports("avx2")) return;
+#endif
+    SECTION("sphere") { check_kind([](Rng& rng, const Transform&, const glm::dvec3& p) { return Sphere{p, rng.uniform(0.5, 1.5)}; }); }
+    SECTION("unit sphere") { check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Sphere{p, 1.0}; }); }
+    SECTION("ellipsoid") { check_kind([](Rng&, const Transform& frame, const glm::dvec3&) { return Ellipsoid{frame}; }); }
+    SECTION("box") { check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Box{p - 1.0, p + 1.0}; }); }
+    SECTION("flat box")
+    {
+        check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Box{p - glm::dvec3(1, 0, 1), p + glm::dvec3(1, 0, 1)}; });
+    }
+    SECTION("oriented box")
+    {
+        check_kind([](Rng&, const Transform& frame, const glm::dvec3&) { return OrientedBox{glm::dvec3(-1), glm::dvec3(1), frame}; });
+    }
+    SECTION("plane")
+    {
+        check_kind([](Rng& rng, const Transform&, const glm::dvec3& p) {
+            const glm::dvec3 n = rng.coin() ? glm::dvec3(0, 1, 0) : rng.direction();
+            return Plane{n, glm::dot(n, p)};
+        });
+    }
+    SECTION("cylinder") { check_kind([](Rng& rng, const Transform& frame, const glm::dvec3&) { return Cylinder{frame, rng.coin()}; }); }
+    SECTION("upright cylinder")
+    {
+        check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Cylinder{Transform::translate(p), false}; });
+    }
+    SECTION("cone")
+    {
+        check_kind([](Rng& rng, const Transform& frame, const glm::dvec3&) {
+            return Cone{rng.coin() ? 0.0 : rng.uniform(0.0, 0.9), frame, rng.coin()};
+        });
+    }
+    SECTION("upright cone")
+    {
+        check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Cone{0.0, Transform::translate(p), false}; });
+    }
+}
