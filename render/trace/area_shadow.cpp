@@ -28,7 +28,7 @@ struct Sampler {
             }
             const light::Illumination lit =
                 light::toward(light, hit.point, light::node_offset(light, hit.point, x, y));
-            value = filtered_light(context, hit, lit, color);
+            value = filtered_light(context, hit.point, hit.state.interiors, lit, color);
         }
         return value;
     }

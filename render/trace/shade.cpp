@@ -1,6 +1,9 @@
 #include "render/trace/shade.h"
 
 #include "render/trace/shade_context.h"
+#include "render/trace/shade_light.h"
+
+#include <algorithm>
 
 namespace trace {
 namespace {
@@ -8,57 +11,95 @@ namespace {
 /// Beyond this distance a shadow ray starts at the hit: from a far light, t would lose digits against the tolerance.
 constexpr double kFarLight = 1e5;
 
-glm::dvec3 facing_normal(const HitDetails& details, const glm::dvec3& direction)
+/// Lit from one point with one colour everywhere: its directions are found in vector lanes.
+bool steady(const light::Light& light)
 {
-    return glm::dot(details.normal, direction) > 0.0 ? -details.normal : details.normal;
+    return light.kind == light::Light::Kind::Point && !light.parallel && !light.area && !(light.fade_power > 0.0);
 }
 
-/// One tile of camera rays on its way to colours.
+/// One tile of camera rays on its way to colours. Hits of plain surfaces go through the lights together and are done
+/// then; the others find their first shadow rays answered and are shaded one by one.
 class Tile {
 public:
-    Tile(Context& context, const RayTile& rays, const HitTile& hits, std::size_t base)
-        : context_(context), scratch_(context.scratch.shade), rays_(rays), hits_(hits), base_(base),
-          lights_(context.scene.lights.lights.size())
+    Tile(Context& context, const RayTile& rays, const HitTile& hits)
+        : context_(context), scratch_(context.scratch.shade), rays_(rays), hits_(hits),
+          lights_(context.scene.lights.lights.size()), shadows_(context.scene.settings.quality >= 4)
     {
+        for (const std::uint32_t interior : context.scene.camera_interiors) interiors_.append(interior);
     }
 
-    void find_details()
+    /// Details and what is to be done with each hit; true if some need LightSamples.
+    bool prepare()
     {
-        for (int i = 0; i < rays_.count; ++i)
-            if (hits_.at(i).found()) details(i) = hit_details(context_, rays_.ray(i), hits_.at(i));
+        const auto& lights = context_.scene.lights.lights;
+        const bool small = context_.scene.settings.quality >= 2 &&
+                           std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.area; });
+        bool general = false;
+        for (int i = 0; i < rays_.count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            scratch_.plain[k].finish = nullptr;
+            const Hit hit = hits_.at(i);
+            if (!hit.found()) {
+                scratch_.hits.set(k, glm::dvec3(0), glm::dvec3(0));
+                continue;
+            }
+            const csg::Ray ray = rays_.ray(i);
+            HitDetails& at = details(i) = hit_details(context_, ray, hit);
+            const bool from_inside = glm::dot(at.normal, ray.direction) > 0.0;
+            scratch_.hits.set(k, at.point, from_inside ? -at.normal : at.normal);
+            const SurfaceTraits& traits = scratch_.surfaces[hit.surface];
+            const std::uint32_t layer = from_inside ? traits.inner_layer : traits.outer_layer;
+            if (small && layer != plan::kNone) begin_plain(i, layer, hit);
+            else general = true;
+        }
+        for (int i = rays_.count; i % csg::kTileSide != 0; ++i)
+            scratch_.hits.set(static_cast<std::size_t>(i), glm::dvec3(0), glm::dvec3(0));
+        return general;
     }
 
-    /// Shadow rays of one light for the whole tile; what they find waits in the hits' LightSamples.
-    void shadow(std::size_t which)
+    /// Where the tile's LightSamples start in the scratch stack.
+    void use_samples(std::size_t base) { base_ = base; }
+
+    /// One light for the whole tile: it is added to plain hits, and waits in the LightSamples of the others.
+    void light(std::size_t which)
     {
         const light::Light& light = context_.scene.lights.lights[which];
-        if (light.shadowless || light.area || context_.scene.settings.quality < 4) return;
+        if (light.area) return;
+        const bool one_color = steady(light);
+        if (one_color) toward_point(light, scratch_.hits, rays_.count, scratch_.light);
+        const bool shadows = shadows_ && !light.shadowless;
         RayTile& beam = scratch_.rays;
         beam.count = 0;
         beam.common_origin = light.from_one_point();
-        for (int i = 0; i < rays_.count; ++i)
-            if (asks_for_light(i) && !near_enough(light, i)) beam.common_origin = false;
-        for (int i = 0; i < rays_.count; ++i)
-            if (asks_for_light(i)) add_ray(light, which, i);
-        if (beam.count == 0) return;
-        context_.scratch.counts.shadow += static_cast<std::uint64_t>(beam.count);
-        context_.world.shadow(beam, context_.scratch.geometry, scratch_.shadows.data());
-        for (std::size_t k = 0; k < static_cast<std::size_t>(beam.count); ++k) {
-            LightSample& s = sample(scratch_.lane[k], which);
-            if (scratch_.shadows[k] == Shadow::Filtered) continue;  // found when shading asks, one by one
-            s.shadowed = scratch_.shadows[k] == Shadow::Clear ? s.lit.color : glm::vec3(0);
-            s.shadow_known = true;
+        for (int i = 0; i < rays_.count; ++i) {
+            if (!asks_for_light(i)) continue;
+            const auto k = static_cast<std::size_t>(i);
+            if (one_color) {
+                scratch_.lit_colors[k] = light.color;
+            } else {
+                const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
+                scratch_.light.x[k] = lit.direction.x;
+                scratch_.light.y[k] = lit.direction.y;
+                scratch_.light.z[k] = lit.direction.z;
+                scratch_.light.distance[k] = lit.distance;
+                scratch_.lit_colors[k] = lit.color;
+            }
+            if (!(scratch_.light.distance[k] < kFarLight)) beam.common_origin = false;
         }
+        for (int i = 0; i < rays_.count; ++i)
+            if (asks_for_light(i)) ask(light, which, i, shadows);
+        if (beam.count != 0) answer(light, which);
     }
 
     scene::Color color(int i)
     {
-        RayState state{rays_.ray(i), 1.0f, 0, plan::RayKind::Image, {}};
-        for (const std::uint32_t interior : context_.scene.camera_interiors) state.interiors.append(interior);
+        RayState state{rays_.ray(i), 1.0f, 0, plan::RayKind::Image, interiors_};
         const Hit hit = hits_.at(i);
         if (!hit.found()) return through_air(context_, state, csg::kInfinity, sky_color(context_, state));
-        const scene::Color c = shade_hit(context_, state, hit, details(i), 1, first_light(i));
-        return through_air(context_, state, hit.t, c);
+        const PlainHit& plain = scratch_.plain[static_cast<std::size_t>(i)];
+        if (plain.finish != nullptr)
+            return through_air(context_, state, hit.t, scene::Color::of(plain.glow + plain.lit));
+        return through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), 1, first_light(i)));
     }
 
 private:
@@ -66,50 +107,113 @@ private:
     std::size_t first_light(int i) const { return base_ + static_cast<std::size_t>(i) * lights_; }
     LightSample& sample(int i, std::size_t which) { return scratch_.lights[first_light(i) + which]; }
 
+    void begin_plain(int i, std::uint32_t index, const Hit& hit)
+    {
+        const auto k = static_cast<std::size_t>(i);
+        const auto& set = context_.scene.textures;
+        const texture::Layer& layer = set.layers[index];
+        PlainHit& plain = scratch_.plain[k];
+        plain.finish = &set.finishes[layer.finish];
+        const texture::Pigment& pigment = set.pigments[layer.pigment];
+        if (pigment.kind == texture::Pigment::Kind::Solid) {
+            plain.pigment = pigment.color;
+        } else {
+            const HitDetails& at = details(i);
+            const texture::Surroundings around{at.point, scratch_.hits.normal(k), rays_.ray(i).direction, at.uv, true};
+            const bool uv = context_.scene.surfaces[hit.surface].uv_mapping;
+            plain.pigment =
+                texture::pigment_color(set, layer.pigment, uv ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point, around);
+        }
+        plain.glow = plain.pigment.rgb() * (plain.finish->ambient + plain.finish->emission);
+        plain.lit = glm::vec3(0);
+    }
+
     bool asks_for_light(int i) const
     {
+        const texture::Finish* finish = scratch_.plain[static_cast<std::size_t>(i)].finish;
+        if (finish != nullptr) return finish->lit();
         const Hit hit = hits_.at(i);
         if (!hit.found()) return false;
         const std::uint32_t texture = context_.scene.surfaces[hit.surface].texture;
         return texture != plan::kNone && context_.scene.textures.textures[texture].lit;
     }
 
-    bool near_enough(const light::Light& light, int i)
+    /// Adds the light at once where nothing can shadow it; a shadow ray otherwise.
+    void ask(const light::Light& light, std::size_t which, int i, bool shadows)
     {
-        return glm::distance(light.location, details(i).point) < kFarLight;
+        const auto k = static_cast<std::size_t>(i);
+        const bool plain = scratch_.plain[k].finish != nullptr;
+        const glm::dvec3 direction = scratch_.light.direction(k);
+        const double distance = scratch_.light.distance[k], end = distance - kShadowTolerance;
+        const glm::vec3& color = scratch_.lit_colors[k];
+        if (!plain) {
+            LightSample& s = sample(i, which);
+            s.lit = {direction, distance, color};
+            s.illuminated = true;
+        }
+        // Bent normals may face a light that the surface turns away from: rare, asked for one by one.
+        if (glm::dot(scratch_.hits.normal(k), direction) < kNearlyZero) return;
+        if (color == glm::vec3(0)) return;
+        if (!shadows || end <= kShadowTolerance) {
+            if (plain) add(light, k, color);
+            return;
+        }
+        RayTile& beam = scratch_.rays;
+        const auto ray = static_cast<std::size_t>(beam.count++);
+        const glm::dvec3 origin = beam.common_origin ? light.location : scratch_.hits.point(k);
+        const glm::dvec3 along = beam.common_origin ? -direction : direction;
+        beam.ox[ray] = origin.x;
+        beam.oy[ray] = origin.y;
+        beam.oz[ray] = origin.z;
+        beam.dx[ray] = along.x;
+        beam.dy[ray] = along.y;
+        beam.dz[ray] = along.z;
+        beam.t_min[ray] = kShadowTolerance;
+        beam.t_max[ray] = end;
+        scratch_.lane[ray] = static_cast<std::uint8_t>(i);
     }
 
-    void add_ray(const light::Light& light, std::size_t which, int i)
+    void answer(const light::Light& light, std::size_t which)
     {
-        LightSample& s = sample(i, which);
-        const HitDetails& at = details(i);
-        s.lit = light::illuminate(light, at.point);
-        s.illuminated = true;
-        // Bent normals may face a light that the surface turns away from: rare, asked for one by one.
-        if (glm::dot(facing_normal(at, rays_.ray(i).direction), s.lit.direction) < kNearlyZero) return;
-        if (s.lit.color == glm::vec3(0)) return;
-        const double end = s.lit.distance - kShadowTolerance;
-        if (end <= kShadowTolerance) return;
-        RayTile& beam = scratch_.rays;
-        const auto k = static_cast<std::size_t>(beam.count++);
-        const glm::dvec3 origin = beam.common_origin ? light.location : at.point;
-        const glm::dvec3 direction = beam.common_origin ? -s.lit.direction : s.lit.direction;
-        beam.ox[k] = origin.x;
-        beam.oy[k] = origin.y;
-        beam.oz[k] = origin.z;
-        beam.dx[k] = direction.x;
-        beam.dy[k] = direction.y;
-        beam.dz[k] = direction.z;
-        beam.t_min[k] = kShadowTolerance;
-        beam.t_max[k] = end;
-        scratch_.lane[k] = static_cast<std::uint8_t>(i);
+        const RayTile& beam = scratch_.rays;
+        context_.scratch.counts.shadow += static_cast<std::uint64_t>(beam.count);
+        context_.world.shadow(beam, context_.scratch.geometry, scratch_.shadows.data());
+        for (std::size_t ray = 0; ray < static_cast<std::size_t>(beam.count); ++ray) {
+            const Shadow met = scratch_.shadows[ray];
+            const std::size_t k = scratch_.lane[ray];
+            const glm::vec3& color = scratch_.lit_colors[k];
+            if (scratch_.plain[k].finish != nullptr) {
+                if (met == Shadow::Clear) {
+                    add(light, k, color);
+                } else if (met == Shadow::Filtered) {
+                    const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], color};
+                    add(light, k, filtered_light(context_, scratch_.hits.point(k), interiors_, lit, color));
+                }
+                continue;
+            }
+            if (met == Shadow::Filtered) continue;  // found when shading asks, one by one
+            LightSample& s = sample(static_cast<int>(k), which);
+            s.shadowed = met == Shadow::Clear ? s.lit.color : glm::vec3(0);
+            s.shadow_known = true;
+        }
+    }
+
+    void add(const light::Light& light, std::size_t k, const glm::vec3& color)
+    {
+        if (!(std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)) return;
+        PlainHit& plain = scratch_.plain[k];
+        const glm::dvec3 d{rays_.dx[k], rays_.dy[k], rays_.dz[k]}, n = scratch_.hits.normal(k);
+        plain.lit += surface_light({*plain.finish, plain.pigment, d, n, 1.0}, scratch_.light.direction(k), color, false,
+                                   !light.shadowless, 0.0);
     }
 
     Context& context_;
     ShadeScratch& scratch_;
     const RayTile& rays_;
     const HitTile& hits_;
-    std::size_t base_, lights_;
+    std::size_t lights_, base_ = 0;
+    bool shadows_;
+    InteriorList interiors_;         ///< around the eye
 };
 
 }  // namespace
@@ -120,11 +224,13 @@ void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const Hit
     Context context{scene, scene.world(), scratch};
     if (scratch.shade.surfaces.empty()) scratch.shade.surfaces = surface_traits(scene);
     auto& stack = scratch.shade.lights;
-    const std::size_t base = stack.size();
-    stack.resize(base + scene.lights.lights.size() * static_cast<std::size_t>(rays.count));
-    Tile tile(context, rays, hits, base);
-    tile.find_details();
-    for (std::size_t i = 0; i < scene.lights.lights.size(); ++i) tile.shadow(i);
+    const std::size_t base = stack.size(), lights = scene.lights.lights.size();
+    Tile tile(context, rays, hits);
+    if (tile.prepare()) {
+        stack.resize(base + lights * static_cast<std::size_t>(rays.count));
+        tile.use_samples(base);
+    }
+    for (std::size_t i = 0; i < lights; ++i) tile.light(i);
     for (int i = 0; i < rays.count; ++i) out[i] = tile.color(i);
     stack.resize(base);
 }

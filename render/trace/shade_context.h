@@ -101,8 +101,9 @@ scene::Color shade_layers(Context& context, HitContext& hit, const texture::Text
 glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish& finish, const scene::Color& pigment,
                        const glm::dvec3& normal, double alpha);
 
-/// Colour of a light after everything between it and the point (spec 3, section 13).
-glm::vec3 filtered_light(Context& context, const HitContext& hit, const light::Illumination& lit, glm::vec3 color);
+/// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
+glm::vec3 filtered_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
+                         const light::Illumination& lit, glm::vec3 color);
 
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);

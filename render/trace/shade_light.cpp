@@ -1,7 +1,7 @@
-#include "render/texture/finish.h"
 #include "render/trace/area_shadow.h"
 #include "render/trace/random.h"
 #include "render/trace/shade_context.h"
+#include "render/trace/shade_light.h"
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ const glm::vec3& shadowed(Context& context, const HitContext& hit, const light::
 {
     if (!sample.shadow_known) {
         sample.shadowed = light.area ? area_shadow(context, hit, light, sample.lit)
-                                     : filtered_light(context, hit, sample.lit, sample.lit.color);
+                                     : filtered_light(context, hit.point, hit.state.interiors, sample.lit, sample.lit.color);
         sample.shadow_known = true;
     }
     return sample.shadowed;
@@ -34,25 +34,10 @@ glm::vec3 contribution(Context& context, const HitContext& hit, const Layer& lay
                        const light::Illumination& lit, const glm::vec3& color, bool behind)
 {
     const texture::Finish& finish = layer.finish;
-    const glm::dvec3& d = hit.state.ray.direction;
-    glm::vec3 sum(0);
-    const auto diffuse = static_cast<double>(behind ? finish.diffuse_back : finish.diffuse);
-    if (diffuse > 0.0) {
-        const double facing = std::abs(glm::dot(layer.normal, lit.direction));
-        double intensity = finish.brilliance == 1.0f ? facing : std::pow(facing, static_cast<double>(finish.brilliance));
-        intensity *= diffuse * layer.alpha;
-        if (finish.crand > 0.0f)
-            intensity -= static_cast<double>(finish.crand) * random_at(hit.point, layer.purpose);
-        sum += static_cast<float>(intensity) * layer.pigment.rgb() * color;
-    }
-    if (!behind && !light.shadowless && (finish.phong > 0.0f || finish.specular > 0.0f)) {
-        double strength = 0.0;
-        if (finish.phong > 0.0f) strength += texture::phong(finish, d, layer.normal, lit.direction);
-        if (finish.specular > 0.0f) strength += texture::specular(finish, d, layer.normal, lit.direction);
-        if (strength != 0.0)
-            sum += static_cast<float>(strength) *
-                   texture::highlight_color(finish, color, layer.pigment, layer.normal, lit.direction);
-    }
+    const double grain =
+        finish.crand > 0.0f ? static_cast<double>(finish.crand) * random_at(hit.point, layer.purpose) : 0.0;
+    glm::vec3 sum = surface_light({finish, layer.pigment, hit.state.ray.direction, layer.normal, layer.alpha}, lit.direction,
+                                  color, behind, !light.shadowless, grain);
     if (finish.irid > 0.0f) sum *= film_color(context, hit, finish, layer.normal, lit.direction);
     return sum;
 }

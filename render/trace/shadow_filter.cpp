@@ -77,12 +77,13 @@ glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit
     return passing.through(texture, p);
 }
 
-glm::vec3 filtered_light(Context& context, const HitContext& hit, const light::Illumination& lit, glm::vec3 color)
+glm::vec3 filtered_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
+                         const light::Illumination& lit, glm::vec3 color)
 {
     const double end = lit.distance - kShadowTolerance;
     if (end <= kShadowTolerance) return color;
     ++context.scratch.counts.shadow;
-    RayState ray{{hit.point, lit.direction}, 1.0f, 0, plan::RayKind::Shadow, hit.state.interiors};
+    RayState ray{{point, lit.direction}, 1.0f, 0, plan::RayKind::Shadow, interiors};
     auto& crossings = context.scratch.crossings;
     const Shadow met =
         context.world.shadow_crossings(ray.ray, kShadowTolerance, end, context.scratch.geometry, crossings);

@@ -33,6 +33,15 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
     return true;
 }
 
+/// The layer of a texture that has no more than colour, diffuse light and highlights.
+std::uint32_t small_layer(const TextureSet& set, std::uint32_t index)
+{
+    if (index == texture::kNone || !set.textures[index].plain) return plan::kNone;
+    const std::uint32_t layer = set.textures[index].first;
+    const texture::Finish& finish = set.finishes[set.layers[layer].finish];
+    return finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f ? layer : plan::kNone;
+}
+
 }  // namespace
 
 std::vector<SurfaceTraits> surface_traits(const plan::CompiledScene& scene)
@@ -42,6 +51,11 @@ std::vector<SurfaceTraits> surface_traits(const plan::CompiledScene& scene)
     for (std::size_t i = 0; i < all.size(); ++i) {
         const plan::Surface& surface = scene.surfaces[i];
         all[i].needs_uv = uv || surface.uv_mapping;
+        if (!surface.double_illuminate) {
+            all[i].outer_layer = small_layer(scene.textures, surface.texture);
+            all[i].inner_layer = surface.interior_texture == plan::kNone ? all[i].outer_layer
+                                                                         : small_layer(scene.textures, surface.interior_texture);
+        }
         const bool focused =
             surface.interior != plan::kNone && scene.interiors[surface.interior].caustics_power != 0.0f;
         if (focused || surface.texture == plan::kNone) continue;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "render/texture/finish.h"
+
+#include <cmath>
+
+/// What one light adds where nothing shadows it any more; shared by the tile's plain hits and the general shading.
+namespace trace {
+
+/// A layer of a finish as light meets it. Unit vectors; `direction` is the ray's.
+struct LitLayer {
+    const texture::Finish& finish;
+    const scene::Color& pigment;
+    const glm::dvec3& direction;
+    const glm::dvec3& normal;
+    double alpha;
+};
+
+/// Diffuse light and highlights toward `l` (spec 3, 7.5 to 7.8). behind: on the side that diffuse_back lights; grain: what
+/// crand takes off.
+inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const glm::vec3& color, bool behind, bool highlights,
+                               double grain)
+{
+    const texture::Finish& finish = layer.finish;
+    glm::vec3 sum(0);
+    const auto diffuse = static_cast<double>(behind ? finish.diffuse_back : finish.diffuse);
+    if (diffuse > 0.0) {
+        const double facing = std::abs(glm::dot(layer.normal, l));
+        double intensity = finish.brilliance == 1.0f ? facing : std::pow(facing, static_cast<double>(finish.brilliance));
+        intensity *= diffuse * layer.alpha;
+        intensity -= grain;
+        sum += static_cast<float>(intensity) * layer.pigment.rgb() * color;
+    }
+    if (!behind && highlights && (finish.phong > 0.0f || finish.specular > 0.0f)) {
+        double strength = 0.0;
+        if (finish.phong > 0.0f) strength += texture::phong(finish, layer.direction, layer.normal, l);
+        if (finish.specular > 0.0f) strength += texture::specular(finish, layer.direction, layer.normal, l);
+        if (strength != 0.0)
+            sum += static_cast<float>(strength) * texture::highlight_color(finish, color, layer.pigment, layer.normal, l);
+    }
+    return sum;
+}
+
+}  // namespace trace
