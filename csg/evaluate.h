@@ -303,5 +303,3 @@ private:
 };
 
 }  // namespace csg
-
-#include "csg/front.h"

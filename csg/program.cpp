@@ -167,32 +167,6 @@ std::uint32_t flatten(const Draft& draft, Program& program)
     return max_spans;
 }
 
-bool convex_leaf(const Draft& draft, const SolidStore& store)
-{
-    if (draft.op != Op::Leaf) return false;
-    return with_solid(store, draft.solid, [](const auto& solid) {
-        using T = std::decay_t<decltype(solid)>;
-        if constexpr (std::is_same_v<T, Cylinder>)
-            return !solid.open;
-        else if constexpr (std::is_same_v<T, Cone>)
-            return !solid.open && solid.convex();
-        else
-            return std::is_same_v<T, Sphere> || std::is_same_v<T, Ellipsoid> || std::is_same_v<T, Box> ||
-                   std::is_same_v<T, OrientedBox> || std::is_same_v<T, Plane>;
-    });
-}
-
-bool flat_convex(const Draft& draft, const SolidStore& store)
-{
-    if (draft.op == Op::Leaf) return !draft.inverted && convex_leaf(draft, store);
-    bool any_minuend = false;
-    for (const Draft& operand : draft.operands) {
-        if (!convex_leaf(operand, store)) return false;
-        any_minuend = any_minuend || !operand.inverted;
-    }
-    return draft.op == Op::Intersection && any_minuend;
-}
-
 /// Whether p is inside node i.
 bool contains(const std::vector<Node>& nodes, std::uint32_t i, const SolidStore& store, const glm::dvec3& p)
 {
@@ -218,7 +192,7 @@ Program build(const Tree& tree, const SolidStore& store)
     flatten(draft, program);
     program.bounds = draft.box;
     program.inside_beyond = draft.inside_beyond;
-    program.flat_convex = flat_convex(draft, store);
+    program.flat = flat_form(program, store);
     return program;
 }
 
@@ -230,6 +204,12 @@ void Scratch::grow(const Program& program)
     spans_ = std::make_unique<Span[]>(span_capacity_);
     crossings_ = std::make_unique<Crossing[]>(crossing_capacity_);
     records_ = std::make_unique<Record[]>(record_capacity_);
+}
+
+void Scratch::grow_spans(std::size_t spans)
+{
+    span_capacity_ = std::max(span_capacity_, spans);
+    spans_ = std::make_unique<Span[]>(span_capacity_);
 }
 
 bool contains(const Program& program, const SolidStore& store, const glm::dvec3& p)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/flat.h"
 #include "csg/solid.h"
 
 #include <memory>
@@ -41,7 +42,7 @@ struct Program {
     std::vector<Node> nodes;            ///< empty: nothing to draw, nothing inside
     Aabb bounds;                        ///< world box of everything drawn; empty when nothing is
     bool inside_beyond = false;         ///< the solid goes on outside the bounds
-    bool flat_convex = false;           ///< an intersection of convex solids and inverted ones: the front loop serves
+    FlatForm flat;                      ///< the same as a union of terms, where it can be written so
     std::uint32_t span_memory = 0;      ///< spans of scratch one query needs
     std::uint32_t crossing_memory = 0;  ///< crossings of scratch one query needs
 };
@@ -62,6 +63,24 @@ public:
         record_top_ = 0;
     }
 
+    /// Room for so many spans, for a query that needs nothing else.
+    void prepare(std::uint32_t spans)
+    {
+        if (spans > span_capacity_) grow_spans(spans);
+    }
+
+    /// Keeps a crossing unless it is there already: terms share solids.
+    void add_once(const Crossing& c)
+    {
+        for (std::uint32_t i = 0; i < crossing_top_; ++i)
+            if (crossings_[i].t == c.t && crossings_[i].part == c.part && crossings_[i].face == c.face) return;
+        crossings_[crossing_top_++] = c;
+    }
+    std::pair<const Crossing*, const Crossing*> crossings() const
+    {
+        return {crossings_.get(), crossings_.get() + crossing_top_};
+    }
+
     /// What an operator remembers of one operand while it works.
     struct Record {
         SpanList spans;
@@ -71,8 +90,9 @@ public:
 
 private:
     friend class Evaluation;
-    friend class Front;
+    friend class FlatFront;
     void grow(const Program& program);
+    void grow_spans(std::size_t spans);
     std::unique_ptr<Span[]> spans_;
     std::unique_ptr<Crossing[]> crossings_;
     std::unique_ptr<Record[]> records_;
@@ -85,4 +105,4 @@ bool contains(const Program& program, const SolidStore& store, const glm::dvec3&
 
 }  // namespace csg
 
-#include "csg/evaluate.h"
+#include "csg/front.h"

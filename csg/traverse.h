@@ -31,8 +31,8 @@ public:
         }
     }
 
-    /// Which of a node's boxes the ray meets in [t_min, t_max]; `near` receives where.
-    std::uint32_t meet(const BvhNode& node, float t_min, float t_max, float* near) const
+    /// Which of eight boxes (BvhNode::bounds) the ray meets in [t_min, t_max]; `near` receives where.
+    std::uint32_t meet(const float (&bounds)[6][8], float t_min, float t_max, float* near) const
     {
         using lanes::FloatPart;
         std::uint32_t mask = 0;
@@ -40,9 +40,9 @@ public:
             const int at = part * lanes::kFloatPart;
             FloatPart first(t_min), last(t_max);
             for (int axis = 0; axis < 3; ++axis) {
-                const FloatPart a = (FloatPart::load_aligned(node.bounds[near_row[axis]] + at) - FloatPart(near_origin[axis])) *
+                const FloatPart a = (FloatPart::load_aligned(bounds[near_row[axis]] + at) - FloatPart(near_origin[axis])) *
                                     FloatPart(near_inverse[axis]);
-                const FloatPart b = (FloatPart::load_aligned(node.bounds[far_row[axis]] + at) - FloatPart(far_origin[axis])) *
+                const FloatPart b = (FloatPart::load_aligned(bounds[far_row[axis]] + at) - FloatPart(far_origin[axis])) *
                                     FloatPart(far_inverse[axis]);
                 first = xsimd::max(first, a);
                 last = xsimd::min(last, b);
@@ -85,7 +85,7 @@ inline void traverse(const Bvh& bvh, const Ray& ray, double t_min, double t_max,
         } else {
             const BvhNode& node = bvh.nodes[current.index()];
             alignas(32) float near[8];
-            std::uint32_t mask = slabs.meet(node, begin, limit, near);
+            std::uint32_t mask = slabs.meet(node.bounds, begin, limit, near);
             int best = -1;
             for (; mask != 0; mask &= mask - 1) {
                 const int i = std::countr_zero(mask);

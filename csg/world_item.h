@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/front.h"
 #include "csg/hit.h"
 #include "csg/lanes.h"
 #include "csg/world_data.h"
@@ -56,7 +57,7 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
                         Scratch& scratch)
 {
     if (item.solid == kNoPart) {
-        const Crossing c = Evaluation(world.programs[item.program], world.store, ray, t_min, t_max, scratch).nearest();
+        const Crossing c = nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch);
         if (c.part == kNoPart || !(c.t <= t_max)) return {};
         return hit_of(world.store, c);
     }
@@ -82,8 +83,7 @@ inline void item_crossings(const WorldData& world, const WorldItem& item, const 
                            Scratch& scratch, F&& f)
 {
     if (item.solid == kNoPart) {
-        Evaluation evaluation(world.programs[item.program], world.store, ray, t_min, t_max, scratch);
-        const auto [first, last] = evaluation.crossings();
+        const auto [first, last] = unordered_crossings(world.programs[item.program], world.store, ray, t_min, t_max, scratch);
         for (const Crossing* c = first; c != last; ++c) f(hit_of(world.store, *c));
         return;
     }

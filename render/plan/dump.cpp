@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plan {
 namespace {
 
@@ -24,9 +26,20 @@ std::string leaf(const csg::SolidStore& store, csg::PartId part, bool inverted)
                        csg::index_of(part), look);
 }
 
+/// What the flat form makes of the object (docs/flat_csg.md).
+std::string flat(const csg::FlatForm& form)
+{
+    if (!form.usable()) return "";
+    const std::size_t cuts = static_cast<std::size_t>(
+        std::count_if(form.cuts.begin(), form.cuts.end(), [](const csg::FlatCut& cut) { return cut.count != 0; }));
+    if (form.merged) return fmt::format(", merge of {} solids", cuts);
+    if (form.simple() && cuts == 0) return ", convex";
+    return fmt::format(", flat: {} term{}, {} cut{}", form.terms.size(), form.terms.size() == 1 ? "" : "s", cuts, cuts == 1 ? "" : "s");
+}
+
 void program(const csg::SolidStore& store, const csg::Program& p, std::string& text)
 {
-    text += fmt::format("program{}, {}\n", p.flat_convex ? ", flat and convex" : "", box(p.bounds));
+    text += fmt::format("program{}, {}\n", flat(p.flat), box(p.bounds));
     std::vector<std::uint32_t> open;  // ends of the operators that hold the node
     for (std::uint32_t i = 0; i < p.nodes.size(); ++i) {
         while (!open.empty() && open.back() <= i) open.pop_back();
