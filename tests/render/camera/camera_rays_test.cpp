@@ -1,0 +1,110 @@
+#include "parser/parse.h"
+#include "render/trace/camera_rays.h"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr int kWidth = 8, kHeight = 6;
+
+/// A ray of POV-Ray 3.7.0.10, read from a picture of a sky whose colour is the direction.
+struct Measured {
+    double px, py;
+    bool found;
+    glm::dvec3 direction;
+};
+
+/// data/camera_directions.csv: camera block (quoted), pixel, direction; no direction where the camera has no ray.
+std::map<std::string, std::vector<Measured>> measurements()
+{
+    std::ifstream in(CAMERA_TEST_DATA "/camera_directions.csv");
+    std::map<std::string, std::vector<Measured>> cameras;
+    std::string line;
+    std::getline(in, line);  // the names of the columns
+    while (std::getline(in, line)) {
+        std::size_t at = 0;
+        std::string block;
+        if (line[0] == '"') {
+            at = line.find('"', 1);
+            block = line.substr(1, at - 1);
+            ++at;
+        } else {
+            at = line.find(',');
+            block = line.substr(0, at);
+        }
+        std::vector<std::string> fields;
+        while (at != std::string::npos) {
+            const std::size_t next = line.find(',', at + 1);
+            fields.push_back(line.substr(at + 1, next == std::string::npos ? next : next - at - 1));
+            at = next;
+        }
+        REQUIRE(fields.size() == 5);
+        Measured ray{std::stod(fields[0]), std::stod(fields[1]), fields[2].find_first_of("0123456789") != std::string::npos, {}};
+        if (ray.found) ray.direction = {std::stod(fields[2]), std::stod(fields[3]), std::stod(fields[4])};
+        cameras[block].push_back(ray);
+    }
+    return cameras;
+}
+
+trace::CameraRays camera_of(const std::string& block)
+{
+    parser::Options options;
+    options.image_width = kWidth;
+    options.image_height = kHeight;
+    const auto result = parser::parse_text("#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { " + block + " }\n", "camera.pov", options);
+    return {result.scene.camera, kWidth, kHeight};
+}
+
+}  // namespace
+
+TEST_CASE("every kind of camera sends its rays where POV-Ray's goes", "[trace][camera]")
+{
+    // The measured picture has 16 bits over 3 units, and the list four decimals.
+    constexpr double kMeasured = 1e-4;
+    const auto cameras = measurements();
+    REQUIRE(cameras.size() == 27);
+    for (const auto& [block, rays] : cameras) {
+        INFO("camera { " << block << " }");
+        REQUIRE(rays.size() == kWidth * kHeight);
+        const trace::CameraRays camera = camera_of(block);
+        for (const Measured& measured : rays) {
+            INFO("pixel " << measured.px << ", " << measured.py);
+            csg::Ray ray;
+            const bool found = camera.ray(measured.px, measured.py, ray);
+            CHECK(found == measured.found);
+            if (!found || !measured.found) continue;
+            CHECK(glm::length(ray.direction) == Approx(1.0).epsilon(1e-14));
+            CHECK(glm::length(ray.direction - measured.direction) < kMeasured);
+        }
+    }
+}
+
+TEST_CASE("rays of a camera with one eye start there", "[trace][camera]")
+{
+    for (const char* block : {"", "fisheye angle 360 right x up y", "ultra_wide_angle angle 140", "omnimax", "panoramic", "cylinder 1", "cylinder 2", "spherical"}) {
+        INFO("camera { " << block << " }");
+        const trace::CameraRays camera = camera_of(std::string(block) + " translate <1, 2, 3>");
+        CHECK(camera.common_origin());
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x)
+                if (csg::Ray ray; camera.ray(x, y, ray)) CHECK(ray.origin == glm::dvec3(1, 2, 3));
+    }
+    for (const char* block : {"orthographic", "cylinder 3", "cylinder 4"}) CHECK_FALSE(camera_of(block).common_origin());
+}
+
+TEST_CASE("orthographic rays are parallel and start in the picture's plane", "[trace][camera]")
+{
+    const trace::CameraRays camera = camera_of("orthographic location <0, 0, -5> right 8*x up 6*y direction z");
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            csg::Ray ray;
+            REQUIRE(camera.ray(x, y, ray));
+            CHECK(ray.direction == glm::dvec3(0, 0, 1));
+            CHECK(glm::length(ray.origin - glm::dvec3(x - 3.5, 2.5 - y, -5)) < 1e-12);
+        }
+}
