@@ -7,6 +7,8 @@ namespace parser {
 
 /// Operand with signs and component access: `-V.y`, `!a`, `(a < b)`, `<1, 2>`, `sin(x)`.
 Tuple read_factor(TokenStream& stream, int requested);
+/// `.x` and the like after an operand, if there.
+void select_component(TokenStream& stream, Tuple& value, int requested);
 /// Functions and constants that begin with the reserved word `word`, already taken.
 double read_float_word(TokenStream& stream, const Token& word);
 glm::dvec3 read_vector_word(TokenStream& stream, const Token& word);
@@ -16,7 +18,6 @@ Tuple replicated(double value, int requested);
 std::shared_ptr<const scene::Object> read_object_identifier(TokenStream& stream);
 /// Truncation towards zero to 32 bits; what does not fit (or is no number) becomes the smallest value.
 std::int32_t to_int32(double value);
-/// Resolves escapes of a raw string token.
 inline constexpr double kSame = 1e-10;  ///< comparisons and truth: values nearer than this are equal
 
 }  // namespace parser
