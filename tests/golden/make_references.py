@@ -18,7 +18,8 @@ import sys
 VERSION = "3.7.0.10"
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-CASE = re.compile(r"^golden_case\((\S+) SIZE (\d+)x(\d+)(?: AGREE [\d.]+)?(?: SWITCHES ((?:(?! SHOULDFAIL)[^)])*))?(?: SHOULDFAIL "[^"]*")?\)", re.M)
+CASE = re.compile(r'''^golden_case\((\S+) SIZE (\d+)x(\d+)(?: AGREE [\d.]+)?(?: SWITCHES ((?:(?! SHOULDFAIL)[^)])*))?'''
+                  r'''(?: SHOULDFAIL "[^"]*")?\)''', re.M)
 
 
 def version_of(povray):
@@ -55,7 +56,10 @@ def main():
     parser.add_argument("--povray", default="povray")
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
-    cases = CASE.findall((HERE / "CMakeLists.txt").read_text())
+    text = (HERE / "CMakeLists.txt").read_text()
+    cases = CASE.findall(text)
+    if len(cases) != len(re.findall(r"^golden_case\(", text, re.M)):
+        sys.exit("a golden_case line of CMakeLists.txt is not understood")
     unknown = set(options.names) - {case[0] for case in cases}
     if unknown:
         sys.exit("no golden_case for " + ", ".join(sorted(unknown)))
