@@ -1,5 +1,7 @@
 #include "render/trace/camera_rays.h"
 
+#include "csg/lanes.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -81,6 +83,27 @@ bool CameraRays::ray(double px, double py, csg::Ray& out) const
     if (!(length > 0)) return false;
     out.direction /= length;
     return true;
+}
+
+bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& rays) const
+{
+    using csg::lanes::Double;
+    const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
+    std::uint32_t long_enough = ~0u;
+    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+        const Double u = (Double::load_aligned(px + i) + Double(0.5)) / Double(width_) - Double(0.5);
+        const Double v = (Double(height_ - 0.5) - Double::load_aligned(py + i)) / Double(height_) - Double(0.5);
+        const Double x = Double(d.x) + u * Double(r.x) + v * Double(up.x);
+        const Double y = Double(d.y) + u * Double(r.y) + v * Double(up.y);
+        const Double z = Double(d.z) + u * Double(r.z) + v * Double(up.z);
+        const Double length = xsimd::sqrt(x * x + y * y + z * z);
+        long_enough &= csg::lanes::mask(length > Double(0.0));
+        (x / length).store_aligned(rays.dx.data() + i);
+        (y / length).store_aligned(rays.dy.data() + i);
+        (z / length).store_aligned(rays.dz.data() + i);
+    }
+    constexpr std::uint32_t kAll = (1u << csg::lanes::kDoubles) - 1u;
+    return (long_enough & kAll) == kAll;
 }
 
 glm::dvec3 CameraRays::polar(double theta, double a, double b) const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/types.h"
+#include "csg/hit.h"
 #include "render/scene/description.h"
 
 namespace trace {
@@ -13,6 +13,10 @@ public:
 
     /// False for a sample without a ray (outside a fisheye's circle): it is black with transmit 1.
     bool ray(double px, double py, csg::Ray& out) const;
+
+    /// Directions of a perspective camera's samples at (px[i], py[i]), i < rays.count, in vector lanes; the same bits as
+    /// from ray(). Reads up to a multiple of 8. False if one of them has no length.
+    bool perspective(const double* px, const double* py, csg::RayTile& rays) const;
 
     /// All rays start in the eye: a tile of them is a beam.
     bool common_origin() const { return common_origin_; }

@@ -20,6 +20,12 @@ public:
     explicit BlockTracer(const plan::CompiledScene& scene)
         : scene_(scene), world_(scene.world()), camera_(scene.camera, scene.options.width, scene.options.height)
     {
+        // A perspective camera's tiles differ in nothing but their directions.
+        rays_.ox.fill(scene.camera.location.x);
+        rays_.oy.fill(scene.camera.location.y);
+        rays_.oz.fill(scene.camera.location.z);
+        rays_.t_min.fill(kCameraMinDistance);
+        rays_.t_max.fill(csg::kInfinity);
     }
 
     void trace(const Block& block, scene::Color* out)
@@ -67,33 +73,43 @@ private:
         }
     }
 
-    void begin_tile()
-    {
-        rays_.count = 0;
-        rays_.common_origin = camera_.common_origin();
-    }
+    void begin_tile() { samples_ = 0; }
 
     void add_sample(const SamplePosition& p, scene::Color* out)
     {
-        csg::Ray ray;
-        if (!camera_.ray(p.x, p.y, ray)) {
-            *out = {0, 0, 0, 0, 1};  // no ray: black, and clear where alpha is asked for (spec 2, 4.10)
-            return;
+        const auto k = static_cast<std::size_t>(samples_++);
+        x_[k] = p.x;
+        y_[k] = p.y;
+        targets_[k] = out;
+    }
+
+    /// A perspective camera's rays in vector lanes; for the others one by one, and not every sample has one.
+    void make_rays()
+    {
+        rays_.common_origin = camera_.common_origin();
+        rays_.count = samples_;
+        if (camera_.flat_projection() && camera_.perspective(x_.data(), y_.data(), rays_)) return;
+        rays_.count = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i) {
+            csg::Ray ray;
+            if (!camera_.ray(x_[i], y_[i], ray)) {
+                *targets_[i] = {0, 0, 0, 0, 1};  // no ray: black, and clear where alpha is asked for (spec 2, 4.10)
+                continue;
+            }
+            const auto k = static_cast<std::size_t>(rays_.count++);
+            rays_.ox[k] = ray.origin.x;
+            rays_.oy[k] = ray.origin.y;
+            rays_.oz[k] = ray.origin.z;
+            rays_.dx[k] = ray.direction.x;
+            rays_.dy[k] = ray.direction.y;
+            rays_.dz[k] = ray.direction.z;
+            targets_[k] = targets_[i];
         }
-        const auto i = static_cast<std::size_t>(rays_.count++);
-        rays_.ox[i] = ray.origin.x;
-        rays_.oy[i] = ray.origin.y;
-        rays_.oz[i] = ray.origin.z;
-        rays_.dx[i] = ray.direction.x;
-        rays_.dy[i] = ray.direction.y;
-        rays_.dz[i] = ray.direction.z;
-        rays_.t_min[i] = kCameraMinDistance;
-        rays_.t_max[i] = csg::kInfinity;
-        targets_[i] = out;
     }
 
     void finish_tile()
     {
+        make_rays();
         if (rays_.count == 0) return;
         scratch_.counts.camera += static_cast<std::uint64_t>(rays_.count);
         world_.nearest(rays_, bit(plan::RayKind::Image), scratch_.geometry, hits_);
@@ -109,6 +125,8 @@ private:
     CameraRays camera_;
     Scratch scratch_;
     AntialiasScratch antialias_;
+    alignas(64) std::array<double, kTileRays> x_{}, y_{};   ///< sample positions of the tile at hand
+    int samples_ = 0;
     RayTile rays_;
     HitTile hits_;
     scene::Color colors_[kTileRays];
