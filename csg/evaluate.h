@@ -1,6 +1,7 @@
 #pragma once
 
 // Continues program.h: evaluation along one ray, inline because it is compiled once per instruction set.
+#include "csg/mesh_query.h"
 #include "csg/program.h"
 
 #include <algorithm>
@@ -82,7 +83,9 @@ private:
                 // POV-Ray negates an inverted quadric's coefficients and its normal too: the normal stays (spec 5a, 2.5).
                 const bool turned = node.inverted && !std::is_same_v<T, Quadric>;
                 const bool closed = holds_surface(solid, node.inverted);
-                if (!node.inverted) {
+                if constexpr (std::is_same_v<T, Mesh>) {
+                    solid.spans(ray_, node.inverted, out);
+                } else if (!node.inverted) {
                     intersect(solid, ray_, out);
                 } else {
                     Span plain[4];
@@ -99,6 +102,12 @@ private:
         });
     }
 
+    /// Whether the leaf may draw where it has no span.
+    static bool drawn_without_span(const Node& node)
+    {
+        return kind_of(node.solid) == SolidKind::Triangle || kind_of(node.solid) == SolidKind::Mesh;
+    }
+
     void add(const Crossing& crossing)
     {
         if (crossing.drawn() && crossing.t >= t_min_ && crossing.t <= t_max_)
@@ -108,6 +117,7 @@ private:
     /// What a leaf draws: the ends of its spans, and what has no span to end.
     void leaf_crossings(const Node& node, const SpanList& spans)
     {
+        if (kind_of(node.solid) == SolidKind::Mesh) return mesh_crossings(node);
         for (const Span& span : spans) {
             add(span.in);
             add(span.out);
@@ -123,6 +133,17 @@ private:
             const int n = torus.inner_sheet(ray_, t);
             for (int i = 0; i < n; ++i) add({.t = t[i], .part = node.solid, .inverted = node.inverted, .closed = true});
         }
+    }
+
+    /// Every face is drawn, whether it bounds a span or not.
+    void mesh_crossings(const Node& node)
+    {
+        const Mesh& mesh = store_.all<Mesh>()[index_of(node.solid)];
+        std::uint32_t left = mesh.most_crossings();
+        csg::mesh_crossings(*mesh.shape, local_ray(mesh.frame, ray_), t_min_, t_max_, [&](double t, std::uint32_t face) {
+            add({.t = t, .part = node.solid, .face = face, .inverted = node.inverted, .closed = !node.inverted});
+            return --left > 0 ? t_max_ : -kInfinity;
+        });
     }
 
     /// Inside spans of node i into `out`, which is empty and holds max_spans of it.
@@ -231,7 +252,7 @@ private:
         record.known = true;
         leaf_spans(node, record.spans);
         leaf_crossings(node, record.spans);
-        return !stop_if_empty || !record.spans.empty() || kind_of(node.solid) == SolidKind::Triangle;
+        return !stop_if_empty || !record.spans.empty() || drawn_without_span(node);
     }
 
     /// Drops the crossings from `first` on that do not belong to operand k and are not inside (or not outside) it.

@@ -23,6 +23,7 @@ struct HitDetails {
     glm::dvec3 point;               ///< world
     glm::dvec3 normal;              ///< raw outward normal, unit length, negated if inverted; not yet turned to the viewer
     glm::dvec2 uv{0};               ///< only where Surface::uv_mapping asks for it
+    glm::vec3 weights{1, 0, 0};     ///< how near the corners of a mesh's face are; sums to 1
 };
 
 inline constexpr int kTileSide = 8;

@@ -25,6 +25,14 @@ bool apart(const Aabb& a, const Aabb& b)
     return a.intersected(b).empty();
 }
 
+/// Whether a solid has an inside at all.
+template <class T>
+bool bounds_space(const T& solid)
+{
+    if constexpr (std::is_same_v<T, Mesh>) return solid.solid();
+    return !std::is_same_v<T, Triangle>;
+}
+
 Draft leaf(PartId part, bool inverted, const SolidStore& store)
 {
     Draft made{.solid = part, .inverted = inverted};
@@ -35,7 +43,7 @@ Draft leaf(PartId part, bool inverted, const SolidStore& store)
             made.box = made.half_space->bounds();
         } else {
             made.box = solid.bounds();
-            made.inside_beyond = inverted && !std::is_same_v<T, Triangle>;
+            made.inside_beyond = inverted && bounds_space(solid);
         }
     });
     return made;
@@ -139,17 +147,28 @@ bool box_worth_testing(const Draft& draft)
     if (draft.op != Op::Leaf) return true;
     const SolidKind kind = kind_of(draft.solid);
     return kind == SolidKind::Torus || kind == SolidKind::Quadric || kind == SolidKind::Cone ||
-           kind == SolidKind::Cylinder || kind == SolidKind::OrientedBox || kind == SolidKind::Ellipsoid;
+           kind == SolidKind::Cylinder || kind == SolidKind::OrientedBox || kind == SolidKind::Ellipsoid ||
+           kind == SolidKind::Mesh;
+}
+
+std::uint32_t leaf_spans(PartId part, const SolidStore& store)
+{
+    return kind_of(part) == SolidKind::Mesh ? store.all<Mesh>()[index_of(part)].most_spans() : 3;
+}
+
+std::uint32_t leaf_crossings(PartId part, const SolidStore& store)
+{
+    return kind_of(part) == SolidKind::Mesh ? store.all<Mesh>()[index_of(part)].most_crossings() : 8;
 }
 
 /// Appends the draft's nodes; returns how many spans it may have.
-std::uint32_t flatten(const Draft& draft, Program& program)
+std::uint32_t flatten(const Draft& draft, const SolidStore& store, Program& program)
 {
     const std::size_t at = program.nodes.size();
     program.nodes.emplace_back();
     std::uint32_t max_spans = 1;
-    if (draft.op == Op::Leaf) max_spans = 3;
-    for (const Draft& operand : draft.operands) max_spans += flatten(operand, program);
+    if (draft.op == Op::Leaf) max_spans = leaf_spans(draft.solid, store);
+    for (const Draft& operand : draft.operands) max_spans += flatten(operand, store, program);
     Node& node = program.nodes[at];
     for (int i = 0; i < 3; ++i) {
         node.lower[static_cast<std::size_t>(i)] = down(draft.box.lower[i]);
@@ -163,7 +182,7 @@ std::uint32_t flatten(const Draft& draft, Program& program)
     node.inside_beyond = draft.inside_beyond;
     node.test_box = box_worth_testing(draft);
     program.span_memory += 3 * max_spans;  // an operator's operand and two buffers, or a leaf's own
-    program.crossing_memory += draft.op == Op::Leaf ? 8 : 0;
+    program.crossing_memory += draft.op == Op::Leaf ? leaf_crossings(draft.solid, store) : 0;
     return max_spans;
 }
 
@@ -189,7 +208,7 @@ Program build(const Tree& tree, const SolidStore& store)
     Program program;
     if (draft.op != Op::Leaf && draft.operands.empty()) return program;
     if (draft.op == Op::Leaf && draft.solid == kNoPart) return program;
-    flatten(draft, program);
+    flatten(draft, store, program);
     program.bounds = draft.box;
     program.inside_beyond = draft.inside_beyond;
     program.flat = flat_form(program, store);

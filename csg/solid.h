@@ -4,6 +4,7 @@
 #include "csg/solids/cone.h"
 #include "csg/solids/cylinder.h"
 #include "csg/solids/disc.h"
+#include "csg/solids/mesh.h"
 #include "csg/solids/plane.h"
 #include "csg/solids/quadric.h"
 #include "csg/solids/sphere.h"
@@ -20,10 +21,10 @@ namespace csg {
 
 /// Closed on purpose: visitors have no catch-all, so the compiler lists what a new solid lacks. The order is that of
 /// SolidKind.
-using Solid = std::variant<Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle>;
+using Solid = std::variant<Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh>;
 
 enum class SolidKind : std::uint32_t {
-    Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle
+    Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh
 };
 inline constexpr std::uint32_t kSolidKinds = std::variant_size_v<Solid>;
 
@@ -46,12 +47,17 @@ public:
     const std::vector<T>& all() const { return std::get<std::vector<T>>(solids_); }
     const std::vector<SurfaceId>& surfaces(SolidKind kind) const { return surfaces_[static_cast<std::uint32_t>(kind)]; }
     SurfaceId surface(PartId part) const { return surfaces(kind_of(part))[index_of(part)]; }
+    /// Of a face: those of a mesh may differ.
+    SurfaceId surface(PartId part, std::uint32_t face) const
+    {
+        return kind_of(part) == SolidKind::Mesh ? all<Mesh>()[index_of(part)].surface(face) : surface(part);
+    }
     Solid get(PartId part) const;
 
 private:
     std::tuple<std::vector<Sphere>, std::vector<Ellipsoid>, std::vector<Box>, std::vector<OrientedBox>,
                std::vector<Plane>, std::vector<Cylinder>, std::vector<Cone>, std::vector<Torus>, std::vector<Quadric>,
-               std::vector<Disc>, std::vector<Triangle>> solids_;
+               std::vector<Disc>, std::vector<Triangle>, std::vector<Mesh>> solids_;
     std::array<std::vector<SurfaceId>, kSolidKinds> surfaces_;
 };
 
@@ -72,6 +78,7 @@ inline decltype(auto) with_solid(const SolidStore& store, PartId part, F&& f)
         case SolidKind::Quadric: return f(store.all<Quadric>()[i]);
         case SolidKind::Disc: return f(store.all<Disc>()[i]);
         case SolidKind::Triangle: return f(store.all<Triangle>()[i]);
+        case SolidKind::Mesh: return f(store.all<Mesh>()[i]);
     }
     std::abort();
 }

@@ -104,6 +104,10 @@ HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
     out.point = ray.at(hit.t);
     out.normal = normal_at(data_->store, hit.part, hit.face, hit.inverted, out.point);
     if (with_uv) out.uv = uv_at(data_->store, hit.part, hit.face, out.point);
+    if (kind_of(hit.part) == SolidKind::Mesh) {
+        const Mesh& mesh = data_->store.all<Mesh>()[index_of(hit.part)];
+        if (mesh.blends) out.weights = glm::vec3(mesh.weights(out.point, hit.face));
+    }
     return out;
 }
 

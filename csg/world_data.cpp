@@ -2,6 +2,7 @@
 
 #include "csg/ball_bounds.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace csg {
@@ -12,6 +13,7 @@ Aabb drawn_bounds(const WorldData& world, const WorldItem& item)
 {
     if (item.solid == kNoPart) return lens_bounds(world.programs[item.program], world.store);
     if (kind_of(item.solid) == SolidKind::Disc) return world.store.all<Disc>()[index_of(item.solid)].drawn_bounds();
+    if (kind_of(item.solid) == SolidKind::Mesh) return world.store.all<Mesh>()[index_of(item.solid)].drawn_bounds();
     return with_solid(world.store, item.solid, [](const auto& solid) { return solid.bounds(); });
 }
 
@@ -27,9 +29,13 @@ LeafKind leaf_kind(const WorldItem& item)
 
 bool all_opaque(const WorldData& world, const WorldItem& item)
 {
-    const auto opaque = [&](PartId part) {
-        const SurfaceId surface = world.store.surface(part);
+    const auto stops = [&](SurfaceId surface) {
         return surface < world.surface_opaque.size() && world.surface_opaque[surface] != 0;
+    };
+    const auto opaque = [&](PartId part) {
+        if (kind_of(part) != SolidKind::Mesh) return stops(world.store.surface(part));
+        const auto& surfaces = world.store.all<Mesh>()[index_of(part)].surfaces;
+        return std::all_of(surfaces.begin(), surfaces.end(), stops);
     };
     if (item.solid != kNoPart) return opaque(item.solid);
     for (const Node& node : world.programs[item.program].nodes)

@@ -3,6 +3,7 @@
 #include "csg/front.h"
 #include "csg/hit.h"
 #include "csg/lanes.h"
+#include "csg/mesh_query.h"
 #include "csg/world_data.h"
 
 /// One item against one ray. Compiled once per instruction set.
@@ -10,7 +11,7 @@ namespace csg {
 
 inline Hit hit_of(const SolidStore& store, const Crossing& c)
 {
-    return {c.t, store.surface(c.part), c.part, c.face, c.inverted};
+    return {c.t, store.surface(c.part, c.face), c.part, c.face, c.inverted};
 }
 
 /// A lone solid's crossings in [t_min, t_max]: f(t, face) for each drawn one, in POV-Ray's order of generation where that
@@ -26,6 +27,11 @@ inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray
         if constexpr (std::is_same_v<T, Triangle>) {
             double t = 0.0;
             if (solid.crossing(ray, t)) offer(t, 0);
+        } else if constexpr (std::is_same_v<T, Mesh>) {
+            mesh_crossings(*solid.shape, local_ray(solid.frame, ray), t_min, t_max, [&](double t, std::uint32_t face) {
+                offer(t, face);
+                return t_max;
+            });
         } else if constexpr (requires { solid.intersect(ray, std::declval<SpanList&>()); }) {
             Span memory[4];
             SpanList spans(memory, 4);
@@ -52,6 +58,24 @@ inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray
 /// Whether an inverted solid's normal is turned: a quadric's is negated twice (spec 5a, 2.5).
 inline bool turned(const WorldItem& item) { return item.inverted && kind_of(item.solid) != SolidKind::Quadric; }
 
+/// The nearest face of a mesh in [t_min, t_max]; at equal t the one in the first place, whatever the way there.
+inline Hit mesh_nearest(const SolidStore& store, PartId part, const Ray& ray, double t_min, double t_max)
+{
+    const Mesh& mesh = store.all<Mesh>()[index_of(part)];
+    Hit best;
+    mesh_crossings(*mesh.shape, local_ray(mesh.frame, ray), t_min, t_max, [&](double t, std::uint32_t face) {
+        if (t < best.t || (t == best.t && face < best.face)) {
+            best.t = t;
+            best.face = face;
+        }
+        return best.t;
+    });
+    if (!(best.t < kInfinity)) return {};
+    best.part = part;
+    best.surface = mesh.surface(best.face);
+    return best;
+}
+
 /// The nearest crossing of an item in [t_min, t_max]; at equal t the last generated (spec 5a, 2.1).
 inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
                         Scratch& scratch)
@@ -60,6 +84,11 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
         const Crossing c = nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch);
         if (c.part == kNoPart || !(c.t <= t_max)) return {};
         return hit_of(world.store, c);
+    }
+    if (kind_of(item.solid) == SolidKind::Mesh) {
+        Hit hit = mesh_nearest(world.store, item.solid, ray, t_min, t_max);
+        hit.inverted = item.inverted;
+        return hit;
     }
     Hit best;
     double limit = t_max;
@@ -87,9 +116,8 @@ inline void item_crossings(const WorldData& world, const WorldItem& item, const 
         for (const Crossing* c = first; c != last; ++c) f(hit_of(world.store, *c));
         return;
     }
-    const SurfaceId surface = world.store.surface(item.solid);
     solid_crossings(world.store, item.solid, ray, t_min, t_max, [&](double t, std::uint32_t face) {
-        f(Hit{t, surface, item.solid, face, turned(item)});
+        f(Hit{t, world.store.surface(item.solid, face), item.solid, face, turned(item)});
     });
 }
 

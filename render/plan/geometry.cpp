@@ -55,7 +55,7 @@ void GeometryCompiler::finish()
     out_.geometry.surface_opaque.clear();
     for (Surface& s : out_.surfaces) {
         const auto opaque = [&](std::uint32_t texture) { return texture == kNone || out_.textures.textures[texture].opaque; };
-        s.opaque = opaque(s.texture) && opaque(s.interior_texture);
+        s.opaque = opaque(s.texture) && opaque(s.interior_texture) && opaque(s.corner_textures[0]) && opaque(s.corner_textures[1]);
         out_.geometry.surface_opaque.push_back(s.opaque ? 1 : 0);
     }
     out_.geometry.finish();
@@ -107,7 +107,8 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
     csg::WorldData& world = out_.geometry;
     const bool clipped = !object.clipped_by.empty();
     if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh != nullptr && !clipped) {
-        for (const csg::PartId part : mesh_parts(*mesh->data, own, own.to_world)) world.add_solid(part, false, object_, visible(own));
+        const csg::PartId part = mesh_part(*mesh, own);
+        world.add_solid(part, object.inverse && mesh_is_solid(*mesh->data), object_, visible(own));
         return;
     }
     if (!std::holds_alternative<scene::Csg>(object.shape) && !std::holds_alternative<scene::Mesh>(object.shape) && !clipped) {
@@ -129,7 +130,7 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
         made = csg_tree(*csg, own);
     } else if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
-        made = mesh_tree(*mesh->data, own, own.to_world);
+        made = csg::Tree::leaf(mesh_part(*mesh, own));
     } else {
         const csg::SurfaceId id = clipping_ ? csg::kNoSurface : surface(own);
         made = csg::Tree::leaf(out_.geometry.store.add(world_solid(object.shape, own.to_world), id));
@@ -171,34 +172,6 @@ csg::Tree GeometryCompiler::clip_tree(const scene::Object& clip, const csg::Tran
     return made;
 }
 
-csg::Tree GeometryCompiler::mesh_tree(const scene::MeshData& mesh, const Inherited& own, const csg::Transform& to_world)
-{
-    csg::Tree made;
-    made.op = csg::Tree::Op::Union;
-    for (const csg::PartId part : mesh_parts(mesh, own, to_world)) made.operands.push_back(csg::Tree::leaf(part));
-    return made;
-}
-
-std::vector<csg::PartId> GeometryCompiler::mesh_parts(const scene::MeshData& mesh, const Inherited& own,
-                                                      const csg::Transform& to_world)
-{
-    constexpr std::uint32_t kOwn = scene::MeshData::kNone;
-    std::map<std::uint32_t, csg::SurfaceId> surfaces;  // by texture of the mesh
-    std::vector<csg::PartId> parts;
-    parts.reserve(mesh.faces.size());
-    for (const scene::MeshData::Face& face : mesh.faces) {
-        const std::uint32_t texture = face.texture[0];
-        auto known = surfaces.find(texture);
-        if (known == surfaces.end()) {
-            Inherited of_face = own;
-            if (texture != kOwn) of_face.texture = own.uv_mapping ? mesh.textures[texture] : moved(mesh.textures[texture], to_world);
-            known = surfaces.emplace(texture, clipping_ ? csg::kNoSurface : surface(of_face)).first;
-        }
-        parts.push_back(out_.geometry.store.add(world_triangle(mesh, face, to_world), known->second));
-    }
-    return parts;
-}
-
 void GeometryCompiler::collect_lights(const scene::Object& object, const Inherited& above)
 {
     if (const auto* light = std::get_if<scene::Light>(&object.shape)) {
@@ -224,12 +197,14 @@ void GeometryCompiler::add_light(const scene::Light& light, const scene::Object&
     automatic_interiors_.clear();
 }
 
-csg::SurfaceId GeometryCompiler::surface(const Inherited& own)
+csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners)
 {
     const scene::TexturePtr& texture = own.texture ? own.texture : default_texture_;
     Surface s;
     s.texture = textures_.texture(texture);
     s.interior_texture = own.interior_texture ? textures_.texture(own.interior_texture) : kNone;
+    for (std::size_t k = 0; k < 2; ++k)
+        if (corners[k]) s.corner_textures[k] = textures_.texture(corners[k]);
     s.interior = interior(own, texture);
     s.object = object_;
     s.no_shadow = own.no_shadow;
@@ -240,7 +215,8 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own)
     const std::uint32_t flags = (s.no_shadow ? 1u : 0u) | (s.no_image ? 2u : 0u) | (s.no_reflection ? 4u : 0u) |
                                 (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u);
     const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
-    const auto [known, fresh] = known_surfaces_.try_emplace({s.texture, s.interior_texture, s.interior, s.object, flags}, id);
+    const auto [known, fresh] = known_surfaces_.try_emplace(
+        {s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0], s.corner_textures[1]}, id);
     if (fresh) out_.surfaces.push_back(s);
     return known->second;
 }

@@ -12,6 +12,9 @@ namespace plan {
 /// Lights stand among the operands of a CSG object and are collected apart.
 inline bool is_light(const scene::Object& object) { return std::holds_alternative<scene::Light>(object.shape); }
 
+/// Whether a mesh has an inside.
+bool mesh_is_solid(const scene::MeshData& mesh);
+
 /// Whether an untextured operand of a difference or intersection with cutaway_textures shows what is cut (spec 5a, 8.3).
 bool takes_cut_texture(const scene::Object& operand, bool subtracted);
 
@@ -45,13 +48,22 @@ private:
     csg::Tree cut_parts(const scene::Csg& csg, const scene::Csg& parts, const scene::Object& whole, const Inherited& own,
                         const Inherited& of_whole);
     scene::TexturePtr cut_texture(const scene::Object& object, const Inherited& own);
-    csg::Tree mesh_tree(const scene::MeshData& mesh, const Inherited& own, const csg::Transform& to_world);
-    std::vector<csg::PartId> mesh_parts(const scene::MeshData& mesh, const Inherited& own, const csg::Transform& to_world);
     csg::Tree clip_tree(const scene::Object& clip, const csg::Transform& to_world);
     void collect_lights(const scene::Object& object, const Inherited& above);
     void add_light(const scene::Light& light, const scene::Object& object, const Inherited& above);
 
-    csg::SurfaceId surface(const Inherited& own);
+    /// `corners`: what the second and the third corner of a mesh's faces show, if another texture.
+    csg::SurfaceId surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners = {});
+
+    /// A mesh that several objects may show, and the textures of its faces' corners (null: the object's) by slot.
+    struct SharedMesh {
+        std::shared_ptr<const scene::MeshData> source;
+        std::shared_ptr<const csg::MeshShape> shape;
+        std::vector<std::array<scene::TexturePtr, 3>> slots;
+    };
+    const SharedMesh& shared_mesh(const std::shared_ptr<const scene::MeshData>& mesh);
+    csg::PartId mesh_part(const scene::Mesh& mesh, const Inherited& own);
+    csg::SurfaceId mesh_surface(const std::array<scene::TexturePtr, 3>& corners, const Inherited& own);
     std::uint32_t interior(const Inherited& own, const scene::TexturePtr& texture);
     scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
     std::uint8_t visible(const Inherited& own) const;
@@ -68,13 +80,14 @@ private:
     bool clipping_ = false;                      ///< inside a clip: nothing is drawn, no surface is made
     /// Interiors made for the statement at hand where the text gives none: by texture with a legacy finish, else null.
     std::map<const scene::Texture*, std::uint32_t> automatic_interiors_;
-    using SurfaceKey = std::array<std::uint32_t, 5>;
+    using SurfaceKey = std::array<std::uint32_t, 7>;
     std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
     struct Moved {
         csg::Transform by;
         scene::TexturePtr from, to;
     };
     std::unordered_map<const scene::Texture*, std::vector<Moved>> moved_;
+    std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
     std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0;
 };
 

@@ -66,7 +66,7 @@ struct ToWorld {
         if (!s.smooth) return csg::Triangle::make(corners);
         return csg::Triangle::make(corners, {t.normal(s.normal[0]), t.normal(s.normal[1]), t.normal(s.normal[2])});
     }
-    csg::Solid operator()(const scene::Mesh&) const { throw std::logic_error("a mesh is many solids"); }
+    csg::Solid operator()(const scene::Mesh&) const { throw std::logic_error("a mesh is shared, and made by GeometryCompiler"); }
     csg::Solid operator()(const scene::Csg&) const { throw std::logic_error("a CSG object is many solids"); }
     csg::Solid operator()(const scene::Light&) const { throw std::logic_error("a light is no solid"); }
 };
@@ -74,25 +74,5 @@ struct ToWorld {
 }  // namespace
 
 csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world) { return std::visit(ToWorld{to_world}, shape); }
-
-csg::Triangle world_triangle(const scene::MeshData& mesh, const scene::MeshData::Face& face, const csg::Transform& to_world)
-{
-    // Closer normals than this (squared, of unit normals) do not bend a face: it is shaded flat (spec 5b, 3.4).
-    constexpr double kSameNormal = 1e-10;
-    std::array<glm::dvec3, 3> corner;
-    for (std::size_t k = 0; k < 3; ++k) corner[k] = to_world.point(mesh.vertices[face.vertex[k]]);
-    // The normal of the written winding is (corner 2 - corner 0) x (corner 1 - corner 0) in the space of the mesh, and a
-    // mirroring transformation takes it along.
-    const bool mirrored = glm::determinant(to_world.linear) < 0.0;
-    const std::size_t second = mirrored ? 1 : 2, third = mirrored ? 2 : 1;
-    corner = {corner[0], corner[second], corner[third]};
-    if (face.normal[0] == scene::MeshData::kNone) return csg::Triangle::make(corner);
-    const auto unit = [&](std::size_t k) { return csg::unit_or_x(mesh.normals[face.normal[k]]); };
-    const std::array<glm::dvec3, 3> n{unit(0), unit(1), unit(2)};
-    const glm::dvec3 a = n[0] - n[1], b = n[0] - n[2];
-    if (!(glm::dot(a, a) > kSameNormal || glm::dot(b, b) > kSameNormal)) return csg::Triangle::make(corner);
-    // Of unit length in the space of the mesh: what a transformation does to their lengths weighs them.
-    return csg::Triangle::make(corner, {to_world.normal(n[0]), to_world.normal(n[second]), to_world.normal(n[third])});
-}
 
 }  // namespace plan

@@ -8,7 +8,4 @@ namespace plan {
 /// A described primitive in world space. Not for meshes, CSG and lights.
 csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world);
 
-/// A triangle of a mesh in world space.
-csg::Triangle world_triangle(const scene::MeshData& mesh, const scene::MeshData::Face& face, const csg::Transform& to_world);
-
 }  // namespace plan

@@ -2,6 +2,7 @@
 
 #include "csg/types.h"
 
+#include <array>
 #include <cstdint>
 
 namespace plan {
@@ -12,12 +13,15 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 /// Two leaves of one object share an entry; two objects never share an interior they did not share in the text.
 struct Surface {
     std::uint32_t texture = kNone;           ///< index into TextureSet::textures; kNone: contributes black
+    /// What the second and third corner of a mesh's face show, mixed with `texture` by nearness; kNone: `texture` alone.
+    std::array<std::uint32_t, 2> corner_textures{kNone, kNone};
     std::uint32_t interior_texture = kNone;  ///< used when the raw normal faces along the ray
     std::uint32_t interior = kNone;          ///< index into CompiledScene::interiors; identity decides refraction
     std::uint32_t object = kNone;            ///< top-level object after splitting unions, in order of declaration
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
     bool opaque = true;                      ///< spec 3, 13.2: a shadow ray may stop here
     bool uv_mapping = false;
+    bool blends() const { return corner_textures[0] != kNone; }
 };
 
 /// Which kind of ray asks; objects hide from some (spec 3, 14).

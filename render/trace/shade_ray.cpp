@@ -48,6 +48,22 @@ scene::Color average(Context& context, HitContext& hit, const texture::Texture& 
     return {sum.red / weights, sum.green / weights, sum.blue / weights, sum.filter / weights, sum.transmit / weights};
 }
 
+/// The textures of a face's three corners. What weighs less than adc_bailout is left out, the rest as it is (spec 5b, 3.5).
+scene::Color corner_blend(Context& context, HitContext& hit, const glm::vec3& weights, const glm::dvec3& p)
+{
+    const plan::Surface& surface = hit.surface;
+    const std::array<std::uint32_t, 3> textures{surface.texture, surface.corner_textures[0], surface.corner_textures[1]};
+    scene::Color sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float w = weights[static_cast<int>(k)];
+        if (static_cast<double>(w) < context.scene.settings.adc_bailout) continue;
+        const scene::Color c = shade_texture(context, hit, textures[k], p);
+        sum = {sum.red + w * c.red, sum.green + w * c.green, sum.blue + w * c.blue, sum.filter + w * c.filter,
+               sum.transmit + w * c.transmit};
+    }
+    return sum;
+}
+
 }  // namespace
 
 scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t index, const glm::dvec3& p)
@@ -100,6 +116,7 @@ scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, 
                   {}};
     at.around = {details.point, at.normal, state.ray.direction, details.uv, true};
     const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+    if (surface.blends() && texture == surface.texture) return corner_blend(context, at, details.weights, p);
     return shade_texture(context, at, texture, p);
 }
 

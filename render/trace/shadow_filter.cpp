@@ -74,7 +74,9 @@ glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit
     const glm::dvec3 normal = from_inside ? -details.normal : details.normal;
     Passing passing{context, surface, state.ray, normal, {details.point, normal, d, details.uv, true}};
     const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
-    return passing.through(texture, p);
+    if (!surface.blends() || texture != surface.texture) return passing.through(texture, p);
+    return details.weights.x * passing.through(texture, p) + details.weights.y * passing.through(surface.corner_textures[0], p) +
+           details.weights.z * passing.through(surface.corner_textures[1], p);
 }
 
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,

@@ -51,6 +51,7 @@ std::vector<SurfaceTraits> surface_traits(const plan::CompiledScene& scene)
     for (std::size_t i = 0; i < all.size(); ++i) {
         const plan::Surface& surface = scene.surfaces[i];
         all[i].needs_uv = uv || surface.uv_mapping;
+        if (surface.blends()) continue;
         if (!surface.double_illuminate) {
             all[i].outer_layer = small_layer(scene.textures, surface.texture);
             all[i].inner_layer = surface.interior_texture == plan::kNone ? all[i].outer_layer
