@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/lane_interval.h"
+#include "csg/lane_front.h"
 #include "csg/tile_walk.h"
 #include "csg/world_item.h"
 
@@ -9,6 +9,7 @@ namespace csg {
 
 /// Opens leaf blocks for Query:
 ///   query.solid(item index, rays, at)  a convex solid; at(i) gives lanes::Intervals of the rays from i on
+///   query.program(item index, front)   a CSG object, found in lanes; only where query.lanes_serve(item)
 ///   query.each(item index, ray)        anything else, ray by ray
 template <class Query>
 struct TileLeaf {
@@ -17,6 +18,7 @@ struct TileLeaf {
     TileRays& rays;
     Query& query;
     std::uint32_t kinds;
+    LaneFront& front;
 
     void operator()(ChildWord leaf, const glm::dvec3& lower, const glm::dvec3& upper, int first, int last) const
     {
@@ -46,6 +48,14 @@ struct TileLeaf {
                 query.solid(index, mask, [&](int i) { return test(rays.directions(i)); });
             });
             return;
+        }
+        if (item.solid == kNoPart && query.lanes_serve(item)) {
+            const FlatForm& form = world.programs[item.program].flat;
+            if ((mask & (mask - 1)) != 0 && LaneFront::fits(form)) {
+                front.ask(form, mask);
+                query.program(index, front);
+                mask = front.undecided;
+            }
         }
         for (; mask != 0; mask &= mask - 1) each(index, std::countr_zero(mask));
     }

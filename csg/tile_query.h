@@ -70,7 +70,21 @@ public:
         });
     }
 
-    /// What lanes found is only a number and a face while the walk lasts.
+    static bool lanes_serve(const WorldItem&) { return true; }
+
+    void program(std::uint32_t index, const LaneFront& front)
+    {
+        for (RayMask left = front.found; left != 0; left &= left - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(left));
+            const double t = front.t[k];
+            if (t > rays_.limit[k] || (!(t < out_.t[k]) && !(static_cast<double>(index) < item_[k]))) continue;
+            out_.t[k] = rays_.limit[k] = t;
+            item_[k] = static_cast<double>(index);
+            face_[k] = front.end[k];
+        }
+    }
+
+    /// What lanes found is only a number and a face, or an end of a leaf, while the walk lasts.
     void finish()
     {
         for (int i = 0; i < rays_.count; ++i) {
@@ -79,13 +93,28 @@ public:
                 out_.set(i, {});
             } else if (face_[k] != kKnown) {
                 const WorldItem& item = world_.items[static_cast<std::size_t>(item_[k])];
-                const auto face = static_cast<std::uint32_t>(face_[k]);
-                out_.set(i, {out_.t[k], world_.store.surface(item.solid), item.solid, face, turned(item)});
+                const auto code = static_cast<std::uint32_t>(face_[k]);
+                if (item.solid == kNoPart)
+                    out_.set(i, hit_of(world_.store, end_of(item, code, rays_.ray(i), out_.t[k])));
+                else
+                    out_.set(i, {out_.t[k], world_.store.surface(item.solid), item.solid, code, turned(item)});
             }
         }
     }
 
 private:
+    /// The crossing that LaneFront names by a code.
+    Crossing end_of(const WorldItem& item, std::uint32_t code, const Ray& ray, double t) const
+    {
+        const FlatLeaf& leaf = world_.programs[item.program].flat.leaves[code / 2];
+        Interval own;
+        with_solid(world_.store, leaf.solid, [&](const auto& solid) {
+            if constexpr (requires { solid.interval(ray, own); }) solid.interval(ray, own);
+        });
+        const std::uint32_t face = code % 2 == 0 ? own.entry_face : own.exit_face;
+        return {.t = t, .part = leaf.solid, .face = face, .inverted = leaf.turned};
+    }
+
     static constexpr double kNone = 4294967295.0, kKnown = -1.0;
     const WorldData& world_;
     TileRays& rays_;
@@ -125,6 +154,10 @@ public:
         });
     }
 
+    /// One crossing is enough where every surface stops light.
+    static bool lanes_serve(const WorldItem& item) { return item.all_opaque; }
+    void program(std::uint32_t, const LaneFront& front) { meet(front.found, true); }
+
     Shadow answer(int i) const
     {
         const RayMask bit = RayMask{1} << i;
@@ -151,7 +184,8 @@ inline bool ask_tile(const WorldData& world, TileRays& rays, std::uint32_t kinds
 {
     const Beam beam(rays, world.bvh.bounds);
     if (!beam.narrow()) return false;
-    TileLeaf<Query> leaf{world, beam, rays, query, kinds};
+    LaneFront front(world.store, rays);
+    TileLeaf<Query> leaf{world, beam, rays, query, kinds, front};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
     TileWalk(world.bvh, beam, rays, kinds, leaf).run();
     return true;

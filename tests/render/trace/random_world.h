@@ -31,16 +31,30 @@ private:
 inline csg::Solid solid(Rng& rng, const glm::dvec3& center, double size)
 {
     const glm::dvec3 half(rng.uniform(0.3, 1.0) * size, rng.uniform(0.3, 1.0) * size, rng.uniform(0.3, 1.0) * size);
-    switch (rng.below(5)) {
+    const csg::Transform frame = csg::Transform::translate(center) * csg::Transform::rotate_degrees(rng.point(180.0)) *
+                                 csg::Transform::scale(half);
+    switch (rng.below(8)) {
         case 0: return csg::Sphere{center, size};
         case 1: return csg::Box{center - half, center + half};
         case 2: return csg::Cylinder::make(center, center + 2.0 * size * rng.direction(), 0.5 * size, rng.below(4) == 0);
         case 3: return csg::Torus{size, 0.3 * size, csg::Transform::translate(center)};
+        case 4: return csg::Ellipsoid{frame};
+        case 5: return csg::OrientedBox{glm::dvec3(-1.0), glm::dvec3(1.0), frame};
+        case 6: return csg::Cone{rng.uniform(0.0, 0.8), frame, rng.below(4) == 0};
         default: {
             const glm::dvec3 a = center + size * rng.direction(), b = center + size * rng.direction();
             return csg::Triangle::make({center, a, b});
         }
     }
+}
+
+/// Convex operands whose faces often lie in one plane.
+inline csg::Solid block(Rng& rng, const glm::dvec3& center, double size)
+{
+    const auto step = [&] { return 0.5 * size * static_cast<double>(1 + rng.below(2)); };
+    if (rng.below(4) == 0) return csg::Plane{{0.0, 1.0, 0.0}, center.y + step()};
+    if (rng.below(3) == 0) return csg::Cylinder::make(center - glm::dvec3(0, step(), 0), center + glm::dvec3(0, step(), 0), step(), false);
+    return csg::Box{center - glm::dvec3(step(), step(), step()), center + glm::dvec3(step(), step(), step())};
 }
 
 /// A hundred lone solids, some CSG objects and two planes; every fifth surface is clear, some items are hidden from shadow rays.
@@ -60,8 +74,12 @@ inline void fill(csg::WorldData& world, Rng& rng, int count)
         }
         csg::Tree tree;
         tree.op = rng.below(2) == 0 ? csg::Tree::Op::Difference : csg::Tree::Op::Intersection;
-        for (std::uint32_t k = 0; k < 2 + rng.below(3); ++k)
-            tree.operands.push_back(csg::Tree::leaf(world.store.add(solid(rng, center + rng.point(0.5), rng.uniform(0.5, 1.2)), next_surface())));
+        const bool blocks = rng.below(3) == 0;
+        for (std::uint32_t k = 0; k < 2 + rng.below(3); ++k) {
+            const csg::Solid operand =
+                blocks ? block(rng, center, 1.0) : solid(rng, center + rng.point(0.5), rng.uniform(0.5, 1.2));
+            tree.operands.push_back(csg::Tree::leaf(world.store.add(operand, next_surface())));
+        }
         csg::Program program = csg::build(tree, world.store);
         if (!program.nodes.empty()) world.add_program(std::move(program), object++, visible());
     }

@@ -1,0 +1,163 @@
+#pragma once
+
+#include "csg/lane_interval.h"
+#include "csg/program.h"
+#include "csg/tile_rays.h"
+
+/// A CSG object's flat form against a tile of rays, in vector lanes. Compiled once per instruction set.
+namespace csg {
+
+/// The nearest crossing of a flat form for each ray: latest entry and earliest exit of the leaves, then the front moves
+/// through the cuts. Where FlatFront would be undecided, or the ray begins inside the leaves, the ray is left to it; all
+/// other numbers are the solids' own, so the answers are the same.
+class LaneFront {
+public:
+    LaneFront(const SolidStore& store, const TileRays& rays) : store_(store), rays_(rays)
+    {
+        const glm::dvec3 o = glm::abs(rays.origin);
+        reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than FlatFront's for directions of unit length
+    }
+
+    static constexpr std::uint32_t kMostCuts = 16;
+    static bool fits(const FlatForm& form)
+    {
+        return form.terms.size() == 1 && form.cuts.size() <= kMostCuts && form.simple();
+    }
+
+    /// Asks for the rays of the mask; the answers are in the members below until the next call.
+    void ask(const FlatForm& form, RayMask mask)
+    {
+        found = undecided = 0;
+        const FlatTerm& term = form.terms[0];
+        mask = meet_leaves(form, term, mask);
+        if (mask == 0) return;
+        meet_cuts(form, term, mask);
+        each_vector(mask, [&](int i) { leave_cuts(i); });
+        undecided &= mask;
+        found &= mask & ~undecided;
+    }
+
+    RayMask found = 0, undecided = 0;
+    alignas(64) TileRays::Lanes t;      ///< where found
+    alignas(64) TileRays::Lanes end;    ///< 2 * leaf of the form, + 1 at its exit
+
+private:
+    using Double = lanes::Double;
+    using Bool = lanes::Bool;
+    using Lanes = TileRays::Lanes;
+
+    static Double load(const Lanes& from, int i) { return Double::load_aligned(from.data() + i); }
+    static void store(Lanes& to, int i, Double v) { v.store_aligned(to.data() + i); }
+    static RayMask bits(Bool b, int i) { return static_cast<RayMask>(lanes::mask(b)) << i; }
+
+    Bool close(Double a, Double b) const
+    {
+        const Double gap = xsimd::abs(a - b);
+        return (gap <= Double(kCoincidence) * (xsimd::abs(a) + Double(reach_))) & (gap < lanes::beyond());
+    }
+
+    /// in_ to out_: what all leaves hold. Returns the rays for which something is left.
+    RayMask meet_leaves(const FlatForm& form, const FlatTerm& term, RayMask mask)
+    {
+        each_vector(mask, [&](int i) {
+            store(in_, i, lanes::before());
+            store(out_, i, lanes::beyond());
+        });
+        for (std::uint32_t k = term.first; k < term.last && mask != 0; ++k) {
+            RayMask left = 0;
+            lanes::with_test(store_, form.leaves[k].solid, rays_.origin, [&](const auto& test) {
+                each_vector(mask, [&](int i) { left |= meet_leaf(test(rays_.directions(i)), k, i); });
+            });
+            mask &= left;
+        }
+        return mask;
+    }
+
+    RayMask meet_leaf(const lanes::Intervals& own, std::uint32_t k, int i)
+    {
+        const Bool kept = own.met & (own.entry <= load(rays_.limit, i)) & (own.exit >= load(rays_.t_min, i));
+        if (lanes::mask(kept) == 0) return 0;
+        Double in = load(in_, i), out = load(out_, i);
+        Bool coincide = close(own.entry, in) | close(own.exit, out);
+        const Bool later = own.entry > in, earlier = own.exit < out;
+        in = xsimd::select(later, own.entry, in);
+        out = xsimd::select(earlier, own.exit, out);
+        coincide = coincide | close(in, out);
+        store(in_, i, in);
+        store(out_, i, out);
+        const double code = 2.0 * static_cast<double>(k);
+        store(in_end_, i, xsimd::select(later, Double(code), load(in_end_, i)));
+        undecided |= bits(coincide, i);
+        return bits(kept & (in <= out), i);
+    }
+
+    /// The intervals of the cuts whose box is met.
+    void meet_cuts(const FlatForm& form, const FlatTerm& term, RayMask mask)
+    {
+        cuts_ = 0;
+        for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) {
+            const auto& bounds = form.cut_boxes[k / 8].bounds;
+            const auto corner = [&](std::size_t row) {
+                return glm::dvec3(bounds[row][k % 8], bounds[row + 1][k % 8], bounds[row + 2][k % 8]);
+            };
+            const RayMask near = rays_.meet(corner(0), corner(3), mask);
+            if (near != 0) meet_cut(form, form.cuts[k].first, near);
+        }
+    }
+
+    void meet_cut(const FlatForm& form, std::uint32_t leaf, RayMask mask)
+    {
+        RayMask met = 0;
+        lanes::with_test(store_, form.leaves[leaf].solid, rays_.origin, [&](const auto& test) {
+            each_vector(mask, [&](int i) {
+                const lanes::Intervals own = test(rays_.directions(i));
+                met |= bits(own.met, i);
+                store(cut_in_[cuts_], i, xsimd::select(own.met, own.entry, lanes::beyond()));
+                store(cut_out_[cuts_], i, xsimd::select(own.met, own.exit, lanes::before()));
+            });
+        });
+        met &= mask;
+        if (met == 0) return;
+        // Rays of the same vectors that are not in the mask met the solid too or not: either way it is their interval.
+        cut_rays_[cuts_] = mask;
+        cut_leaf_[cuts_++] = leaf;
+    }
+
+    void leave_cuts(int i)
+    {
+        constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
+        const Double begin = load(in_, i), out = load(out_, i);
+        Double front = begin, code = load(in_end_, i), own(-1.0);
+        Bool coincide = !(begin >= load(rays_.t_min, i));  // begins inside: not asked here
+        for (bool moved = cuts_ > 0; moved;) {
+            Bool moves(false);
+            for (std::uint32_t c = 0; c < cuts_; ++c) {
+                if (((cut_rays_[c] >> i) & kVector) == 0) continue;
+                const Double entry = load(cut_in_[c], i), exit = load(cut_out_[c], i), id(static_cast<double>(c));
+                coincide = coincide | ((own != id) & (close(entry, front) | close(exit, front)));
+                const Bool covers = (entry < front) & (exit > front);
+                front = xsimd::select(covers, exit, front);
+                own = xsimd::select(covers, id, own);
+                code = xsimd::select(covers, Double(2.0 * static_cast<double>(cut_leaf_[c]) + 1.0), code);
+                moves = moves | covers;
+            }
+            moved = lanes::mask(moves & (front <= out)) != 0;
+        }
+        coincide = coincide | close(front, out);
+        store(t, i, front);
+        store(end, i, code);
+        undecided |= bits(coincide, i);
+        found |= bits((front < out) & (front <= load(rays_.limit, i)) & (front < lanes::beyond()), i);
+    }
+
+    const SolidStore& store_;
+    const TileRays& rays_;
+    double reach_;
+    alignas(64) Lanes in_, out_, in_end_;
+    std::uint32_t cuts_ = 0;
+    alignas(64) std::array<Lanes, kMostCuts> cut_in_, cut_out_;
+    std::array<RayMask, kMostCuts> cut_rays_;
+    std::array<std::uint32_t, kMostCuts> cut_leaf_;
+};
+
+}  // namespace csg
