@@ -1,5 +1,7 @@
 #include "render/plan/geometry.h"
 
+#include <tuple>
+
 namespace plan {
 namespace {
 
@@ -26,14 +28,18 @@ const GeometryCompiler::SharedMesh& GeometryCompiler::shared_mesh(const std::sha
     // Faces name textures by place in a list that may hold one texture many times.
     using Corners = std::array<const scene::Texture*, 3>;
     std::map<Corners, std::uint32_t> slots;
+    auto last = slots.end();
     for (const scene::MeshData::Face& face : mesh->faces) {
         std::array<scene::TexturePtr, 3> textures;
         for (std::size_t k = 0; k < 3; ++k)
             if (face.texture[k] != scene::MeshData::kNone) textures[k] = mesh->textures[face.texture[k]];
         const Corners key{textures[0].get(), textures[1].get(), textures[2].get()};
-        const auto [slot, is_new] = slots.try_emplace(key, static_cast<std::uint32_t>(slots.size()));
-        if (is_new) shared.slots.push_back(textures);
-        input.faces.push_back({face.vertex, face.normal, face.uv, slot->second});
+        if (slots.empty() || last->first != key) {  // neighbours mostly look alike
+            bool is_new = false;
+            std::tie(last, is_new) = slots.try_emplace(key, static_cast<std::uint32_t>(slots.size()));
+            if (is_new) shared.slots.push_back(textures);
+        }
+        input.faces.push_back({face.vertex, face.normal, face.uv, last->second});
     }
     shared.shape = std::make_shared<csg::MeshShape>(input);
     return shared;
