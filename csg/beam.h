@@ -32,16 +32,17 @@ public:
     /// False: rays too far apart for one beam.
     bool narrow() const { return narrow_; }
 
-    /// Which of a node's boxes reach into the beam no deeper than `limit`; `near` receives where at the earliest.
-    std::uint32_t meet(const BvhNode& node, float limit, float* near) const
+    /// Which of eight finite boxes (BvhNode::bounds) reach into the beam no deeper than `limit`; `near` receives where at
+    /// the earliest.
+    std::uint32_t meet(const float (&bounds)[6][8], float limit, float* near) const
     {
         using lanes::FloatPart;
         std::uint32_t mask = 0;
         for (int part = 0; part < lanes::kFloatParts; ++part) {
             const int at = part * lanes::kFloatPart;
             std::uint32_t inside = ~0u;
-            for (int p = 0; p < 5; ++p) inside &= lanes::mask(along(node, p, 0, at) >= FloatPart(threshold_[p]));
-            const FloatPart depth = along(node, kAxis, 3, at) - FloatPart(threshold_far());
+            for (int p = 0; p < 5; ++p) inside &= lanes::mask(along(bounds, p, 0, at) >= FloatPart(threshold_[p]));
+            const FloatPart depth = along(bounds, kAxis, 3, at) - FloatPart(threshold_far());
             depth.store_aligned(near + at);
             mask |= (inside & lanes::mask(depth <= FloatPart(limit))) << at;
         }
@@ -71,12 +72,12 @@ private:
     static constexpr int kAxis = 4;
 
     /// dot(normal p, corner) for the corner farthest along the normal (rows 0) or the opposite one (rows 3).
-    lanes::FloatPart along(const BvhNode& node, int p, int rows, int at) const
+    lanes::FloatPart along(const float (&bounds)[6][8], int p, int rows, int at) const
     {
         using lanes::FloatPart;
         const auto term = [&](int axis) {
             const int row = rows == 0 ? far_row_[p][axis] : (far_row_[p][axis] + 3) % 6;
-            return FloatPart::load_aligned(node.bounds[row] + at) * FloatPart(normal_f_[p][axis]);
+            return FloatPart::load_aligned(bounds[row] + at) * FloatPart(normal_f_[p][axis]);
         };
         return term(0) + term(1) + term(2);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "csg/lane_interval.h"
+#include "csg/beam.h"
+#include "csg/lane_solids.h"
 #include "csg/program.h"
 #include "csg/tile_rays.h"
 
@@ -12,26 +13,29 @@ namespace csg {
 /// other numbers are the solids' own, so the answers are the same.
 class LaneFront {
 public:
-    LaneFront(const SolidStore& store, const TileRays& rays) : store_(store), rays_(rays)
+    LaneFront(const SolidStore& store, const Beam& beam, const TileRays& rays) : store_(store), beam_(beam), rays_(rays)
     {
         const glm::dvec3 o = glm::abs(rays.origin);
         reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than FlatFront's for directions of unit length
     }
 
-    static constexpr std::uint32_t kMostCuts = 16;
-    static bool fits(const FlatForm& form)
-    {
-        return form.terms.size() == 1 && form.cuts.size() <= kMostCuts && form.simple();
-    }
+    /// An end as a number: kFaces * leaf of the form + face.
+    struct LeafEnd {
+        std::uint32_t leaf, face;
+        explicit LeafEnd(double code) : leaf(static_cast<std::uint32_t>(code) / kFaces), face(static_cast<std::uint32_t>(code) % kFaces) {}
+    };
 
-    /// Asks for the rays of the mask; the answers are in the members below until the next call.
+    /// Asks for the rays of the mask a form that is simple(); the answers are in the members below until the next call.
     void ask(const FlatForm& form, RayMask mask)
     {
         found = undecided = 0;
         const FlatTerm& term = form.terms[0];
         mask = meet_leaves(form, term, mask);
         if (mask == 0) return;
-        meet_cuts(form, term, mask);
+        if (!meet_cuts(form, term, mask)) {
+            undecided = mask;
+            return;
+        }
         each_vector(mask, [&](int i) { leave_cuts(i); });
         undecided &= mask;
         found &= mask & ~undecided;
@@ -39,13 +43,17 @@ public:
 
     RayMask found = 0, undecided = 0;
     alignas(64) TileRays::Lanes t;      ///< where found
-    alignas(64) TileRays::Lanes end;    ///< 2 * leaf of the form, + 1 at its exit
+    alignas(64) TileRays::Lanes end;    ///< which end of which leaf: decode by LeafEnd
 
 private:
     using Double = lanes::Double;
     using Bool = lanes::Bool;
     using Lanes = TileRays::Lanes;
 
+    static constexpr std::uint32_t kMostCuts = 48;   ///< that one tile meets
+    static constexpr std::uint32_t kFaces = 8;   ///< more than any convex solid has
+
+    static Double end_code(std::uint32_t leaf, Double face) { return Double(static_cast<double>(kFaces * leaf)) + face; }
     static Double load(const Lanes& from, int i) { return Double::load_aligned(from.data() + i); }
     static void store(Lanes& to, int i, Double v) { v.store_aligned(to.data() + i); }
     static RayMask bits(Bool b, int i) { return static_cast<RayMask>(lanes::mask(b)) << i; }
@@ -85,24 +93,42 @@ private:
         coincide = coincide | close(in, out);
         store(in_, i, in);
         store(out_, i, out);
-        const double code = 2.0 * static_cast<double>(k);
-        store(in_end_, i, xsimd::select(later, Double(code), load(in_end_, i)));
+        store(in_end_, i, xsimd::select(later, end_code(k, own.entry_face), load(in_end_, i)));
         undecided |= bits(coincide, i);
         return bits(kept & (in <= out), i);
     }
 
-    /// The intervals of the cuts whose box is met.
-    void meet_cuts(const FlatForm& form, const FlatTerm& term, RayMask mask)
+    /// The intervals of the cuts whose box is met. False: too many of them.
+    bool meet_cuts(const FlatForm& form, const FlatTerm& term, RayMask mask)
     {
         cuts_ = 0;
-        for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) {
-            const auto& bounds = form.cut_boxes[k / 8].bounds;
-            const auto corner = [&](std::size_t row) {
-                return glm::dvec3(bounds[row][k % 8], bounds[row + 1][k % 8], bounds[row + 2][k % 8]);
-            };
-            const RayMask near = rays_.meet(corner(0), corner(3), mask);
-            if (near != 0) meet_cut(form, form.cuts[k].first, near);
+        if (term.tree == FlatTerm::kNoTree) {
+            if (term.cut_last - term.cut_first > kMostCuts) return false;
+            for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) near_cut(form, k, mask);
+            return true;
         }
+        const float limit = RaySlabs::rounded_up(rays_.farthest(0, rays_.groups));
+        for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
+            alignas(32) float near[8];
+            std::uint32_t met = beam_.meet(form.cut_boxes[first / 8].bounds, limit, near);
+            for (; met != 0; met &= met - 1) {
+                const std::uint32_t k = first + static_cast<std::uint32_t>(std::countr_zero(met));
+                if (k >= term.cut_last) break;
+                if (cuts_ == kMostCuts) return false;
+                near_cut(form, k, mask);
+            }
+        }
+        return true;
+    }
+
+    void near_cut(const FlatForm& form, std::uint32_t k, RayMask mask)
+    {
+        const auto& bounds = form.cut_boxes[k / 8].bounds;
+        const auto corner = [&](std::size_t row) {
+            return glm::dvec3(bounds[row][k % 8], bounds[row + 1][k % 8], bounds[row + 2][k % 8]);
+        };
+        const RayMask near = rays_.meet(corner(0), corner(3), mask);
+        if (near != 0) meet_cut(form, form.cuts[k].first, near);
     }
 
     void meet_cut(const FlatForm& form, std::uint32_t leaf, RayMask mask)
@@ -114,13 +140,13 @@ private:
                 met |= bits(own.met, i);
                 store(cut_in_[cuts_], i, xsimd::select(own.met, own.entry, lanes::beyond()));
                 store(cut_out_[cuts_], i, xsimd::select(own.met, own.exit, lanes::before()));
+                store(cut_end_[cuts_], i, end_code(leaf, own.exit_face));
             });
         });
         met &= mask;
         if (met == 0) return;
         // Rays of the same vectors that are not in the mask met the solid too or not: either way it is their interval.
-        cut_rays_[cuts_] = mask;
-        cut_leaf_[cuts_++] = leaf;
+        cut_rays_[cuts_++] = mask;
     }
 
     void leave_cuts(int i)
@@ -138,7 +164,7 @@ private:
                 const Bool covers = (entry < front) & (exit > front);
                 front = xsimd::select(covers, exit, front);
                 own = xsimd::select(covers, id, own);
-                code = xsimd::select(covers, Double(2.0 * static_cast<double>(cut_leaf_[c]) + 1.0), code);
+                code = xsimd::select(covers, load(cut_end_[c], i), code);
                 moves = moves | covers;
             }
             moved = lanes::mask(moves & (front <= out)) != 0;
@@ -151,13 +177,13 @@ private:
     }
 
     const SolidStore& store_;
+    const Beam& beam_;
     const TileRays& rays_;
     double reach_;
     alignas(64) Lanes in_, out_, in_end_;
     std::uint32_t cuts_ = 0;
-    alignas(64) std::array<Lanes, kMostCuts> cut_in_, cut_out_;
+    alignas(64) std::array<Lanes, kMostCuts> cut_in_, cut_out_, cut_end_;
     std::array<RayMask, kMostCuts> cut_rays_;
-    std::array<std::uint32_t, kMostCuts> cut_leaf_;
 };
 
 }  // namespace csg

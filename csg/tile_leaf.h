@@ -49,13 +49,10 @@ struct TileLeaf {
             });
             return;
         }
-        if (item.solid == kNoPart && query.lanes_serve(item)) {
-            const FlatForm& form = world.programs[item.program].flat;
-            if ((mask & (mask - 1)) != 0 && LaneFront::fits(form)) {
-                front.ask(form, mask);
-                query.program(index, front);
-                mask = front.undecided;
-            }
+        if (item.simple && (mask & (mask - 1)) != 0 && query.lanes_serve(item)) {
+            front.ask(world.programs[item.program].flat, mask);
+            query.program(index, front);
+            mask = front.undecided;
         }
         for (; mask != 0; mask &= mask - 1) each(index, std::countr_zero(mask));
     }

@@ -93,28 +93,19 @@ public:
                 out_.set(i, {});
             } else if (face_[k] != kKnown) {
                 const WorldItem& item = world_.items[static_cast<std::size_t>(item_[k])];
-                const auto code = static_cast<std::uint32_t>(face_[k]);
-                if (item.solid == kNoPart)
-                    out_.set(i, hit_of(world_.store, end_of(item, code, rays_.ray(i), out_.t[k])));
-                else
-                    out_.set(i, {out_.t[k], world_.store.surface(item.solid), item.solid, code, turned(item)});
+                if (item.solid == kNoPart) {
+                    const LaneFront::LeafEnd end(face_[k]);
+                    const FlatLeaf& leaf = world_.programs[item.program].flat.leaves[end.leaf];
+                    out_.set(i, {out_.t[k], world_.store.surface(leaf.solid), leaf.solid, end.face, leaf.turned});
+                } else {
+                    const auto face = static_cast<std::uint32_t>(face_[k]);
+                    out_.set(i, {out_.t[k], world_.store.surface(item.solid), item.solid, face, turned(item)});
+                }
             }
         }
     }
 
 private:
-    /// The crossing that LaneFront names by a code.
-    Crossing end_of(const WorldItem& item, std::uint32_t code, const Ray& ray, double t) const
-    {
-        const FlatLeaf& leaf = world_.programs[item.program].flat.leaves[code / 2];
-        Interval own;
-        with_solid(world_.store, leaf.solid, [&](const auto& solid) {
-            if constexpr (requires { solid.interval(ray, own); }) solid.interval(ray, own);
-        });
-        const std::uint32_t face = code % 2 == 0 ? own.entry_face : own.exit_face;
-        return {.t = t, .part = leaf.solid, .face = face, .inverted = leaf.turned};
-    }
-
     static constexpr double kNone = 4294967295.0, kKnown = -1.0;
     const WorldData& world_;
     TileRays& rays_;
@@ -184,7 +175,7 @@ inline bool ask_tile(const WorldData& world, TileRays& rays, std::uint32_t kinds
 {
     const Beam beam(rays, world.bvh.bounds);
     if (!beam.narrow()) return false;
-    LaneFront front(world.store, rays);
+    LaneFront front(world.store, beam, rays);
     TileLeaf<Query> leaf{world, beam, rays, query, kinds, front};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
     TileWalk(world.bvh, beam, rays, kinds, leaf).run();

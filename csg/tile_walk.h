@@ -63,7 +63,7 @@ private:
         const BvhNode& node = bvh_.nodes[index];
         alignas(32) float near[8];
         const int bottom = top;
-        for (std::uint32_t mask = beam_.meet(node, limit, near); mask != 0; mask &= mask - 1) {
+        for (std::uint32_t mask = beam_.meet(node.bounds, limit, near); mask != 0; mask &= mask - 1) {
             const auto i = static_cast<std::uint32_t>(std::countr_zero(mask));
             if ((node.kinds[i] & kinds_) == 0) continue;
             const Entry made{node.child[i], index * 8 + i, near[i]};

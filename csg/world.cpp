@@ -1,5 +1,6 @@
 #include "csg/world.h"
 
+#include "csg/tile_clusters.h"
 #include "csg/tile_query.h"
 #include "csg/traverse.h"
 #include "csg/world_item.h"
@@ -71,6 +72,23 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
         return found == Shadow::Blocked ? -1.0 : t_max;
     });
     return found;
+}
+
+/// Shadow rays that are about as long as each other: as one beam if they can be.
+void shadow_of_cluster(const World& world, const WorldData& data, const RayTile& rays, Scratch& scratch, Shadow* out)
+{
+    if (rays.common_origin && rays.count >= kFewestForBeam) {
+        TileRays lanes(rays);
+        ShadowOfTile query(data, lanes, scratch);
+        if (ask_tile(data, lanes, 1u << 2, query)) {
+            for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
+            return;
+        }
+    }
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        out[i] = world.shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
+    }
 }
 
 }  // namespace
@@ -167,17 +185,18 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
 
 void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
 {
-    if (rays.common_origin && rays.count >= kFewestForBeam) {
-        TileRays lanes(rays);
-        ShadowOfTile query(*data_, lanes, scratch);
-        if (ask_tile(*data_, lanes, 1u << 2, query)) {
-            for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
-            return;
-        }
+    const TileClusters clusters(rays);
+    if (clusters.size() == 1) {
+        shadow_of_cluster(*this, *data_, rays, scratch, out);
+        return;
     }
-    for (int i = 0; i < rays.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        out[i] = shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
+    RayTile part;
+    std::uint8_t place[kTileRays];
+    Shadow answers[kTileRays];
+    for (int c = 0; c < clusters.size(); ++c) {
+        clusters.part(rays, c, part, place);
+        shadow_of_cluster(*this, *data_, part, scratch, answers);
+        for (int i = 0; i < part.count; ++i) out[place[i]] = answers[i];
     }
 }
 

@@ -92,6 +92,7 @@ void WorldData::finish()
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         WorldItem& item = items[i];
         item.all_opaque = all_opaque(*this, item);
+        item.simple = item.solid == kNoPart && programs[item.program].flat.simple();
         visible_everywhere &= item.visible;
         const Aabb box = drawn_bounds(*this, item);
         if (box.empty()) continue;

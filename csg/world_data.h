@@ -16,6 +16,7 @@ struct WorldItem {
     std::uint8_t visible = 0xff;      ///< bits of the kinds of ray that see it
     bool inverted = false;            ///< lone solid only
     bool all_opaque = true;           ///< every surface of it stops light
+    bool simple = false;              ///< a program whose flat form suits vector lanes
 };
 
 /// Eight balls in lanes; an empty place has radius -1.

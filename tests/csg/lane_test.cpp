@@ -1,4 +1,4 @@
-#include "csg/lane_interval.h"
+#include "csg/lane_solids.h"
 #include "tests/csg/support.h"
 
 #include <catch2/catch.hpp>

@@ -57,7 +57,7 @@ inline csg::Solid block(Rng& rng, const glm::dvec3& center, double size)
     return csg::Box{center - glm::dvec3(step(), step(), step()), center + glm::dvec3(step(), step(), step())};
 }
 
-/// A hundred lone solids, some CSG objects and two planes; every fifth surface is clear, some items are hidden from shadow rays.
+/// Lone solids, some CSG objects and two planes; every fifth surface is clear, some items are hidden from shadow rays.
 inline void fill(csg::WorldData& world, Rng& rng, int count)
 {
     std::uint32_t object = 0;
@@ -83,6 +83,13 @@ inline void fill(csg::WorldData& world, Rng& rng, int count)
         csg::Program program = csg::build(tree, world.store);
         if (!program.nodes.empty()) world.add_program(std::move(program), object++, visible());
     }
+    // One with enough cuts for a hierarchy of them.
+    csg::Tree pitted{.op = csg::Tree::Op::Difference};
+    const glm::dvec3 middle = rng.point(6.0);
+    pitted.operands.push_back(csg::Tree::leaf(world.store.add(csg::Box{middle - 2.0, middle + 2.0}, next_surface())));
+    for (int i = 0; i < 60; ++i)
+        pitted.operands.push_back(csg::Tree::leaf(world.store.add(csg::Sphere{middle + rng.point(2.2), rng.uniform(0.1, 0.6)}, next_surface())));
+    world.add_program(csg::build(pitted, world.store), object++, visible());
     world.add_solid(world.store.add(csg::Plane{{0, 1, 0}, -9.0}, next_surface()), false, object++, 7);
     world.add_solid(world.store.add(csg::Plane{{0, 0, -1}, -12.0}, next_surface()), false, object++, 7);
     world.finish();

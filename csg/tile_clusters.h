@@ -1,0 +1,69 @@
+#pragma once
+
+#include "csg/hit.h"
+
+#include <algorithm>
+#include <array>
+
+namespace csg {
+
+/// A tile's shadow rays by distance from the light, cut where there is a gap: what lies on one object makes a slimmer
+/// beam than foreground and background together.
+class TileClusters {
+public:
+    explicit TileClusters(const RayTile& rays)
+    {
+        const auto count = static_cast<std::size_t>(rays.count);
+        double least = kInfinity, most = -kInfinity;
+        for (std::size_t i = 0; i < count; ++i) {
+            least = std::min(least, rays.t_max[i]);
+            most = std::max(most, rays.t_max[i]);
+        }
+        const double scale = kBins / (most - least);
+        if (!rays.common_origin || rays.count < kFewest || !(scale > 0.0 && scale < kInfinity)) return;
+        std::array<std::uint8_t, kTileRays> bin;
+        std::array<std::uint8_t, kBins> filled{};
+        for (std::size_t i = 0; i < count; ++i) {
+            bin[i] = static_cast<std::uint8_t>(std::min<int>(kBins - 1, static_cast<int>((rays.t_max[i] - least) * scale)));
+            filled[bin[i]] = 1;
+        }
+        std::array<std::uint8_t, kBins> cluster{};
+        int empty = 0;
+        for (std::size_t b = 0; b < kBins; ++b) {
+            if (filled[b] == 0) {
+                ++empty;
+                continue;
+            }
+            if (empty >= kGap) ++size_;
+            empty = 0;
+            cluster[b] = static_cast<std::uint8_t>(size_ - 1);
+        }
+        for (std::size_t i = 0; i < count; ++i) of_ray_[i] = cluster[bin[i]];
+    }
+
+    int size() const { return size_; }
+
+    /// Copies the rays of cluster c; `index` receives where they stood.
+    void part(const RayTile& rays, int c, RayTile& out, std::uint8_t (&index)[kTileRays]) const
+    {
+        out.count = 0;
+        out.common_origin = rays.common_origin;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i) {
+            if (of_ray_[i] != c) continue;
+            const auto k = static_cast<std::size_t>(out.count++);
+            index[k] = static_cast<std::uint8_t>(i);
+            out.ox[k] = rays.ox[i], out.oy[k] = rays.oy[i], out.oz[k] = rays.oz[i];
+            out.dx[k] = rays.dx[i], out.dy[k] = rays.dy[i], out.dz[k] = rays.dz[i];
+            out.t_min[k] = rays.t_min[i];
+            out.t_max[k] = rays.t_max[i];
+        }
+    }
+
+private:
+    static constexpr int kBins = 16, kGap = 6;   ///< of the whole range, and how many empty ones are a gap
+    static constexpr int kFewest = 16;
+    int size_ = 1;
+    std::array<std::uint8_t, kTileRays> of_ray_{};
+};
+
+}  // namespace csg
