@@ -25,7 +25,7 @@ public:
                 normal_f_[p][axis] = static_cast<float>(normal_[p][axis]);
                 far_row_[p][axis] = normal_[p][axis] >= 0.0 ? axis + 3 : axis;
             }
-            threshold_[p] = RaySlabs::rounded_down(at_origin_[p] - size);
+            threshold_[p] = rounded_down(at_origin_[p] - size);
         }
     }
 
@@ -83,7 +83,7 @@ private:
     }
 
     /// The axis' own threshold lies below the origin by the margin; depths are lessened by as much.
-    float threshold_far() const { return RaySlabs::rounded_up(2.0 * at_origin_[kAxis] - static_cast<double>(threshold_[kAxis])); }
+    float threshold_far() const { return rounded_up(2.0 * at_origin_[kAxis] - static_cast<double>(threshold_[kAxis])); }
 
     void find_axes(const TileRays& rays)
     {

@@ -32,6 +32,20 @@ struct FlatTerm {
     std::uint32_t tree = kNoTree;                ///< index into trees: where there are many cuts
     bool convex = true;                          ///< all leaves are
     static constexpr std::uint32_t kNoTree = 0xffffffffu;
+
+    /// Convex and nothing is cut from it: its crossings are two ends.
+    bool plain() const { return convex && cut_first == cut_last; }
+};
+
+/// An end of a leaf along a ray: small, because most are thrown away.
+struct FlatEnd {
+    double t;
+    std::uint32_t leaf, face;     ///< leaf: index into FlatForm::leaves
+};
+
+/// A piece of a ray in the leaves of a term, or in a cut.
+struct FlatPiece {
+    FlatEnd in, out;
 };
 
 /// Eight boxes as in BvhNode: rounded outward, an empty place is never met.

@@ -5,14 +5,15 @@
 
 namespace csg {
 
-/// The nearest crossing seen with t_min <= t <= t_max; `part` is kNoPart when there is none.
+/// The nearest crossing seen with t_min <= t <= t_max; `part` is kNoPart when there is none. `slabs` of the ray, if they
+/// are known.
 inline Crossing nearest_visible(const Program& program, const SolidStore& store, const Ray& ray, double t_min,
-                                double t_max, Scratch& scratch)
+                                double t_max, Scratch& scratch, const RaySlabs* slabs = nullptr)
 {
     Crossing found{.t = kInfinity};
     if (program.nodes.empty()) return found;
     if (program.flat.usable()) {
-        const auto answer = FlatFront(program.flat, store, ray, t_min, t_max, scratch).nearest(found);
+        const auto answer = FlatFront(program.flat, store, ray, slabs, t_min, t_max, scratch).nearest(found);
         if (answer == FlatFront::Answer::Found) return found;
         if (answer == FlatFront::Answer::Nothing) return {.t = kInfinity};
     }
@@ -31,20 +32,27 @@ inline std::pair<const Crossing*, const Crossing*> visible_crossings(const Progr
     return {begin, end};
 }
 
-/// All crossings seen with t_min <= t <= t_max, each once, in any order, in scratch: valid until its next use.
-inline std::pair<const Crossing*, const Crossing*> unordered_crossings(const Program& program, const SolidStore& store,
-                                                                       const Ray& ray, double t_min, double t_max,
-                                                                       Scratch& scratch)
+/// f(Crossing) for all crossings seen with t_min <= t <= t_max, each once, in any order. f may not use scratch.
+template <class F>
+inline void each_crossing(const Program& program, const SolidStore& store, const Ray& ray, double t_min, double t_max,
+                          Scratch& scratch, const RaySlabs* slabs, F&& f)
 {
-    if (program.nodes.empty()) return {nullptr, nullptr};
+    if (program.nodes.empty()) return;
     if (program.flat.usable()) {
-        scratch.prepare(program);
-        const auto answer = FlatFront(program.flat, store, ray, t_min, t_max, scratch).crossings([&](const Crossing& c) {
-            scratch.add_once(c);
-        });
-        if (answer != FlatFront::Answer::Undecided) return scratch.crossings();
+        FlatFront front(program.flat, store, ray, slabs, t_min, t_max, scratch);
+        if (program.flat.terms.size() == 1 && program.flat.terms[0].plain()) {  // decided before it emits anything
+            if (front.crossings(f) != FlatFront::Answer::Undecided) return;
+        } else {
+            scratch.prepare(program);
+            if (front.crossings([&](const Crossing& c) { scratch.add_once(c); }) != FlatFront::Answer::Undecided) {
+                const auto [first, last] = scratch.crossings();
+                for (const Crossing* c = first; c != last; ++c) f(*c);
+                return;
+            }
+        }
     }
-    return Evaluation(program, store, ray, t_min, t_max, scratch).crossings();
+    const auto [first, last] = Evaluation(program, store, ray, t_min, t_max, scratch).crossings();
+    for (const Crossing* c = first; c != last; ++c) f(*c);
 }
 
 /// The spans of the ray inside the solid, whole line, in scratch: valid until its next use.

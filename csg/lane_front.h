@@ -107,7 +107,7 @@ private:
             for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) near_cut(form, k, mask);
             return true;
         }
-        const float limit = RaySlabs::rounded_up(rays_.farthest(0, rays_.groups));
+        const float limit = rounded_up(rays_.farthest(0, rays_.groups));
         for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
             alignas(32) float near[8];
             std::uint32_t met = beam_.meet(form.cut_boxes[first / 8].bounds, limit, near);

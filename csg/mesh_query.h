@@ -109,7 +109,7 @@ template <class F>
 inline void mesh_crossings(const MeshShape& shape, const Ray& ray, double t_min, double t_max, F&& f)
 {
     double limit = t_max;
-    traverse(shape.bvh(), ray, t_min, t_max, ~0u, [&](ChildWord leaf) {
+    traverse(shape.bvh(), RaySlabs(ray), t_min, t_max, ~0u, [&](ChildWord leaf) {
         alignas(32) double t[4];
         for (std::uint32_t met = meet_triangles(shape.block(leaf.index()), ray, t); met != 0; met &= met - 1) {
             const auto place = static_cast<std::uint32_t>(std::countr_zero(met));

@@ -225,10 +225,10 @@ void Scratch::grow(const Program& program)
     records_ = std::make_unique<Record[]>(record_capacity_);
 }
 
-void Scratch::grow_spans(std::size_t spans)
+void Scratch::grow_pieces(std::size_t count)
 {
-    span_capacity_ = std::max(span_capacity_, spans);
-    spans_ = std::make_unique<Span[]>(span_capacity_);
+    piece_capacity_ = count;
+    pieces_ = std::make_unique<FlatPiece[]>(count);
 }
 
 bool contains(const Program& program, const SolidStore& store, const glm::dvec3& p)

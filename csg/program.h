@@ -63,10 +63,11 @@ public:
         record_top_ = 0;
     }
 
-    /// Room for so many spans, for a query that needs nothing else.
-    void prepare(std::uint32_t spans)
+    /// Room for so many pieces of a flat form, valid until the next call.
+    FlatPiece* flat_pieces(std::uint32_t count)
     {
-        if (spans > span_capacity_) grow_spans(spans);
+        if (count > piece_capacity_) grow_pieces(count);
+        return pieces_.get();
     }
 
     /// Keeps a crossing unless it is there already: terms share solids.
@@ -90,13 +91,13 @@ public:
 
 private:
     friend class Evaluation;
-    friend class FlatFront;
     void grow(const Program& program);
-    void grow_spans(std::size_t spans);
+    void grow_pieces(std::size_t count);
     std::unique_ptr<Span[]> spans_;
     std::unique_ptr<Crossing[]> crossings_;
     std::unique_ptr<Record[]> records_;
-    std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0;
+    std::unique_ptr<FlatPiece[]> pieces_;
+    std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;
     std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;
 };
 

@@ -129,7 +129,7 @@ public:
             if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_).found()) meet(RayMask{1} << i, true);
             return;
         }
-        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_,
+        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr,
                        [&](const Hit& hit) { meet(RayMask{1} << i, world_.surface_opaque[hit.surface] != 0); });
     }
 

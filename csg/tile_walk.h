@@ -42,7 +42,7 @@ private:
     int walk(Entry* stack, int top, int first, int last, int budget)
     {
         const bool packet = last - first == 1;
-        float limit = RaySlabs::rounded_up(rays_.farthest(first, last));
+        float limit = rounded_up(rays_.farthest(first, last));
         while (top > 0 && limit >= 0.0f) {
             if (budget == 0) return top;
             const Entry entry = stack[--top];
@@ -50,7 +50,7 @@ private:
             if (entry.child.is_leaf()) {
                 --budget;
                 leaf_(entry.child, corner(entry.slot, 0), corner(entry.slot, 3), first, last);
-                limit = RaySlabs::rounded_up(rays_.farthest(first, last));
+                limit = rounded_up(rays_.farthest(first, last));
             } else {
                 top = push_children(entry.child.index(), stack, top, limit, packet ? first : -1);
             }

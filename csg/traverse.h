@@ -56,9 +56,6 @@ public:
         return mask;
     }
 
-    static float rounded_down(double v) { return csg::rounded_down(v); }
-    static float rounded_up(double v) { return csg::rounded_up(v); }
-
 private:
     int near_row[3], far_row[3];
     float near_origin[3], far_origin[3], near_inverse[3], far_inverse[3];
@@ -67,7 +64,7 @@ private:
 /// Calls leaf(ChildWord) for the blocks that the ray meets, nearer children first. leaf returns the new far limit; a
 /// negative one ends the walk. Only children with a bit of `kinds` are entered.
 template <class Leaf>
-inline void traverse(const Bvh& bvh, const Ray& ray, double t_min, double t_max, std::uint32_t kinds, Leaf&& leaf)
+inline void traverse(const Bvh& bvh, const RaySlabs& slabs, double t_min, double t_max, std::uint32_t kinds, Leaf&& leaf)
 {
     if (bvh.nodes.empty()) return;
     struct Entry {
@@ -76,15 +73,14 @@ inline void traverse(const Bvh& bvh, const Ray& ray, double t_min, double t_max,
     };
     Entry stack[kBvhStack];
     int top = 0;
-    const RaySlabs slabs(ray);
-    const float begin = RaySlabs::rounded_down(t_min);
-    float limit = RaySlabs::rounded_up(t_max);
+    const float begin = rounded_down(t_min);
+    float limit = rounded_up(t_max);
     ChildWord current = ChildWord::node(0);
     for (;;) {
         if (current.is_leaf()) {
             const double far = leaf(current);
             if (far < 0.0) return;
-            limit = RaySlabs::rounded_up(far);
+            limit = rounded_up(far);
         } else {
             const BvhNode& node = bvh.nodes[current.index()];
             alignas(32) float near[8];

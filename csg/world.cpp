@@ -39,6 +39,7 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
 {
     constexpr std::uint8_t kShadowBit = 1u << 2;
     Shadow found = Shadow::Clear;
+    const RaySlabs slabs(ray);
     const auto meet = [&](const Hit& hit) {
         if (world.surface_opaque[hit.surface] != 0) {
             found = Shadow::Blocked;
@@ -51,10 +52,10 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
         const WorldItem& item = world.items[i];
         if ((item.visible & kShadowBit) == 0) return;
         if (item.all_opaque) {
-            if (item_nearest(world, item, ray, t_min, t_max, scratch).found()) found = Shadow::Blocked;
+            if (item_nearest(world, item, ray, t_min, t_max, scratch, &slabs).found()) found = Shadow::Blocked;
             return;
         }
-        item_crossings(world, item, ray, t_min, t_max, scratch, meet);
+        item_crossings(world, item, ray, t_min, t_max, scratch, &slabs, meet);
     };
     const auto ball = [&](std::uint32_t i, double near, double far) {
         const WorldItem& item = world.items[i];
@@ -67,7 +68,7 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
         each(i);
         if (found == Shadow::Blocked) return found;
     }
-    traverse(world.bvh, ray, t_min, t_max, kShadowBit, [&](ChildWord leaf) {
+    traverse(world.bvh, slabs, t_min, t_max, kShadowBit, [&](ChildWord leaf) {
         open_block(world, leaf, ray, each, ball);
         return found == Shadow::Blocked ? -1.0 : t_max;
     });
@@ -96,11 +97,12 @@ void shadow_of_cluster(const World& world, const WorldData& data, const RayTile&
 Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
 {
     const WorldData& world = *data_;
+    const RaySlabs slabs(ray);
     Nearest best;
     best.limit = t_max;
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
-        if ((item.visible & kind_bit) != 0) best.offer(item_nearest(world, item, ray, t_min, best.limit, scratch), i);
+        if ((item.visible & kind_bit) != 0) best.offer(item_nearest(world, item, ray, t_min, best.limit, scratch, &slabs), i);
     };
     const auto ball = [&](std::uint32_t i, double near, double far) {
         const WorldItem& item = world.items[i];
@@ -109,7 +111,7 @@ Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind
         best.offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
     };
     for (const std::uint32_t i : world.unbounded) each(i);
-    traverse(world.bvh, ray, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
+    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
         open_block(world, leaf, ray, each, ball);
         return best.limit;
     });

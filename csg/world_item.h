@@ -76,12 +76,13 @@ inline Hit mesh_nearest(const SolidStore& store, PartId part, const Ray& ray, do
     return best;
 }
 
-/// The nearest crossing of an item in [t_min, t_max]; at equal t the last generated (spec 5a, 2.1).
+/// The nearest crossing of an item in [t_min, t_max]; at equal t the last generated (spec 5a, 2.1). `slabs` of the ray, if
+/// they are known.
 inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
-                        Scratch& scratch)
+                        Scratch& scratch, const RaySlabs* slabs = nullptr)
 {
     if (item.solid == kNoPart) {
-        const Crossing c = nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch);
+        const Crossing c = nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs);
         if (c.part == kNoPart || !(c.t <= t_max)) return {};
         return hit_of(world.store, c);
     }
@@ -109,11 +110,11 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
 /// All crossings of an item in [t_min, t_max], in any order: f(Hit).
 template <class F>
 inline void item_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
-                           Scratch& scratch, F&& f)
+                           Scratch& scratch, const RaySlabs* slabs, F&& f)
 {
     if (item.solid == kNoPart) {
-        const auto [first, last] = unordered_crossings(world.programs[item.program], world.store, ray, t_min, t_max, scratch);
-        for (const Crossing* c = first; c != last; ++c) f(hit_of(world.store, *c));
+        each_crossing(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs,
+                      [&](const Crossing& c) { f(hit_of(world.store, c)); });
         return;
     }
     solid_crossings(world.store, item.solid, ray, t_min, t_max, [&](double t, std::uint32_t face) {

@@ -67,7 +67,7 @@ void compare(const Object& o, Rng& rng, int rays, bool along_axis, Tally& tally)
         const double t_min = r % 2 ? 1e-4 : rng.uniform(1.0, 6.0), t_max = r % 3 ? kInfinity : rng.uniform(2.0, 8.0);
         Crossing nearest{.t = kInfinity};
         ++tally.asked;
-        const auto answer = FlatFront(o.program.flat, o.store, ray, t_min, t_max, scratch).nearest(nearest);
+        const auto answer = FlatFront(o.program.flat, o.store, ray, nullptr, t_min, t_max, scratch).nearest(nearest);
         const Crossing expected = Evaluation(o.program, o.store, ray, t_min, t_max, other).nearest();
         if (answer == FlatFront::Answer::Undecided) {
             ++tally.undecided;
@@ -82,7 +82,7 @@ void compare(const Object& o, Rng& rng, int rays, bool along_axis, Tally& tally)
             }
         }
         std::vector<Crossing> mine, general;
-        const auto all = FlatFront(o.program.flat, o.store, ray, t_min, t_max, scratch).crossings([&](const Crossing& c) {
+        const auto all = FlatFront(o.program.flat, o.store, ray, nullptr, t_min, t_max, scratch).crossings([&](const Crossing& c) {
             const auto same = [&](const Crossing& m) { return m.t == c.t && m.part == c.part && m.face == c.face; };
             if (std::none_of(mine.begin(), mine.end(), same)) mine.push_back(c);
         });

@@ -1,0 +1,208 @@
+#pragma once
+
+// What one ray meets of a term; inline because it is compiled once per instruction set.
+#include "csg/evaluate.h"
+#include "csg/flat.h"
+#include "csg/traverse.h"
+
+#include <bit>
+
+namespace csg {
+
+/// How a question to a flat form ends. Undecided: two ends coincide; the general evaluation knows which of them is drawn.
+enum class FlatAnswer { Found, Nothing, Undecided };
+
+/// One ray against the leaves and cuts of a term. `slabs` may be null: it is worked out where boxes have to be tested.
+class FlatMeet {
+public:
+    FlatMeet(const FlatForm& form, const SolidStore& store, const Ray& ray, const RaySlabs* slabs, double t_min, double t_max,
+             Scratch& scratch)
+        : form_(form), store_(store), ray_(ray), slabs_(slabs), t_min_(t_min), t_max_(t_max), scratch_(scratch)
+    {
+        const glm::dvec3 o = glm::abs(ray.origin), d = glm::abs(ray.direction);
+        reach_ = glm::max(o.x, glm::max(o.y, o.z)) / glm::max(d.x, glm::max(d.y, d.z));
+    }
+
+protected:
+    static constexpr std::uint32_t kNoLeaf = 0xffffffffu;
+
+    double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
+    bool close(double a, double b) const
+    {
+        const double gap = std::abs(a - b);
+        return gap <= slack(a) && gap < kInfinity;
+    }
+    bool within(double t) const { return t <= t_max_ && t < kInfinity; }
+
+    Crossing crossing(const FlatEnd& end) const
+    {
+        const FlatLeaf& leaf = form_.leaves[end.leaf];
+        return {.t = end.t, .part = leaf.solid, .face = end.face, .inverted = leaf.turned};
+    }
+
+    /// Calls f for the terms whose box the ray meets between t_min and t_max as they are then, until f returns false.
+    template <class F>
+    void each_term(F&& f)
+    {
+        if (form_.terms.size() == 1) {
+            f(form_.terms[0]);
+            return;
+        }
+        with_slabs([&](const RaySlabs& slabs) {
+            const float begin = rounded_down(t_min_);
+            for (std::size_t block = 0; block < form_.term_boxes.size(); ++block) {
+                alignas(32) float near[8];
+                std::uint32_t mask = slabs.meet(form_.term_boxes[block].bounds, begin, rounded_up(t_max_), near);
+                for (; mask != 0; mask &= mask - 1) {
+                    const int k = std::countr_zero(mask);
+                    if (static_cast<double>(near[k]) > t_max_) continue;
+                    if (!f(form_.terms[8 * block + static_cast<std::size_t>(k)])) return;
+                }
+            }
+        });
+    }
+
+    /// What the convex leaves leave of the line.
+    FlatAnswer meet_leaves(const FlatTerm& term, FlatPiece& piece) const
+    {
+        piece = {{-kInfinity, kNoLeaf, 0}, {kInfinity, kNoLeaf, 0}};
+        return narrow(piece, term.first, term.convex ? term.last : term.last - 1, t_min_, t_max_);
+    }
+
+    /// The pieces of the ray in all leaves that meet the range, for a term with one leaf that is not convex: at most
+    /// kFlatSpans, nearest first.
+    FlatAnswer meet_pieces(const FlatTerm& term, FlatPiece (&pieces)[kFlatSpans], std::uint32_t& count) const
+    {
+        count = 0;
+        FlatPiece all;
+        const FlatAnswer met = meet_leaves(term, all);
+        if (met != FlatAnswer::Found) return met;
+        const std::uint32_t last = term.last - 1;
+        Span memory[kFlatSpans + 1];
+        SpanList spans(memory, kFlatSpans + 1);
+        with_solid(store_, form_.leaves[last].solid, [&](const auto& solid) { intersect(solid, ray_, spans); });
+        for (const Span& span : spans) {
+            const double entry = span.in.t, exit = span.out.t;
+            if (close(entry, all.in.t) || close(exit, all.out.t) || close(entry, all.out.t) || close(exit, all.in.t))
+                return FlatAnswer::Undecided;
+            FlatPiece piece = all;
+            if (entry > all.in.t) piece.in = {entry, last, span.in.face};
+            if (exit < all.out.t) piece.out = {exit, last, span.out.face};
+            if (piece.in.t > piece.out.t || piece.in.t > t_max_ || piece.out.t < t_min_) continue;
+            pieces[count++] = piece;
+        }
+        return count == 0 ? FlatAnswer::Nothing : FlatAnswer::Found;
+    }
+
+    /// The cuts that meet the ray between `in` and `out`, as far as the range reaches: cuts_[0 .. count_).
+    FlatAnswer collect_cuts(const FlatTerm& term, double in, double out)
+    {
+        count_ = 0;
+        if (term.cut_first == term.cut_last) return FlatAnswer::Found;
+        cuts_ = scratch_.flat_pieces(form_.span_memory);
+        // Margins: an end that coincides with the beginning or the end of the piece must be seen.
+        low_ = glm::max(in - slack(in), t_min_);
+        high_ = glm::min(out + slack(out), t_max_);
+        FlatAnswer answer = FlatAnswer::Found;
+        const auto take = [&](std::uint32_t k) {
+            if (!add_cut(form_.cuts[k], in, out)) answer = FlatAnswer::Undecided;
+            return answer == FlatAnswer::Found;
+        };
+        if (term.cut_last - term.cut_first <= 2) {
+            for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k)
+                if (!take(k)) break;
+            return answer;
+        }
+        with_slabs([&](const RaySlabs& slabs) {
+            if (term.tree != FlatTerm::kNoTree) {
+                traverse(form_.trees[term.tree], slabs, low_, high_, 0xffu,
+                         [&](ChildWord word) { return take(word.index()) ? high_ : -1.0; });
+                return;
+            }
+            const float begin = rounded_down(low_), limit = rounded_up(high_);
+            for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
+                alignas(32) float near[8];
+                std::uint32_t mask = slabs.meet(form_.cut_boxes[first / 8].bounds, begin, limit, near);
+                for (; mask != 0; mask &= mask - 1)
+                    if (!take(first + static_cast<std::uint32_t>(std::countr_zero(mask)))) return;
+            }
+        });
+        return answer;
+    }
+
+    const FlatForm& form_;
+    const SolidStore& store_;
+    const Ray& ray_;
+    const RaySlabs* slabs_;
+    double t_min_, t_max_, reach_ = 0.0;
+    FlatPiece* cuts_ = nullptr;
+    std::uint32_t count_ = 0;
+
+private:
+    template <class F>
+    void with_slabs(F&& f) const
+    {
+        if (slabs_ != nullptr)
+            f(*slabs_);
+        else
+            f(RaySlabs(ray_));
+    }
+
+    /// A convex solid's interval; false where the ray misses it.
+    bool interval(const FlatLeaf& leaf, Interval& out) const
+    {
+        if (kind_of(leaf.solid) == SolidKind::Sphere) return store_.all<Sphere>()[index_of(leaf.solid)].interval(ray_, out);
+        return with_solid(store_, leaf.solid, [&](const auto& solid) {
+            if constexpr (requires { solid.interval(ray_, out); })
+                return solid.interval(ray_, out);
+            else
+                return false;  // never convex
+        });
+    }
+
+    /// Narrows a piece to leaves[first .. last), all convex; Nothing as soon as it is empty or out of [low, high].
+    FlatAnswer narrow(FlatPiece& piece, std::uint32_t first, std::uint32_t last, double low, double high) const
+    {
+        for (std::uint32_t k = first; k < last; ++k) {
+            Interval own;
+            if (!interval(form_.leaves[k], own) || own.entry > high || own.exit < low) return FlatAnswer::Nothing;
+            if (close(own.entry, piece.in.t) || close(own.exit, piece.out.t)) return FlatAnswer::Undecided;
+            if (own.entry > piece.in.t) piece.in = {own.entry, k, own.entry_face};
+            if (own.exit < piece.out.t) piece.out = {own.exit, k, own.exit_face};
+            if (close(piece.in.t, piece.out.t)) return FlatAnswer::Undecided;
+            if (piece.in.t > piece.out.t) return FlatAnswer::Nothing;
+        }
+        return FlatAnswer::Found;
+    }
+
+    /// False: an end coincides with the end of the piece.
+    bool add_cut(const FlatCut& cut, double in, double out)
+    {
+        const auto keep = [&](const FlatPiece& piece) {
+            if (piece.out.t < low_ || piece.in.t > high_) return true;
+            if (close(piece.in.t, out) || close(piece.out.t, in)) return false;
+            cuts_[count_++] = piece;
+            return true;
+        };
+        if (!form_.leaves[cut.first].convex) {
+            Span memory[kFlatSpans + 1];
+            SpanList spans(memory, kFlatSpans + 1);
+            with_solid(store_, form_.leaves[cut.first].solid, [&](const auto& solid) { intersect(solid, ray_, spans); });
+            for (const Span& span : spans)
+                if (!keep({{span.in.t, cut.first, span.in.face}, {span.out.t, cut.first, span.out.face}})) return false;
+            return true;
+        }
+        FlatPiece piece{{-kInfinity, kNoLeaf, 0}, {kInfinity, kNoLeaf, 0}};
+        switch (narrow(piece, cut.first, cut.first + cut.count, low_, high_)) {
+            case FlatAnswer::Nothing: return true;
+            case FlatAnswer::Undecided: return false;
+            case FlatAnswer::Found: break;
+        }
+        return keep(piece);
+    }
+
+    Scratch& scratch_;
+    double low_ = 0.0, high_ = 0.0;
+};
+
+}  // namespace csg
