@@ -67,4 +67,12 @@ struct alignas(64) HitTile {
 /// What a shadow ray met.
 enum class Shadow : std::uint8_t { Clear, Blocked, Filtered };  ///< Filtered: crosses only transparent surfaces
 
+/// What the shadow rays of a tile cross where nothing opaque stops them.
+struct CrossingTile {
+    static constexpr std::uint8_t kMost = 16, kTooMany = 255;
+    std::array<Shadow, kTileRays> ending;
+    std::array<std::uint8_t, kTileRays> count;                  ///< of hits, nearest first; kTooMany: ask ray by ray
+    std::array<std::array<Hit, kMost>, kTileRays> hits;         ///< only where `ending` is Filtered
+};
+
 }  // namespace csg

@@ -41,6 +41,19 @@ public:
         found &= mask & ~undecided;
     }
 
+    /// Both ends of a form whose one term is plain(), for the rays found: entry, exit and their codes.
+    void ask_ends(const FlatForm& form, RayMask mask)
+    {
+        undecided = 0;
+        const RayMask met = meet_leaves(form, form.terms[0], mask);
+        undecided &= mask;
+        found = met & ~undecided;
+    }
+    double entry(std::size_t ray) const { return in_[ray]; }
+    double exit(std::size_t ray) const { return out_[ray]; }
+    LeafEnd entry_end(std::size_t ray) const { return LeafEnd(in_end_[ray]); }
+    LeafEnd exit_end(std::size_t ray) const { return LeafEnd(out_end_[ray]); }
+
     RayMask found = 0, undecided = 0;
     alignas(64) TileRays::Lanes t;      ///< where found
     alignas(64) TileRays::Lanes end;    ///< which end of which leaf: decode by LeafEnd
@@ -94,6 +107,7 @@ private:
         store(in_, i, in);
         store(out_, i, out);
         store(in_end_, i, xsimd::select(later, end_code(k, own.entry_face), load(in_end_, i)));
+        store(out_end_, i, xsimd::select(earlier, end_code(k, own.exit_face), load(out_end_, i)));
         undecided |= bits(coincide, i);
         return bits(kept & (in <= out), i);
     }
@@ -180,7 +194,7 @@ private:
     const Beam& beam_;
     const TileRays& rays_;
     double reach_;
-    alignas(64) Lanes in_, out_, in_end_;
+    alignas(64) Lanes in_, out_, in_end_, out_end_;
     std::uint32_t cuts_ = 0;
     alignas(64) std::array<Lanes, kMostCuts> cut_in_, cut_out_, cut_end_;
     std::array<RayMask, kMostCuts> cut_rays_;

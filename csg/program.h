@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/flat.h"
+#include "csg/hit.h"
 #include "csg/solid.h"
 
 #include <memory>
@@ -70,6 +71,9 @@ public:
         return pieces_.get();
     }
 
+    /// A list of hits to be filled by whoever asks; kept for its memory.
+    std::vector<Hit>& hits() { return hits_; }
+
     /// Keeps a crossing unless it is there already: terms share solids.
     void add_once(const Crossing& c)
     {
@@ -97,6 +101,7 @@ private:
     std::unique_ptr<Crossing[]> crossings_;
     std::unique_ptr<Record[]> records_;
     std::unique_ptr<FlatPiece[]> pieces_;
+    std::vector<Hit> hits_;
     std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;
     std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;
 };

@@ -9,7 +9,8 @@ namespace csg {
 
 /// Opens leaf blocks for Query:
 ///   query.solid(item index, rays, at)  a convex solid; at(i) gives lanes::Intervals of the rays from i on
-///   query.program(item index, front)   a CSG object, found in lanes; only where query.lanes_serve(item)
+///   query.ask(front, item, form, rays) a CSG object in lanes; only where query.lanes_serve(item)
+///   query.program(item index, front)   what came of it
 ///   query.each(item index, ray)        anything else, ray by ray
 template <class Query>
 struct TileLeaf {
@@ -50,7 +51,7 @@ struct TileLeaf {
             return;
         }
         if (item.simple && (mask & (mask - 1)) != 0 && query.lanes_serve(item)) {
-            front.ask(world.programs[item.program].flat, mask);
+            query.ask(front, item, world.programs[item.program].flat, mask);
             query.program(index, front);
             mask = front.undecided;
         }

@@ -71,6 +71,7 @@ public:
     }
 
     static bool lanes_serve(const WorldItem&) { return true; }
+    static void ask(LaneFront& front, const WorldItem&, const FlatForm& form, RayMask mask) { front.ask(form, mask); }
 
     void program(std::uint32_t index, const LaneFront& front)
     {
@@ -147,6 +148,7 @@ public:
 
     /// One crossing is enough where every surface stops light.
     static bool lanes_serve(const WorldItem& item) { return item.all_opaque; }
+    static void ask(LaneFront& front, const WorldItem&, const FlatForm& form, RayMask mask) { front.ask(form, mask); }
     void program(std::uint32_t, const LaneFront& front) { meet(front.found, true); }
 
     Shadow answer(int i) const

@@ -1,7 +1,7 @@
 #include "csg/world.h"
 
 #include "csg/tile_clusters.h"
-#include "csg/tile_query.h"
+#include "csg/tile_crossings.h"
 #include "csg/traverse.h"
 #include "csg/world_item.h"
 
@@ -92,6 +92,23 @@ void shadow_of_cluster(const World& world, const WorldData& data, const RayTile&
     }
 }
 
+void crossings_of_cluster(const World& world, const WorldData& data, const RayTile& rays, Scratch& scratch, CrossingTile& out)
+{
+    if (rays.common_origin && rays.count >= kFewestForBeam) {
+        TileRays lanes(rays);
+        CrossingsOfTile query(data, lanes, scratch, out);
+        if (ask_tile(data, lanes, 1u << 2, query)) return query.finish();
+    }
+    std::vector<Hit>& hits = scratch.hits();
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        out.ending[k] = world.shadow_crossings(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch, hits);
+        const bool fits = hits.size() <= CrossingTile::kMost;
+        out.count[k] = fits ? static_cast<std::uint8_t>(hits.size()) : CrossingTile::kTooMany;
+        if (fits) std::copy(hits.begin(), hits.end(), out.hits[k].begin());
+    }
+}
+
 }  // namespace
 
 Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
@@ -141,21 +158,7 @@ Shadow World::shadow_crossings(const Ray& ray, double t_min, double t_max, Scrat
     out.clear();
     const Shadow found = shadow_walk(*data_, ray, t_min, t_max, scratch, [&](const Hit& hit) { out.push_back(hit); });
     if (found != Shadow::Filtered) return found;
-    // Equal distances in one fixed order, whatever order the walk had. Few of them: one by one into place.
-    const auto before = [](const Hit& a, const Hit& b) {
-        return a.t != b.t ? a.t < b.t : a.part != b.part ? a.part < b.part : a.face < b.face;
-    };
-    constexpr std::size_t kFew = 32;
-    if (out.size() > kFew) {
-        std::sort(out.begin(), out.end(), before);
-        return found;
-    }
-    for (std::size_t i = 1; i < out.size(); ++i) {
-        const Hit hit = out[i];
-        std::size_t k = i;
-        for (; k > 0 && before(hit, out[k - 1]); --k) out[k] = out[k - 1];
-        out[k] = hit;
-    }
+    sort_crossings(out.data(), out.size());
     return found;
 }
 
@@ -199,6 +202,28 @@ void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
         clusters.part(rays, c, part, place);
         shadow_of_cluster(*this, *data_, part, scratch, answers);
         for (int i = 0; i < part.count; ++i) out[place[i]] = answers[i];
+    }
+}
+
+void World::shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile& out) const
+{
+    const TileClusters clusters(rays);
+    if (clusters.size() == 1) {
+        crossings_of_cluster(*this, *data_, rays, scratch, out);
+        return;
+    }
+    RayTile part;
+    CrossingTile found;
+    std::uint8_t place[kTileRays];
+    for (int c = 0; c < clusters.size(); ++c) {
+        clusters.part(rays, c, part, place);
+        crossings_of_cluster(*this, *data_, part, scratch, found);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
+            out.ending[place[i]] = found.ending[i];
+            out.count[place[i]] = found.count[i];
+            if (found.ending[i] == Shadow::Filtered && found.count[i] <= CrossingTile::kMost)
+                std::copy_n(found.hits[i].begin(), found.count[i], out.hits[place[i]].begin());
+        }
     }
 }
 

@@ -40,6 +40,9 @@ public:
     /// shadow() for a tile. `out` has kTileRays places.
     void shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const;
 
+    /// shadow_crossings() for a tile.
+    void shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile& out) const;
+
 private:
     const WorldData* data_;
 };

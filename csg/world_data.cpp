@@ -93,6 +93,7 @@ void WorldData::finish()
         WorldItem& item = items[i];
         item.all_opaque = all_opaque(*this, item);
         item.simple = item.solid == kNoPart && programs[item.program].flat.simple();
+        item.plain = item.simple && programs[item.program].flat.terms[0].plain();
         visible_everywhere &= item.visible;
         const Aabb box = drawn_bounds(*this, item);
         if (box.empty()) continue;

@@ -17,6 +17,7 @@ struct WorldItem {
     bool inverted = false;            ///< lone solid only
     bool all_opaque = true;           ///< every surface of it stops light
     bool simple = false;              ///< a program whose flat form suits vector lanes
+    bool plain = false;               ///< and has nothing cut from it
 };
 
 /// Eight balls in lanes; an empty place has radius -1.

@@ -57,12 +57,13 @@ inline csg::Solid block(Rng& rng, const glm::dvec3& center, double size)
     return csg::Box{center - glm::dvec3(step(), step(), step()), center + glm::dvec3(step(), step(), step())};
 }
 
-/// Lone solids, some CSG objects and two planes; every fifth surface is clear, some items are hidden from shadow rays.
-inline void fill(csg::WorldData& world, Rng& rng, int count)
+/// Lone solids, some CSG objects and two planes; one surface in `clear_one_in` is clear, some items are hidden from shadow
+/// rays.
+inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear_one_in = 5)
 {
     std::uint32_t object = 0;
     const auto next_surface = [&] {
-        world.surface_opaque.push_back(rng.below(5) == 0 ? 0 : 1);
+        world.surface_opaque.push_back(rng.below(clear_one_in) == 0 ? 0 : 1);
         return static_cast<csg::SurfaceId>(world.surface_opaque.size() - 1);
     };
     const auto visible = [&] { return static_cast<std::uint8_t>(rng.below(6) == 0 ? 3 : 7); };

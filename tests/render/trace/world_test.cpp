@@ -130,6 +130,41 @@ TEST_CASE("a tile gives the answers of its rays one by one, bit for bit", "[trac
     }
 }
 
+TEST_CASE("a tile of shadow rays crosses what its rays cross one by one", "[trace][tile]")
+{
+    int filtered = 0, too_many = 0;
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(2000 + seed);
+        csg::WorldData data;
+        random_world::fill(data, rng, 200, seed % 2 == 0 ? 1 : 2);
+        const csg::World world(data);
+        csg::Scratch scratch;
+        std::vector<csg::Hit> expected;
+        const auto found = std::make_unique<csg::CrossingTile>();
+        for (int k = 0; k < 60; ++k) {
+            const csg::RayTile tile = camera_tile(rng, k % 3 == 0 ? 0.05 : 0.003);
+            world.shadow_crossings(tile, scratch, *found);
+            for (int i = 0; i < tile.count; ++i) {
+                INFO("tile " << k << " ray " << i);
+                const auto at = static_cast<std::size_t>(i);
+                REQUIRE(found->ending[at] == world.shadow_crossings(tile.ray(i), tile.t_min[at], tile.t_max[at], scratch, expected));
+                if (found->ending[at] != csg::Shadow::Filtered) continue;
+                if (found->count[at] == csg::CrossingTile::kTooMany) {
+                    REQUIRE(expected.size() > csg::CrossingTile::kMost);
+                    ++too_many;
+                    continue;
+                }
+                ++filtered;
+                REQUIRE(found->count[at] == expected.size());
+                for (std::size_t h = 0; h < expected.size(); ++h) check_same(found->hits[at][h], expected[h]);
+            }
+        }
+    }
+    CHECK(filtered > 5000);
+    CHECK(too_many > 0);
+}
+
 TEST_CASE("of two surfaces in one place the first declared is seen", "[trace][world]")
 {
     csg::WorldData data;
