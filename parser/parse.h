@@ -10,6 +10,8 @@
 
 namespace parser {
 
+class SceneQueries;  // parser/queries.h
+
 /// What the command line tells the parser.
 struct Options {
     std::vector<std::string> library_path;             ///< searched after the scene's folder, in order
@@ -22,6 +24,7 @@ struct Options {
     bool clock_on = false;
     int frame_number = 0, initial_frame = 0, final_frame = 0;
     double clock_delta = 0;
+    SceneQueries* queries = nullptr;                   ///< answers trace(), inside(), eval_pigment, ...; null: they are errors
     std::uint64_t most_tokens = 0;                     ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
 };
 

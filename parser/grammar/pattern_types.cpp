@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/stream/function.h"
 
 #include <algorithm>
 
@@ -18,6 +19,7 @@ void set_type(PatternState& s, const char* name)
     s.pattern.vector = glm::dvec3(0);
     s.pattern.numbers.clear();
     s.pattern.pigment.reset();
+    s.pattern.function.reset();
     s.pattern.source = s.stream().last();
 }
 
@@ -191,14 +193,23 @@ struct pigment_pattern : item<Kind::PigmentPattern> {
     }
 };
 
-/// Types that need an image, a file, a function or an object: understood, not drawn yet.
+/// Types that need an image, a file or an object: understood, not drawn yet.
 void undrawn_block(PatternState& s, const char* name)
 {
     set_type(s, name);
     s.build.unsupported(std::string("pattern ") + name, s.stream().last());
     s.build.skip_block(name);
 }
-struct function : item<Kind::Function> { static void act(PatternState& s) { undrawn_block(s, "function"); } };
+struct function_pattern : item<Kind::Function> {
+    static void act(PatternState& s)
+    {
+        set_type(s, "function");
+        s.stream().expect(Kind::LeftBrace, "'{' and the function's body");
+        s.pattern.function = read_function_body(s.stream(), {});
+        if (s.pattern.function->parameters != 3)
+            s.stream().fail(s.pattern.source, "a pattern's function must take x, y and z alone");
+    }
+};
 struct image_pattern : item<Kind::ImagePattern> {
     static void act(PatternState& s) { undrawn_block(s, "image_pattern"); s.pattern.frequency = 0; }
 };
@@ -218,7 +229,7 @@ struct density_file : item<Kind::DensityFile, df3, a_text> {
 using Types = table<PatternState, aoi, average, boxed, bozo, bumps, cells, cylindrical, dents, granite, leopard, onion,
                     planar, radial, ripples, spherical, spotted, waves, wrinkles, checker, hexagon, square, triangular,
                     cubic, brick, quilted, marble, wood, agate, crackle, facets, gradient, spiral<Kind::Spiral1>,
-                    spiral<Kind::Spiral2>, tiling, pavement, mandel, julia, magnet, slope, pigment_pattern, function,
+                    spiral<Kind::Spiral2>, tiling, pavement, mandel, julia, magnet, slope, pigment_pattern, function_pattern,
                     image_pattern, object, density_file>;
 
 }  // namespace

@@ -54,11 +54,6 @@ scene::Description SceneBuilder::take()
     return std::move(description);
 }
 
-std::optional<csg::Aabb> SceneBuilder::extent(const scene::Object&)
-{
-    return std::nullopt;
-}
-
 scene::SourceRef SceneBuilder::open_block(const char* what)
 {
     const scene::SourceRef at = stream_->here();

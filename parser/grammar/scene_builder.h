@@ -26,7 +26,11 @@ public:
 
     std::optional<Value> parse_declared_value(TokenStream& stream) override;
     void parse_default(TokenStream& stream) override;
+    std::optional<function::Outer> parse_function_thing(TokenStream& stream) override;
+    std::optional<ObjectHit> trace(const scene::Object& object, const glm::dvec3& origin, const glm::dvec3& direction) override;
+    std::optional<bool> inside(const scene::Object& object, const glm::dvec3& point) override;
     std::optional<csg::Aabb> extent(const scene::Object& object) override;
+    std::optional<function::Values> evaluate(const function::FunctionPtr& called, const double* arguments) override;
 
     /// The texture that `#default` has made so far: one layer.
     const scene::TexturePtr& default_texture() const { return default_texture_; }

@@ -27,6 +27,8 @@ void TokenStream::declare(bool local)
     Cell whole = symbols_.find_cell(name.name);
     if (whole && whole->get_if<std::shared_ptr<const Macro>>())
         fail(place(name), fmt::format("'{}' is a macro", word(name)));
+    if (whole && whole->get_if<function::FunctionPtr>())
+        fail(place(name), fmt::format("'{}' is a function already; #undef it first", word(name)));
     Cell target;
     const bool element = whole && whole->get_if<std::shared_ptr<Array>>() && peek_raw().kind == Kind::LeftSquare;
     if (element) target = subscripted(whole, name, true);
@@ -128,10 +130,12 @@ Value TokenStream::read_identifier_value(Cell* by_reference)
     if (cell->get_if<std::shared_ptr<DataFile>>()) fail(place(name), "a file handle is no value");
     next();
     if (cell->get_if<std::shared_ptr<Array>>()) cell = subscripted(cell, name, false);
-    if (const auto* function = cell->get_if<std::shared_ptr<const Function>>()) {
+    if (cell->get_if<function::FunctionPtr>() || cell->get_if<SplinePtr>()) {
         if (peek_operator().kind != Kind::LeftParen) return *cell;
-        const std::shared_ptr<const Function> called = *function;
-        return continue_sum(*this, call_function(*this, *called, name, 1), 1);
+        const Value copy = *cell;  // reading may change what the name stands for
+        if (const auto* called = copy.get_if<function::FunctionPtr>())
+            return continue_sum(*this, call_function(*this, *called, name, 1), 1);
+        return continue_sum(*this, call_spline(*this, **copy.get_if<SplinePtr>(), name), 1);
     }
     if (const Tuple* tuple = cell->get_if<Tuple>()) {
         const std::uint64_t before = taken_;
@@ -155,6 +159,7 @@ Value TokenStream::read_value(Cell* by_reference)
     if (at_expression(*this)) return untyped_expr(*this);
     if (token.kind == Kind::Array) return read_array();
     if (token.kind == Kind::Function) return read_function_value(*this);
+    if (token.kind == Kind::Spline) return read_spline(*this);
     const bool raw = std::exchange(raw_operators_, false);
     auto value = hooks_.parse_declared_value(*this);
     raw_operators_ = raw;

@@ -1,233 +1,101 @@
+#include "function/internal.h"
 #include "parser/stream/expression.h"
 #include "parser/stream/function.h"
+#include "parser/stream/function_body.h"
 
 #include <fmt/format.h>
-
-#include <map>
-#include <utility>
 
 namespace parser {
 namespace {
 
-using Op = Function::Op;
+constexpr std::size_t kMostParameters = 56;
 
-/// Reads a body into nodes. Precedence, loosest first: `|`, `&`, relations, `+ -`, `* /`, one sign.
-class BodyReader {
-public:
-    BodyReader(TokenStream& stream, Function& function, const std::map<std::string, std::uint32_t>& parameters)
-        : stream_(stream), function_(function), parameters_(parameters) {}
-
-    std::uint32_t read(int level = 0)
-    {
-        const auto guard = stream_.nest();
-        if (level == kLevels) return signed_operand();
-        std::uint32_t left = read(level + 1);
-        for (Op op = operation(stream_.peek().kind, level); op != Op::Constant; op = operation(stream_.peek().kind, level)) {
-            stream_.next();
-            const std::uint32_t right = read(level + 1);
-            left = add(op, {left, right});
-        }
-        return left;
-    }
-
-private:
-    static constexpr int kLevels = 5;
-
-    static Op operation(Kind kind, int level)
-    {
-        switch (kind) {
-        case Kind::Bar: return level == 0 ? Op::Or : Op::Constant;
-        case Kind::Ampersand: return level == 1 ? Op::And : Op::Constant;
-        case Kind::Less: return level == 2 ? Op::Less : Op::Constant;
-        case Kind::Greater: return level == 2 ? Op::Greater : Op::Constant;
-        case Kind::LessEqual: return level == 2 ? Op::LessEqual : Op::Constant;
-        case Kind::GreaterEqual: return level == 2 ? Op::GreaterEqual : Op::Constant;
-        case Kind::Equal: return level == 2 ? Op::Equal : Op::Constant;
-        case Kind::NotEqual: return level == 2 ? Op::NotEqual : Op::Constant;
-        case Kind::Plus: return level == 3 ? Op::Add : Op::Constant;
-        case Kind::Minus: return level == 3 ? Op::Subtract : Op::Constant;
-        case Kind::Star: return level == 4 ? Op::Multiply : Op::Constant;
-        case Kind::Slash: return level == 4 ? Op::Divide : Op::Constant;
-        default: return Op::Constant;
-        }
-    }
-
-    std::uint32_t add(Op op, std::vector<std::uint32_t> operands, double number = 0)
-    {
-        Function::Node node;
-        node.op = op;
-        node.operands = std::move(operands);
-        node.number = number;
-        function_.nodes.push_back(std::move(node));
-        return static_cast<std::uint32_t>(function_.nodes.size() - 1);
-    }
-
-    void block(std::string why)
-    {
-        if (function_.unavailable.empty()) function_.unavailable = std::move(why);
-    }
-
-    std::uint32_t signed_operand()
-    {
-        if (stream_.accept(Kind::Plus)) return operand();
-        if (stream_.accept(Kind::Minus)) return add(Op::Negate, {operand()});
-        return operand();
-    }
-
-    std::uint32_t operand()
-    {
-        const Token token = stream_.peek();
-        if (token.kind == Kind::Number) return stream_.next(), add(Op::Constant, {}, token.number);
-        if (stream_.accept(Kind::LeftParen)) {
-            const std::uint32_t inner = read();
-            stream_.expect(Kind::RightParen, "')'");
-            return inner;
-        }
-        if (token.kind == Kind::Identifier || is_keyword(token.kind)) {
-            const auto parameter = parameters_.find(stream_.word(token));
-            if (parameter != parameters_.end()) return stream_.next(), add(Op::Parameter, {parameter->second});
-        }
-        switch (token.kind) {
-        case Kind::X: case Kind::U: stream_.next(); return add(Op::Parameter, {0});
-        case Kind::Y: case Kind::V: stream_.next(); return add(Op::Parameter, {1});
-        case Kind::Z: stream_.next(); return add(Op::Parameter, {2});
-        case Kind::Pi: case Kind::Clock: return add(Op::Constant, {}, number_here());
-        case Kind::Identifier: return identifier(token);
-        default: break;
-        }
-        if (lexical_class(token.kind) == LexicalClass::Float) return built_in(token);
-        stream_.fail_expected("a number, a parameter or a function");
-    }
-
-    /// A constant or float identifier alone: taken by value now.
-    double number_here()
-    {
-        const Token token = stream_.next();
-        return token.kind == Kind::Pi ? 3.14159265358979323846
-                                      : static_cast<double>(static_cast<float>(stream_.options().clock));
-    }
-
-    std::uint32_t identifier(const Token& token)
-    {
-        stream_.next();
-        Cell cell = stream_.symbols().find_cell(token.name);
-        if (!cell) stream_.fail_undeclared(token);
-        if (cell->get_if<std::shared_ptr<Array>>()) cell = stream_.subscripted(cell, token, false);
-        if (const Tuple* tuple = cell->get_if<Tuple>(); tuple && tuple->count == 1)
-            return add(Op::Constant, {}, tuple->at[0]);
-        const auto* function = cell->get_if<std::shared_ptr<const Function>>();
-        if (!function) stream_.fail(stream_.place(token), fmt::format("'{}' is no number and no function", stream_.word(token)));
-        const std::shared_ptr<const Function> user = *function;
-        if (!user->unavailable.empty()) block(user->unavailable);
-        auto operands = arguments();
-        if (user->unavailable.empty() && operands.size() != user->registers.size())
-            stream_.fail(stream_.place(token), fmt::format("function {} takes {} arguments", stream_.word(token), user->registers.size()));
-        if (stream_.accept(Kind::Period)) stream_.next();  // a component of a vector function: those are unavailable
-        const std::uint32_t at = add(Op::User, std::move(operands));
-        function_.nodes[at].user = user;
-        return at;
-    }
-
-    std::uint32_t built_in(const Token& token)
-    {
-        stream_.next();
-        if (token.kind == Kind::Sum || token.kind == Kind::Prod)
-            stream_.fail(stream_.place(token), "sum and prod are not available yet");
-        auto operands = arguments();
-        const std::size_t needed = arity(token.kind);
-        const bool some = token.kind == Kind::Min || token.kind == Kind::Max;
-        const bool select = token.kind == Kind::Select && operands.size() == 4;
-        if (needed == 0 || (some ? operands.size() < 2 : operands.size() != needed && !select))
-            stream_.fail(stream_.place(token), fmt::format("{} cannot stand here like this", spelling(token.kind)));
-        const std::uint32_t at = add(Op::Call, std::move(operands));
-        function_.nodes[at].function = token.kind;
-        return at;
-    }
-
-    static std::size_t arity(Kind kind)
-    {
-        switch (kind) {
-        case Kind::Atan2: case Kind::Div: case Kind::Mod: case Kind::Pow: case Kind::Min: case Kind::Max: return 2;
-        case Kind::Select: return 3;
-        case Kind::Abs: case Kind::Acos: case Kind::Acosh: case Kind::Asin: case Kind::Asinh: case Kind::Atan:
-        case Kind::Atanh: case Kind::Ceil: case Kind::Cos: case Kind::Cosh: case Kind::Degrees: case Kind::Exp:
-        case Kind::Floor: case Kind::Int: case Kind::Ln: case Kind::Log: case Kind::Radians: case Kind::Sin: case Kind::Sinh:
-        case Kind::Sqrt: case Kind::Tan: case Kind::Tanh: return 1;
-        default: return 0;
-        }
-    }
-
-    std::vector<std::uint32_t> arguments()
-    {
-        std::vector<std::uint32_t> operands;
-        stream_.expect(Kind::LeftParen, "'(' and the function's arguments");
-        do operands.push_back(read());
-        while (stream_.accept_comma());
-        stream_.expect(Kind::RightParen, "')' after the function's arguments");
-        return operands;
-    }
-
-    TokenStream& stream_;
-    Function& function_;
-    const std::map<std::string, std::uint32_t>& parameters_;
-};
-
-bool is_special(Kind kind)
+/// x and u are one variable, y and v another; of two parameters that name one the later counts.
+void name_axes(std::map<std::string, BodyReader::Value>& names, const std::vector<std::string>& parameters)
 {
-    return kind == Kind::Pigment || kind == Kind::Transform || kind == Kind::Spline || kind == Kind::Pattern ||
-           kind == Kind::Internal;
+    const std::pair<const char*, const char*> axes[] = {{"x", "u"}, {"y", "v"}};
+    for (const auto& [first, second] : axes)
+        for (std::uint32_t i = 0; i < parameters.size(); ++i)
+            if (parameters[i] == first || parameters[i] == second) names[first] = names[second] = i;
 }
 
-/// Takes everything up to the brace that closes the one already taken, which it leaves.
-void pass_body(TokenStream& stream)
+std::vector<std::string> read_parameters(TokenStream& stream)
 {
-    for (int depth = 0;;) {
-        const Kind kind = stream.peek().kind;
-        if (kind == Kind::EndOfText) stream.fail_expected("'}' at the end of the function");
-        if (kind == Kind::RightBrace && depth-- == 0) return;
-        depth += kind == Kind::LeftBrace;
-        stream.next();
+    std::vector<std::string> names;
+    do {
+        const Token name = stream.next();
+        const bool axis = name.kind == Kind::X || name.kind == Kind::Y || name.kind == Kind::Z || name.kind == Kind::U || name.kind == Kind::V;
+        if (name.kind == Kind::Identifier && stream.value_of(name))
+            stream.fail(stream.place(name), fmt::format("a parameter cannot be called '{}': that is declared", stream.word(name)));
+        if (!axis && name.kind != Kind::Identifier) stream.fail(stream.place(name), "expected a parameter's name");
+        names.push_back(stream.word(name));
+        if (names.size() > kMostParameters) stream.fail(stream.place(name), "a function has at most 56 parameters");
+        stream.accept_comma();
+    } while (stream.peek().kind != Kind::RightParen);
+    stream.next();
+    return names;
+}
+
+function::FunctionPtr read_internal(TokenStream& stream)
+{
+    stream.next();
+    stream.expect(Kind::LeftParen, "'(' and the number of an internal function");
+    const Token number = stream.peek();
+    stream.expect(Kind::Number, "the number of an internal function");
+    if (!(number.number >= 0.0 && number.number < function::kInternals))
+        stream.fail(stream.place(number), fmt::format("there is no internal function {}", number.number));
+    stream.expect(Kind::RightParen, "')'");
+    return function::make_internal(static_cast<std::uint32_t>(number.number));
+}
+
+/// Bodies that are a thing of the scene. Null: an expression follows.
+function::FunctionPtr read_special(TokenStream& stream, bool parameters_given)
+{
+    const Kind kind = stream.peek().kind;
+    if (kind == Kind::Internal) return read_internal(stream);
+    if (kind != Kind::Pigment && kind != Kind::Transform && kind != Kind::Spline && kind != Kind::Pattern) return nullptr;
+    if (parameters_given)
+        stream.fail(stream.here(), fmt::format("a function made of '{}' takes no list of parameters", spelling(kind)));
+    if (kind == Kind::Spline) {
+        SplinePtr spline = read_spline(stream);
+        const std::uint32_t count = spline->components();
+        return function::make_outer(std::move(spline), 1, count);
     }
+    auto made = stream.hooks().parse_function_thing(stream);
+    if (!made) stream.fail_expected("an expression");
+    return function::make_outer(*made, 3, kind == Kind::Transform ? 3 : kind == Kind::Pigment ? 5 : 1);
 }
 
 }  // namespace
 
-std::shared_ptr<const Function> read_function_value(TokenStream& stream)
+function::FunctionPtr read_function_body(TokenStream& stream, const std::vector<std::string>& given)
+{
+    if (stream.peek().kind == Kind::String) stream.next();  // a comment of old files
+    function::FunctionPtr made = read_special(stream, !given.empty());
+    if (!made) {
+        const std::vector<std::string> parameters = given.empty() ? std::vector<std::string>{"x", "y", "z"} : given;
+        function::Builder build(static_cast<std::uint32_t>(parameters.size()));
+        std::map<std::string, BodyReader::Value> names;
+        for (std::uint32_t i = 0; i < parameters.size(); ++i) names.emplace(parameters[i], i);
+        name_axes(names, parameters);
+        const auto result = BodyReader(stream, build, names).read();
+        made = build.finish(result);
+    }
+    stream.expect(Kind::RightBrace, "an operator or '}' at the end of the function");
+    return made;
+}
+
+function::FunctionPtr read_function_value(TokenStream& stream)
 {
     stream.next();
     const bool raw = stream.raw_operators();
     stream.set_raw_operators(false);
-    auto function = std::make_shared<Function>();
-    std::map<std::string, std::uint32_t> parameters;
-    if (stream.accept(Kind::LeftParen)) {
-        do {
-            const Token name = stream.next();
-            std::uint32_t at = 0;
-            switch (name.kind) {
-            case Kind::X: case Kind::U: at = 0; break;
-            case Kind::Y: case Kind::V: at = 1; break;
-            case Kind::Z: at = 2; break;
-            case Kind::Identifier: at = function->register_count++; break;
-            default: stream.fail(stream.place(name), "expected a parameter's name");
-            }
-            parameters[stream.word(name)] = at;
-            function->registers.push_back(at);
-            stream.accept_comma();
-        } while (stream.peek().kind != Kind::RightParen);
-        stream.next();
-    } else {
-        function->registers = {0, 1, 2};
-    }
+    std::vector<std::string> parameters;
+    if (stream.accept(Kind::LeftParen)) parameters = read_parameters(stream);
     stream.expect(Kind::LeftBrace, "'{' and the function's body");
-    if (is_special(stream.peek().kind)) {
-        function->unavailable = fmt::format("functions made of {} are not available yet", spelling(stream.peek().kind));
-        pass_body(stream);
-    } else {
-        BodyReader(stream, *function, parameters).read();
-    }
-    stream.expect(Kind::RightBrace, "'}' at the end of the function");
+    auto made = read_function_body(stream, parameters);
     stream.set_raw_operators(raw);
-    return function;
+    return made;
 }
 
 }  // namespace parser

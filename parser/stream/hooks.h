@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parser/queries.h"
 #include "parser/stream/value.h"
 
 #include <optional>
@@ -21,12 +22,19 @@ public:
     /// The block after `#default` (or `default`), braces included.
     virtual void parse_default(TokenStream& stream) = 0;
 
-    struct ObjectHit { bool hit = false; glm::dvec3 point{0}, normal{0}; };
+    /// `pigment { ... }`, `pattern { ... }` or `transform { ... }` as the body of a function; stream.peek() is the word.
+    virtual std::optional<function::Outer> parse_function_thing(TokenStream& /*stream*/) { return std::nullopt; }
+
     /// Questions to a declared object; nullopt: cannot be answered (the stream makes it an error at the call).
     virtual std::optional<ObjectHit> trace(const scene::Object&, const glm::dvec3& /*origin*/,
                                            const glm::dvec3& /*direction, unit length*/) { return std::nullopt; }
     virtual std::optional<bool> inside(const scene::Object&, const glm::dvec3&) { return std::nullopt; }
     virtual std::optional<csg::Aabb> extent(const scene::Object&) { return std::nullopt; }
+    /// A function that asks for noise, patterns or pigments.
+    virtual std::optional<function::Values> evaluate(const function::FunctionPtr&, const double* /*arguments*/)
+    {
+        return std::nullopt;
+    }
 };
 
 }  // namespace parser

@@ -23,8 +23,8 @@ private:
 
 bool is_operand_identifier(const Value& value)
 {
-    if (value.get_if<Tuple>() || value.get_if<std::shared_ptr<const Function>>() ||
-        value.get_if<std::shared_ptr<const Spline>>())
+    if (value.get_if<Tuple>() || value.get_if<function::FunctionPtr>() ||
+        value.get_if<SplinePtr>())
         return true;
     const auto* array = value.get_if<std::shared_ptr<Array>>();
     if (!array) return false;
@@ -72,9 +72,13 @@ Tuple read_identifier(TokenStream& stream, int requested)
         if (value.count == 3) value.count = std::max(3, requested);
         return value;
     }
-    if (const auto* function = cell->get_if<std::shared_ptr<const Function>>()) {
-        const std::shared_ptr<const Function> called = *function;
-        return call_function(stream, *called, name, requested);
+    if (const auto* function = cell->get_if<function::FunctionPtr>()) {
+        const function::FunctionPtr called = *function;
+        return call_function(stream, called, name, requested);
+    }
+    if (const auto* spline = cell->get_if<SplinePtr>()) {
+        const SplinePtr called = *spline;
+        return call_spline(stream, *called, name);
     }
     if (!cell->set()) stream.fail(stream.place(name), "'" + stream.word(name) + "' has no value yet");
     stream.fail(stream.place(name), "expected a number or vector, but '" + stream.word(name) + "' is declared as " +

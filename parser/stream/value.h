@@ -1,5 +1,6 @@
 #pragma once
 
+#include "function/program.h"
 #include "render/scene/description.h"
 
 #include <array>
@@ -42,8 +43,6 @@ using NormalMap = std::vector<scene::MapEntry<scene::NormalPtr>>;
 using SlopeMap = std::vector<scene::MapEntry<glm::dvec2>>;
 using TextureMap = std::vector<scene::MapEntry<scene::TexturePtr>>;
 
-class Function;  ///< function.h
-class Spline;    ///< spline.h
 struct Macro;    ///< token_stream.h
 struct DataFile; ///< data_file.h
 
@@ -60,7 +59,7 @@ struct Value : std::variant<
     std::shared_ptr<const scene::ColorMap>, std::shared_ptr<const scene::PigmentMap>, std::shared_ptr<const NormalMap>,
     std::shared_ptr<const SlopeMap>, std::shared_ptr<const TextureMap>, std::shared_ptr<const csg::Transform>,
     std::shared_ptr<const scene::Camera>, std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>,
-    std::shared_ptr<const Function>, std::shared_ptr<const Spline>,
+    function::FunctionPtr, std::shared_ptr<const function::Spline>,
     std::shared_ptr<const Macro>, std::shared_ptr<DataFile>, Undrawn> {
     using variant::variant;
     using variant::operator=;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/types.h"
+#include "function/program.h"
 #include "render/scene/color.h"
 #include "render/scene/source_ref.h"
 
@@ -46,6 +47,7 @@ struct Pattern {
     glm::dvec3 vector{0};               ///< gradient's axis, brick size, julia's complex number, slope's direction, ...
     std::vector<double> numbers;        ///< mortar, control values, exponents, ...
     std::shared_ptr<const Pigment> pigment;  ///< pigment_pattern only
+    function::FunctionPtr function;     ///< `function` only: of x, y, z
     int noise_generator = 0;            ///< 0: the scene's
     double frequency = 1, phase = 0;
     WaveForm wave = WaveForm::Ramp;

@@ -17,18 +17,19 @@ namespace {
 /// here belongs to the nearest one above it that is.
 const std::map<std::string, std::set<std::string>> kMayUse = {
     {"csg", {}},
+    {"function", {"csg"}},
     // parse.h holds the options and messages that the sub-folders use as well, parse.cpp puts the sub-folders together.
-    {"parser", {"csg", "parser/grammar", "parser/lexer", "parser/stream", "render/scene"}},
+    {"parser", {"csg", "function", "parser/grammar", "parser/lexer", "parser/stream", "render/scene"}},
     {"parser/lexer", {}},
-    {"parser/stream", {"csg", "parser/lexer", "parser", "render/scene"}},
-    {"parser/grammar", {"csg", "parser/lexer", "parser/stream", "parser", "render/scene"}},
-    {"render/scene", {"csg"}},
+    {"parser/stream", {"csg", "function", "parser/lexer", "parser", "render/scene"}},
+    {"parser/grammar", {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene"}},
+    {"render/scene", {"csg", "function"}},
     {"render/image", {}},
-    {"render/texture", {"csg", "render/scene"}},
-    {"render/light", {"csg", "render/scene", "render/texture"}},
-    {"render/plan", {"csg", "render/scene", "render/texture", "render/light"}},
-    {"render/trace", {"csg", "render/scene", "render/texture", "render/light", "render/plan", "render/image"}},
-    {"render/app", {"csg", "parser", "render/scene", "render/image", "render/plan", "render/trace"}},
+    {"render/texture", {"csg", "function", "render/scene"}},
+    {"render/light", {"csg", "function", "render/scene", "render/texture"}},
+    {"render/plan", {"csg", "function", "render/scene", "render/texture", "render/light"}},
+    {"render/trace", {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image"}},
+    {"render/app", {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace"}},
 };
 
 /// Libraries with one home.
@@ -86,7 +87,7 @@ std::vector<Include> includes_below(const std::string& top)
 std::vector<Include> all_includes()
 {
     std::vector<Include> all;
-    for (const char* top : {"csg", "parser", "render"}) {
+    for (const char* top : {"csg", "function", "parser", "render"}) {
         std::vector<Include> part = includes_below(top);
         all.insert(all.end(), part.begin(), part.end());
     }

@@ -1,0 +1,139 @@
+#include "function/internal.h"
+#include "function/machine.h"
+#include "function/outer.h"
+
+#include <xsimd/xsimd.hpp>
+
+namespace function {
+namespace {
+
+using Batch = xsimd::batch<double>;
+constexpr std::size_t kWidth = Batch::size, kBatches = kLanes / kWidth;
+static_assert(kLanes % kWidth == 0);
+
+}  // namespace
+
+/// Eight numbers. Arithmetic runs in vector registers; what the C library computes is asked lane by lane, so that every
+/// lane has the bits of the scalar result.
+struct alignas(64) Eight {
+    double v[kLanes];
+};
+
+namespace {
+
+template <class F> Eight batchwise(const Eight& a, const Eight& b, F&& f)
+{
+    Eight out;
+    for (std::size_t i = 0; i < kLanes; i += kWidth) f(Batch::load_aligned(a.v + i), Batch::load_aligned(b.v + i)).store_aligned(out.v + i);
+    return out;
+}
+template <class F> Eight lanewise(F&& f)
+{
+    Eight out;
+    for (std::size_t i = 0; i < kLanes; ++i) out.v[i] = f(i);
+    return out;
+}
+template <class Bool> Batch truth(const Bool& b) { return xsimd::select(b, Batch(1.0), Batch(0.0)); }
+
+}  // namespace
+
+template <> struct Rules<Eight> {
+    static Eight constant(double c) { return lanewise([c](std::size_t) { return c; }); }
+
+    template <Op op> static Eight binary(const Eight& a, const Eight& b)
+    {
+        if constexpr (op == Op::Add) return batchwise(a, b, [](Batch x, Batch y) { return x + y; });
+        else if constexpr (op == Op::Subtract) return batchwise(a, b, [](Batch x, Batch y) { return x - y; });
+        else if constexpr (op == Op::Multiply) return batchwise(a, b, [](Batch x, Batch y) { return x * y; });
+        else if constexpr (op == Op::Divide) return batchwise(a, b, [](Batch x, Batch y) { return x / y; });
+        else if constexpr (op == Op::Less) return batchwise(a, b, [](Batch x, Batch y) { return truth(x < y); });
+        else if constexpr (op == Op::LessEqual) return batchwise(a, b, [](Batch x, Batch y) { return truth(x <= y); });
+        else if constexpr (op == Op::Greater) return batchwise(a, b, [](Batch x, Batch y) { return Batch(1.0) - truth(x <= y); });
+        else if constexpr (op == Op::GreaterEqual) return batchwise(a, b, [](Batch x, Batch y) { return Batch(1.0) - truth(x < y); });
+        else if constexpr (op == Op::Min) return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, x, y); });
+        else if constexpr (op == Op::Max) return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, y, x); });
+        else return lanewise([&](std::size_t i) { return function::binary<op>(a.v[i], b.v[i]); });
+    }
+
+    template <Op op> static Eight unary(const Eight& a)
+    {
+        if constexpr (op == Op::Sqrt) return batchwise(a, a, [](Batch x, Batch) { return xsimd::sqrt(x); });
+        else if constexpr (op == Op::Abs) return batchwise(a, a, [](Batch x, Batch) { return xsimd::abs(x); });
+        else return lanewise([&](std::size_t i) { return function::unary<op>(a.v[i]); });
+    }
+
+    /// Runs the branches that some lane takes.
+    static void select(Machine<Eight>& m, const Branching& b, std::uint32_t dst)
+    {
+        const Eight c = m.reg(b.condition);
+        std::size_t choice[kLanes];
+        for (std::size_t i = 0; i < kLanes; ++i) choice[i] = c.v[i] < 0.0 ? 0 : b.count == 2 || c.v[i] == 0.0 ? 1 : 2;
+        Eight all{};
+        for (std::size_t k = 0; k < b.count; ++k) {
+            bool some = false;
+            for (const std::size_t taken : choice) some = some || taken == k;
+            if (!some) continue;
+            m.run(b.begin[k], b.end[k]);
+            const Eight& value = m.reg(b.result[k]);
+            for (std::size_t i = 0; i < kLanes; ++i) all.v[i] = choice[i] == k ? value.v[i] : all.v[i];
+        }
+        m.reg(dst) = all;
+    }
+
+    /// Runs until the last lane is through.
+    static void loop(Machine<Eight>& m, const Loop& l, std::uint32_t dst)
+    {
+        const Eight to = m.reg(l.to);
+        Eight counter = m.reg(l.from), all = constant(l.product ? 1.0 : 0.0);
+        for (;;) {
+            bool active[kLanes], some = false;
+            for (std::size_t i = 0; i < kLanes; ++i) some = (active[i] = counter.v[i] <= to.v[i]) || some;
+            if (!some) break;
+            m.reg(l.counter) = counter;
+            m.run(l.begin, l.end);
+            const Eight& value = m.reg(l.result);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                if (!active[i]) continue;
+                all.v[i] = l.product ? all.v[i] * value.v[i] : all.v[i] + value.v[i];
+                const double next = counter.v[i] + 1.0;
+                counter.v[i] = next == counter.v[i] ? kEnded : next;
+            }
+        }
+        m.reg(dst) = all;
+    }
+
+    static Eight internal(std::uint32_t n, std::uint32_t count, const Eight* a, const Host& host)
+    {
+        return lanewise([&](std::size_t lane) {
+            double one[kMostParameters];
+            for (std::uint32_t i = 0; i < count; ++i) one[i] = a[i].v[lane];
+            return function::internal(n, one, host);
+        });
+    }
+
+    static void outer(const Outer& what, const Eight* a, const Host& host, Eight* out)
+    {
+        const std::size_t count = std::holds_alternative<std::shared_ptr<const Spline>>(what) ? 1 : 3;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            double one[3] = {};
+            for (std::size_t i = 0; i < count; ++i) one[i] = a[i].v[lane];
+            const Values v = outer_value(what, one, host);
+            for (std::size_t k = 0; k < v.size(); ++k) out[k].v[lane] = v[k];
+        }
+    }
+
+private:
+    static constexpr double kEnded = std::numeric_limits<double>::quiet_NaN();  // no counter: nothing is <= it
+    static constexpr std::size_t kMostParameters = 16;
+};
+
+void evaluate_lanes(const Function& function, const double (*arguments)[kLanes], const Host& host, double* out)
+{
+    constexpr std::size_t kMostArguments = 64;
+    Eight loaded[kMostArguments];
+    for (std::uint32_t i = 0; i < function.parameters; ++i) std::copy_n(arguments[i], kLanes, loaded[i].v);
+    const Eight value = run_function<Eight>(function, loaded, host);
+    std::copy_n(value.v, kLanes, out);
+}
+
+}  // namespace function

@@ -1,0 +1,48 @@
+#include "parser/grammar/scene_builder.h"
+#include "parser/queries.h"
+#include "render/scene/function.h"
+
+/// The scene's things inside functions, and the questions that are passed on to whoever can answer them.
+namespace parser {
+
+std::optional<function::Outer> SceneBuilder::parse_function_thing(TokenStream& stream)
+{
+    using Use = function::OuterUse;
+    const Kind kind = stream.next().kind;
+    if (kind == Kind::Transform) return read_transform(*this);
+    if (kind == Kind::Pigment)
+        return Use{Use::Kind::Pigment, std::make_shared<scene::PigmentFunction>(read_pigment(*this, default_layer().pigment))};
+    const scene::SourceRef opened = open_block("pattern");
+    scene::Pattern pattern;
+    pattern.source = opened;
+    if (!read_pattern_type(*this, pattern)) stream.fail_expected("a pattern");
+    while (read_pattern_modifier(*this, pattern)) {}
+    close_block("pattern", opened);
+    return Use{Use::Kind::Pattern, std::make_shared<scene::PatternFunction>(std::move(pattern))};
+}
+
+std::optional<ObjectHit> SceneBuilder::trace(const scene::Object& object, const glm::dvec3& origin, const glm::dvec3& direction)
+{
+    SceneQueries* queries = stream_->options().queries;
+    return queries ? std::optional(queries->trace(object, origin, direction)) : std::nullopt;
+}
+
+std::optional<bool> SceneBuilder::inside(const scene::Object& object, const glm::dvec3& point)
+{
+    SceneQueries* queries = stream_->options().queries;
+    return queries ? std::optional(queries->inside(object, point)) : std::nullopt;
+}
+
+std::optional<csg::Aabb> SceneBuilder::extent(const scene::Object& object)
+{
+    SceneQueries* queries = stream_->options().queries;
+    return queries ? std::optional(queries->extent(object)) : std::nullopt;
+}
+
+std::optional<function::Values> SceneBuilder::evaluate(const function::FunctionPtr& called, const double* arguments)
+{
+    SceneQueries* queries = stream_->options().queries;
+    return queries ? std::optional(queries->evaluate(called, arguments, description)) : std::nullopt;
+}
+
+}  // namespace parser

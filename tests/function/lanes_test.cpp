@@ -1,0 +1,61 @@
+#include "support.h"
+
+#include "function/builder.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <random>
+
+using function::kLanes;
+
+namespace {
+
+/// Every lane against the single point, by bits.
+void check_lanes(const function::Function& f, std::mt19937& random, double range)
+{
+    std::uniform_real_distribution<double> any(-range, range);
+    double arguments[64][kLanes], out[kLanes];
+    for (std::uint32_t i = 0; i < f.parameters; ++i)
+        for (double& a : arguments[i]) a = any(random);
+    const function_test::NoiseHost host;
+    function::evaluate_lanes(f, arguments, host, out);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        std::vector<double> one;
+        for (std::uint32_t i = 0; i < f.parameters; ++i) one.push_back(arguments[i][lane]);
+        const double alone = function::evaluate(f, one.data(), host);
+        const bool same = std::memcmp(&alone, &out[lane], sizeof alone) == 0 || (alone != alone && out[lane] != out[lane]);
+        INFO("lane " << lane << ": " << out[lane] << ", alone " << alone);
+        REQUIRE(same);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("eight points in lanes have the bits of eight single points", "[function]")
+{
+    const std::string auxiliary =
+        "#declare F1=function(q){q*2+1} #declare F2=function(x,y,z){x-y*z} "
+        "#declare VT=function{transform{translate <1,2,3> scale 2}} "
+        "#declare SP=function{spline{linear_spline 0,<1,2> 1,<3,5>}} ";
+    std::mt19937 random(7);
+    for (const auto& row : function_test::table("expressions.csv")) {
+        INFO(row[0]);
+        check_lanes(*function_test::compiled(auxiliary + "#declare F=function(x,y,z,a,b){" + row[0] + "}", "F"), random, 4.0);
+    }
+    for (const char* body : {"select(x,sin(y),select(z,x*y,exp(z)))", "sum(i,x,y+3,prod(j,0,i,z+j))", "select(x-1,sum(i,0,4,x*i),y)",
+                             "sum(i,0,3,select(i-x,i*y,z))"}) {
+        INFO(body);
+        const auto f = function_test::compiled(std::string("#declare F=function{") + body + "}", "F");
+        for (int round = 0; round < 100; ++round) check_lanes(*f, random, 4.0);
+    }
+}
+
+TEST_CASE("internal functions in lanes", "[function]")
+{
+    std::mt19937 random(8);
+    for (std::uint32_t n = 0; n < 79; ++n) {
+        INFO("internal " << n);
+        check_lanes(*function::make_internal(n), random, 2.0);
+    }
+}
