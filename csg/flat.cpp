@@ -262,10 +262,8 @@ private:
 
 bool FlatForm::simple() const
 {
-    if (terms.size() != 1 || merged || !terms[0].convex || terms[0].first == terms[0].last) return false;
-    return std::all_of(cuts.begin(), cuts.end(), [&](const FlatCut& cut) {
-        return cut.count == 0 || (cut.count == 1 && leaves[cut.first].convex);
-    });
+    if (terms.size() != 1 || merged || terms[0].first == terms[0].last) return false;
+    return terms[0].convex || kind_of(leaves[terms[0].last - 1].solid) == SolidKind::Quadric;
 }
 
 FlatForm flat_form(const Program& program, const SolidStore& store)

@@ -97,7 +97,8 @@ private:
     RayMask meet_leaf(const lanes::Intervals& own, std::uint32_t k, int i)
     {
         const Bool kept = own.met & (own.entry <= load(rays_.limit, i)) & (own.exit >= load(rays_.t_min, i));
-        if (lanes::mask(kept) == 0) return 0;
+        undecided |= bits(own.unclear, i);
+        if (lanes::mask(kept) == 0) return bits(own.unclear, i);
         Double in = load(in_, i), out = load(out_, i);
         Bool coincide = close(own.entry, in) | close(own.exit, out);
         const Bool later = own.entry > in, earlier = own.exit < out;
@@ -109,7 +110,7 @@ private:
         store(in_end_, i, xsimd::select(later, end_code(k, own.entry_face), load(in_end_, i)));
         store(out_end_, i, xsimd::select(earlier, end_code(k, own.exit_face), load(out_end_, i)));
         undecided |= bits(coincide, i);
-        return bits(kept & (in <= out), i);
+        return bits((kept & (in <= out)) | own.unclear, i);
     }
 
     /// The intervals of the cuts whose box is met. False: too many of them.
@@ -142,7 +143,11 @@ private:
             return glm::dvec3(bounds[row][k % 8], bounds[row + 1][k % 8], bounds[row + 2][k % 8]);
         };
         const RayMask near = rays_.meet(corner(0), corner(3), mask);
-        if (near != 0) meet_cut(form, form.cuts[k].first, near);
+        if (near == 0) return;
+        if (form.cuts[k].count == 1 && form.leaves[form.cuts[k].first].convex)
+            meet_cut(form, form.cuts[k].first, near);
+        else
+            undecided |= near;  // not for lanes
     }
 
     void meet_cut(const FlatForm& form, std::uint32_t leaf, RayMask mask)

@@ -30,6 +30,7 @@ struct Directions {
 struct Intervals {
     Double entry, exit, entry_face = Double(0.0), exit_face = Double(0.0);
     Bool met = Bool(false);
+    Bool unclear = Bool(false);   ///< perhaps more than one interval: to be asked ray by ray; only a quadric says so
 };
 
 /// xsimd negates by subtraction on AVX-512, which loses the sign of 0.

@@ -193,7 +193,7 @@ private:
     static Intervals sides(const Intervals& ends, Double a, Double b, Double c, Double root, Double shift)
     {
         const Double zero(0.0);
-        const Double q = negated(b + xsimd::copysign(root, b));
+        const Double q = negated(b + (root | (b & Double(-0.0))));  // the root has no sign
         const Double r0 = xsimd::select(q != zero, c / q, zero), r1 = q / a;
         const Bool linear = a == zero, rising = b > zero, still = q == zero;
         const Double near = xsimd::select(r0 < r1, r0, r1), far = xsimd::select(r0 < r1, r1, r0);
@@ -225,7 +225,46 @@ private:
     glm::dvec3 o_;
 };
 
-/// Whether with_test() knows the solid.
+/// Quadric::intersect() where it gives one span.
+template <>
+class Test<Quadric> {
+public:
+    Test(const Quadric& s, const glm::dvec3& origin) : solid_(s), origin_(s.frame.inverse_point(origin)) {}
+    Intervals operator()(const Directions& world) const
+    {
+        const Directions d = world.in(solid_.frame);
+        const Double sx(solid_.square.x), sy(solid_.square.y), sz(solid_.square.z);
+        const Double mx(solid_.mixed.x), my(solid_.mixed.y), mz(solid_.mixed.z);
+        const Double lx(solid_.linear.x), ly(solid_.linear.y), lz(solid_.linear.z);
+        const Double gx(origin_.x), gy(origin_.y), gz(origin_.z);
+        const Double length2 = d.square();
+        const Double shift = negated(gx * d.x + gy * d.y + gz * d.z) / length2;
+        const Double x = gx + shift * d.x, y = gy + shift * d.y, z = gz + shift * d.z;
+        const Double a = d.x * (sx * d.x + mx * d.y + my * d.z) + d.y * (sy * d.y + mz * d.z) + sz * d.z * d.z;
+        const Double slope_x = Double(2.0) * sx * x + mx * y + my * z + lx, slope_y = Double(2.0) * sy * y + mx * x + mz * z + ly,
+                     slope_z = Double(2.0) * sz * z + my * x + mz * y + lz;
+        const Double b = Double(0.5) * (slope_x * d.x + slope_y * d.y + slope_z * d.z);
+        const Double c = x * (sx * x + mx * y + my * z + lx) + y * (sy * y + mz * z + ly) + z * (sz * z + lz) +
+                         Double(solid_.constant);
+        const Double discriminant = b * b - a * c;
+        const Bool crosses = discriminant > Double(0.0), opens = a < Double(0.0);
+        Intervals out;
+        out.unclear = !((a > Double(0.0)) | (opens & (discriminant <= Double(0.0))));
+        const Double root = xsimd::sqrt(discriminant);
+        const Double q = negated(b + (root | (b & Double(-0.0))));  // the root has no sign
+        const Double r0 = c / q, r1 = q / a;
+        out.entry = xsimd::select(opens, before(), shift + xsimd::select(r1 < r0, r1, r0));
+        out.exit = xsimd::select(opens, beyond(), shift + xsimd::select(r0 < r1, r1, r0));
+        out.met = (opens | crosses) & !out.unclear;
+        return out;
+    }
+
+private:
+    const Quadric& solid_;
+    glm::dvec3 origin_;
+};
+
+/// Whether with_test() gives one interval for every ray.
 inline bool has_test(const SolidStore& store, PartId part)
 {
     switch (kind_of(part)) {
@@ -240,7 +279,7 @@ inline bool has_test(const SolidStore& store, PartId part)
     }
 }
 
-/// Calls f with the solid prepared for rays from the origin; nothing for a solid without has_test().
+/// Calls f with the solid prepared for rays from the origin: a quadric, or a solid that has_test().
 template <class F>
 inline void with_test(const SolidStore& store, PartId part, const glm::dvec3& origin, F&& f)
 {
@@ -253,6 +292,7 @@ inline void with_test(const SolidStore& store, PartId part, const glm::dvec3& or
         case SolidKind::Plane: f(Test<Plane>(store.all<Plane>()[i], origin)); return;
         case SolidKind::Cylinder: f(Test<Cylinder>(store.all<Cylinder>()[i], origin)); return;
         case SolidKind::Cone: f(Test<Cone>(store.all<Cone>()[i], origin)); return;
+        case SolidKind::Quadric: f(Test<Quadric>(store.all<Quadric>()[i], origin)); return;
         default: return;
     }
 }

@@ -33,7 +33,7 @@ std::string flat(const csg::FlatForm& form)
     const std::size_t cuts = static_cast<std::size_t>(
         std::count_if(form.cuts.begin(), form.cuts.end(), [](const csg::FlatCut& cut) { return cut.count != 0; }));
     if (form.merged) return fmt::format(", merge of {} solids", cuts);
-    if (form.simple() && cuts == 0) return ", convex";
+    if (form.simple() && form.terms[0].plain()) return ", convex";
     return fmt::format(", flat: {} term{}, {} cut{}", form.terms.size(), form.terms.size() == 1 ? "" : "s", cuts, cuts == 1 ? "" : "s");
 }
 

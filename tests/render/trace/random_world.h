@@ -33,13 +33,14 @@ inline csg::Solid solid(Rng& rng, const glm::dvec3& center, double size)
     const glm::dvec3 half(rng.uniform(0.3, 1.0) * size, rng.uniform(0.3, 1.0) * size, rng.uniform(0.3, 1.0) * size);
     const csg::Transform frame = csg::Transform::translate(center) * csg::Transform::rotate_degrees(rng.point(180.0)) *
                                  csg::Transform::scale(half);
-    switch (rng.below(8)) {
+    switch (rng.below(9)) {
         case 0: return csg::Sphere{center, size};
         case 1: return csg::Box{center - half, center + half};
         case 2: return csg::Cylinder::make(center, center + 2.0 * size * rng.direction(), 0.5 * size, rng.below(4) == 0);
         case 3: return csg::Torus{size, 0.3 * size, csg::Transform::translate(center)};
         case 4: return csg::Ellipsoid{frame};
         case 5: return csg::OrientedBox{glm::dvec3(-1.0), glm::dvec3(1.0), frame};
+        case 7: return csg::Quadric{{1, rng.uniform(-1, 1), 1}, {0.1, 0, 0}, {0, rng.uniform(-1, 1), 0}, rng.uniform(-1, 0.1), frame};
         case 6: return csg::Cone{rng.uniform(0.0, 0.8), frame, rng.below(4) == 0};
         default: {
             const glm::dvec3 a = center + size * rng.direction(), b = center + size * rng.direction();
