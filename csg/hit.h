@@ -40,6 +40,13 @@ struct alignas(64) RayTile {
         const auto k = static_cast<std::size_t>(i);
         return {{ox[k], oy[k], oz[k]}, {dx[k], dy[k], dz[k]}};
     }
+    void set(std::size_t k, const Ray& ray, double from, double to)
+    {
+        ox[k] = ray.origin.x, oy[k] = ray.origin.y, oz[k] = ray.origin.z;
+        dx[k] = ray.direction.x, dy[k] = ray.direction.y, dz[k] = ray.direction.z;
+        t_min[k] = from;
+        t_max[k] = to;
+    }
 };
 
 /// Nearest hits of a tile as arrays.

@@ -7,37 +7,35 @@
 namespace trace {
 namespace {
 
-/// How an interface turns a ray, and what the ray is inside of afterwards (spec 3, 8.2).
+/// How an interface turns a ray (spec 3, 8.2): incoming over outgoing.
 struct Crossing {
-    double ratio = 1, dispersion = 1;   ///< incoming over outgoing
-    InteriorList list;
+    double ratio = 1, dispersion = 1;
 };
 
-Crossing cross(const Context& context, const InteriorList& list, std::uint32_t own)
+/// `out`: what the ray is inside of afterwards.
+Crossing cross(const Context& context, const InteriorList& list, std::uint32_t own, InteriorList& out)
 {
     const auto& interiors = context.scene.interiors;
     const auto ior = [&](std::uint32_t i) { return static_cast<double>(interiors[i].ior); };
     const auto dispersion = [&](std::uint32_t i) { return static_cast<double>(interiors[i].dispersion); };
-    Crossing out{1, 1, list};
+    out = list;
     if (list.empty()) {
-        out.ratio = 1.0 / ior(own);
-        out.dispersion = 1.0 / dispersion(own);
-        out.list.append(own);
-    } else if (list.last() == own) {
-        // Leaving the body entered last; remove_first would take an earlier entry of the same body.
-        InteriorList left;
-        for (std::size_t i = 0; i + 1 < list.size(); ++i) left.append(list[i]);
-        out.list = left;
-        out.ratio = left.empty() ? ior(own) : ior(own) / ior(left.last());
-        out.dispersion = left.empty() ? dispersion(own) : dispersion(own) / dispersion(left.last());
-    } else if (list.holds(own)) {
-        out.list.remove_first(own);
-    } else {
-        out.ratio = ior(list.last()) / ior(own);
-        out.dispersion = dispersion(list.last()) / dispersion(own);
-        out.list.append(own);
+        out.append(own);
+        return {1.0 / ior(own), 1.0 / dispersion(own)};
     }
-    return out;
+    const std::uint32_t last = list.last();
+    if (last == own) {
+        // Leaving the body entered last; remove_first would take an earlier entry of the same body.
+        out.remove_last();
+        if (out.empty()) return {ior(own), dispersion(own)};
+        return {ior(own) / ior(out.last()), dispersion(own) / dispersion(out.last())};
+    }
+    if (list.holds(own)) {
+        out.remove_first(own);
+        return {};
+    }
+    out.append(own);
+    return {ior(last) / ior(own), dispersion(last) / dispersion(own)};
 }
 
 }  // namespace
@@ -57,7 +55,7 @@ glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool sh
     return interior.fade_color + (1.0f - interior.fade_color) * share;
 }
 
-double fresnel_index(const Context& context, const HitContext& hit)
+double fresnel_index(const Context& context, const HitPlace& hit)
 {
     const auto& interiors = context.scene.interiors;
     const InteriorList& list = hit.state.interiors;
@@ -69,8 +67,7 @@ double fresnel_index(const Context& context, const HitContext& hit)
     return list.size() == 1 ? 1.0 / own : outer / own;
 }
 
-scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3& normal, float weight,
-                       glm::dvec3& direction)
+RayState mirrored(const HitPlace& hit, const glm::dvec3& normal, float weight)
 {
     const glm::dvec3& d = hit.state.ray.direction;
     glm::dvec3 r = d - 2.0 * glm::dot(d, normal) * normal;
@@ -82,46 +79,62 @@ scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3
         else
             r -= 2.0 * out * hit.normal;
     }
-    direction = glm::normalize(r);
-    RayState next{{hit.point, direction}, weight, hit.level, plan::RayKind::Reflection, hit.state.interiors};
+    return {{hit.point, glm::normalize(r)}, weight, hit.level, plan::RayKind::Reflection, hit.state.interiors};
+}
+
+scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3& normal, float weight,
+                       glm::dvec3& direction)
+{
+    const RayState next = mirrored(hit, normal, weight);
+    direction = next.ray.direction;
     ++context.scratch.counts.reflected;
     return trace_ray(context, next, false);
+}
+
+bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Onward& out)
+{
+    if (hit.surface.interior == plan::kNone) return false;
+    const plan::Interior& interior = context.scene.interiors[hit.surface.interior];
+    const glm::dvec3& d = hit.state.ray.direction;
+    out.fade = glm::vec3(interior.transmission);
+    if (hit.state.interiors.holds(hit.surface.interior)) out.fade *= interior_fade(interior, hit.distance, false);
+
+    out.straight = true;
+    out.total = false;
+    const Crossing crossing = cross(context, hit.state.interiors, hit.surface.interior, out.ray.interiors);
+    out.ray.ray = {hit.point, d};
+    out.ray.weight = weight;
+    out.ray.level = hit.level;
+    out.ray.kind = hit.state.kind;
+    if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) return true;
+    out.straight = false;
+    const double facing = glm::dot(d, top_normal);
+    const glm::dvec3 n = facing <= 0.0 ? top_normal : -top_normal;
+    const double r = crossing.ratio, c = std::abs(facing);
+    const double k = 1.0 + r * r * (c * c - 1.0);
+    if (k < 0.0) {
+        out.total = true;
+        out.ray = mirrored(hit, top_normal, weight);
+    } else {
+        // A unit vector already, up to rounding; World wants unit directions, so it is made exact.
+        out.ray.ray.direction = glm::normalize(r * d + (r * c - std::sqrt(k)) * n);
+    }
+    return true;
 }
 
 scene::Color transmitted(Context& context, const HitContext& hit, const glm::dvec3& top_normal, float weight,
                          const texture::Finish& top_finish, bool& total)
 {
     total = false;
-    if (hit.surface.interior == plan::kNone) return {};
-    const plan::Interior& interior = context.scene.interiors[hit.surface.interior];
-    const glm::dvec3& d = hit.state.ray.direction;
-    glm::vec3 fade(interior.transmission);
-    if (hit.state.interiors.holds(hit.surface.interior)) fade *= interior_fade(interior, hit.distance, false);
-
-    const Crossing crossing = cross(context, hit.state.interiors, hit.surface.interior);
-    RayState next{{hit.point, d}, weight, hit.level, hit.state.kind, crossing.list};
-    bool straight = true;
-    if (std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero) {
-        straight = false;
-        const double facing = glm::dot(d, top_normal);
-        const glm::dvec3 n = facing <= 0.0 ? top_normal : -top_normal;
-        const double r = crossing.ratio, c = std::abs(facing);
-        const double k = 1.0 + r * r * (c * c - 1.0);
-        if (k < 0.0) {
-            total = true;
-            glm::dvec3 direction;
-            scene::Color mirror = reflected(context, hit, top_normal, weight, direction);
-            glm::vec3 light = mirror.rgb();
-            if (top_finish.irid > 0.0f) light *= film_color(context, hit, top_finish, top_normal, direction);
-            return scene::Color::of(light * fade);
-        }
-        // A unit vector already, up to rounding; World wants unit directions, so it is made exact.
-        next.ray.direction = glm::normalize(r * d + (r * c - std::sqrt(k)) * n);
-    }
-    ++context.scratch.counts.refracted;
-    const scene::Color behind = trace_ray(context, next, straight);
-    scene::Color out = scene::Color::of(behind.rgb() * fade);
-    out.transmit = behind.transmit * scene::grey(fade);
+    Onward next;
+    if (!onward(context, hit, top_normal, weight, next)) return {};
+    total = next.total;
+    ++(total ? context.scratch.counts.reflected : context.scratch.counts.refracted);
+    const scene::Color seen = trace_ray(context, next.ray, next.straight);
+    glm::vec3 light = seen.rgb();
+    if (total && top_finish.irid > 0.0f) light *= film_color(context, hit, top_finish, top_normal, next.ray.ray.direction);
+    scene::Color out = scene::Color::of(light * next.fade);
+    if (!total) out.transmit = seen.transmit * scene::grey(next.fade);
     return out;
 }
 

@@ -1,220 +1,48 @@
 #include "render/trace/shade.h"
 
-#include "render/trace/shade_context.h"
-#include "render/trace/shade_light.h"
+#include "render/trace/tile_shader.h"
 
 #include <algorithm>
 
 namespace trace {
 namespace {
 
-/// Beyond this distance a shadow ray starts at the hit: from a far light, t would lose digits against the tolerance.
-constexpr double kFarLight = 1e5;
-
-/// Lit from one point with one colour everywhere: its directions are found in vector lanes.
-bool steady(const light::Light& light)
+void shade(Context& context, const RayTile& rays, const HitTile& hits, const RayState& camera, const WaitingRay* waiting)
 {
-    return light.kind == light::Light::Kind::Point && !light.parallel && !light.area && !(light.fade_power > 0.0);
+    auto& stack = context.scratch.shade.lights;
+    Wave& wave = context.scratch.shade.wave;
+    const std::size_t base = stack.size(), lights = context.scene.lights.lights.size(), first = wave.rays.size();
+    TileShader tile(context, rays, hits, camera, waiting);
+    if (tile.prepare()) {
+        stack.resize(base + lights * static_cast<std::size_t>(rays.count));
+        tile.use_samples(base);
+    }
+    for (std::size_t i = 0; i < lights; ++i) tile.light(i);
+    for (int i = 0; i < rays.count; ++i) tile.color(i);
+    stack.resize(base);
+    wave.end_tile(first);
 }
 
-/// One tile of camera rays on its way to colours. Hits of plain surfaces go through the lights together and are done
-/// then; the others find their first shadow rays answered and are shaded one by one.
-class Tile {
-public:
-    Tile(Context& context, const RayTile& rays, const HitTile& hits)
-        : context_(context), scratch_(context.scratch.shade), rays_(rays), hits_(hits),
-          lights_(context.scene.lights.lights.size()), shadows_(context.scene.settings.quality >= 4)
-    {
-        for (const std::uint32_t interior : context.scene.camera_interiors) interiors_.append(interior);
+/// The batch of rays that waits last: traced and shaded, up to a tile of them.
+void shade_waiting(Context& context, const RayState& camera)
+{
+    ShadeScratch& scratch = context.scratch.shade;
+    Wave& wave = scratch.wave;
+    const std::size_t begin = wave.batches.back();
+    const std::size_t count = std::min<std::size_t>(wave.rays.size() - begin, kTileRays), first = wave.rays.size() - count;
+    std::copy_n(wave.rays.begin() + static_cast<std::ptrdiff_t>(first), count, scratch.waiting.begin());
+    wave.rays.resize(first);
+    if (first == begin) wave.batches.pop_back();
+    RayTile& rays = scratch.onward_rays;
+    rays.count = static_cast<int>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const RayState& state = scratch.waiting[i].state;
+        rays.set(i, state.ray, kMinDistance, csg::kInfinity);
+        scratch.onward_hits.set(static_cast<int>(i), context.world.nearest(state.ray, kMinDistance, csg::kInfinity, bit(state.kind),
+                                                                         context.scratch.geometry));
     }
-
-    /// Details and what is to be done with each hit; true if some need LightSamples.
-    bool prepare()
-    {
-        const auto& lights = context_.scene.lights.lights;
-        const bool small = context_.scene.settings.quality >= 2 &&
-                           std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.area; });
-        bool general = false;
-        for (int i = 0; i < rays_.count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            scratch_.plain[k].finish = nullptr;
-            const Hit hit = hits_.at(i);
-            if (!hit.found()) {
-                scratch_.hits.set(k, glm::dvec3(0), glm::dvec3(0));
-                continue;
-            }
-            const csg::Ray ray = rays_.ray(i);
-            HitDetails& at = details(i) = hit_details(context_, ray, hit);
-            const bool from_inside = glm::dot(at.normal, ray.direction) > 0.0;
-            scratch_.hits.set(k, at.point, from_inside ? -at.normal : at.normal);
-            const SurfaceTraits& traits = scratch_.surfaces[hit.surface];
-            const std::uint32_t layer = from_inside ? traits.inner_layer : traits.outer_layer;
-            if (small && layer != plan::kNone) begin_plain(i, layer, hit);
-            else general = true;
-        }
-        for (int i = rays_.count; i % csg::kTileSide != 0; ++i)
-            scratch_.hits.set(static_cast<std::size_t>(i), glm::dvec3(0), glm::dvec3(0));
-        return general;
-    }
-
-    /// Where the tile's LightSamples start in the scratch stack.
-    void use_samples(std::size_t base) { base_ = base; }
-
-    /// One light for the whole tile: it is added to plain hits, and waits in the LightSamples of the others.
-    void light(std::size_t which)
-    {
-        const light::Light& light = context_.scene.lights.lights[which];
-        if (light.area) return;
-        const bool one_color = steady(light);
-        if (one_color) toward_point(light, scratch_.hits, rays_.count, scratch_.light);
-        const bool shadows = shadows_ && !light.shadowless;
-        RayTile& beam = scratch_.rays;
-        beam.count = 0;
-        beam.common_origin = light.from_one_point();
-        for (int i = 0; i < rays_.count; ++i) {
-            if (!asks_for_light(i)) continue;
-            const auto k = static_cast<std::size_t>(i);
-            if (one_color) {
-                scratch_.lit_colors[k] = light.color;
-            } else {
-                const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
-                scratch_.light.x[k] = lit.direction.x;
-                scratch_.light.y[k] = lit.direction.y;
-                scratch_.light.z[k] = lit.direction.z;
-                scratch_.light.distance[k] = lit.distance;
-                scratch_.lit_colors[k] = lit.color;
-            }
-            if (!(scratch_.light.distance[k] < kFarLight)) beam.common_origin = false;
-        }
-        for (int i = 0; i < rays_.count; ++i)
-            if (asks_for_light(i)) ask(light, which, i, shadows);
-        if (beam.count != 0) answer(light, which);
-    }
-
-    scene::Color color(int i)
-    {
-        RayState state{rays_.ray(i), 1.0f, 0, plan::RayKind::Image, interiors_};
-        const Hit hit = hits_.at(i);
-        if (!hit.found()) return through_air(context_, state, csg::kInfinity, sky_color(context_, state));
-        const PlainHit& plain = scratch_.plain[static_cast<std::size_t>(i)];
-        if (plain.finish != nullptr)
-            return through_air(context_, state, hit.t, scene::Color::of(plain.glow + plain.lit));
-        return through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), 1, first_light(i)));
-    }
-
-private:
-    HitDetails& details(int i) { return scratch_.details[static_cast<std::size_t>(i)]; }
-    std::size_t first_light(int i) const { return base_ + static_cast<std::size_t>(i) * lights_; }
-    LightSample& sample(int i, std::size_t which) { return scratch_.lights[first_light(i) + which]; }
-
-    void begin_plain(int i, std::uint32_t index, const Hit& hit)
-    {
-        const auto k = static_cast<std::size_t>(i);
-        const auto& set = context_.scene.textures;
-        const texture::Layer& layer = set.layers[index];
-        PlainHit& plain = scratch_.plain[k];
-        plain.finish = &set.finishes[layer.finish];
-        const texture::Pigment& pigment = set.pigments[layer.pigment];
-        if (pigment.kind == texture::Pigment::Kind::Solid) {
-            plain.pigment = pigment.color;
-        } else {
-            const HitDetails& at = details(i);
-            const texture::Surroundings around{at.point, scratch_.hits.normal(k), rays_.ray(i).direction, at.uv, true};
-            const bool uv = context_.scene.surfaces[hit.surface].uv_mapping;
-            plain.pigment =
-                texture::pigment_color(set, layer.pigment, uv ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point, around);
-        }
-        plain.glow = plain.pigment.rgb() * (plain.finish->ambient + plain.finish->emission);
-        plain.lit = glm::vec3(0);
-    }
-
-    bool asks_for_light(int i) const
-    {
-        const texture::Finish* finish = scratch_.plain[static_cast<std::size_t>(i)].finish;
-        if (finish != nullptr) return finish->lit();
-        const Hit hit = hits_.at(i);
-        if (!hit.found()) return false;
-        const std::uint32_t texture = context_.scene.surfaces[hit.surface].texture;
-        return texture != plan::kNone && context_.scene.textures.textures[texture].lit;
-    }
-
-    /// Adds the light at once where nothing can shadow it; a shadow ray otherwise.
-    void ask(const light::Light& light, std::size_t which, int i, bool shadows)
-    {
-        const auto k = static_cast<std::size_t>(i);
-        const bool plain = scratch_.plain[k].finish != nullptr;
-        const glm::dvec3 direction = scratch_.light.direction(k);
-        const double distance = scratch_.light.distance[k], end = distance - kShadowTolerance;
-        const glm::vec3& color = scratch_.lit_colors[k];
-        if (!plain) {
-            LightSample& s = sample(i, which);
-            s.lit = {direction, distance, color};
-            s.illuminated = true;
-        }
-        // Bent normals may face a light that the surface turns away from: rare, asked for one by one.
-        if (glm::dot(scratch_.hits.normal(k), direction) < kNearlyZero) return;
-        if (color == glm::vec3(0)) return;
-        if (!shadows || end <= kShadowTolerance) {
-            if (plain) add(light, k, color);
-            return;
-        }
-        RayTile& beam = scratch_.rays;
-        const auto ray = static_cast<std::size_t>(beam.count++);
-        const glm::dvec3 origin = beam.common_origin ? light.location : scratch_.hits.point(k);
-        const glm::dvec3 along = beam.common_origin ? -direction : direction;
-        beam.ox[ray] = origin.x;
-        beam.oy[ray] = origin.y;
-        beam.oz[ray] = origin.z;
-        beam.dx[ray] = along.x;
-        beam.dy[ray] = along.y;
-        beam.dz[ray] = along.z;
-        beam.t_min[ray] = kShadowTolerance;
-        beam.t_max[ray] = end;
-        scratch_.lane[ray] = static_cast<std::uint8_t>(i);
-    }
-
-    void answer(const light::Light& light, std::size_t which)
-    {
-        const RayTile& beam = scratch_.rays;
-        context_.scratch.counts.shadow += static_cast<std::uint64_t>(beam.count);
-        context_.world.shadow(beam, context_.scratch.geometry, scratch_.shadows.data());
-        for (std::size_t ray = 0; ray < static_cast<std::size_t>(beam.count); ++ray) {
-            const Shadow met = scratch_.shadows[ray];
-            const std::size_t k = scratch_.lane[ray];
-            const glm::vec3& color = scratch_.lit_colors[k];
-            if (scratch_.plain[k].finish != nullptr) {
-                if (met == Shadow::Clear) {
-                    add(light, k, color);
-                } else if (met == Shadow::Filtered) {
-                    const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], color};
-                    add(light, k, filtered_light(context_, scratch_.hits.point(k), interiors_, lit, color));
-                }
-                continue;
-            }
-            if (met == Shadow::Filtered) continue;  // found when shading asks, one by one
-            LightSample& s = sample(static_cast<int>(k), which);
-            s.shadowed = met == Shadow::Clear ? s.lit.color : glm::vec3(0);
-            s.shadow_known = true;
-        }
-    }
-
-    void add(const light::Light& light, std::size_t k, const glm::vec3& color)
-    {
-        if (!(std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)) return;
-        PlainHit& plain = scratch_.plain[k];
-        const glm::dvec3 d{rays_.dx[k], rays_.dy[k], rays_.dz[k]}, n = scratch_.hits.normal(k);
-        plain.lit += surface_light({*plain.finish, plain.pigment, d, n, 1.0}, scratch_.light.direction(k), color, false,
-                                   !light.shadowless, 0.0);
-    }
-
-    Context& context_;
-    ShadeScratch& scratch_;
-    const RayTile& rays_;
-    const HitTile& hits_;
-    std::size_t lights_, base_ = 0;
-    bool shadows_;
-    InteriorList interiors_;         ///< around the eye
-};
+    shade(context, rays, scratch.onward_hits, camera, scratch.waiting.data());
+}
 
 }  // namespace
 
@@ -222,17 +50,15 @@ void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const Hit
                 Scratch& scratch)
 {
     Context context{scene, scene.world(), scratch};
-    if (scratch.shade.surfaces.empty()) scratch.shade.surfaces = surface_traits(scene);
-    auto& stack = scratch.shade.lights;
-    const std::size_t base = stack.size(), lights = scene.lights.lights.size();
-    Tile tile(context, rays, hits);
-    if (tile.prepare()) {
-        stack.resize(base + lights * static_cast<std::size_t>(rays.count));
-        tile.use_samples(base);
-    }
-    for (std::size_t i = 0; i < lights; ++i) tile.light(i);
-    for (int i = 0; i < rays.count; ++i) out[i] = tile.color(i);
-    stack.resize(base);
+    if (scratch.shade.traits.surfaces.empty()) scratch.shade.traits = scene_traits(scene);
+    RayState camera;
+    for (const std::uint32_t interior : scene.camera_interiors) camera.interiors.append(interior);
+    Wave& wave = scratch.shade.wave;
+    wave.clear(static_cast<std::size_t>(rays.count));
+    shade(context, rays, hits, camera, nullptr);
+    while (!wave.batches.empty()) shade_waiting(context, camera);
+    collect(context);
+    std::copy_n(wave.colors.begin(), rays.count, out);
 }
 
 }  // namespace trace

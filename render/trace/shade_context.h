@@ -4,6 +4,7 @@
 #include "render/scene/color.h"
 #include "render/texture/evaluate.h"
 #include "render/trace/geometry.h"
+#include "render/trace/ray_state.h"
 #include "render/trace/scratch.h"
 
 #include <array>
@@ -16,44 +17,6 @@ inline constexpr double kShadowTolerance = 1e-3;    ///< the same for shadow ray
 inline constexpr double kNearlyZero = 1e-10;        ///< light and index differences below it count as none
 inline constexpr float kDark = 1e-10f;              ///< kNearlyZero for colours
 
-/// The interiors a ray is inside of, in order of entry (spec 3, 8.2). Entries past the capacity are forgotten.
-class InteriorList {
-public:
-    InteriorList() = default;
-    InteriorList(const InteriorList& other) { *this = other; }
-    /// Copies what is there: a list is handed down with every ray, and hardly ever has more than two entries.
-    InteriorList& operator=(const InteriorList& other)
-    {
-        count_ = other.count_;
-        for (std::size_t i = 0; i < count_; ++i) items_[i] = other.items_[i];
-        return *this;
-    }
-    void append(std::uint32_t interior)
-    {
-        if (count_ < kCapacity) items_[count_++] = interior;
-    }
-    void remove_first(std::uint32_t interior);
-    bool holds(std::uint32_t interior) const;
-    bool empty() const { return count_ == 0; }
-    std::size_t size() const { return count_; }
-    std::uint32_t last() const { return items_[count_ - 1]; }
-    std::uint32_t operator[](std::size_t i) const { return items_[i]; }
-
-private:
-    static constexpr std::size_t kCapacity = 32;
-    std::array<std::uint32_t, kCapacity> items_;
-    std::size_t count_ = 0;
-};
-
-/// One ray with what it inherits.
-struct RayState {
-    csg::Ray ray;
-    float weight = 1;                ///< share of the pixel; below adc_bailout the ray is not traced
-    int level = 0;                   ///< levels in use before this ray
-    plan::RayKind kind = plan::RayKind::Image;
-    InteriorList interiors;
-};
-
 /// Everything shading reads and writes besides the ray.
 struct Context {
     const plan::CompiledScene& scene;
@@ -64,17 +27,21 @@ struct Context {
 /// Point, normal and what else the surface's textures ask for.
 inline HitDetails hit_details(const Context& context, const csg::Ray& ray, const Hit& hit)
 {
-    return context.world.details(ray, hit, context.scratch.shade.surfaces[hit.surface].needs_uv);
+    return context.world.details(ray, hit, context.scratch.shade.traits.surfaces[hit.surface].needs_uv);
 }
 
-/// A hit being shaded.
-struct HitContext {
+/// Where a ray met a surface: all that the rays that go on from there depend on.
+struct HitPlace {
     const RayState& state;
     const plan::Surface& surface;
     glm::dvec3 point;
     glm::dvec3 normal;               ///< N0: raw, unit, faces the viewer
     double distance;                 ///< from the ray's origin
     int level;                       ///< levels in use including this ray's
+};
+
+/// A hit being shaded.
+struct HitContext : HitPlace {
     std::size_t lights;              ///< where this hit's LightSamples start in the scratch stack
     texture::Surroundings around;
     std::array<std::uint32_t, 8> enclosing{};  ///< patterns of the texture maps around, outside in
@@ -84,8 +51,16 @@ struct HitContext {
 /// Colour along a ray. `straight`: an unbent continuation, which uses no level (spec 3, section 2).
 scene::Color trace_ray(Context& context, const RayState& state, bool straight);
 
-/// Fog where the interiors around the ray allow it; `length` may be infinite (spec 3, section 2).
-scene::Color through_air(const Context& context, const RayState& state, double length, const scene::Color& color);
+/// Fog where the interiors around the ray allow it.
+scene::Color through_hollow(const Context& context, const RayState& state, double length, const scene::Color& color);
+
+inline bool foggy(const Context& context) { return !context.scene.fogs.empty() && context.scene.settings.quality >= 9; }
+
+/// What becomes of a colour over the length of the ray that sees it; it may be infinite (spec 3, section 2).
+inline scene::Color through_air(const Context& context, const RayState& state, double length, const scene::Color& color)
+{
+    return foggy(context) ? through_hollow(context, state, length, color) : color;
+}
 
 /// Colour of a hit. `details` as World gives them; `first_light`: samples already filled in for this hit.
 scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, const HitDetails& details, int level,
@@ -105,8 +80,30 @@ glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish&
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
                          const light::Illumination& lit, glm::vec3 color);
 
+/// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point or
+/// from the light; they are turned round in place.
+glm::vec3 crossed_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
+                        const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count);
+
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);
+
+/// The ray that goes on through a surface, and what light loses on its way (spec 3, section 8).
+struct Onward {
+    RayState ray;
+    glm::vec3 fade{1};
+    bool straight = true;            ///< unbent: uses no level
+    bool total = false;              ///< total internal reflection: `ray` is the mirrored one
+};
+
+/// False where nothing is behind the surface: it has no interior.
+bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Onward& out);
+
+/// The ray mirrored about `normal` (spec 3, section 10).
+RayState mirrored(const HitPlace& hit, const glm::dvec3& normal, float weight);
+
+/// A mirrored colour as the finish wants it (spec 3, 10.3).
+glm::vec3 raised(const scene::Color& c, float exponent);
 
 /// What the transmitted ray brings; `total` is set on total internal reflection (spec 3, section 8).
 scene::Color transmitted(Context& context, const HitContext& hit, const glm::dvec3& top_normal, float weight,
@@ -117,7 +114,7 @@ scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3
                        glm::dvec3& direction);
 
 /// Relative index for a fresnel reflection (spec 3, 7.9).
-double fresnel_index(const Context& context, const HitContext& hit);
+double fresnel_index(const Context& context, const HitPlace& hit);
 
 /// Fading of light over a distance inside an interior; 1 where it does not fade (spec 3, 9.1).
 glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow);

@@ -36,16 +36,6 @@ glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal,
     return glm::normalize(n);
 }
 
-glm::vec3 raised(const scene::Color& c, float exponent)
-{
-    if (exponent == 1.0f) return c.rgb();
-    const auto one = [e = static_cast<double>(exponent)](float v) {
-        const double r = std::pow(static_cast<double>(v), e);
-        return r == r ? static_cast<float>(r) : 0.0f;  // fractional powers of negative colours count as 0
-    };
-    return {one(c.red), one(c.green), one(c.blue)};
-}
-
 glm::vec3 mirrored_light(Context& context, const HitContext& hit, const Mirror& mirror)
 {
     glm::dvec3 direction;
@@ -108,6 +98,16 @@ scene::Color shade_plain(Context& context, HitContext& hit, const texture::Layer
 }
 
 }  // namespace
+
+glm::vec3 raised(const scene::Color& c, float exponent)
+{
+    if (exponent == 1.0f) return c.rgb();
+    const auto one = [e = static_cast<double>(exponent)](float v) {
+        const double r = std::pow(static_cast<double>(v), e);
+        return r == r ? static_cast<float>(r) : 0.0f;  // fractional powers of negative colours count as 0
+    };
+    return {one(c.red), one(c.green), one(c.blue)};
+}
 
 scene::Color shade_layers(Context& context, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p)
 {

@@ -106,23 +106,15 @@ scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, 
     const std::uint32_t texture =
         from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture : surface.texture;
     if (texture == plan::kNone) return {};
-    HitContext at{state,
-                  surface,
-                  details.point,
-                  from_inside ? -details.normal : details.normal,
-                  hit.t,
-                  level,
-                  first_light,
-                  {}};
+    HitContext at{{state, surface, details.point, from_inside ? -details.normal : details.normal, hit.t, level}, first_light, {}};
     at.around = {details.point, at.normal, state.ray.direction, details.uv, true};
     const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
     if (surface.blends() && texture == surface.texture) return corner_blend(context, at, details.weights, p);
     return shade_texture(context, at, texture, p);
 }
 
-scene::Color through_air(const Context& context, const RayState& state, double length, const scene::Color& color)
+scene::Color through_hollow(const Context& context, const RayState& state, double length, const scene::Color& color)
 {
-    if (context.scene.fogs.empty() || context.scene.settings.quality < 9) return color;
     return all_hollow(context, state.interiors) ? through_fog(context, state, length, color) : color;
 }
 

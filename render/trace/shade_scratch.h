@@ -4,6 +4,7 @@
 #include "render/light/illuminate.h"
 #include "render/trace/shade_lanes.h"
 #include "render/trace/surface_traits.h"
+#include "render/trace/wave.h"
 
 #include <array>
 #include <vector>
@@ -18,24 +19,30 @@ struct LightSample {
     bool shadow_known = false;   ///< `shadowed` is there
 };
 
-/// A hit of a tile on a plain surface, on its way through the lights.
+/// A hit of a tile on a surface of one layer, on its way through the lights.
 struct PlainHit {
-    const texture::Finish* finish = nullptr;   ///< none: not a hit, or not of a plain surface
+    const texture::Finish* finish = nullptr;   ///< none: not a hit, or not of such a surface
     scene::Color pigment;
+    float alpha;                               ///< the layer's opacity factor
+    bool goes_on;                              ///< rays may go on from here
     glm::vec3 glow, lit;                       ///< ambient and emission; what the lights have added so far
 };
 
 /// What shading keeps per thread; grows to what the scene needs and stays.
 struct ShadeScratch {
-    std::vector<SurfaceTraits> surfaces; ///< of the scene; filled by the first tile
+    SceneTraits traits;                  ///< filled by the first tile
     std::vector<LightSample> lights;     ///< a stack: every shaded hit owns lights.size() entries at its level
     std::vector<glm::vec3> area_nodes;   ///< shadow values of the area light at hand; red below 0: not yet known
     csg::RayTile rays;                   ///< shadow rays of a tile
+    Wave wave;                           ///< rays that go on from the tile's hits
+    std::array<WaitingRay, csg::kTileRays> waiting;   ///< those being traced
+    csg::RayTile onward_rays;            ///< the same as a tile
+    csg::HitTile onward_hits;
     TileHits hits;                       ///< of a tile
     TileLight light;                     ///< the one at hand
     std::array<glm::vec3, csg::kTileRays> lit_colors;   ///< of the light at hand, before shadows
     std::array<PlainHit, csg::kTileRays> plain;
-    std::array<csg::Shadow, csg::kTileRays> shadows;
+    csg::CrossingTile crossings;         ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
     std::array<std::uint8_t, csg::kTileRays> lane;   ///< of each shadow ray: which hit it belongs to
 };

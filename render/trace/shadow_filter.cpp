@@ -1,6 +1,7 @@
 #include "render/texture/evaluate.h"
 #include "render/trace/shade_context.h"
 
+#include <algorithm>
 #include <cmath>
 
 /// Shadow rays through transparent things (spec 3, section 13).
@@ -79,6 +80,39 @@ glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit
            details.weights.z * passing.through(surface.corner_textures[1], p);
 }
 
+namespace {
+
+/// Light past crossings at their distances from the point, nearest first.
+glm::vec3 past_crossings(Context& context, RayState& ray, glm::vec3 color, const Hit* first, const Hit* last)
+{
+    const SceneTraits& traits = context.scratch.shade.traits;
+    double before = 0.0;
+    for (; first != last; ++first) {
+        const Hit& crossing = *first;
+        if (crossing.t - before <= kShadowTolerance) continue;  // the next ray would not see it
+        const SurfaceTraits& surface = traits.surfaces[crossing.surface];
+        color *= surface.steady_filter
+                     ? surface.filter
+                     : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
+        if (traits.fades) {
+            const std::uint32_t interior = context.scene.surfaces[crossing.surface].interior;
+            const bool inside = interior != plan::kNone && ray.interiors.holds(interior);
+            if (inside) color *= interior_fade(context.scene.interiors[interior], crossing.t - before, true);
+            // Signed on purpose: light below zero never updates the list (spec 3, 13.2).
+            if (interior != plan::kNone && !(color.x < kDark && color.y < kDark && color.z < kDark)) {
+                if (inside)
+                    ray.interiors.remove_first(interior);
+                else
+                    ray.interiors.append(interior);
+            }
+        }
+        before = crossing.t;
+    }
+    return color;
+}
+
+}  // namespace
+
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
                          const light::Illumination& lit, glm::vec3 color)
 {
@@ -91,26 +125,25 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, const Interi
         context.world.shadow_crossings(ray.ray, kShadowTolerance, end, context.scratch.geometry, crossings);
     if (met == Shadow::Clear) return color;
     if (met == Shadow::Blocked) return glm::vec3(0.0f);
-    double last = 0.0;
-    for (const Hit& crossing : crossings) {
-        if (crossing.t - last <= kShadowTolerance) continue;  // the next ray would not see it
-        const plan::Surface& surface = context.scene.surfaces[crossing.surface];
-        const SurfaceTraits& traits = context.scratch.shade.surfaces[crossing.surface];
-        color *= traits.steady_filter
-                     ? traits.filter
-                     : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
-        const bool inside = surface.interior != plan::kNone && ray.interiors.holds(surface.interior);
-        if (inside) color *= interior_fade(context.scene.interiors[surface.interior], crossing.t - last, true);
-        // Signed on purpose: light below zero never updates the list (spec 3, 13.2).
-        if (surface.interior != plan::kNone && !(color.x < kDark && color.y < kDark && color.z < kDark)) {
-            if (inside)
-                ray.interiors.remove_first(surface.interior);
-            else
-                ray.interiors.append(surface.interior);
+    return past_crossings(context, ray, color, crossings.data(), crossings.data() + crossings.size());
+}
+
+glm::vec3 crossed_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
+                        const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count)
+{
+    Hit* const end = crossings + count;
+    if (from_light) {
+        std::reverse(crossings, end);
+        // Those at one place keep the order that they have for every ray.
+        for (Hit* same = crossings; same != end;) {
+            Hit* next = std::find_if(same, end, [t = same->t](const Hit& h) { return h.t != t; });
+            std::reverse(same, next);
+            same = next;
         }
-        last = crossing.t;
+        for (Hit* h = crossings; h != end; ++h) h->t = lit.distance - h->t;
     }
-    return color;
+    RayState ray{{point, lit.direction}, 1.0f, 0, plan::RayKind::Shadow, interiors};
+    return past_crossings(context, ray, lit.color, crossings, end);
 }
 
 }  // namespace trace

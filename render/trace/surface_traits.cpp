@@ -33,29 +33,37 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
     return true;
 }
 
-/// The layer of a texture that has no more than colour, diffuse light and highlights.
-std::uint32_t small_layer(const TextureSet& set, std::uint32_t index)
+/// One layer without a bent normal that has no more than colour, diffuse light, highlights, mirroring and refraction.
+LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
 {
-    if (index == texture::kNone || !set.textures[index].plain) return plan::kNone;
-    const std::uint32_t layer = set.textures[index].first;
-    const texture::Finish& finish = set.finishes[set.layers[layer].finish];
-    return finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f ? layer : plan::kNone;
+    if (index == texture::kNone) return {};
+    const texture::Texture& texture = set.textures[index];
+    if (texture.kind != texture::Texture::Kind::Layers || texture.count != 1) return {};
+    const texture::Layer& layer = set.layers[texture.first];
+    const texture::Finish& finish = set.finishes[layer.finish];
+    if (layer.normal != texture::kNone || finish.diffuse_back != 0.0f || finish.irid != 0.0f || finish.crand != 0.0f) return {};
+    if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
+    return {texture.first, !texture.plain};
 }
 
 }  // namespace
 
-std::vector<SurfaceTraits> surface_traits(const plan::CompiledScene& scene)
+SceneTraits scene_traits(const plan::CompiledScene& scene)
 {
+    SceneTraits traits;
     const bool uv = any_uv(scene.textures);
-    std::vector<SurfaceTraits> all(scene.surfaces.size());
+    std::vector<SurfaceTraits>& all = traits.surfaces;
+    all.resize(scene.surfaces.size());
+    for (const plan::Interior& interior : scene.interiors) traits.fades |= interior.fade_distance != 0.0f;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const plan::Surface& surface = scene.surfaces[i];
+        traits.filters |= !surface.opaque && !surface.no_shadow;
         all[i].needs_uv = uv || surface.uv_mapping;
         if (surface.blends()) continue;
         if (!surface.double_illuminate) {
-            all[i].outer_layer = small_layer(scene.textures, surface.texture);
-            all[i].inner_layer = surface.interior_texture == plan::kNone ? all[i].outer_layer
-                                                                         : small_layer(scene.textures, surface.interior_texture);
+            all[i].outer = lone_layer(scene.textures, surface.texture);
+            all[i].inner = surface.interior_texture == plan::kNone ? all[i].outer
+                                                                   : lone_layer(scene.textures, surface.interior_texture);
         }
         const bool focused =
             surface.interior != plan::kNone && scene.interiors[surface.interior].caustics_power != 0.0f;
@@ -63,7 +71,7 @@ std::vector<SurfaceTraits> surface_traits(const plan::CompiledScene& scene)
         if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
         all[i].steady_filter = plain_filter(scene.textures, surface.texture, all[i].filter);
     }
-    return all;
+    return traits;
 }
 
 }  // namespace trace

@@ -7,15 +7,25 @@
 /// What shading can know of a surface before any ray meets it.
 namespace trace {
 
+/// The only layer of a texture, if it shades alike for a whole tile.
+struct LoneLayer {
+    std::uint32_t index = plan::kNone;
+    bool goes_on = false;        ///< it may mirror light or let it through
+};
+
 struct SurfaceTraits {
     bool needs_uv = true;        ///< something of its textures looks at surface coordinates
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
-    std::uint32_t outer_layer = plan::kNone;   ///< the only layer where seen from outside, if the small kernel can do it
-    std::uint32_t inner_layer = plan::kNone;   ///< the same where the raw normal faces along the ray
+    LoneLayer outer, inner;      ///< as seen from outside, and where the raw normal faces along the ray
     glm::vec3 filter{1};         ///< steady_filter: by this (spec 3, 13.2)
 };
 
-/// By csg::SurfaceId.
-std::vector<SurfaceTraits> surface_traits(const plan::CompiledScene& scene);
+struct SceneTraits {
+    std::vector<SurfaceTraits> surfaces;   ///< by csg::SurfaceId
+    bool filters = false;                  ///< some surface lets a shadow ray through
+    bool fades = false;                    ///< light fades inside some interior
+};
+
+SceneTraits scene_traits(const plan::CompiledScene& scene);
 
 }  // namespace trace
