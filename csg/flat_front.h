@@ -131,12 +131,15 @@ private:
     /// Moves the front out of every cut that covers it. `own` is the cut that it came from.
     Answer leave_cuts(FlatEnd& front, std::uint32_t own) const
     {
+        double near = 2.0 * slack(front.t);  // farther off nothing coincides
         for (std::uint32_t i = 0; i < count_; ++i) {
             if (i == own) continue;
             const double entry = cuts_[i].in.t, exit = cuts_[i].out.t;
+            if (exit < front.t - near || entry > front.t + near) continue;
             if (close(entry, front.t) || close(exit, front.t)) return Answer::Undecided;
             if (entry < front.t && exit > front.t) {
                 front = cuts_[i].out;
+                near = 2.0 * slack(front.t);
                 own = i;
                 i = static_cast<std::uint32_t>(-1);  // the rest are looked at again after a move
             }

@@ -192,6 +192,11 @@ private:
                 if (!keep({{span.in.t, cut.first, span.in.face}, {span.out.t, cut.first, span.out.face}})) return false;
             return true;
         }
+        if (cut.count == 1) {
+            Interval own;
+            if (!interval(form_.leaves[cut.first], own)) return true;
+            return keep({{own.entry, cut.first, own.entry_face}, {own.exit, cut.first, own.exit_face}});
+        }
         FlatPiece piece{{-kInfinity, kNoLeaf, 0}, {kInfinity, kNoLeaf, 0}};
         switch (narrow(piece, cut.first, cut.first + cut.count, low_, high_)) {
             case FlatAnswer::Nothing: return true;
