@@ -22,6 +22,17 @@ double grazing_weight(double cosine)
     return std::clamp(0.014567225 / (q * q) - 0.011612903, 0.0, 1.0);
 }
 
+namespace {
+
+/// c^n for a cosine, 0 where that is below 1e-13 and no picture shows it: c^n <= exp(-n (1 - c)).
+double highlight_power(double c, double n)
+{
+    constexpr double kVanishes = 30.0;
+    return n * (1.0 - c) > kVanishes ? 0.0 : std::pow(c, n);
+}
+
+}  // namespace
+
 double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
 {
     const glm::dvec3 mirrored = d - 2.0 * glm::dot(d, n) * n;
@@ -29,7 +40,7 @@ double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, con
     if (!(c > 0.0)) return 0.0;
     // POV-Ray skips powers that would vanish anyway.
     if (finish.phong_size >= 60.0f && c <= 0.0008) return 0.0;
-    return static_cast<double>(finish.phong) * std::pow(c, static_cast<double>(finish.phong_size));
+    return static_cast<double>(finish.phong) * highlight_power(c, static_cast<double>(finish.phong_size));
 }
 
 double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
@@ -39,7 +50,7 @@ double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, 
     if (!(length > 0.0)) return 0.0;
     const double c = glm::dot(half, n) / length;
     if (!(c > 0.0)) return 0.0;
-    return static_cast<double>(finish.specular) * std::pow(c, static_cast<double>(finish.specular_exponent));
+    return static_cast<double>(finish.specular) * highlight_power(c, static_cast<double>(finish.specular_exponent));
 }
 
 namespace {

@@ -23,6 +23,31 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     wave.end_tile(first);
 }
 
+/// Hits of waiting rays, which are of one kind: as a beam if they come from one point, one by one otherwise.
+void trace_waiting(Context& context, const WaitingRay* waiting, int count)
+{
+    ShadeScratch& scratch = context.scratch.shade;
+    RayTile& rays = scratch.onward_rays;
+    HitTile& hits = scratch.onward_hits;
+    rays.count = count;
+    const std::uint8_t kind = bit(waiting[0].state.kind);
+    glm::dvec3 origin;
+    rays.common_origin = from_one_point(waiting, count, origin);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        const csg::Ray& ray = waiting[i].state.ray;
+        if (rays.common_origin)
+            rays.set(i, {origin, ray.direction}, waiting[i].reach + kMinDistance, csg::kInfinity);
+        else
+            rays.set(i, ray, kMinDistance, csg::kInfinity);
+    }
+    context.world.nearest(rays, kind, context.scratch.geometry, hits);
+    if (!rays.common_origin) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        rays.set(i, waiting[i].state.ray, kMinDistance, csg::kInfinity);
+        hits.t[i] -= waiting[i].reach;
+    }
+}
+
 /// The batch of rays that waits last: traced and shaded, up to a tile of them.
 void shade_waiting(Context& context, const RayState& camera)
 {
@@ -33,15 +58,8 @@ void shade_waiting(Context& context, const RayState& camera)
     std::copy_n(wave.rays.begin() + static_cast<std::ptrdiff_t>(first), count, scratch.waiting.begin());
     wave.rays.resize(first);
     if (first == begin) wave.batches.pop_back();
-    RayTile& rays = scratch.onward_rays;
-    rays.count = static_cast<int>(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const RayState& state = scratch.waiting[i].state;
-        rays.set(i, state.ray, kMinDistance, csg::kInfinity);
-        scratch.onward_hits.set(static_cast<int>(i), context.world.nearest(state.ray, kMinDistance, csg::kInfinity, bit(state.kind),
-                                                                         context.scratch.geometry));
-    }
-    shade(context, rays, scratch.onward_hits, camera, scratch.waiting.data());
+    trace_waiting(context, scratch.waiting.data(), static_cast<int>(count));
+    shade(context, scratch.onward_rays, scratch.onward_hits, camera, scratch.waiting.data());
 }
 
 }  // namespace

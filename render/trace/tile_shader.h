@@ -116,7 +116,7 @@ public:
             give(i, through_air(context_, state, hit.t, scene::Color::of(plain.glow + plain.lit)));
         } else if (plain.finish != nullptr) {
             const HitPlace place{state, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), hit.t, level(i)};
-            add_branch(context_, place, *plain.finish, plain.pigment, plain.glow + plain.lit, place_of(i));
+            add_branch(context_, place, *plain.finish, plain.pigment, plain.glow + plain.lit, place_of(i), reach(i) + hit.t);
         } else {
             give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), level(i), first_light(i))));
         }
@@ -124,6 +124,7 @@ public:
 
 private:
     int level(int i) const { return waiting_ == nullptr ? 1 : waiting_[i].level; }
+    double reach(int i) const { return waiting_ == nullptr ? 0.0 : waiting_[i].reach; }
     Place place_of(int i) const { return waiting_ == nullptr ? static_cast<Place>(i) : waiting_[i].place; }
     const InteriorList& interiors(std::size_t k) const { return (waiting_ == nullptr ? camera_ : waiting_[k].state).interiors; }
     void give(int i, const scene::Color& c) { scratch_.wave.colors[place_of(i)] = c; }

@@ -20,18 +20,18 @@ bool worth_tracing(const Context& context, const RayState& state)
     return state.level < settings.max_trace_level && !(static_cast<double>(state.weight) < settings.adc_bailout);
 }
 
-Place wait(Context& context, std::vector<WaitingRay>& queue, const RayState& state, bool straight)
+Place wait(Context& context, std::vector<WaitingRay>& queue, const RayState& state, bool straight, double reach)
 {
     if (!worth_tracing(context, state)) return kNowhere;
     Wave& wave = context.scratch.shade.wave;
     const auto place = static_cast<Place>(wave.colors.size());
     wave.colors.emplace_back();
-    queue.push_back({state, place, straight ? state.level : state.level + 1});
+    queue.push_back({state, place, straight ? state.level : state.level + 1, reach});
     return place;
 }
 
 /// The ray behind the surface, or the one that is mirrored where none gets through.
-void go_through(Context& context, const HitPlace& hit, Branch& branch)
+void go_through(Context& context, const HitPlace& hit, Branch& branch, double reach)
 {
     Onward next;
     if (!onward(context, hit, hit.normal, hit.state.weight * largest(glm::abs(branch.filter)), next)) return;
@@ -39,7 +39,7 @@ void go_through(Context& context, const HitPlace& hit, Branch& branch)
     branch.total = next.total;
     branch.fade = next.fade;
     ++(next.total ? context.scratch.counts.reflected : context.scratch.counts.refracted);
-    branch.through = wait(context, next.total ? wave.mirrors : wave.rays, next.ray, next.straight);
+    branch.through = wait(context, next.total ? wave.mirrors : wave.rays, next.ray, next.straight, reach);
 }
 
 scene::Color color_of(const Wave& wave, const Branch& branch)
@@ -80,7 +80,7 @@ void Wave::end_tile(std::size_t first)
 }
 
 void add_branch(Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c,
-                const glm::vec3& own, Place place)
+                const glm::vec3& own, Place place, double reach)
 {
     Wave& wave = context.scratch.shade.wave;
     Branch branch{own, glm::vec3(1), glm::vec3(1), glm::vec3(0), 0.0f, finish.reflection_power, false, place, kNowhere, kNowhere, kNowhere};
@@ -95,17 +95,32 @@ void add_branch(Context& context, const HitPlace& hit, const texture::Finish& fi
     branch.filter = c.filter * c.rgb() + c.transmit;
     if (finish.conserve_energy) branch.filter *= glm::min(glm::vec3(1.0f), 1.0f - branch.reflectivity);
     branch.residual = std::min(1.0f, std::abs(scene::grey(branch.filter)));
-    if (branch.residual > static_cast<float>(context.scene.settings.adc_bailout)) go_through(context, hit, branch);
+    if (branch.residual > static_cast<float>(context.scene.settings.adc_bailout)) go_through(context, hit, branch, reach);
     // Total reflection has already sent the mirrored ray.
     if (!black(branch.reflectivity) && !branch.total) {
         ++context.scratch.counts.reflected;
-        branch.mirror = wait(context, wave.mirrors, mirrored(hit, hit.normal, mirror_weight), false);
+        branch.mirror = wait(context, wave.mirrors, mirrored(hit, hit.normal, mirror_weight), false, reach);
     }
     if (foggy(context)) {
         branch.air = static_cast<std::uint32_t>(wave.airs.size());
         wave.airs.push_back({hit.state, hit.distance});
     }
     wave.branches.push_back(branch);
+}
+
+bool from_one_point(const WaitingRay* rays, int count, glm::dvec3& origin)
+{
+    // Some ten roundings of the distances at hand.
+    constexpr double kRounding = 1e-14;
+    const auto behind = [&](int i) { return rays[i].state.ray.origin - rays[i].reach * rays[i].state.ray.direction; };
+    origin = behind(0);
+    const glm::dvec3 size = glm::abs(origin);
+    const double most = kRounding * (std::max({size.x, size.y, size.z}) + rays[0].reach);
+    for (int i = 1; i < count; ++i) {
+        const glm::dvec3 off = glm::abs(behind(i) - origin);
+        if (!(std::max({off.x, off.y, off.z}) <= most)) return false;
+    }
+    return true;
 }
 
 void collect(Context& context)

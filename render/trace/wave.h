@@ -21,6 +21,7 @@ struct WaitingRay {
     RayState state;
     Place place;                     ///< of its colour
     int level;                       ///< levels in use including this ray's
+    double reach;                    ///< how far light has come from the camera to where this ray starts
 };
 
 /// A hit of one layer whose colour waits for the rays behind it.
@@ -58,9 +59,14 @@ struct Wave {
     void end_tile(std::size_t first);
 };
 
-/// Adds the hit of a tile to the wave, with the rays that go on from it. c: its pigment; own: its light.
+/// Adds the hit of a tile to the wave, with the rays that go on from it. c: its pigment; own: its light;
+/// reach: from the camera to the hit.
 void add_branch(Context& context, const struct HitPlace& hit, const texture::Finish& finish, const scene::Color& c,
-                const glm::vec3& own, Place place);
+                const glm::vec3& own, Place place, double reach);
+
+/// Whether the rays come from one point as far behind them as their reach: flat mirrors show the camera's image there, and
+/// behind what does not bend rays it is the camera. Rays of one tile then form a beam from `origin`.
+bool from_one_point(const WaitingRay* rays, int count, glm::dvec3& origin);
 
 /// Every branch's colour, last first.
 void collect(Context& context);
