@@ -48,6 +48,12 @@ struct FlatPiece {
     FlatEnd in, out;
 };
 
+/// A cut whose box a ray meets.
+struct FlatCandidate {
+    float near;                   ///< where, or before; -infinity where it was not worked out
+    std::uint32_t cut;
+};
+
 /// Eight boxes as in BvhNode: rounded outward, an empty place is never met.
 struct alignas(32) BoxBlock {
     float bounds[6][8];

@@ -86,7 +86,8 @@ private:
             FlatEnd at;
             bool enters = false;
             std::uint32_t cut = kNoCut;
-            Answer answer = first_crossing(piece, at, enters, cut);
+            Answer answer = evaluate_cuts(kInfinity);
+            if (answer == Answer::Found) answer = first_crossing(piece, at, enters, cut);
             while (answer == Answer::Found && within(at.t)) {
                 emit(crossing(at));
                 if (enters) {
@@ -112,15 +113,14 @@ private:
             FlatPiece piece;
             const Answer met = meet_leaves(term, piece);
             if (met != Answer::Found) return met;
-            const Answer cut = collect_cuts(term, piece.in.t, piece.out.t);
-            return cut == Answer::Found ? f(piece) : cut;
+            find_cuts(term, piece.in.t, piece.out.t);
+            return f(piece);
         }
         FlatPiece pieces[kFlatSpans];
         std::uint32_t count = 0;
         const Answer met = meet_pieces(term, pieces, count);
         if (met != Answer::Found) return met;
-        const Answer cut = collect_cuts(term, pieces[0].in.t, pieces[count - 1].out.t);
-        if (cut != Answer::Found) return cut;
+        find_cuts(term, pieces[0].in.t, pieces[count - 1].out.t);
         for (std::uint32_t i = 0; i < count; ++i) {
             const Answer answer = f(pieces[i]);
             if (answer != Answer::Nothing) return answer;
@@ -129,7 +129,7 @@ private:
     }
 
     /// Moves the front out of every cut that covers it. `own` is the cut that it came from.
-    Answer leave_cuts(FlatEnd& front, std::uint32_t own) const
+    Answer leave_cuts(FlatEnd& front, std::uint32_t& own) const
     {
         double near = 2.0 * slack(front.t);  // farther off nothing coincides
         for (std::uint32_t i = 0; i < count_; ++i) {
@@ -148,32 +148,44 @@ private:
     }
 
     /// From an end that is covered, perhaps, to the one where the solid begins.
-    Answer enter(FlatEnd& front, std::uint32_t own, const FlatEnd& out) const
+    Answer enter(FlatEnd& front, std::uint32_t own, const FlatEnd& out)
     {
-        if (leave_cuts(front, own) == Answer::Undecided || close(front.t, out.t)) return Answer::Undecided;
-        return front.t > out.t ? Answer::Nothing : Answer::Found;
-    }
-
-    /// Where the solid that the ray is in ends: the first cut that begins at `from` or after, or the piece's end.
-    Answer find_end(double from, const FlatEnd& out, FlatEnd& found, std::uint32_t& cut) const
-    {
-        found = out;
-        cut = kNoCut;
-        for (std::uint32_t i = 0; i < count_; ++i) {
-            if (cuts_[i].in.t < from) continue;
-            if (close(cuts_[i].in.t, found.t)) return Answer::Undecided;
-            if (cuts_[i].in.t < found.t) found = cuts_[i].in, cut = i;
+        for (double before = -kInfinity; front.t > before;) {  // what begins farther off is evaluated when the front gets there
+            before = front.t;
+            if (evaluate_cuts(front.t + slack(front.t)) == Answer::Undecided) return Answer::Undecided;
+            if (leave_cuts(front, own) == Answer::Undecided || close(front.t, out.t)) return Answer::Undecided;
+            if (front.t > out.t || !within(front.t)) return Answer::Nothing;
         }
         return Answer::Found;
     }
 
+    /// Where the solid that the ray is in ends: the first cut that begins at `from` or after, or the piece's end.
+    Answer find_end(double from, const FlatEnd& out, FlatEnd& found, std::uint32_t& cut)
+    {
+        for (;;) {
+            found = out;
+            cut = kNoCut;
+            for (std::uint32_t i = 0; i < count_; ++i) {
+                if (cuts_[i].in.t < from) continue;
+                if (close(cuts_[i].in.t, found.t)) return Answer::Undecided;
+                if (cuts_[i].in.t < found.t) found = cuts_[i].in, cut = i;
+            }
+            // Whatever else may begin before that, nearest first.
+            if (waiting_ == 0) return Answer::Found;
+            const double next = nearest_waiting();
+            if (!(next <= found.t + slack(found.t))) return Answer::Found;
+            if (evaluate_cuts(next) == Answer::Undecided) return Answer::Undecided;
+        }
+    }
+
     /// The first crossing of the piece at or after t_min. `enters`: the ray is in the solid behind it.
-    Answer first_crossing(const FlatPiece& piece, FlatEnd& found, bool& enters, std::uint32_t& cut) const
+    Answer first_crossing(const FlatPiece& piece, FlatEnd& found, bool& enters, std::uint32_t& cut)
     {
         cut = kNoCut;
         if (begins_in_range(piece)) {
             found = piece.in;
         } else {
+            if (evaluate_cuts(t_min_) == Answer::Undecided) return Answer::Undecided;
             for (std::uint32_t i = 0; i < count_ && cut == kNoCut; ++i)
                 if (cuts_[i].in.t < t_min_ && cuts_[i].out.t >= t_min_) cut = i;
             if (cut == kNoCut) {

@@ -25,6 +25,7 @@ public:
 
 protected:
     static constexpr std::uint32_t kNoLeaf = 0xffffffffu;
+    static constexpr float kAnywhere = -std::numeric_limits<float>::infinity();
 
     double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
     bool close(double a, double b) const
@@ -94,40 +95,65 @@ protected:
         return count == 0 ? FlatAnswer::Nothing : FlatAnswer::Found;
     }
 
-    /// The cuts that meet the ray between `in` and `out`, as far as the range reaches: cuts_[0 .. count_).
-    FlatAnswer collect_cuts(const FlatTerm& term, double in, double out)
+    /// The cuts that may meet the ray between `in` and `out`, as far as the range reaches: none is evaluated yet.
+    void find_cuts(const FlatTerm& term, double in, double out)
     {
-        count_ = 0;
-        if (term.cut_first == term.cut_last) return FlatAnswer::Found;
+        count_ = waiting_ = 0;
+        in_ = in;
+        out_ = out;
+        if (term.cut_first == term.cut_last) return;
+        const auto room = static_cast<std::size_t>(term.cut_last - term.cut_first);
         cuts_ = scratch_.flat_pieces(form_.span_memory);
+        candidates_ = scratch_.flat_candidates(static_cast<std::uint32_t>(room));
         // Margins: an end that coincides with the beginning or the end of the piece must be seen.
         low_ = glm::max(in - slack(in), t_min_);
         high_ = glm::min(out + slack(out), t_max_);
-        FlatAnswer answer = FlatAnswer::Found;
-        const auto take = [&](std::uint32_t k) {
-            if (!add_cut(form_.cuts[k], in, out)) answer = FlatAnswer::Undecided;
-            return answer == FlatAnswer::Found;
-        };
-        if (term.cut_last - term.cut_first <= 2) {
-            for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k)
-                if (!take(k)) break;
-            return answer;
+        if (room <= 2) {
+            for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) candidates_[waiting_++] = {kAnywhere, k};
+            return;
         }
         with_slabs([&](const RaySlabs& slabs) {
             if (term.tree != FlatTerm::kNoTree) {
-                traverse(form_.trees[term.tree], slabs, low_, high_, 0xffu,
-                         [&](ChildWord word) { return take(word.index()) ? high_ : -1.0; });
+                traverse(form_.trees[term.tree], slabs, low_, high_, 0xffu, [&](ChildWord word) {
+                    candidates_[waiting_++] = {kAnywhere, word.index()};
+                    return high_;
+                });
                 return;
             }
             const float begin = rounded_down(low_), limit = rounded_up(high_);
             for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
                 alignas(32) float near[8];
                 std::uint32_t mask = slabs.meet(form_.cut_boxes[first / 8].bounds, begin, limit, near);
-                for (; mask != 0; mask &= mask - 1)
-                    if (!take(first + static_cast<std::uint32_t>(std::countr_zero(mask)))) return;
+                for (; mask != 0; mask &= mask - 1) {
+                    const int k = std::countr_zero(mask);
+                    candidates_[waiting_++] = {near[k], first + static_cast<std::uint32_t>(k)};
+                }
             }
         });
-        return answer;
+    }
+
+    /// Evaluates the cuts found that may begin at t or before, into cuts_[0 .. count_). Undecided: an end coincides with an
+    /// end of the piece.
+    FlatAnswer evaluate_cuts(double t)
+    {
+        for (std::uint32_t i = 0; i < waiting_;) {
+            if (static_cast<double>(candidates_[i].near) > t) {
+                ++i;
+                continue;
+            }
+            const std::uint32_t cut = candidates_[i].cut;
+            candidates_[i] = candidates_[--waiting_];
+            if (!add_cut(form_.cuts[cut], in_, out_)) return FlatAnswer::Undecided;
+        }
+        return FlatAnswer::Found;
+    }
+
+    /// Where the nearest of the cuts not yet evaluated may begin; infinite when there is none.
+    double nearest_waiting() const
+    {
+        float near = std::numeric_limits<float>::infinity();
+        for (std::uint32_t i = 0; i < waiting_; ++i) near = glm::min(near, candidates_[i].near);
+        return static_cast<double>(near);
     }
 
     const FlatForm& form_;
@@ -136,7 +162,7 @@ protected:
     const RaySlabs* slabs_;
     double t_min_, t_max_, reach_ = 0.0;
     FlatPiece* cuts_ = nullptr;
-    std::uint32_t count_ = 0;
+    std::uint32_t count_ = 0, waiting_ = 0;   ///< cuts evaluated, and found but not evaluated
 
 private:
     template <class F>
@@ -207,7 +233,8 @@ private:
     }
 
     Scratch& scratch_;
-    double low_ = 0.0, high_ = 0.0;
+    FlatCandidate* candidates_ = nullptr;
+    double low_ = 0.0, high_ = 0.0, in_ = 0.0, out_ = 0.0;
 };
 
 }  // namespace csg

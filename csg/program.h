@@ -71,6 +71,12 @@ public:
         return pieces_.get();
     }
 
+    FlatCandidate* flat_candidates(std::uint32_t count)
+    {
+        if (count > candidates_.size()) candidates_.resize(count);
+        return candidates_.data();
+    }
+
     /// A list of hits to be filled by whoever asks; kept for its memory.
     std::vector<Hit>& hits() { return hits_; }
 
@@ -102,6 +108,7 @@ private:
     std::unique_ptr<Record[]> records_;
     std::unique_ptr<FlatPiece[]> pieces_;
     std::vector<Hit> hits_;
+    std::vector<FlatCandidate> candidates_;
     std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;
     std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;
 };
