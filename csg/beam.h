@@ -85,10 +85,31 @@ private:
     /// The axis' own threshold lies below the origin by the margin; depths are lessened by as much.
     float threshold_far() const { return rounded_up(2.0 * at_origin_[kAxis] - static_cast<double>(threshold_[kAxis])); }
 
+    static double lowest(lanes::Double v)
+    {
+        alignas(64) double all[lanes::kDoubles];
+        v.store_aligned(all);
+        return *std::min_element(all, all + lanes::kDoubles);
+    }
+    /// Also false for NaN.
+    static bool all_above(lanes::Double v, double limit)
+    {
+        return lanes::mask(v > lanes::Double(limit)) == (1u << lanes::kDoubles) - 1u;
+    }
+
     void find_axes(const TileRays& rays)
     {
-        glm::dvec3 sum(0.0);
-        for (int i = 0; i < rays.count; ++i) sum += rays.ray(i).direction;
+        using lanes::Double;
+        Double x(0.0), y(0.0), z(0.0);
+        for (int i = 0; i < rays.groups * kRayGroup; i += lanes::kDoubles) {
+            const lanes::Directions d = rays.directions(i);
+            x += d.x;
+            y += d.y;
+            z += d.z;
+        }
+        // The empty places at the end repeat the first ray.
+        const double empty = rays.groups * kRayGroup - rays.count;
+        const glm::dvec3 sum = glm::dvec3(xsimd::hadd(x), xsimd::hadd(y), xsimd::hadd(z)) - empty * rays.ray(0).direction;
         const double length = glm::length(sum);
         narrow_ = length > 0.5 * rays.count;
         axis_ = narrow_ ? sum / length : glm::dvec3(0, 0, 1);
@@ -102,15 +123,23 @@ private:
 
     void find_planes(const TileRays& rays)
     {
-        glm::dvec2 least(kInfinity), most(-kInfinity);
-        for (int i = 0; i < rays.count && narrow_; ++i) {
-            const glm::dvec3 d = rays.ray(i).direction;
-            const double depth = glm::dot(d, axis_);
-            if (!(depth > 0.3)) narrow_ = false;
-            const glm::dvec2 slope(glm::dot(d, side_) / depth, glm::dot(d, up_) / depth);
-            least = glm::min(least, slope);
-            most = glm::max(most, slope);
+        using lanes::Double;
+        Double shallowest(kInfinity), least_x(kInfinity), least_y(kInfinity), most_x(-kInfinity), most_y(-kInfinity);
+        const auto along = [](const lanes::Directions& d, const glm::dvec3& v) {
+            return d.x * Double(v.x) + d.y * Double(v.y) + d.z * Double(v.z);
+        };
+        for (int i = 0; i < rays.groups * kRayGroup; i += lanes::kDoubles) {
+            const lanes::Directions d = rays.directions(i);
+            const Double depth = along(d, axis_), over = Double(1.0) / depth;
+            const Double sx = along(d, side_) * over, sy = along(d, up_) * over;
+            shallowest = xsimd::min(shallowest, depth);
+            least_x = xsimd::min(least_x, sx);
+            least_y = xsimd::min(least_y, sy);
+            most_x = xsimd::max(most_x, sx);
+            most_y = xsimd::max(most_y, sy);
         }
+        narrow_ = narrow_ && all_above(shallowest, 0.3);
+        const glm::dvec2 least(lowest(least_x), lowest(least_y)), most(-lowest(-most_x), -lowest(-most_y));
         // Wider than any rounding of what is computed in double.
         constexpr double kMargin = 1e-7;
         normal_[0] = glm::normalize(side_ - (least.x - kMargin) * axis_);

@@ -3,6 +3,7 @@
 #include "csg/hit.h"
 #include "csg/lane_interval.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -38,18 +39,22 @@ struct alignas(64) TileRays {
     explicit TileRays(const RayTile& tile)
         : origin(tile.ox[0], tile.oy[0], tile.oz[0]), count(tile.count), groups((tile.count + kRayGroup - 1) / kRayGroup)
     {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(groups * kRayGroup); ++i) {
-            const bool real = i < static_cast<std::size_t>(count);
-            const std::size_t k = real ? i : 0;
-            dx[i] = tile.dx[k];
-            dy[i] = tile.dy[k];
-            dz[i] = tile.dz[k];
-            inverse_x[i] = inverse(dx[i]);
-            inverse_y[i] = inverse(dy[i]);
-            inverse_z[i] = inverse(dz[i]);
-            inverse_a[i] = 1.0 / (dx[i] * dx[i] + dy[i] * dy[i] + dz[i] * dz[i]);
-            t_min[i] = tile.t_min[k];
-            limit[i] = real ? tile.t_max[k] : -kInfinity;
+        const auto take = [&](const Lanes& from, Lanes& to, double empty) {
+            std::copy_n(from.begin(), count, to.begin());
+            std::fill(to.begin() + count, to.begin() + groups * kRayGroup, empty);
+        };
+        take(tile.dx, dx, tile.dx[0]);
+        take(tile.dy, dy, tile.dy[0]);
+        take(tile.dz, dz, tile.dz[0]);
+        take(tile.t_min, t_min, tile.t_min[0]);
+        take(tile.t_max, limit, -kInfinity);
+        for (int i = 0; i < groups * kRayGroup; i += lanes::kDoubles) {
+            const auto x = lanes::Double::load_aligned(dx.data() + i), y = lanes::Double::load_aligned(dy.data() + i),
+                       z = lanes::Double::load_aligned(dz.data() + i);
+            inverse(x).store_aligned(inverse_x.data() + i);
+            inverse(y).store_aligned(inverse_y.data() + i);
+            inverse(z).store_aligned(inverse_z.data() + i);
+            (lanes::Double(1.0) / (x * x + y * y + z * z)).store_aligned(inverse_a.data() + i);
         }
     }
 
@@ -110,9 +115,10 @@ struct alignas(64) TileRays {
     }
 
 private:
-    static double inverse(double d)
+    static lanes::Double inverse(lanes::Double d)
     {
-        return std::abs(d) < 1e-30 ? std::copysign(1e30, d) : 1.0 / d;
+        const lanes::Double clamped = lanes::Double(1e30) | (d & lanes::Double(-0.0));
+        return xsimd::select(xsimd::abs(d) < lanes::Double(1e-30), clamped, lanes::Double(1.0) / d);
     }
 };
 
