@@ -15,6 +15,7 @@ class SceneQueries;  // parser/queries.h
 /// What the command line tells the parser.
 struct Options {
     std::vector<std::string> library_path;             ///< searched after the scene's folder, in order
+    std::vector<std::string> write_folders;            ///< where #fopen may write, besides the current folder
     std::map<std::string, double> declared_numbers;    ///< Declare=name=value
     std::map<std::string, std::string> declared_strings;
     int version = 370;                                 ///< before any #version

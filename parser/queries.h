@@ -10,16 +10,19 @@ namespace parser {
 struct ObjectHit { bool hit = false; glm::dvec3 point{0}, normal{0}; };
 
 /// Questions to the scene while it is read: the parser knows neither geometry nor textures, so whoever starts it answers
-/// (Options::queries). Cold: one call per question of the text. May throw std::exception with the reason of a refusal.
+/// (Options::queries). Answers may throw std::runtime_error with the reason of a refusal.
 class SceneQueries {
 public:
+    using ObjectPtr = std::shared_ptr<const scene::Object>;
     virtual ~SceneQueries() = default;
 
     /// The first crossing of the object's surface; `direction` of unit length.
-    virtual ObjectHit trace(const scene::Object& object, const glm::dvec3& origin, const glm::dvec3& direction) = 0;
-    virtual bool inside(const scene::Object& object, const glm::dvec3& point) = 0;
+    virtual ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction) = 0;
+    virtual bool inside(const ObjectPtr& object, const glm::dvec3& point) = 0;
+    /// Sum of vector noise over the octaves, as the turbulence of patterns has it.
+    virtual glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) = 0;
     /// The box that min_extent() and max_extent() tell.
-    virtual csg::Aabb extent(const scene::Object& object) = 0;
+    virtual csg::Aabb extent(const ObjectPtr& object) = 0;
     /// A function that asks for noise, patterns or pigments, with the global settings read so far.
     virtual function::Values evaluate(const function::FunctionPtr& called, const double* arguments,
                                       const scene::Description& so_far) = 0;

@@ -4,6 +4,11 @@
 
 /// The scene's things inside functions, and the questions that are passed on to whoever can answer them.
 namespace parser {
+namespace {
+
+using ObjectPtr = std::shared_ptr<const scene::Object>;
+
+}  // namespace
 
 std::optional<function::Outer> SceneBuilder::parse_function_thing(TokenStream& stream)
 {
@@ -21,22 +26,40 @@ std::optional<function::Outer> SceneBuilder::parse_function_thing(TokenStream& s
     return Use{Use::Kind::Pattern, std::make_shared<scene::PatternFunction>(std::move(pattern))};
 }
 
-std::optional<ObjectHit> SceneBuilder::trace(const scene::Object& object, const glm::dvec3& origin, const glm::dvec3& direction)
+/// An object that cannot be drawn yet is answered for as if it were nothing, and that is said.
+bool SceneBuilder::undrawn(const ObjectPtr& object, const char* question)
 {
+    if (object->undrawn.empty()) return false;
+    unsupported(std::string(question) + " of " + object->undrawn, stream_->last());
+    return true;
+}
+
+std::optional<ObjectHit> SceneBuilder::trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction)
+{
+    if (undrawn(object, "trace()")) return ObjectHit{};
     SceneQueries* queries = stream_->options().queries;
     return queries ? std::optional(queries->trace(object, origin, direction)) : std::nullopt;
 }
 
-std::optional<bool> SceneBuilder::inside(const scene::Object& object, const glm::dvec3& point)
+std::optional<bool> SceneBuilder::inside(const ObjectPtr& object, const glm::dvec3& point)
 {
+    if (undrawn(object, "inside()")) return false;
     SceneQueries* queries = stream_->options().queries;
     return queries ? std::optional(queries->inside(object, point)) : std::nullopt;
 }
 
-std::optional<csg::Aabb> SceneBuilder::extent(const scene::Object& object)
+std::optional<csg::Aabb> SceneBuilder::extent(const ObjectPtr& object)
 {
+    // A unit box: programs divide by what they get.
+    if (undrawn(object, "the extent")) return csg::Aabb{glm::dvec3(0.0), glm::dvec3(1.0)};
     SceneQueries* queries = stream_->options().queries;
     return queries ? std::optional(queries->extent(object)) : std::nullopt;
+}
+
+std::optional<glm::dvec3> SceneBuilder::turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)
+{
+    SceneQueries* queries = stream_->options().queries;
+    return queries ? std::optional(queries->turbulence(point, octaves, lambda, omega)) : std::nullopt;
 }
 
 std::optional<function::Values> SceneBuilder::evaluate(const function::FunctionPtr& called, const double* arguments)

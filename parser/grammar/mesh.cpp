@@ -7,6 +7,19 @@ using Data = scene::MeshData;
 constexpr std::uint32_t kNone = Data::kNone;
 const std::array<std::uint32_t, 3> kNoIndices{kNone, kNone, kNone};
 
+/// A declared vector, or element of an array of them: the next face, no texture's number.
+bool at_vector(TokenStream& in)
+{
+    const Value* value = in.peek().kind == Kind::Identifier ? in.value_of(in.peek()) : nullptr;
+    while (const auto* array = value ? value->get_if<std::shared_ptr<Array>>() : nullptr) {
+        value = nullptr;
+        for (const Value& element : (*array)->elements)
+            if (element.set()) value = &element;
+    }
+    const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
+    return tuple && tuple->count > 1;
+}
+
 struct MeshState : BlockState {
     using BlockState::BlockState;
     std::shared_ptr<Data> data = std::make_shared<Data>();
@@ -101,7 +114,9 @@ std::vector<Indices> read_indices(MeshState& s, const char* what, std::size_t li
         // After a face up to three numbers name the textures of its corners.
         for (std::size_t t = 0; t < 3; ++t) {
             in.accept_comma();
-            if (in.peek().kind == Kind::Less || in.peek().kind == Kind::RightBrace || !at_expression(in)) break;
+            if (in.peek().kind == Kind::Less || in.peek().kind == Kind::RightBrace || !at_expression(in) ||
+                at_vector(in))
+                break;
             const auto index = static_cast<std::uint32_t>(parser::float_expr(in));
             if (index >= s.data->textures.size()) in.fail(in.last(), "a texture index of face_indices is out of range");
             if (t == 0) one.texture.fill(index);

@@ -27,9 +27,11 @@ public:
     std::optional<Value> parse_declared_value(TokenStream& stream) override;
     void parse_default(TokenStream& stream) override;
     std::optional<function::Outer> parse_function_thing(TokenStream& stream) override;
-    std::optional<ObjectHit> trace(const scene::Object& object, const glm::dvec3& origin, const glm::dvec3& direction) override;
-    std::optional<bool> inside(const scene::Object& object, const glm::dvec3& point) override;
-    std::optional<csg::Aabb> extent(const scene::Object& object) override;
+    std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>& object, const glm::dvec3& origin,
+                                   const glm::dvec3& direction) override;
+    std::optional<bool> inside(const std::shared_ptr<const scene::Object>& object, const glm::dvec3& point) override;
+    std::optional<csg::Aabb> extent(const std::shared_ptr<const scene::Object>& object) override;
+    std::optional<glm::dvec3> turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override;
     std::optional<function::Values> evaluate(const function::FunctionPtr& called, const double* arguments) override;
 
     /// The texture that `#default` has made so far: one layer.
@@ -55,6 +57,7 @@ public:
     bool camera_given = false, noise_generator_given = false;
 
 private:
+    bool undrawn(const std::shared_ptr<const scene::Object>& object, const char* question);
     TokenStream* stream_ = nullptr;
     scene::TexturePtr default_texture_;
     std::set<std::string> told_;

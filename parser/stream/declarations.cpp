@@ -40,7 +40,7 @@ void TokenStream::declare(bool local)
     Value value = read_value();
     raw_operators_ = false;
     const bool numeric = value.get_if<Tuple>() != nullptr;
-    if (!target && (!local || symbols_.depth() >= scope)) target = local ? symbols_.local(name.name) : symbols_.declare(name.name);
+    if (!target && (!local || symbols_.depth() >= scope)) target = local ? symbols_.local(name.name, scope) : symbols_.declare(name.name);
     if (target) assign(target, std::move(value), name, element, whole);
     end_declaration(numeric && language_.version >= 350);
 }

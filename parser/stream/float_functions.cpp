@@ -167,7 +167,7 @@ double in_parentheses(TokenStream& stream, const Token& word)
     case Kind::Inside: {
         const auto object = read_object_identifier(stream);
         stream.accept_comma();
-        const auto answer = stream.hooks().inside(*object, vector_expr(stream));
+        const auto answer = stream.hooks().inside(object, vector_expr(stream));
         if (!answer) stream.fail(stream.place(word), "inside() of this object is not available yet");
         return *answer ? 1.0 : 0.0;
     }

@@ -26,10 +26,14 @@ public:
     virtual std::optional<function::Outer> parse_function_thing(TokenStream& /*stream*/) { return std::nullopt; }
 
     /// Questions to a declared object; nullopt: cannot be answered (the stream makes it an error at the call).
-    virtual std::optional<ObjectHit> trace(const scene::Object&, const glm::dvec3& /*origin*/,
+    virtual std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>&, const glm::dvec3& /*origin*/,
                                            const glm::dvec3& /*direction, unit length*/) { return std::nullopt; }
-    virtual std::optional<bool> inside(const scene::Object&, const glm::dvec3&) { return std::nullopt; }
-    virtual std::optional<csg::Aabb> extent(const scene::Object&) { return std::nullopt; }
+    virtual std::optional<bool> inside(const std::shared_ptr<const scene::Object>&, const glm::dvec3&) { return std::nullopt; }
+    virtual std::optional<csg::Aabb> extent(const std::shared_ptr<const scene::Object>&) { return std::nullopt; }
+    virtual std::optional<glm::dvec3> turbulence(const glm::dvec3& /*point*/, int /*octaves*/, double /*lambda*/, double /*omega*/)
+    {
+        return std::nullopt;
+    }
     /// A function that asks for noise, patterns or pigments.
     virtual std::optional<function::Values> evaluate(const function::FunctionPtr&, const double* /*arguments*/)
     {

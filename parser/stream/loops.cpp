@@ -63,7 +63,7 @@ void TokenStream::begin_for(std::uint32_t hash)
     expect(Kind::RightParen, "')'");
     while (cursors_.size() > loop.cursors) leave_cursor();
     if (!(std::abs(loop.step) >= kSlack)) fail(place(name), "the step of this #for is zero");
-    loop.variable = symbols_.local(name.name);
+    loop.variable = symbols_.local(name.name, symbols_.depth());
     *loop.variable = Tuple::of(start);
     loop.again = cursors_.back().position;
     if (!goes_on(start, loop.limit, loop.step)) return leave_loop(hash);

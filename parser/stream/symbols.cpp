@@ -26,12 +26,14 @@ Cell Symbols::declare(std::uint32_t name)
     return bindings.empty() ? global(name) : bindings.back().cell;
 }
 
-Cell Symbols::local(std::uint32_t name)
+Cell Symbols::local(std::uint32_t name, std::uint32_t scope)
 {
-    if (in_current_scope(name)) return slots_[name].back().cell;
-    Cell cell = std::make_shared<Value>();
-    bind(name, cell);
-    return cell;
+    auto& bindings = slot(name);
+    auto at = bindings.end();
+    while (at != bindings.begin() && (at - 1)->scope > scope) --at;
+    if (at != bindings.begin() && (at - 1)->scope == scope) return (at - 1)->cell;
+    if (scope > 0) opened_[scope - 1].push_back(name);
+    return bindings.insert(at, {std::make_shared<Value>(), scope})->cell;
 }
 
 Cell Symbols::global(std::uint32_t name)

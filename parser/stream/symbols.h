@@ -20,8 +20,9 @@ public:
 
     /// `#declare`: the nearest symbol, else a new global one. The new one is unset.
     Cell declare(std::uint32_t name);
-    /// `#local`: the symbol of the current scope, else a new one there.
-    Cell local(std::uint32_t name);
+    /// `#local` that began in `scope` (reading its value may have entered a macro that is not left yet): the symbol of
+    /// that scope, else a new one there.
+    Cell local(std::uint32_t name, std::uint32_t scope);
     Cell global(std::uint32_t name);
     /// A macro parameter: `name` in the current scope means `cell` from now on.
     void bind(std::uint32_t name, Cell cell);

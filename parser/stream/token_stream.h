@@ -199,6 +199,8 @@ private:
     void close_data_file();
     void read_data();
     void write_data();
+    std::shared_ptr<DataFile> data_file(Token& name, bool reading);
+    Cell read_target();
 
     Options options_;
     GrammarHooks& hooks_;

@@ -1,5 +1,6 @@
 #include "parser/stream/operand.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -37,7 +38,7 @@ glm::dvec3 read_trace(TokenStream& stream, const Token& word)
         const Tuple* old = normal ? normal->get_if<Tuple>() : nullptr;
         if (!old || old->count != 3) stream.fail(stream.place(name), "expected a declared vector that takes the normal");
     }
-    const auto answer = stream.hooks().trace(*object, origin, glm::normalize(direction));
+    const auto answer = stream.hooks().trace(object, origin, glm::normalize(direction));
     if (!answer) stream.fail(stream.place(word), "trace() of this object is not available yet");
     if (normal) *normal = Tuple::of(answer->hit ? answer->normal : glm::dvec3(0.0));
     return answer->hit ? answer->point : glm::dvec3(0.0);
@@ -50,7 +51,7 @@ glm::dvec3 in_parentheses(TokenStream& stream, const Token& word)
     case Kind::MinExtent:
     case Kind::MaxExtent: {
         const auto object = read_object_identifier(stream);
-        const auto box = stream.hooks().extent(*object);
+        const auto box = stream.hooks().extent(object);
         if (!box) stream.fail(stream.place(word), "the extent of this object is not available yet");
         constexpr double kFar = 1e10;  // what POV-Ray reports for the unbounded
         const glm::dvec3 corner = word.kind == Kind::MinExtent ? box->lower : box->upper;
@@ -79,6 +80,18 @@ glm::dvec3 in_parentheses(TokenStream& stream, const Token& word)
         const glm::dvec3 axis = vector_expr(stream);
         stream.accept_comma();
         return rotated_about(v, axis, float_expr(stream));
+    }
+    case Kind::Vturbulence: {
+        const double lambda = float_expr(stream);
+        stream.accept_comma();
+        const double omega = float_expr(stream);
+        stream.accept_comma();
+        const int octaves = std::clamp(to_int32(float_expr(stream)), 1, 10);
+        stream.accept_comma();
+        const auto answer = stream.hooks().turbulence(vector_expr(stream), octaves, lambda, omega);
+        stream.accept_comma();
+        if (!answer) stream.fail(stream.place(word), "vturbulence cannot be asked here");
+        return *answer;
     }
     default: stream.fail(stream.place(word), std::string(spelling(word.kind)) + " is not available yet");
     }

@@ -7,6 +7,7 @@
 #include "render/app/progress.h"
 #include "render/app/report.h"
 #include "render/app/scene_file.h"
+#include "render/app/scene_queries.h"
 #include "render/app/window.h"
 #include "render/image/files.h"
 #include "render/plan/compiled_scene.h"
@@ -157,7 +158,10 @@ int render_frame(const Settings& settings, const FrameList& list, const Frame& f
     }
     StageTimes times;
     Console console{settings.all_console.value_or(settings.debug_console), settings.all_console.value_or(settings.warning_console)};
-    const parser::Result parsed = parser::parse_file(find_scene(settings), parser_options(settings, list, frame), print_message, &console);
+    SceneQueries queries;
+    parser::Options options = parser_options(settings, list, frame);
+    options.queries = &queries;
+    const parser::Result parsed = parser::parse_file(find_scene(settings), options, print_message, &console);
     times.finish("parse");
     if (print_stage(settings, parsed.scene)) return kSuccess;
 

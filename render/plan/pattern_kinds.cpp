@@ -13,7 +13,7 @@ const std::unordered_map<std::string, PatternKind> kKinds{
     {"boxed", PatternKind::Boxed}, {"bozo", PatternKind::Bozo}, {"brick", PatternKind::Brick},
     {"bumps", PatternKind::Bumps}, {"cells", PatternKind::Cells}, {"checker", PatternKind::Checker},
     {"crackle", PatternKind::Crackle}, {"cubic", PatternKind::Cubic}, {"cylindrical", PatternKind::Cylindrical},
-    {"dents", PatternKind::Dents}, {"facets", PatternKind::Facets}, {"gradient", PatternKind::Gradient},
+    {"dents", PatternKind::Dents}, {"facets", PatternKind::Facets}, {"function", PatternKind::Function}, {"gradient", PatternKind::Gradient},
     {"granite", PatternKind::Granite}, {"hexagon", PatternKind::Hexagon}, {"julia", PatternKind::Julia},
     {"leopard", PatternKind::Leopard}, {"magnet_julia", PatternKind::MagnetJulia},
     {"magnet_mandel", PatternKind::MagnetMandel}, {"mandel", PatternKind::Mandel}, {"marble", PatternKind::Marble},

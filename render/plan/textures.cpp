@@ -1,6 +1,8 @@
 #include "render/plan/textures.h"
 
+#include "function/link.h"
 #include "render/plan/pattern_kinds.h"
+#include "render/scene/function.h"
 #include "render/texture/noise.h"
 
 #include <algorithm>
@@ -57,8 +59,35 @@ std::uint32_t TextureCompiler::pattern(const scene::Pattern& description)
         if (!description.pigment) return texture::kNone;
         compiled.pigment = pigment(*description.pigment);
     }
+    if (*kind == texture::PatternKind::Function) {
+        compiled.function = description.function ? function(description.function) : texture::kNone;
+        if (compiled.function == texture::kNone) return texture::kNone;
+    }
     out_.patterns.push_back(compiled);
     return size_of(out_.patterns.size() - 1);
+}
+
+std::uint32_t TextureCompiler::function(const function::FunctionPtr& description)
+{
+    if (const auto known = known_functions_.find(description); known != known_functions_.end()) return known->second;
+    bool complete = true;
+    const auto slot_of = [&](const function::OuterUse& use) {
+        if (use.kind == function::OuterUse::Kind::Pigment)
+            return pigment(static_cast<const scene::PigmentFunction&>(*use.external).pigment);
+        const scene::Pattern& inner = static_cast<const scene::PatternFunction&>(*use.external).pattern;
+        const std::uint32_t slot = pattern(inner);
+        if (slot == texture::kNone) note("pattern '" + inner.name + "' in a function", inner.source);
+        complete = complete && slot != texture::kNone;
+        return slot;
+    };
+    const function::FunctionPtr linked = function::link(description, slot_of);
+    std::uint32_t index = texture::kNone;
+    if (complete) {
+        index = size_of(out_.functions.size());
+        out_.functions.push_back(linked);
+    }
+    known_functions_.emplace(description, index);
+    return index;
 }
 
 std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)

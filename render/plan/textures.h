@@ -20,6 +20,8 @@ public:
     std::uint32_t texture(const scene::TexturePtr& description);
     /// Index into TextureSet::pigments.
     std::uint32_t pigment(const scene::Pigment& description);
+    /// Index into TextureSet::functions; texture::kNone if it needs a pattern that cannot be evaluated (noted).
+    std::uint32_t function(const function::FunctionPtr& description);
 
 private:
     std::uint32_t compile(const scene::Texture& description);
@@ -38,6 +40,7 @@ private:
     texture::TextureSet& out_;
     std::vector<scene::Unsupported>& notes_;
     std::unordered_map<const scene::Texture*, std::uint32_t> known_;
+    std::unordered_map<function::FunctionPtr, std::uint32_t> known_functions_;
     std::vector<scene::TexturePtr> alive_;  ///< keeps the keys of known_ from being reused
 };
 

@@ -1,5 +1,6 @@
 #include "render/texture/angle.h"
 #include "render/texture/evaluate.h"
+#include "render/texture/function_host.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <cmath>
@@ -27,6 +28,14 @@ double grey_of(const TextureSet& set, const Pattern& pattern, const glm::dvec3& 
     return static_cast<double>(scene::grey(pigment_color(set, pattern.pigment, p, around).rgb()));
 }
 
+/// A user function; what is above 1 counts from 0 again (spec 4, 5.2).
+double function_value(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p)
+{
+    const double at[] = {p.x, p.y, p.z};
+    const double v = function::evaluate(*set.functions[pattern.function], at, FunctionHost(set));
+    return v > 1.0 ? std::fmod(v, 1.0) : v;
+}
+
 }  // namespace
 
 double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around)
@@ -47,6 +56,7 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
     case PatternKind::Cubic: return cubic(p);
     case PatternKind::Cylindrical: return cylindrical(p);
     case PatternKind::Dents: return dents(pattern, p);
+    case PatternKind::Function: return function_value(set, pattern, p);
     case PatternKind::Gradient: return gradient(pattern, p);
     case PatternKind::Granite: return granite(pattern, p);
     case PatternKind::Hexagon: return hexagon(p);

@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 /// Every pattern that is evaluated. `Average` and `Uv` are not functions of a point: the user of the map handles them.
 enum class PatternKind : std::uint8_t {
     Average, Uv,
-    Agate, Aoi, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle, Cubic, Cylindrical, Dents, Gradient, Granite,
+    Agate, Aoi, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle, Cubic, Cylindrical, Dents, Function, Gradient, Granite,
     Hexagon, Julia, Leopard, MagnetJulia, MagnetMandel, Mandel, Marble, Onion, PigmentPattern, Planar, Quilted, Radial,
     Ripples, Slope, Spherical, Spiral1, Spiral2, Square, Triangular, Waves, Wood, Wrinkles, Facets,
 };
@@ -38,6 +38,7 @@ struct Pattern {
     bool folds = true;                     ///< frequency is not 0 (spec 4, section 4 step 3)
     std::uint32_t first_warp = 0, warp_count = 0;
     std::uint32_t pigment = kNone;         ///< PigmentPattern: whose grey is the value
+    std::uint32_t function = kNone;        ///< Function: index into TextureSet::functions
     double frequency = 1, phase = 0, poly_exponent = 1;
     scene::Turbulence turbulence;
     glm::dvec3 vector{0};                  ///< gradient axis (unit), brick size, crackle form, julia's constant, ...

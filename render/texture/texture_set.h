@@ -1,5 +1,6 @@
 #pragma once
 
+#include "function/program.h"
 #include "render/scene/color.h"
 #include "render/texture/pattern.h"
 
@@ -63,6 +64,7 @@ struct TextureSet {
     std::vector<Normal> normals;
     std::vector<Pattern> patterns;
     std::vector<Warp> warps;
+    std::vector<function::FunctionPtr> functions;  ///< slots of patterns and pigments filled in
     std::vector<float> keys;
     std::vector<scene::Color> colors;
     std::vector<std::uint32_t> children;

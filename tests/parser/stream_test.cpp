@@ -76,3 +76,10 @@ TEST_CASE("functions", "[parser][function]")
     CHECK(debug_of("#declare f=function{-x*x} #debug str(f(3,0,0),0,0)") == "-9");
     CHECK(debug_of("#declare k=2; #declare f=function(a){k*sin(a)} #declare k=5; #debug str(f(1),0,4)") == "1.6829");
 }
+
+TEST_CASE("a local whose value a macro gives belongs to the scope that declares it", "[parser][macro]")
+{
+    CHECK(parser_test::debug_of("#macro Give() #local Q=<1,2,3>; Q #end "
+                                "#macro Take() #local N=Give() #debug str(vlength(N),0,3) #end "
+                                "#version 3.0; Take() #ifdef(N) #debug \"leaked\" #end") == "3.742");
+}

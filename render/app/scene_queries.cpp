@@ -1,0 +1,47 @@
+#include "render/app/scene_queries.h"
+
+namespace app {
+namespace {
+
+constexpr std::size_t kMostKept = 256;     // a loop that declares an object in every pass must not fill the memory
+
+}  // namespace
+
+plan::ObjectProbe& SceneQueries::probe(const ObjectPtr& object)
+{
+    if (const auto known = objects_.find(object); known != objects_.end()) return *known->second;
+    if (objects_.size() >= kMostKept) objects_.clear();
+    return *objects_.emplace(object, std::make_unique<plan::ObjectProbe>(*object)).first->second;
+}
+
+parser::ObjectHit SceneQueries::trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction)
+{
+    const auto answer = probe(object).trace(origin, direction);
+    return {answer.hit, answer.point, answer.normal};
+}
+
+bool SceneQueries::inside(const ObjectPtr& object, const glm::dvec3& point)
+{
+    return probe(object).inside(point);
+}
+
+glm::dvec3 SceneQueries::turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)
+{
+    return plan::turbulence(point, octaves, lambda, omega);
+}
+
+csg::Aabb SceneQueries::extent(const ObjectPtr& object)
+{
+    return plan::described_extent(*object);
+}
+
+function::Values SceneQueries::evaluate(const function::FunctionPtr& called, const double* arguments, const scene::Description& so_far)
+{
+    if (so_far.global.noise_generator != noise_generator_ || functions_.size() >= kMostKept) functions_.clear();
+    noise_generator_ = so_far.global.noise_generator;
+    auto& kept = functions_[called];
+    if (!kept) kept = std::make_unique<plan::FunctionProbe>(called, so_far.global);
+    return kept->evaluate(arguments);
+}
+
+}  // namespace app

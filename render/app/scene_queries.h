@@ -1,0 +1,27 @@
+#pragma once
+
+#include "parser/queries.h"
+#include "render/plan/extent.h"
+#include "render/plan/probe.h"
+
+#include <unordered_map>
+
+namespace app {
+
+/// Answers the parser's questions with the renderer's own parts. Objects and functions asked once are kept compiled.
+class SceneQueries final : public parser::SceneQueries {
+public:
+    parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction) override;
+    bool inside(const ObjectPtr& object, const glm::dvec3& point) override;
+    glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override;
+    csg::Aabb extent(const ObjectPtr& object) override;
+    function::Values evaluate(const function::FunctionPtr& called, const double* arguments, const scene::Description& so_far) override;
+
+private:
+    plan::ObjectProbe& probe(const ObjectPtr& object);
+    std::unordered_map<ObjectPtr, std::unique_ptr<plan::ObjectProbe>> objects_;
+    std::unordered_map<function::FunctionPtr, std::unique_ptr<plan::FunctionProbe>> functions_;
+    int noise_generator_ = 0;              ///< that the kept functions were made with
+};
+
+}  // namespace app

@@ -1,0 +1,169 @@
+#include "render/plan/extent.h"
+
+#include "render/plan/solids.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plan {
+namespace {
+
+constexpr double kFar = 1e10;             // half the edge of "everything"
+constexpr double kLongestEdge = 1e6;      // longer ones of a CSG object make it infinite
+constexpr double kDiscHalfThickness = 1e-3;
+
+csg::Aabb everything() { return {glm::dvec3(-kFar), glm::dvec3(kFar)}; }
+
+csg::Aabb corners_moved(const csg::Transform& t, const csg::Aabb& box)
+{
+    csg::Aabb moved;
+    for (int corner = 0; corner < 8; ++corner)
+        moved.include(t.point({corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
+                               corner & 4 ? box.upper.z : box.lower.z}));
+    moved.lower = glm::max(moved.lower, glm::dvec3(-kFar));
+    moved.upper = glm::min(moved.upper, glm::dvec3(kFar));
+    return moved;
+}
+
+double volume(const csg::Aabb& box)
+{
+    const glm::dvec3 edge = box.upper - box.lower;
+    return edge.x * edge.y * edge.z;
+}
+
+csg::Aabb unless_too_long(const csg::Aabb& box)
+{
+    const glm::dvec3 edge = box.upper - box.lower;
+    return std::max({edge.x, edge.y, edge.z}) > kLongestEdge ? everything() : box;
+}
+
+csg::Aabb csg_extent(const scene::Csg& csg);
+
+/// Of the shape in its statement's space, `t` applied.
+struct ShapeExtent {
+    const csg::Transform& t;
+
+    csg::Aabb operator()(const scene::Sphere& s) const
+    {
+        if (const csg::Solid made = world_solid(s, t); const auto* ball = std::get_if<csg::Sphere>(&made))
+            return {ball->center - ball->radius, ball->center + ball->radius};
+        const double r = std::abs(s.radius);
+        return corners_moved(t, {s.center - r, s.center + r});
+    }
+    csg::Aabb operator()(const scene::Box& s) const { return corners_moved(t, {s.lower, s.upper}); }
+    csg::Aabb operator()(const scene::Plane&) const { return everything(); }
+    csg::Aabb operator()(const scene::Cylinder& s) const { return tube(world_solid(s, t)); }
+    csg::Aabb operator()(const scene::Cone& s) const { return tube(world_solid(s, t)); }
+    csg::Aabb operator()(const scene::Disc& s) const
+    {
+        const csg::Solid made = world_solid(s, t);
+        const auto& disc = std::get<csg::Disc>(made);
+        const glm::dvec3 half(disc.radius, disc.radius, kDiscHalfThickness);
+        return corners_moved(disc.frame, {-half, half});
+    }
+    csg::Aabb operator()(const scene::Torus& s) const
+    {
+        const glm::dvec3 half(s.major + s.minor, s.minor, s.major + s.minor);
+        return corners_moved(t, {-half, half});
+    }
+    csg::Aabb operator()(const scene::Mesh& s) const
+    {
+        csg::Aabb box;
+        for (const scene::MeshData::Face& face : s.data->faces)
+            for (const std::uint32_t v : face.vertex) box.include(s.data->vertices[v]);
+        return corners_moved(t, box);
+    }
+    csg::Aabb operator()(const scene::Csg& s) const
+    {
+        const csg::Aabb box = csg_extent(s);
+        return t.identity() ? box : corners_moved(t, box);
+    }
+    csg::Aabb operator()(const scene::Light&) const { return everything(); }
+    /// All others: the box of the solid.
+    template <class Shape> csg::Aabb operator()(const Shape& s) const
+    {
+        const csg::Aabb box = std::visit([](const auto& solid) {
+            if constexpr (requires { solid.bounds(); }) return solid.bounds();
+            else return csg::Aabb::everything();
+        }, world_solid(s, t));
+        return box.finite() ? box : everything();
+    }
+
+private:
+    static csg::Aabb tube(const csg::Solid& made)
+    {
+        if (const auto* cylinder = std::get_if<csg::Cylinder>(&made)) return corners_moved(cylinder->frame, {{-1, -1, 0}, {1, 1, 1}});
+        const auto& cone = std::get<csg::Cone>(made);
+        return corners_moved(cone.frame, {{-1, -1, cone.low}, {1, 1, 1}});
+    }
+};
+
+csg::Aabb unrounded(const scene::Object& object);
+
+/// A plane counts as a half-space inside an intersection, also turned round where it is subtracted.
+bool half_space(const scene::Object& operand, bool turned, csg::Aabb& box)
+{
+    const auto* plane = std::get_if<scene::Plane>(&operand.shape);
+    if (plane == nullptr) return false;
+    const csg::Solid made = world_solid(*plane, operand.transform);
+    csg::Plane space = std::get<csg::Plane>(made);
+    if (operand.inverse != turned) {
+        space.normal_out = -space.normal_out;
+        space.offset = -space.offset;
+    }
+    box = {glm::max(space.bounds().lower, glm::dvec3(-kFar)), glm::min(space.bounds().upper, glm::dvec3(kFar))};
+    return true;
+}
+
+csg::Aabb csg_extent(const scene::Csg& csg)
+{
+    const bool joins = csg.op == scene::CsgOp::Union || csg.op == scene::CsgOp::Merge;
+    csg::Aabb box = joins ? csg::Aabb{} : everything();
+    for (std::size_t i = 0; i < csg.operands->size(); ++i) {
+        const scene::Object& operand = (*csg.operands)[i];
+        if (joins) {
+            box.include(unrounded(operand));
+            continue;
+        }
+        const bool subtracted = csg.op == scene::CsgOp::Difference && i > 0;
+        csg::Aabb cut;
+        if (!half_space(operand, subtracted, cut)) {
+            if (operand.inverse != subtracted) continue;
+            cut = unrounded(operand);
+        }
+        box = box.intersected(cut);
+    }
+    return box.empty() ? everything() : unless_too_long(box);
+}
+
+csg::Aabb common(const std::vector<scene::Object>& bounds)
+{
+    csg::Aabb box = everything();
+    for (const scene::Object& bound : bounds)
+        if (!bound.inverse) box = box.intersected(unrounded(bound));
+    return box;
+}
+
+csg::Aabb unrounded(const scene::Object& object)
+{
+    csg::Aabb box = std::visit(ShapeExtent{object.transform}, object.shape);
+    for (const std::vector<scene::Object>* set : {&object.bounded_by, &object.clipped_by})
+        if (const csg::Aabb cut = common(*set); !set->empty() && !cut.empty() && volume(cut) < volume(box)) box = cut;
+    return box;
+}
+
+}  // namespace
+
+csg::Aabb described_extent(const scene::Object& object)
+{
+    const csg::Aabb box = unrounded(object);
+    csg::Aabb told;
+    for (int k = 0; k < 3; ++k) {
+        const auto low = static_cast<float>(box.lower[k]), edge = static_cast<float>(box.upper[k] - box.lower[k]);
+        told.lower[k] = static_cast<double>(low);
+        told.upper[k] = static_cast<double>(low) + static_cast<double>(edge);
+    }
+    return told;
+}
+
+}  // namespace plan

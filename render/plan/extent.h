@@ -1,0 +1,12 @@
+#pragma once
+
+#include "render/scene/object.h"
+
+namespace plan {
+
+/// The box that min_extent() and max_extent() tell of an object, by POV-Ray's rules (spec 5a, 7): not the tightest one;
+/// unbounded sides lie at +-1e10, and single precision shows. Boxes of CSG objects, which POV-Ray transforms again with
+/// every statement, are transformed once.
+csg::Aabb described_extent(const scene::Object& object);
+
+}  // namespace plan

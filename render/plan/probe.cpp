@@ -1,0 +1,75 @@
+#include "render/plan/probe.h"
+
+#include "csg/scratch.h"
+#include "render/plan/textures.h"
+#include "render/texture/function_host.h"
+#include "render/texture/noise.h"
+
+#include <stdexcept>
+
+namespace plan {
+namespace {
+
+constexpr double kMinDistance = 1e-4;     // nearer crossings do not count (spec 3, 3.1)
+constexpr std::uint8_t kEveryRay = 0xff;
+
+/// The geometry alone: a texture costs time and says nothing here.
+CompiledScene compile_alone(const scene::Object& object)
+{
+    scene::Description alone;
+    auto texture = std::make_shared<scene::Texture>();
+    texture->kind = std::vector<scene::Layer>{scene::Layer{}};
+    alone.default_texture = texture;
+    alone.objects.push_back(object);
+    scene::Object& copy = alone.objects.back();
+    copy.texture = nullptr;
+    copy.interior_texture = nullptr;
+    copy.flags.no_image = copy.flags.no_shadow = copy.flags.no_reflection = false;
+    return compile(alone, {});
+}
+
+}  // namespace
+
+ObjectProbe::ObjectProbe(const scene::Object& object) : compiled_(compile_alone(object)), scratch_(std::make_unique<csg::Scratch>()) {}
+ObjectProbe::~ObjectProbe() = default;
+
+ObjectProbe::Answer ObjectProbe::trace(const glm::dvec3& origin, const glm::dvec3& direction)
+{
+    const csg::Ray ray{origin, direction};
+    const csg::World world = compiled_.world();
+    const csg::Hit hit = world.nearest(ray, kMinDistance, csg::kInfinity, kEveryRay, *scratch_);
+    if (!hit.found()) return {};
+    const csg::HitDetails details = world.details(ray, hit, false);
+    return {true, details.point, details.normal};
+}
+
+bool ObjectProbe::inside(const glm::dvec3& point)
+{
+    found_.clear();
+    compiled_.world().containing(point, found_);
+    return !found_.empty();
+}
+
+glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)
+{
+    return texture::vector_turbulence(point, octaves, lambda, omega);
+}
+
+FunctionProbe::FunctionProbe(const function::FunctionPtr& called, const scene::GlobalSettings& settings)
+{
+    constexpr int kFullQuality = 9, kWaves = 10;
+    scene::Description description;
+    description.global = settings;
+    description.global.number_of_waves = kWaves;
+    std::vector<scene::Unsupported> notes;
+    TextureCompiler compiler(description, kFullQuality, set_, notes);
+    if (compiler.function(called) == kNone)
+        throw std::runtime_error(notes.empty() ? "this function cannot be evaluated" : notes.front().what + " is not available yet");
+}
+
+function::Values FunctionProbe::evaluate(const double* arguments) const
+{
+    return function::evaluate_all(*set_.functions.back(), arguments, texture::FunctionHost(set_));
+}
+
+}  // namespace plan

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "function/evaluate.h"
+#include "render/plan/compiled_scene.h"
+
+#include <memory>
+
+namespace plan {
+
+/// One object by itself, asked while the scene is read: trace() and inside() of the language (spec 5a, 12). Uses the
+/// compiler and the geometry that pictures are made with. Not for several threads at once.
+class ObjectProbe {
+public:
+    explicit ObjectProbe(const scene::Object& object);
+    ~ObjectProbe();
+
+    struct Answer { bool hit = false; glm::dvec3 point{0}, normal{0}; };
+    /// `direction` of unit length. The normal is raw: it is not turned toward the ray.
+    Answer trace(const glm::dvec3& origin, const glm::dvec3& direction);
+    bool inside(const glm::dvec3& point);
+
+private:
+    CompiledScene compiled_;
+    std::unique_ptr<csg::Scratch> scratch_;
+    std::vector<std::uint32_t> found_;
+};
+
+/// The sum of vector noise behind vturbulence().
+glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega);
+
+/// A function that asks for noise, patterns or pigments, evaluated while the scene is read: at full quality and with 10
+/// waves whatever the scene says (spec 4, 17).
+class FunctionProbe {
+public:
+    /// Throws std::runtime_error if it needs a pattern that cannot be evaluated.
+    FunctionProbe(const function::FunctionPtr& called, const scene::GlobalSettings& settings);
+
+    function::Values evaluate(const double* arguments) const;
+
+private:
+    texture::TextureSet set_;
+};
+
+}  // namespace plan

@@ -1,0 +1,64 @@
+#include "parser/parse.h"
+#include "parser/queries.h"
+#include "render/plan/probe.h"
+
+#include <catch2/catch.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+/// Functions only.
+struct Queries final : parser::SceneQueries {
+    parser::ObjectHit trace(const ObjectPtr&, const glm::dvec3&, const glm::dvec3&) override { return {}; }
+    bool inside(const ObjectPtr&, const glm::dvec3&) override { return false; }
+    csg::Aabb extent(const ObjectPtr&) override { return {}; }
+    glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override
+    {
+        return plan::turbulence(point, octaves, lambda, omega);
+    }
+    function::Values evaluate(const function::FunctionPtr& called, const double* arguments, const scene::Description& so_far) override
+    {
+        return plan::FunctionProbe(called, so_far.global).evaluate(arguments);
+    }
+};
+
+std::string debug_of(const std::string& text)
+{
+    Queries queries;
+    parser::Options options;
+    options.queries = &queries;
+    std::string all;
+    for (const parser::Message& message : parser::parse_text(text, "test.pov", options).messages)
+        if (message.severity == parser::Severity::Debug) all += message.text;
+    return all;
+}
+
+}  // namespace
+
+// Expected texts are what POV-Ray 3.7.0.10 printed.
+TEST_CASE("functions made of patterns", "[plan][function]")
+{
+    CHECK(debug_of("#declare F=function{pattern{cells}} #debug str(F(.5,.5,.5),0,10)") == "0.7118189153");
+    CHECK(debug_of("#declare F=function{pattern{gradient x}} #debug concat(str(F(1,0,0),0,6),str(F(2,0,0),0,6),str(F(-.25,0,0),0,6))") ==
+          "1.0000000.0000000.750000");
+    // However many waves the scene has, functions in the text use 10.
+    CHECK(debug_of("global_settings{number_of_waves 3} #declare F=function{pattern{ripples}} #debug str(F(.3,.4,.5),0,9)") == "0.273188179");
+}
+
+TEST_CASE("functions made of pigments, alone and within others", "[plan][function]")
+{
+    CHECK(debug_of("#declare F=function{pigment{gradient x color_map{[0 rgb 0][1 rgb <1,.5,.25>]}}} #declare V=F(.5,0,0);"
+                   "#debug vstr(5,V,\" \",0,4) #debug concat(\" \",str(F(.5,0,0).green,0,4))") == "0.5000 0.2500 0.1250 0.0000 0.0000 0.2500");
+    CHECK(debug_of("#declare F=function{pigment{rgb <.5,.25,1>}} #declare G=function{F(x,y,z).red+10*F(x,y,z).y+100*F(z,y,x).blue}"
+                   "#debug str(G(1,2,3),0,3)") == "103.000");
+}
+
+TEST_CASE("noise follows the generator of the scene", "[plan][function]")
+{
+    const std::string noise = "#declare N=function{internal(76)} #debug str(N(.5,.25,-.125),0,9)";
+    const std::string two = debug_of("global_settings{noise_generator 2}" + noise), three = debug_of("global_settings{noise_generator 3}" + noise);
+    CHECK(two == "0.334707373");
+    CHECK(three != two);
+}
