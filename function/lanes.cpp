@@ -8,7 +8,7 @@ namespace function {
 namespace {
 
 using Batch = xsimd::batch<double>;
-constexpr std::size_t kWidth = Batch::size, kBatches = kLanes / kWidth;
+constexpr std::size_t kWidth = Batch::size;
 static_assert(kLanes % kWidth == 0);
 
 }  // namespace
