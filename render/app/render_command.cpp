@@ -161,6 +161,7 @@ int render_frame(const Settings& settings, const FrameList& list, const Frame& f
     SceneQueries queries;
     parser::Options options = parser_options(settings, list, frame);
     options.queries = &queries;
+    if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
     const parser::Result parsed = parser::parse_file(find_scene(settings), options, print_message, &console);
     times.finish("parse");
     if (print_stage(settings, parsed.scene)) return kSuccess;

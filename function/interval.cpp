@@ -1,0 +1,111 @@
+#include "function/interval.h"
+
+#include "function/interval_arithmetic.h"
+#include "function/internal_polynomials.h"
+#include "function/machine.h"
+
+namespace function {
+namespace {
+
+constexpr double kMostRounds = 100'000;   // of a loop; a longer one may be anything
+
+bool is_polynomial(std::uint32_t n)
+{
+    switch (n) {
+    case 4: case 5: case 8: case 11: case 12: case 13: case 14: case 16: case 20: case 22: case 23: case 30: case 31: case 33:
+    case 35: case 36: case 37: case 38: case 41: case 42: case 43: case 44: case 45: case 46: case 48: case 49: case 54: case 55:
+    case 56: case 65: case 66: case 71: case 72: case 73: case 74: return true;
+    default: return false;
+    }
+}
+
+Interval distance(const Interval& x, const Interval& y, const Interval& z)
+{
+    return sqrt(squared(x) + squared(y) + squared(z));
+}
+
+Interval rounded_box(const Interval* a)
+{
+    const auto beyond = [&](int k) {
+        return interval_binary(Op::Max, 0.0, interval_unary(Op::Abs, a[k]) - (a[4 + k] - a[3]));
+    };
+    return distance(beyond(0), beyond(1), beyond(2)) - a[3] - 1e-6;
+}
+
+}  // namespace
+
+template <> struct Rules<Interval> {
+    static Interval constant(double v) { return v; }
+    template <Op op> static Interval binary(const Interval& a, const Interval& b) { return interval_binary(op, a, b); }
+    template <Op op> static Interval unary(const Interval& a) { return interval_unary(op, a); }
+
+    /// Every branch that can be taken.
+    static void select(Machine<Interval>& m, const Branching& b, std::uint32_t dst)
+    {
+        const Interval c = m.reg(b.condition);
+        const bool last = b.count == 2 ? c.high >= 0.0 : c.high > 0.0;
+        const bool can[] = {c.low < 0.0, b.count == 2 ? last : c.contains(0.0), b.count == 3 && last};
+        bool some = false;
+        Interval all;
+        for (std::size_t k = 0; k < b.count; ++k) {
+            if (!can[k]) continue;
+            m.run(b.begin[k], b.end[k]);
+            all = some ? all.hull(m.reg(b.result[k])) : m.reg(b.result[k]);
+            some = true;
+        }
+        m.reg(dst) = some ? all : Interval::everything();
+    }
+
+    /// Rounds that are sure, then those that may be.
+    static void loop(Machine<Interval>& m, const Loop& l, std::uint32_t dst)
+    {
+        const Interval from = m.reg(l.from), to = m.reg(l.to);
+        Interval all = l.product ? 1.0 : 0.0;
+        if (!from.point() || !(to.high - from.low < kMostRounds)) {
+            m.reg(dst) = Interval::everything();
+            return;
+        }
+        for (double i = from.low; i <= to.high; i += 1.0) {
+            m.reg(l.counter) = i;
+            m.run(l.begin, l.end);
+            const Interval next = l.product ? all * m.reg(l.result) : all + m.reg(l.result);
+            all = i <= to.low ? next : all.hull(next);
+        }
+        m.reg(dst) = all;
+    }
+
+    static Interval internal(std::uint32_t n, std::uint32_t, const Interval* a, const Host&)
+    {
+        if (is_polynomial(n)) return polynomial<Interval>(n, a);
+        switch (n) {
+        case 17: return distance(a[3] * a[0], a[4] * a[1], a[5] * a[2]);
+        case 47: return interval_binary(Op::Atan2, distance(a[0], 0.0, a[2]), a[1]);
+        case 57: return distance(a[0], a[1], a[2]);
+        case 60: return rounded_box(a);
+        case 61: return distance(a[0], a[1], a[2]) - a[3];
+        case 69: return interval_binary(Op::Atan2, a[0], a[2]);
+        case 70: return distance(distance(a[0], 0.0, a[2]) - a[3], a[1], 0.0) - a[4];
+        case 76: case 78: return {0.0, 1.0};
+        case 77: return 0.0;
+        default: return Interval::everything();
+        }
+    }
+
+    static void outer(const Outer& what, const Interval* a, const Host&, Interval* out)
+    {
+        std::fill(out, out + 5, Interval::everything());
+        if (const auto* t = std::get_if<csg::Transform>(&what)) {
+            for (int row = 0; row < 3; ++row)
+                out[row] = a[0] * t->linear[0][row] + a[1] * t->linear[1][row] + a[2] * t->linear[2][row] + t->offset[row];
+        } else if (const auto* use = std::get_if<OuterUse>(&what); use && use->kind == OuterUse::Kind::Pattern) {
+            out[0].low = 0.0;  // patterns are folded to above 0
+        }
+    }
+};
+
+Interval evaluate_interval(const Function& function, const Interval* arguments, const Host& host)
+{
+    return run_function<Interval>(function, arguments, host);
+}
+
+}  // namespace function
