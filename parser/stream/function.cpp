@@ -5,7 +5,25 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 namespace parser {
+namespace {
+
+function::Values ask_scene(TokenStream& stream, const function::FunctionPtr& called, const std::vector<double>& arguments, const Token& name)
+{
+    std::optional<function::Values> answer;
+    std::string refusal = "this function needs the scene's noise or textures, which cannot be asked here";
+    try {
+        answer = stream.hooks().evaluate(called, arguments.data());
+    } catch (const std::runtime_error& error) {
+        refusal = error.what();
+    }
+    if (!answer) stream.fail(stream.place(name), refusal);
+    return *answer;
+}
+
+}  // namespace
 
 Tuple call_function(TokenStream& stream, const function::FunctionPtr& called, const Token& name, int requested)
 {
@@ -21,9 +39,7 @@ Tuple call_function(TokenStream& stream, const function::FunctionPtr& called, co
     stream.set_raw_operators(raw);
     function::Values value;
     if (called->asks_scene) {
-        const auto answer = stream.hooks().evaluate(called, arguments.data());
-        if (!answer) stream.fail(stream.place(name), "this function needs the scene's noise or textures, which cannot be asked here");
-        value = *answer;
+        value = ask_scene(stream, called, arguments, name);
     } else {
         value = function::evaluate_all(*called, arguments.data(), function::no_host());
     }

@@ -66,9 +66,14 @@ std::optional<BuiltIn> built_in_of(Kind kind)
 
 }  // namespace
 
-BodyReader::Value BodyReader::level(int which)
+BodyReader::Value BodyReader::read()
 {
     const auto guard = stream_.nest();
+    return level(0);
+}
+
+BodyReader::Value BodyReader::level(int which)
+{
     if (build_.full()) stream_.fail(stream_.here(), "this function is too long");
     if (which == 3) return sum();
     Value left = level(which + 1);
@@ -166,7 +171,7 @@ BodyReader::Value BodyReader::named(const Token& token)
 BodyReader::Value BodyReader::user_function(const Token& name, const function::FunctionPtr& found)
 {
     const function::FunctionPtr called = found;  // reading may change what the name stands for
-    constexpr std::uint32_t kDeepest = 1000;
+    constexpr std::uint32_t kDeepest = 200;  // every level takes some kilobytes of a thread's stack
     if (called->depth >= kDeepest) stream_.fail(stream_.place(name), "functions call each other too deeply here");
     const auto operands = arguments();
     if (operands.size() != called->parameters)

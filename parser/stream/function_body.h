@@ -20,7 +20,7 @@ public:
     BodyReader(TokenStream& stream, function::Builder& build, const std::map<std::string, Value>& parameters)
         : stream_(stream), build_(build), names_(parameters) {}
 
-    Value read() { return level(0); }
+    Value read();
 
 private:
     Value level(int which);

@@ -134,3 +134,10 @@ TEST_CASE("a long chain of functions is called, not copied, and has an end", "[f
     const auto f = compiled("#declare N=499; " + chain, "F");
     CHECK(function::evaluate(*f, at, function::no_host()) == Approx(expected).epsilon(1e-12));
 }
+
+TEST_CASE("what nests too deeply is told", "[function]")
+{
+    const auto nested = [](std::size_t n) { return "#declare F=function{" + std::string(n, '(') + "x" + std::string(n, ')') + "}"; };
+    CHECK(error_of(nested(200)) == "no error");
+    CHECK(error_of(nested(20'000)).find("nested too deeply") != std::string::npos);
+}
