@@ -1,5 +1,7 @@
 #include "render/scene/dump_writer.h"
 
+#include "function/listing.h"
+
 #include <fmt/format.h>
 
 namespace scene {
@@ -61,6 +63,11 @@ void dump(DumpWriter& out, const Pattern& p)
     out.open("pattern " + p.name);
     out.value("vector", p.vector);
     for (const double n : p.numbers) out.value("number", n);
+    if (p.function) {
+        out.open("function");
+        for (const std::string& one : function::listing(*p.function)) out.line("step", one);
+        out.close();
+    }
     if (p.noise_generator != 0) out.value("noise_generator", p.noise_generator);
     out.value("frequency", p.frequency);
     out.value("phase", p.phase);

@@ -1,5 +1,7 @@
 #include "support.h"
 
+#include "function/listing.h"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -140,4 +142,14 @@ TEST_CASE("what nests too deeply is told", "[function]")
     const auto nested = [](std::size_t n) { return "#declare F=function{" + std::string(n, '(') + "x" + std::string(n, ')') + "}"; };
     CHECK(error_of(nested(200)) == "no error");
     CHECK(error_of(nested(20'000)).find("nested too deeply") != std::string::npos);
+}
+
+TEST_CASE("a program can be read", "[function]")
+{
+    using Lines = std::vector<std::string>;
+    CHECK(function::listing(*compiled("#declare F=function{x*2+sin(y)}", "F")) ==
+          Lines{"r0 = multiply p0 2", "r1 = sin p1", "r2 = add r0 r1", "result r2"});
+    CHECK(function::listing(*compiled("#declare F=function{select(x,-y,sum(i,1,z,i*x))}", "F")) ==
+          Lines{"r0 = select p0 [1, 2) r1 [2, 4) r3", "r1 = negate p1", "r3 = loop sum r2 from 1 to p2 [3, 4) r4", "r4 = multiply p0 r2",
+                "result r0"});
 }

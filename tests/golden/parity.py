@@ -37,7 +37,6 @@ LACKING = {
     "subsurface": r"\bsubsurface\b",
     "superellipsoid": r"\bsuperellipsoid\b",
     "text": r"\btext\s*\{",
-    "files read or written by the scene": r"#\s*(?:fopen|read|write)\b",
 }
 MATCH = 0.99
 
