@@ -16,7 +16,8 @@ struct Mesh {
     bool blends = false;                   ///< some face mixes surfaces by the weights of its corners
     glm::dvec3 inside_vector{0.0};         ///< world space, whatever the frame: POV-Ray does not carry it along; 0: none
 
-    /// More faces than this along one ray are not told apart: a ray keeps the nearest of them to its far end.
+    /// A list of crossings keeps no more than so many of one ray, the first that the walk meets; the nearest hit and shadows
+    /// make no list.
     static constexpr std::uint32_t kMostCrossings = 4096;
 
     bool solid() const { return inside_vector != glm::dvec3(0.0); }

@@ -99,19 +99,27 @@ void compare(const Object& o, Rng& rng, int rays, bool along_axis, Tally& tally)
     }
 }
 
-}  // namespace
-
-TEST_CASE("the flat form answers as the general evaluation does", "[csg][flat]")
+/// 3000 random trees of solids that `make` gives, `rays` rays each.
+template <class Make>
+Tally compare_trees(Make&& make, int deepest, int rays, bool along_axis)
 {
     Tally tally;
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         INFO("seed " << seed);
         Rng rng(seed);
         Object o;
-        const Tree tree = tree_of(rng, o.store, 1 + rng.below(3), any_solid);
+        const Tree tree = tree_of(rng, o.store, 1 + rng.below(deepest), make);
         o.program = build(tree, o.store);
-        compare(o, rng, 10, false, tally);
+        compare(o, rng, rays, along_axis, tally);
     }
+    return tally;
+}
+
+}  // namespace
+
+TEST_CASE("the flat form answers as the general evaluation does", "[csg][flat]")
+{
+    const Tally tally = compare_trees(any_solid, 3, 10, false);
     CHECK(tally.usable > 1200);
     CHECK(tally.found > 4000);
     CHECK(tally.undecided < tally.asked / 100);
@@ -119,15 +127,7 @@ TEST_CASE("the flat form answers as the general evaluation does", "[csg][flat]")
 
 TEST_CASE("where faces coincide the flat form gives up rather than guess", "[csg][flat]")
 {
-    Tally tally;
-    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
-        INFO("seed " << seed);
-        Rng rng(seed);
-        Object o;
-        const Tree tree = tree_of(rng, o.store, 1 + rng.below(2), lattice_solid);
-        o.program = build(tree, o.store);
-        compare(o, rng, 8, true, tally);
-    }
+    const Tally tally = compare_trees(lattice_solid, 2, 8, true);
     CHECK(tally.found > 2000);
     CHECK(tally.undecided > 300);
 }

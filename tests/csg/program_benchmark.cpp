@@ -66,6 +66,6 @@ TEST_CASE("one solid or one small tree, camera rays", "[!benchmark][csg]")
     measure("cone", Tree::leaf(o.store.add(cone)));
     measure("torus", torus);
     measure("quadric", quadric);
-    measure("box - sphere - cylinder (front loop)", flat);
+    measure("box - sphere - cylinder (flat form)", flat);
     measure("box - torus - cylinder (spans)", general);
 }

@@ -130,7 +130,7 @@ TEST_CASE("the nearest is the first of all, from anywhere on the ray", "[csg][pr
         Rng rng(seed);
         Object o;
         Tree tree;
-        if (rng.coin()) {  // flat and convex: the front loop
+        if (rng.coin()) {  // one term of convex solids
             tree.op = rng.coin() ? Tree::Op::Difference : Tree::Op::Intersection;
             for (int i = 0; i < 2 + rng.below(6); ++i) tree.operands.push_back(Tree::leaf(o.store.add(random_solid(rng, true))));
         } else {

@@ -4,31 +4,17 @@
 #include "parser/parse.h"
 #include "parser/stream/function.h"
 #include "render/texture/noise.h"
+#include "tests/support/csv_table.h"
 
-#include <fstream>
 #include <string>
 #include <vector>
 
 namespace function_test {
 
-/// Lines of a table without its header; fields may stand in quotes.
+/// A table of the tests' data.
 inline std::vector<std::vector<std::string>> table(const std::string& name)
 {
-    std::ifstream in(std::string(WHITTLE_TEST_DATA "/") + name);
-    std::vector<std::vector<std::string>> rows;
-    std::string line;
-    std::getline(in, line);
-    while (std::getline(in, line)) {
-        std::vector<std::string> row(1);
-        bool quoted = false;
-        for (const char c : line) {
-            if (c == '"') quoted = !quoted;
-            else if (c == ',' && !quoted) row.emplace_back();
-            else if (c != '\r') row.back() += c;
-        }
-        rows.push_back(std::move(row));
-    }
-    return rows;
+    return test_support::csv_table(std::string(WHITTLE_TEST_DATA "/") + name);
 }
 
 /// The scene's noise, generator 2, and nothing else.

@@ -1,11 +1,11 @@
 #include "parser/parse.h"
 #include "render/plan/extent.h"
 #include "render/plan/probe.h"
+#include "tests/support/csv_table.h"
 
 #include <catch2/catch.hpp>
 
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -16,24 +16,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::vector<Row> table(const std::string& name)
-{
-    std::ifstream in(std::string(WHITTLE_TEST_DATA "/") + name);
-    std::vector<Row> rows;
-    std::string line;
-    std::getline(in, line);
-    while (std::getline(in, line)) {
-        Row row(1);
-        bool quoted = false;
-        for (const char c : line) {
-            if (c == '"') quoted = !quoted;
-            else if (c == ',' && !quoted) row.emplace_back();
-            else if (c != '\r') row.back() += c;
-        }
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
+std::vector<Row> table(const std::string& name) { return test_support::csv_table(std::string(WHITTLE_TEST_DATA "/") + name); }
 
 glm::dvec3 vector(const std::string& text)
 {
