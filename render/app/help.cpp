@@ -62,4 +62,9 @@ std::string help_text()
 
 std::string version_text() { return "whittle " WHITTLE_VERSION "\n"; }
 
+std::string povray_version_text()
+{
+    return "POV-Ray 3.7.0.unofficial\n\nThis is Whittle " WHITTLE_VERSION ", an independent program that stands in for POV-Ray.\n";
+}
+
 }  // namespace app

@@ -10,4 +10,7 @@ std::string help_text();
 /// --version.
 std::string version_text();
 
+/// The same under the name povray: callers look for "POV-Ray" and "official" in one line.
+std::string povray_version_text();
+
 }  // namespace app

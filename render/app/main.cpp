@@ -2,6 +2,7 @@
 #include "render/app/compare_command.h"
 #include "render/app/help.h"
 #include "render/app/ini_file.h"
+#include "render/app/narrator.h"
 #include "render/app/render_command.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <unistd.h>
 
 namespace {
@@ -28,13 +30,13 @@ bool has_word(const std::vector<std::string>& arguments, std::initializer_list<c
     return std::any_of(arguments.begin(), arguments.end(), [&](const std::string& a) { return std::find(words.begin(), words.end(), a) != words.end(); });
 }
 
-void print_notes(const app::Settings& settings)
+/// A link called povray, povray-3.7 or the like: a program that calls it wants POV-Ray's console.
+app::ConsoleStyle style_of(const std::string& program)
 {
-    for (const std::string& note : settings.notes) fmt::print(stderr, "note: {}\n", note);
-    if (!settings.not_acted_on.empty()) fmt::print(stderr, "note: accepted without effect for now: {}\n", fmt::join(settings.not_acted_on, ", "));
+    return std::filesystem::path(program).filename().string().starts_with("povray") ? app::ConsoleStyle::Povray : app::ConsoleStyle::Whittle;
 }
 
-int run(const std::vector<std::string>& arguments)
+int run(const std::vector<std::string>& arguments, app::Settings& settings)
 {
     if (!arguments.empty() && arguments[0] == "compare") return app::compare_command({arguments.begin() + 1, arguments.end()});
     if (has_word(arguments, {"--help", "-help", "-h", "-?"})) {
@@ -42,14 +44,13 @@ int run(const std::vector<std::string>& arguments)
         return app::kSuccess;
     }
     if (has_word(arguments, {"--version", "-version", "--V"})) {
-        fmt::print("{}", app::version_text());
+        const bool called = settings.console_style == app::ConsoleStyle::Povray;  // POV-Ray keeps standard output clean
+        fmt::print(called ? stderr : stdout, "{}", called ? app::povray_version_text() : app::version_text());
         return app::kSuccess;
     }
     for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) std::signal(signal, cancel);
-    app::Settings settings;
     app::read_default_ini_file(settings);
     app::apply_command_line(settings, arguments);
-    print_notes(settings);
     return app::render_command(settings, cancellation);
 }
 
@@ -57,14 +58,14 @@ int run(const std::vector<std::string>& arguments)
 
 int main(int count, char** values)
 {
+    const std::vector<std::string> arguments(values + std::min(count, 1), values + count);
+    app::Settings settings;
+    settings.console_style = style_of(count > 0 ? values[0] : "");
     int status = app::kError;
     try {
-        status = run({values + 1, values + count});
+        status = run(arguments, settings);
     } catch (const std::exception& error) {
-        // A message with a place has its own "error:"; others get the program's name.
-        const std::string text = error.what();
-        const bool placed = text.find("error:") != std::string::npos;
-        fmt::print(stderr, "{}{}\n", placed ? "" : "whittle: error: ", text);
+        app::tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")), error.what());
     }
     std::fflush(nullptr);
     _exit(status);  // nothing to clean up: a picture library that is still loading would only delay the end

@@ -3,8 +3,8 @@
 #include "parser/parse.h"
 #include "render/app/frames.h"
 #include "render/app/library_path.h"
+#include "render/app/narrator.h"
 #include "render/app/output_name.h"
-#include "render/app/progress.h"
 #include "render/app/report.h"
 #include "render/app/scene_file.h"
 #include "render/app/scene_queries.h"
@@ -24,20 +24,7 @@ namespace app {
 
 namespace {
 
-/// Which messages reach the terminal.
-struct Console {
-    bool debug, warnings;
-};
-
-void print_message(void* context, const parser::Message& message)
-{
-    const auto* console = static_cast<const Console*>(context);
-    if (message.severity == parser::Severity::Debug) {
-        if (console->debug) fmt::print(stderr, "{}", message.text);
-    } else if (message.severity == parser::Severity::Error || console->warnings) {
-        fmt::print(stderr, "{}{}", message.text, message.text.ends_with('\n') ? "" : "\n");
-    }
-}
+void tell_message(void* narrator, const parser::Message& message) { static_cast<Narrator*>(narrator)->message(message); }
 
 parser::Options parser_options(const Settings& settings, const FrameList& list, const Frame& frame)
 {
@@ -133,11 +120,11 @@ trace::Isa isa_of(const Settings& settings)
     return trace::Isa::Auto;
 }
 
-trace::RenderOptions render_options(const Settings& settings, Progress& progress, const std::atomic<bool>& cancel)
+trace::RenderOptions render_options(const Settings& settings, Narrator& narrator, const std::atomic<bool>& cancel)
 {
     trace::RenderOptions options;
     options.threads = settings.threads;
-    options.progress = [&progress](double share) { progress.show(share); };
+    options.progress = [&narrator](double share) { narrator.progress(share); };
     options.cancel = &cancel;
     options.isa = isa_of(settings);
     return options;
@@ -149,46 +136,70 @@ bool already_rendered(const Settings& settings, const std::string& path)
     return settings.continue_trace && settings.output_to_file && std::filesystem::file_size(path, error) > 0 && !error;
 }
 
-int render_frame(const Settings& settings, const FrameList& list, const Frame& frame, const image::Files& files, Cancellation& cancel)
+/// What the frames of a run share.
+struct Run {
+    const Settings& settings;
+    const FrameList list;
+    const image::Files files;
+    Streams& streams;
+    Narrator& narrator;
+    Cancellation& cancel;
+};
+
+int render_frame(Run& run, const Frame& frame)
 {
-    const std::string path = output_path(settings, list, frame);
+    const Settings& settings = run.settings;
+    const std::string path = output_path(settings, run.list, frame);
+    if (!path.empty()) run.streams.open_files(settings, std::filesystem::path(path).parent_path().string());
     if (already_rendered(settings, path)) {
-        fmt::print(stderr, "{} exists and continue was asked for: skipped\n", path);
+        run.narrator.skipped(path);
         return kSuccess;
     }
     StageTimes times;
-    Console console{settings.all_console.value_or(settings.debug_console), settings.all_console.value_or(settings.warning_console)};
     SceneQueries queries;
-    parser::Options options = parser_options(settings, list, frame);
+    parser::Options options = parser_options(settings, run.list, frame);
     options.queries = &queries;
     if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
-    const parser::Result parsed = parser::parse_file(find_scene(settings), options, print_message, &console);
+    const std::string scene = find_scene(settings);
+    run.narrator.begin({settings, run.list, frame, scene, settings.output_to_file ? path : "", window_of(settings)});
+    const parser::Result parsed = parser::parse_file(scene, options, tell_message, &run.narrator);
     times.finish("parse");
+    run.narrator.parsed(parsed, times.stages().back().second);
     if (print_stage(settings, parsed.scene)) return kSuccess;
 
     const plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
     times.finish("plan");
     image::Image picture;
-    trace::RenderStatistics statistics;
-    cancel.heeded = true;  // until the picture file is in place
-    {
-        Progress progress(settings.verbose);
-        statistics = trace::render(compiled, render_options(settings, progress, cancel.requested), picture);
-    }
+    run.cancel.heeded = true;  // until the picture file is in place
+    run.narrator.rendering();
+    const trace::RenderStatistics statistics = trace::render(compiled, render_options(settings, run.narrator, run.cancel.requested), picture);
     times.finish("trace");
     if (statistics.cancelled) {
-        fmt::print(stderr, "cancelled: no picture written\n");
+        run.narrator.cancelled("");
         return kCancelled;
     }
     if (settings.output_to_file) {
         const image::FileSettings file = file_settings(settings, parsed.scene);
-        if (path.empty()) write_to_standard_output(files, picture, file);
-        else files.write(path, picture, file);
+        if (path.empty()) write_to_standard_output(run.files, picture, file);
+        else run.files.write(path, picture, file);
         times.finish("write");
-        if (!path.empty()) fmt::print(stderr, "{}  {}x{}\n", path, settings.width, settings.height);
+        if (!path.empty()) run.narrator.written(path);
     }
-    cancel.heeded = false;
-    if (settings.all_console.value_or(settings.statistic_console)) fmt::print(stderr, "{}", report_text(times, statistics));
+    run.cancel.heeded = false;
+    run.narrator.rendered(times, statistics);
+    return kSuccess;
+}
+
+int render_frames(Run& run)
+{
+    for (const Frame& frame : run.list.frames) {
+        if (run.cancel.requested) {
+            run.narrator.cancelled("");
+            return kCancelled;
+        }
+        if (const int status = render_frame(run, frame); status != kSuccess) return status;
+    }
+    run.narrator.finished();
     return kSuccess;
 }
 
@@ -203,17 +214,20 @@ int render_command(const Settings& settings, Cancellation& cancel)
     }
     if (settings.greyscale && !image::stores_greyscale(settings.file_type)) throw OptionError("this output file type stores no greyscale: use +FN or +FP");
     window_of(settings);  // a window outside the picture is an error before the parse
-    const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
-    if (traces) trace::prepare(isa_of(settings), settings.threads);
-    const image::Files files;
-    if (traces && settings.output_to_file) files.prepare(settings.file_type);
-    const FrameList list = frames_of(settings);
-    for (const Frame& frame : list.frames) {
-        if (cancel.requested) return kCancelled;
-        if (list.animation) fmt::print(stderr, "frame {} of {}, clock {:g}\n", frame.number, list.final_frame, frame.clock);
-        if (const int status = render_frame(settings, list, frame, files, cancel); status != kSuccess) return status;
+    Streams streams(settings);
+    const std::unique_ptr<Narrator> narrator = make_narrator(settings, streams);
+    for (const std::string& note : settings.notes) narrator->note(note);
+    if (!settings.not_acted_on.empty()) narrator->note(fmt::format("accepted without effect for now: {}", fmt::join(settings.not_acted_on, ", ")));
+    Run run{settings, frames_of(settings), {}, streams, *narrator, cancel};
+    try {
+        const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
+        if (traces) trace::prepare(isa_of(settings), settings.threads);
+        if (traces && settings.output_to_file) run.files.prepare(settings.file_type);
+        return render_frames(run);
+    } catch (const std::exception& error) {
+        narrator->failed(error.what());
+        return kError;
     }
-    return kSuccess;
 }
 
 }  // namespace app

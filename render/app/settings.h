@@ -9,6 +9,9 @@
 
 namespace app {
 
+/// Whose words the console speaks: Whittle's own, or the lines that callers of `povray` look for.
+enum class ConsoleStyle { Whittle, Povray };
+
 /// What the command line and INI files ask for, with the defaults of a Debian installation of POV-Ray (spec 1, 18).
 struct Settings {
     // Scene.
@@ -50,7 +53,13 @@ struct Settings {
     // Messages.
     bool verbose = true;
     bool debug_console = true, warning_console = true, statistic_console = true, render_console = true;
+    bool fatal_console = true;
     std::optional<bool> all_console;               ///< overrides the single ones
+    /// Files that keep the text of a stream: a name, a truth for the usual name, or empty.
+    std::string all_file, debug_file, fatal_file, render_file, statistic_file, warning_file;
+    bool append_file = false;
+    ConsoleStyle console_style = ConsoleStyle::Whittle;
+    bool quiet = false;                            ///< errors only
 
     // Whittle's own.
     enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;
