@@ -2,6 +2,7 @@
 
 #include "csg/beam.h"
 #include "csg/lane_solids.h"
+#include "csg/lane_torus.h"
 #include "csg/program.h"
 #include "csg/tile_rays.h"
 
@@ -144,10 +145,33 @@ private:
         };
         const RayMask near = rays_.meet(corner(0), corner(3), mask);
         if (near == 0) return;
-        if (form.cuts[k].count == 1 && form.leaves[form.cuts[k].first].convex)
-            meet_cut(form, form.cuts[k].first, near);
-        else
+        const std::uint32_t leaf = form.cuts[k].first;
+        if (form.cuts[k].count == 1 && form.leaves[leaf].convex)
+            meet_cut(form, leaf, near);
+        else if (form.cuts[k].count != 1 || !cut_by_torus(form, leaf, near))
             undecided |= near;  // not for lanes
+    }
+
+    /// Its two pieces are two cuts. False: no torus, or not for lanes.
+    bool cut_by_torus(const FlatForm& form, std::uint32_t leaf, RayMask mask)
+    {
+        const PartId part = form.leaves[leaf].solid;
+        if (kind_of(part) != SolidKind::Torus || cuts_ + 2 > kMostCuts) return false;
+        const Torus& torus = store_.all<Torus>()[index_of(part)];
+        if (!detail::factors_serve(torus)) return false;
+        const TorusEnds ends(torus, rays_, mask);
+        undecided |= ends.unclear;
+        for (int which = 0; which < 2; ++which) {
+            if (ends.met[which] == 0) continue;
+            each_vector(ends.met[which], [&](int i) {
+                const lanes::Intervals own = ends.piece(which, i);
+                store(cut_in_[cuts_], i, own.entry);
+                store(cut_out_[cuts_], i, own.exit);
+                store(cut_end_[cuts_], i, end_code(leaf, own.exit_face));
+            });
+            cut_rays_[cuts_++] = ends.met[which];
+        }
+        return true;
     }
 
     void meet_cut(const FlatForm& form, std::uint32_t leaf, RayMask mask)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/lane_front.h"
+#include "csg/lane_torus.h"
 #include "csg/tile_walk.h"
 #include "csg/world_item.h"
 
@@ -50,6 +51,7 @@ struct TileLeaf {
             });
             return;
         }
+        if (kind_of(item.solid) == SolidKind::Torus && torus(index, mask)) return;
         if (item.simple && (mask & (mask - 1)) != 0 && query.lanes_serve(item)) {
             query.ask(front, item, world.programs[item.program].flat, mask);
             query.program(index, front);
@@ -59,6 +61,18 @@ struct TileLeaf {
     }
 
 private:
+    /// False: its solver is not for lanes.
+    bool torus(std::uint32_t index, RayMask mask) const
+    {
+        const Torus& solid = world.store.all<Torus>()[index_of(world.items[index].solid)];
+        if (!detail::factors_serve(solid)) return false;
+        const TorusEnds ends(solid, rays, mask);
+        for (int which = 0; which < 2; ++which)
+            query.solid(index, ends.met[which], [&](int i) { return ends.piece(which, i); });
+        for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));
+        return true;
+    }
+
     void balls(const SphereBlock& block, int first, int last) const
     {
         for (std::uint32_t mask = beam.meet(block); mask != 0; mask &= mask - 1) {

@@ -1,143 +1,216 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
-/// A torus along a ray, and the quartic of its crossings solved by factors.
+/// A torus along a ray, and the quartic of its crossings solved by factors. Everything is written for a kind of number:
+/// one ray, or several in vector lanes, with the same operations in the same order and so the same bits.
 namespace csg::detail {
 
-/// The torus along one ray, about the foot of the perpendicular from the centre, scaled so that lengths are near 1.
-struct TorusRay {
-    glm::dvec3 p, d;              ///< |d| = 1; dot(p, d) is 0 but for rounding, so the quartic has no cubic term
-    double major, minor;
-    double square = 0.0, linear = 0.0, constant = 0.0;  ///< t^4 + square t^2 + linear t + constant
-
-    void expand()
+/// One ray.
+struct OneRay {
+    using Number = double;
+    using Bool = bool;
+    static double pick(bool which, double yes, double no) { return which ? yes : no; }
+    static bool both(bool a, bool b) { return a && b; }
+    static bool either(bool a, bool b) { return a || b; }
+    static bool any(bool b) { return b; }
+    static double sqrt(double v) { return std::sqrt(v); }
+    static double abs(double v) { return std::abs(v); }
+    /// A positive number to about a tenth of its cube root: a third of the exponent. The series in quarters is for lanes,
+    /// which cannot divide integers.
+    static double cube_root_seed(double v)
     {
-        const double k = glm::dot(p, p) - major * major - minor * minor, r2 = major * major;
-        square = 2.0 * (k + 2.0 * r2 * d.y * d.y);
-        linear = 8.0 * r2 * p.y * d.y;
-        constant = k * k + 4.0 * r2 * (p.y - minor) * (p.y + minor);
-    }
-    double derivative(double t) const { return linear + t * (2.0 * square + t * t * 4.0); }
-
-    /// The quartic as the product of its two sheets, evaluated on the surface's own terms: coefficients cannot carry
-    /// the accuracy of a thin torus.
-    void sheets(double t, double& value, double& slope) const
-    {
-        const glm::dvec3 q = p + t * d;
-        const double rho = std::sqrt(q.x * q.x + q.z * q.z);
-        const double y = (q.y - minor) * (q.y + minor);
-        const double f = (rho - major) * (rho - major) + y, g = (rho + major) * (rho + major) + y;
-        value = f * g;
-        // d/dt |q|^2 / 2 = q.d; f' and g' combine to the polynomial's derivative without rho in a denominator.
-        const double k = glm::dot(q, q) - minor * minor + major * major;
-        slope = 4.0 * (glm::dot(q, d) * k - 2.0 * major * major * (q.x * d.x + q.z * d.z));
-    }
-
-    /// Bernstein coefficients of the quartic on [lo, hi] all positive, clear of rounding: no root there.
-    bool misses(double lo, double hi) const
-    {
-        const double w = hi - lo, w2 = w * w, lo2 = lo * lo;
-        // Taylor coefficients at lo, for s = (t - lo) / w.
-        const double a0 = constant + lo * linear + lo2 * (square + lo2);
-        const double a1 = w * (linear + lo * (2.0 * square + 4.0 * lo2));
-        const double a2 = w2 * (square + 6.0 * lo2);
-        const double a3 = w2 * w * (lo * 4.0);
-        constexpr double kClear = 1e-13;  // of a polynomial whose terms are of order 1 after scaling (measured)
-        return a0 > kClear && a0 + a1 / 4.0 > kClear && a0 + a1 / 2.0 + a2 / 6.0 > kClear &&
-               a0 + 0.75 * a1 + 0.5 * a2 + 0.25 * a3 > kClear && a0 + a1 + a2 + a3 + w2 * w2 > kClear;
+        std::uint64_t third = std::bit_cast<std::uint64_t>(v) >> 2;
+        third += third >> 2;
+        third += third >> 4;
+        third += third >> 8;
+        third += third >> 16;
+        return std::bit_cast<double>(third + 0x2a9f7893782da1ceull);
     }
 };
 
-/// Cube root of a positive number to about 1e-4: a third of the exponent, and one step of Halley's.
-inline double rough_cube_root(double v)
+/// The torus along rays, about the foot of the perpendicular from the centre, scaled so that lengths are near 1.
+template <class Ops = OneRay>
+struct TorusRay {
+    using T = typename Ops::Number;
+
+    T px, py, pz, dx, dy, dz;     ///< |d| = 1; dot(p, d) is 0 but for rounding, so the quartic has no cubic term
+    double major, minor;
+    T square = T(0.0), linear = T(0.0), constant = T(0.0);  ///< t^4 + square t^2 + linear t + constant
+
+    void expand()
+    {
+        const double r2 = major * major;
+        const T k = px * px + py * py + pz * pz - T(r2) - T(minor * minor);
+        square = T(2.0) * (k + T(2.0 * r2) * dy * dy);
+        linear = T(8.0 * r2) * py * dy;
+        constant = k * k + T(4.0 * r2) * (py - T(minor)) * (py + T(minor));
+    }
+    T derivative(T t) const { return linear + t * (T(2.0) * square + t * t * T(4.0)); }
+
+    /// The quartic as the product of its two sheets, evaluated on the surface's own terms: coefficients cannot carry
+    /// the accuracy of a thin torus.
+    void sheets(T t, T& value, T& slope) const
+    {
+        const T x = px + t * dx, y = py + t * dy, z = pz + t * dz;
+        const T across = x * x + z * z, rho = Ops::sqrt(across);
+        const T height = (y - T(minor)) * (y + T(minor));
+        const T inner = rho - T(major), outer = rho + T(major);
+        value = (inner * inner + height) * (outer * outer + height);
+        // d/dt |q|^2 / 2 = q.d; the slopes of both combine to the polynomial's derivative without rho in a denominator.
+        const T k = across + y * y + T(major * major - minor * minor);
+        const T level = x * dx + z * dz;
+        slope = T(4.0) * ((level + y * dy) * k - T(2.0 * major * major) * level);
+    }
+
+    /// Bernstein coefficients of the quartic on [lo, hi] all positive, clear of rounding: no root there.
+    typename Ops::Bool misses(T lo, T hi) const
+    {
+        const T w = hi - lo, w2 = w * w, lo2 = lo * lo;
+        // Taylor coefficients at lo, for s = (t - lo) / w.
+        const T a0 = constant + lo * linear + lo2 * (square + lo2);
+        const T a1 = w * (linear + lo * (T(2.0) * square + T(4.0) * lo2));
+        const T a2 = w2 * (square + T(6.0) * lo2);
+        const T a3 = w2 * w * (lo * T(4.0));
+        const T clear(1e-13);  // of a polynomial whose terms are of order 1 after scaling (measured)
+        return Ops::both(
+            Ops::both(Ops::both(a0 > clear, a0 + a1 * T(0.25) > clear), a0 + a1 * T(0.5) + a2 * T(1.0 / 6.0) > clear),
+            Ops::both(a0 + T(0.75) * a1 + T(0.5) * a2 + T(0.25) * a3 > clear, a0 + a1 + a2 + a3 + w2 * w2 > clear));
+    }
+};
+
+/// y of y^3 + 3 p y + 2 q with three real roots: y = 2 m cos(angle / 3), to 4e-7.
+template <class Ops>
+inline typename Ops::Number largest_of_three(typename Ops::Number p, typename Ops::Number q)
 {
-    const double y = std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) / 3 + 0x2a9f7893782da1ceull);
-    const double cube = y * y * y;
-    return y * (cube + 2.0 * v) / (2.0 * cube + v);
+    using T = typename Ops::Number;
+    const T m = Ops::sqrt(T(0.0) - p), x = (T(0.0) - q) / (m * m * m);
+    // In u = cos(angle / 2) that is smooth on all of [0, 1]. cos(2/3 acos u): Chebyshev fit of degree 6.
+    const T square = T(0.5) + T(0.5) * x, u = Ops::sqrt(Ops::pick(square > T(0.0), square, T(0.0)));
+    constexpr double kCosine[] = {0.5000003853121096, 0.5773274274111112, -0.1107800277739088, 0.05142277070493927,
+                                  -0.02636974636115907, 0.010521227858269878, -0.002122323277739942};
+    T cosine(kCosine[6]);
+    for (int i = 5; i >= 0; --i) cosine = T(kCosine[i]) + u * cosine;
+    return T(2.0) * m * cosine;
+}
+
+/// The same with one real root, to about 1e-4: Cardano's formula with one step of Halley's for the cube root.
+template <class Ops>
+inline typename Ops::Number only_root(typename Ops::Number p, typename Ops::Number q, typename Ops::Number inside)
+{
+    using T = typename Ops::Number;
+    const T w = Ops::abs(q) + Ops::sqrt(inside);
+    const T seed = Ops::cube_root_seed(w), cube = seed * seed * seed;
+    const T root = seed * (cube + T(2.0) * w) / (T(2.0) * cube + w), size = root - p / root;
+    return Ops::pick(w > T(0.0), Ops::pick(q > T(0.0), T(0.0) - size, size), T(0.0));
 }
 
 /// The largest real root of z^3 + a z^2 + b z + c for c <= 0, which has one that is not negative. Roughly by formula,
 /// then by Newton on the cubic as given: its value has no cancellation near 0.
-inline double largest_root(double a, double b, double c)
+template <class Ops>
+inline typename Ops::Number largest_root(typename Ops::Number a, typename Ops::Number b, typename Ops::Number c)
 {
-    const double third = a / 3.0;
-    const double p = b / 3.0 - third * third, q = third * (third * third - 0.5 * b) + 0.5 * c;  // y^3 + 3 p y + 2 q
-    const double inside = q * q + p * p * p;
-    double y = 0.0;
-    if (inside < 0.0) {
-        // Three real roots: y = 2 m cos(angle / 3); in u = cos(angle / 2) that is smooth on all of [0, 1].
-        const double m = std::sqrt(-p), x = -q / (m * m * m);
-        const double u = std::sqrt(glm::max(0.5 + 0.5 * x, 0.0));
-        // cos(2/3 acos u) to 4e-7: Chebyshev fit of degree 6 over [0, 1].
-        constexpr double kCosine[] = {0.5000003853121096, 0.5773274274111112, -0.1107800277739088, 0.05142277070493927,
-                                      -0.02636974636115907, 0.010521227858269878, -0.002122323277739942};
-        double cosine = kCosine[6];
-        for (int i = 5; i >= 0; --i) cosine = kCosine[i] + u * cosine;
-        y = 2.0 * m * cosine;
-    } else {
-        const double w = std::abs(q) + std::sqrt(inside);
-        if (w > 0.0) {
-            const double root = rough_cube_root(w), size = root - p / root;
-            y = q > 0.0 ? -size : size;
-        }
-    }
-    double z = glm::max(y - third, 0.0);
+    using T = typename Ops::Number;
+    const T zero(0.0);
+    const T third = a * T(1.0 / 3.0);
+    const T p = b * T(1.0 / 3.0) - third * third, q = third * (third * third - T(0.5) * b) + T(0.5) * c;  // y^3 + 3 p y + 2 q
+    const T inside = q * q + p * p * p;
+    const typename Ops::Bool three = inside < zero, one = !three;
+    T y = zero;
+    if (Ops::any(three)) y = largest_of_three<Ops>(p, q);
+    if (Ops::any(one)) y = Ops::pick(one, only_root<Ops>(p, q, inside), y);
+    T z = y - third;
+    z = Ops::pick(z > zero, z, zero);
+    auto active = z == z;
     for (int i = 0; i < 12; ++i) {
-        const double slope = b + z * (2.0 * a + 3.0 * z);
-        if (!(slope > 0.0)) break;
-        const double step = (c + z * (b + z * (a + z))) / slope;
-        z = glm::max(z - step, 0.0);
-        if (std::abs(step) <= 1e-9 * z) break;  // the next one would be below rounding
+        const T slope = b + z * (T(2.0) * a + T(3.0) * z);
+        active = Ops::both(active, slope > zero);
+        if (!Ops::any(active)) break;
+        const T step = (c + z * (b + z * (a + z))) / slope, next = z - step;
+        z = Ops::pick(active, Ops::pick(next > zero, next, zero), z);
+        active = Ops::both(active, !(Ops::abs(step) <= T(1e-9) * z));  // the next one would be below rounding
     }
     return z;
 }
 
+/// What factors give: `safe` false asks for the search instead. Crossings in order, an even number: none, roots[0] and [1]
+/// where `two`, all where `four`.
+template <class Ops>
+struct TorusFactors {
+    typename Ops::Number roots[4];
+    typename Ops::Bool safe, two, four;
+};
+
+/// Newton on the surface itself; an even root is an entry, an odd one an exit. Clears `safe` where it is not.
+template <class Ops>
+inline void polish(const TorusRay<Ops>& torus, bool entry, typename Ops::Bool active, typename Ops::Number& root,
+                   typename Ops::Bool& safe)
+{
+    using T = typename Ops::Number;
+    for (int k = 0; k < 3 && Ops::any(active); ++k) {
+        T value(0.0), slope(0.0);
+        torus.sheets(root, value, slope);
+        const typename Ops::Bool falls = slope < T(0.0);
+        safe = Ops::both(safe, Ops::either(!active, entry ? falls : !falls));
+        const T step = value / slope;
+        root = Ops::pick(active, root - step, root);
+        active = Ops::both(active, !(Ops::abs(step) < T(1e-9)));
+    }
+    safe = Ops::both(safe, !active);
+}
+
 /// Crossings from the two quadratic factors of the quartic (t^2 + h t + u)(t^2 - h t + v), where h^2 is the largest
 /// root of the resolvent (Descartes; numerically as in Orellana and De Michele, ACM Algorithm 1010, 2020), each
-/// polished on the surface itself. -1 where that is not safe: near tangents, thin tori. Even and in order otherwise.
-inline int torus_by_factors(const TorusRay& torus, double (&out)[4])
+/// polished. Not safe near tangents.
+template <class Ops>
+inline TorusFactors<Ops> torus_by_factors(const TorusRay<Ops>& torus)
 {
+    using T = typename Ops::Number;
     // Smaller discriminants than this part of their terms may have the wrong sign (measured).
-    constexpr double kTangent = 1e-6;
-    const double b = torus.square, c = torus.linear, d = torus.constant;
-    const double z = largest_root(2.0 * b, b * b - 4.0 * d, -c * c);
-    const double h = std::sqrt(z), sum = b + z, quarter = 0.25 * z;
+    const T tangent(1e-6), zero(0.0);
+    const T b = torus.square, c = torus.linear, d = torus.constant;
+    const T z = largest_root<Ops>(T(2.0) * b, b * b - T(4.0) * d, zero - c * c);
+    const T h = Ops::sqrt(z), sum = b + z, quarter = T(0.25) * z;
     // v - u: c / h, but from the product u v = d where h vanishes (rays along the axis or in the torus' plane).
-    const double apart = z > 1e-2 ? std::abs(c) / h : std::sqrt(glm::max(sum * sum - 4.0 * d, 0.0));
-    const double difference = c < 0.0 ? -apart : apart;
-    const double u = 0.5 * (sum - difference), v = 0.5 * (sum + difference);
-    int n = 0;
-    for (const auto& [half, rest] : {std::pair(-0.5 * h, u), std::pair(0.5 * h, v)}) {
-        const double discriminant = quarter - rest;
-        if (!(std::abs(discriminant) > kTangent * (quarter + std::abs(rest)))) return -1;
-        if (discriminant < 0.0) continue;
-        const double reach = std::sqrt(discriminant);
-        out[n++] = half - reach;
-        out[n++] = half + reach;
+    const T product = sum * sum - T(4.0) * d;
+    const T apart = Ops::pick(z > T(1e-2), Ops::abs(c) / h, Ops::sqrt(Ops::pick(product > zero, product, zero)));
+    const T difference = Ops::pick(c < zero, zero - apart, apart);
+    const T u = T(0.5) * (sum - difference), v = T(0.5) * (sum + difference);
+    const T below_u = quarter - u, below_v = quarter - v, half = T(0.5) * h;
+    TorusFactors<Ops> out;
+    out.safe = Ops::both(Ops::abs(below_u) > tangent * (quarter + Ops::abs(u)), Ops::abs(below_v) > tangent * (quarter + Ops::abs(v)));
+    const typename Ops::Bool has_u = below_u > zero, has_v = below_v > zero;
+    out.two = Ops::both(out.safe, Ops::either(has_u, has_v));
+    out.four = Ops::both(out.two, Ops::both(has_u, has_v));
+    if (!Ops::any(out.two)) return out;
+    const T reach_u = Ops::sqrt(below_u), reach_v = Ops::sqrt(below_v);
+    T a = zero - half - reach_u, a_out = zero - half + reach_u, e = half - reach_v, e_out = half + reach_v;
+    // The pair that is there comes first, or the one that begins first.
+    const typename Ops::Bool swap = Ops::either(!has_u, Ops::both(out.four, e < a));
+    T& r0 = out.roots[0] = Ops::pick(swap, e, a);
+    T& r1 = out.roots[1] = Ops::pick(swap, e_out, a_out);
+    T& r2 = out.roots[2] = Ops::pick(swap, a, e);
+    T& r3 = out.roots[3] = Ops::pick(swap, a_out, e_out);
+    if (Ops::any(out.four)) {
+        const auto order = [&](T& low, T& high) {
+            const typename Ops::Bool wrong = Ops::both(out.four, high < low);
+            const T first = low;
+            low = Ops::pick(wrong, high, low);
+            high = Ops::pick(wrong, first, high);
+        };
+        order(r1, r2);
+        order(r2, r3);
     }
-    if (n == 4) {
-        if (out[2] < out[0]) std::swap(out[0], out[2]), std::swap(out[1], out[3]);
-        if (out[2] < out[1]) std::swap(out[1], out[2]);
-        if (out[3] < out[2]) std::swap(out[2], out[3]);
-    }
-    for (int i = 0; i < n; ++i) {
-        double step = 1.0;
-        for (int k = 0; k < 3 && !(std::abs(step) < 1e-9); ++k) {
-            double value = 0.0, slope = 0.0;
-            torus.sheets(out[i], value, slope);
-            if (!((slope < 0.0) == (i % 2 == 0))) return -1;  // not an entry, or not an exit
-            step = value / slope;
-            out[i] -= step;
-        }
-        if (!(std::abs(step) < 1e-9) || (i > 0 && !(out[i] > out[i - 1]))) return -1;
-    }
-    return n;
+    polish(torus, true, out.two, r0, out.safe);
+    polish(torus, false, out.two, r1, out.safe);
+    out.safe = Ops::both(out.safe, Ops::either(!out.two, r1 > r0));
+    if (!Ops::any(out.four)) return out;
+    polish(torus, true, out.four, r2, out.safe);
+    polish(torus, false, out.four, r3, out.safe);
+    out.safe = Ops::both(out.safe, Ops::either(!out.four, Ops::both(r2 > r1, r3 > r2)));
+    return out;
 }
 
 }  // namespace csg::detail

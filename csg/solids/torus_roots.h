@@ -30,7 +30,7 @@ double bracketed_root(const Function& f, double lo, double hi, bool negative_at_
 }
 
 /// Turns of the quartic inside (lo, hi), in order: they separate its roots. How far they are off costs only its square.
-inline int torus_turns(const TorusRay& torus, double lo, double hi, double (&out)[3])
+inline int torus_turns(const TorusRay<>& torus, double lo, double hi, double (&out)[3])
 {
     const double close = 1e-10 * (hi - lo);
     const auto slope = [&](double t, double& value, double& derivative) {
@@ -57,7 +57,7 @@ inline int torus_turns(const TorusRay& torus, double lo, double hi, double (&out
 }
 
 /// Crossings in (lo, hi) by sign changes between the turns: sure, but slower than by factors.
-inline int torus_by_search(const TorusRay& torus, double lo, double hi, double (&out)[4])
+inline int torus_by_search(const TorusRay<>& torus, double lo, double hi, double (&out)[4])
 {
     double turns[3];
     double ends[5] = {lo, hi, hi, hi, hi};
@@ -86,55 +86,105 @@ inline double scale_to_one(double length)
     return std::bit_cast<double>((2045 - exponent) << 52);
 }
 
+/// Where rays may meet a torus: about the foot of the perpendicular, scaled.
+template <class Ops>
+struct TorusCourse {
+    using T = typename Ops::Number;
+
+    TorusRay<Ops> ray;
+    T shift, rest, length;                ///< t = (shift + (rest + root / scale)) / length
+    T lo, hi;                             ///< roots lie between, scaled
+    double scale;
+    typename Ops::Bool possible;          ///< false: it is clear of the torus
+
+    T t(T root) const { return (shift + (rest + root * T(1.0 / scale))) / length; }
+};
+
+/// Of |direction|^2: whether the rays come near the sphere around the torus. Most that miss end here, before any square
+/// root. In the torus' own frame.
+template <class Ops>
+inline typename Ops::Bool near_torus(const Torus& torus, const typename Ops::Number (&o)[3], const typename Ops::Number (&d)[3],
+                                     typename Ops::Number length2)
+{
+    using T = typename Ops::Number;
+    const double outer = torus.major + torus.minor;
+    const T foot = (o[0] * d[0] + o[1] * d[1] + o[2] * d[2]) / length2;
+    const T x = o[0] - foot * d[0], y = o[1] - foot * d[1], z = o[2] - foot * d[2];
+    const T limit = T(outer * outer * (1.0 + 1e-6)) + T(1e-12) * (o[0] * o[0] + o[1] * o[1] + o[2] * o[2]);
+    return Ops::both(Ops::both(length2 > T(0.0), length2 < T(kInfinity)), x * x + y * y + z * z <= limit);
+}
+
+/// Sets rays up that are near_torus().
+template <class Ops>
+inline TorusCourse<Ops> torus_course(const Torus& torus, const typename Ops::Number (&o)[3], const typename Ops::Number (&direction)[3],
+                                     typename Ops::Number length2)
+{
+    using T = typename Ops::Number;
+    const double outer = torus.major + torus.minor;
+    TorusCourse<Ops> out;
+    out.length = Ops::sqrt(length2);
+    const T dx = direction[0] / out.length, dy = direction[1] / out.length, dz = direction[2] / out.length;
+    // Foot of the perpendicular, with one correction; what is left over is added to the roots, not to the shift.
+    out.shift = T(0.0) - (o[0] * dx + o[1] * dy + o[2] * dz);
+    T px = o[0] + out.shift * dx, py = o[1] + out.shift * dy, pz = o[2] + out.shift * dz;
+    out.rest = T(0.0) - (px * dx + py * dy + pz * dz);
+    px = px + out.rest * dx;
+    py = py + out.rest * dy;
+    pz = pz + out.rest * dz;
+    const T distance = Ops::sqrt(px * px + py * py + pz * pz);
+    const T room = (T(outer) - distance) * (T(outer) + distance);
+    const T half = Ops::sqrt(room) * T(1.0 + 1e-12);  // a little more: the ends must lie outside
+    T lo = T(0.0) - half, hi = half;
+    const typename Ops::Bool crosses = dy != T(0.0);
+    const T inverse = T(1.0) / dy, reach = Ops::abs(T(torus.minor) * inverse), middle = (T(0.0) - py) * inverse;
+    const T low = middle - reach, high = middle + reach;
+    lo = Ops::pick(Ops::both(crosses, lo < low), low, lo);
+    hi = Ops::pick(Ops::both(crosses, high < hi), high, hi);
+    out.possible = Ops::both(Ops::both(room > T(0.0), lo <= hi), Ops::either(crosses, !(Ops::abs(py) > T(torus.minor))));
+
+    out.scale = scale_to_one(outer);
+    const T scale(out.scale);
+    out.ray = {px * scale, py * scale, pz * scale, dx, dy, dz, torus.major * out.scale, torus.minor * out.scale};
+    out.ray.expand();
+    lo = lo * scale;
+    hi = hi * scale;
+    const T margin = T(1e-9) * (hi - lo) + T(1e-14);
+    out.lo = lo - margin;
+    out.hi = hi + margin;
+    out.possible = Ops::both(out.possible, !out.ray.misses(out.lo, out.hi));
+    return out;
+}
+
+/// A thinner tube, or a spindle's inner sheet, asks for the search.
+inline bool factors_serve(const Torus& torus)
+{
+    constexpr double kThin = 1e-3;
+    return torus.major > 0.0 && torus.minor > kThin * torus.major && !torus.spindle();
+}
+
 }  // namespace detail
 
 inline int Torus::roots(const Ray& ray, double (&out)[4]) const
 {
+    using detail::OneRay;
     if (!(major > 0.0 && minor > 0.0)) return 0;
-    const Ray given = local_ray(frame, ray);
-    const double length2 = glm::dot(given.direction, given.direction);
-    if (!(length2 > 0.0 && length2 < kInfinity)) return 0;
-    // Clear of the sphere around it: most rays that miss end here, before any square root.
-    const double outer = major + minor;
-    const glm::dvec3 rough = given.origin - (glm::dot(given.origin, given.direction) / length2) * given.direction;
-    if (glm::dot(rough, rough) > outer * outer * (1.0 + 1e-6) + 1e-12 * glm::dot(given.origin, given.origin)) return 0;
-
-    const double length = std::sqrt(length2);
-    const glm::dvec3 d = given.direction / length;
-    // Foot of the perpendicular, with one correction; what is left over (e) is added to the roots, not to the shift.
-    const double shift = -glm::dot(given.origin, d);
-    glm::dvec3 p = given.origin + shift * d;
-    const double e = -glm::dot(p, d);
-    p += e * d;
-    const double distance = std::sqrt(glm::dot(p, p));
-    const double room = (outer - distance) * (outer + distance);
-    if (!(room > 0.0)) return 0;
-    const double half = std::sqrt(room) * (1.0 + 1e-12);  // a little more: the ends must lie outside
-    double lo = -half, hi = half;
-    if (d.y != 0.0) {
-        const double inverse = 1.0 / d.y, reach = std::abs(minor * inverse), middle = -p.y * inverse;
-        lo = glm::max(lo, middle - reach);
-        hi = glm::min(hi, middle + reach);
-    } else if (std::abs(p.y) > minor) {
-        return 0;
-    }
-    if (!(lo <= hi)) return 0;
-
-    const double scale = detail::scale_to_one(outer);
-    detail::TorusRay torus{p * scale, d, major * scale, minor * scale};
-    torus.expand();
-    lo *= scale;
-    hi *= scale;
-    const double margin = 1e-9 * (hi - lo) + 1e-14;
-    lo -= margin;
-    hi += margin;
-    if (torus.misses(lo, hi)) return 0;
-
-    constexpr double kThin = 1e-3;  // a thinner tube, or a spindle's inner sheet, asks for the search
+    const Ray local = local_ray(frame, ray);
+    const double o[3] = {local.origin.x, local.origin.y, local.origin.z};
+    const double d[3] = {local.direction.x, local.direction.y, local.direction.z};
+    const double length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    if (!detail::near_torus<OneRay>(*this, o, d, length2)) return 0;
+    const detail::TorusCourse<OneRay> course = detail::torus_course<OneRay>(*this, o, d, length2);
+    if (!course.possible) return 0;
     int found = -1;
-    if (minor > kThin * major && !spindle()) found = detail::torus_by_factors(torus, out);
-    if (found < 0) found = detail::torus_by_search(torus, lo, hi, out);
-    for (int i = 0; i < found; ++i) out[i] = (shift + (e + out[i] / scale)) / length;
+    if (detail::factors_serve(*this)) {
+        const auto factors = detail::torus_by_factors(course.ray);
+        if (factors.safe) {
+            found = factors.four ? 4 : factors.two ? 2 : 0;
+            for (int i = 0; i < found; ++i) out[i] = factors.roots[i];
+        }
+    }
+    if (found < 0) found = detail::torus_by_search(course.ray, course.lo, course.hi, out);
+    for (int i = 0; i < found; ++i) out[i] = course.t(out[i]);
     return found;
 }
 

@@ -24,10 +24,11 @@ Ray tube_ray(Rng& rng, const Torus& torus, bool tangent)
 }
 
 /// The torus along a ray in its own frame, unscaled.
-detail::TorusRay along(const Torus& torus, const Ray& ray)
+detail::TorusRay<> along(const Torus& torus, const Ray& ray)
 {
     const glm::dvec3 foot = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
-    detail::TorusRay made{foot, ray.direction, torus.major, torus.minor};
+    const glm::dvec3& d = ray.direction;
+    detail::TorusRay<> made{foot.x, foot.y, foot.z, d.x, d.y, d.z, torus.major, torus.minor};
     made.expand();
     return made;
 }
@@ -42,15 +43,16 @@ TEST_CASE("torus by factors and by search find the same crossings", "[csg][solid
         for (std::uint32_t seed = 0; seed < 4000; ++seed) {
             INFO("minor " << minor << ", seed " << seed);
             Rng rng(seed);
-            const detail::TorusRay ray = along(torus, tube_ray(rng, torus, seed % 4 == 0));
-            double fast[4], sure[4];
-            const int n = detail::torus_by_factors(ray, fast);
-            if (n < 0) continue;
+            const detail::TorusRay<> ray = along(torus, tube_ray(rng, torus, seed % 4 == 0));
+            const detail::TorusFactors<detail::OneRay> fast = detail::torus_by_factors(ray);
+            double sure[4];
+            if (!fast.safe) continue;
+            const int n = fast.four ? 4 : fast.two ? 2 : 0;
             ++by_factors;
             REQUIRE(detail::torus_by_search(ray, -1.1 - minor, 1.1 + minor, sure) == n);
             for (int i = 0; i < n; ++i) {
-                REQUIRE(std::abs(fast[i] - sure[i]) < 1e-6 * minor);  // where the ray grazes; else far closer
-                REQUIRE(csg_test::residual(torus, {ray.p, ray.d}, fast[i], 0) < 1e-14);
+                REQUIRE(std::abs(fast.roots[i] - sure[i]) < 1e-6 * minor);  // where the ray grazes; else far closer
+                REQUIRE(csg_test::residual(torus, {{ray.px, ray.py, ray.pz}, {ray.dx, ray.dy, ray.dz}}, fast.roots[i], 0) < 1e-14);
             }
         }
     }
