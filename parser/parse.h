@@ -25,6 +25,8 @@ struct Options {
     bool clock_on = false;
     int frame_number = 0, initial_frame = 0, final_frame = 0;
     double clock_delta = 0;
+    double initial_clock = 0, final_clock = 0;
+    std::string include_header;                        ///< file to include ahead of the scene; empty: none
     SceneQueries* queries = nullptr;                   ///< answers trace(), inside(), eval_pigment, ...; null: they are errors
     std::uint64_t most_tokens = 0;                     ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
 };

@@ -1,4 +1,5 @@
 #include "parser/stream/expression.h"
+#include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
@@ -43,7 +44,7 @@ std::uint16_t TokenStream::load(const std::string& path, std::string text, bool 
     auto source = std::make_unique<SourceFile>();
     source->path = path;
     source->text = std::move(text);
-    if (tokenize(*source, index, names_, main_text)) language_.utf8 = true;
+    if (tokenize(*source, index, names_, main_text)) language_.charset = Charset::Utf8;
     ++statistics_.files;
     statistics_.bytes += source->text.size();
     statistics_.tokens += source->tokens.size();
@@ -59,6 +60,11 @@ void TokenStream::open_main(std::uint16_t index, const std::string& path)
     cursor.end = static_cast<std::uint32_t>(files_[index]->tokens.size() - 1);
     cursors_.push_back(cursor);
     *symbols_.global(names_.intern("input_file_name")) = fs::path(path).filename().string();
+    if (options_.include_header.empty()) return;
+    scene::SourceRef start;
+    start.file = index;
+    start.line = start.column = 1;
+    include_named(options_.include_header, start, start);
 }
 
 void TokenStream::open_file(const std::string& path)
@@ -81,8 +87,8 @@ void TokenStream::predefine()
     set("frame_number", options_.frame_number);
     set("initial_frame", options_.initial_frame);
     set("final_frame", options_.final_frame);
-    set("initial_clock", 0.0);
-    set("final_clock", 0.0);
+    set("initial_clock", options_.initial_clock);
+    set("final_clock", options_.final_clock);
     set("clock_delta", options_.clock_delta);
     for (const auto& [name, value] : options_.declared_numbers) set(name.c_str(), value);
     for (const auto& [name, text] : options_.declared_strings) *symbols_.global(names_.intern(name)) = text;
@@ -123,7 +129,11 @@ void TokenStream::include()
 {
     const scene::SourceRef call = last();
     const scene::SourceRef at = here();
-    const std::string name = path_expr(*this);
+    include_named(path_expr(*this), call, at);
+}
+
+void TokenStream::include_named(const std::string& name, const scene::SourceRef& call, const scene::SourceRef& at)
+{
     const std::string path = find_file(name, {".inc", ".INC"});
     if (path.empty()) fail(at, fmt::format("cannot find the include file '{}'", name));
     std::size_t depth = 0;
@@ -149,9 +159,10 @@ void TokenStream::include()
 void TokenStream::message_directive(Kind kind)
 {
     const scene::SourceRef at = last();
-    const std::string text = string_expr(*this);
+    const std::string text = printed(string_expr(*this), language_.version);
     if (kind == Kind::Error) fail(at, text);
     if (kind == Kind::Warning) return warn(at, text);
+    if (kind != Kind::Debug) warn(at, fmt::format("#{} prints where #debug does", spelling(kind)));
     report(Severity::Debug, at, text);
 }
 

@@ -22,11 +22,14 @@ struct Macro {
     std::uint32_t begin = 0, end = 0;  ///< tokens of the body; end is the Hash of its `#end`
 };
 
+/// global_settings { charset }: what bytes above 127 in a text mean.
+enum class Charset : std::uint8_t { Ascii, Utf8, System };
+
 /// Settings of the text that change how the rest of it is read.
 struct LanguageState {
     int version = 370;                      ///< `#version` * 100
     bool version_set = false;               ///< by a directive or an option; off: gamma and the like act as in 3.62
-    bool utf8 = false;                      ///< global_settings { charset utf8 }
+    Charset charset = Charset::Ascii;
     scene::AssumedGamma assumed_gamma;      ///< the grammar keeps it up to date: srgb colours depend on it
     int effective_version() const { return version_set ? version : 362; }
 };
@@ -187,6 +190,7 @@ private:
 
     // files.cpp
     void include();
+    void include_named(const std::string& name, const scene::SourceRef& call, const scene::SourceRef& at);
     void message_directive(Kind kind);
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
     void open_main(std::uint16_t file, const std::string& path);
@@ -201,6 +205,7 @@ private:
     void write_data();
     std::shared_ptr<DataFile> data_file(Token& name, bool reading);
     Cell read_target();
+    Tuple written_value();
 
     Options options_;
     GrammarHooks& hooks_;

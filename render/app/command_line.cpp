@@ -80,6 +80,8 @@ void apply_word(Settings& settings, const std::string& word)
         settings.input_file = word;
     } else if (word.back() == '/') {
         set_option(settings, "Library_Path", word);
+    } else if (same_text(word, "/EXIT")) {
+        // "Quit when done", as callers say it to POV-Ray's version with a window.
     } else if (word.find('=') != std::string::npos && !is_file(word)) {
         throw OptionError("unknown option '" + word.substr(0, word.find('=')) + "'");
     } else if (!read_ini_file(settings, word)) {

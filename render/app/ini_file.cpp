@@ -1,6 +1,7 @@
 #include "render/app/ini_file.h"
 
 #include "render/app/command_line.h"
+#include "render/app/library_path.h"
 #include "render/app/option_table.h"
 #include "render/app/text.h"
 
@@ -76,11 +77,25 @@ void apply_line(Settings& settings, std::string_view line)
     for (const std::string& value : values_of(text)) set_option(settings, keyword, value);
 }
 
+/// Sizes that editors ask for by the name of an INI file of POV-Ray's distribution, where that is not installed.
+const char* known_text(std::string_view name)
+{
+    if (name.ends_with(".ini")) name.remove_suffix(4);
+    constexpr std::pair<std::string_view, const char*> kKnown[] = {
+        {"res120", "Width=120\nHeight=90\n"},  {"res320", "Width=320\nHeight=200\n"},  {"res640", "Width=640\nHeight=480\n"},
+        {"res800", "Width=800\nHeight=600\n"}, {"res1k", "Width=1024\nHeight=768\n"},
+    };
+    for (const auto& [known, text] : kKnown)
+        if (name == known) return text;
+    return nullptr;
+}
+
 std::string found_file(const Settings& settings, const std::string& name)
 {
     std::error_code ignored;
     std::vector<std::string> folders{""};
     for (const std::string& folder : settings.library_path) folders.push_back(folder + "/");
+    for (const std::string& folder : default_library_path()) folders.push_back(folder + "/");
     const bool has_extension = !std::filesystem::path(name).extension().empty();
     for (const std::string& folder : folders) {
         if (has_extension && std::filesystem::is_regular_file(folder + name, ignored)) return folder + name;
@@ -119,12 +134,11 @@ void apply_ini_text(Settings& settings, const std::string& text, const std::stri
     }
 }
 
-bool read_ini_file(Settings& settings, const std::string& name)
+namespace {
+
+/// False if it cannot be read.
+bool read_path(Settings& settings, const std::string& path, const std::string& section)
 {
-    const std::size_t bracket = name.back() == ']' ? name.rfind('[') : std::string::npos;
-    const std::string section = bracket == std::string::npos ? "" : name.substr(bracket + 1, name.size() - bracket - 2);
-    const std::string path = found_file(settings, name.substr(0, bracket));
-    if (path.empty()) return false;
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
@@ -133,14 +147,37 @@ bool read_ini_file(Settings& settings, const std::string& name)
     return true;
 }
 
+}  // namespace
+
+bool read_ini_file(Settings& settings, const std::string& name)
+{
+    const std::size_t bracket = name.back() == ']' ? name.rfind('[') : std::string::npos;
+    const std::string section = bracket == std::string::npos ? "" : name.substr(bracket + 1, name.size() - bracket - 2);
+    const std::string path = found_file(settings, name.substr(0, bracket));
+    if (path.empty()) {
+        const char* text = known_text(name);
+        if (text) apply_ini_text(settings, text, section, name);
+        return text != nullptr;
+    }
+    return read_path(settings, path, section);
+}
+
 void read_default_ini_file(Settings& settings)
 {
+    const int usual_width = settings.width, usual_height = settings.height;
+    settings.width = 160;  // POV-Ray's, which any INI file overrides
+    settings.height = 120;
     if (const char* given = std::getenv("POVINI")) {
         if (read_ini_file(settings, given)) return;
         settings.notes.push_back(std::string("the INI file of POVINI cannot be read: ") + given);
     }
-    if (read_ini_file(settings, "./povray.ini")) return;
-    if (const char* home = std::getenv("HOME")) read_ini_file(settings, std::string(home) + "/.povray/3.7/povray.ini");
+    if (read_path(settings, "povray.ini", "")) return;
+    const char* home = std::getenv("HOME");
+    if (home && read_path(settings, std::string(home) + "/.povray/3.7/povray.ini", "")) return;
+    if (read_path(settings, "/etc/povray/3.7/povray.ini", "")) return;
+    if (home && read_path(settings, std::string(home) + "/.povrayrc", "")) return;
+    settings.width = usual_width;  // as in the INI file that Debian installs
+    settings.height = usual_height;
 }
 
 }  // namespace app

@@ -21,6 +21,7 @@ std::vector<std::string> default_library_path()
             std::error_code ignored;
             if (!std::filesystem::is_directory(base / "include", ignored)) continue;
             folders.push_back(base.string());
+            if (std::filesystem::is_directory(base / "ini", ignored)) folders.push_back((base / "ini").string());
             folders.push_back((base / "include").string());
             return folders;
         }

@@ -151,7 +151,7 @@ constexpr Option kOptions[] = {
     {"Histogram_Grid_Size", kText, State::Obsolete, nullptr},
     {"Histogram_Name", kText, State::Obsolete, nullptr},
     {"Histogram_Type", kText, State::Obsolete, nullptr},
-    {"Include_Header", kText, State::NotYet, nullptr},
+    {"Include_Header", kText, State::Acts, set<&Settings::include_header>},
     {"Include_Ini", kText, State::Acts, include_ini},
     {"Initial_Clock", kNumber, State::Acts, set<&Settings::initial_clock>},
     {"Initial_Frame", kInteger, State::Acts, set<&Settings::initial_frame>},

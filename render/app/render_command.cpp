@@ -43,6 +43,11 @@ parser::Options parser_options(const Settings& settings, const FrameList& list, 
     options.initial_frame = list.initial_frame;
     options.final_frame = list.final_frame;
     options.clock_delta = list.clock_delta;
+    if (list.animation) {
+        options.initial_clock = static_cast<double>(settings.initial_clock);
+        options.final_clock = static_cast<double>(settings.final_clock);
+    }
+    options.include_header = settings.include_header;
     return options;
 }
 

@@ -16,6 +16,7 @@ enum class ConsoleStyle { Whittle, Povray };
 struct Settings {
     // Scene.
     std::string input_file;
+    std::string include_header;                    ///< a file to include ahead of the scene; empty: none
     std::vector<std::string> library_path;         ///< as given, in order; default_library_path() comes after
     std::map<std::string, double> declared_numbers;
     std::map<std::string, std::string> declared_strings;

@@ -1,6 +1,7 @@
 #include "render/app/ini_file.h"
 
 #include "render/app/command_line.h"
+#include "tests/support/scoped_variable.h"
 #include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
@@ -84,4 +85,26 @@ TEST_CASE("INI files that name each other are an error, not a hang", "[app][ini]
     std::ofstream(folder / "b.ini") << "'" << (folder / "a.ini") << "'\n";
     Settings settings;
     CHECK_THROWS_WITH(read_ini_file(settings, folder / "a.ini"), Catch::Contains("without end"));
+}
+
+TEST_CASE("the INI file that applies unnamed: the first of several places; its sizes default to 160x120", "[app][ini]")
+{
+    const support::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / ".povray/3.7");
+    support::ScopedVariable home("HOME", folder.path()), none("POVINI", std::nullopt);
+    std::ofstream(folder / ".povrayrc") << "Height=5\n";
+    const bool installed = std::filesystem::exists("/etc/povray/3.7/povray.ini");
+    const auto height = [] {
+        Settings settings;
+        read_default_ini_file(settings);
+        return settings.height;
+    };
+    CHECK(height() == (installed ? 600 : 5));
+    std::ofstream(folder / ".povray/3.7/povray.ini") << "Width=7\n";
+    CHECK(height() == 120);
+    std::ofstream(folder / "own.ini") << "Height=9\n";
+    support::ScopedVariable own("POVINI", folder / "own.ini");
+    CHECK(height() == 9);
+    support::ScopedVariable missing("POVINI", folder / "gone.ini");
+    CHECK(height() == 120);
 }
