@@ -8,24 +8,26 @@
 /// The pyramid around a tile's rays. Compiled once per instruction set.
 namespace csg {
 
-/// Four planes through the common origin and a depth along the axis. Every ray of the tile lies inside; what is outside
+/// Four planes, through the common origin if there is one, and a depth along the axis. Every ray of the tile lies inside; what is outside
 /// is missed by all of them.
 class Beam {
 public:
-    Beam(const TileRays& rays, const Aabb& scene)
+    template <class Rays>
+    Beam(const Rays& rays, const Aabb& scene)
     {
         find_axes(rays);
         find_planes(rays);
-        const glm::dvec3 widest = glm::max(glm::max(glm::abs(scene.lower), glm::abs(scene.upper)), glm::abs(rays.origin));
+        const glm::dvec3 widest = glm::max(glm::max(glm::abs(scene.lower), glm::abs(scene.upper)), rays.widest());
         // A dozen roundings of 6e-8 each, of terms no larger than this.
         const double size = 1e-6 * (widest.x + widest.y + widest.z);
         for (int p = 0; p < 5; ++p) {
-            at_origin_[p] = glm::dot(normal_[p], rays.origin);
+            const auto [least, most] = rays.along(normal_[p]);
             for (int axis = 0; axis < 3; ++axis) {
                 normal_f_[p][axis] = static_cast<float>(normal_[p][axis]);
                 far_row_[p][axis] = normal_[p][axis] >= 0.0 ? axis + 3 : axis;
             }
-            threshold_[p] = rounded_down(at_origin_[p] - size);
+            threshold_[p] = rounded_down(least - size);
+            if (p == kAxis) deepest_ = rounded_up(most + size);
         }
     }
 
@@ -42,7 +44,7 @@ public:
             const int at = part * lanes::kFloatPart;
             std::uint32_t inside = ~0u;
             for (int p = 0; p < 5; ++p) inside &= lanes::mask(along(bounds, p, 0, at) >= FloatPart(threshold_[p]));
-            const FloatPart depth = along(bounds, kAxis, 3, at) - FloatPart(threshold_far());
+            const FloatPart depth = along(bounds, kAxis, 3, at) - FloatPart(deepest_);
             depth.store_aligned(near + at);
             mask |= (inside & lanes::mask(depth <= FloatPart(limit))) << at;
         }
@@ -82,22 +84,14 @@ private:
         return term(0) + term(1) + term(2);
     }
 
-    /// The axis' own threshold lies below the origin by the margin; depths are lessened by as much.
-    float threshold_far() const { return rounded_up(2.0 * at_origin_[kAxis] - static_cast<double>(threshold_[kAxis])); }
-
-    static double lowest(lanes::Double v)
-    {
-        alignas(64) double all[lanes::kDoubles];
-        v.store_aligned(all);
-        return *std::min_element(all, all + lanes::kDoubles);
-    }
     /// Also false for NaN.
     static bool all_above(lanes::Double v, double limit)
     {
         return lanes::mask(v > lanes::Double(limit)) == (1u << lanes::kDoubles) - 1u;
     }
 
-    void find_axes(const TileRays& rays)
+    template <class Rays>
+    void find_axes(const Rays& rays)
     {
         using lanes::Double;
         Double x(0.0), y(0.0), z(0.0);
@@ -121,7 +115,8 @@ private:
         up_ = glm::cross(axis_, side_);
     }
 
-    void find_planes(const TileRays& rays)
+    template <class Rays>
+    void find_planes(const Rays& rays)
     {
         using lanes::Double;
         Double shallowest(kInfinity), least_x(kInfinity), least_y(kInfinity), most_x(-kInfinity), most_y(-kInfinity);
@@ -139,7 +134,8 @@ private:
             most_y = xsimd::max(most_y, sy);
         }
         narrow_ = narrow_ && all_above(shallowest, 0.3);
-        const glm::dvec2 least(lowest(least_x), lowest(least_y)), most(-lowest(-most_x), -lowest(-most_y));
+        const glm::dvec2 least(lanes::lowest(least_x), lanes::lowest(least_y));
+        const glm::dvec2 most(-lanes::lowest(-most_x), -lanes::lowest(-most_y));
         // Wider than any rounding of what is computed in double.
         constexpr double kMargin = 1e-7;
         normal_[0] = glm::normalize(side_ - (least.x - kMargin) * axis_);
@@ -151,8 +147,9 @@ private:
 
     bool narrow_ = false;
     glm::dvec3 axis_, side_, up_, normal_[5];
-    double at_origin_[5];
-    float normal_f_[5][3], threshold_[5];
+    float normal_f_[5][3];
+    float threshold_[5];   ///< what every ray's origin lies above, along each normal
+    float deepest_;        ///< what every origin lies below, along the axis
     int far_row_[5][3];
 };
 

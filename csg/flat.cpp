@@ -262,8 +262,7 @@ private:
 
 bool FlatForm::simple() const
 {
-    if (terms.size() != 1 || merged || terms[0].first == terms[0].last) return false;
-    return terms[0].convex || kind_of(leaves[terms[0].last - 1].solid) == SolidKind::Quadric;
+    return terms.size() == 1 && (terms[0].convex || kind_of(leaves[terms[0].last - 1].solid) == SolidKind::Quadric);
 }
 
 FlatForm flat_form(const Program& program, const SolidStore& store)

@@ -70,8 +70,8 @@ struct FlatForm {
     bool merged = false;                    ///< one term without leaves: the union of its cuts, inner surfaces left out
 
     bool usable() const { return !terms.empty(); }
-    /// Fit for vector lanes: one term of convex solids and perhaps a quadric. Cuts may be anything: rays that come near one
-    /// that is no convex solid go their own way.
+    /// Fit for vector lanes: one term of convex solids, or of none, and perhaps a quadric. Cuts may be anything: rays that
+    /// come near one that is neither convex nor a torus go their own way.
     bool simple() const;
 };
 

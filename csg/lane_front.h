@@ -9,35 +9,33 @@
 /// A CSG object's flat form against a tile of rays, in vector lanes. Compiled once per instruction set.
 namespace csg {
 
-/// The nearest crossing of a flat form for each ray: latest entry and earliest exit of the leaves, then the front moves
-/// through the cuts. Where FlatFront would be undecided, or the ray begins inside the leaves, the ray is left to it; all
-/// other numbers are the solids' own, so the answers are the same.
+/// An end as a number: kFaces * leaf of the form + face.
+struct LeafEnd {
+    static constexpr std::uint32_t kFaces = 8;   ///< more than any convex solid has
+    std::uint32_t leaf, face;
+
+    explicit LeafEnd(double code) : leaf(static_cast<std::uint32_t>(code) / kFaces), face(static_cast<std::uint32_t>(code) % kFaces) {}
+    static lanes::Double code(std::uint32_t leaf, lanes::Double face) { return lanes::Double(static_cast<double>(kFaces * leaf)) + face; }
+};
+
+/// The crossings of a flat form for each ray: latest entry and earliest exit of the leaves, then the front moves through
+/// the cuts. Where FlatFront would be undecided the ray is left to it; all other numbers are the solids' own, so the
+/// answers are the same.
+template <class Rays>
 class LaneFront {
 public:
-    LaneFront(const SolidStore& store, const Beam& beam, const TileRays& rays) : store_(store), beam_(beam), rays_(rays)
+    LaneFront(const SolidStore& store, const Beam& beam, const Rays& rays) : store_(store), beam_(beam), rays_(rays)
     {
-        const glm::dvec3 o = glm::abs(rays.origin);
+        const glm::dvec3 o = rays.widest();
         reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than FlatFront's for directions of unit length
     }
 
-    /// An end as a number: kFaces * leaf of the form + face.
-    struct LeafEnd {
-        std::uint32_t leaf, face;
-        explicit LeafEnd(double code) : leaf(static_cast<std::uint32_t>(code) / kFaces), face(static_cast<std::uint32_t>(code) % kFaces) {}
-    };
-
-    /// Asks for the rays of the mask a form that is simple(); the answers are in the members below until the next call.
+    /// The nearest crossing, for the rays of the mask; the form is simple(). The answers are in `t` and `end` until the next
+    /// question.
     void ask(const FlatForm& form, RayMask mask)
     {
-        found = undecided = 0;
-        const FlatTerm& term = form.terms[0];
-        mask = meet_leaves(form, term, mask);
-        if (mask == 0) return;
-        if (!meet_cuts(form, term, mask)) {
-            undecided = mask;
-            return;
-        }
-        each_vector(mask, [&](int i) { leave_cuts(i); });
+        mask = meet(form, mask);
+        each_vector(mask, [&](int i) { nearest(i); });
         undecided &= mask;
         found &= mask & ~undecided;
     }
@@ -55,19 +53,58 @@ public:
     LeafEnd entry_end(std::size_t ray) const { return LeafEnd(in_end_[ray]); }
     LeafEnd exit_end(std::size_t ray) const { return LeafEnd(out_end_[ray]); }
 
+    /// All crossings of a form that is simple(): each_crossing() has them for the rays found.
+    void ask_all(const FlatForm& form, RayMask mask)
+    {
+        mask = meet(form, mask);
+        undecided &= mask;
+        found = mask & ~undecided;
+    }
+
+    /// Calls emit(t, LeafEnd) for the crossings of a ray; false, and nothing is emitted, where ends coincide.
+    template <class Emit>
+    bool each_crossing(std::size_t ray, Emit&& emit) const
+    {
+        std::array<Piece, kMostCuts> cuts;
+        std::uint32_t count = 0;
+        if (!gather(ray, cuts, count)) return false;
+        std::array<std::pair<double, double>, 2 * kMostCuts + 2> ends;   // t and code
+        std::uint32_t ended = 0;
+        const double in = in_[ray], out = out_[ray];
+        bool enters = in > -kInfinity, leaves = out < kInfinity;
+        for (std::uint32_t first = 0; first < count;) {
+            std::uint32_t last = first + 1, longest = first;
+            if (!run_of(cuts, count, last, longest)) return false;
+            const Piece &opens = cuts[first], &closes = cuts[longest];
+            enters = enters && !(opens.in < in && closes.out > in);
+            leaves = leaves && !(opens.in < out && closes.out > out);
+            if (opens.in > in && opens.in < out) ends[ended++] = {opens.in, opens.in_code};
+            if (closes.out > in && closes.out < out) ends[ended++] = {closes.out, closes.out_code};
+            first = last;
+        }
+        if (enters) emit(in, LeafEnd(in_end_[ray]));
+        for (std::uint32_t i = 0; i < ended; ++i) emit(ends[i].first, LeafEnd(ends[i].second));
+        if (leaves) emit(out, LeafEnd(out_end_[ray]));
+        return true;
+    }
+
     RayMask found = 0, undecided = 0;
-    alignas(64) TileRays::Lanes t;      ///< where found
-    alignas(64) TileRays::Lanes end;    ///< which end of which leaf: decode by LeafEnd
+    alignas(64) RayLanes t;      ///< where found
+    alignas(64) RayLanes end;    ///< which end of which leaf: decode by LeafEnd
 
 private:
     using Double = lanes::Double;
     using Bool = lanes::Bool;
-    using Lanes = TileRays::Lanes;
+    using Lanes = RayLanes;
 
     static constexpr std::uint32_t kMostCuts = 48;   ///< that one tile meets
-    static constexpr std::uint32_t kFaces = 8;   ///< more than any convex solid has
+    static constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
 
-    static Double end_code(std::uint32_t leaf, Double face) { return Double(static_cast<double>(kFaces * leaf)) + face; }
+    /// A cut along one ray.
+    struct Piece {
+        double in, out, in_code, out_code;
+    };
+
     static Double load(const Lanes& from, int i) { return Double::load_aligned(from.data() + i); }
     static void store(Lanes& to, int i, Double v) { v.store_aligned(to.data() + i); }
     static RayMask bits(Bool b, int i) { return static_cast<RayMask>(lanes::mask(b)) << i; }
@@ -76,6 +113,62 @@ private:
     {
         const Double gap = xsimd::abs(a - b);
         return (gap <= Double(kCoincidence) * (xsimd::abs(a) + Double(reach_))) & (gap < lanes::beyond());
+    }
+
+    bool close(double a, double b) const
+    {
+        const double gap = std::abs(a - b);
+        return gap <= kCoincidence * (std::abs(a) + reach_) && gap < kInfinity;
+    }
+
+    /// Leaves and cuts. Returns the rays that are left; none of them when there are too many cuts.
+    RayMask meet(const FlatForm& form, RayMask mask)
+    {
+        found = undecided = 0;
+        const FlatTerm& term = form.terms[0];
+        mask = meet_leaves(form, term, mask);
+        if (mask == 0 || meet_cuts(form, term, mask)) return mask;
+        undecided = mask;
+        cuts_ = 0;
+        return mask;
+    }
+
+    /// The cuts of a ray inside the leaves, by entry. False where one coincides with an end of the leaves.
+    bool gather(std::size_t ray, std::array<Piece, kMostCuts>& cuts, std::uint32_t& count) const
+    {
+        const double in = in_[ray], out = out_[ray];
+        for (std::uint32_t c = 0; c < cuts_; ++c) {
+            if (((cut_rays_[c] >> ray) & 1) == 0) continue;
+            const Piece piece{cut_in_[c][ray], cut_out_[c][ray], cut_begin_[c][ray], cut_end_[c][ray]};
+            if (!(piece.in <= piece.out)) continue;  // missed
+            if (close(piece.in, in) || close(piece.out, in) || close(piece.in, out) || close(piece.out, out)) return false;
+            if (piece.out < in || piece.in > out) continue;
+            std::uint32_t at = count++;
+            for (; at > 0 && cuts[at - 1].in > piece.in; --at) cuts[at] = cuts[at - 1];
+            cuts[at] = piece;
+        }
+        return true;
+    }
+
+    /// The cuts from last - 1 on that hang together: up to `last`; the one that ends last is `longest`. False where ends
+    /// coincide that decide what is drawn.
+    bool run_of(const std::array<Piece, kMostCuts>& cuts, std::uint32_t count, std::uint32_t& last, std::uint32_t& longest) const
+    {
+        if (last < count && close(cuts[last].in, cuts[last - 1].in)) return false;
+        bool tied = false;
+        for (; last < count; ++last) {
+            const double until = cuts[longest].out;
+            if (close(cuts[last].in, until)) return false;
+            if (cuts[last].in > until) break;
+            const bool same = close(cuts[last].out, until);
+            if (cuts[last].out > until) {
+                longest = last;
+                tied = same;
+            } else {
+                tied = tied || same;
+            }
+        }
+        return !tied;
     }
 
     /// in_ to out_: what all leaves hold. Returns the rays for which something is left.
@@ -87,8 +180,8 @@ private:
         });
         for (std::uint32_t k = term.first; k < term.last && mask != 0; ++k) {
             RayMask left = 0;
-            lanes::with_test(store_, form.leaves[k].solid, rays_.origin, [&](const auto& test) {
-                each_vector(mask, [&](int i) { left |= meet_leaf(test(rays_.directions(i)), k, i); });
+            lanes::with_test(store_, form.leaves[k].solid, rays_, [&](const auto& at) {
+                each_vector(mask, [&](int i) { left |= meet_leaf(at(i), k, i); });
             });
             mask &= left;
         }
@@ -108,8 +201,8 @@ private:
         coincide = coincide | close(in, out);
         store(in_, i, in);
         store(out_, i, out);
-        store(in_end_, i, xsimd::select(later, end_code(k, own.entry_face), load(in_end_, i)));
-        store(out_end_, i, xsimd::select(earlier, end_code(k, own.exit_face), load(out_end_, i)));
+        store(in_end_, i, xsimd::select(later, LeafEnd::code(k, own.entry_face), load(in_end_, i)));
+        store(out_end_, i, xsimd::select(earlier, LeafEnd::code(k, own.exit_face), load(out_end_, i)));
         undecided |= bits(coincide, i);
         return bits((kept & (in <= out)) | own.unclear, i);
     }
@@ -167,7 +260,8 @@ private:
                 const lanes::Intervals own = ends.piece(which, i);
                 store(cut_in_[cuts_], i, own.entry);
                 store(cut_out_[cuts_], i, own.exit);
-                store(cut_end_[cuts_], i, end_code(leaf, own.exit_face));
+                store(cut_begin_[cuts_], i, LeafEnd::code(leaf, own.entry_face));
+                store(cut_end_[cuts_], i, LeafEnd::code(leaf, own.exit_face));
             });
             cut_rays_[cuts_++] = ends.met[which];
         }
@@ -177,13 +271,14 @@ private:
     void meet_cut(const FlatForm& form, std::uint32_t leaf, RayMask mask)
     {
         RayMask met = 0;
-        lanes::with_test(store_, form.leaves[leaf].solid, rays_.origin, [&](const auto& test) {
+        lanes::with_test(store_, form.leaves[leaf].solid, rays_, [&](const auto& at) {
             each_vector(mask, [&](int i) {
-                const lanes::Intervals own = test(rays_.directions(i));
+                const lanes::Intervals own = at(i);
                 met |= bits(own.met, i);
                 store(cut_in_[cuts_], i, xsimd::select(own.met, own.entry, lanes::beyond()));
                 store(cut_out_[cuts_], i, xsimd::select(own.met, own.exit, lanes::before()));
-                store(cut_end_[cuts_], i, end_code(leaf, own.exit_face));
+                store(cut_begin_[cuts_], i, LeafEnd::code(leaf, own.entry_face));
+                store(cut_end_[cuts_], i, LeafEnd::code(leaf, own.exit_face));
             });
         });
         met &= mask;
@@ -192,40 +287,78 @@ private:
         cut_rays_[cuts_++] = mask;
     }
 
-    void leave_cuts(int i)
+    /// Calls f(cut, entry, exit) for the cuts that rays of the vector from i on come near.
+    template <class F>
+    void each_cut(int i, F&& f) const
     {
-        constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
-        const Double begin = load(in_, i), out = load(out_, i);
+        for (std::uint32_t c = 0; c < cuts_; ++c)
+            if (((cut_rays_[c] >> i) & kVector) != 0) f(c, load(cut_in_[c], i), load(cut_out_[c], i));
+    }
+
+    void nearest(int i)
+    {
+        const Double t_min = load(rays_.t_min, i), out = load(out_, i), begin = load(in_, i);
+        const Bool inside = !(begin >= t_min);
         Double front = begin, code = load(in_end_, i), own(-1.0);
-        Bool coincide = !(begin >= load(rays_.t_min, i));  // begins inside: not asked here
-        for (bool moved = cuts_ > 0; moved;) {
+        Bool coincide(false), ends(false);
+        if (lanes::mask(inside) != 0) {
+            // From a cut that covers the beginning to its end; else to the first cut or the end of the leaves.
+            each_cut(i, [&](std::uint32_t c, Double entry, Double exit) {
+                const Bool covers = inside & (own < Double(0.0)) & (entry < t_min) & (exit >= t_min);
+                front = xsimd::select(covers, exit, front);
+                code = xsimd::select(covers, load(cut_end_[c], i), code);
+                own = xsimd::select(covers, Double(static_cast<double>(c)), own);
+            });
+            ends = inside & (own < Double(0.0));
+            if (lanes::mask(ends) != 0) find_end(i, ends, t_min, front, code, coincide);
+        }
+        if (cuts_ > 0 && lanes::mask(!ends) != 0) leave_cuts(i, ends, front, code, own, coincide);
+        coincide = coincide | ((!ends) & close(front, out));
+        store(t, i, front);
+        store(end, i, code);
+        undecided |= bits(coincide, i);
+        found |= bits((ends | (front < out)) & (front <= load(rays_.limit, i)) & (front < lanes::beyond()), i);
+    }
+
+    /// Where the solid ends that these rays begin in.
+    void find_end(int i, Bool which, Double t_min, Double& front, Double& code, Bool& coincide) const
+    {
+        front = xsimd::select(which, load(out_, i), front);
+        code = xsimd::select(which, load(out_end_, i), code);
+        each_cut(i, [&](std::uint32_t c, Double entry, Double exit) {
+            const Bool begins = which & (entry >= t_min) & (entry <= exit), nearer = begins & (entry < front);
+            coincide = coincide | (begins & close(entry, front));
+            front = xsimd::select(nearer, entry, front);
+            code = xsimd::select(nearer, load(cut_begin_[c], i), code);
+        });
+    }
+
+    /// Moves the fronts out of all cuts that cover them, but for those of rays at their end.
+    void leave_cuts(int i, Bool ends, Double& front, Double& code, Double& own, Bool& coincide) const
+    {
+        const Double out = load(out_, i);
+        for (bool moved = true; moved;) {
             Bool moves(false);
-            for (std::uint32_t c = 0; c < cuts_; ++c) {
-                if (((cut_rays_[c] >> i) & kVector) == 0) continue;
-                const Double entry = load(cut_in_[c], i), exit = load(cut_out_[c], i), id(static_cast<double>(c));
-                coincide = coincide | ((own != id) & (close(entry, front) | close(exit, front)));
-                const Bool covers = (entry < front) & (exit > front);
+            each_cut(i, [&](std::uint32_t c, Double entry, Double exit) {
+                const Double id(static_cast<double>(c));
+                coincide = coincide | ((!ends) & (own != id) & (close(entry, front) | close(exit, front)));
+                const Bool covers = (!ends) & (entry < front) & (exit > front);
                 front = xsimd::select(covers, exit, front);
                 own = xsimd::select(covers, id, own);
                 code = xsimd::select(covers, load(cut_end_[c], i), code);
                 moves = moves | covers;
-            }
+            });
             moved = lanes::mask(moves & (front <= out)) != 0;
         }
-        coincide = coincide | close(front, out);
-        store(t, i, front);
-        store(end, i, code);
-        undecided |= bits(coincide, i);
-        found |= bits((front < out) & (front <= load(rays_.limit, i)) & (front < lanes::beyond()), i);
     }
 
     const SolidStore& store_;
     const Beam& beam_;
-    const TileRays& rays_;
+    const Rays& rays_;
     double reach_;
     alignas(64) Lanes in_, out_, in_end_, out_end_;
     std::uint32_t cuts_ = 0;
-    alignas(64) std::array<Lanes, kMostCuts> cut_in_, cut_out_, cut_end_;
+    alignas(64) std::array<Lanes, kMostCuts> cut_in_, cut_out_, cut_begin_, cut_end_;
     std::array<RayMask, kMostCuts> cut_rays_;
 };
 

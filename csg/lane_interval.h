@@ -3,7 +3,7 @@
 #include "csg/lanes.h"
 #include "csg/solids/sphere.h"
 
-/// Intervals of several rays from one point. Every number comes from the same operations in the same order as for one
+/// Intervals of several rays, from one point or each from its own. Every number comes from the same operations in the same order as for one
 /// ray (csg/solids), so that both answers are the same to the last bit: change them together. Compiled once per
 /// instruction set.
 namespace csg::lanes {
@@ -26,6 +26,36 @@ struct Directions {
     Double square() const { return x * x + y * y + z * z; }
 };
 
+/// Origins of kDoubles rays. What follows is written for these and for one origin that all share.
+struct Points {
+    Double x, y, z;
+};
+
+inline glm::dvec3 difference(const glm::dvec3& a, const glm::dvec3& b) { return a - b; }
+inline Points difference(const Points& a, const glm::dvec3& b) { return {a.x - Double(b.x), a.y - Double(b.y), a.z - Double(b.z)}; }
+inline Points difference(const glm::dvec3& a, const Points& b) { return {Double(a.x) - b.x, Double(a.y) - b.y, Double(a.z) - b.z}; }
+
+inline glm::dvec3 into(const Transform& frame, const glm::dvec3& p) { return frame.inverse_point(p); }
+inline Points into(const Transform& frame, const Points& p)
+{
+    const Directions v = Directions{p.x, p.y, p.z}.in(frame);
+    const glm::dvec3& o = frame.inverse_offset;
+    return {v.x + Double(o.x), v.y + Double(o.y), v.z + Double(o.z)};
+}
+
+inline double along(const glm::dvec3& n, const glm::dvec3& p) { return glm::dot(n, p); }
+inline Double along(const glm::dvec3& n, const Points& p) { return Double(n.x) * p.x + Double(n.y) * p.y + Double(n.z) * p.z; }
+
+/// The least of a vector.
+inline double lowest(Double v)
+{
+    alignas(64) double all[kDoubles];
+    v.store_aligned(all);
+    double least = all[0];
+    for (const double one : all) least = one < least ? one : least;
+    return least;
+}
+
 /// What Interval is for one ray, with faces as numbers. Where `met` is false the rest means nothing.
 struct Intervals {
     Double entry, exit, entry_face = Double(0.0), exit_face = Double(0.0);
@@ -39,8 +69,9 @@ inline Double negated(Double v) { return v ^ Double(-0.0); }
 inline Double before() { return Double(-kInfinity); }
 inline Double beyond() { return Double(kInfinity); }
 
-/// sphere_roots; f runs from the centre to the rays' origin.
-inline Intervals sphere_roots(const glm::dvec3& f, const Directions& d, Double inverse_a, double radius)
+/// sphere_roots; f runs from the centre to the rays' origins.
+template <class P>
+inline Intervals sphere_roots(const P& f, const Directions& d, Double inverse_a, double radius)
 {
     Intervals out;
     const Double x(f.x), y(f.y), z(f.z);

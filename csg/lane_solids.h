@@ -6,14 +6,15 @@
 /// interval() of the convex solids in vector lanes. Compiled once per instruction set.
 namespace csg::lanes {
 
-/// A solid prepared for rays from one origin: (directions) -> Intervals.
-template <class T>
+/// A solid prepared for rays from one origin (P is glm::dvec3) or from as many as there are lanes (Points):
+/// (directions) -> Intervals.
+template <class T, class P>
 class Test;
 
-template <>
-class Test<Sphere> {
+template <class P>
+class Test<Sphere, P> {
 public:
-    Test(const Sphere& s, const glm::dvec3& origin) : f_(origin - s.center), radius_(s.radius) {}
+    Test(const Sphere& s, const P& origin) : f_(difference(origin, s.center)), radius_(s.radius) {}
     Intervals operator()(const Directions& d) const
     {
         if (!(radius_ > 0.0)) return {};
@@ -21,14 +22,14 @@ public:
     }
 
 private:
-    glm::dvec3 f_;
+    P f_;
     double radius_;
 };
 
-template <>
-class Test<Ellipsoid> {
+template <class P>
+class Test<Ellipsoid, P> {
 public:
-    Test(const Ellipsoid& s, const glm::dvec3& origin) : frame_(s.frame), f_(s.frame.inverse_point(origin)) {}
+    Test(const Ellipsoid& s, const P& origin) : frame_(s.frame), f_(into(s.frame, origin)) {}
     Intervals operator()(const Directions& world) const
     {
         const Directions d = world.in(frame_);
@@ -37,14 +38,15 @@ public:
 
 private:
     const Transform& frame_;
-    glm::dvec3 f_;
+    P f_;
 };
 
 /// box_interval() with the corners relative to the origin.
+template <class P>
 class BoxTest {
 public:
-    BoxTest(const glm::dvec3& lower, const glm::dvec3& upper, const glm::dvec3& origin)
-        : low_(lower - origin), high_(upper - origin)
+    BoxTest(const glm::dvec3& lower, const glm::dvec3& upper, const P& origin)
+        : low_(difference(lower, origin)), high_(difference(upper, origin))
     {
     }
     Intervals operator()(const Directions& d) const
@@ -53,11 +55,11 @@ public:
         out.entry = before();
         out.exit = beyond();
         Double first_plane(low_.x), last_plane(high_.x), first_slope = d.x, last_slope = d.x;
-        const auto axis = [&](Double direction, double lower, double upper, double face) {
+        const auto axis = [&](Double direction, Double lower, Double upper, double face) {
             const Double inverse = Double(1.0) / direction;
             const Bool backward = inverse < Double(0.0);
-            const Double near = xsimd::select(backward, Double(upper), Double(lower));
-            const Double far = xsimd::select(backward, Double(lower), Double(upper));
+            const Double near = xsimd::select(backward, upper, lower);
+            const Double far = xsimd::select(backward, lower, upper);
             const Double first = near * inverse, last = far * inverse;
             const Bool later = first > out.entry, earlier = last < out.exit;
             out.entry = xsimd::select(later, first, out.entry);
@@ -69,9 +71,9 @@ public:
             last_slope = xsimd::select(earlier, direction, last_slope);
             out.exit_face = xsimd::select(earlier, xsimd::select(backward, Double(face), Double(face + 1.0)), out.exit_face);
         };
-        axis(d.x, low_.x, high_.x, 0.0);
-        axis(d.y, low_.y, high_.y, 2.0);
-        axis(d.z, low_.z, high_.z, 4.0);
+        axis(d.x, Double(low_.x), Double(high_.x), 0.0);
+        axis(d.y, Double(low_.y), Double(high_.y), 2.0);
+        axis(d.z, Double(low_.z), Double(high_.z), 4.0);
         out.met = (out.entry <= out.exit) & (out.entry != beyond()) & (out.exit != before());
         if (mask(out.met) == 0) return out;
         const Double entry = first_plane / first_slope, exit = last_plane / last_slope;
@@ -82,33 +84,33 @@ public:
     }
 
 private:
-    glm::dvec3 low_, high_;
+    P low_, high_;
 };
 
-template <>
-class Test<Box> : public BoxTest {
+template <class P>
+class Test<Box, P> : public BoxTest<P> {
 public:
-    Test(const Box& s, const glm::dvec3& origin) : BoxTest(s.lower, s.upper, origin) {}
+    Test(const Box& s, const P& origin) : BoxTest<P>(s.lower, s.upper, origin) {}
 };
 
-template <>
-class Test<OrientedBox> {
+template <class P>
+class Test<OrientedBox, P> {
 public:
-    Test(const OrientedBox& s, const glm::dvec3& origin)
-        : frame_(s.frame), box_(s.lower, s.upper, s.frame.inverse_point(origin))
+    Test(const OrientedBox& s, const P& origin)
+        : frame_(s.frame), box_(s.lower, s.upper, into(s.frame, origin))
     {
     }
     Intervals operator()(const Directions& d) const { return box_(d.in(frame_)); }
 
 private:
     const Transform& frame_;
-    BoxTest box_;
+    BoxTest<P> box_;
 };
 
-template <>
-class Test<Plane> {
+template <class P>
+class Test<Plane, P> {
 public:
-    Test(const Plane& s, const glm::dvec3& origin) : normal_(s.normal_out), depth_(s.offset - glm::dot(s.normal_out, origin)) {}
+    Test(const Plane& s, const P& origin) : normal_(s.normal_out), depth_(s.offset - along(s.normal_out, origin)) {}
     Intervals operator()(const Directions& d) const
     {
         const Double closing = Double(normal_.x) * d.x + Double(normal_.y) * d.y + Double(normal_.z) * d.z;
@@ -117,19 +119,19 @@ public:
         Intervals out;
         out.entry = xsimd::select(in, t, before());
         out.exit = xsimd::select(in | along, beyond(), t);
-        out.met = all_lanes(depth_ >= 0.0) | ((!along) & (t > before()) & (t < beyond()));
+        out.met = (Double(depth_) >= Double(0.0)) | ((!along) & (t > before()) & (t < beyond()));
         return out;
     }
 
 private:
     glm::dvec3 normal_;
-    double depth_;
+    decltype(along(glm::dvec3(), std::declval<P>())) depth_;
 };
 
-template <>
-class Test<Cylinder> {
+template <class P>
+class Test<Cylinder, P> {
 public:
-    Test(const Cylinder& s, const glm::dvec3& origin) : solid_(s), o_(s.frame.inverse_point(origin)) {}
+    Test(const Cylinder& s, const P& origin) : solid_(s), o_(into(s.frame, origin)) {}
     Intervals operator()(const Directions& world) const
     {
         static_assert(kSide == 0 && kLowEnd == 1);
@@ -140,7 +142,7 @@ public:
         out.exit_face = solid_.open ? Double(static_cast<double>(kUndrawnFace)) : out.exit_face + Double(1.0);
         const Double a = d.x * d.x + d.y * d.y, x(o_.x), y(o_.y);
         const Bool along = !(a > Double(Cylinder::kAlong));
-        const Bool inside = all_lanes(o_.x * o_.x + o_.y * o_.y <= 1.0) & (out.entry > before());
+        const Bool inside = (x * x + y * y <= Double(1.0)) & (out.entry > before());
         const Double inverse_a = Double(1.0) / a;
         const Double foot_t = negated(x * d.x + y * d.y) * inverse_a;
         const Double fx = x + foot_t * d.x, fy = y + foot_t * d.y;
@@ -156,14 +158,14 @@ public:
 
 private:
     const Cylinder& solid_;
-    glm::dvec3 o_;
+    P o_;
 };
 
 /// Only for cones that are convex().
-template <>
-class Test<Cone> {
+template <class P>
+class Test<Cone, P> {
 public:
-    Test(const Cone& s, const glm::dvec3& origin) : solid_(s), o_(s.frame.inverse_point(origin)) {}
+    Test(const Cone& s, const P& origin) : solid_(s), o_(into(s.frame, origin)) {}
     Intervals operator()(const Directions& world) const
     {
         const Directions d = world.in(solid_.frame);
@@ -222,14 +224,14 @@ private:
     }
 
     const Cone& solid_;
-    glm::dvec3 o_;
+    P o_;
 };
 
 /// Quadric::intersect() where it gives one span.
-template <>
-class Test<Quadric> {
+template <class P>
+class Test<Quadric, P> {
 public:
-    Test(const Quadric& s, const glm::dvec3& origin) : solid_(s), origin_(s.frame.inverse_point(origin)) {}
+    Test(const Quadric& s, const P& origin) : solid_(s), origin_(into(s.frame, origin)) {}
     Intervals operator()(const Directions& world) const
     {
         const Directions d = world.in(solid_.frame);
@@ -261,7 +263,7 @@ public:
 
 private:
     const Quadric& solid_;
-    glm::dvec3 origin_;
+    P origin_;
 };
 
 /// Whether with_test() gives one interval for every ray.
@@ -279,20 +281,29 @@ inline bool has_test(const SolidStore& store, PartId part)
     }
 }
 
-/// Calls f with the solid prepared for rays from the origin: a quadric, or a solid that has_test().
-template <class F>
-inline void with_test(const SolidStore& store, PartId part, const glm::dvec3& origin, F&& f)
+/// Calls f(at) for a quadric or a solid that has_test(); at(i) gives the Intervals of the rays from i on.
+template <class Rays, class F>
+inline void with_test(const SolidStore& store, PartId part, const Rays& rays, F&& f)
 {
+    const auto prepared = [&](const auto& solid) {
+        using T = std::decay_t<decltype(solid)>;
+        if constexpr (Rays::kShared) {
+            const Test<T, glm::dvec3> test(solid, rays.origin);
+            f([&](int i) { return test(rays.directions(i)); });
+        } else {
+            f([&](int i) { return Test<T, Points>(solid, rays.origins(i))(rays.directions(i)); });
+        }
+    };
     const std::uint32_t i = index_of(part);
     switch (kind_of(part)) {
-        case SolidKind::Sphere: f(Test<Sphere>(store.all<Sphere>()[i], origin)); return;
-        case SolidKind::Ellipsoid: f(Test<Ellipsoid>(store.all<Ellipsoid>()[i], origin)); return;
-        case SolidKind::Box: f(Test<Box>(store.all<Box>()[i], origin)); return;
-        case SolidKind::OrientedBox: f(Test<OrientedBox>(store.all<OrientedBox>()[i], origin)); return;
-        case SolidKind::Plane: f(Test<Plane>(store.all<Plane>()[i], origin)); return;
-        case SolidKind::Cylinder: f(Test<Cylinder>(store.all<Cylinder>()[i], origin)); return;
-        case SolidKind::Cone: f(Test<Cone>(store.all<Cone>()[i], origin)); return;
-        case SolidKind::Quadric: f(Test<Quadric>(store.all<Quadric>()[i], origin)); return;
+        case SolidKind::Sphere: prepared(store.all<Sphere>()[i]); return;
+        case SolidKind::Ellipsoid: prepared(store.all<Ellipsoid>()[i]); return;
+        case SolidKind::Box: prepared(store.all<Box>()[i]); return;
+        case SolidKind::OrientedBox: prepared(store.all<OrientedBox>()[i]); return;
+        case SolidKind::Plane: prepared(store.all<Plane>()[i]); return;
+        case SolidKind::Cylinder: prepared(store.all<Cylinder>()[i]); return;
+        case SolidKind::Cone: prepared(store.all<Cone>()[i]); return;
+        case SolidKind::Quadric: prepared(store.all<Quadric>()[i]); return;
         default: return;
     }
 }

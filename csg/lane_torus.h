@@ -32,7 +32,8 @@ struct LaneRays {
 class TorusEnds {
 public:
     /// Of rays in the mask; the torus is one that detail::factors_serve().
-    TorusEnds(const Torus& torus, const TileRays& rays, RayMask mask)
+    template <class Rays>
+    TorusEnds(const Torus& torus, const Rays& rays, RayMask mask)
     {
         pack(torus, rays, mask);
         for (int at = 0; at < count_; at += lanes::kDoubles) solve(torus, at);
@@ -52,39 +53,42 @@ public:
 
 private:
     using Double = lanes::Double;
-    using Lanes = TileRays::Lanes;
+    using Lanes = RayLanes;
 
-    void pack(const Torus& torus, const TileRays& rays, RayMask mask)
+    template <class Rays>
+    void pack(const Torus& torus, const Rays& rays, RayMask mask)
     {
-        const glm::dvec3 origin = torus.frame.inverse_point(rays.origin);
-        for (int k = 0; k < 3; ++k) origin_[k] = Double(origin[k]);
         each_vector(mask, [&](int i) {
             for (int which = 0; which < 2; ++which) {
                 lanes::beyond().store_aligned(entry_[which].data() + i);
                 lanes::before().store_aligned(exit_[which].data() + i);
             }
             const lanes::Directions local = rays.directions(i).in(torus.frame);
-            const Double d[3] = {local.x, local.y, local.z};
+            const auto from = lanes::into(torus.frame, rays.origins(i));
+            const Double d[3] = {local.x, local.y, local.z}, o[3] = {Double(from.x), Double(from.y), Double(from.z)};
             constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
-            RayMask near = lanes::mask(detail::near_torus<LaneRays>(torus, origin_, d, local.square())) & (mask >> i) & kVector;
+            RayMask near = lanes::mask(detail::near_torus<LaneRays>(torus, o, d, local.square())) & (mask >> i) & kVector;
             if (near == 0) return;
-            alignas(64) double part[3][lanes::kDoubles];
-            for (int k = 0; k < 3; ++k) d[k].store_aligned(part[k]);
+            alignas(64) double part[6][lanes::kDoubles];
+            for (int k = 0; k < 3; ++k) {
+                o[k].store_aligned(part[k]);
+                d[k].store_aligned(part[3 + k]);
+            }
             for (; near != 0; near &= near - 1) {
                 const int lane = std::countr_zero(near);
-                for (std::size_t k = 0; k < 3; ++k) direction_[k][static_cast<std::size_t>(count_)] = part[k][lane];
+                for (std::size_t k = 0; k < 6; ++k) packed_[k][static_cast<std::size_t>(count_)] = part[k][lane];
                 ray_[static_cast<std::size_t>(count_++)] = static_cast<std::uint8_t>(i + lane);
             }
         });
         for (int i = count_; i % lanes::kDoubles != 0; ++i)
-            for (Lanes& part : direction_) part[static_cast<std::size_t>(i)] = part[0];
+            for (Lanes& part : packed_) part[static_cast<std::size_t>(i)] = part[0];
     }
 
     void solve(const Torus& torus, int at)
     {
-        const Double d[3] = {Double::load_aligned(direction_[0].data() + at), Double::load_aligned(direction_[1].data() + at),
-                             Double::load_aligned(direction_[2].data() + at)};
-        const auto course = detail::torus_course<LaneRays>(torus, origin_, d, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        const auto load = [&](std::size_t k) { return Double::load_aligned(packed_[k].data() + at); };
+        const Double o[3] = {load(0), load(1), load(2)}, d[3] = {load(3), load(4), load(5)};
+        const auto course = detail::torus_course<LaneRays>(torus, o, d, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         const std::uint32_t possible = lanes::mask(course.possible);
         if (possible == 0) return;
         const auto factors = detail::torus_by_factors(course.ray);
@@ -112,10 +116,9 @@ private:
         exit_[which][ray] = exit;
     }
 
-    Double origin_[3];
     int count_ = 0;
-    std::array<std::uint8_t, kTileRays> ray_;   ///< of each packed direction
-    alignas(64) Lanes direction_[3];            ///< in the torus' frame
+    std::array<std::uint8_t, kTileRays> ray_;   ///< of each packed ray
+    alignas(64) Lanes packed_[6];               ///< origins and directions in the torus' frame
     alignas(64) Lanes entry_[2], exit_[2];
 };
 

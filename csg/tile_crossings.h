@@ -25,9 +25,10 @@ inline void sort_crossings(Hit* hits, std::size_t count)
 }
 
 /// A query of TileLeaf. A ray that meets an opaque surface is done: its limit becomes -infinity.
+template <class Rays>
 class CrossingsOfTile {
 public:
-    CrossingsOfTile(const WorldData& world, TileRays& rays, Scratch& scratch, CrossingTile& out)
+    CrossingsOfTile(const WorldData& world, Rays& rays, Scratch& scratch, CrossingTile& out)
         : world_(world), rays_(rays), scratch_(scratch), out_(out)
     {
         out.ending.fill(Shadow::Clear);
@@ -60,16 +61,18 @@ public:
         });
     }
 
-    static bool lanes_serve(const WorldItem& item) { return item.all_opaque || item.plain; }
-    static void ask(LaneFront& front, const WorldItem& item, const FlatForm& form, RayMask mask)
+    static bool lanes_serve(const WorldItem& item) { return item.all_opaque || item.simple; }
+    static void ask(LaneFront<Rays>& front, const WorldItem& item, const FlatForm& form, RayMask mask)
     {
         if (item.all_opaque)
             front.ask(form, mask);
-        else
+        else if (item.plain)
             front.ask_ends(form, mask);
+        else
+            front.ask_all(form, mask);
     }
 
-    void program(std::uint32_t index, const LaneFront& front)
+    void program(std::uint32_t index, const LaneFront<Rays>& front)
     {
         const WorldItem& item = world_.items[index];
         const FlatForm& form = world_.programs[item.program].flat;
@@ -77,6 +80,10 @@ public:
             const auto k = static_cast<std::size_t>(std::countr_zero(left));
             if (item.all_opaque) {
                 block(k);
+                continue;
+            }
+            if (!item.plain) {
+                if (!front.each_crossing(k, [&](double t, const LeafEnd& at) { end(k, form, t, at); })) each(index, static_cast<int>(k));
                 continue;
             }
             end(k, form, front.entry(k), front.entry_end(k));
@@ -108,7 +115,7 @@ private:
             out_.hits[k][out_.count[k]++] = hit;
     }
 
-    void end(std::size_t k, const FlatForm& form, double t, const LaneFront::LeafEnd& at)
+    void end(std::size_t k, const FlatForm& form, double t, const LeafEnd& at)
     {
         if (!(t >= rays_.t_min[k] && t <= rays_.limit[k] && t < kInfinity && t > -kInfinity)) return;
         const FlatLeaf& leaf = form.leaves[at.leaf];
@@ -130,7 +137,7 @@ private:
     }
 
     const WorldData& world_;
-    TileRays& rays_;
+    Rays& rays_;
     Scratch& scratch_;
     CrossingTile& out_;
 };

@@ -13,14 +13,14 @@ namespace csg {
 ///   query.ask(front, item, form, rays) a CSG object in lanes; only where query.lanes_serve(item)
 ///   query.program(item index, front)   what came of it
 ///   query.each(item index, ray)        anything else, ray by ray
-template <class Query>
+template <class Rays, class Query>
 struct TileLeaf {
     const WorldData& world;
     const Beam& beam;
-    TileRays& rays;
+    Rays& rays;
     Query& query;
     std::uint32_t kinds;
-    LaneFront& front;
+    LaneFront<Rays>& front;
 
     void operator()(ChildWord leaf, const glm::dvec3& lower, const glm::dvec3& upper, int first, int last) const
     {
@@ -28,7 +28,7 @@ struct TileLeaf {
             balls(world.spheres[leaf.index()], first, last);
             return;
         }
-        const RayMask mask = rays.meet(lower, upper, TileRays::mask_of(first, last));
+        const RayMask mask = rays.meet(lower, upper, rays_of_groups(first, last));
         if (mask == 0) return;
         if (leaf.kind() == LeafKind::Item) {
             item(leaf.index(), mask);
@@ -46,9 +46,7 @@ struct TileLeaf {
         const WorldItem& item = world.items[index];
         if ((item.visible & kinds) == 0) return;
         if (item.solid != kNoPart && lanes::has_test(world.store, item.solid)) {
-            lanes::with_test(world.store, item.solid, rays.origin, [&](const auto& test) {
-                query.solid(index, mask, [&](int i) { return test(rays.directions(i)); });
-            });
+            lanes::with_test(world.store, item.solid, rays, [&](const auto& at) { query.solid(index, mask, at); });
             return;
         }
         if (kind_of(item.solid) == SolidKind::Torus && torus(index, mask)) return;
@@ -78,10 +76,10 @@ private:
         for (std::uint32_t mask = beam.meet(block); mask != 0; mask &= mask - 1) {
             const int k = std::countr_zero(mask);
             if ((world.items[block.item[k]].visible & kinds) == 0) continue;
-            const glm::dvec3 f = rays.origin - glm::dvec3(block.x[k], block.y[k], block.z[k]);
-            query.solid(block.item[k], TileRays::mask_of(first, last), [&](int i) {
+            const glm::dvec3 center(block.x[k], block.y[k], block.z[k]);
+            query.solid(block.item[k], rays_of_groups(first, last), [&](int i) {
                 const auto inverse_a = lanes::Double::load_aligned(rays.inverse_a.data() + i);
-                return lanes::sphere_roots(f, rays.directions(i), inverse_a, block.radius[k]);
+                return lanes::sphere_roots(lanes::difference(rays.origins(i), center), rays.directions(i), inverse_a, block.radius[k]);
             });
         }
     }

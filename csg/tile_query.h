@@ -11,7 +11,8 @@ struct SeenEnds {
     lanes::Double t_min, limit;
     lanes::Bool entry, exit;
 
-    SeenEnds(const TileRays& rays, int i, const lanes::Intervals& in)
+    template <class Rays>
+    SeenEnds(const Rays& rays, int i, const lanes::Intervals& in)
         : t_min(lanes::Double::load_aligned(rays.t_min.data() + i)), limit(lanes::Double::load_aligned(rays.limit.data() + i)),
           entry(in.met & seen(in.entry, in.entry_face)), exit(in.met & seen(in.exit, in.exit_face))
     {
@@ -26,9 +27,10 @@ private:
 };
 
 /// The nearest hit of every ray.
+template <class Rays>
 class NearestOfTile {
 public:
-    NearestOfTile(const WorldData& world, TileRays& rays, Scratch& scratch, HitTile& out)
+    NearestOfTile(const WorldData& world, Rays& rays, Scratch& scratch, HitTile& out)
         : world_(world), rays_(rays), scratch_(scratch), out_(out)
     {
         out.t.fill(kInfinity);
@@ -71,9 +73,9 @@ public:
     }
 
     static bool lanes_serve(const WorldItem&) { return true; }
-    static void ask(LaneFront& front, const WorldItem&, const FlatForm& form, RayMask mask) { front.ask(form, mask); }
+    static void ask(LaneFront<Rays>& front, const WorldItem&, const FlatForm& form, RayMask mask) { front.ask(form, mask); }
 
-    void program(std::uint32_t index, const LaneFront& front)
+    void program(std::uint32_t index, const LaneFront<Rays>& front)
     {
         for (RayMask left = front.found; left != 0; left &= left - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(left));
@@ -95,7 +97,7 @@ public:
             } else if (face_[k] != kKnown) {
                 const WorldItem& item = world_.items[static_cast<std::size_t>(item_[k])];
                 if (item.solid == kNoPart) {
-                    const LaneFront::LeafEnd end(face_[k]);
+                    const LeafEnd end(face_[k]);
                     const FlatLeaf& leaf = world_.programs[item.program].flat.leaves[end.leaf];
                     out_.set(i, {out_.t[k], world_.store.surface(leaf.solid), leaf.solid, end.face, leaf.turned});
                 } else {
@@ -109,17 +111,18 @@ public:
 private:
     static constexpr double kNone = 4294967295.0, kKnown = -1.0;
     const WorldData& world_;
-    TileRays& rays_;
+    Rays& rays_;
     Scratch& scratch_;
     HitTile& out_;
-    alignas(64) TileRays::Lanes item_;   ///< the winner's place in the order of declaration
-    alignas(64) TileRays::Lanes face_;   ///< kKnown: `out` has the whole hit already
+    alignas(64) RayLanes item_;   ///< the winner's place in the order of declaration
+    alignas(64) RayLanes face_;   ///< kKnown: `out` has the whole hit already
 };
 
 /// Whether every ray is blocked. A blocked ray's limit becomes -infinity: it is done.
+template <class Rays>
 class ShadowOfTile {
 public:
-    ShadowOfTile(const WorldData& world, TileRays& rays, Scratch& scratch) : world_(world), rays_(rays), scratch_(scratch) {}
+    ShadowOfTile(const WorldData& world, Rays& rays, Scratch& scratch) : world_(world), rays_(rays), scratch_(scratch) {}
 
     void each(std::uint32_t index, int i)
     {
@@ -148,8 +151,8 @@ public:
 
     /// One crossing is enough where every surface stops light.
     static bool lanes_serve(const WorldItem& item) { return item.all_opaque; }
-    static void ask(LaneFront& front, const WorldItem&, const FlatForm& form, RayMask mask) { front.ask(form, mask); }
-    void program(std::uint32_t, const LaneFront& front) { meet(front.found, true); }
+    static void ask(LaneFront<Rays>& front, const WorldItem&, const FlatForm& form, RayMask mask) { front.ask(form, mask); }
+    void program(std::uint32_t, const LaneFront<Rays>& front) { meet(front.found, true); }
 
     Shadow answer(int i) const
     {
@@ -165,20 +168,20 @@ private:
     }
 
     const WorldData& world_;
-    TileRays& rays_;
+    Rays& rays_;
     Scratch& scratch_;
     RayMask blocked_ = 0, filtered_ = 0;
 };
 
 /// Asks everything of the query: unbounded items first, then the hierarchy by beam. False: nothing was asked, the rays
 /// are too far apart.
-template <class Query>
-inline bool ask_tile(const WorldData& world, TileRays& rays, std::uint32_t kinds, Query& query)
+template <class Rays, class Query>
+inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Query& query)
 {
     const Beam beam(rays, world.bvh.bounds);
     if (!beam.narrow()) return false;
-    LaneFront front(world.store, beam, rays);
-    TileLeaf<Query> leaf{world, beam, rays, query, kinds, front};
+    LaneFront<Rays> front(world.store, beam, rays);
+    TileLeaf<Rays, Query> leaf{world, beam, rays, query, kinds, front};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
     TileWalk(world.bvh, beam, rays, kinds, leaf).run();
     return true;

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 
-/// A tile of rays from one point, ready for vector lanes. Compiled once per instruction set.
+/// A tile of rays, ready for vector lanes. Compiled once per instruction set.
 namespace csg {
 
 /// Rays go in groups of eight; places beyond the tile's count are dead.
@@ -27,27 +27,92 @@ inline void each_vector(RayMask mask, F&& f)
     }
 }
 
-struct alignas(64) TileRays {
-    using Lanes = std::array<double, kTileRays>;
+/// The rays of groups first <= g < last.
+inline RayMask rays_of_groups(int first, int last)
+{
+    const RayMask below = last * kRayGroup < kTileRays ? (RayMask{1} << (last * kRayGroup)) - 1 : ~RayMask{0};
+    return below & ~((RayMask{1} << (first * kRayGroup)) - 1);
+}
+
+using RayLanes = std::array<double, kTileRays>;   ///< a number a ray
+
+/// Copies a tile's numbers and fills the empty places of the last group.
+inline void take_lanes(const RayTile& tile, const RayLanes& from, RayLanes& to, double empty)
+{
+    std::copy_n(from.begin(), tile.count, to.begin());
+    std::fill(to.begin() + tile.count, to.begin() + (tile.count + kRayGroup - 1) / kRayGroup * kRayGroup, empty);
+}
+
+/// Where the rays of a tile start: all of them in one point.
+struct SharedOrigin {
+    static constexpr bool kShared = true;
+    glm::dvec3 origin;
+
+    explicit SharedOrigin(const RayTile& tile) : origin(tile.ox[0], tile.oy[0], tile.oz[0]) {}
+    glm::dvec3 origins(int) const { return origin; }
+    glm::dvec3 origin_of(std::size_t) const { return origin; }
+    /// The largest coordinates, by amount.
+    glm::dvec3 widest() const { return glm::abs(origin); }
+    /// The least and the most of dot(v, origin).
+    std::pair<double, double> along(const glm::dvec3& v) const { return {glm::dot(v, origin), glm::dot(v, origin)}; }
+};
+
+/// Each ray of the tile in a point of its own.
+struct OwnOrigins {
+    static constexpr bool kShared = false;
+    alignas(64) RayLanes ox, oy, oz;
+    int places;
+
+    explicit OwnOrigins(const RayTile& tile) : places((tile.count + kRayGroup - 1) / kRayGroup * kRayGroup)
+    {
+        take_lanes(tile, tile.ox, ox, tile.ox[0]);
+        take_lanes(tile, tile.oy, oy, tile.oy[0]);
+        take_lanes(tile, tile.oz, oz, tile.oz[0]);
+    }
+    lanes::Points origins(int i) const
+    {
+        using lanes::Double;
+        return {Double::load_aligned(ox.data() + i), Double::load_aligned(oy.data() + i), Double::load_aligned(oz.data() + i)};
+    }
+    glm::dvec3 origin_of(std::size_t k) const { return {ox[k], oy[k], oz[k]}; }
+    glm::dvec3 widest() const
+    {
+        const auto most = [&](const glm::dvec3& v) {
+            const auto [least, last] = along(v);
+            return std::max(-least, last);
+        };
+        return {most({1, 0, 0}), most({0, 1, 0}), most({0, 0, 1})};
+    }
+    std::pair<double, double> along(const glm::dvec3& v) const
+    {
+        using lanes::Double;
+        Double least(kInfinity), most(-kInfinity);
+        for (int i = 0; i < places; i += lanes::kDoubles) {
+            const lanes::Points o = origins(i);
+            const Double at = Double(v.x) * o.x + Double(v.y) * o.y + Double(v.z) * o.z;
+            least = xsimd::min(least, at);
+            most = xsimd::max(most, at);
+        }
+        return {lanes::lowest(least), -lanes::lowest(-most)};
+    }
+};
+
+template <class Origins>
+struct alignas(64) TileRays : Origins {
+    using Lanes = RayLanes;
     alignas(64) Lanes dx, dy, dz;
     alignas(64) Lanes inverse_x, inverse_y, inverse_z;   ///< of the direction, clamped as RaySlabs does
     alignas(64) Lanes inverse_a;                         ///< 1 / dot(direction, direction)
     alignas(64) Lanes t_min, limit;                      ///< limit: nothing beyond matters; -infinity: the ray is done
-    glm::dvec3 origin;
     int count, groups;
 
-    explicit TileRays(const RayTile& tile)
-        : origin(tile.ox[0], tile.oy[0], tile.oz[0]), count(tile.count), groups((tile.count + kRayGroup - 1) / kRayGroup)
+    explicit TileRays(const RayTile& tile) : Origins(tile), count(tile.count), groups((tile.count + kRayGroup - 1) / kRayGroup)
     {
-        const auto take = [&](const Lanes& from, Lanes& to, double empty) {
-            std::copy_n(from.begin(), count, to.begin());
-            std::fill(to.begin() + count, to.begin() + groups * kRayGroup, empty);
-        };
-        take(tile.dx, dx, tile.dx[0]);
-        take(tile.dy, dy, tile.dy[0]);
-        take(tile.dz, dz, tile.dz[0]);
-        take(tile.t_min, t_min, tile.t_min[0]);
-        take(tile.t_max, limit, -kInfinity);
+        take_lanes(tile, tile.dx, dx, tile.dx[0]);
+        take_lanes(tile, tile.dy, dy, tile.dy[0]);
+        take_lanes(tile, tile.dz, dz, tile.dz[0]);
+        take_lanes(tile, tile.t_min, t_min, tile.t_min[0]);
+        take_lanes(tile, tile.t_max, limit, -kInfinity);
         for (int i = 0; i < groups * kRayGroup; i += lanes::kDoubles) {
             const auto x = lanes::Double::load_aligned(dx.data() + i), y = lanes::Double::load_aligned(dy.data() + i),
                        z = lanes::Double::load_aligned(dz.data() + i);
@@ -61,7 +126,7 @@ struct alignas(64) TileRays {
     Ray ray(int i) const
     {
         const auto k = static_cast<std::size_t>(i);
-        return {origin, {dx[k], dy[k], dz[k]}};
+        return {Origins::origin_of(k), {dx[k], dy[k], dz[k]}};
     }
 
     lanes::Directions directions(int i) const
@@ -70,12 +135,6 @@ struct alignas(64) TileRays {
         return {Double::load_aligned(dx.data() + i), Double::load_aligned(dy.data() + i), Double::load_aligned(dz.data() + i)};
     }
 
-    /// The rays of groups first <= g < last, and those of the tile.
-    static RayMask mask_of(int first, int last)
-    {
-        const RayMask below = last * kRayGroup < kTileRays ? (RayMask{1} << (last * kRayGroup)) - 1 : ~RayMask{0};
-        return below & ~((RayMask{1} << (first * kRayGroup)) - 1);
-    }
     RayMask all() const { return count < kTileRays ? (RayMask{1} << count) - 1 : ~RayMask{0}; }
 
     /// The farthest limit of groups first <= g < last; negative when all of them are done.
@@ -97,9 +156,10 @@ struct alignas(64) TileRays {
         using lanes::Double;
         // The box is rounded outward to single precision; this covers the roundings of the slabs in double.
         constexpr double kWider = 1.0 + 1e-12;
-        const glm::dvec3 low = lower - origin, high = upper - origin;
         RayMask mask = 0;
         each_vector(asked, [&](int i) {
+            const auto from = Origins::origins(i);
+            const auto low = lanes::difference(lower, from), high = lanes::difference(upper, from);
             const Double ix = Double::load_aligned(inverse_x.data() + i), iy = Double::load_aligned(inverse_y.data() + i),
                          iz = Double::load_aligned(inverse_z.data() + i);
             const Double ax = Double(low.x) * ix, bx = Double(high.x) * ix;

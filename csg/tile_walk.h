@@ -8,10 +8,10 @@ namespace csg {
 /// Walks for the whole tile at once, nearest box first, up to a budget of leaf blocks; then each group of eight rays
 /// goes on alone from the stack as it stands (a beam that sees hundreds of small things is slower than packets).
 /// leaf(child, lower, upper, first group, last group) opens a block and lowers rays.limit.
-template <class Leaf>
+template <class Rays, class Leaf>
 class TileWalk {
 public:
-    TileWalk(const Bvh& bvh, const Beam& beam, const TileRays& rays, std::uint32_t kinds, Leaf& leaf)
+    TileWalk(const Bvh& bvh, const Beam& beam, const Rays& rays, std::uint32_t kinds, Leaf& leaf)
         : bvh_(bvh), beam_(beam), rays_(rays), kinds_(kinds), leaf_(leaf)
     {
     }
@@ -67,7 +67,7 @@ private:
             const auto i = static_cast<std::uint32_t>(std::countr_zero(mask));
             if ((node.kinds[i] & kinds_) == 0) continue;
             const Entry made{node.child[i], index * 8 + i, near[i]};
-            if (packet >= 0 && rays_.meet(corner(made.slot, 0), corner(made.slot, 3), TileRays::mask_of(packet, packet + 1)) == 0) continue;
+            if (packet >= 0 && rays_.meet(corner(made.slot, 0), corner(made.slot, 3), rays_of_groups(packet, packet + 1)) == 0) continue;
             int at = top++;
             for (; at > bottom && stack[at - 1].near < made.near; --at) stack[at] = stack[at - 1];
             stack[at] = made;
@@ -83,7 +83,7 @@ private:
 
     const Bvh& bvh_;
     const Beam& beam_;
-    const TileRays& rays_;
+    const Rays& rays_;
     std::uint32_t kinds_;
     Leaf& leaf_;
     Entry stack_[kBvhStack];

@@ -75,17 +75,24 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
     return found;
 }
 
+/// Whether answered(TileRays) is: only enough rays make a beam.
+template <class Answered>
+inline bool in_lanes(const RayTile& rays, Answered&& answered)
+{
+    if (rays.count < kFewestForBeam) return false;
+    return rays.common_origin ? answered(TileRays<SharedOrigin>(rays)) : answered(TileRays<OwnOrigins>(rays));
+}
+
 /// Shadow rays that are about as long as each other: as one beam if they can be.
 void shadow_of_cluster(const World& world, const WorldData& data, const RayTile& rays, Scratch& scratch, Shadow* out)
 {
-    if (rays.common_origin && rays.count >= kFewestForBeam) {
-        TileRays lanes(rays);
+    const auto answered = [&](auto&& lanes) {
         ShadowOfTile query(data, lanes, scratch);
-        if (ask_tile(data, lanes, 1u << 2, query)) {
-            for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
-            return;
-        }
-    }
+        if (!ask_tile(data, lanes, 1u << 2, query)) return false;
+        for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
+        return true;
+    };
+    if (in_lanes(rays, answered)) return;
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         out[i] = world.shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
@@ -94,11 +101,13 @@ void shadow_of_cluster(const World& world, const WorldData& data, const RayTile&
 
 void crossings_of_cluster(const World& world, const WorldData& data, const RayTile& rays, Scratch& scratch, CrossingTile& out)
 {
-    if (rays.common_origin && rays.count >= kFewestForBeam) {
-        TileRays lanes(rays);
+    const auto answered = [&](auto&& lanes) {
         CrossingsOfTile query(data, lanes, scratch, out);
-        if (ask_tile(data, lanes, 1u << 2, query)) return query.finish();
-    }
+        if (!ask_tile(data, lanes, 1u << 2, query)) return false;
+        query.finish();
+        return true;
+    };
+    if (in_lanes(rays, answered)) return;
     std::vector<Hit>& hits = scratch.hits();
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -177,11 +186,13 @@ void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out)
 
 void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
 {
-    if (rays.common_origin && rays.count >= kFewestForBeam) {
-        TileRays lanes(rays);
+    const auto answered = [&](auto&& lanes) {
         NearestOfTile query(*data_, lanes, scratch, out);
-        if (ask_tile(*data_, lanes, kind_bit, query)) return query.finish();
-    }
+        if (!ask_tile(*data_, lanes, kind_bit, query)) return false;
+        query.finish();
+        return true;
+    };
+    if (in_lanes(rays, answered)) return;
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         out.set(i, nearest(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));

@@ -54,7 +54,7 @@ int check_lanes(const T& solid, const glm::dvec3& target, const Transform& frame
     Rng rng(seed);
     glm::dvec3 origin = target + rng.direction() * (rng.coin() ? 5.0 : 0.5);
     if (rng.below(4) == 0) origin = target + glm::dvec3(rng.below(3) - 1, rng.below(3) - 1, rng.below(7) - 3);
-    const lanes::Test<T> test(solid, origin);
+    const lanes::Test<T, glm::dvec3> test(solid, origin);
     int met = 0;
     for (int round = 0; round < 4; ++round) {
         alignas(64) std::array<double, 8> x, y, z, entry, exit, entry_face, exit_face;

@@ -75,7 +75,8 @@ inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear
             continue;
         }
         csg::Tree tree;
-        tree.op = rng.below(2) == 0 ? csg::Tree::Op::Difference : csg::Tree::Op::Intersection;
+        constexpr csg::Tree::Op kOps[] = {csg::Tree::Op::Difference, csg::Tree::Op::Intersection, csg::Tree::Op::Merge};
+        tree.op = kOps[rng.below(3)];
         const bool blocks = rng.below(3) == 0;
         for (std::uint32_t k = 0; k < 2 + rng.below(3); ++k) {
             const csg::Solid operand =

@@ -78,6 +78,26 @@ csg::RayTile camera_tile(Rng& rng, double spread)
     return tile;
 }
 
+/// Rays from points of their own, as mirrors and glass send them on: some start inside a solid.
+csg::RayTile onward_tile(Rng& rng, double spread)
+{
+    csg::RayTile tile = camera_tile(rng, spread);
+    tile.common_origin = false;
+    const glm::dvec3 away = rng.point(12.0);
+    const double apart = (rng.below(2) == 0) ? 1.0 : 0.02;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(tile.count); ++k) {
+        const glm::dvec3 from = away + apart * rng.point(1.0);
+        tile.ox[k] = from.x, tile.oy[k] = from.y, tile.oz[k] = from.z;
+    }
+    return tile;
+}
+
+csg::RayTile any_tile(Rng& rng, int k)
+{
+    const double spread = k % 3 == 0 ? 0.05 : 0.003;
+    return (rng.below(2) == 0) ? camera_tile(rng, spread) : onward_tile(rng, k % 5 == 0 ? 0.15 : spread);
+}
+
 }  // namespace
 
 TEST_CASE("the hierarchy finds what a loop over all items finds", "[trace][world]")
@@ -115,7 +135,7 @@ TEST_CASE("a tile gives the answers of its rays one by one, bit for bit", "[trac
         const csg::World world(data);
         csg::Scratch scratch;
         for (int k = 0; k < 60; ++k) {
-            const csg::RayTile tile = camera_tile(rng, k % 3 == 0 ? 0.05 : 0.003);
+            const csg::RayTile tile = any_tile(rng, k);
             const auto hits = std::make_unique<csg::HitTile>();
             world.nearest(tile, kImage, scratch, *hits);
             csg::Shadow shadows[csg::kTileRays];
@@ -143,7 +163,7 @@ TEST_CASE("a tile of shadow rays crosses what its rays cross one by one", "[trac
         std::vector<csg::Hit> expected;
         const auto found = std::make_unique<csg::CrossingTile>();
         for (int k = 0; k < 60; ++k) {
-            const csg::RayTile tile = camera_tile(rng, k % 3 == 0 ? 0.05 : 0.003);
+            const csg::RayTile tile = any_tile(rng, k);
             world.shadow_crossings(tile, scratch, *found);
             for (int i = 0; i < tile.count; ++i) {
                 INFO("tile " << k << " ray " << i);
