@@ -33,8 +33,10 @@ struct charset : item<Kind::Charset> {
     static void act(GlobalState& s)
     {
         TokenStream& in = s.stream();
-        if (in.accept(Kind::Utf8)) in.language().utf8 = true;
-        else if (in.accept(Kind::Ascii) || in.accept(Kind::Sys)) in.language().utf8 = false;
+        Charset& charset = in.language().charset;
+        if (in.accept(Kind::Utf8)) charset = Charset::Utf8;
+        else if (in.accept(Kind::Ascii)) charset = Charset::Ascii;
+        else if (in.accept(Kind::Sys)) charset = Charset::System;
         else in.fail_expected("'ascii', 'utf8' or 'sys'");
     }
 };
@@ -48,7 +50,13 @@ struct hf_gray_16 : item<Kind::HfGray16> {
 struct irid_wavelength : item<Kind::IridWavelength> {
     static void act(GlobalState& s) { s.global().irid_wavelength = parser::rgb_expr(s.stream()).rgb(); }
 };
-struct max_intersections : item<Kind::MaxIntersections, a_number> { static void act(GlobalState& s) { s.pop_float(); } };
+struct max_intersections : item<Kind::MaxIntersections, a_number> {
+    static void act(GlobalState& s)
+    {
+        s.pop_float();
+        if (s.build.version() >= 370) s.stream().warn(s.stream().last(), "'max_intersections' has no effect");
+    }
+};
 constexpr int kMostLevels = 256;
 struct max_trace_level : item<Kind::MaxTraceLevel, a_number> {
     static void act(GlobalState& s)
@@ -108,6 +116,10 @@ void read_global_settings(SceneBuilder& build)
 bool read_old_setting(SceneBuilder& build)
 {
     GlobalState s(build);
+    TokenStream& in = build.stream();
+    const Kind kind = in.peek().kind;
+    if (kind == Kind::MaxTraceLevel && build.version() >= 350)
+        in.warn(in.here(), "'max_trace_level' belongs in global_settings");
     return table<GlobalState, max_trace_level, max_intersections>::match(build, s);
 }
 

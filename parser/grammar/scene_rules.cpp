@@ -39,10 +39,15 @@ template <Kind kind> struct undrawn_effect : item<kind> {
         s.build.skip_block(name.c_str());
     }
 };
+/// `declare`, `include` and `version` without their '#' are old, and still understood.
+template <Kind kind> struct bare : item<kind> {
+    static void act(SceneState& s) { s.stream().bare_directive(s.stream().taken_last()); }
+};
 struct dtag : item<Kind::Dtag, a_text> { static void act(SceneState& s) { s.pop_string(); } };
 
 using SceneItems = table<SceneState, camera, background, fog, sky_sphere, global_settings, default_block,
-                         undrawn_effect<Kind::Rainbow>, undrawn_effect<Kind::Media>, dtag>;
+                         undrawn_effect<Kind::Rainbow>, undrawn_effect<Kind::Media>, bare<Kind::Declare>,
+                         bare<Kind::Include>, bare<Kind::Version>, dtag>;
 
 // ---- #default -------------------------------------------------------------------------------------------------
 scene::Layer changed(SceneState& s) { return s.build.default_layer(); }

@@ -7,12 +7,14 @@ namespace parser {
 namespace {
 
 /// sRGB decoding, then the working curve of assumed_gamma (spec of the language 4).
-double from_srgb(double v, const scene::AssumedGamma& gamma)
+/// In single precision, as POV-Ray keeps colours.
+double from_srgb(double written, const scene::AssumedGamma& gamma)
 {
-    if (gamma.kind == scene::AssumedGamma::Kind::Srgb) return v;
-    const double linear = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    if (gamma.kind == scene::AssumedGamma::Kind::Srgb) return written;
+    const auto v = static_cast<float>(written);
+    const float linear = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
     if (gamma.exponent == 1.0) return linear;
-    return std::pow(std::max(linear, 0.0), 1.0 / gamma.exponent);
+    return std::pow(std::max(linear, 0.0f), 1.0f / static_cast<float>(gamma.exponent));
 }
 
 struct VectorItem { int nominal; bool transmit_only, encoded; };

@@ -84,11 +84,14 @@ void TokenStream::begin_switch(std::uint32_t hash)
 {
     const Block made = block(BlockKind::Switch, hash);
     const double value = condition();
-    const Token first = raw_next();
-    const Cursor& cursor = cursors_.back();
-    const Kind word = cursor.position < cursor.end ? file().tokens[cursor.position].kind : Kind::EndOfText;
-    if (first.kind != Kind::Hash || (word != Kind::Case && word != Kind::Range))
-        fail(place(first), "expected #case or #range after #switch");
+    for (;;) {  // other directives may stand before the first case
+        const Token first = raw_next();
+        const Cursor& cursor = cursors_.back();
+        const Kind word = cursor.position < cursor.end ? file().tokens[cursor.position].kind : Kind::EndOfText;
+        if (first.kind != Kind::Hash) fail(place(first), "expected #case or #range after #switch");
+        if (word == Kind::Case || word == Kind::Range) break;
+        execute_directive();
+    }
     --cursors_.back().position;
     push_block(made);
     for (;;) {

@@ -1,5 +1,6 @@
 #include "parser/stream/data_file.h"
 #include "parser/stream/expression.h"
+#include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
@@ -115,8 +116,9 @@ Cell TokenStream::read_target()
     Cell cell = symbols_.find_cell(name.name);
     if (!cell) return symbols_.global(name.name);
     if (cell->get_if<std::shared_ptr<Array>>()) cell = subscripted(cell, name, false);
-    if (cell->set() && !cell->get_if<Tuple>() && !cell->get_if<std::string>())
-        fail(place(name), fmt::format("'{}' is declared as {}: it cannot take data", word(name), type_name(*cell)));
+    const Tuple* tuple = cell->get_if<Tuple>();
+    const bool takes = !cell->set() || cell->get_if<std::string>() || (tuple && (tuple->count == 1 || tuple->count == 3));
+    if (!takes) fail(place(name), fmt::format("'{}' is declared as {}: it cannot take data", word(name), type_name(*cell)));
     return cell;
 }
 
@@ -152,6 +154,17 @@ void TokenStream::read_data()
     if (ended) symbols_.undefine(name.name);
 }
 
+/// An item of `#write`: a colour must stand in parentheses or behind a sign.
+Tuple TokenStream::written_value()
+{
+    const Token& token = peek();
+    const Value* value = token.kind == Kind::Identifier ? value_of(token) : nullptr;
+    const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
+    if (lexical_class(token.kind) == LexicalClass::Color || (tuple && tuple->count == 5))
+        fail_expected("a text, a number or a vector (a colour needs parentheses)");
+    return untyped_expr(*this);
+}
+
 void TokenStream::write_data()
 {
     Token name;
@@ -166,7 +179,7 @@ void TokenStream::write_data()
                 for (std::size_t i = 0; i < static_cast<std::size_t>(value.count); ++i) text += as_bytes(*type, value.at[i]);
             } while (peek().kind != Kind::Comma && at_expression(*this));
         } else {
-            text += at_string(*this) ? string_expr(*this) : as_text(untyped_expr(*this));
+            text += at_string(*this) ? printed(string_expr(*this), language_.version) : as_text(written_value());
         }
         accept_comma();
     }

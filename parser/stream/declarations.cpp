@@ -17,52 +17,71 @@ constexpr double kMostElements = 100'000'000;
 
 void TokenStream::declare(bool local)
 {
-    if (peek_raw().kind == Kind::Deprecated) {  // accepted; its message is for the authors of include files
-        raw_next();
-        if (peek_raw().kind == Kind::Once) raw_next();
-        if (peek_raw().kind == Kind::String) raw_next();
-    }
+    std::optional<Deprecation> deprecation;
+    if (peek_raw().kind == Kind::Deprecated) deprecation = read_deprecation();
     const Token name = raw_next();
     if (name.kind != Kind::Identifier) fail_expected_at(name, "a name to declare that is no reserved word");
     Cell whole = symbols_.find_cell(name.name);
     if (whole && whole->get_if<std::shared_ptr<const Macro>>())
         fail(place(name), fmt::format("'{}' is a macro", word(name)));
+    if (whole && whole->get_if<std::shared_ptr<DataFile>>())
+        fail(place(name), fmt::format("'{}' is an open file", word(name)));
     if (whole && whole->get_if<function::FunctionPtr>())
         fail(place(name), fmt::format("'{}' is a function already; #undef it first", word(name)));
     Cell target;
     const bool element = whole && whole->get_if<std::shared_ptr<Array>>() && peek_raw().kind == Kind::LeftSquare;
-    if (element) target = subscripted(whole, name, true);
+    std::shared_ptr<Array> array;
+    if (element) target = subscripted(whole, name, true, &array);
     if (Token equal = raw_next(); equal.kind != Kind::Equal)
         fail_expected_at(equal, fmt::format("'=' and a value for '{}'", word(name)));
 
     const std::uint32_t scope = symbols_.depth();
+    const std::uint32_t outer = std::exchange(declaring_, whole ? kNoIndex : name.name);
     raw_operators_ = true;
     Value value = read_value();
     raw_operators_ = false;
+    declaring_ = outer;
+    if (deprecation && !whole) deprecated_[name.name] = std::move(*deprecation);
     const bool numeric = value.get_if<Tuple>() != nullptr;
     if (!target && (!local || symbols_.depth() >= scope)) target = local ? symbols_.local(name.name, scope) : symbols_.declare(name.name);
-    if (target) assign(target, std::move(value), name, element, whole);
-    end_declaration(numeric && language_.version >= 350);
+    if (element && array) set_element(*array, target, std::move(value), name);
+    else if (target) *target = std::move(value);
+    end_declaration(numeric);
 }
 
-void TokenStream::assign(const Cell& target, Value value, const Token& name, bool element, const Cell& whole)
+Deprecation TokenStream::read_deprecation()
 {
-    if (element)
-        if (const auto* array = whole->get_if<std::shared_ptr<Array>>())
-            for (const Value& other : (*array)->elements) {
-                if (!other.set() || other.get_if<std::shared_ptr<Array>>()) continue;
-                if (type_name(other) != type_name(value) && !(*array)->elements.empty())
-                    fail(place(name), fmt::format("the elements of '{}' are of type {}, this is {}", word(name),
-                                                  type_name(other), type_name(value)));
-                break;
-            }
-    *target = std::move(value);
+    Deprecation deprecation;
+    raw_next();
+    if (peek_raw().kind == Kind::Once) deprecation.once = raw_next().kind == Kind::Once;
+    if (peek_raw().kind == Kind::String) deprecation.message = string_text(raw_next(), false);
+    return deprecation;
 }
 
-void TokenStream::end_declaration(bool mandatory)
+void TokenStream::warn_deprecated(const Token& name)
 {
+    const auto found = deprecated_.find(name.name);
+    if (found == deprecated_.end()) return;
+    const std::string& message = found->second.message;
+    warn(place(name), message.empty() ? fmt::format("'{}' is deprecated", word(name)) : message);
+    if (found->second.once) deprecated_.erase(found);
+}
+
+void TokenStream::set_element(Array& array, const Cell& element, Value value, const Token& name)
+{
+    const std::uint32_t kind = kind_of(value);
+    if (array.kind == 0) array.kind = kind;
+    if (array.kind != kind)
+        fail(place(name), fmt::format("the elements of '{}' are of another type than {}", word(name), type_name(value)));
+    *element = std::move(value);
+}
+
+void TokenStream::end_declaration(bool numeric)
+{
+    const bool mandatory = numeric && language_.version >= 350;
     if (peek_raw().kind != Kind::Semicolon) {
         if (mandatory) fail_expected_at(Token(ahead_), "';' at the end of the declaration");
+        if (numeric && language_.version >= 310) warn(place(ahead_), "the declaration before this should end in ';'");
         return;
     }
     raw_next();
@@ -93,10 +112,11 @@ void TokenStream::set_version()
     if (!(version <= 370.0)) fail(at, "this scene asks for a later version of the language than 3.7");
     language_.version = static_cast<int>(std::max(version, 0.0));
     language_.version_set = true;
+    if (peek_raw().kind != Kind::Semicolon) warn(at, "#version should end in ';'");
     end_declaration(false);
 }
 
-Cell TokenStream::subscripted(Cell cell, const Token& name, bool may_create)
+Cell TokenStream::subscripted(Cell cell, const Token& name, bool may_create, std::shared_ptr<Array>* innermost)
 {
     while (cell->get_if<std::shared_ptr<Array>>()) {
         if (peek_operator().kind != Kind::LeftSquare) break;
@@ -114,6 +134,7 @@ Cell TokenStream::subscripted(Cell cell, const Token& name, bool may_create)
             index = index * size + static_cast<std::size_t>(at);
         }
         cell = Cell(array, &array->elements[index]);
+        if (innermost) *innermost = array;
         if (!cell->set()) {
             if (may_create) return cell;
             fail(place(name), fmt::format("this element of '{}' has no value yet", word(name)));
@@ -153,7 +174,11 @@ Value TokenStream::read_value(Cell* by_reference)
 {
     const auto guard = nest();
     const Token& token = peek();
-    if (token.kind == Kind::Identifier) return read_identifier_value(by_reference);
+    if (token.kind == Kind::Identifier) {
+        if (language_.version < 350)  // a declared colour begins a colour, as in `C transmit 0.5`
+            if (const Value* value = value_of(token); value && kind_of(*value) == kind_of(Tuple{{}, 5})) return Tuple::of(color_expr(*this));
+        return read_identifier_value(by_reference);
+    }
     if (at_string(*this)) return string_expr(*this);
     if (lexical_class(token.kind) == LexicalClass::Color) return Tuple::of(color_expr(*this));
     if (at_expression(*this)) return untyped_expr(*this);
@@ -198,7 +223,8 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
             read_elements(array, dimension + 1, at);
         } else {
             Value value = read_value();
-            if (at > 0 && type_name(array.elements[0]) != type_name(value))
+            if (at == 0) array.kind = kind_of(value);
+            if (array.kind != kind_of(value))
                 fail(last(), fmt::format("the elements of this array are of type {}, this is {}",
                                          type_name(array.elements[0]), type_name(value)));
             array.elements[at++] = std::move(value);

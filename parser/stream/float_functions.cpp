@@ -1,4 +1,5 @@
 #include "parser/stream/operand.h"
+#include "parser/stream/text.h"
 
 #include <chrono>
 #include <cmath>
@@ -110,16 +111,16 @@ double string_function(TokenStream& stream, Kind kind)
 {
     const std::string a = string_expr(stream);
     switch (kind) {
-    case Kind::Asc: return a.empty() ? 0.0 : static_cast<unsigned char>(a[0]);
-    case Kind::Strlen: return static_cast<double>(a.size());
+    case Kind::Asc: return a.empty() ? 0.0 : units_of(a)[0];
+    case Kind::Strlen: return static_cast<double>(is_ascii(a) ? a.size() : units_of(a).size());
     case Kind::Val: return std::strtod(a.c_str(), nullptr);
     case Kind::FileExists: return stream.find_file(a, {}).empty() ? 0.0 : 1.0;
     default: {
         stream.accept_comma();
-        const std::string b = string_expr(stream);
-        for (std::size_t i = 0; i < a.size() || i < b.size(); ++i) {
-            const int p = i < a.size() ? static_cast<unsigned char>(a[i]) : 0;
-            const int q = i < b.size() ? static_cast<unsigned char>(b[i]) : 0;
+        const std::u16string left = units_of(a), right = units_of(string_expr(stream));
+        for (std::size_t i = 0; i < left.size() || i < right.size(); ++i) {
+            const int p = i < left.size() ? left[i] : 0;
+            const int q = i < right.size() ? right[i] : 0;
             if (p != q) return p - q;
         }
         return 0.0;

@@ -161,6 +161,8 @@ BodyReader::Value BodyReader::named(const Token& token)
 {
     stream_.next();
     Cell cell = stream_.symbols().find_cell(token.name);
+    if (!cell && token.name == stream_.declaring())
+        stream_.fail(stream_.place(token), fmt::format("function '{}' calls itself: functions cannot recurse", stream_.word(token)));
     if (!cell) stream_.fail_undeclared(token);
     if (cell->get_if<std::shared_ptr<Array>>()) cell = stream_.subscripted(cell, token, false);
     if (const Tuple* tuple = cell->get_if<Tuple>(); tuple && tuple->count == 1) return build_.constant(tuple->at[0]);
@@ -237,64 +239,6 @@ BodyReader::Value BodyReader::built_in(const Token& token)
     if (known->arguments == 1) return build_.unary(known->op, operands[0]);
     Value value = operands[0];
     for (std::size_t i = 1; i < operands.size(); ++i) value = build_.binary(known->op, value, operands[i]);
-    return value;
-}
-
-BodyReader::Value BodyReader::power(const Token& token, const std::vector<Value>& operands)
-{
-    if (operands.size() == 1) return operands[0];
-    if (operands.size() != 2) stream_.fail(stream_.place(token), "pow takes 2 arguments");
-    const Value e = operands[0];
-    const double n = build_.is_constant(operands[1]) ? build_.number(operands[1]) : -1.0;
-    const auto times = [&](Value a, Value b) { return build_.binary(Op::Multiply, a, b); };
-    if (n == 0.0) {
-        stream_.warn(stream_.place(token), "the power of zero is taken as 1");
-        return build_.constant(1.0);
-    }
-    if (!(n >= 2.0 && n <= 8.0 && n == std::floor(n))) return build_.binary(Op::Power, e, operands[1]);
-    const Value e2 = times(e, e);
-    if (n == 2.0) return e2;
-    if (n == 3.0) return times(e2, e);
-    const Value e4 = times(e2, e2);
-    if (n == 4.0) return e4;
-    if (n == 5.0) return times(e4, e);
-    if (n == 6.0) return times(e4, e2);
-    return n == 7.0 ? times(times(e4, e), e2) : times(e4, e4);
-}
-
-BodyReader::Value BodyReader::select(const Token& token)
-{
-    stream_.expect(Kind::LeftParen, "'(' and the function's arguments");
-    const Value condition = read();
-    std::vector<Value> branches;
-    while (branches.size() < 3 && (branches.size() < 2 || stream_.peek().kind == Kind::Comma)) {
-        comma();
-        build_.begin_branch(condition);
-        branches.push_back(build_.end_branch(read()));
-    }
-    if (stream_.peek().kind == Kind::Comma) stream_.fail(stream_.place(token), "select takes 3 or 4 arguments");
-    stream_.expect(Kind::RightParen, "')' after the function's arguments");
-    return build_.select(condition, branches);
-}
-
-/// sum(i, from, to, body): i is a name of its own while the body is read.
-BodyReader::Value BodyReader::loop(const Token& token)
-{
-    stream_.expect(Kind::LeftParen, "'(' and the counter's name");
-    const Token name = stream_.next();
-    if (name.kind != Kind::Identifier || stream_.value_of(name) || names_.contains(stream_.word(name)))
-        stream_.fail(stream_.place(name), "expected a new name for the counter");
-    const std::string word = stream_.word(name);
-    comma();
-    const Value from = read();
-    comma();
-    const Value to = read();
-    comma();
-    const Value counter = build_.begin_loop(from, to);
-    names_.emplace(word, counter);
-    const Value value = build_.end_loop(counter, read(), token.kind == Kind::Prod);
-    names_.erase(word);
-    stream_.expect(Kind::RightParen, "')' after the function's arguments");
     return value;
 }
 

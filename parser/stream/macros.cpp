@@ -14,6 +14,7 @@ constexpr std::size_t kDeepestCalls = 2000;
 
 void TokenStream::define_macro(std::uint32_t hash)
 {
+    if (language_.version < 310) fail(last(), "macros need #version 3.1 or later");
     const std::uint32_t end = file().tokens[hash].jump;
     const Token name = raw_next();
     if (name.kind != Kind::Identifier) fail_expected_at(name, "a name for the macro that is no reserved word");

@@ -1,4 +1,5 @@
 #include "parser/stream/operand.h"
+#include "parser/stream/text.h"
 
 #include <fmt/format.h>
 
@@ -13,14 +14,14 @@ namespace {
 /// C's %*.*f: width < 0 pads with zeros, precision < 0 means 6 decimals; very long numbers use %g.
 std::string number_text(double value, double width_wanted, double precision_wanted)
 {
-    constexpr int kLongest = 200;
-    const int width = std::clamp(to_int32(width_wanted), -kLongest, kLongest);
-    const int precision = precision_wanted < 0 ? 6 : std::clamp(to_int32(precision_wanted), 0, kLongest);
-    const char* form = width < 0 ? "%0*.*f" : "%*.*f";
-    char text[600];
-    int length = std::snprintf(text, sizeof text, form, std::abs(width), precision, value);
-    if (length >= 255) length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*g" : "%*.*g", std::abs(width), precision, value);
-    return std::string(text, static_cast<std::size_t>(std::clamp(length, 0, static_cast<int>(sizeof text) - 1)));
+    constexpr int kLongest = 255, kMost = 2 * kLongest;
+    const int width = std::clamp(to_int32(width_wanted), -kMost, kMost);
+    const int precision = precision_wanted < 0 ? 6 : std::clamp(to_int32(precision_wanted), 0, kMost);
+    char text[kLongest];
+    int length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*f" : "%*.*f", std::abs(width), precision, value);
+    if (length >= kLongest) length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*g" : "%*.*g", std::abs(width), precision, value);
+    if (length >= kLongest) return "<invalid>";
+    return std::string(text, static_cast<std::size_t>(length));
 }
 
 std::string read_vstr(TokenStream& stream)
@@ -49,10 +50,13 @@ std::string read_substr(TokenStream& stream, const Token& word)
     const int first = to_int32(float_expr(stream));
     stream.accept_comma();
     const int count = to_int32(float_expr(stream));
-    const auto size = static_cast<long>(text.size());
+    const bool plain = is_ascii(text);
+    const std::u16string units = plain ? std::u16string() : units_of(text);
+    const auto size = static_cast<long>(plain ? text.size() : units.size());
     if (first < 1 || count < 0 || static_cast<long>(first) + count - 1 > size)
         stream.fail(stream.place(word), fmt::format("substr reaches outside a text of {} characters", size));
-    return text.substr(static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
+    const auto begin = static_cast<std::size_t>(first - 1), length = static_cast<std::size_t>(count);
+    return plain ? text.substr(begin, length) : from_units(units.substr(begin, length));
 }
 
 std::string read_datetime(TokenStream& stream, const Token& word)
@@ -77,11 +81,8 @@ std::string read_function(TokenStream& stream, const Token& word)
 {
     switch (word.kind) {
     case Kind::Concat: {
-        std::string text;
-        do {
-            text += string_expr(stream);
-            stream.accept_comma();
-        } while (stream.peek().kind != Kind::RightParen);
+        std::string text = string_expr(stream);
+        while (stream.accept_comma() || at_string(stream)) text += string_expr(stream);
         return text;
     }
     case Kind::Chr: {
@@ -89,7 +90,7 @@ std::string read_function(TokenStream& stream, const Token& word)
         if (!(code >= 0.0 && code < 65536.0)) stream.fail(stream.place(word), "chr of a number outside 0 to 65535");
         const auto unit = static_cast<unsigned>(code);
         if (unit == 0) return {};
-        return std::string(1, unit < 256 ? static_cast<char>(unit) : ' ');
+        return from_units(std::u16string(1, static_cast<char16_t>(unit)));
     }
     case Kind::Str: {
         const double value = float_expr(stream);
@@ -103,6 +104,7 @@ std::string read_function(TokenStream& stream, const Token& word)
     case Kind::Datetime: return read_datetime(stream, word);
     default: {
         std::string text = string_expr(stream);
+        if (!is_ascii(text)) stream.warn(stream.place(word), "only letters of ASCII change their case");
         for (char& c : text) {
             if (word.kind == Kind::Strupr && c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
             if (word.kind == Kind::Strlwr && c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
@@ -162,25 +164,38 @@ std::string path_expr(TokenStream& stream)
 std::string TokenStream::string_text(const Token& token, bool path)
 {
     const std::string& raw = files_[token.file]->strings[token.name];
-    if (path || raw.find('\\') == std::string::npos) return raw;
-    std::string text;
+    if (path) return raw;
+    if (language_.charset == Charset::System) fail(place(token), "texts in the charset 'sys' cannot be read here");
+    const bool plain = is_ascii(raw);
+    if (plain && raw.find('\\') == std::string::npos) return raw;
+    if (!plain && language_.charset == Charset::Ascii && language_.version >= 350)
+        warn(place(token), "characters outside of ASCII are taken as blanks; see 'charset' in global_settings");
+
+    std::string text, bytes;  // bytes: up to the next escape, not yet in the form of texts
+    const auto finish_bytes = [&] {
+        if (language_.charset == Charset::Utf8) text += from_utf8_bytes(bytes);
+        else text += language_.version < 350 ? from_latin1(bytes) : printed(from_latin1(bytes), language_.version);
+        bytes.clear();
+    };
     for (std::size_t i = 0; i < raw.size(); ++i) {
         if (raw[i] != '\\' || i + 1 == raw.size()) {
-            text += raw[i];
+            bytes += raw[i];
             continue;
         }
+        finish_bytes();
         const char c = raw[++i];
         if (c == 'u') {
             if (i + 4 >= raw.size()) fail(place(token), "\\u needs four hexadecimal digits");
             const unsigned long code = std::strtoul(raw.substr(i + 1, 4).c_str(), nullptr, 16);
-            text += code < 256 ? static_cast<char>(code) : ' ';
+            text += from_units(std::u16string(1, static_cast<char16_t>(code)));
             i += 4;
             continue;
         }
-        const char plain = escaped(c);
-        if (plain == 0) fail(place(token), fmt::format("'\\{}' means nothing in a text", c));
-        text += plain;
+        const char plain_char = escaped(c);
+        if (plain_char == 0) fail(place(token), fmt::format("'\\{}' means nothing in a text", c));
+        text += plain_char;
     }
+    finish_bytes();
     return text;
 }
 

@@ -93,6 +93,7 @@ void TokenStream::fetch()
                     call_macro(token, std::shared_ptr<const Macro>(*macro));
                     break;
                 }
+            if (!deprecated_.empty()) warn_deprecated(token);
             [[fallthrough]];
         default:
             ahead_ = token;
@@ -153,6 +154,12 @@ void TokenStream::execute_directive()
     last_ = word;
     if (!execute(word.kind, hash)) --cursors_.back().position;  // `#sphere` means `sphere`
     raw_operators_ = raw;
+}
+
+void TokenStream::bare_directive(const Token& token)
+{
+    if (language_.version >= 350) warn(place(token), fmt::format("'{}' should have a '#' before it", word(token)));
+    execute(token.kind, 0);
 }
 
 bool TokenStream::execute(Kind word, std::uint32_t hash)

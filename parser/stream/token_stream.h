@@ -22,6 +22,12 @@ struct Macro {
     std::uint32_t begin = 0, end = 0;  ///< tokens of the body; end is the Hash of its `#end`
 };
 
+/// `#declare deprecated [once] ["message"] NAME`: what a use of the name is told.
+struct Deprecation {
+    bool once = false;
+    std::string message;
+};
+
 /// global_settings { charset }: what bytes above 127 in a text mean.
 enum class Charset : std::uint8_t { Ascii, Utf8, System };
 
@@ -64,6 +70,7 @@ public:
     scene::SourceRef here();                          ///< of the token that peek() shows
     scene::SourceRef last() const;                    ///< of the token taken last
     scene::SourceRef place(const Token& token) const;
+    const Token& taken_last() const { return last_; }
     [[noreturn]] void fail(const scene::SourceRef& at, std::string_view text);
     [[noreturn]] void fail_expected(std::string_view what);  ///< "expected <what>, found '<peek()>'" at peek()
     void warn(const scene::SourceRef& at, std::string_view text);
@@ -113,12 +120,16 @@ public:
     const Token& peek_operator() { return raw_operators_ ? peek_raw() : peek(); }
     /// Subscripts after an identifier just taken whose value is an array: the element's cell (the array's own cell if
     /// no `[` follows). `may_create`: an unset element is not an error.
-    Cell subscripted(Cell cell, const Token& name, bool may_create);
+    Cell subscripted(Cell cell, const Token& name, bool may_create, std::shared_ptr<Array>* innermost = nullptr);
     /// A value of any kind: right-hand side, macro argument, array element. `by_reference` is set to the cell if the
     /// text was one identifier and nothing else.
     Value read_value(Cell* by_reference = nullptr);
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
+    /// The name that a running declaration will create: a function that names it calls itself.
+    std::uint32_t declaring() const { return declaring_; }
+    /// `declare`, `include` or `version` without its '#', already taken: warns and does it.
+    void bare_directive(const Token& word);
 
 private:
     struct Cursor {
@@ -180,10 +191,12 @@ private:
 
     // declarations.cpp
     void declare(bool local);
-    void assign(const Cell& target, Value value, const Token& name, bool element, const Cell& whole);
+    void set_element(Array& array, const Cell& element, Value value, const Token& name);
+    Deprecation read_deprecation();
+    void warn_deprecated(const Token& name);
     void undefine();
     void set_version();
-    void end_declaration(bool mandatory);
+    void end_declaration(bool numeric);
     Value read_identifier_value(Cell* by_reference);
     std::shared_ptr<Array> read_array();
     void read_elements(Array& array, std::size_t dimension, std::size_t& at);
@@ -224,6 +237,8 @@ private:
     std::uint64_t left_ = 0;               ///< tokens until Options::most_tokens
     int nesting_ = 0;
     LanguageState language_;
+    std::uint32_t declaring_ = kNoIndex;
+    std::unordered_map<std::uint32_t, Deprecation> deprecated_;
     std::vector<std::uint32_t> random_streams_;
     std::vector<Message> messages_;
     Statistics statistics_;

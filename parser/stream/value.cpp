@@ -22,12 +22,19 @@ std::string_view type_name(const Value& value)
     return kNames[value.index()];
 }
 
+std::uint32_t kind_of(const Value& value)
+{
+    const auto* tuple = value.get_if<Tuple>();
+    return static_cast<std::uint32_t>(value.index()) * 8 + static_cast<std::uint32_t>(tuple ? tuple->count : 0);
+}
+
 Value deep_copy(const Value& value)
 {
     const auto* array = value.get_if<std::shared_ptr<Array>>();
     if (!array) return value;
     auto copy = std::make_shared<Array>();
     copy->sizes = (*array)->sizes;
+    copy->kind = (*array)->kind;
     copy->elements.reserve((*array)->elements.size());
     for (const Value& element : (*array)->elements) copy->elements.push_back(deep_copy(element));
     return copy;

@@ -31,6 +31,7 @@ struct Value;
 struct Array {
     std::vector<std::uint32_t> sizes;
     std::vector<Value> elements;
+    std::uint32_t kind = 0;  ///< kind_of() the first element that was assigned; it binds all later ones
 };
 
 /// `material { }`: what an object gets at once.
@@ -75,6 +76,9 @@ using Cell = std::shared_ptr<Value>;
 
 /// "float", "vector", "color", "texture", ... for messages.
 std::string_view type_name(const Value& value);
+
+/// Tells types apart as arrays do: vectors of different lengths are different. 0: never set.
+std::uint32_t kind_of(const Value& value);
 
 /// A copy that shares no array with the original.
 Value deep_copy(const Value& value);

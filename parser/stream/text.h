@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Texts of the scene language are sequences of 16-bit units (spec of the language 1.5). They are kept as UTF-8, a lone
+/// surrogate in three bytes, so that plain ASCII costs nothing.
+namespace parser {
+
+bool is_ascii(std::string_view text);
+std::u16string units_of(std::string_view text);
+std::string from_units(std::u16string_view units);
+/// Bytes that a file holds, read as UTF-8: what lies above the 16-bit units or is malformed becomes U+FFFD.
+std::string from_utf8_bytes(std::string_view bytes);
+/// Each byte is one unit.
+std::string from_latin1(std::string_view bytes);
+/// How a text leaves the program: units above 127 become blanks, before version 3.5 their low byte.
+std::string printed(std::string text, int version);
+
+}  // namespace parser
