@@ -68,7 +68,10 @@ public:
         std::array<Piece, kMostCuts> cuts;
         std::uint32_t count = 0;
         if (!gather(ray, cuts, count)) return false;
-        std::array<std::pair<double, double>, 2 * kMostCuts + 2> ends;   // t and code
+        struct End {
+            double t, code;
+        };
+        std::array<End, 2 * kMostCuts> ends;
         std::uint32_t ended = 0;
         const double in = in_[ray], out = out_[ray];
         bool enters = in > -kInfinity, leaves = out < kInfinity;
@@ -83,7 +86,7 @@ public:
             first = last;
         }
         if (enters) emit(in, LeafEnd(in_end_[ray]));
-        for (std::uint32_t i = 0; i < ended; ++i) emit(ends[i].first, LeafEnd(ends[i].second));
+        for (std::uint32_t i = 0; i < ended; ++i) emit(ends[i].t, LeafEnd(ends[i].code));
         if (leaves) emit(out, LeafEnd(out_end_[ray]));
         return true;
     }

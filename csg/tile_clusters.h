@@ -7,11 +7,53 @@
 
 namespace csg {
 
-/// A tile's shadow rays by distance from the light, cut where there is a gap: what lies on one object makes a slimmer
-/// beam than foreground and background together.
+/// A tile's rays in parts that make slimmer beams.
 class TileClusters {
 public:
-    explicit TileClusters(const RayTile& rays)
+    /// By the octant that they point to: each is narrow enough for a beam.
+    static TileClusters by_direction(const RayTile& rays)
+    {
+        TileClusters out;
+        std::array<std::uint8_t, 8> cluster;
+        cluster.fill(kNone);
+        out.size_ = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i) {
+            const unsigned octant = (rays.dx[i] < 0.0 ? 1u : 0u) | (rays.dy[i] < 0.0 ? 2u : 0u) | (rays.dz[i] < 0.0 ? 4u : 0u);
+            if (cluster[octant] == kNone) cluster[octant] = static_cast<std::uint8_t>(out.size_++);
+            out.of_ray_[i] = cluster[octant];
+        }
+        return out;
+    }
+
+    /// Shadow rays by distance from the light, cut where there is a gap: what lies on one object makes a slimmer beam than
+    /// foreground and background together.
+    static TileClusters by_distance(const RayTile& rays)
+    {
+        TileClusters out;
+        out.cut_at_gaps(rays);
+        return out;
+    }
+
+    int size() const { return size_; }
+
+    /// Copies the rays of cluster c; `index` receives where they stood.
+    void part(const RayTile& rays, int c, RayTile& out, std::uint8_t (&index)[kTileRays]) const
+    {
+        out.count = 0;
+        out.common_origin = rays.common_origin;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i) {
+            if (of_ray_[i] != c) continue;
+            const auto k = static_cast<std::size_t>(out.count++);
+            index[k] = static_cast<std::uint8_t>(i);
+            out.ox[k] = rays.ox[i], out.oy[k] = rays.oy[i], out.oz[k] = rays.oz[i];
+            out.dx[k] = rays.dx[i], out.dy[k] = rays.dy[i], out.dz[k] = rays.dz[i];
+            out.t_min[k] = rays.t_min[i];
+            out.t_max[k] = rays.t_max[i];
+        }
+    }
+
+private:
+    void cut_at_gaps(const RayTile& rays)
     {
         const auto count = static_cast<std::size_t>(rays.count);
         double least = kInfinity, most = -kInfinity;
@@ -41,25 +83,7 @@ public:
         for (std::size_t i = 0; i < count; ++i) of_ray_[i] = cluster[bin[i]];
     }
 
-    int size() const { return size_; }
-
-    /// Copies the rays of cluster c; `index` receives where they stood.
-    void part(const RayTile& rays, int c, RayTile& out, std::uint8_t (&index)[kTileRays]) const
-    {
-        out.count = 0;
-        out.common_origin = rays.common_origin;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i) {
-            if (of_ray_[i] != c) continue;
-            const auto k = static_cast<std::size_t>(out.count++);
-            index[k] = static_cast<std::uint8_t>(i);
-            out.ox[k] = rays.ox[i], out.oy[k] = rays.oy[i], out.oz[k] = rays.oz[i];
-            out.dx[k] = rays.dx[i], out.dy[k] = rays.dy[i], out.dz[k] = rays.dz[i];
-            out.t_min[k] = rays.t_min[i];
-            out.t_max[k] = rays.t_max[i];
-        }
-    }
-
-private:
+    static constexpr std::uint8_t kNone = 0xff;
     static constexpr int kBins = 16, kGap = 6;   ///< of the whole range, and how many empty ones are a gap
     static constexpr int kFewest = 16;
     int size_ = 1;

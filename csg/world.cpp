@@ -184,6 +184,8 @@ void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out)
     }
 }
 
+bool World::seen_by_all(std::uint8_t kinds) const { return (data_->visible_everywhere & kinds) == kinds; }
+
 void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
 {
     const auto answered = [&](auto&& lanes) {
@@ -193,15 +195,28 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
         return true;
     };
     if (in_lanes(rays, answered)) return;
-    for (int i = 0; i < rays.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        out.set(i, nearest(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
+    // Too far apart for one beam: perhaps not for several.
+    const TileClusters clusters = rays.count < 2 * kFewestForBeam ? TileClusters() : TileClusters::by_direction(rays);
+    if (clusters.size() == 1) {
+        for (int i = 0; i < rays.count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            out.set(i, nearest(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
+        }
+        return;
+    }
+    RayTile part;
+    HitTile found;
+    std::uint8_t place[kTileRays];
+    for (int c = 0; c < clusters.size(); ++c) {
+        clusters.part(rays, c, part, place);
+        nearest(part, kind_bit, scratch, found);
+        for (int i = 0; i < part.count; ++i) out.set(place[i], found.at(i));
     }
 }
 
 void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
 {
-    const TileClusters clusters(rays);
+    const TileClusters clusters = TileClusters::by_distance(rays);
     if (clusters.size() == 1) {
         shadow_of_cluster(*this, *data_, rays, scratch, out);
         return;
@@ -218,7 +233,7 @@ void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
 
 void World::shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile& out) const
 {
-    const TileClusters clusters(rays);
+    const TileClusters clusters = TileClusters::by_distance(rays);
     if (clusters.size() == 1) {
         crossings_of_cluster(*this, *data_, rays, scratch, out);
         return;

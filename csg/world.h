@@ -34,6 +34,9 @@ public:
     /// Indices (Surface::object, in order of declaration) of the top-level objects whose solid holds the point.
     void containing(const glm::dvec3& point, std::vector<std::uint32_t>& out) const;
 
+    /// Whether rays of all these kinds see every object.
+    bool seen_by_all(std::uint8_t kinds) const;
+
     /// nearest() for a tile: rays i < count, with their own t_min and t_max. Same answers, bit for bit, as one by one.
     void nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const;
 

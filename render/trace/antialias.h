@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/plan/compiled_scene.h"
+#include "render/trace/blocks.h"
 #include "render/scene/color.h"
 
 #include <glm/glm.hpp>
@@ -32,11 +32,6 @@ struct SampleTracer {
     {
         trace_few(context, positions, count, out);
     }
-};
-
-/// A block of pixels: columns [left, left + width), rows [top, top + height).
-struct Block {
-    int left = 0, top = 0, width = 0, height = 0;
 };
 
 /// Working storage of one thread; reused from block to block.

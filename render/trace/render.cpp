@@ -27,21 +27,6 @@ struct Worker {
     std::vector<scene::Color> colors;
 };
 
-/// Blocks tile the render window from its top left corner (spec 2, section 9).
-std::vector<Block> blocks_of(const plan::Options& options)
-{
-    const int right = options.end_column < 0 ? options.width - 1 : options.end_column;
-    const int bottom = options.end_row < 0 ? options.height - 1 : options.end_row;
-    const int width = right - options.start_column + 1, height = bottom - options.start_row + 1;
-    const int side = std::max(1, std::min(options.block_size, std::max(width, height)));
-    std::vector<Block> blocks;
-    for (int top = 0; top < height; top += side)
-        for (int left = 0; left < width; left += side)
-            blocks.push_back({options.start_column + left, options.start_row + top, std::min(side, width - left),
-                              std::min(side, height - top)});
-    return blocks;
-}
-
 void store(const Block& block, const std::vector<scene::Color>& colors, image::Image& image)
 {
     const scene::Color* color = colors.data();
@@ -57,6 +42,20 @@ void store(const Block& block, const std::vector<scene::Color>& colors, image::I
 
 }  // namespace
 
+std::vector<Block> blocks_of(const plan::Options& options)
+{
+    const int right = options.end_column < 0 ? options.width - 1 : options.end_column;
+    const int bottom = options.end_row < 0 ? options.height - 1 : options.end_row;
+    const int width = right - options.start_column + 1, height = bottom - options.start_row + 1;
+    const int side = std::max(1, std::min(options.block_size, std::max(width, height)));
+    std::vector<Block> blocks;
+    for (int top = 0; top < height; top += side)
+        for (int left = 0; left < width; left += side)
+            blocks.push_back({options.start_column + left, options.start_row + top, std::min(side, width - left),
+                              std::min(side, height - top)});
+    return blocks;
+}
+
 void prepare(Isa isa, int threads)
 {
     load_kernel(isa);
@@ -71,7 +70,8 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
     const auto start = std::chrono::steady_clock::now();
     image.width = scene.options.width;
     image.height = scene.options.height;
-    image.pixels.assign(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), 0.0f);
+    const std::size_t samples = 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (options.done.empty() || image.pixels.size() != samples) image.pixels.assign(samples, 0.0f);
 
     const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
@@ -80,7 +80,8 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
     });
 
     const std::vector<Block> blocks = blocks_of(scene.options);
-    std::atomic<std::size_t> done = 0;
+    const bool has_done = options.done.size() == blocks.size();
+    std::atomic<std::size_t> done = static_cast<std::size_t>(has_done ? std::count(options.done.begin(), options.done.end(), true) : 0);
     std::atomic<bool> stopped = false;
     tbb::task_arena arena(threads);
     arena.execute([&] {
@@ -89,11 +90,13 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
                 stopped = true;
                 return;
             }
+            if (has_done && options.done[i]) return;
             Worker& worker = workers.local();
             const Block& block = blocks[i];
             worker.colors.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
             kernel.trace(*worker.tracer, block, worker.colors.data());
             store(block, worker.colors, image);
+            if (options.finished) options.finished(i);
             const std::size_t finished = ++done;
             if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(blocks.size()));
         });

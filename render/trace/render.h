@@ -2,6 +2,7 @@
 
 #include "render/image/image.h"
 #include "render/plan/compiled_scene.h"
+#include "render/trace/blocks.h"
 #include "render/trace/scratch.h"
 
 #include <atomic>
@@ -19,6 +20,10 @@ struct RenderOptions {
     /// Called now and then from any thread with the share of blocks done in [0, 1]; may be empty.
     std::function<void(double)> progress;
     const std::atomic<bool>* cancel = nullptr;    ///< set to true to stop early
+    /// By number of blocks_of(): true for those that the picture handed in holds already; empty: it holds none.
+    std::vector<bool> done;
+    /// Called from any thread with the number of a block that has just been put into the picture; may be empty.
+    std::function<void(std::size_t)> finished;
 };
 
 struct RenderStatistics {
@@ -30,7 +35,7 @@ struct RenderStatistics {
 };
 
 /// Traces the picture: same bytes for any number of threads and any instruction set.
-/// Pixels outside the window of plan::Options stay black and opaque. Throws std::runtime_error if the kernel module
+/// `image` is made anew unless some blocks are done. Pixels outside the window of plan::Options stay black and opaque. Throws std::runtime_error if the kernel module
 /// for the asked instruction set is missing or the processor cannot run it.
 RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image);
 

@@ -23,7 +23,7 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     wave.end_tile(first);
 }
 
-/// Hits of waiting rays, which are of one kind: as a beam if they come from one point, one by one otherwise.
+/// Hits of waiting rays, which are of one kind or of kinds that see the same: as a beam if they come from one point, one by one otherwise.
 void trace_waiting(Context& context, const WaitingRay* waiting, int count)
 {
     ShadeScratch& scratch = context.scratch.shade;
@@ -48,11 +48,25 @@ void trace_waiting(Context& context, const WaitingRay* waiting, int count)
     }
 }
 
+/// Makes one of the last batches while they are small: few rays make a poor beam.
+void join_small_batches(const Context& context, Wave& wave)
+{
+    constexpr std::size_t kSmall = 16;
+    const auto kind = [&](std::size_t batch) { return bit(wave.rays[wave.batches[batch]].state.kind); };
+    for (std::size_t last = wave.batches.size() - 1; last > 0; --last) {
+        if (wave.rays.size() - wave.batches[last] >= kSmall || wave.rays.size() - wave.batches[last - 1] > kTileRays) return;
+        const std::uint8_t both = kind(last) | kind(last - 1);
+        if (kind(last) != kind(last - 1) && !context.world.seen_by_all(both)) return;
+        wave.batches.pop_back();
+    }
+}
+
 /// The batch of rays that waits last: traced and shaded, up to a tile of them.
 void shade_waiting(Context& context, const RayState& camera)
 {
     ShadeScratch& scratch = context.scratch.shade;
     Wave& wave = scratch.wave;
+    join_small_batches(context, wave);
     const std::size_t begin = wave.batches.back();
     const std::size_t count = std::min<std::size_t>(wave.rays.size() - begin, kTileRays), first = wave.rays.size() - count;
     std::copy_n(wave.rays.begin() + static_cast<std::ptrdiff_t>(first), count, scratch.waiting.begin());
