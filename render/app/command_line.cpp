@@ -2,6 +2,7 @@
 
 #include "render/app/ini_file.h"
 #include "render/app/option_table.h"
+#include "render/app/own_options.h"
 #include "render/app/switch_table.h"
 #include "render/app/text.h"
 
@@ -15,21 +16,6 @@ bool is_file(const std::string& name)
 {
     std::error_code ignored;
     return std::filesystem::is_regular_file(name, ignored);
-}
-
-/// Whittle's own options. False if the word is none of them.
-bool apply_own_option(Settings& settings, const std::string& word)
-{
-    using Dump = Settings::Dump;
-    if (word == "--explain") settings.explain = true;
-    else if (word == "--parse-only") settings.parse_only = true;
-    else if (word == "--dump=tokens") settings.dump = Dump::Tokens;
-    else if (word == "--dump=scene") settings.dump = Dump::Scene;
-    else if (word == "--dump=plan") settings.dump = Dump::Plan;
-    else if (word == "--isa=v2" || word == "--isa=v3" || word == "--isa=v4") settings.isa = word.substr(6);
-    else if (word == "--isa=auto") settings.isa.clear();
-    else return false;
-    return true;
 }
 
 bool is_keyword_with_value(const std::string& word)
@@ -70,14 +56,14 @@ void apply_word(Settings& settings, const std::string& word)
 {
     if (word.empty()) return;
     if (word.starts_with("--")) {
-        if (!apply_own_option(settings, word)) throw OptionError("unknown option '" + word + "'");
+        apply_own_option(settings, word, nullptr);
     } else if ((word[0] == '+' || word[0] == '-') && !(ends_with_text(word, ".pov") && is_file(word))) {
         apply_switch(settings, word);
     } else if (is_keyword_with_value(word)) {
         const std::size_t equals = word.find('=');
         set_option(settings, word.substr(0, equals), word.substr(equals + 1));
     } else if (ends_with_text(word, ".pov")) {
-        settings.input_file = word;
+        set_option(settings, "Input_File_Name", word);
     } else if (word.back() == '/') {
         set_option(settings, "Library_Path", word);
     } else if (same_text(word, "/EXIT")) {
@@ -86,18 +72,22 @@ void apply_word(Settings& settings, const std::string& word)
         throw OptionError("unknown option '" + word.substr(0, word.find('=')) + "'");
     } else if (!read_ini_file(settings, word)) {
         if (!is_file(word + ".pov")) throw OptionError("no INI file or scene is called '" + word + "'");
-        settings.input_file = word + ".pov";
+        set_option(settings, "Input_File_Name", word + ".pov");
     }
 }
 
 void apply_command_line(Settings& settings, const std::vector<std::string>& arguments)
 {
-    for (const std::string& argument : arguments) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& argument = arguments[i];
         if (is_file(argument) && ends_with_text(argument, ".pov")) {
-            settings.input_file = argument;  // a name with blanks is one name if there is such a file
-            continue;
+            set_option(settings, "Input_File_Name", argument);  // a name with blanks is one name if there is such a file
+        } else if (argument.starts_with("--")) {
+            const bool has_next = i + 1 < arguments.size();
+            if (apply_own_option(settings, argument, has_next ? &arguments[i + 1] : nullptr)) ++i;
+        } else {
+            for (const std::string& word : words_of(argument)) apply_word(settings, word);
         }
-        for (const std::string& word : words_of(argument)) apply_word(settings, word);
     }
 }
 

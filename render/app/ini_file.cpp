@@ -5,6 +5,7 @@
 #include "render/app/option_table.h"
 #include "render/app/text.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -143,6 +144,7 @@ bool read_path(Settings& settings, const std::string& path, const std::string& s
     std::ostringstream text;
     text << in.rdbuf();
     if (!in) return false;
+    if (std::find(settings.ini_files.begin(), settings.ini_files.end(), path) == settings.ini_files.end()) settings.ini_files.push_back(path);
     apply_ini_text(settings, text.str(), section, path);
     return true;
 }

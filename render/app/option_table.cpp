@@ -12,14 +12,6 @@ namespace app {
 
 namespace {
 
-image::FileType file_type_of(char letter)
-{
-    constexpr std::string_view kLetters = "NPTCJBEH";
-    const char upper = upper_case(letter);
-    if (kLetters.find(upper) == std::string_view::npos) throw OptionError(std::string("unknown output file type '") + letter + "'");
-    return static_cast<image::FileType>(upper);
-}
-
 /// Declare=name=value: single precision, then six significant digits (spec 1, 18.5). The first declaration wins.
 void declare(Settings& settings, const Value& value)
 {
@@ -100,143 +92,118 @@ void include_ini(Settings& s, const Value& v)
 
 /// Every keyword of POV-Ray 3.7 (spec 1, data/01-options.csv), in alphabetical order.
 constexpr Option kOptions[] = {
-    {"All_Console", kFlag, State::Acts, set<&Settings::all_console>},
-    {"All_File", kText, State::Acts, set<&Settings::all_file>},
-    {"Antialias", kFlag, State::Acts, set<&Settings::antialias>},
-    {"Antialias_Depth", kInteger, State::Acts, set_within<&Settings::antialias_depth, 1, 9>},
-    {"Antialias_Gamma", kNumber, State::Acts, set<&Settings::antialias_gamma>},
-    {"Antialias_Threshold", kNumber, State::Acts, set_within<&Settings::antialias_threshold, 0, 1>},
-    {"Append_File", kFlag, State::Acts, set<&Settings::append_file>},
-    {"Bits_Per_Color", kInteger, State::Acts, set<&Settings::bits_per_color>},
-    {"Bits_Per_Colour", kInteger, State::Acts, set<&Settings::bits_per_color>},
-    {"Bounding", kFlag, State::Settled, nullptr},
-    {"Bounding_Method", kInteger, State::Settled, nullptr},
-    {"Bounding_Threshold", kInteger, State::Settled, nullptr},
-    {"BSP_BaseAccessCost", kNumber, State::Settled, nullptr},
-    {"BSP_ChildAccessCost", kNumber, State::Settled, nullptr},
-    {"BSP_ISectCost", kNumber, State::Settled, nullptr},
-    {"BSP_MaxDepth", kInteger, State::Settled, nullptr},
-    {"BSP_MissChance", kNumber, State::Settled, nullptr},
-    {"Buffer_Output", kText, State::Obsolete, nullptr},
-    {"Buffer_Size", kText, State::Obsolete, nullptr},
-    {"Clock", kNumber, State::Acts, [](Settings& s, const Value& v) { s.clock = static_cast<float>(v.number); }},
-    {"Clockless_Animation", kFlag, State::NotYet, nullptr},
-    {"Compression", kInteger, State::Acts, set_within<&Settings::compression, 0, 100>},
-    {"Continue_Trace", kFlag, State::Acts, set<&Settings::continue_trace>},
-    {"Create_Histogram", kText, State::Obsolete, nullptr},
-    {"Create_Ini", kText, State::NotYet, nullptr},
-    {"Cyclic_Animation", kFlag, State::Acts, set<&Settings::cyclic>},
-    {"Debug_Console", kFlag, State::Acts, set<&Settings::debug_console>},
-    {"Debug_File", kText, State::Acts, set<&Settings::debug_file>},
-    {"Declare", kText, State::Acts, declare},
-    {"Display", kFlag, State::Settled, nullptr},
-    {"Display_Gamma", kGamma, State::Acts, set<&Settings::display_gamma>},
-    {"Dither", kFlag, State::NotYet, nullptr},
-    {"Dither_Method", kText, State::NotYet, nullptr},
-    {"Draw_Vistas", kFlag, State::Settled, nullptr},
-    {"End_Column", kNumber, State::Acts, set<&Settings::end_column>},
-    {"End_Row", kNumber, State::Acts, set<&Settings::end_row>},
-    {"Fatal_Console", kFlag, State::Acts, set<&Settings::fatal_console>},
-    {"Fatal_Error_Command", kText, State::NotYet, nullptr},
-    {"Fatal_Error_Return", kText, State::NotYet, nullptr},
-    {"Fatal_File", kText, State::Acts, set<&Settings::fatal_file>},
-    {"Field_Render", kFlag, State::Settled, nullptr},
-    {"File_Gamma", kGamma, State::Acts, set<&Settings::file_gamma>},
-    {"Final_Clock", kNumber, State::Acts, set<&Settings::final_clock>},
-    {"Final_Frame", kInteger, State::Acts, set<&Settings::final_frame>},
-    {"Frame_Step", kInteger, State::Acts, set<&Settings::frame_step>},
-    {"Grayscale_Output", kFlag, State::Acts, set<&Settings::greyscale>},
-    {"Height", kInteger, State::Acts, [](Settings& s, const Value& v) { set_size(s.height, v.integer, "the height"); }},
-    {"High_Reproducibility", kFlag, State::Settled, nullptr},
-    {"Histogram_Grid_Size", kText, State::Obsolete, nullptr},
-    {"Histogram_Name", kText, State::Obsolete, nullptr},
-    {"Histogram_Type", kText, State::Obsolete, nullptr},
-    {"Include_Header", kText, State::Acts, set<&Settings::include_header>},
-    {"Include_Ini", kText, State::Acts, include_ini},
-    {"Initial_Clock", kNumber, State::Acts, set<&Settings::initial_clock>},
-    {"Initial_Frame", kInteger, State::Acts, set<&Settings::initial_frame>},
-    {"Input_File_Name", kText, State::Acts, set<&Settings::input_file>},
-    {"Jitter", kFlag, State::Acts, set<&Settings::jitter>},
-    {"Jitter_Amount", kNumber, State::Acts, set_within<&Settings::jitter_amount, 0, 1>},
-    {"Library_Path", kText, State::Acts, add_library_path},
-    {"Light_Buffer", kFlag, State::Settled, nullptr},
-    {"Max_Image_Buffer_Memory", kInteger, State::Settled, nullptr},
-    {"Odd_Field", kFlag, State::Settled, nullptr},
-    {"Output_Alpha", kFlag, State::Acts, set<&Settings::alpha>},
-    {"Output_File_Name", kText, State::Acts, set<&Settings::output_file>},
-    {"Output_File_Type", kText, State::Acts, set_file_type},
-    {"Output_To_File", kFlag, State::Acts, set<&Settings::output_to_file>},
-    {"Palette", kText, State::Settled, nullptr},
-    {"Pause_When_Done", kFlag, State::Settled, nullptr},
-    {"Post_Frame_Command", kText, State::NotYet, nullptr},
-    {"Post_Frame_Return", kText, State::NotYet, nullptr},
-    {"Post_Scene_Command", kText, State::NotYet, nullptr},
-    {"Post_Scene_Return", kText, State::NotYet, nullptr},
-    {"Pre_Frame_Command", kText, State::NotYet, nullptr},
-    {"Pre_Frame_Return", kText, State::NotYet, nullptr},
-    {"Pre_Scene_Command", kText, State::NotYet, nullptr},
-    {"Pre_Scene_Return", kText, State::NotYet, nullptr},
-    {"Preview_End_Size", kInteger, State::Settled, nullptr},
-    {"Preview_Start_Size", kInteger, State::Settled, nullptr},
-    {"Quality", kInteger, State::Acts, set_within<&Settings::quality, 0, 11>},
-    {"Radiosity_File_Name", kText, State::NotYet, nullptr},
-    {"Radiosity_From_File", kFlag, State::NotYet, nullptr},
-    {"Radiosity_To_File", kFlag, State::NotYet, nullptr},
-    {"Radiosity_Vain_Pretrace", kFlag, State::NotYet, nullptr},
-    {"Real_Time_Raytracing", kFlag, State::NotYet, nullptr},
-    {"Remove_Bounds", kFlag, State::Settled, nullptr},
-    {"Render_Block_Size", kInteger, State::Acts, set_block_size},
-    {"Render_Block_Step", kInteger, State::Settled, nullptr},
-    {"Render_Console", kFlag, State::Acts, set<&Settings::render_console>},
-    {"Render_File", kText, State::Acts, set<&Settings::render_file>},
-    {"Render_Pattern", kInteger, State::Settled, nullptr},
-    {"Sampling_Method", kInteger, State::Acts, set_within<&Settings::sampling_method, 0, 2>},
-    {"Split_Unions", kFlag, State::Acts, set<&Settings::split_unions>},
-    {"Start_Column", kNumber, State::Acts, set<&Settings::start_column>},
-    {"Start_Row", kNumber, State::Acts, set<&Settings::start_row>},
-    {"Statistic_Console", kFlag, State::Acts, set<&Settings::statistic_console>},
-    {"Statistic_File", kText, State::Acts, set<&Settings::statistic_file>},
-    {"Subset_End_Frame", kNumber, State::Acts, set<&Settings::subset_end_frame>},
-    {"Subset_Start_Frame", kNumber, State::Acts, set<&Settings::subset_start_frame>},
-    {"Test_Abort", kFlag, State::Settled, nullptr},
-    {"Test_Abort_Count", kInteger, State::Settled, nullptr},
-    {"User_Abort_Command", kText, State::NotYet, nullptr},
-    {"User_Abort_Return", kText, State::NotYet, nullptr},
-    {"Verbose", kFlag, State::Acts, set<&Settings::verbose>},
-    {"Version", kNumber, State::Acts, set_version},
-    {"Video_Mode", kText, State::Settled, nullptr},
-    {"Vista_Buffer", kFlag, State::Settled, nullptr},
-    {"Warning_Console", kFlag, State::Acts, set<&Settings::warning_console>},
-    {"Warning_File", kText, State::Acts, set<&Settings::warning_file>},
-    {"Warning_Level", kInteger, State::Settled, nullptr},
-    {"Width", kInteger, State::Acts, [](Settings& s, const Value& v) { set_size(s.width, v.integer, "the width"); }},
-    {"Work_Threads", kInteger, State::Acts, set_within<&Settings::threads, 1, 512>},
+    {"All_Console", "text of every stream on the console; overrides the single switches", kFlag, State::Acts, set<&Settings::all_console>},
+    {"All_File", "keep all text in this file, in the folder of the picture", kText, State::Acts, set<&Settings::all_file>},
+    {"Antialias", "more samples where the picture is not smooth", kFlag, State::Acts, set<&Settings::antialias>},
+    {"Antialias_Depth", "depth of antialiasing, 1 to 9: rows of samples in a pixel, or levels of halving", kInteger, State::Acts, set_within<&Settings::antialias_depth, 1, 9>},
+    {"Antialias_Gamma", "gamma in which antialiasing compares colours", kNumber, State::Acts, set<&Settings::antialias_gamma>},
+    {"Antialias_Threshold", "difference of neighbours from which more samples are taken, 0 to 1", kNumber, State::Acts, set_within<&Settings::antialias_threshold, 0, 1>},
+    {"Append_File", "text files are appended to", kFlag, State::Acts, set<&Settings::append_file>},
+    {"Bits_Per_Color", "bits a channel of the picture, 5 to 16", kInteger, State::Acts, set<&Settings::bits_per_color>},
+    {"Bits_Per_Colour", "the same", kInteger, State::Acts, set<&Settings::bits_per_color>},
+    {"Bounding", "bounding; always on", kFlag, State::Settled, nullptr},
+    {"Bounding_Method", "kind of bounding hierarchy", kInteger, State::Settled, nullptr},
+    {"Bounding_Threshold", "objects from which bounding is on", kInteger, State::Settled, nullptr},
+    {"BSP_BaseAccessCost", "of a kind of bounding that is not used here", kNumber, State::Settled, nullptr},
+    {"BSP_ChildAccessCost", "the same", kNumber, State::Settled, nullptr},
+    {"BSP_ISectCost", "the same", kNumber, State::Settled, nullptr},
+    {"BSP_MaxDepth", "the same", kInteger, State::Settled, nullptr},
+    {"BSP_MissChance", "the same", kNumber, State::Settled, nullptr},
+    {"Buffer_Output", "of earlier versions", kText, State::Obsolete, nullptr},
+    {"Buffer_Size", "of earlier versions", kText, State::Obsolete, nullptr},
+    {"Clock", "value of clock in a single picture", kNumber, State::Acts, [](Settings& s, const Value& v) { s.clock = static_cast<float>(v.number); }},
+    {"Clockless_Animation", "frames by #read of a scene, not by clock", kFlag, State::NotYet, nullptr},
+    {"Compression", "quality of JPEG, 2 to 100", kInteger, State::Acts, set_within<&Settings::compression, 0, 100>},
+    {"Continue_Trace", "go on with a picture that was interrupted; leave one that is there", kFlag, State::Acts, set<&Settings::continue_trace>},
+    {"Create_Histogram", "of earlier versions", kText, State::Obsolete, nullptr},
+    {"Create_Ini", "write the options in force as an INI file", kText, State::Acts, set<&Settings::create_ini>},
+    {"Cyclic_Animation", "the frame behind the last is the first again", kFlag, State::Acts, set<&Settings::cyclic>},
+    {"Debug_Console", "text of #debug on the console", kFlag, State::Acts, set<&Settings::debug_console>},
+    {"Debug_File", "keep text of #debug in this file", kText, State::Acts, set<&Settings::debug_file>},
+    {"Declare", "name=value: a variable of the scene, a number or a string in quotes", kText, State::Acts, declare},
+    {"Display", "a window with the picture; there is none here", kFlag, State::Settled, nullptr},
+    {"Display_Gamma", "gamma of the display: sRGB or a number", kGamma, State::Acts, set<&Settings::display_gamma>},
+    {"Dither", "dither what is lost by rounding", kFlag, State::NotYet, nullptr},
+    {"Dither_Method", "how: B2 B3 B4 D1 D2 FS", kText, State::NotYet, nullptr},
+    {"Draw_Vistas", "draw vista rectangles", kFlag, State::Settled, nullptr},
+    {"End_Column", "last column to render, counted from 1, or a share of the width", kNumber, State::Acts, set<&Settings::end_column>},
+    {"End_Row", "last row to render, counted from 1, or a share of the height", kNumber, State::Acts, set<&Settings::end_row>},
+    {"Fatal_Console", "errors on the console", kFlag, State::Acts, set<&Settings::fatal_console>},
+    {"Fatal_Error_Command", "command to run after an error", kText, State::NotYet, nullptr},
+    {"Fatal_Error_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"Fatal_File", "keep errors in this file", kText, State::Acts, set<&Settings::fatal_file>},
+    {"Field_Render", "alternate frames have alternate rows", kFlag, State::Settled, nullptr},
+    {"File_Gamma", "gamma of the picture file: sRGB or a number", kGamma, State::Acts, set<&Settings::file_gamma>},
+    {"Final_Clock", "clock of the last frame", kNumber, State::Acts, set<&Settings::final_clock>},
+    {"Final_Frame", "number of the last frame", kInteger, State::Acts, set<&Settings::final_frame>},
+    {"Frame_Step", "render every so many frames", kInteger, State::Acts, set<&Settings::frame_step>},
+    {"Grayscale_Output", "a picture in shades of grey, PNG or PPM", kFlag, State::Acts, set<&Settings::greyscale>},
+    {"Height", "rows of the picture", kInteger, State::Acts, [](Settings& s, const Value& v) { set_size(s.height, v.integer, "the height"); }},
+    {"High_Reproducibility", "the same picture each time; always so", kFlag, State::Settled, nullptr},
+    {"Histogram_Grid_Size", "of earlier versions", kText, State::Obsolete, nullptr},
+    {"Histogram_Name", "of earlier versions", kText, State::Obsolete, nullptr},
+    {"Histogram_Type", "of earlier versions", kText, State::Obsolete, nullptr},
+    {"Include_Header", "a file to include ahead of the scene", kText, State::Acts, set<&Settings::include_header>},
+    {"Include_Ini", "another INI file", kText, State::Acts, include_ini},
+    {"Initial_Clock", "clock of the first frame", kNumber, State::Acts, set<&Settings::initial_clock>},
+    {"Initial_Frame", "number of the first frame", kInteger, State::Acts, set<&Settings::initial_frame>},
+    {"Input_File_Name", "the scene; - is standard input", kText, State::Acts, set<&Settings::input_file>},
+    {"Jitter", "move the samples of antialiasing at random", kFlag, State::Acts, set<&Settings::jitter>},
+    {"Jitter_Amount", "how far, 0 to 1", kNumber, State::Acts, set_within<&Settings::jitter_amount, 0, 1>},
+    {"Library_Path", "a folder to look for files in, after those given before", kText, State::Acts, add_library_path},
+    {"Light_Buffer", "light buffer", kFlag, State::Settled, nullptr},
+    {"Max_Image_Buffer_Memory", "memory for the picture", kInteger, State::Settled, nullptr},
+    {"Odd_Field", "which rows come first", kFlag, State::Settled, nullptr},
+    {"Output_Alpha", "an alpha channel in the picture", kFlag, State::Acts, set<&Settings::alpha>},
+    {"Output_File_Name", "the picture; - is standard output; a folder ends in /", kText, State::Acts, set<&Settings::output_file>},
+    {"Output_File_Type", "N PNG, P PPM, T or C Targa, J JPEG, B BMP, E OpenEXR, H Radiance", kText, State::Acts, set_file_type},
+    {"Output_To_File", "write the picture to a file", kFlag, State::Acts, set<&Settings::output_to_file>},
+    {"Palette", "palette of a display", kText, State::Settled, nullptr},
+    {"Pause_When_Done", "wait for a key at the end; never here", kFlag, State::Settled, nullptr},
+    {"Post_Frame_Command", "command to run after each frame", kText, State::NotYet, nullptr},
+    {"Post_Frame_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"Post_Scene_Command", "command to run at the end", kText, State::NotYet, nullptr},
+    {"Post_Scene_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"Pre_Frame_Command", "command to run before each frame", kText, State::NotYet, nullptr},
+    {"Pre_Frame_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"Pre_Scene_Command", "command to run first", kText, State::NotYet, nullptr},
+    {"Pre_Scene_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"Preview_End_Size", "last mosaic of the preview", kInteger, State::Settled, nullptr},
+    {"Preview_Start_Size", "first mosaic of the preview", kInteger, State::Settled, nullptr},
+    {"Quality", "0 to 11: what is left out for speed", kInteger, State::Acts, set_within<&Settings::quality, 0, 11>},
+    {"Radiosity_File_Name", "file of radiosity samples", kText, State::NotYet, nullptr},
+    {"Radiosity_From_File", "read them", kFlag, State::NotYet, nullptr},
+    {"Radiosity_To_File", "write them", kFlag, State::NotYet, nullptr},
+    {"Radiosity_Vain_Pretrace", "pretrace even if nothing is gained", kFlag, State::NotYet, nullptr},
+    {"Real_Time_Raytracing", "frame after frame to a window", kFlag, State::NotYet, nullptr},
+    {"Remove_Bounds", "drop bounded_by that does not help", kFlag, State::Settled, nullptr},
+    {"Render_Block_Size", "side of the blocks that threads take, at least 4", kInteger, State::Acts, set_block_size},
+    {"Render_Block_Step", "order of the blocks", kInteger, State::Settled, nullptr},
+    {"Render_Console", "what will be done, on the console", kFlag, State::Acts, set<&Settings::render_console>},
+    {"Render_File", "keep it in this file", kText, State::Acts, set<&Settings::render_file>},
+    {"Render_Pattern", "order of the blocks", kInteger, State::Settled, nullptr},
+    {"Sampling_Method", "kind of antialiasing, 1 or 2", kInteger, State::Acts, set_within<&Settings::sampling_method, 0, 2>},
+    {"Split_Unions", "treat the parts of bounded unions one by one", kFlag, State::Acts, set<&Settings::split_unions>},
+    {"Start_Column", "first column to render, counted from 1, or a share of the width", kNumber, State::Acts, set<&Settings::start_column>},
+    {"Start_Row", "first row to render, counted from 1, or a share of the height", kNumber, State::Acts, set<&Settings::start_row>},
+    {"Statistic_Console", "counts and times on the console", kFlag, State::Acts, set<&Settings::statistic_console>},
+    {"Statistic_File", "keep them in this file", kText, State::Acts, set<&Settings::statistic_file>},
+    {"Subset_End_Frame", "last frame to render of the animation, or a share", kNumber, State::Acts, set<&Settings::subset_end_frame>},
+    {"Subset_Start_Frame", "first frame to render of the animation, or a share", kNumber, State::Acts, set<&Settings::subset_start_frame>},
+    {"Test_Abort", "look for a key that ends the render", kFlag, State::Settled, nullptr},
+    {"Test_Abort_Count", "how often", kInteger, State::Settled, nullptr},
+    {"User_Abort_Command", "command to run when the user ends the render", kText, State::NotYet, nullptr},
+    {"User_Abort_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"Verbose", "show progress", kFlag, State::Acts, set<&Settings::verbose>},
+    {"Version", "language version of a scene that names none", kNumber, State::Acts, set_version},
+    {"Video_Mode", "mode of a display", kText, State::Settled, nullptr},
+    {"Vista_Buffer", "vista buffer", kFlag, State::Settled, nullptr},
+    {"Warning_Console", "warnings on the console", kFlag, State::Acts, set<&Settings::warning_console>},
+    {"Warning_File", "keep warnings in this file", kText, State::Acts, set<&Settings::warning_file>},
+    {"Warning_Level", "which warnings", kInteger, State::Settled, nullptr},
+    {"Width", "columns of the picture", kInteger, State::Acts, [](Settings& s, const Value& v) { set_size(s.width, v.integer, "the width"); }},
+    {"Work_Threads", "threads, 1 to 512; usual: one a core", kInteger, State::Acts, set_within<&Settings::threads, 1, 512>},
 };
-
-/// Numbers are read as far as they go: 9x is 9.
-Value value_of(const Option& option, const std::string& text)
-{
-    Value value{text, truth_of(text), 0, 0.0, {}};
-    const std::string keyword(option.keyword);
-    char* end = nullptr;
-    switch (option.kind) {
-        case ValueKind::Flag:
-        case ValueKind::Text: return value;
-        case ValueKind::Integer: value.integer = static_cast<int>(std::strtol(text.c_str(), &end, 10)); break;
-        case ValueKind::Gamma:
-            if (same_text(text, "srgb")) {
-                value.curve = image::TransferCurve::srgb();
-                return value;
-            }
-            [[fallthrough]];
-        case ValueKind::Number: value.number = std::strtod(text.c_str(), &end); break;
-    }
-    if (end == text.c_str()) throw OptionError(keyword + " wants a number, found '" + text + "'");
-    if (option.kind != ValueKind::Gamma) return value;
-    if (!(value.number > 0.0)) throw OptionError(keyword + " wants a number above 0 or sRGB, found '" + text + "'");
-    value.curve = image::TransferCurve::power(static_cast<float>(value.number));
-    return value;
-}
 
 }  // namespace
 
@@ -246,44 +213,6 @@ const Option* find_option(std::string_view keyword)
 {
     const auto* found = std::find_if(std::begin(kOptions), std::end(kOptions), [&](const Option& o) { return same_text(o.keyword, keyword); });
     return found == std::end(kOptions) ? nullptr : found;
-}
-
-void set_option(Settings& settings, std::string_view keyword, const std::string& text)
-{
-    const Option* option = find_option(keyword);
-    if (!option) throw OptionError("unknown option '" + std::string(keyword) + "'");
-    const Value value = value_of(*option, text);
-    if (option->state == State::Acts) return option->apply(settings, value);
-    if (option->state == State::Obsolete) throw OptionError(std::string(option->keyword) + " is obsolete");
-    // Asking for what happens anyway needs no remark: -TH, Radiosity_To_File=off.
-    if (option->state != State::NotYet || (option->kind == ValueKind::Flag && !value.flag)) return;
-    const std::string name(option->keyword);
-    auto& noted = settings.not_acted_on;
-    if (std::find(noted.begin(), noted.end(), name) == noted.end()) noted.push_back(name);
-}
-
-bool truth_of(std::string_view text)
-{
-    for (const std::string_view word : {"on", "true", "yes", "1"}) {
-        const std::size_t length = std::min(word.size(), text.size());
-        if (same_text(word.substr(0, length), text.substr(0, length))) return true;
-    }
-    return false;
-}
-
-void set_file_type_switch(Settings& settings, const std::string& text)
-{
-    settings.file_type = file_type_of(text[0]);
-    const std::string_view rest = std::string_view(text).substr(1);
-    if (rest.empty()) return;
-    if (same_text(rest, "g")) {
-        settings.greyscale = true;
-        return;
-    }
-    int bits = 0;
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), bits);
-    if (error != std::errc() || end != rest.data() + rest.size()) throw OptionError("unknown output file type '" + text + "'");
-    settings.bits_per_color = bits;
 }
 
 }  // namespace app

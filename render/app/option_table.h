@@ -30,6 +30,7 @@ struct Value {
 /// One INI keyword.
 struct Option {
     std::string_view keyword;
+    std::string_view meaning;
     ValueKind kind;
     State state;
     void (*apply)(Settings&, const Value&);  ///< null unless state is Acts
@@ -45,6 +46,9 @@ void set_option(Settings& settings, std::string_view keyword, const std::string&
 
 /// POV-Ray's idea of a truth: agrees with on, true, yes or 1 up to the end of the shorter one; never an error.
 bool truth_of(std::string_view text);
+
+/// POV-Ray's letter. Throws OptionError for another.
+image::FileType file_type_of(char letter);
 
 /// The part of a +F switch after the letter F, as in N16 or Pg. Throws OptionError.
 void set_file_type_switch(Settings& settings, const std::string& text);

@@ -48,6 +48,7 @@ struct Settings {
     image::FileType file_type = image::FileType::Png;
     int bits_per_color = 8;
     bool greyscale = false, alpha = false, continue_trace = false;
+    double state_after = 2.0;                      ///< seconds of rendering before finished blocks are kept for +C
     int compression = 0;                           ///< JPEG quality; 0 and 1 mean 85
     image::TransferCurve file_gamma = image::TransferCurve::srgb(), display_gamma = image::TransferCurve::srgb();
 
@@ -59,14 +60,22 @@ struct Settings {
     /// Files that keep the text of a stream: a name, a truth for the usual name, or empty.
     std::string all_file, debug_file, fatal_file, render_file, statistic_file, warning_file;
     bool append_file = false;
+    std::string create_ini;                        ///< an INI file to write: a name, a truth for the scene's, or empty
     ConsoleStyle console_style = ConsoleStyle::Whittle;
     bool quiet = false;                            ///< errors only
 
     // Whittle's own.
     enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;
     bool explain = false, parse_only = false;
+    bool check = false, deps = false;              ///< with parse_only: no file is written; the files read are printed
+    std::string json_file;                         ///< empty: none; "-": standard output
+    bool warnings_are_errors = false, make_folders = false, allow_commands = false, restrict_read = false;
+    std::vector<std::string> write_folders;        ///< where a scene may write besides the current folder and the picture's
     std::string isa;                               ///< "v2", "v3", "v4"; empty: the best the processor has
 
+    /// Values by keyword of the option table, as given last; of Library_Path and Declare all.
+    std::map<std::string, std::vector<std::string>, std::less<>> given;
+    std::vector<std::string> ini_files;            ///< read, in order
     std::vector<std::string> not_acted_on;         ///< options given that have no effect yet, for the note
     std::vector<std::string> notes;                ///< other remarks about INI files
 };

@@ -1,0 +1,47 @@
+#include "render/app/effective_ini.h"
+
+#include "render/app/option_table.h"
+#include "render/app/text.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace app {
+
+namespace {
+
+std::string as_value(const Option& option, const std::string& text)
+{
+    if (option.kind == ValueKind::Flag) return truth_of(text) ? "On" : "Off";
+    if (option.keyword == "Output_File_Type") return text.substr(0, 1);
+    // A declaration carries its own quotes; a command is taken as it stands.
+    if (option.kind != ValueKind::Text || option.keyword == "Declare" || option.keyword.ends_with("_Command")) return text;
+    const char quote = text.find('"') == std::string::npos ? '"' : '\'';
+    return quote + text + quote;
+}
+
+}  // namespace
+
+std::string effective_ini(const Settings& settings)
+{
+    std::string ini;
+    for (const Option& option : option_table()) {
+        const auto given = settings.given.find(option.keyword);
+        if (given == settings.given.end() || option.keyword == "Include_Ini") continue;
+        for (const std::string& text : given->second) ini += std::string(option.keyword) + "=" + as_value(option, text) + "\n";
+    }
+    return ini;
+}
+
+void write_effective_ini(const Settings& settings)
+{
+    const std::string& name = settings.create_ini;
+    if (name.empty() || same_text(name, "off") || same_text(name, "false") || same_text(name, "no")) return;
+    std::string path = name;
+    if (same_text(name, "on") || same_text(name, "true") || same_text(name, "yes")) path = std::filesystem::path(settings.input_file).replace_extension(".ini").string();
+    std::ofstream out(path, std::ios::binary);
+    out << effective_ini(settings);
+    if (!out.flush()) throw OptionError("cannot write '" + path + "'");
+}
+
+}  // namespace app
