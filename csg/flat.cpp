@@ -227,25 +227,25 @@ private:
             term.cut_first = known->second.cut_first;
             term.cut_last = known->second.cut_last;
             term.tree = known->second.tree;
+            term.bounded_cuts = known->second.bounded_cuts;
             return;
         }
         form_.cuts.resize((form_.cuts.size() + 7) / 8 * 8);
         term.cut_first = static_cast<std::uint32_t>(form_.cuts.size());
         std::vector<BvhInput> inputs;
-        bool finite = true;
         std::uint32_t spans = 1;
         for (const Group& group : groups) {
             const Aabb box = common_box(group);
             put(form_.cut_boxes, form_.cuts.size(), box);
             inputs.push_back({box, LeafKind::Item, static_cast<std::uint32_t>(form_.cuts.size()), 0xff});
-            finite = finite && box.finite();
+            term.bounded_cuts = term.bounded_cuts && box.finite();
             form_.cuts.push_back({static_cast<std::uint32_t>(form_.leaves.size()), static_cast<std::uint32_t>(group.size())});
             for (const std::uint32_t i : group) form_.leaves.push_back(leaf(i));
             spans += shape(group.front()) == Shape::Convex ? 1 : kFlatSpans;
         }
         term.cut_last = static_cast<std::uint32_t>(form_.cuts.size());
         form_.span_memory = std::max(form_.span_memory, spans);
-        if (finite && groups.size() >= kManyCuts) {
+        if (term.bounded_cuts && groups.size() >= kManyCuts) {
             term.tree = static_cast<std::uint32_t>(form_.trees.size());
             form_.trees.push_back(build_bvh(std::move(inputs)));
         }

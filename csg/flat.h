@@ -31,6 +31,7 @@ struct FlatTerm {
     std::uint32_t cut_first = 0, cut_last = 0;   ///< cut_first is a multiple of 8; terms may share cuts
     std::uint32_t tree = kNoTree;                ///< index into trees: where there are many cuts
     bool convex = true;                          ///< all leaves are
+    bool bounded_cuts = true;                    ///< the boxes of all cuts are finite
     static constexpr std::uint32_t kNoTree = 0xffffffffu;
 
     /// Convex and nothing is cut from it: its crossings are two ends.

@@ -214,8 +214,10 @@ private:
     bool meet_cuts(const FlatForm& form, const FlatTerm& term, RayMask mask)
     {
         cuts_ = 0;
-        if (term.tree == FlatTerm::kNoTree) {
-            if (term.cut_last - term.cut_first > kMostCuts) return false;
+        constexpr std::uint32_t kFew = 2;
+        const std::uint32_t count = term.cut_last - term.cut_first;
+        if (count <= kFew || !term.bounded_cuts) {
+            if (count > kMostCuts) return false;
             for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) near_cut(form, k, mask);
             return true;
         }
@@ -273,21 +275,20 @@ private:
 
     void meet_cut(const FlatForm& form, std::uint32_t leaf, RayMask mask)
     {
-        RayMask met = 0;
+        RayMask vectors = 0;
         lanes::with_test(store_, form.leaves[leaf].solid, rays_, [&](const auto& at) {
             each_vector(mask, [&](int i) {
                 const lanes::Intervals own = at(i);
-                met |= bits(own.met, i);
+                if (lanes::mask(own.met) == 0) return;
+                vectors |= kVector << i;
                 store(cut_in_[cuts_], i, xsimd::select(own.met, own.entry, lanes::beyond()));
                 store(cut_out_[cuts_], i, xsimd::select(own.met, own.exit, lanes::before()));
                 store(cut_begin_[cuts_], i, LeafEnd::code(leaf, own.entry_face));
                 store(cut_end_[cuts_], i, LeafEnd::code(leaf, own.exit_face));
             });
         });
-        met &= mask;
-        if (met == 0) return;
-        // Rays of the same vectors that are not in the mask met the solid too or not: either way it is their interval.
-        cut_rays_[cuts_++] = mask;
+        // Rays of these vectors that are not in the mask met the solid too or not: either way it is their interval.
+        if ((vectors & mask) != 0) cut_rays_[cuts_++] = vectors & mask;
     }
 
     /// Calls f(cut, entry, exit) for the cuts that rays of the vector from i on come near.
