@@ -1,6 +1,8 @@
 #include "render/app/help.h"
 
 #include "render/app/option_table.h"
+#include "render/app/own_options.h"
+#include "render/app/switch_table.h"
 
 #include <fmt/format.h>
 
@@ -8,56 +10,70 @@ namespace app {
 
 namespace {
 
+constexpr std::size_t kColumns = 100;
+constexpr std::size_t kIndent = 24;  // of meanings
+
 constexpr const char* kUsage = R"(usage: whittle [options] scene.pov     renders to scene.png
        whittle compare A B [--out diff.png] [--tolerance n] [--share x]
 
-Common switches (POV-Ray's; + turns on, - turns off):
-  +Iname     scene                      +Oname     picture; +O- is standard output
-  +Wn +Hn    size in pixels (800x600)   +Fx[n]     N PNG, P PPM, T C Targa, J JPEG, B BMP, E OpenEXR, H Radiance; n bits
-  +A0.3      antialiasing threshold     +AMn +Rn   its method and depth; +J jitter
-  +Qn        quality, 0 to 11           +WTn       threads
-  +Lpath     library path               +Kx        clock; +KFIn +KFFn frames of an animation
-  +UA        alpha channel              +SRn +ERn +SCn +ECn   part of the picture
-  Keyword=value sets an INI option, Declare=name=value a variable of the scene; another word names an INI file.
-
-Whittle's own:
-  --dump=tokens|scene|plan   print a stage's result and stop
-  --explain                  say what the plan kept, what it left out and why
-  --parse-only               read the scene and stop
-  --isa=v2|v3|v4|auto        instruction set of the tracer
-  --help, --version
-
-compare: exit status 0 if at least a share (0.99) of the pixels are within n (3) of 255 in every channel, 1 if not, 2 if
-the pictures cannot be compared.
-Exit status of a render: 0 done, 1 error, 2 cancelled.
+A word is a switch (+ turns on, - turns off), Keyword=value, a scene (*.pov), a library folder (it ends in /) or an INI
+file, name or name[section]. Later words win. +I- reads the scene from standard input, +O- writes the picture to standard
+output; all text goes to standard error. The manual page says more: whittle --man | man -l -
 )";
+
+/// A name and what it means, the meaning wrapped at blanks.
+std::string entry(const std::string& name, std::string_view meaning)
+{
+    std::string text = "  " + name, line;
+    text += name.size() + 3 > kIndent ? "\n" + std::string(kIndent, ' ') : std::string(kIndent - 2 - name.size(), ' ');
+    for (std::size_t at = 0; at < meaning.size();) {
+        const std::size_t blank = std::min(meaning.find(' ', at), meaning.size());
+        const std::string_view word = meaning.substr(at, blank - at);
+        if (!line.empty() && kIndent + line.size() + 1 + word.size() > kColumns) {
+            text += line + "\n" + std::string(kIndent, ' ');
+            line.clear();
+        }
+        (line += line.empty() ? "" : " ") += word;
+        at = blank + 1;
+    }
+    return text + line + "\n";
+}
 
 std::string keywords_of(State state)
 {
-    constexpr std::size_t kColumns = 100;
     std::string text, line(1, ' ');
     for (const Option& option : option_table()) {
         if (option.state != state) continue;
         if (line.size() + option.keyword.size() + 1 > kColumns) {
-            text += line;
-            text += '\n';
+            text += line + "\n";
             line.resize(1);
         }
-        line += ' ';
-        line += option.keyword;
+        (line += ' ') += option.keyword;
     }
-    text += line;
-    text += '\n';
-    return text;
+    return text + line + "\n";
 }
 
 }  // namespace
 
 std::string help_text()
 {
-    return fmt::format("{}\nINI keywords that act:\n{}\nKeywords that need nothing here (display, bounding, preview, memory):\n{}\n"
-                       "Keywords that are accepted without effect for now:\n{}",
-                       kUsage, keywords_of(State::Acts), keywords_of(State::Settled), keywords_of(State::NotYet));
+    std::string text = kUsage;
+    text += "\nWhittle's own options:\n";
+    for (const OwnOption& option : own_options())
+        text += entry(fmt::format("--{}{}{}", option.name, option.value.empty() ? "" : "=", option.value), option.meaning);
+    text += "\nSwitches:\n";
+    for (const Switch& one : switch_table()) {
+        const SwitchText shown = text_of(one);
+        if (!shown.form.empty()) text += entry(shown.form, shown.meaning);
+    }
+    text += "\nINI keywords, each also as Keyword=value:\n";
+    for (const Option& option : option_table())
+        if (option.state == State::Acts) text += entry(std::string(option.keyword), option.meaning);
+    text += "\nKeywords that need nothing here:\n" + keywords_of(State::Settled);
+    text += "\nKeywords that are accepted without effect for now:\n" + keywords_of(State::NotYet);
+    text += "\nExit status:\n";
+    for (const ExitStatus& status : kExitStatuses) text += fmt::format("  {}  {}\n", status.number, status.meaning);
+    return text + "  compare: 0 the pictures agree, 1 they differ, 2 they cannot be compared\n";
 }
 
 std::string version_text() { return "whittle " WHITTLE_VERSION "\n"; }

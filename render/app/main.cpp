@@ -43,6 +43,14 @@ int run(const std::vector<std::string>& arguments, app::Settings& settings)
         fmt::print("{}", app::help_text());
         return app::kSuccess;
     }
+    if (has_word(arguments, {"--man"})) {
+        fmt::print("{}", app::manual_page());
+        return app::kSuccess;
+    }
+    if (has_word(arguments, {"--completion"})) {
+        fmt::print("{}", app::bash_completion());
+        return app::kSuccess;
+    }
     if (has_word(arguments, {"--version", "-version", "--V"})) {
         const bool called = settings.console_style == app::ConsoleStyle::Povray;  // POV-Ray keeps standard output clean
         fmt::print(called ? stderr : stdout, "{}", called ? app::povray_version_text() : app::version_text());

@@ -7,15 +7,6 @@ namespace app {
 
 namespace {
 
-/// One switch: its letters, whether text follows them, the flag that its sign sets and the option that the text sets.
-struct Switch {
-    const char* letters;
-    bool parameter;
-    const char* flag;       ///< null: the sign does not matter
-    const char* option;     ///< null: the text is not used
-    const char* prefix = "";  ///< put before the text: the digit that the letters took from a number
-};
-
 /// Tried in this order: the first whose letters begin the word and that has text behind them exactly if it wants some
 /// (spec 1, 18.3). "A" with any number is ours: POV-Ray knows only numbers that begin with 0.
 constexpr Switch kSwitches[] = {
@@ -111,6 +102,20 @@ bool fits(const Switch& entry, std::string_view word)
 }
 
 }  // namespace
+
+std::span<const Switch> switch_table() { return kSwitches; }
+
+SwitchText text_of(const Switch& entry)
+{
+    if (*entry.prefix) return {};
+    const std::string_view set = entry.option ? entry.option : entry.flag;
+    if (set == "+F") return {"+F<type>[bits]", "write the picture: type N PNG, P PPM, T C Targa, J JPEG, B BMP, E OpenEXR, H Radiance; g for grey, or bits a channel"};
+    const Option& option = *find_option(set);
+    const char* value = option.kind == ValueKind::Text ? "<name>" : option.kind == ValueKind::Integer ? "<n>" : "<x>";
+    std::string form = entry.letters;
+    form.insert(form.begin(), '+');
+    return {entry.parameter ? form + value : form, option.meaning};
+}
 
 void apply_switch(Settings& settings, const std::string& word)
 {
