@@ -16,7 +16,10 @@ namespace {
 void declare(Settings& settings, const Value& value)
 {
     const std::size_t equals = value.text.find('=');
-    if (equals == std::string::npos || equals == 0) throw OptionError("Declare wants name=value, found '" + value.text + "'");
+    if (equals == std::string::npos || equals == 0) {
+        settings.notes.push_back("Declare wants name=value: '" + value.text + "' declares nothing");
+        return;
+    }
     const std::string name(trimmed(std::string_view(value.text).substr(0, equals)));
     const std::string text(trimmed(std::string_view(value.text).substr(equals + 1)));
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
@@ -25,7 +28,8 @@ void declare(Settings& settings, const Value& value)
     }
     char* end = nullptr;
     const float number = std::strtof(text.c_str(), &end);
-    if (end == text.c_str()) throw OptionError("Declare wants a number or a quoted string for '" + name + "', found '" + text + "'");
+    if (text.empty()) return;
+    if (end == text.c_str()) settings.notes.push_back("Declare wants a number or a quoted string: '" + name + "' is 0, not '" + text + "'");
     char printed[32];
     std::snprintf(printed, sizeof printed, "%.6g", static_cast<double>(number));
     settings.declared_numbers.emplace(name, std::strtod(printed, nullptr));
