@@ -7,7 +7,11 @@ struct FogState : BlockState {
     using BlockState::BlockState;
     scene::Fog fog;
 };
-struct fog_type : item<Kind::FogType, a_number> { static void act(FogState& s) { s.fog.type = s.pop_int(); } };
+struct fog_type : item<Kind::FogType, a_number> { static void act(FogState& s) 
+    {
+        s.fog.type = s.pop_int();
+        if (s.fog.type != 1 && s.fog.type != 2) s.stream().warn(s.stream().last(), "this type of fog is unknown");
+    } };
 struct distance : item<Kind::Distance, a_number> { static void act(FogState& s) { s.fog.distance = s.pop_float(); } };
 struct fog_offset : item<Kind::FogOffset, a_number> { static void act(FogState& s) { s.fog.offset = s.pop_float(); } };
 struct fog_alt : item<Kind::FogAlt, a_number> { static void act(FogState& s) { s.fog.altitude = s.pop_float(); } };

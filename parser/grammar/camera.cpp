@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 #include <cmath>
 #include <numbers>
@@ -97,7 +98,7 @@ struct mesh_camera : item<Kind::MeshCamera> {
     {
         set_kind<Kinds::Mesh>(s);
         s.build.unsupported("mesh_camera", s.stream().last());
-        s.build.skip_block("mesh_camera");
+        s.camera.undrawn.push_back(read_mesh_camera(s.build));
     }
 };
 struct location : item<Kind::Location, a_vector> { static void act(CameraState& s) { s.camera.location = s.pop_vector(); } };
@@ -180,7 +181,7 @@ struct bokeh : item<Kind::Bokeh> {
     static void act(CameraState& s)
     {
         s.build.unsupported("bokeh", s.stream().last());
-        s.build.skip_block("bokeh");
+        s.camera.undrawn.push_back(read_bokeh(s.build));
     }
 };
 struct normal : item<Kind::Normal> {

@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -44,7 +45,13 @@ struct specular : item<Kind::Specular> {
         s.finish.specular = s.number();
     }
 };
-struct roughness : item<Kind::Roughness, a_number> { static void act(FinishState& s) { s.finish.roughness = s.pop_single(); } };
+struct roughness : item<Kind::Roughness, a_number> {
+    static void act(FinishState& s)
+    {
+        s.finish.roughness = s.pop_single();
+        if (s.finish.roughness == 0.0f) s.stream().warn(s.stream().last(), "a roughness of zero");
+    }
+};
 struct metallic : item<Kind::Metallic> { static void act(FinishState& s) { s.finish.metallic = s.number_or(1); } };
 struct conserve_energy : item<Kind::ConserveEnergy> { static void act(FinishState& s) { s.finish.conserve_energy = true; } };
 
@@ -108,12 +115,20 @@ struct subsurface : item<Kind::Subsurface> {
     static void act(FinishState& s)
     {
         s.build.unsupported("subsurface", s.stream().last());
-        s.build.skip_block("subsurface");
+        s.finish.subsurface = read_finish_subsurface(s.build);
     }
 };
-struct ior : item<Kind::Ior, a_number> { static void act(FinishState& s) { s.finish.legacy_ior = s.pop_single(); } };
-struct caustics : item<Kind::Caustics, a_number> { static void act(FinishState& s) { s.finish.legacy_caustics = s.pop_single(); } };
-struct refraction : item<Kind::Refraction, a_number> { static void act(FinishState& s) { s.finish.legacy_refraction = s.pop_single(); } };
+/// Keywords that moved to the interior in version 3.1.
+template <Kind kind, float scene::Finish::*member> struct moved : item<kind, a_number> {
+    static void act(FinishState& s)
+    {
+        s.stream().warn(s.stream().last(), std::string(spelling(kind)) + " belongs in an interior");
+        s.finish.*member = s.pop_single();
+    }
+};
+using ior = moved<Kind::Ior, &scene::Finish::legacy_ior>;
+using caustics = moved<Kind::Caustics, &scene::Finish::legacy_caustics>;
+using refraction = moved<Kind::Refraction, &scene::Finish::legacy_refraction>;
 
 using FinishItems = table<FinishState, ambient, emission, diffuse, brilliance, crand, phong, phong_size, specular,
                           roughness, metallic, conserve_energy, reflection, reflection_exponent, irid, subsurface, ior,

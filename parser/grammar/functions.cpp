@@ -21,6 +21,7 @@ std::optional<function::Outer> SceneBuilder::parse_function_thing(TokenStream& s
     scene::Pattern pattern;
     pattern.source = opened;
     if (!read_pattern_type(*this, pattern)) stream.fail_expected("a pattern");
+    close_list(*this, pattern);
     while (read_pattern_modifier(*this, pattern)) {}
     close_block("pattern", opened);
     return Use{Use::Kind::Pattern, std::make_shared<scene::PatternFunction>(std::move(pattern))};
@@ -30,6 +31,7 @@ std::optional<function::Outer> SceneBuilder::parse_function_thing(TokenStream& s
 bool SceneBuilder::undrawn(const ObjectPtr& object, const char* question)
 {
     if (object->undrawn.empty()) return false;
+    guessed = true;
     unsupported(std::string(question) + " of " + object->undrawn, stream_->last());
     return true;
 }

@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -70,7 +71,7 @@ struct max_trace_level : item<Kind::MaxTraceLevel, a_number> {
         s.global().max_trace_level = level;
     }
 };
-struct mm_per_unit : item<Kind::MmPerUnit, a_number> { static void act(GlobalState& s) { s.pop_float(); } };
+struct mm_per_unit : item<Kind::MmPerUnit, a_number> { static void act(GlobalState& s) { s.global().mm_per_unit = s.pop_float(); } };
 struct noise_generator : item<Kind::NoiseGenerator, a_number> {
     static void act(GlobalState& s)
     {
@@ -96,7 +97,8 @@ template <Kind kind> struct asked_for : item<kind> {
         if (kind == Kind::Radiosity) s.global().radiosity = true;
         if (kind == Kind::Photons) s.global().photons = true;
         if (kind == Kind::Subsurface) s.global().subsurface = true;
-        s.build.skip_block(name);
+        s.global().effects.push_back(kind == Kind::Radiosity ? read_global_radiosity(s.build)
+                                     : kind == Kind::Photons ? read_global_photons(s.build) : read_global_subsurface(s.build));
     }
 };
 

@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -12,7 +13,11 @@ struct dispersion : item<Kind::Dispersion, a_number> {
     static void act(InteriorState& s) { s.interior.dispersion = s.pop_single(); }
 };
 struct dispersion_samples : item<Kind::DispersionSamples, a_number> {
-    static void act(InteriorState& s) { s.interior.dispersion_samples = s.pop_int(); }
+    static void act(InteriorState& s)
+    {
+        s.interior.dispersion_samples = s.pop_int();
+        if (s.interior.dispersion_samples < 2) s.stream().fail(s.stream().last(), "dispersion_samples must be at least 2");
+    }
 };
 struct caustics : item<Kind::Caustics, a_number> {
     static void act(InteriorState& s) { s.interior.caustics = s.pop_single(); }
@@ -33,16 +38,28 @@ struct media : item<Kind::Media> {
     static void act(InteriorState& s)
     {
         s.build.unsupported("media", s.stream().last());
-        s.build.skip_block("media");
+        s.interior.media.push_back(read_media(s.build));
     }
 };
-/// A medium has no rendering yet, so moving it is nothing to remember.
+/// Moves the media that stand before it.
+void transform_media(InteriorState& s, const csg::Transform& transform)
+{
+    for (scene::StatementPtr& medium : s.interior.media) {
+        scene::Statement moved = *medium;
+        moved.items.push_back({"transform", {transform}});
+        medium = std::make_shared<const scene::Statement>(std::move(moved));
+    }
+}
+
 struct InteriorItems {
     static bool match(SceneBuilder& build, InteriorState& s)
     {
         using Items = table<InteriorState, ior, dispersion, dispersion_samples, caustics, fade_distance, fade_power,
                             fade_color, refraction, media>;
-        return Items::match(build, s) || read_transformation(build).has_value();
+        if (Items::match(build, s)) return true;
+        const auto transform = read_transformation(build);
+        if (transform) transform_media(s, *transform);
+        return transform.has_value();
     }
 };
 

@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 #include <cmath>
 
@@ -92,7 +93,7 @@ std::shared_ptr<const scene::Object> read_inner(LightState& s, const char* what)
     read_modifiers(s.build, *object);
     s.build.close_block(what, opened);
     if (!object->undrawn.empty()) {
-        s.build.unsupported(object->undrawn, object->source);
+        s.build.set_aside(std::move(*object));
         return nullptr;
     }
     return std::make_shared<scene::Object>(std::move(*object));
@@ -100,6 +101,7 @@ std::shared_ptr<const scene::Object> read_inner(LightState& s, const char* what)
 struct looks_like : item<Kind::LooksLike> {
     static void act(LightState& s)
     {
+        if (s.light().looks_like) s.stream().fail(s.stream().last(), "a light_source looks like one object only");
         auto object = read_inner(s, "looks_like");
         if (!object) return;
         // The lamp's body stands at the light and does not block it.
@@ -117,7 +119,7 @@ struct projected_through : item<Kind::ProjectedThrough> {
     }
 };
 struct photons : item<Kind::Photons> {
-    static void act(LightState& s) { s.build.skip_block("photons"); }
+    static void act(LightState& s) { s.object.photons = read_light_photons(s.build); }
 };
 struct color_map : item<Kind::ColorMap> {
     static void act(LightState& s)

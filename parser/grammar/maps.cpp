@@ -38,6 +38,16 @@ double read_key(SceneBuilder& build)
     return key;
 }
 
+/// A colour in a map begins with a colour word or a declared colour.
+bool at_map_color(TokenStream& in)
+{
+    const Token& token = in.peek();
+    if (token.kind != Kind::Identifier) return lexical_class(token.kind) == LexicalClass::Color;
+    const Value* value = in.value_of(token);
+    const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
+    return tuple ? tuple->count == 5 : at_expression(in);
+}
+
 /// Of `average`: the weight may be left out.
 double read_weight(SceneBuilder& build, bool weights)
 {
@@ -57,17 +67,27 @@ scene::ColorMap read_color_map(SceneBuilder& build)
     TokenStream& in = build.stream();
     return read_map<scene::ColorMap>(build, "color_map", [&](scene::ColorMap& map) {
         const double key = read_key(build);
-        // Old form [k1, k2 color A color B]: a number where the colour is expected.
-        const Token& token = in.peek();
-        if (token.kind == Kind::Number) {
-            const double second = read_key(build);
+        if (at_map_color(in)) {
             map.push_back({key, parser::color_expr(in)});
-            in.accept_comma();
-            map.push_back({second, parser::color_expr(in)});
             return;
         }
-        if (!at_color(in)) build.fail_unknown("the entry's colour, as in rgb <1, 0.5, 0>");
-        map.push_back({key, parser::color_expr(in)});
+        // Old form [k1, k2 color A color B].
+        if (!at_expression(in)) build.fail_unknown("the entry's colour, as in rgb <1, 0.5, 0>");
+        const double second = static_cast<float>(parser::float_expr(in));
+        for (const double end : {key, second}) {
+            if (in.peek().kind != Kind::Color) in.fail_expected("'color' and the entry's colour, as in color rgb <1, 0.5, 0>");
+            map.push_back({end, parser::color_expr(in)});
+        }
+    });
+}
+
+scene::PigmentMap read_density_map(SceneBuilder& build, bool weights)
+{
+    return read_map<scene::PigmentMap>(build, "density_map", [&](scene::PigmentMap& map) {
+        const double key = read_weight(build, weights);
+        scene::Pigment white;
+        white.kind = scene::Color{1, 1, 1, 0, 0};
+        map.push_back({key, std::make_shared<scene::Pigment>(read_density_body(build, white))});
     });
 }
 

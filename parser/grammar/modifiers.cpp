@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 /// Modifiers of any object, in the order written: each acts on what is there (spec 1, 14.3; 5a, 10).
 namespace parser {
@@ -71,13 +72,26 @@ struct material : item<Kind::Material> {
 };
 
 // ---- clipped_by, bounded_by -----------------------------------------------------------------------------------
+/// What bounds or clips is a solid without a texture.
+void check_bare(ObjectState& s, const scene::Object& object, const char* what)
+{
+    const auto* mesh = std::get_if<scene::Mesh>(&object.shape);
+    const bool patch = std::holds_alternative<scene::Triangle>(object.shape) || std::holds_alternative<scene::Light>(object.shape) ||
+                       (mesh && mesh->data && !mesh->data->has_inside_vector) || object.undrawn == "bicubic_patch";
+    if (patch || object.texture)
+        s.stream().fail(object.source, std::string("an object in ") + what + " must be a solid without a texture");
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg && csg->operands)
+        for (const scene::Object& operand : *csg->operands) check_bare(s, operand, what);
+}
+
 std::vector<scene::Object> read_group(ObjectState& s, const char* what)
 {
     std::vector<scene::Object> group;
     scene::Object all;  // transformations after the objects move each of them
     while (auto object = read_object(s.build)) {
+        check_bare(s, *object, what);
         if (object->undrawn.empty()) group.push_back(std::move(*object));
-        else s.build.unsupported(object->undrawn, object->source);
+        else s.build.set_aside(std::move(*object));
         all.undrawn = "read";
     }
     if (all.undrawn.empty()) s.build.fail_unknown((std::string("an object of ") + what).c_str());
@@ -126,10 +140,36 @@ template <Kind kind, bool scene::Flags::*member> struct flag : item<kind> {
     static void act(ObjectState& s) { s.object.flags.*member = optional_flag(s.stream()); }
 };
 struct hollow : item<Kind::Hollow> { static void act(ObjectState& s) { s.object.flags.hollow = optional_flag(s.stream()); } };
-struct inverse : item<Kind::Inverse> { static void act(ObjectState& s) { s.object.inverse = !s.object.inverse; } };
-/// Choices of a root solver or a bounding method: ours need none.
-struct sturm : item<Kind::Sturm> { static void act(ObjectState& s) { optional_flag(s.stream()); } };
-struct hierarchy : item<Kind::Hierarchy> { static void act(ObjectState& s) { optional_flag(s.stream()); } };
+struct inverse : item<Kind::Inverse> {
+    static void act(ObjectState& s)
+    {
+        const auto* mesh = std::get_if<scene::Mesh>(&s.object.shape);
+        if (std::holds_alternative<scene::Triangle>(s.object.shape) || (mesh && mesh->data && !mesh->data->has_inside_vector))
+            s.stream().warn(s.stream().last(), "what has no inside cannot be inverted");
+        s.object.inverse = !s.object.inverse;
+    }
+};
+/// Choices of a root solver or a bounding method: ours need none, and only some objects may have them.
+void read_choice(ObjectState& s, const char* name, bool allowed)
+{
+    if (!allowed) s.stream().fail(s.stream().last(), std::string("'") + name + "' means nothing for this object");
+    optional_flag(s.stream());
+}
+struct sturm : item<Kind::Sturm> {
+    static void act(ObjectState& s)
+    {
+        const std::string& kind = s.object.undrawn;
+        read_choice(s, "sturm", std::holds_alternative<scene::Torus>(s.object.shape) || kind == "blob" || kind == "lathe" || kind == "prism" ||
+                                    kind == "sor" || kind == "ovus" || kind == "poly" || kind == "cubic" || kind == "quartic" || kind == "polynomial");
+    }
+};
+struct hierarchy : item<Kind::Hierarchy> {
+    static void act(ObjectState& s)
+    {
+        const std::string& kind = s.object.undrawn;
+        read_choice(s, "hierarchy", std::holds_alternative<scene::Mesh>(s.object.shape) || kind == "blob" || kind == "height_field");
+    }
+};
 struct uv_mapping : item<Kind::UvMapping> {
     static void act(ObjectState& s)
     {
@@ -156,10 +196,11 @@ struct photons : item<Kind::Photons> {
     static void act(ObjectState& s)
     {
         s.build.unsupported("photons", s.stream().last());
-        s.build.skip_block("photons");
+        const bool light = std::holds_alternative<scene::Light>(s.object.shape);
+        s.object.photons = light ? read_light_photons(s.build) : read_object_photons(s.build);
     }
 };
-struct radiosity : item<Kind::Radiosity> { static void act(ObjectState& s) { s.build.skip_block("radiosity"); } };
+struct radiosity : item<Kind::Radiosity> { static void act(ObjectState& s) { s.object.radiosity = read_object_radiosity(s.build); } };
 struct dtag : item<Kind::Dtag, a_text> { static void act(ObjectState& s) { s.pop_string(); } };
 
 struct ModifierItems {
@@ -184,6 +225,16 @@ struct ModifierItems {
 };
 
 }  // namespace
+
+void read_component_modifiers(SceneBuilder& build, scene::Object& object)
+{
+    using Items = table<ObjectState, texture, pigment, normal, finish>;
+    ObjectState s(build, object);
+    for (;;) {
+        if (const auto t = read_transformation(build)) object.transform_by(*t);
+        else if (!Items::match(build, s)) return;
+    }
+}
 
 void read_modifiers(SceneBuilder& build, scene::Object& object)
 {

@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -41,14 +42,16 @@ void read_head(NormalState& s)
     TokenStream& in = s.stream();
     if (in.accept(Kind::BumpMap)) {
         s.build.unsupported("bump_map", in.last());
-        s.build.skip_block("bump_map");
         s.normal.pattern.name = "bumps";
+        s.normal.pattern.block = read_image_block(s.build, false);
+        if (at_expression(in)) parser::float_expr(in);
         s.normal.amount = 0;
         return;
     }
     if (in.accept(Kind::UvMapping)) s.build.unsupported("uv_mapping of a normal", in.last());
-    if (!read_pattern_type(s.build, s.normal.pattern)) return;
+    if (!read_pattern_type(s.build, s.normal.pattern, true)) return;
     if (const int count = list_size(s.normal.pattern)) read_list(s, count);
+    close_list(s.build, s.normal.pattern);
     const bool comma = in.accept_comma();
     if (at_expression(in)) s.normal.amount = parser::float_expr(in);
     else if (comma) s.build.fail_unknown("the normal's amount (a number)");
@@ -66,6 +69,8 @@ scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::N
     if (const auto declared = in.accept_identifier<scene::NormalPtr>()) s.normal = **declared;
     read_head(s);
     while (NormalItems::match(build, s) || read_pattern_modifier(build, s.normal.pattern)) {}
+    if (s.normal.pattern.name.empty() && !std::holds_alternative<std::monostate>(s.normal.map))
+        in.fail(s.normal.source, "this normal has a map, but no pattern");
     return s.normal;
 }
 

@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -27,33 +28,41 @@ scene::Object read_wrapper(SceneBuilder& build, const scene::SourceRef& source)
     return *object;
 }
 
-scene::Object placeholder(Kind keyword, const scene::SourceRef& source)
+/// Warned about in an intersection or difference: what has no inside.
+bool is_patch(const scene::Object& object)
 {
-    scene::Object object;
-    object.undrawn = spelling(keyword);
-    object.source = source;
-    return object;
+    const auto* mesh = std::get_if<scene::Mesh>(&object.shape);
+    return std::holds_alternative<scene::Triangle>(object.shape) || std::holds_alternative<scene::Light>(object.shape) ||
+           (mesh && mesh->data && !mesh->data->has_inside_vector);
 }
 
 }  // namespace
 
 bool is_undrawn(Kind keyword)
 {
-    switch (keyword) {
-    case Kind::Blob: case Kind::Isosurface: case Kind::Text: case Kind::HeightField: case Kind::Prism: case Kind::Lathe:
-    case Kind::Sor: case Kind::Superellipsoid: case Kind::JuliaFractal: case Kind::BicubicPatch: case Kind::Poly:
-    case Kind::Cubic: case Kind::Quartic: case Kind::Polynomial: case Kind::SphereSweep: case Kind::Polygon:
-    case Kind::Parametric: case Kind::Ovus: case Kind::LightGroup:
-        return true;
-    default:
-        return false;
-    }
+    return keyword == Kind::LightGroup || undrawn_head(keyword) != nullptr;
 }
 
 scene::Object read_undrawn(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
 {
-    build.skip_block(std::string(spelling(keyword)).c_str());
-    return placeholder(keyword, source);
+    const std::string name(spelling(keyword));
+    scene::Object object;
+    StatementReader shape(build);
+    const auto opened = build.open_block(name.c_str());
+    if (const auto declared = build.stream().accept_identifier<Shared>()) {
+        object = **declared;
+        object.source = source;
+        read_modifiers(build, object);
+    } else {
+        object.undrawn = name;
+        object.source = source;
+        if (keyword == Kind::LightGroup) read_light_group(shape, object);
+        else undrawn_head(keyword)(shape);
+        object.shape_block = shape.take();
+        if (keyword != Kind::LightGroup) read_modifiers(build, object);
+    }
+    build.close_block(name.c_str(), opened);
+    return object;
 }
 
 scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
@@ -68,14 +77,17 @@ scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef
         object.source = source;
     } else {
         object.source = source;
+        if (keyword == Kind::Composite) in.warn(source, "'composite' is an old word for 'union'");
         auto operands = std::make_shared<std::vector<scene::Object>>();
         std::size_t written = 0;
         while (auto operand = read_object(build)) {
             ++written;
+            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && is_patch(*operand))
+                in.warn(operand->source, "what has no inside cannot be cut or cut with");
             if (operand->undrawn.empty()) operands->push_back(std::move(*operand));
-            else build.unsupported(operand->undrawn, operand->source);
+            else build.set_aside(std::move(*operand));
         }
-        if (written < 2 && build.version() >= 150) in.warn(source, "'" + name + "' should have at least two objects");
+        if (written < 2 && build.version() >= 150) in.warn(source, name + " should have at least two objects");
         object.shape = scene::Csg{op_of(keyword), std::move(operands), true, false};
     }
     read_modifiers(build, object);

@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 #include "parser/stream/function.h"
 
 #include <algorithm>
@@ -148,6 +149,7 @@ struct magnet : item<Kind::Magnet, magnet_type> {
     static void act(PatternState& s)
     {
         const double type = s.pop_float();
+        if (static_cast<int>(type) != 1 && static_cast<int>(type) != 2) s.stream().fail(s.stream().last(), "the magnet's type must be 1 or 2");
         if (s.stream().accept(Kind::Mandel)) mandel_parameters(s, "magnet_mandel");
         else if (s.stream().accept(Kind::Julia)) julia_parameters(s, "magnet_julia");
         else s.stream().fail_expected("'mandel' or 'julia' after the magnet's type");
@@ -194,11 +196,11 @@ struct pigment_pattern : item<Kind::PigmentPattern> {
 };
 
 /// Types that need an image, a file or an object: understood, not drawn yet.
-void undrawn_block(PatternState& s, const char* name)
+void undrawn(PatternState& s, const char* name, scene::StatementPtr (*read)(SceneBuilder&))
 {
     set_type(s, name);
     s.build.unsupported(std::string("pattern ") + name, s.stream().last());
-    s.build.skip_block(name);
+    s.pattern.block = read(s.build);
 }
 struct function_pattern : item<Kind::Function> {
     static void act(PatternState& s)
@@ -211,20 +213,20 @@ struct function_pattern : item<Kind::Function> {
     }
 };
 struct image_pattern : item<Kind::ImagePattern> {
-    static void act(PatternState& s) { undrawn_block(s, "image_pattern"); s.pattern.frequency = 0; }
-};
-struct object : item<Kind::Object> {
-    static void act(PatternState& s) { undrawn_block(s, "object"); s.pattern.frequency = 0; }
-};
-struct df3 : token<Kind::Df3> {};
-struct density_file : item<Kind::DensityFile, df3, a_text> {
-    static void act(PatternState& s)
+    static void act(PatternState& s) 
     {
-        s.pop_string();
-        set_type(s, "density_file");
-        s.build.unsupported("pattern density_file", s.stream().last());
+        undrawn(s, "image_pattern", [](SceneBuilder& build) { return read_image_block(build, false); });
+        s.pattern.frequency = 0;
     }
 };
+struct object : item<Kind::Object> {
+    static void act(PatternState& s) 
+    {
+        undrawn(s, "object", read_object_pattern);
+        s.pattern.frequency = 0;
+    }
+};
+struct density_file : item<Kind::DensityFile> { static void act(PatternState& s) { undrawn(s, "density_file", read_density_file); } };
 
 using Types = table<PatternState, aoi, average, boxed, bozo, bumps, cells, cylindrical, dents, granite, leopard, onion,
                     planar, radial, ripples, spherical, spotted, waves, wrinkles, checker, hexagon, square, triangular,
@@ -240,12 +242,18 @@ template <> inline constexpr auto expected<tiling_kind> = "the kind of tiling, 1
 template <> inline constexpr auto expected<iterations> = "the number of iterations";
 template <> inline constexpr auto expected<julia_constant> = "the julia set's constant, as in <0.353, 0.288>";
 template <> inline constexpr auto expected<magnet_type> = "the magnet's type, 1 or 2";
-template <> inline constexpr auto expected<df3> = "'df3' and the file's name";
 
-bool read_pattern_type(SceneBuilder& build, scene::Pattern& pattern)
+bool read_pattern_type(SceneBuilder& build, scene::Pattern& pattern, bool of_normal)
 {
+    if (!of_normal && build.stream().peek().kind == Kind::Facets)
+        build.stream().fail(build.stream().here(), "'facets' is a pattern of normals alone");
     PatternState state(build, pattern);
     return Types::match(build, state);
+}
+
+void close_list(SceneBuilder& build, const scene::Pattern& pattern)
+{
+    if (pattern.name == "object") build.close_block("object", pattern.source);
 }
 
 int list_size(const scene::Pattern& p)

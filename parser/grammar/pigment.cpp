@@ -1,12 +1,18 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
 
 struct PigmentState : BlockState {
-    PigmentState(SceneBuilder& b, const scene::Pigment& base) : BlockState(b) { start_from(base); }
+    PigmentState(SceneBuilder& b, const scene::Pigment& base, bool density_block) : BlockState(b), density(density_block)
+    {
+        start_from(base);
+    }
 
+    bool density;                           // `density`: its own maps and lists
     std::optional<scene::Color> quick_color;
+    scene::StatementPtr image;
     scene::Color color;
     scene::Pattern pattern;                 // a name: the pigment is patterned
     scene::ColorMap colors;
@@ -16,6 +22,7 @@ struct PigmentState : BlockState {
     void start_from(const scene::Pigment& base)
     {
         quick_color = base.quick_color;
+        image = base.image;
         if (const auto* plain = std::get_if<scene::Color>(&base.kind)) {
             color = *plain;
             return;
@@ -28,6 +35,7 @@ struct PigmentState : BlockState {
     void set_plain(const scene::Color& c)
     {
         pattern = {};
+        image = nullptr;
         color = c;
     }
 };
@@ -49,14 +57,24 @@ struct pigment_map : item<Kind::PigmentMap> {
     static void act(PigmentState& s)
     {
         reject_map(s);
+        if (s.density) s.stream().fail(s.stream().last(), "'pigment_map' belongs in a pigment; a density has a density_map");
         s.pigments = read_pigment_map(s.build, s.pattern.name == "average");
+        s.colors.clear();
+    }
+};
+struct density_map : item<Kind::DensityMap> {
+    static void act(PigmentState& s)
+    {
+        reject_map(s);
+        if (!s.density) s.stream().fail(s.stream().last(), "'density_map' belongs in a density; a pigment has a pigment_map");
+        s.pigments = read_density_map(s.build, s.pattern.name == "average");
         s.colors.clear();
     }
 };
 struct quick_color : item<Kind::QuickColor, a_color> {
     static void act(PigmentState& s) { s.quick_color = s.pop_color(); }
 };
-using PigmentItems = table<PigmentState, color_map, pigment_map, quick_color>;
+using PigmentItems = table<PigmentState, color_map, pigment_map, density_map, quick_color>;
 
 /// Colours or pigments of checker, brick, ...: the first one decides which.
 void read_list(PigmentState& s, int count)
@@ -64,9 +82,13 @@ void read_list(PigmentState& s, int count)
     TokenStream& in = s.stream();
     s.colors.clear();
     s.pigments.clear();
-    if (in.peek().kind == Kind::Pigment) {
-        while (static_cast<int>(s.pigments.size()) < count && in.accept(Kind::Pigment)) {
-            auto one = std::make_shared<scene::Pigment>(read_pigment(s.build, s.build.default_layer().pigment));
+    const Kind keyword = s.density ? Kind::Density : Kind::Pigment;
+    if (in.peek().kind == keyword) {
+        while (static_cast<int>(s.pigments.size()) < count && in.accept(keyword)) {
+            const scene::SourceRef opened = s.build.open_block(s.density ? "density" : "pigment");
+            const scene::Pigment& base = s.build.default_layer().pigment;
+            auto one = std::make_shared<scene::Pigment>(s.density ? read_density_body(s.build, scene::Pigment{}) : read_pigment_body(s.build, base));
+            s.build.close_block(s.density ? "density" : "pigment", opened);
             s.pigments.push_back({static_cast<double>(s.pigments.size()), std::move(one)});
             in.accept_comma();
         }
@@ -76,7 +98,7 @@ void read_list(PigmentState& s, int count)
         return;
     }
     s.colors = default_colors(s.pattern);
-    for (int i = 0; i < count && at_color(in); ++i) {
+    for (int i = 0; i < count && !s.density && at_color(in); ++i) {
         s.colors[static_cast<std::size_t>(i)].value = parser::color_expr(in);
         in.accept_comma();
     }
@@ -98,8 +120,8 @@ void read_head(PigmentState& s)
         s.set_plain(parser::color_expr(in));
     } else if (in.accept(Kind::ImageMap)) {
         s.build.unsupported("image_map", in.last());
-        s.build.skip_block("image_map");
         s.set_plain({0.5f, 0.5f, 0.5f, 0, 0});
+        s.image = read_image_block(s.build, true);
     } else if (in.accept(Kind::UvMapping)) {
         s.pattern = {};
         s.pattern.name = "uv_mapping";
@@ -114,6 +136,7 @@ void read_head(PigmentState& s)
             s.pigments.clear();
         }
         if (count > 0) read_list(s, count);
+        close_list(s.build, s.pattern);
     }
 }
 
@@ -122,6 +145,7 @@ scene::Pigment finished(PigmentState& s, const scene::SourceRef& source)
     scene::Pigment result;
     result.source = source;
     result.quick_color = s.quick_color;
+    result.image = s.image;
     if (s.pattern.name.empty()) {
         result.kind = s.color;
         return result;
@@ -143,19 +167,40 @@ scene::Pigment finished(PigmentState& s, const scene::SourceRef& source)
 
 }  // namespace
 
-scene::Pigment read_pigment_body(SceneBuilder& build, const scene::Pigment& base)
+namespace {
+
+scene::Pigment read_body(SceneBuilder& build, const scene::Pigment& base, bool density)
 {
     TokenStream& in = build.stream();
     const auto guard = in.nest();
-    PigmentState s(build, base);
+    PigmentState s(build, base, density);
     const scene::SourceRef source = in.here();
-    if (const auto declared = in.accept_identifier<scene::PigmentPtr>()) {
+    std::shared_ptr<const scene::Pigment> declared;
+    if (density) {
+        if (const auto statement = accept_declared(build, "density"))
+            declared = std::get<std::shared_ptr<const scene::Pigment>>(statement->items.front().operands.front());
+    } else if (const auto found = in.accept_identifier<scene::PigmentPtr>()) {
+        declared = *found;
+    }
+    if (declared) {
         s.pattern = {};
-        s.start_from(**declared);
+        s.start_from(*declared);
     }
     read_head(s);
     while (PigmentItems::match(build, s) || read_pattern_modifier(build, s.pattern)) {}
     return finished(s, source);
+}
+
+}  // namespace
+
+scene::Pigment read_pigment_body(SceneBuilder& build, const scene::Pigment& base)
+{
+    return read_body(build, base, false);
+}
+
+scene::Pigment read_density_body(SceneBuilder& build, const scene::Pigment& base)
+{
+    return read_body(build, base, true);
 }
 
 scene::Pigment read_pigment(SceneBuilder& build, const scene::Pigment& base)

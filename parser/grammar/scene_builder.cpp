@@ -30,11 +30,18 @@ void SceneBuilder::set_default_layer(scene::Layer layer)
 void SceneBuilder::add(scene::Object object)
 {
     if (!object.undrawn.empty()) {
-        unsupported(object.undrawn, object.source);
+        set_aside(std::move(object));
         return;
     }
     object.default_texture = default_texture_;
     description.objects.push_back(std::move(object));
+}
+
+void SceneBuilder::set_aside(scene::Object object)
+{
+    unsupported(object.undrawn, object.source);
+    if (!object.default_texture) object.default_texture = default_texture_;
+    description.undrawn.push_back(std::move(object));
 }
 
 void SceneBuilder::unsupported(const std::string& what, const scene::SourceRef& source)
@@ -74,18 +81,6 @@ void SceneBuilder::fail_unknown(const char* expected)
     const Token token = stream_->peek();
     if (token.kind == Kind::Identifier && !stream_->value_of(token)) stream_->fail_undeclared(token);
     stream_->fail_expected(expected);
-}
-
-void SceneBuilder::skip_block(const char* what)
-{
-    const scene::SourceRef opened = open_block(what);
-    for (int depth = 1; depth > 0;) {
-        if (stream_->peek().kind == Kind::EndOfText)
-            stream_->fail(opened, fmt::format("this block of '{}' is not closed: the text ends before its '}}'", what));
-        const Kind kind = stream_->next().kind;
-        if (kind == Kind::LeftBrace) ++depth;
-        if (kind == Kind::RightBrace) --depth;
-    }
 }
 
 }  // namespace parser

@@ -41,20 +41,22 @@ public:
 
     /// An object statement at top level is complete.
     void add(scene::Object object);
+    /// An object of a kind that is not drawn yet: kept in the description.
+    void set_aside(scene::Object object);
     /// Something understood but not drawn yet: told once for each `what`.
     void unsupported(const std::string& what, const scene::SourceRef& source);
 
     /// '{' of a block whose keyword has been taken; its place. close_block() tells what is wrong if '}' does not follow.
     scene::SourceRef open_block(const char* what);
     void close_block(const char* what, const scene::SourceRef& opened);
-    /// Takes a whole `{ ... }` unread; the keyword has been taken.
-    void skip_block(const char* what);
     /// The next token belongs to nothing known here.
     [[noreturn]] void fail_unknown(const char* expected);
 
     scene::Description description;
     scene::Camera default_camera;
     bool camera_given = false, noise_generator_given = false;
+    /// A question to an undrawn object was answered as if it were not there: what follows may be degenerate.
+    bool guessed = false;
 
 private:
     bool undrawn(const std::shared_ptr<const scene::Object>& object, const char* question);
@@ -83,6 +85,8 @@ csg::Transform read_transform(SceneBuilder& build);               ///< `transfor
 std::optional<csg::Transform> read_transformation(SceneBuilder& build);
 scene::Pigment read_pigment(SceneBuilder& build, const scene::Pigment& base);
 scene::Pigment read_pigment_body(SceneBuilder& build, const scene::Pigment& base);  ///< without braces
+/// The same for `density`: density_map for pigment_map, lists of densities.
+scene::Pigment read_density_body(SceneBuilder& build, const scene::Pigment& base);
 scene::Normal read_normal(SceneBuilder& build, const std::optional<scene::Normal>& base);
 scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::Normal>& base);
 scene::Finish read_finish(SceneBuilder& build);
@@ -98,6 +102,7 @@ scene::Interior read_interior(SceneBuilder& build, const scene::Interior& base);
 Material read_material(SceneBuilder& build, Material current);
 scene::ColorMap read_color_map(SceneBuilder& build);
 scene::PigmentMap read_pigment_map(SceneBuilder& build, bool weights);
+scene::PigmentMap read_density_map(SceneBuilder& build, bool weights);
 NormalMap read_normal_map(SceneBuilder& build, bool weights);
 SlopeMap read_slope_map(SceneBuilder& build);
 TextureMap read_texture_map(SceneBuilder& build, bool weights);
@@ -110,8 +115,10 @@ void read_global_settings(SceneBuilder& build);
 bool read_old_setting(SceneBuilder& build);
 
 /// The pattern keyword at the front, with its parameters, if there is one: replaces the type in `pattern`.
-/// Colours or blocks of list patterns are left to the caller.
-bool read_pattern_type(SceneBuilder& build, scene::Pattern& pattern);
+/// Colours or blocks of list patterns are left to the caller. `of_normal`: facets, which only a normal can have, may come.
+bool read_pattern_type(SceneBuilder& build, scene::Pattern& pattern, bool of_normal = false);
+/// To be called when the list that follows a pattern's type has been read: the list of `object` ends with a brace.
+void close_list(SceneBuilder& build, const scene::Pattern& pattern);
 /// One pattern modifier (warp, turbulence, frequency, wave form, transformation, ...) if it is next.
 bool read_pattern_modifier(SceneBuilder& build, scene::Pattern& pattern);
 /// Number of entries of a list pattern (checker 2, ...); 0 for all others.

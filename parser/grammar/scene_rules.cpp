@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 /// The top level of a scene, the values that a declaration can hold, and `#default`.
 namespace parser {
@@ -36,7 +37,7 @@ template <Kind kind> struct undrawn_effect : item<kind> {
     {
         const std::string name(spelling(kind));
         s.build.unsupported(name, s.stream().last());
-        s.build.skip_block(name.c_str());
+        s.build.description.effects.push_back(kind == Kind::Media ? read_media(s.build) : read_rainbow(s.build));
     }
 };
 /// `declare`, `include` and `version` without their '#' are old, and still understood.
@@ -88,7 +89,7 @@ struct default_finish : item<Kind::Finish> {
 struct default_camera : item<Kind::Camera> {
     static void act(SceneState& s) { s.build.default_camera = read_camera(s.build, s.build.default_camera); }
 };
-struct default_radiosity : item<Kind::Radiosity> { static void act(SceneState& s) { s.build.skip_block("radiosity"); } };
+struct default_radiosity : item<Kind::Radiosity> { static void act(SceneState& s) { read_object_radiosity(s.build); } };
 using DefaultItems = table<SceneState, default_texture, default_pigment, default_normal, default_finish, default_camera,
                            default_radiosity>;
 
@@ -97,12 +98,6 @@ template <class T> Value shared(T value)
 {
     return std::make_shared<const T>(std::move(value));
 }
-Value undrawn_value(SceneBuilder& build, Kind kind)
-{
-    build.skip_block(std::string(spelling(kind)).c_str());
-    return Undrawn{std::string(spelling(kind))};
-}
-
 using ValueReader = Value (*)(SceneBuilder&);
 struct ValueEntry { Kind keyword; ValueReader read; };
 const ValueEntry kValues[] = {
@@ -125,10 +120,10 @@ const ValueEntry kValues[] = {
     {Kind::Camera, [](SceneBuilder& b) -> Value { return shared(read_camera(b, b.default_camera)); }},
     {Kind::Fog, [](SceneBuilder& b) -> Value { return shared(read_fog(b)); }},
     {Kind::SkySphere, [](SceneBuilder& b) -> Value { return shared(read_sky_sphere(b)); }},
-    {Kind::Media, [](SceneBuilder& b) { return undrawn_value(b, Kind::Media); }},
-    {Kind::Density, [](SceneBuilder& b) { return undrawn_value(b, Kind::Density); }},
-    {Kind::DensityMap, [](SceneBuilder& b) { return undrawn_value(b, Kind::DensityMap); }},
-    {Kind::Rainbow, [](SceneBuilder& b) { return undrawn_value(b, Kind::Rainbow); }},
+    {Kind::Media, [](SceneBuilder& b) -> Value { return read_media(b); }},
+    {Kind::Density, [](SceneBuilder& b) -> Value { return read_density(b); }},
+    {Kind::DensityMap, [](SceneBuilder& b) -> Value { return shared(read_density_map(b, false)); }},
+    {Kind::Rainbow, [](SceneBuilder& b) -> Value { return read_rainbow(b); }},
 };
 
 }  // namespace

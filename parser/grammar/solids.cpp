@@ -13,6 +13,15 @@ struct SolidState : BlockState {
 /// Shorter distances between a cylinder's or cone's ends, and shorter normals of a plane, are errors (spec 5a, 5).
 constexpr double kDegenerate = 1e-10;
 
+/// Points that were found by asking an undrawn object are guesses: what they make is not the scene's fault.
+void check_ends(SolidState& s, const glm::dvec3& base, glm::dvec3& cap, const char* message)
+{
+    if (glm::distance(base, cap) >= kDegenerate) return;
+    if (!s.build.guessed) s.stream().fail(s.object.source, message);
+    s.stream().warn(s.object.source, message);
+    cap = base + glm::dvec3(0, 1, 0);
+}
+
 bool open_ends(SolidState& s)
 {
     return s.stream().accept(Kind::Open);
@@ -61,7 +70,7 @@ void make_cylinder(SolidState& s)
     c.cap = s.pop_vector();
     c.base = s.pop_vector();
     c.open = open_ends(s);
-    if (glm::distance(c.base, c.cap) < kDegenerate) s.stream().fail(s.object.source, "this cylinder's ends are the same point");
+    check_ends(s, c.base, c.cap, "this cylinder's ends are the same point");
     s.object.shape = c;
 }
 
@@ -75,7 +84,7 @@ void make_cone(SolidState& s)
     c.base_radius = s.pop_float();
     c.base = s.pop_vector();
     c.open = open_ends(s);
-    if (glm::distance(c.base, c.cap) < kDegenerate) s.stream().fail(s.object.source, "this cone's ends are the same point");
+    check_ends(s, c.base, c.cap, "this cone's ends are the same point");
     s.object.shape = c;
 }
 
@@ -129,6 +138,8 @@ void make_triangle(SolidState& s)
     read_rule<triangle>(s.build, s);
     scene::Triangle t{};
     for (std::size_t i = 3; i-- > 0;) t.vertex[i] = s.pop_vector();
+    if (glm::length(glm::cross(t.vertex[1] - t.vertex[0], t.vertex[2] - t.vertex[0])) == 0.0)
+        s.stream().warn(s.object.source, "this triangle's corners lie on a line");
     s.object.shape = t;
 }
 void make_smooth_triangle(SolidState& s)

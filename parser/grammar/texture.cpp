@@ -1,4 +1,5 @@
 #include "parser/grammar/rules.h"
+#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -89,7 +90,8 @@ void read_head(TextureState& s)
     if (in.accept(Kind::Tiles)) return read_tiles(s);
     if (in.accept(Kind::MaterialMap)) {
         s.build.unsupported("material_map", in.last());
-        return s.build.skip_block("material_map");
+        s.texture.material_map = read_material_map(s.build);
+        return;
     }
     if (in.accept(Kind::UvMapping)) {
         scene::Pattern pattern;
@@ -105,10 +107,22 @@ void read_head(TextureState& s)
     if (s.patterned()) pattern = s.pattern().pattern;
     if (!read_pattern_type(s.build, pattern)) return;
     const int count = list_size(pattern);
+    const scene::Pattern list = pattern;
     TextureMap kept = s.patterned() && count == 0 ? s.pattern().map : TextureMap{};
     become(s, std::move(pattern));
     s.pattern().map = std::move(kept);
     if (count > 0) read_list(s, count);
+    close_list(s.build, list);
+}
+
+/// A declared pigment, normal or finish stands for a texture that has it.
+void accept_part(TextureState& s)
+{
+    TokenStream& in = s.stream();
+    scene::Layer& top = std::get<Layers>(s.texture.kind).back();
+    if (const auto pigment = in.accept_identifier<scene::PigmentPtr>()) top.pigment = **pigment;
+    else if (const auto normal = in.accept_identifier<scene::NormalPtr>()) top.normal = **normal;
+    else if (const auto finish = in.accept_identifier<std::shared_ptr<const scene::Finish>>()) top.finish = **finish;
 }
 
 bool read_texture_modifier(TextureState& s)
@@ -129,6 +143,7 @@ scene::TexturePtr read_texture_body(SceneBuilder& build)
     TextureState s(build);
     s.texture = *build.default_texture();
     if (const auto declared = in.accept_identifier<scene::TexturePtr>()) s.texture = **declared;
+    else accept_part(s);
     s.texture.source = in.here();
     read_head(s);
     while (TextureItems::match(build, s) || read_texture_modifier(s)) {}

@@ -47,9 +47,6 @@ using TextureMap = std::vector<scene::MapEntry<scene::TexturePtr>>;
 struct Macro;    ///< token_stream.h
 struct DataFile; ///< data_file.h
 
-/// A declared thing that the renderer does not draw yet (media, density, rainbow): only its keyword is kept.
-struct Undrawn { std::string keyword; };
-
 /// What an identifier may stand for. Scene things are shared and never changed in place.
 /// A texture identifier keeps its layers; a `color_map` and a colour list are both ColorMap.
 struct Value : std::variant<
@@ -61,7 +58,8 @@ struct Value : std::variant<
     std::shared_ptr<const SlopeMap>, std::shared_ptr<const TextureMap>, std::shared_ptr<const csg::Transform>,
     std::shared_ptr<const scene::Camera>, std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>,
     function::FunctionPtr, std::shared_ptr<const function::Spline>,
-    std::shared_ptr<const Macro>, std::shared_ptr<DataFile>, Undrawn> {
+    std::shared_ptr<const Macro>, std::shared_ptr<DataFile>,
+    scene::StatementPtr> {                          // media, density, rainbow
     using variant::variant;
     using variant::operator=;
 

@@ -17,6 +17,7 @@ struct Camera {
     /// Focal blur; off while aperture is 0.
     double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
     int blur_samples = 0;
+    std::vector<StatementPtr> undrawn;     ///< mesh_camera, bokeh, normal: read, not used yet
     SourceRef source;
 };
 
@@ -43,6 +44,8 @@ struct GlobalSettings {
     int noise_generator = 2;
     glm::vec3 irid_wavelength{0.70f, 0.52f, 0.48f};
     bool radiosity = false, photons = false, subsurface = false;  ///< asked for; not rendered yet
+    std::vector<StatementPtr> effects;     ///< their blocks, in order
+    double mm_per_unit = 10;
 };
 
 /// A thing the text asks for that the renderer does not do yet: told once, never dropped in silence.
@@ -64,6 +67,8 @@ struct Description {
     std::vector<Fog> fogs;
     GlobalSettings global;
     std::vector<Unsupported> unsupported;
+    std::vector<Object> undrawn;           ///< objects of kinds that are not drawn yet, wherever they stood
+    std::vector<StatementPtr> effects;     ///< media and rainbows of the whole scene: read, not drawn yet
 };
 
 /// The description as text, one fact a line, defaults included: --dump=scene. The same description gives the same text.

@@ -5,8 +5,6 @@
 namespace scene {
 namespace {
 
-void dump(DumpWriter& out, const Object& object);
-
 struct ShapeDump {
     DumpWriter& out;
 
@@ -105,10 +103,13 @@ void dump_flags(DumpWriter& out, const Flags& f)
     if (f.uv_mapping) out.flag("uv_mapping", true);
 }
 
+}  // namespace
+
 void dump(DumpWriter& out, const Object& object)
 {
     out.open("object");
-    std::visit(ShapeDump{out}, object.shape);
+    if (object.undrawn.empty()) std::visit(ShapeDump{out}, object.shape);
+    else if (object.shape_block) dump(out, *object.shape_block);
     out.value("transform", object.transform);
     if (object.inverse) out.flag("inverse", true);
     dump_flags(out, object.flags);
@@ -132,8 +133,12 @@ void dump(DumpWriter& out, const Object& object)
     };
     group(object.bounded_by_clip ? "clipped_by bounded_by" : "clipped_by", object.clipped_by);
     group("bounded_by", object.bounded_by);
+    if (object.photons) dump(out, *object.photons);
+    if (object.radiosity) dump(out, *object.radiosity);
     out.close();
 }
+
+namespace {
 
 void dump(DumpWriter& out, const Camera& c)
 {
@@ -150,6 +155,7 @@ void dump(DumpWriter& out, const Camera& c)
     out.line("angle", text(c.angle_deg) + " " + text(c.angle2_deg));
     out.line("focus", fmt::format("aperture {} distance {} samples {} confidence {} variance {}", text(c.aperture),
                                   text(c.focal_distance), c.blur_samples, text(c.confidence), text(c.variance)));
+    for (const StatementPtr& statement : c.undrawn) dump(out, *statement);
     out.close();
 }
 
@@ -164,7 +170,9 @@ void dump(DumpWriter& out, const GlobalSettings& g)
     out.value("number_of_waves", g.number_of_waves);
     out.value("noise_generator", g.noise_generator);
     out.value("irid_wavelength", g.irid_wavelength);
+    out.value("mm_per_unit", g.mm_per_unit);
     out.line("requested", fmt::format("radiosity {} photons {} subsurface {}", g.radiosity, g.photons, g.subsurface));
+    for (const StatementPtr& statement : g.effects) dump(out, *statement);
     out.close();
 }
 
@@ -198,7 +206,13 @@ std::string dump(const Description& d)
         out.close();
     }
     for (const Fog& fog : d.fogs) dump(out, fog);
+    for (const StatementPtr& effect : d.effects) dump(out, *effect);
     for (const Object& object : d.objects) dump(out, object);
+    for (const Object& object : d.undrawn) {
+        out.open("not drawn yet");
+        dump(out, object);
+        out.close();
+    }
     for (const Unsupported& u : d.unsupported)
         out.line("unsupported", fmt::format("{} at {}:{}", u.what, u.source.line, u.source.column));
     return out.take();

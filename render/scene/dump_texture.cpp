@@ -68,6 +68,8 @@ void dump(DumpWriter& out, const Pattern& p)
         for (const std::string& one : function::listing(*p.function)) out.line("step", one);
         out.close();
     }
+    if (p.pigment) dump(out, *p.pigment);
+    if (p.block) dump(out, *p.block);
     if (p.noise_generator != 0) out.value("noise_generator", p.noise_generator);
     out.value("frequency", p.frequency);
     out.value("phase", p.phase);
@@ -102,6 +104,8 @@ void dump(DumpWriter& out, const Finish& f)
     out.line("irid", text(f.irid) + " thickness " + text(f.irid_thickness) + " turbulence " + text(f.irid_turbulence));
     if (f.legacy_ior >= 0) out.line("ior", text(f.legacy_ior));
     if (f.legacy_caustics >= 0) out.line("caustics", text(f.legacy_caustics));
+    out.line("refraction", text(f.legacy_refraction));
+    if (f.subsurface) dump(out, *f.subsurface);
     out.close();
 }
 
@@ -141,6 +145,7 @@ void dump(DumpWriter& out, const Pigment& pigment)
     if (pigment.quick_color) out.value("quick_color", *pigment.quick_color);
     if (const auto* color = std::get_if<Color>(&pigment.kind)) {
         out.value("color", *color);
+        if (pigment.image) dump(out, *pigment.image);
     } else {
         const auto& patterned = std::get<PatternedPigment>(pigment.kind);
         dump(out, patterned.pattern);
@@ -160,6 +165,7 @@ void dump(DumpWriter& out, const Pigment& pigment)
 void dump(DumpWriter& out, const Texture& texture)
 {
     out.open("texture");
+    if (texture.material_map) dump(out, *texture.material_map);
     if (const auto* patterned = std::get_if<PatternedTexture>(&texture.kind)) {
         dump(out, patterned->pattern);
         for (const auto& entry : patterned->map) {
@@ -189,6 +195,7 @@ void dump(DumpWriter& out, const Interior& i)
     out.value("fade_color", i.fade_color);
     out.flag("hollow", i.hollow);
     out.line("refraction", text(i.refraction));
+    for (const StatementPtr& medium : i.media) dump(out, *medium);
     out.close();
 }
 

@@ -36,5 +36,7 @@ void dump(DumpWriter& out, const Pigment& pigment);
 void dump(DumpWriter& out, const Texture& texture);
 void dump(DumpWriter& out, const Interior& interior);
 void dump(DumpWriter& out, const Turbulence& turbulence);
+void dump(DumpWriter& out, const Object& object);
+void dump(DumpWriter& out, const Statement& statement);
 
 }  // namespace scene

@@ -96,9 +96,11 @@ struct Object {
     /// The default texture in force when the outermost statement that holds this object was added to the scene
     /// (spec 3, 15.1); set on top-level objects only. What is untextured after inheritance from parents gets it.
     TexturePtr default_texture;
-    /// Keyword of a kind that the renderer cannot draw yet; empty for all others. Such an object is recorded in
-    /// Description::unsupported and never stands in Description::objects or among the operands of a Csg.
+    /// Keyword of a kind that the renderer cannot draw yet; empty for all others. Such an object stands whole, with what
+    /// `shape_block` holds of it, in Description::undrawn and never in Description::objects or among the operands of a Csg.
     std::string undrawn;
+    StatementPtr shape_block;
+    StatementPtr photons, radiosity;    ///< read, not used yet; null if not written
     SourceRef source;
 
     /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.

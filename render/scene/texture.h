@@ -4,6 +4,7 @@
 #include "function/program.h"
 #include "render/scene/color.h"
 #include "render/scene/source_ref.h"
+#include "render/scene/statement.h"
 
 #include <memory>
 #include <optional>
@@ -48,6 +49,7 @@ struct Pattern {
     std::vector<double> numbers;        ///< mortar, control values, exponents, ...
     std::shared_ptr<const Pigment> pigment;  ///< pigment_pattern only
     function::FunctionPtr function;     ///< `function` only: of x, y, z
+    StatementPtr block;                 ///< image_pattern, object, density_file, bump_map: read, not drawn yet
     int noise_generator = 0;            ///< 0: the scene's
     double frequency = 1, phase = 0;
     WaveForm wave = WaveForm::Ramp;
@@ -77,6 +79,7 @@ struct Pigment {
     std::variant<Color, PatternedPigment> kind = Color{};
     std::optional<Color> quick_color;
     SourceRef source;
+    StatementPtr image;                            ///< image_map: read, not drawn yet
 
     void transform(const csg::Transform& t);       ///< deep: a pigment_map's entries stay in the map's space
 };
@@ -109,6 +112,7 @@ struct Finish {
     bool conserve_energy = false;
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
     bool use_radiosity = true;                     ///< reserved for later
+    StatementPtr subsurface;                       ///< read, not drawn yet
     /// Legacy finish keywords, moved to the interior of the object (spec 3, 8.7); unset if negative.
     float legacy_ior = -1, legacy_caustics = -1;
     float legacy_refraction = 1;                   ///< `refraction`: always moved to the interior
@@ -134,6 +138,7 @@ struct PatternedTexture {
 struct Texture {
     std::variant<std::vector<Layer>, PatternedTexture> kind;
     SourceRef source;
+    StatementPtr material_map;                     ///< read, not drawn yet
     void transform(const csg::Transform& t);
 };
 
@@ -145,6 +150,7 @@ struct Interior {
     glm::vec3 fade_color{0};
     bool hollow = false;
     float refraction = 1;  ///< legacy factor on transmitted light (spec 3, 8.7)
+    std::vector<StatementPtr> media;  ///< read, not drawn yet
     SourceRef source;
 };
 

@@ -24,7 +24,7 @@ TEST_CASE("an undeclared name brings the nearest known one", "[parser][error]")
 
 TEST_CASE("an identifier of another kind does not fit", "[parser][error]")
 {
-    CHECK(error_of("#declare F = finish { phong 1 }\nsphere { 0, 1 texture { F } }") ==
+    CHECK(error_of("#declare F = camera { location 0 }\nsphere { 0, 1 texture { F } }") ==
           "2:25: error: expected an item of 'texture' or '}', found 'F'");
     CHECK(error_of("#declare S = sphere { 0, 1 }\nlight_source { S }") == "2:16: error: this identifier is no light_source");
 }

@@ -1,0 +1,301 @@
+#include "parser/grammar/statement.h"
+#include "parser/stream/function.h"
+
+#include <fmt/format.h>
+
+/// Solids made of functions, components, coefficients or files (reference manual: blob, isosurface, parametric,
+/// julia_fractal, poly, height_field, text, bicubic_patch, light_group).
+namespace parser {
+namespace {
+
+// ---- blob -----------------------------------------------------------------------------------------------------
+void finish_component(StatementReader& s, std::string_view name, std::vector<StatementReader::Operand> operands)
+{
+    s.in().accept_comma();
+    if (s.accept(Kind::Strength)) {}
+    operands.emplace_back(float_expr(s.in()));
+    scene::Object modified;
+    read_component_modifiers(s.build(), modified);
+    if (!modified.transform.identity()) operands.emplace_back(modified.transform);
+    if (modified.texture) operands.emplace_back(modified.texture);
+    s.add(name, std::move(operands));
+}
+
+bool read_component(StatementReader& s)
+{
+    const bool ball = s.in().peek().kind == Kind::Sphere;
+    if (s.accept(Kind::Component)) {
+        s.read("component", "ffv");
+        return true;
+    }
+    if (!s.accept(Kind::Sphere) && !s.accept(Kind::Cylinder)) return false;
+    const char* name = ball ? "sphere" : "cylinder";
+    const auto opened = s.build().open_block(name);
+    finish_component(s, name, s.operands(ball ? "vf" : "vvf"));
+    s.build().close_block(name, opened);
+    return true;
+}
+
+void blob(StatementReader& s)
+{
+    static constexpr Form kForms[] = {{Kind::Threshold, "f"}, {Kind::Sturm, "o"}, {Kind::Hierarchy, "o"}};
+    bool any = false;
+    for (;;) {
+        if (s.read_one(kForms)) continue;
+        if (!read_component(s)) break;
+        any = true;
+    }
+    if (!any) s.build().fail_unknown("a component of the blob: sphere or cylinder");
+}
+
+// ---- isosurface, parametric, julia ----------------------------------------------------------------------------
+void contained_by(StatementReader& s)
+{
+    const auto opened = s.build().open_block("contained_by");
+    if (s.accept(Kind::Sphere)) {
+        const auto inner = s.build().open_block("sphere");
+        s.read("contained_by sphere", "vf");
+        s.build().close_block("sphere", inner);
+    } else if (s.accept(Kind::Box)) {
+        const auto inner = s.build().open_block("box");
+        s.read("contained_by box", "vv");
+        s.build().close_block("box", inner);
+    } else {
+        s.in().fail_expected("a sphere or box without modifiers");
+    }
+    s.build().close_block("contained_by", opened);
+}
+
+void read_function_operand(StatementReader& s)
+{
+    if (s.in().peek().kind != Kind::Function) s.in().fail_expected("'function' and its body");
+    s.add("function", {read_function_value(s.in())});
+}
+
+void isosurface(StatementReader& s)
+{
+    static constexpr Form kForms[] = {{Kind::Threshold, "f"}, {Kind::Accuracy, "f"}, {Kind::MaxGradient, "f"},
+                                      {Kind::Evaluate, "fff"}, {Kind::MaxTrace, "f"}, {Kind::AllIntersections, ""}, {Kind::Open, ""}};
+    read_function_operand(s);
+    for (;;) {
+        if (s.accept(Kind::ContainedBy)) contained_by(s);
+        else if (!s.read_one(kForms)) return;
+    }
+}
+
+void parametric(StatementReader& s)
+{
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) s.in().accept_comma();
+        read_function_operand(s);
+    }
+    s.read("range", "pp");
+    static constexpr Form kForms[] = {{Kind::Accuracy, "f"}, {Kind::MaxGradient, "f"}};
+    for (;;) {
+        if (s.accept(Kind::ContainedBy)) {
+            contained_by(s);
+        } else if (s.accept(Kind::Precompute)) {
+            auto operands = s.operands("f");
+            const auto at_axis = [&] {
+                const Kind kind = s.in().peek().kind;
+                return kind == Kind::X || kind == Kind::Y || kind == Kind::Z;
+            };
+            while (at_axis()) {
+                operands.emplace_back(std::string(spelling(s.in().next().kind)));
+                s.in().accept_comma();
+            }
+            s.add("precompute", std::move(operands));
+        } else if (!s.read_one(kForms)) {
+            return;
+        }
+    }
+}
+
+bool julia_function(Kind kind)
+{
+    switch (kind) {
+    case Kind::Sqr: case Kind::Cube: case Kind::Exp: case Kind::Reciprocal: case Kind::Sin: case Kind::Asin: case Kind::Sinh:
+    case Kind::Asinh: case Kind::Cos: case Kind::Acos: case Kind::Cosh: case Kind::Acosh: case Kind::Tan: case Kind::Atan:
+    case Kind::Tanh: case Kind::Atanh: case Kind::Ln: case Kind::Pwr: return true;
+    default: return false;
+    }
+}
+
+void julia_fractal(StatementReader& s)
+{
+    static constexpr Form kForms[] = {{Kind::MaxIteration, "f"}, {Kind::Precision, "f"}, {Kind::Quaternion, ""}, {Kind::Hypercomplex, ""}};
+    s.read("", "q");
+    bool quaternion = true, sums_only = true;
+    for (;;) {
+        const Kind kind = s.in().peek().kind;
+        if (s.accept(Kind::Slice)) {
+            auto operands = s.operands("qf");
+            if (glm::length(std::get<glm::dvec4>(operands[0])) == 0.0) s.fail("the slice's normal is zero");
+            s.add("slice", std::move(operands));
+        } else if (julia_function(kind)) {
+            s.in().next();
+            sums_only = kind == Kind::Sqr || kind == Kind::Cube;
+            std::vector<StatementReader::Operand> operands;
+            if (kind == Kind::Pwr) {
+                s.in().expect(Kind::LeftParen, "'(' after pwr");
+                operands = s.operands("ff");
+                s.in().expect(Kind::RightParen, "')' after pwr's two numbers");
+            }
+            s.add(spelling(kind), std::move(operands));
+        } else if (s.read_one(kForms)) {
+            if (kind == Kind::Hypercomplex) quaternion = false;
+            if (kind == Kind::Quaternion) quaternion = true;
+        } else {
+            break;
+        }
+    }
+    if (quaternion && !sums_only) s.fail("a quaternion julia_fractal knows sqr and cube alone; see hypercomplex");
+}
+
+// ---- polynomials ----------------------------------------------------------------------------------------------
+void coefficients(StatementReader& s, int order)
+{
+    const int count = (order + 1) * (order + 2) * (order + 3) / 6;
+    s.in().expect(Kind::Less, "'<' and the coefficients");
+    std::vector<StatementReader::Operand> values;
+    for (int i = 0; i < count; ++i) {
+        if (i > 0) s.in().accept_comma();
+        values.emplace_back(float_expr(s.in()));
+    }
+    s.in().expect(Kind::Greater, fmt::format("'>' after {} coefficients", count));
+    s.add("coefficients", std::move(values));
+}
+
+int read_order(StatementReader& s)
+{
+    constexpr int kLeast = 2, kMost = 35;
+    const double order = float_expr(s.in());
+    if (!(order >= kLeast && order < kMost + 1)) s.fail("the order must lie from 2 to 35");
+    s.add("order", {order});
+    return static_cast<int>(order);
+}
+
+void sturm(StatementReader& s)
+{
+    static constexpr Form kForms[] = {{Kind::Sturm, "o"}};
+    s.read_one(kForms);
+}
+
+void poly(StatementReader& s)
+{
+    const int order = read_order(s);
+    s.in().accept_comma();
+    coefficients(s, order);
+    sturm(s);
+}
+void cubic(StatementReader& s) { coefficients(s, 3); sturm(s); }
+void quartic(StatementReader& s) { coefficients(s, 4); sturm(s); }
+
+void polynomial(StatementReader& s)
+{
+    const int order = read_order(s);
+    s.in().accept_comma();
+    while (s.accept(Kind::Xyz)) {
+        s.in().expect(Kind::LeftParen, "'(' and the powers of x, y and z");
+        auto term = s.operands("fff");
+        if (number_of(term[0]) + number_of(term[1]) + number_of(term[2]) > order) s.fail("the powers of this term are above the order");
+        s.in().expect(Kind::RightParen, "')' after the powers");
+        s.in().expect(Kind::Colon, "':' and the coefficient");
+        term.emplace_back(float_expr(s.in()));
+        s.add("xyz", std::move(term));
+        s.in().accept_comma();
+    }
+    sturm(s);
+}
+
+// ---- height_field, text, bicubic_patch ------------------------------------------------------------------------
+void height_field(StatementReader& s)
+{
+    static constexpr Form kForms[] = {{Kind::WaterLevel, "f"}, {Kind::Smooth, "o"}, {Kind::Hierarchy, "o"}, {Kind::Gamma, "f"}, {Kind::Premultiplied, "o"}};
+    read_image_source(s, true);
+    s.read_all(kForms);
+}
+
+void text(StatementReader& s)
+{
+    if (s.accept(Kind::Ttf)) {
+        const scene::SourceRef at = s.in().here();
+        const std::string name = path_expr(s.in());
+        const std::string path = s.in().find_file(name, {".ttf", ".TTF"});
+        if (path.empty()) s.in().fail(at, fmt::format("cannot find the font file '{}'", name));
+        s.add("ttf", {path});
+    } else if (s.accept(Kind::Internal)) {
+        s.read("internal", "f");
+    } else {
+        s.in().fail_expected("'ttf' and a font's file, or 'internal' and a number");
+    }
+    s.in().accept_comma();
+    s.read("", "sfv");
+}
+
+void bicubic_patch(StatementReader& s)
+{
+    static constexpr Form kForms[] = {{Kind::Flatness, "f"}, {Kind::USteps, "f"}, {Kind::VSteps, "f"}, {Kind::Accuracy, "f"}};
+    bool typed = false;
+    for (;;) {
+        if (s.accept(Kind::Type)) {
+            double type = float_expr(s.in());
+            if (type >= 2.0) {
+                s.in().warn(s.in().last(), "this type of patch is unknown: type 1 is taken");
+                type = 1.0;
+            }
+            s.add("type", {type});
+            typed = true;
+        } else if (!s.read_one(kForms)) {
+            break;
+        }
+        s.in().accept_comma();
+    }
+    if (!typed) s.fail("this bicubic_patch has no type");
+    if (s.accept(Kind::UvVectors)) s.read("uv_vectors", "pppp"), s.in().accept_comma();
+    s.read("points", "vvvvvvvvvvvvvvvv");
+}
+
+}  // namespace
+
+HeadReader field_head(Kind keyword)
+{
+    switch (keyword) {
+    case Kind::Blob: return blob;
+    case Kind::Isosurface: return isosurface;
+    case Kind::Parametric: return parametric;
+    case Kind::JuliaFractal: return julia_fractal;
+    case Kind::Poly: return poly;
+    case Kind::Cubic: return cubic;
+    case Kind::Quartic: return quartic;
+    case Kind::Polynomial: return polynomial;
+    case Kind::HeightField: return height_field;
+    case Kind::Text: return text;
+    case Kind::BicubicPatch: return bicubic_patch;
+    default: return nullptr;
+    }
+}
+
+HeadReader undrawn_head(Kind keyword)
+{
+    const HeadReader curve = curve_head(keyword);
+    return curve ? curve : field_head(keyword);
+}
+
+/// Objects, `global_lights` and transformations: it takes no other modifier.
+void read_light_group(StatementReader& s, scene::Object& object)
+{
+    for (;;) {
+        if (auto member = read_object(s.build())) {
+            s.add("object", {std::make_shared<const scene::Object>(std::move(*member))});
+        } else if (s.accept(Kind::GlobalLights)) {
+            s.add("global_lights", {optional_flag(s.in()) ? 1.0 : 0.0});
+        } else if (const auto transform = read_transformation(s.build())) {
+            object.transform_by(*transform);
+        } else {
+            return;
+        }
+    }
+}
+
+}  // namespace parser
