@@ -27,6 +27,9 @@ public:
     void failed(const std::string& text) override;
     void finished() override;
 
+    /// An error that nobody needs to be told of.
+    void record_error(const std::string& text) { error_ = text; }
+
     /// The record as JSON (docs/command_line.md has its fields). \param status exit status
     std::string text(int status) const;
 

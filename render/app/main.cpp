@@ -11,18 +11,24 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <unistd.h>
 
 namespace {
 
 app::Cancellation cancellation;
+const char* last_words = "cancelled\n";  // of a run that a signal ends where nobody looks for it
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler uses them");
 
 void cancel(int)
 {
     const bool again = cancellation.requested.exchange(true);
-    if (again || !cancellation.heeded) _exit(app::kCancelled);
+    if (!again && cancellation.heeded) return;
+    if (!again) {
+        [[maybe_unused]] const auto written = write(STDERR_FILENO, last_words, std::strlen(last_words));
+    }
+    _exit(app::kCancelled);
 }
 
 bool has_word(const std::vector<std::string>& arguments, std::initializer_list<const char*> words)
@@ -69,10 +75,12 @@ int main(int count, char** values)
     const std::vector<std::string> arguments(values + std::min(count, 1), values + count);
     app::Settings settings;
     settings.console_style = style_of(count > 0 ? values[0] : "");
+    if (settings.console_style == app::ConsoleStyle::Povray) last_words = "\nRender cancelled by user\n\n";
     int status = app::kError;
     try {
         status = run(arguments, settings);
     } catch (const std::exception& error) {
+        app::journal_option_error(settings, error.what());
         app::tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")), error.what());
     }
     std::fflush(nullptr);

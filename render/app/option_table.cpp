@@ -62,6 +62,9 @@ template <auto Member, int Low, int High> void set_within(Settings& settings, co
     else target = static_cast<float>(std::clamp(value.number, static_cast<double>(Low), static_cast<double>(High)));
 }
 
+template <Hook H> void set_command(Settings& s, const Value& v) { s.commands[static_cast<std::size_t>(H)] = v.text; }
+template <Hook H> void set_return(Settings& s, const Value& v) { s.command_returns[static_cast<std::size_t>(H)] = v.text; }
+
 void set_size(int& target, int value, const char* what)
 {
     if (value < 1) throw OptionError(std::string(what) + " of the picture must be at least 1");
@@ -133,8 +136,8 @@ constexpr Option kOptions[] = {
     {"End_Column", "last column to render, counted from 1, or a share of the width", kNumber, State::Acts, set<&Settings::end_column>},
     {"End_Row", "last row to render, counted from 1, or a share of the height", kNumber, State::Acts, set<&Settings::end_row>},
     {"Fatal_Console", "errors on the console", kFlag, State::Acts, set<&Settings::fatal_console>},
-    {"Fatal_Error_Command", "command to run after an error", kText, State::NotYet, nullptr},
-    {"Fatal_Error_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"Fatal_Error_Command", "command to run after an error", kText, State::Acts, set_command<Hook::FatalError>},
+    {"Fatal_Error_Return", "what its exit status does: I S A Q U F (ignore, skip, all, quit, abort, fail), - in front: a status of 0", kText, State::Acts, set_return<Hook::FatalError>},
     {"Fatal_File", "keep errors in this file", kText, State::Acts, set<&Settings::fatal_file>},
     {"Field_Render", "alternate frames have alternate rows", kFlag, State::Settled, nullptr},
     {"File_Gamma", "gamma of the picture file: sRGB or a number", kGamma, State::Acts, set<&Settings::file_gamma>},
@@ -164,14 +167,14 @@ constexpr Option kOptions[] = {
     {"Output_To_File", "write the picture to a file", kFlag, State::Acts, set<&Settings::output_to_file>},
     {"Palette", "palette of a display", kText, State::Settled, nullptr},
     {"Pause_When_Done", "wait for a key at the end; never here", kFlag, State::Settled, nullptr},
-    {"Post_Frame_Command", "command to run after each frame", kText, State::NotYet, nullptr},
-    {"Post_Frame_Return", "what its exit status does", kText, State::NotYet, nullptr},
-    {"Post_Scene_Command", "command to run at the end", kText, State::NotYet, nullptr},
-    {"Post_Scene_Return", "what its exit status does", kText, State::NotYet, nullptr},
-    {"Pre_Frame_Command", "command to run before each frame", kText, State::NotYet, nullptr},
-    {"Pre_Frame_Return", "what its exit status does", kText, State::NotYet, nullptr},
-    {"Pre_Scene_Command", "command to run first", kText, State::NotYet, nullptr},
-    {"Pre_Scene_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"Post_Frame_Command", "command to run after each frame", kText, State::Acts, set_command<Hook::PostFrame>},
+    {"Post_Frame_Return", "what its exit status does: I S A Q U F (ignore, skip, all, quit, abort, fail), - in front: a status of 0", kText, State::Acts, set_return<Hook::PostFrame>},
+    {"Post_Scene_Command", "command to run at the end", kText, State::Acts, set_command<Hook::PostScene>},
+    {"Post_Scene_Return", "what its exit status does: I S A Q U F (ignore, skip, all, quit, abort, fail), - in front: a status of 0", kText, State::Acts, set_return<Hook::PostScene>},
+    {"Pre_Frame_Command", "command to run before each frame", kText, State::Acts, set_command<Hook::PreFrame>},
+    {"Pre_Frame_Return", "what its exit status does: I S A Q U F (ignore, skip, all, quit, abort, fail), - in front: a status of 0", kText, State::Acts, set_return<Hook::PreFrame>},
+    {"Pre_Scene_Command", "command to run first", kText, State::Acts, set_command<Hook::PreScene>},
+    {"Pre_Scene_Return", "what its exit status does: I S A Q U F (ignore, skip, all, quit, abort, fail), - in front: a status of 0", kText, State::Acts, set_return<Hook::PreScene>},
     {"Preview_End_Size", "last mosaic of the preview", kInteger, State::Settled, nullptr},
     {"Preview_Start_Size", "first mosaic of the preview", kInteger, State::Settled, nullptr},
     {"Quality", "0 to 11: what is left out for speed", kInteger, State::Acts, set_within<&Settings::quality, 0, 11>},
@@ -196,8 +199,8 @@ constexpr Option kOptions[] = {
     {"Subset_Start_Frame", "first frame to render of the animation, or a share", kNumber, State::Acts, set<&Settings::subset_start_frame>},
     {"Test_Abort", "look for a key that ends the render", kFlag, State::Settled, nullptr},
     {"Test_Abort_Count", "how often", kInteger, State::Settled, nullptr},
-    {"User_Abort_Command", "command to run when the user ends the render", kText, State::NotYet, nullptr},
-    {"User_Abort_Return", "what its exit status does", kText, State::NotYet, nullptr},
+    {"User_Abort_Command", "command to run when the user ends the render", kText, State::Acts, set_command<Hook::UserAbort>},
+    {"User_Abort_Return", "what its exit status does: I S A Q U F (ignore, skip, all, quit, abort, fail), - in front: a status of 0", kText, State::Acts, set_return<Hook::UserAbort>},
     {"Verbose", "show progress", kFlag, State::Acts, set<&Settings::verbose>},
     {"Version", "language version of a scene that names none", kNumber, State::Acts, set_version},
     {"Video_Mode", "mode of a display", kText, State::Settled, nullptr},

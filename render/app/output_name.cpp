@@ -26,7 +26,7 @@ std::string without_extension(const std::string& base)
 
 Name output_name(const Settings& settings, const std::string& extension)
 {
-    const Name scene = split(settings.input_file);
+    const Name scene = split(settings.input_file == "-" ? "stdin" : settings.input_file);
     if (settings.output_file.empty()) return {scene.folder, without_extension(scene.base)};
     Name given = split(settings.output_file);
     if (given.base.empty() || given.base == extension) return {given.folder, without_extension(scene.base)};

@@ -4,6 +4,7 @@
 #include "render/app/frame_render.h"
 #include "render/app/journal.h"
 #include "render/app/scene_file.h"
+#include "render/app/shell_commands.h"
 
 #include <fmt/format.h>
 
@@ -17,17 +18,49 @@ namespace app {
 
 namespace {
 
-int render_frames(Run& run)
+/// All frames, with the commands around them. `at` follows the frame at hand.
+int render_frames(Run& run, ShellCommands& commands, const Frame*& at)
 {
-    for (const Frame& frame : run.list.frames) {
-        if (run.cancel.requested) {
-            run.narrator.cancelled("");
-            return kCancelled;
+    if (commands.run(Hook::PreScene, nullptr) == AfterCommand::GoOn) {
+        for (const Frame& frame : run.list.frames) {
+            at = &frame;
+            if (run.cancel.requested) throw AbortedRun();
+            const AfterCommand before = commands.run(Hook::PreFrame, at);
+            if (before == AfterCommand::Skip) continue;
+            if (before == AfterCommand::SkipAll) break;
+            if (render_frame(run, frame) == kCancelled) return kCancelled;
+            if (commands.run(Hook::PostFrame, at) != AfterCommand::GoOn) break;
         }
-        if (const int status = render_frame(run, frame); status != kSuccess) return status;
     }
+    at = nullptr;
+    commands.run(Hook::PostScene, nullptr);
     run.narrator.finished();
     return kSuccess;
+}
+
+int fail(const std::string& text, Narrator& narrator, ShellCommands& commands, const Frame* at)
+{
+    narrator.failed(text);
+    commands.fatal_error(at);
+    return kError;
+}
+
+int render_all(Run& run)
+{
+    ShellCommands commands(run.settings, run.list, run.narrator);
+    const Frame* at = nullptr;
+    try {
+        if (render_frames(run, commands, at) != kCancelled) return kSuccess;
+    } catch (const QuitRun&) {
+        run.narrator.finished();
+        return kSuccess;
+    } catch (const AbortedRun&) {
+        run.narrator.cancelled("");
+    } catch (const std::exception& error) {
+        return fail(error.what(), run.narrator, commands, at);
+    }
+    if (commands.abort_is_error(at)) return fail("ended by the user, and User_Abort_Return makes that an error", run.narrator, commands, at);
+    return kCancelled;
 }
 
 /// Everything after the options are understood; errors are told.
@@ -42,7 +75,7 @@ int run_scene(const Settings& settings, Streams& streams, Narrator& narrator, Ca
         const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
         if (traces) trace::prepare(isa_of(settings), settings.threads);
         if (traces && settings.output_to_file) run.files.prepare(settings.file_type);
-        return render_frames(run);
+        return render_all(run);
     } catch (const std::exception& error) {
         narrator.failed(error.what());
         return kError;
@@ -57,7 +90,7 @@ void write_journal(const std::string& path, const std::string& text)
     }
     std::ofstream out(path, std::ios::binary);
     out << text;
-    if (!out.flush()) throw OptionError("cannot write '" + path + "': " + std::strerror(errno));
+    if (!out.flush()) fmt::print(stderr, "whittle: error: cannot write '{}': {}\n", path, std::strerror(errno));
 }
 
 }  // namespace
@@ -78,6 +111,16 @@ int render_command(const Settings& settings, Cancellation& cancel)
     const int status = run_scene(settings, streams, journal, cancel);
     write_journal(settings.json_file, journal.text(status));
     return status;
+}
+
+void journal_option_error(const Settings& settings, const std::string& text)
+{
+    if (settings.json_file.empty()) return;
+    Streams streams(settings);
+    const std::unique_ptr<Narrator> silent = make_narrator(settings, streams);
+    Journal journal(streams, *silent, settings);
+    journal.record_error(text);
+    write_journal(settings.json_file, journal.text(kError));
 }
 
 }  // namespace app

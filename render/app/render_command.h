@@ -3,6 +3,7 @@
 #include "render/app/settings.h"
 
 #include <atomic>
+#include <string>
 
 namespace app {
 
@@ -17,5 +18,8 @@ struct Cancellation {
 /// Everything from the scene file to the picture file, frame by frame. Returns the exit status.
 /// \param cancel when requested the trace stops and nothing is written
 int render_command(const Settings& settings, Cancellation& cancel);
+
+/// --json of a run that options ended before it began. Does nothing if --json was not among those read till then.
+void journal_option_error(const Settings& settings, const std::string& text);
 
 }  // namespace app

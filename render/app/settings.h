@@ -2,8 +2,10 @@
 
 #include "render/image/files.h"
 
+#include <array>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,10 @@ namespace app {
 
 /// Whose words the console speaks: Whittle's own, or the lines that callers of `povray` look for.
 enum class ConsoleStyle { Whittle, Povray };
+
+/// Points of a run at which a command can be run.
+enum class Hook { PreScene, PreFrame, PostFrame, PostScene, UserAbort, FatalError };
+inline constexpr std::size_t kHookCount = 6;
 
 /// What the command line and INI files ask for, with the defaults of a Debian installation of POV-Ray (spec 1, 18).
 struct Settings {
@@ -51,6 +57,9 @@ struct Settings {
     double state_after = 2.0;                      ///< seconds of rendering before finished blocks are kept for +C
     int compression = 0;                           ///< JPEG quality; 0 and 1 mean 85
     image::TransferCurve file_gamma = image::TransferCurve::srgb(), display_gamma = image::TransferCurve::srgb();
+
+    // Commands, by Hook, and what their exit status does.
+    std::array<std::string, kHookCount> commands, command_returns;
 
     // Messages.
     bool verbose = true;
