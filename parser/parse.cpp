@@ -23,6 +23,7 @@ template <class Open> Result parse(const Options& options, MessageSink sink, voi
     result.scene = build.take();
     result.messages = std::move(stream.messages());
     result.statistics = stream.statistics();
+    result.data_files = std::move(stream.data_files());
     return result;
 }
 

@@ -16,6 +16,8 @@ class SceneQueries;  // parser/queries.h
 struct Options {
     std::vector<std::string> library_path;             ///< searched after the scene's folder, in order
     std::vector<std::string> write_folders;            ///< where #fopen may write, besides the current folder
+    bool write_nothing = false;                        ///< what #fopen would write is dropped
+    bool restrict_read = false;                        ///< files are read only where may_read() of stream/file_policy.h says
     std::map<std::string, double> declared_numbers;    ///< Declare=name=value
     std::map<std::string, std::string> declared_strings;
     int version = 370;                                 ///< before any #version
@@ -54,6 +56,7 @@ struct Result {
     scene::Description scene;
     std::vector<Message> messages;                     ///< in order; without errors
     Statistics statistics;
+    std::vector<std::string> data_files;               ///< that #fopen read, in order
 };
 
 /// Called with each message as it arises (may be empty).

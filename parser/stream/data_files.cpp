@@ -1,5 +1,6 @@
 #include "parser/stream/data_file.h"
 #include "parser/stream/expression.h"
+#include "parser/stream/file_policy.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -15,16 +15,6 @@
 /// Options::write_folders only.
 namespace parser {
 namespace {
-
-namespace fs = std::filesystem;
-
-bool lies_below(const fs::path& file, const fs::path& folder)
-{
-    std::error_code error;
-    const fs::path inner = fs::weakly_canonical(fs::absolute(file), error), outer = fs::weakly_canonical(fs::absolute(folder), error);
-    const fs::path way = inner.lexically_relative(outer);
-    return !error && !way.empty() && *way.begin() != "..";
-}
 
 /// One value as bytes: clamped to the type's range, rounded half up.
 struct Binary { double least, most; int bytes; bool big_endian; };
@@ -75,13 +65,13 @@ void TokenStream::open_data_file()
     if (way.kind == Kind::Read) {
         const std::string path = find_file(file->path, {});
         std::ifstream in(path, std::ios::binary);
-        if (path.empty() || !in) fail(at, fmt::format("cannot open '{}' for reading", file->path));
+        if (path.empty() || !in) fail(at, fmt::format("cannot open '{}' for reading{}", file->path, why_not_found()));
+        data_files_.push_back(path);
         file->text.assign(std::istreambuf_iterator<char>(in), {});
     } else if (way.kind == Kind::Write || way.kind == Kind::Append) {
-        bool allowed = lies_below(file->path, ".");
-        for (const std::string& folder : options_.write_folders) allowed = allowed || lies_below(file->path, folder);
-        if (!allowed) fail(at, fmt::format("a scene may not write to '{}': it lies outside of the current folder and the output's", file->path));
-        file->out.reset(std::fopen(file->path.c_str(), way.kind == Kind::Write ? "wb" : "ab"));
+        if (!may_write(options_, file->path)) fail(at, fmt::format("a scene may not write to '{}': it lies outside of the current folder and the output's (--allow-write)", file->path));
+        const char* path = options_.write_nothing ? "/dev/null" : file->path.c_str();
+        file->out.reset(std::fopen(path, way.kind == Kind::Write ? "wb" : "ab"));
         if (!file->out) fail(at, fmt::format("cannot open '{}' for writing", file->path));
     } else {
         fail_expected_at(way, "'read', 'write' or 'append'");

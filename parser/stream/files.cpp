@@ -1,4 +1,5 @@
 #include "parser/stream/expression.h"
+#include "parser/stream/file_policy.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
 
@@ -61,10 +62,9 @@ void TokenStream::open_main(std::uint16_t index, const std::string& path)
     cursors_.push_back(cursor);
     *symbols_.global(names_.intern("input_file_name")) = fs::path(path).filename().string();
     if (options_.include_header.empty()) return;
-    scene::SourceRef start;
+    Token start;
     start.file = index;
-    start.line = start.column = 1;
-    include_named(options_.include_header, start, start);
+    include_named(options_.include_header, start, place(start));
 }
 
 void TokenStream::open_file(const std::string& path)
@@ -116,26 +116,28 @@ std::string TokenStream::find_file(const std::string& name, const std::vector<st
     if (!cursors_.empty()) folders.push_back(fs::path(files_[cursors_.back().file]->path).parent_path());
     for (const std::string& candidate : names) {
         if (fs::path(candidate).is_absolute()) {
-            if (is_file(candidate)) return candidate;
+            if (is_file(candidate) && may_read(options_, scene_folder_, candidate)) return candidate;
             continue;
         }
         for (const fs::path& folder : folders)
-            if (is_file(folder / candidate)) return (folder / candidate).string();
+            if (is_file(folder / candidate) && may_read(options_, scene_folder_, (folder / candidate).string())) return (folder / candidate).string();
     }
     return {};
 }
 
+const char* TokenStream::why_not_found() const { return options_.restrict_read ? ", or it lies outside of the folders that may be read" : ""; }
+
 void TokenStream::include()
 {
-    const scene::SourceRef call = last();
+    const Token call = last_;
     const scene::SourceRef at = here();
     include_named(path_expr(*this), call, at);
 }
 
-void TokenStream::include_named(const std::string& name, const scene::SourceRef& call, const scene::SourceRef& at)
+void TokenStream::include_named(const std::string& name, const Token& call, const scene::SourceRef& at)
 {
     const std::string path = find_file(name, {".inc", ".INC"});
-    if (path.empty()) fail(at, fmt::format("cannot find the include file '{}'", name));
+    if (path.empty()) fail(at, fmt::format("cannot find the include file '{}'{}", name, why_not_found()));
     std::size_t depth = 0;
     for (const Cursor& cursor : cursors_) depth += !cursor.macro;
     if (depth >= kDeepestIncludes || cursors_.size() >= 2 * kDeepestIncludes + 2000)

@@ -2,6 +2,7 @@
 
 #include "parser/lexer/lexer.h"
 #include "parser/parse.h"
+#include "parser/stream/compiled.h"
 #include "parser/stream/hooks.h"
 #include "parser/stream/symbols.h"
 
@@ -95,6 +96,7 @@ public:
     std::vector<std::string> files() const;           ///< paths in order of SourceRef::file
     std::vector<Message>& messages() { return messages_; }
     const Statistics& statistics() const { return statistics_; }
+    std::vector<std::string>& data_files() { return data_files_; }  ///< opened for reading, in order
 
     /// Full path of a file by the rules of `#include` (current folder, scene's folder, library path, the including
     /// file's folder); empty if there is none. `extensions` are tried as the manual says, e.g. {".inc", ".INC"}.
@@ -126,6 +128,8 @@ public:
     Value read_value(Cell* by_reference = nullptr);
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
+    /// In a loop or macro: the expression that begins here, if it was compiled; takes it. False: nothing was taken.
+    bool run_compiled_here(int requested, bool full, Tuple& out);
     /// The name that a running declaration will create: a function that names it calls itself.
     std::uint32_t declaring() const { return declaring_; }
     /// `declare`, `include` or `version` without its '#', already taken: warns and does it.
@@ -138,11 +142,12 @@ private:
         std::uint32_t name = 0;            ///< of the macro
         std::uint32_t position = 0, end = 0;
         std::size_t blocks = 0;            ///< blocks open when it was entered
-        scene::SourceRef call;             ///< where the macro was called or the file included
+        Token call;                        ///< where the macro was called or the file included
     };
     enum class BlockKind : std::uint8_t { If, Switch, While, For, Macro };
     struct Block {
         BlockKind kind = BlockKind::If;
+        bool repeats = false;              ///< its text may be read again: a loop or macro, or in one
         std::uint16_t file = 0;
         std::uint32_t branch = 0;          ///< Hash of the branch that is being read
         std::uint32_t again = 0;           ///< While: token of its condition; For: first token of the body
@@ -189,6 +194,11 @@ private:
     void define_macro(std::uint32_t hash);
     void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro);
 
+    // compiled_sites.cpp
+    bool take_compiled(const CompiledExpression& expression, std::uint32_t at, Tuple& out);
+    bool declare_compiled(bool local);
+    Cell argument_compiled();
+
     // declarations.cpp
     void declare(bool local);
     void set_element(Array& array, const Cell& element, Value value, const Token& name);
@@ -203,7 +213,8 @@ private:
 
     // files.cpp
     void include();
-    void include_named(const std::string& name, const scene::SourceRef& call, const scene::SourceRef& at);
+    const char* why_not_found() const;                ///< the end of a message about a file
+    void include_named(const std::string& name, const Token& call, const scene::SourceRef& at);
     void message_directive(Kind kind);
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
     void open_main(std::uint16_t file, const std::string& path);
@@ -228,6 +239,8 @@ private:
     std::vector<std::unique_ptr<SourceFile>> files_;
     std::unordered_map<std::string, std::uint16_t> loaded_;
     std::string scene_folder_;
+    std::vector<std::vector<std::uint32_t>> sites_;  // by file and token; see compiled_sites.cpp
+    std::vector<CompiledExpression> compiled_;
     std::vector<Cursor> cursors_;
     std::vector<Block> blocks_;
     Symbols symbols_;
@@ -242,6 +255,7 @@ private:
     std::vector<std::uint32_t> random_streams_;
     std::vector<Message> messages_;
     Statistics statistics_;
+    std::vector<std::string> data_files_;
 };
 
 template <class T> std::optional<T> TokenStream::accept_identifier()

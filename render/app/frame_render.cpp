@@ -46,7 +46,7 @@ void write_to_standard_output(const image::Files& files, const image::Image& pic
 /// The files that a picture is made of, in the order in which they were read.
 void print_dependencies(const Settings& settings, const parser::Result& parsed)
 {
-    for (const std::vector<std::string>* files : {&settings.ini_files, &parsed.scene.files})
+    for (const std::vector<std::string>* files : {&settings.ini_files, &parsed.scene.files, &parsed.data_files})
         for (const std::string& file : *files) fmt::print("{}\n", file);
 }
 
@@ -84,7 +84,7 @@ std::unique_ptr<StateFile> state_file(const Run& run, const std::string& path, c
     if (path.empty() || !run.settings.output_to_file) return nullptr;
     std::filesystem::path beside(path);
     beside.replace_extension(".whittle-state");
-    return std::make_unique<StateFile>(beside.string(), [&] { return picture_identity(options, planned, parsed.scene.files); }, trace::blocks_of(planned), run.settings.state_after);
+    return std::make_unique<StateFile>(beside.string(), [&] { return picture_identity(options, planned, parsed); }, trace::blocks_of(planned), run.settings.state_after);
 }
 
 void resume(Run& run, StateFile& state, image::Image& picture)

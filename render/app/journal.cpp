@@ -31,6 +31,7 @@ void Journal::parsed(const parser::Result& result, double seconds)
     FrameRecord& frame = frames_.back();
     frame.parser = result.statistics;
     frame.files = result.scene.files;
+    frame.files.insert(frame.files.end(), result.data_files.begin(), result.data_files.end());
     frame.objects = result.scene.objects.size();
     frame.phases.emplace_back("parse", seconds);
     speaker_.parsed(result, seconds);

@@ -9,7 +9,7 @@
 
 namespace app {
 
-std::uint64_t picture_identity(const parser::Options& o, const plan::Options& p, const std::vector<std::string>& files)
+std::uint64_t picture_identity(const parser::Options& o, const plan::Options& p, const parser::Result& parsed)
 {
     std::string text = "whittle " WHITTLE_VERSION "\n";
     text += fmt::format("{} {} {} {} {} {} {} {} {} {} {}\n", o.version_given, o.version, o.image_width, o.image_height, o.clock, o.clock_on, o.frame_number, o.initial_frame,
@@ -20,12 +20,14 @@ std::uint64_t picture_identity(const parser::Options& o, const plan::Options& p,
     text += fmt::format("{} {} {} {} {} {} {} {} {} {}\n", p.quality, p.alpha, p.start_row, p.start_column, p.end_row, p.end_column, p.block_size, p.split_unions, aa.method, aa.depth);
     text += fmt::format("{} {} {}\n", aa.threshold, aa.jitter, aa.gamma);
     std::uint64_t hash = hash_of(text.data(), text.size());
-    for (const std::string& file : files) {
-        std::ifstream in(file, std::ios::binary);
-        std::ostringstream content;
-        content << in.rdbuf();
-        const std::string bytes = std::move(content).str();
-        hash = hash_of(bytes.data(), bytes.size(), hash_of(file.data(), file.size(), hash));
+    for (const std::vector<std::string>* files : {&parsed.scene.files, &parsed.data_files}) {
+        for (const std::string& file : *files) {
+            std::ifstream in(file, std::ios::binary);
+            std::ostringstream content;
+            content << in.rdbuf();
+            const std::string bytes = std::move(content).str();
+            hash = hash_of(bytes.data(), bytes.size(), hash_of(file.data(), file.size(), hash));
+        }
     }
     return hash;
 }

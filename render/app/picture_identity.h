@@ -4,13 +4,11 @@
 #include "render/plan/compiled_scene.h"
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 namespace app {
 
 /// A number that differs, as good as surely, where two pictures may: of the options that change a pixel, the version of
 /// the program and the contents of the files read.
-std::uint64_t picture_identity(const parser::Options& options, const plan::Options& planned, const std::vector<std::string>& files);
+std::uint64_t picture_identity(const parser::Options& options, const plan::Options& planned, const parser::Result& parsed);
 
 }  // namespace app

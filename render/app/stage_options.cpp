@@ -30,6 +30,8 @@ parser::Options parser_options(const Settings& settings, const FrameList& list, 
     }
     options.include_header = settings.include_header;
     options.write_folders = settings.write_folders;
+    options.write_nothing = settings.check;
+    options.restrict_read = settings.restrict_read;
     return options;
 }
 
