@@ -1,3 +1,4 @@
+#include "render/app/benchmark.h"
 #include "render/app/command_line.h"
 #include "render/app/compare_command.h"
 #include "render/app/help.h"
@@ -64,7 +65,8 @@ int run(const std::vector<std::string>& arguments, app::Settings& settings)
     }
     for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) std::signal(signal, cancel);
     app::read_default_ini_file(settings);
-    app::apply_command_line(settings, arguments);
+    if (has_word(arguments, {"--benchmark", "-benchmark"})) app::apply_benchmark(settings);
+    else app::apply_command_line(settings, arguments);
     return app::render_command(settings, cancellation);
 }
 

@@ -108,6 +108,20 @@ TEST_CASE("the version is told on standard error, in one line that names POV-Ray
     }
 }
 
+TEST_CASE("the benchmark tells its time, and asks no key", "[callers]")
+{
+    const support::TemporaryFolder folder;
+    const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"-benchmark"}, "1\n");
+    INFO(ended.err);
+    if (ended.status == 0) {
+        CHECK(std::regex_search(ended.err, std::regex("\n  Trace Time: .*\\(\\d+\\.\\d+ seconds\\)\n")));
+    } else {  // the scene is in a package of its own
+        CHECK(ended.status == 1);
+        CHECK_THAT(ended.err, Catch::Contains("the benchmark scene is not installed"));
+    }
+    CHECK(folder.names().empty());
+}
+
 TEST_CASE("other names of the program than povray speak Whittle's words, unless told", "[callers]")
 {
     const support::TemporaryFolder folder;
