@@ -62,9 +62,10 @@ void TokenStream::open_main(std::uint16_t index, const std::string& path)
     cursors_.push_back(cursor);
     *symbols_.global(names_.intern("input_file_name")) = fs::path(path).filename().string();
     if (options_.include_header.empty()) return;
-    Token start;
+    scene::SourceRef start;
     start.file = index;
-    include_named(options_.include_header, start, place(start));
+    start.line = start.column = 1;
+    include_named(options_.include_header, start, start);
 }
 
 void TokenStream::open_file(const std::string& path)
@@ -129,12 +130,12 @@ const char* TokenStream::why_not_found() const { return options_.restrict_read ?
 
 void TokenStream::include()
 {
-    const Token call = last_;
+    const scene::SourceRef call = last();
     const scene::SourceRef at = here();
     include_named(path_expr(*this), call, at);
 }
 
-void TokenStream::include_named(const std::string& name, const Token& call, const scene::SourceRef& at)
+void TokenStream::include_named(const std::string& name, const scene::SourceRef& call, const scene::SourceRef& at)
 {
     const std::string path = find_file(name, {".inc", ".INC"});
     if (path.empty()) fail(at, fmt::format("cannot find the include file '{}'{}", name, why_not_found()));

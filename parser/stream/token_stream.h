@@ -2,7 +2,6 @@
 
 #include "parser/lexer/lexer.h"
 #include "parser/parse.h"
-#include "parser/stream/compiled.h"
 #include "parser/stream/hooks.h"
 #include "parser/stream/symbols.h"
 
@@ -128,8 +127,6 @@ public:
     Value read_value(Cell* by_reference = nullptr);
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
-    /// In a loop or macro: the expression that begins here, if it was compiled; takes it. False: nothing was taken.
-    bool run_compiled_here(int requested, bool full, Tuple& out);
     /// The name that a running declaration will create: a function that names it calls itself.
     std::uint32_t declaring() const { return declaring_; }
     /// `declare`, `include` or `version` without its '#', already taken: warns and does it.
@@ -142,12 +139,11 @@ private:
         std::uint32_t name = 0;            ///< of the macro
         std::uint32_t position = 0, end = 0;
         std::size_t blocks = 0;            ///< blocks open when it was entered
-        Token call;                        ///< where the macro was called or the file included
+        scene::SourceRef call;             ///< where the macro was called or the file included
     };
     enum class BlockKind : std::uint8_t { If, Switch, While, For, Macro };
     struct Block {
         BlockKind kind = BlockKind::If;
-        bool repeats = false;              ///< its text may be read again: a loop or macro, or in one
         std::uint16_t file = 0;
         std::uint32_t branch = 0;          ///< Hash of the branch that is being read
         std::uint32_t again = 0;           ///< While: token of its condition; For: first token of the body
@@ -194,11 +190,6 @@ private:
     void define_macro(std::uint32_t hash);
     void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro);
 
-    // compiled_sites.cpp
-    bool take_compiled(const CompiledExpression& expression, std::uint32_t at, Tuple& out);
-    bool declare_compiled(bool local);
-    Cell argument_compiled();
-
     // declarations.cpp
     void declare(bool local);
     void set_element(Array& array, const Cell& element, Value value, const Token& name);
@@ -214,7 +205,7 @@ private:
     // files.cpp
     void include();
     const char* why_not_found() const;                ///< the end of a message about a file
-    void include_named(const std::string& name, const Token& call, const scene::SourceRef& at);
+    void include_named(const std::string& name, const scene::SourceRef& call, const scene::SourceRef& at);
     void message_directive(Kind kind);
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
     void open_main(std::uint16_t file, const std::string& path);
@@ -239,8 +230,6 @@ private:
     std::vector<std::unique_ptr<SourceFile>> files_;
     std::unordered_map<std::string, std::uint16_t> loaded_;
     std::string scene_folder_;
-    std::vector<std::vector<std::uint32_t>> sites_;  // by file and token; see compiled_sites.cpp
-    std::vector<CompiledExpression> compiled_;
     std::vector<Cursor> cursors_;
     std::vector<Block> blocks_;
     Symbols symbols_;
