@@ -54,6 +54,8 @@ TokenStream::Block TokenStream::block(BlockKind kind, std::uint32_t hash) const
     made.file = cursors_.back().file;
     made.branch = hash;
     made.cursors = cursors_.size();
+    made.repeats = kind == BlockKind::While || kind == BlockKind::For || kind == BlockKind::Macro ||
+                   (!blocks_.empty() && blocks_.back().repeats);
     return made;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -73,10 +74,18 @@ void TokenStream::open_data_file()
         const char* path = options_.write_nothing ? "/dev/null" : file->path.c_str();
         file->out.reset(std::fopen(path, way.kind == Kind::Write ? "wb" : "ab"));
         if (!file->out) fail(at, fmt::format("cannot open '{}' for writing", file->path));
+        forget_text(file->path);
     } else {
         fail_expected_at(way, "'read', 'write' or 'append'");
     }
     *symbols_.global(name.name) = std::move(file);
+}
+
+/// A file that is written anew must be read anew by the next #include.
+void TokenStream::forget_text(const std::string& path)
+{
+    std::error_code error;
+    std::erase_if(loaded_, [&](const auto& entry) { return std::filesystem::equivalent(entry.first, path, error); });
 }
 
 void TokenStream::close_data_file()

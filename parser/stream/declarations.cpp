@@ -17,6 +17,7 @@ constexpr double kMostElements = 100'000'000;
 
 void TokenStream::declare(bool local)
 {
+    if (declare_compiled(local)) return;
     std::optional<Deprecation> deprecation;
     if (peek_raw().kind == Kind::Deprecated) deprecation = read_deprecation();
     const Token name = raw_next();
@@ -80,8 +81,8 @@ void TokenStream::end_declaration(bool numeric)
 {
     const bool mandatory = numeric && language_.version >= 350;
     if (peek_raw().kind != Kind::Semicolon) {
-        if (mandatory) fail_expected_at(Token(ahead_), "';' at the end of the declaration");
-        if (numeric && language_.version >= 310) warn(place(ahead_), "the declaration before this should end in ';'");
+        if (mandatory) fail_expected_at(*ahead_, "';' at the end of the declaration");
+        if (numeric && language_.version >= 310) warn(place(*ahead_), "the declaration before this should end in ';'");
         return;
     }
     raw_next();
@@ -104,7 +105,7 @@ void TokenStream::undefine()
 void TokenStream::set_version()
 {
     const scene::SourceRef at = last();
-    if (peek_raw().kind == Kind::Identifier && word(ahead_) == "unofficial") raw_next();
+    if (peek_raw().kind == Kind::Identifier && word(*ahead_) == "unofficial") raw_next();
     raw_operators_ = true;
     const double wanted = float_expr(*this);
     raw_operators_ = false;
@@ -123,7 +124,7 @@ Cell TokenStream::subscripted(Cell cell, const Token& name, bool may_create, std
         const std::shared_ptr<Array> array = *cell->get_if<std::shared_ptr<Array>>();
         std::size_t index = 0;
         for (const std::uint32_t size : array->sizes) {
-            expect(Kind::LeftSquare, "'[' and the next subscript");
+            if (!accept(Kind::LeftSquare)) fail_expected("'[' and the next subscript");
             const bool raw = std::exchange(raw_operators_, false);
             const double at = float_expr(*this) + kSubscriptSlack;
             expect(Kind::RightSquare, "']'");
@@ -145,7 +146,7 @@ Cell TokenStream::subscripted(Cell cell, const Token& name, bool may_create, std
 
 Value TokenStream::read_identifier_value(Cell* by_reference)
 {
-    const Token name = ahead_;
+    const Token name = *ahead_;
     Cell cell = symbols_.find_cell(name.name);
     if (!cell) fail_undeclared(name);
     if (cell->get_if<std::shared_ptr<DataFile>>()) fail(place(name), "a file handle is no value");
@@ -173,6 +174,8 @@ Value TokenStream::read_identifier_value(Cell* by_reference)
 Value TokenStream::read_value(Cell* by_reference)
 {
     const auto guard = nest();
+    if (!by_reference)
+        if (Tuple known; run_compiled_here(1, false, known)) return known;
     const Token& token = peek();
     if (token.kind == Kind::Identifier) {
         if (language_.version < 350)  // a declared colour begins a colour, as in `C transmit 0.5`

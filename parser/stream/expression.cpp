@@ -40,10 +40,10 @@ Tuple continue_product(TokenStream& stream, Tuple left)
     for (;;) {
         const Kind kind = stream.peek_operator().kind;
         if (kind != Kind::Star && kind != Kind::Slash) return left;
-        const scene::SourceRef at = stream.place(stream.next());
+        const Token at = stream.next();
         const Tuple right = read_factor(stream, left.count);
         if (kind == Kind::Star) combine(left, right, [](double a, double b) { return a * b; });
-        else divide(stream, left, right, at);
+        else divide(stream, left, right, stream.place(at));
     }
 }
 
@@ -66,6 +66,8 @@ Tuple read_sum(TokenStream& stream, int requested)
     return continue_terms(stream, continue_product(stream, read_factor(stream, requested)));
 }
 
+}  // namespace
+
 bool relation_holds(Kind kind, double a, double b)
 {
     switch (kind) {
@@ -77,6 +79,8 @@ bool relation_holds(Kind kind, double a, double b)
     default: return std::abs(a - b) > kSame;
     }
 }
+
+namespace {
 
 bool is_relation(Kind kind)
 {
@@ -137,39 +141,40 @@ Tuple continue_sum(TokenStream& stream, Tuple first, int requested)
 
 Tuple requested_expr(TokenStream& stream, int requested, Level level)
 {
+    if (Tuple known; stream.run_compiled_here(requested, level == Level::Full, known)) return known;
     if (level == Level::Full) return read_full(stream, requested);
     return stream.language().version < 150 ? read_factor(stream, requested) : read_sum(stream, requested);
 }
 
 double float_expr(TokenStream& stream, Level level)
 {
-    const scene::SourceRef at = stream.here();
+    const Token at = stream.peek();
     const Tuple value = requested_expr(stream, 1, level);
-    if (value.count != 1) stream.fail(at, "expected a number, found a vector or color");
+    if (value.count != 1) stream.fail(stream.place(at), "expected a number, found a vector or color");
     return value.at[0];
 }
 
 glm::dvec2 vector2_expr(TokenStream& stream, Level level)
 {
-    const scene::SourceRef at = stream.here();
+    const Token at = stream.peek();
     const Tuple value = requested_expr(stream, 2, level);
-    if (value.count > 2) stream.fail(at, "expected two numbers, as in <0, 1>, found more");
+    if (value.count > 2) stream.fail(stream.place(at), "expected two numbers, as in <0, 1>, found more");
     return {value.at[0], value.at[1]};
 }
 
 glm::dvec3 vector_expr(TokenStream& stream, Level level)
 {
-    const scene::SourceRef at = stream.here();
+    const Token at = stream.peek();
     const Tuple value = requested_expr(stream, 3, level);
-    if (value.count > 3) stream.fail(at, "expected a vector of three numbers, found more");
+    if (value.count > 3) stream.fail(stream.place(at), "expected a vector of three numbers, found more");
     return value.vec3();
 }
 
 glm::dvec4 vector4_expr(TokenStream& stream, Level level)
 {
-    const scene::SourceRef at = stream.here();
+    const Token at = stream.peek();
     const Tuple value = requested_expr(stream, 4, level);
-    if (value.count > 4) stream.fail(at, "expected a vector of four numbers, found more");
+    if (value.count > 4) stream.fail(stream.place(at), "expected a vector of four numbers, found more");
     return {value.at[0], value.at[1], value.at[2], value.at[3]};
 }
 

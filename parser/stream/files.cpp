@@ -58,14 +58,13 @@ void TokenStream::open_main(std::uint16_t index, const std::string& path)
     scene_folder_ = fs::path(path).parent_path().string();
     Cursor cursor;
     cursor.file = index;
+    cursor.tokens = files_[index]->tokens.data();
     cursor.end = static_cast<std::uint32_t>(files_[index]->tokens.size() - 1);
     cursors_.push_back(cursor);
     *symbols_.global(names_.intern("input_file_name")) = fs::path(path).filename().string();
     if (options_.include_header.empty()) return;
-    scene::SourceRef start;
-    start.file = index;
-    start.line = start.column = 1;
-    include_named(options_.include_header, start, start);
+    const Token& start = files_[index]->tokens.front();
+    include_named(options_.include_header, start, place(start));
 }
 
 void TokenStream::open_file(const std::string& path)
@@ -130,12 +129,12 @@ const char* TokenStream::why_not_found() const { return options_.restrict_read ?
 
 void TokenStream::include()
 {
-    const scene::SourceRef call = last();
+    const Token& call = *last_;
     const scene::SourceRef at = here();
     include_named(path_expr(*this), call, at);
 }
 
-void TokenStream::include_named(const std::string& name, const scene::SourceRef& call, const scene::SourceRef& at)
+void TokenStream::include_named(const std::string& name, const Token& call, const scene::SourceRef& at)
 {
     const std::string path = find_file(name, {".inc", ".INC"});
     if (path.empty()) fail(at, fmt::format("cannot find the include file '{}'{}", name, why_not_found()));
@@ -153,9 +152,10 @@ void TokenStream::include_named(const std::string& name, const scene::SourceRef&
     symbols_.open_scope();
     Cursor cursor;
     cursor.file = known->second;
+    cursor.tokens = files_[cursor.file]->tokens.data();
     cursor.end = static_cast<std::uint32_t>(files_[cursor.file]->tokens.size() - 1);
     cursor.blocks = blocks_.size();
-    cursor.call = call;
+    cursor.call = &call;
     cursors_.push_back(cursor);
 }
 

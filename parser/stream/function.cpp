@@ -29,13 +29,13 @@ Tuple call_function(TokenStream& stream, const function::FunctionPtr& called, co
 {
     const bool raw = stream.raw_operators();
     stream.set_raw_operators(false);
-    stream.expect(Kind::LeftParen, fmt::format("'(' after the name of function {}", stream.word(name)));
+    if (!stream.accept(Kind::LeftParen)) stream.fail_expected(fmt::format("'(' after the name of function {}", stream.word(name)));
     std::vector<double> arguments;
     for (std::uint32_t i = 0; i < called->parameters; ++i) {
         if (i > 0) stream.accept_comma();
         arguments.push_back(float_expr(stream));
     }
-    stream.expect(Kind::RightParen, fmt::format("')' after {} arguments", called->parameters));
+    if (!stream.accept(Kind::RightParen)) stream.fail_expected(fmt::format("')' after {} arguments", called->parameters));
     stream.set_raw_operators(raw);
     function::Values value;
     if (called->asks_scene) {

@@ -36,44 +36,57 @@ void TokenStream::define_macro(std::uint32_t hash)
     macro->end = end;
     check_skipped(macro->begin, end);
     cursors_.back().position = end + 2;
-    *symbols_.global(name.name) = std::shared_ptr<const Macro>(std::move(macro));
+    macros_.push_back(std::move(macro));
+    *symbols_.global(name.name) = macros_.back();
 }
 
-void TokenStream::call_macro(const Token& name, const std::shared_ptr<const Macro>& macro)
+void TokenStream::call_macro(const Token& name, const Macro& macro)
 {
     const auto guard = nest();
     const bool raw = std::exchange(raw_operators_, false);
-    const scene::SourceRef call = place(name);
-    last_ = name;
-    expect(Kind::LeftParen, fmt::format("'(' after the name of macro {}", word(name)));
-    std::vector<Cell> arguments;
-    arguments.reserve(macro->parameters.size());
-    for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
+    const std::size_t first = arguments_.size();
+    last_ = &name;
+    if (!accept(Kind::LeftParen)) fail_expected(fmt::format("'(' after the name of macro {}", word(name)));
+    for (const std::uint32_t parameter : macro.parameters) {
+        if (Cell simple = argument_compiled()) {
+            arguments_.push_back(std::move(simple));
+            accept_comma();
+            continue;
+        }
         if (peek().kind == Kind::RightParen)
-            fail_expected(fmt::format("argument '{}' of macro {}", names_.word(macro->parameters[i]), word(name)));
+            fail_expected(fmt::format("argument '{}' of macro {}", names_.word(parameter), word(name)));
         Cell cell;
         Value value = read_value(&cell);
-        if (!cell) cell = std::make_shared<Value>(std::move(value));
-        arguments.push_back(std::move(cell));
+        if (!cell) cell = make_cell(std::move(value));
+        arguments_.push_back(std::move(cell));
         accept_comma();
     }
-    expect(Kind::RightParen, fmt::format("')' after the arguments of macro {}", word(name)));
+    if (!accept(Kind::RightParen)) fail_expected(fmt::format("')' after the arguments of macro {}", word(name)));
     raw_operators_ = raw;
+    enter_macro(name, macro, first);
+}
 
-    if (cursors_.size() >= kDeepestCalls) fail(call, "macros call each other too deeply; does a recursion never end?");
+void TokenStream::enter_macro(const Token& name, const Macro& macro, std::size_t first)
+{
+    if (cursors_.size() >= kDeepestCalls) fail(place(name), "macros call each other too deeply; does a recursion never end?");
     symbols_.open_scope();
-    for (std::size_t i = 0; i < arguments.size(); ++i) symbols_.bind(macro->parameters[i], std::move(arguments[i]));
-    Cursor cursor;
-    cursor.file = macro->file;
+    for (std::size_t i = 0; i < macro.parameters.size(); ++i) symbols_.bind(macro.parameters[i], std::move(arguments_[first + i]));
+    arguments_.resize(first);
+    Block marker;
+    marker.kind = BlockKind::Macro;
+    marker.repeats = true;
+    marker.file = cursors_.back().file;
+    marker.cursors = cursors_.size();
+    Cursor& cursor = cursors_.emplace_back();
+    cursor.file = macro.file;
     cursor.macro = true;
-    cursor.name = macro->name;
-    cursor.position = macro->begin;
-    cursor.end = macro->end;
+    cursor.name = macro.name;
+    cursor.tokens = files_[macro.file]->tokens.data();
+    cursor.position = macro.begin;
+    cursor.end = macro.end;
     cursor.blocks = blocks_.size();
-    cursor.call = call;
-    Block marker = block(BlockKind::Macro, 0);
+    cursor.call = &name;
     push_block(marker);
-    cursors_.push_back(cursor);
     ++statistics_.macro_calls;
 }
 

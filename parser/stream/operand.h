@@ -18,6 +18,10 @@ Tuple replicated(double value, int requested);
 std::shared_ptr<const scene::Object> read_object_identifier(TokenStream& stream);
 /// Truncation towards zero to 32 bits; what does not fit (or is no number) becomes the smallest value.
 std::int32_t to_int32(double value);
+/// v turned about x, then y, then z.
+glm::dvec3 rotated(glm::dvec3 v, const glm::dvec3& degrees);
+/// `a relation b`, with the tolerance of the language.
+bool relation_holds(Kind kind, double a, double b);
 inline constexpr double kSame = 1e-10;  ///< comparisons and truth: values nearer than this are equal
 
 }  // namespace parser

@@ -1,13 +1,64 @@
 #include "parser/stream/symbols.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <new>
 
 namespace parser {
+namespace {
 
-std::vector<Symbols::Binding>& Symbols::slot(std::uint32_t name)
+/// Memory of cells that is used again at once: macros make and leave a handful at every call.
+class CellMemory {
+public:
+    ~CellMemory()
+    {
+        for (void* const one : free_) ::operator delete(one);
+    }
+    void* take(std::size_t size)
+    {
+        if (size != size_ || free_.empty()) return size_ = size, ::operator new(size);
+        void* const one = free_.back();
+        free_.pop_back();
+        return one;
+    }
+    void give(void* one, std::size_t size)
+    {
+        constexpr std::size_t kMost = 1024;
+        if (size == size_ && free_.size() < kMost) free_.push_back(one);
+        else ::operator delete(one);
+    }
+
+private:
+    std::size_t size_ = 0;
+    std::vector<void*> free_;
+};
+
+CellMemory& cell_memory()
 {
-    if (name >= slots_.size()) slots_.resize(std::max<std::size_t>(name + 1, slots_.size() * 2));
-    return slots_[name];
+    thread_local CellMemory memory;
+    return memory;
+}
+
+template <class T> struct CellAllocator {
+    using value_type = T;
+    CellAllocator() = default;
+    template <class U> CellAllocator(const CellAllocator<U>&) {}
+    T* allocate(std::size_t count) { return static_cast<T*>(cell_memory().take(count * sizeof(T))); }
+    void deallocate(T* one, std::size_t count) { cell_memory().give(one, count * sizeof(T)); }
+    template <class U> bool operator==(const CellAllocator<U>&) const { return true; }
+};
+
+}  // namespace
+
+Cell make_cell(Value value)
+{
+    return std::allocate_shared<Value>(CellAllocator<Value>(), std::move(value));
+}
+
+void Symbols::grow(std::uint32_t name)
+{
+    slots_.resize(std::max<std::size_t>(name + 1, slots_.size() * 2));
+    current_.resize(slots_.size());
 }
 
 Cell Symbols::find_cell(std::uint32_t name) const
@@ -20,38 +71,30 @@ bool Symbols::in_current_scope(std::uint32_t name) const
     return name < slots_.size() && !slots_[name].empty() && slots_[name].back().scope == depth();
 }
 
-Cell Symbols::declare(std::uint32_t name)
+const Cell& Symbols::declare(std::uint32_t name)
 {
     auto& bindings = slot(name);
     return bindings.empty() ? global(name) : bindings.back().cell;
 }
 
-Cell Symbols::local(std::uint32_t name, std::uint32_t scope)
+const Cell& Symbols::local(std::uint32_t name, std::uint32_t scope)
 {
     auto& bindings = slot(name);
     auto at = bindings.end();
     while (at != bindings.begin() && (at - 1)->scope > scope) --at;
     if (at != bindings.begin() && (at - 1)->scope == scope) return (at - 1)->cell;
     if (scope > 0) opened_[scope - 1].push_back(name);
-    return bindings.insert(at, {std::make_shared<Value>(), scope})->cell;
+    const Cell& made = bindings.insert(at, Binding(make_cell({}), scope))->cell;
+    refresh(name);
+    return made;
 }
 
-Cell Symbols::global(std::uint32_t name)
+const Cell& Symbols::global(std::uint32_t name)
 {
     auto& bindings = slot(name);
-    if (bindings.empty() || bindings.front().scope != 0) bindings.insert(bindings.begin(), {std::make_shared<Value>(), 0});
+    if (bindings.empty() || bindings.front().scope != 0) bindings.insert(bindings.begin(), Binding(make_cell({}), 0));
+    refresh(name);
     return bindings.front().cell;
-}
-
-void Symbols::bind(std::uint32_t name, Cell cell)
-{
-    auto& bindings = slot(name);
-    if (in_current_scope(name)) {
-        bindings.back().cell = std::move(cell);
-        return;
-    }
-    bindings.push_back({std::move(cell), depth()});
-    if (!opened_.empty()) opened_.back().push_back(name);
 }
 
 bool Symbols::undefine(std::uint32_t name)
@@ -59,20 +102,26 @@ bool Symbols::undefine(std::uint32_t name)
     auto& bindings = slot(name);
     if (bindings.empty()) return false;
     bindings.pop_back();
+    refresh(name);
     return true;
 }
 
 void Symbols::open_scope()
 {
-    opened_.emplace_back();
+    if (opened_.size() == depth_) opened_.emplace_back();
+    ++depth_;
 }
 
 void Symbols::close_scope()
 {
     const std::uint32_t scope = depth();
-    for (const std::uint32_t name : opened_.back())  // an undefined one is gone already
-        if (!slots_[name].empty() && slots_[name].back().scope == scope) slots_[name].pop_back();
-    opened_.pop_back();
+    for (const std::uint32_t name : opened_[scope - 1])  // an undefined one is gone already
+        if (auto& bindings = slots_[name]; !bindings.empty() && bindings.back().scope == scope) {
+            bindings.pop_back();
+            refresh(name);
+        }
+    opened_[scope - 1].clear();
+    --depth_;
 }
 
 }  // namespace parser

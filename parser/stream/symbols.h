@@ -6,38 +6,64 @@
 
 namespace parser {
 
+/// A cell of its own that holds `value`.
+Cell make_cell(Value value);
+
 /// Dynamic scoping: one stack of bindings per interned name, a scope is only a number. Scope 0 is the global table;
 /// every open include file and every active macro adds one (reference manual 3.3.1.8; spec of the language 7).
 class Symbols {
 public:
     /// The binding in force, null if there is none.
-    Value* find(std::uint32_t name) const
-    {
-        return name < slots_.size() && !slots_[name].empty() ? slots_[name].back().cell.get() : nullptr;
-    }
+    Value* find(std::uint32_t name) const { return name < current_.size() ? current_[name] : nullptr; }
     Cell find_cell(std::uint32_t name) const;
     bool in_current_scope(std::uint32_t name) const;
 
     /// `#declare`: the nearest symbol, else a new global one. The new one is unset.
-    Cell declare(std::uint32_t name);
+    const Cell& declare(std::uint32_t name);
     /// `#local` that began in `scope` (reading its value may have entered a macro that is not left yet): the symbol of
     /// that scope, else a new one there.
-    Cell local(std::uint32_t name, std::uint32_t scope);
-    Cell global(std::uint32_t name);
+    const Cell& local(std::uint32_t name, std::uint32_t scope);
+    const Cell& global(std::uint32_t name);
     /// A macro parameter: `name` in the current scope means `cell` from now on.
-    void bind(std::uint32_t name, Cell cell);
+    void bind(std::uint32_t name, Cell cell)
+    {
+        auto& bindings = slot(name);
+        current_[name] = cell.get();
+        if (!bindings.empty() && bindings.back().scope == depth_) {
+            bindings.back().cell = std::move(cell);
+            return;
+        }
+        bindings.emplace_back(std::move(cell), depth_);
+        if (depth_ > 0) opened_[depth_ - 1].push_back(name);
+    }
     /// Removes the nearest binding; false if there was none.
     bool undefine(std::uint32_t name);
 
     void open_scope();
     void close_scope();
-    std::uint32_t depth() const { return static_cast<std::uint32_t>(opened_.size()); }
+    std::uint32_t depth() const { return depth_; }
 
 private:
-    struct Binding { Cell cell; std::uint32_t scope; };
-    std::vector<Binding>& slot(std::uint32_t name);
+    struct Binding {
+        Binding(Cell what, std::uint32_t where) : cell(std::move(what)), scope(where) {}
+        Cell cell;
+        std::uint32_t scope;
+    };
+    std::vector<Binding>& slot(std::uint32_t name)
+    {
+        if (name >= slots_.size()) grow(name);
+        return slots_[name];
+    }
+    void grow(std::uint32_t name);
+    void refresh(std::uint32_t name)
+    {
+        const auto& bindings = slots_[name];
+        current_[name] = bindings.empty() ? nullptr : bindings.back().cell.get();
+    }
     std::vector<std::vector<Binding>> slots_;
-    std::vector<std::vector<std::uint32_t>> opened_;  // names bound in each scope above the global one
+    std::vector<Value*> current_;                     // the last of each slot
+    std::vector<std::vector<std::uint32_t>> opened_;  // names bound in each scope above the global one; the rest is kept for later
+    std::uint32_t depth_ = 0;
 };
 
 }  // namespace parser

@@ -31,23 +31,22 @@ TokenStream::Nesting::Nesting(TokenStream& stream) : stream_(stream)
     ++stream_.nesting_;
 }
 
-Token TokenStream::advance()
+const Token& TokenStream::advance()
 {
     for (;;) {
         Cursor& cursor = cursors_.back();
-        const std::vector<Token>& tokens = files_[cursor.file]->tokens;
         if (cursor.position < cursor.end) {
-            if (left_-- == 0) fail(place(tokens[cursor.position]), "the limit of tokens is reached: does this loop end?");
-            return tokens[cursor.position++];
+            if (left_-- == 0) fail(place(cursor.tokens[cursor.position]), "the limit of tokens is reached: does this loop end?");
+            return cursor.tokens[cursor.position++];
         }
-        if (cursors_.size() == 1) return tokens.back();
+        if (cursors_.size() == 1) return files_[cursor.file]->tokens.back();
         leave_cursor();
     }
 }
 
 void TokenStream::leave_cursor()
 {
-    const Cursor cursor = cursors_.back();
+    const Cursor& cursor = cursors_.back();
     if (cursor.macro) {
         blocks_.resize(cursor.blocks);
     } else {
@@ -73,30 +72,30 @@ void TokenStream::fetch()
             if (!ahead_raw_) return;
             // Fetched where directives are not executed: now they are.
             ahead_raw_ = false;
-            if (ahead_.kind != Kind::Hash && !is_macro(ahead_)) return;
+            if (ahead_->kind != Kind::Hash && !is_macro(*ahead_)) return;
             has_ahead_ = false;
             --cursors_.back().position;
         }
-        const Token token = advance();
+        const Token& token = advance();
         switch (token.kind) {
         case Kind::Hash: execute_directive(); break;
         case Kind::Bad: fail_bad(token);
         case Kind::EndOfText:
             if (!blocks_.empty())
                 fail(place(files_[blocks_.back().file]->tokens[blocks_.back().branch]), "this has no #end");
-            ahead_ = token;
+            ahead_ = &token;
             has_ahead_ = true;
             return;
         case Kind::Identifier:
             if (const Value* value = symbols_.find(token.name))
                 if (const auto* macro = value->get_if<std::shared_ptr<const Macro>>()) {
-                    call_macro(token, std::shared_ptr<const Macro>(*macro));
+                    call_macro(token, **macro);
                     break;
                 }
             if (!deprecated_.empty()) warn_deprecated(token);
             [[fallthrough]];
         default:
-            ahead_ = token;
+            ahead_ = &token;
             has_ahead_ = true;
             return;
         }
@@ -106,34 +105,19 @@ void TokenStream::fetch()
 const Token& TokenStream::peek_raw()
 {
     if (!has_ahead_) {
-        ahead_ = advance();
-        if (ahead_.kind == Kind::Bad) fail_bad(ahead_);
+        ahead_ = &advance();
+        if (ahead_->kind == Kind::Bad) fail_bad(*ahead_);
         has_ahead_ = ahead_raw_ = true;
     }
-    return ahead_;
+    return *ahead_;
 }
 
-Token TokenStream::raw_next()
+const Token& TokenStream::raw_next()
 {
     peek_raw();
     has_ahead_ = ahead_raw_ = false;
     ++taken_;
-    return last_ = ahead_;
-}
-
-Token TokenStream::next()
-{
-    peek();
-    if (ahead_.kind != Kind::EndOfText) has_ahead_ = false;
-    ++taken_;
-    return last_ = ahead_;
-}
-
-bool TokenStream::accept(Kind kind)
-{
-    if (peek().kind != kind) return false;
-    next();
-    return true;
+    return *(last_ = ahead_);
 }
 
 void TokenStream::expect(Kind kind, std::string_view what)
@@ -145,13 +129,13 @@ void TokenStream::execute_directive()
 {
     Cursor& cursor = cursors_.back();
     if (cursor.position >= cursor.end) return;
-    const Token word = file().tokens[cursor.position];
+    const Token& word = cursor.tokens[cursor.position];
     if (!is_keyword(word.kind)) return;  // `#name` means `name`
     const std::uint32_t hash = cursor.position - 1;
     ++cursor.position;
     const auto guard = nest();
     const bool raw = std::exchange(raw_operators_, false);
-    last_ = word;
+    last_ = &word;
     if (!execute(word.kind, hash)) --cursors_.back().position;  // `#sphere` means `sphere`
     raw_operators_ = raw;
 }
@@ -212,7 +196,7 @@ scene::SourceRef TokenStream::here()
 
 scene::SourceRef TokenStream::last() const
 {
-    return place(last_);
+    return place(*last_);
 }
 
 std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const
@@ -223,7 +207,8 @@ std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view k
     std::size_t notes = 0;
     for (std::size_t i = cursors_.size(); i-- > 1 && notes < kMostNotes; ++notes) {
         const Cursor& cursor = cursors_[i];
-        all += fmt::format("\n{}:{}:{}: note: {}", files_[cursor.call.file]->path, cursor.call.line, cursor.call.column,
+        const scene::SourceRef call = place(*cursor.call);
+        all += fmt::format("\n{}:{}:{}: note: {}", files_[call.file]->path, call.line, call.column,
                            cursor.macro ? "in the expansion of macro " + names_.word(cursor.name) : "included here");
     }
     return all;
@@ -242,7 +227,7 @@ void TokenStream::fail_bad(const Token& token)
 void TokenStream::fail_expected(std::string_view what)
 {
     if (!has_ahead_) peek();
-    fail_expected_at(Token(ahead_), what);
+    fail_expected_at(*ahead_, what);
 }
 
 void TokenStream::fail_expected_at(const Token& found, std::string_view what)

@@ -2,6 +2,7 @@
 
 #include "parser/lexer/lexer.h"
 #include "parser/parse.h"
+#include "parser/stream/compiled.h"
 #include "parser/stream/hooks.h"
 #include "parser/stream/symbols.h"
 
@@ -55,11 +56,22 @@ public:
     /// The next plain token; directives and macro calls before it have been executed.
     const Token& peek()
     {
-        if (!has_ahead_ || ahead_raw_) fetch();
-        return ahead_;
+        if (!has_ahead_ ? !fetch_plain() : ahead_raw_) fetch();
+        return *ahead_;
     }
-    Token next();                                     ///< takes it
-    bool accept(Kind kind);                           ///< takes it if it is of that kind
+    const Token& next()                               ///< takes it
+    {
+        peek();
+        if (ahead_->kind != Kind::EndOfText) has_ahead_ = false;
+        ++taken_;
+        return *(last_ = ahead_);
+    }
+    bool accept(Kind kind)                            ///< takes it if it is of that kind
+    {
+        if (peek().kind != kind) return false;
+        next();
+        return true;
+    }
     void expect(Kind kind, std::string_view what);    ///< or fails with "expected <what>, found ..."
     bool accept_comma() { return accept(Kind::Comma); }
     /// The next token where directives are not executed: `#` and a macro's name are returned as they stand.
@@ -70,7 +82,7 @@ public:
     scene::SourceRef here();                          ///< of the token that peek() shows
     scene::SourceRef last() const;                    ///< of the token taken last
     scene::SourceRef place(const Token& token) const;
-    const Token& taken_last() const { return last_; }
+    const Token& taken_last() const { return *last_; }
     [[noreturn]] void fail(const scene::SourceRef& at, std::string_view text);
     [[noreturn]] void fail_expected(std::string_view what);  ///< "expected <what>, found '<peek()>'" at peek()
     void warn(const scene::SourceRef& at, std::string_view text);
@@ -127,23 +139,33 @@ public:
     Value read_value(Cell* by_reference = nullptr);
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
+    /// In a loop or macro: the expression that begins here, if it was compiled; takes it. False: nothing was taken.
+    /// `out` must be new: only its components are written.
+    bool run_compiled_here(int requested, bool full, Tuple& out)
+    {
+        return !blocks_.empty() && blocks_.back().repeats && find_compiled({static_cast<std::uint8_t>(requested), full, raw_operators_}, out);
+    }
     /// The name that a running declaration will create: a function that names it calls itself.
     std::uint32_t declaring() const { return declaring_; }
     /// `declare`, `include` or `version` without its '#', already taken: warns and does it.
     void bare_directive(const Token& word);
 
 private:
+    static inline const Token kNoToken;
     struct Cursor {
         std::uint16_t file = 0;
         bool macro = false;                ///< else a whole text
         std::uint32_t name = 0;            ///< of the macro
         std::uint32_t position = 0, end = 0;
+        const Token* tokens = nullptr;     ///< of the file
+        std::uint32_t* sites = nullptr;    ///< of the file, once asked for
         std::size_t blocks = 0;            ///< blocks open when it was entered
-        scene::SourceRef call;             ///< where the macro was called or the file included
+        const Token* call = &kNoToken;     ///< where the macro was called or the file included
     };
     enum class BlockKind : std::uint8_t { If, Switch, While, For, Macro };
     struct Block {
         BlockKind kind = BlockKind::If;
+        bool repeats = false;              ///< its text may be read again: a loop or macro, or in one
         std::uint16_t file = 0;
         std::uint32_t branch = 0;          ///< Hash of the branch that is being read
         std::uint32_t again = 0;           ///< While: token of its condition; For: first token of the body
@@ -153,12 +175,23 @@ private:
     };
 
     void fetch();
-    Token advance();                       ///< throws at Options::most_tokens;
+    /// The common case of fetch(): nothing is ahead and a token stands next that is nothing to execute.
+    bool fetch_plain()
+    {
+        Cursor& cursor = cursors_.back();
+        if (cursor.position >= cursor.end || cursor.tokens[cursor.position].kind <= Kind::Identifier || left_ == 0) return false;
+        --left_;
+        ahead_ = &cursor.tokens[cursor.position++];
+        has_ahead_ = true;
+        ahead_raw_ = false;
+        return true;
+    }
+    const Token& advance();                       ///< throws at Options::most_tokens;
                                            ///< the next token of the text, leaving finished macros and files
     void leave_cursor();
     bool is_macro(const Token& token) const;
     SourceFile& file() { return *files_[cursors_.back().file]; }
-    Token raw_next();
+    const Token& raw_next();
     void execute_directive();              ///< the cursor stands behind a Hash
     bool execute(Kind word, std::uint32_t hash);
     [[noreturn]] void fail_bad(const Token& token);
@@ -188,7 +221,15 @@ private:
 
     // macros.cpp
     void define_macro(std::uint32_t hash);
-    void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro);
+    void call_macro(const Token& name, const Macro& macro);
+    void enter_macro(const Token& name, const Macro& macro, std::size_t first_argument);
+
+    // compiled_sites.cpp
+    bool find_compiled(CompiledKey key, Tuple& out);
+    std::uint32_t* sites_of(std::uint16_t file);
+    bool take_compiled(const CompiledExpression& expression, std::uint32_t at, Tuple& out);
+    bool declare_compiled(bool local);
+    Cell argument_compiled();
 
     // declarations.cpp
     void declare(bool local);
@@ -205,7 +246,7 @@ private:
     // files.cpp
     void include();
     const char* why_not_found() const;                ///< the end of a message about a file
-    void include_named(const std::string& name, const scene::SourceRef& call, const scene::SourceRef& at);
+    void include_named(const std::string& name, const Token& call, const scene::SourceRef& at);
     void message_directive(Kind kind);
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
     void open_main(std::uint16_t file, const std::string& path);
@@ -216,6 +257,7 @@ private:
     // data_files.cpp
     void open_data_file();
     void close_data_file();
+    void forget_text(const std::string& path);
     void read_data();
     void write_data();
     std::shared_ptr<DataFile> data_file(Token& name, bool reading);
@@ -230,10 +272,15 @@ private:
     std::vector<std::unique_ptr<SourceFile>> files_;
     std::unordered_map<std::string, std::uint16_t> loaded_;
     std::string scene_folder_;
+    std::vector<std::vector<std::uint32_t>> sites_;  // by file and token; see compiled_sites.cpp
+    std::vector<CompiledExpression> compiled_;
+    std::vector<std::shared_ptr<const Macro>> macros_;  // all there ever were: one may be redefined while it is called
+    std::vector<Cell> arguments_;                       // of the macro calls that are being read
     std::vector<Cursor> cursors_;
     std::vector<Block> blocks_;
     Symbols symbols_;
-    Token ahead_, last_;
+    const Token* ahead_ = &kNoToken;       ///< tokens of files never move
+    const Token* last_ = &kNoToken;
     bool has_ahead_ = false, ahead_raw_ = false, raw_operators_ = false;
     std::uint64_t taken_ = 0;
     std::uint64_t left_ = 0;               ///< tokens until Options::most_tokens
@@ -250,7 +297,7 @@ private:
 template <class T> std::optional<T> TokenStream::accept_identifier()
 {
     if (peek().kind != Kind::Identifier) return std::nullopt;
-    Cell cell = symbols_.find_cell(ahead_.name);
+    Cell cell = symbols_.find_cell(ahead_->name);
     if (!cell) return std::nullopt;
     if (const T* whole = cell->template get_if<T>()) {
         T content = *whole;

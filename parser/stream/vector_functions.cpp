@@ -5,7 +5,6 @@
 #include <numbers>
 
 namespace parser {
-namespace {
 
 glm::dvec3 rotated(glm::dvec3 v, const glm::dvec3& degrees)
 {
@@ -15,6 +14,8 @@ glm::dvec3 rotated(glm::dvec3 v, const glm::dvec3& degrees)
     v = {v.x * c.y + v.z * s.y, v.y, -v.x * s.y + v.z * c.y};
     return {v.x * c.z - v.y * s.z, v.x * s.z + v.y * c.z, v.z};
 }
+
+namespace {
 
 glm::dvec3 rotated_about(const glm::dvec3& v, const glm::dvec3& axis, double degrees)
 {
