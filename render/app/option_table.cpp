@@ -65,6 +65,19 @@ template <auto Member, int Low, int High> void set_within(Settings& settings, co
 template <Hook H> void set_command(Settings& s, const Value& v) { s.commands[static_cast<std::size_t>(H)] = v.text; }
 template <Hook H> void set_return(Settings& s, const Value& v) { s.command_returns[static_cast<std::size_t>(H)] = v.text; }
 
+void set_dither_method(Settings& s, const Value& v)
+{
+    using image::Dither;
+    constexpr std::pair<std::string_view, Dither> kMethods[] = {{"B2", Dither::Ordered2}, {"B3", Dither::Ordered3}, {"B4", Dither::Ordered4},
+                                                                {"D1", Dither::Carry},    {"D2", Dither::Spread},   {"FS", Dither::FloydSteinberg}};
+    for (const auto& [name, method] : kMethods) {
+        if (!same_text(v.text, name)) continue;
+        s.dither_method = method;
+        return;
+    }
+    throw OptionError("Dither_Method wants B2, B3, B4, D1, D2 or FS, found '" + v.text + "'");
+}
+
 void set_size(int& target, int value, const char* what)
 {
     if (value < 1) throw OptionError(std::string(what) + " of the picture must be at least 1");
@@ -130,8 +143,8 @@ constexpr Option kOptions[] = {
     {"Declare", "name=value: a variable of the scene, a number or a string in quotes", kText, State::Acts, declare},
     {"Display", "a window with the picture; there is none here", kFlag, State::Settled, nullptr},
     {"Display_Gamma", "gamma of the display: sRGB or a number", kGamma, State::Acts, set<&Settings::display_gamma>},
-    {"Dither", "dither what is lost by rounding", kFlag, State::NotYet, nullptr},
-    {"Dither_Method", "how: B2 B3 B4 D1 D2 FS", kText, State::NotYet, nullptr},
+    {"Dither", "dither what is lost by rounding", kFlag, State::Acts, set<&Settings::dither>},
+    {"Dither_Method", "how: B2 B3 B4 D1 D2 FS", kText, State::Acts, set_dither_method},
     {"Draw_Vistas", "draw vista rectangles", kFlag, State::Settled, nullptr},
     {"End_Column", "last column to render, counted from 1, or a share of the width", kNumber, State::Acts, set<&Settings::end_column>},
     {"End_Row", "last row to render, counted from 1, or a share of the height", kNumber, State::Acts, set<&Settings::end_row>},

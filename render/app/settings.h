@@ -55,6 +55,8 @@ struct Settings {
     int bits_per_color = 8;
     bool greyscale = false, alpha = false, continue_trace = false;
     double state_after = 2.0;                      ///< seconds of rendering before finished blocks are kept for +C
+    bool dither = false;
+    image::Dither dither_method = image::Dither::FloydSteinberg;
     int compression = 0;                           ///< JPEG quality; 0 and 1 mean 85
     image::TransferCurve file_gamma = image::TransferCurve::srgb(), display_gamma = image::TransferCurve::srgb();
 

@@ -70,7 +70,9 @@ image::FileSettings file_settings(const Settings& settings, const scene::Descrip
     image::FileSettings file;
     file.type = settings.file_type;
     file.encoding.curves = image::output_curves(assumed, version, settings.file_gamma, settings.display_gamma);
-    file.encoding.bits = settings.greyscale && file.type == image::FileType::Png ? 16 : settings.bits_per_color;
+    file.encoding.bits = settings.greyscale ? 16 : settings.bits_per_color;
+    if (settings.greyscale && file.type == image::FileType::Ppm) file.encoding.curves.file = file.encoding.curves.working;  // PGM is linear (spec 2, 12.3)
+    if (settings.dither) file.encoding.dither = settings.dither_method;
     file.encoding.alpha = settings.alpha;
     file.encoding.greyscale = settings.greyscale;
     if (settings.compression > 1) file.jpeg_quality = settings.compression;

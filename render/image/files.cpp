@@ -2,6 +2,7 @@
 
 #include "render/image/io_loader.h"
 #include "render/image/png_writer.h"
+#include "render/image/ppm_writer.h"
 
 #include <unistd.h>
 
@@ -25,7 +26,7 @@ struct TypeFacts {
 
 constexpr TypeFacts kTypes[] = {
     {FileType::Png, ".png", "png", true, true, false, true},
-    {FileType::Ppm, ".ppm", "pnm", false, true, false, false},
+    {FileType::Ppm, ".ppm", "pnm", false, true, false, true},
     {FileType::Targa, ".tga", "targa", true, false, false, false},
     {FileType::TargaRunLength, ".tga", "targa", true, false, false, false},
     {FileType::Jpeg, ".jpg", "jpeg", false, false, false, false},
@@ -105,7 +106,7 @@ Files::Files() : loader_(std::make_shared<IoLoader>()) {}
 
 void Files::prepare(FileType type) const
 {
-    if (type != FileType::Png) loader_->start();
+    if (type != FileType::Png && type != FileType::Ppm) loader_->start();
 }
 
 void Files::write(const std::string& path, const Image& picture, const FileSettings& settings) const
@@ -115,6 +116,8 @@ void Files::write(const std::string& path, const Image& picture, const FileSetti
     encoding.alpha = encoding.alpha && type.alpha;
     if (!type.linear_light) {
         if (!type.sixteen_bits) encoding.bits = 8;
+        if (settings.type == FileType::Jpeg) encoding.dither = Dither::None;  // it would lose the pattern
+        encoding.bottom_up = settings.type == FileType::Bmp;
         return write(path, quantise(picture, encoding), settings.type, encoding.curves.file, settings.jpeg_quality);
     }
     const std::vector<float> levels = linear_light(picture, encoding.curves.working, encoding.alpha);
@@ -130,10 +133,11 @@ void Files::write(const std::string& path, const Image& picture, const FileSetti
 void Files::write(const std::string& path, const Raster& raster, FileType type, const TransferCurve& file_curve, int jpeg_quality) const
 {
     const std::vector<std::uint16_t> wide = widened(raster);
-    if (type == FileType::Png) {
+    if (type == FileType::Png || type == FileType::Ppm) {
         const Replacement replacement(path);
         try {
-            write_png(replacement.beside(), raster, wide, file_curve, kSoftware);
+            if (type == FileType::Png) write_png(replacement.beside(), raster, wide, file_curve, kSoftware);
+            else write_ppm(replacement.beside(), raster, kSoftware);
         } catch (const FileError& error) {
             throw FileError("cannot write '" + path + "': " + error.what());
         }

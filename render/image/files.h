@@ -46,7 +46,7 @@ struct FileSettings {
     int jpeg_quality = 85;
 };
 
-/// Reads and writes picture files. PNG is written by libpng itself; all else waits for OpenImageIO, which takes some
+/// Reads and writes picture files. PNG is written by libpng itself and PPM by hand; all else waits for OpenImageIO, which takes some
 /// 0.2 s to load: prepare() early. The destructor does not wait for it. Copies share it.
 class Files {
 public:

@@ -35,7 +35,7 @@ void make_straight(const float weighted[4], float straight[4])
 
 Raster quantise(const Image& picture, const Encoding& encoding)
 {
-    const Transcoder transcode(encoding.curves.working, encoding.curves.file);
+    const Transcoder transcode(encoding.curves.working, encoding.curves.file), as_it_is;
     Raster out;
     out.width = picture.width;
     out.height = picture.height;
@@ -43,16 +43,19 @@ Raster quantise(const Image& picture, const Encoding& encoding)
     const int colours = encoding.greyscale ? 1 : 3;
     out.channels = colours + (encoding.alpha ? 1 : 0);
     out.samples.resize(picture.pixels.size() / 4 * static_cast<std::size_t>(out.channels));
-    std::uint16_t* to = out.samples.data();
-    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
-        std::array<float, 4> pixel{picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2], picture.pixels[i + 3]};
-        if (encoding.greyscale) {
-            pixel[0] = luminance(pixel[0], pixel[1], pixel[2]);
-            pixel[1] = pixel[2] = pixel[0];
+    std::array<const Transcoder*, kMostChannels> curves{&transcode, &transcode, &transcode, &as_it_is};
+    if (encoding.greyscale) curves[1] = &as_it_is;  // alpha is a share of area: never gamma encoded
+    Ditherer ditherer(encoding.dither, picture.width, out.channels, out.bits);
+    for (int row = 0; row < picture.height; ++row) {
+        const int y = encoding.bottom_up ? picture.height - 1 - row : row;
+        for (int x = 0; x < picture.width; ++x) {
+            const float* from = picture.at(x, y);
+            std::array<float, 4> pixel{from[0], from[1], from[2], from[3]};
+            if (encoding.greyscale) pixel[0] = pixel[1] = pixel[2] = luminance(pixel[0], pixel[1], pixel[2]);
+            if (encoding.alpha) make_straight(pixel.data(), pixel.data());
+            if (encoding.greyscale) pixel[1] = pixel[3];
+            ditherer.round(x, y, pixel.data(), curves.data(), out.at(x, y));
         }
-        if (encoding.alpha) make_straight(pixel.data(), pixel.data());
-        for (int c = 0; c < colours; ++c) *to++ = quantised(transcode.to_file(pixel[static_cast<std::size_t>(c)]), out.bits);
-        if (encoding.alpha) *to++ = quantised(pixel[3], out.bits);  // alpha is a share of area: never gamma encoded
     }
     return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/image/dither.h"
 #include "render/image/image.h"
 #include "render/image/transfer_curve.h"
 
@@ -11,6 +12,8 @@ struct Encoding {
     int bits = 8;             ///< per channel, clamped to 5..16
     bool alpha = false;       ///< straight alpha as the last channel; without it the picture stands before black
     bool greyscale = false;   ///< one channel of luminance
+    Dither dither = Dither::None;
+    bool bottom_up = false;   ///< rows are rounded in this order: dithering carries errors along
 };
 
 /// floor(clamp(x, 0, 1) * (2^bits - 1) + 0.5) in single precision; a NaN becomes 0.
@@ -23,7 +26,7 @@ inline float luminance(float red, float green, float blue) { return 0.297f * red
 /// brighter than their alpha become more opaque, a clear one is divided by 1e-6 (spec 2, 12.1).
 void make_straight(const float weighted[4], float straight[4]);
 
-/// The file's integers. Rows are independent: the result does not depend on how many threads traced the picture.
+/// The file's integers. The result does not depend on how many threads traced the picture.
 Raster quantise(const Image& picture, const Encoding& encoding);
 
 }  // namespace image
