@@ -16,8 +16,13 @@ struct LanguageState;
 
 /// How an expression is read; the same place may be read in several ways.
 struct CompiledKey {
-    std::uint8_t requested = 1;    ///< components, see requested_expr
-    bool full = false, raw = false;
+    std::uint8_t bits = 0;
+    CompiledKey() = default;
+    /// `requested` components, see requested_expr.
+    CompiledKey(int requested, bool full, bool raw) : bits(static_cast<std::uint8_t>(requested | (full ? 8 : 0) | (raw ? 16 : 0))) {}
+    int requested() const { return bits & 7; }
+    bool full() const { return (bits & 8) != 0; }
+    bool raw() const { return (bits & 16) != 0; }
     bool operator==(const CompiledKey&) const = default;
 };
 

@@ -425,8 +425,8 @@ bool compile_expression(const Token* tokens, std::uint32_t begin, std::uint32_t 
 {
     out.key = key;
     Compiler compiler(tokens, begin, limit, symbols, out);
-    const int count = key.full ? compiler.full(key.requested) : compiler.sum(key.requested);
-    if (count < 1 || count > 5 || !ends_surely(compiler.kind(), key.raw)) return false;
+    const int count = key.full() ? compiler.full(key.requested()) : compiler.sum(key.requested());
+    if (count < 1 || count > 5 || !ends_surely(compiler.kind(), key.raw())) return false;
     out.count = static_cast<std::uint8_t>(count);
     out.end = compiler.at();
     return true;

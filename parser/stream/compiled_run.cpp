@@ -154,14 +154,14 @@ bool run_compiled(const CompiledExpression& expression, const CompiledContext& c
         switch (op.code) {
         case Code::Constant: *top++ = op.number; break;
         case Code::Load: {
-            const Value* value = context.symbols.find(op.name);
+            const Value* value = context.symbols.find_known(op.name);
             const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
             if (!tuple || tuple->count != 1) return random.give_up();
             *top++ = tuple->at[0];
             break;
         }
         case Code::LoadTuple: {
-            const Value* value = context.symbols.find(op.name);
+            const Value* value = context.symbols.find_known(op.name);
             const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
             if (!tuple || tuple->count != op.a) return random.give_up();
             for (std::size_t i = 0; i < op.a; ++i) *top++ = tuple->at[i];
@@ -236,7 +236,8 @@ bool run_compiled(const CompiledExpression& expression, const CompiledContext& c
         case Code::Random: if (!random.draw(top[-1], top[-1])) return random.give_up(); break;
         }
     }
-    std::copy(stack, stack + expression.count, result);
+    result[0] = stack[0];
+    for (int i = 1; i < expression.count; ++i) result[i] = stack[i];
     return true;
 }
 

@@ -28,21 +28,27 @@ bool TokenStream::find_compiled(CompiledKey key, Tuple& out)
 
     const CompiledContext context{symbols_, random_streams_};
     int lists = 0;
-    for (std::uint32_t list = site < kFirst ? kNoIndex : site - kFirst; list != kNoIndex; list = compiled_[list].next, ++lists) {
+    for (std::uint32_t list = site < kFirst ? kNoIndex : site - kFirst; list != kNoIndex; ++lists) {
         const CompiledExpression& expression = compiled_[list];
-        if (!(expression.key == key) || !run_compiled(expression, context, out.at.data())) continue;
-        return take_compiled(expression, at, out);
+        if (expression.key == key && run_compiled(expression, context, out.at.data())) return take_compiled(expression, at, out);
+        list = expression.next;
     }
-    if (lists >= kMostLists) return false;
+    return lists < kMostLists && compile_here(key, at, out);
+}
+
+bool TokenStream::compile_here(CompiledKey key, std::uint32_t at, Tuple& out)
+{
+    const Cursor& cursor = cursors_.back();
+    std::uint32_t& site = cursor.sites[at];
     CompiledExpression made;
-    if (!compile_expression(tokens, at, cursor.end, key, symbols_, made)) {
-        if (lists == 0) site = kNever;
+    if (!compile_expression(cursor.tokens, at, cursor.end, key, symbols_, made)) {
+        if (site < kFirst) site = kNever;
         return false;
     }
     made.next = site < kFirst ? kNoIndex : site - kFirst;
     site = static_cast<std::uint32_t>(compiled_.size()) + kFirst;
     compiled_.push_back(std::move(made));
-    return run_compiled(compiled_.back(), context, out.at.data()) && take_compiled(compiled_.back(), at, out);
+    return run_compiled(compiled_.back(), {symbols_, random_streams_}, out.at.data()) && take_compiled(compiled_.back(), at, out);
 }
 
 std::uint32_t* TokenStream::sites_of(std::uint16_t file)

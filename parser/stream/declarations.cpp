@@ -17,7 +17,6 @@ constexpr double kMostElements = 100'000'000;
 
 void TokenStream::declare(bool local)
 {
-    if (declare_compiled(local)) return;
     std::optional<Deprecation> deprecation;
     if (peek_raw().kind == Kind::Deprecated) deprecation = read_deprecation();
     const Token name = raw_next();

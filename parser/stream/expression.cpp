@@ -139,42 +139,49 @@ Tuple continue_sum(TokenStream& stream, Tuple first, int requested)
     return continue_terms(stream, continue_product(stream, first));
 }
 
-Tuple requested_expr(TokenStream& stream, int requested, Level level)
+Tuple read_expr(TokenStream& stream, int requested, Level level)
 {
-    if (Tuple known; stream.run_compiled_here(requested, level == Level::Full, known)) return known;
     if (level == Level::Full) return read_full(stream, requested);
     return stream.language().version < 150 ? read_factor(stream, requested) : read_sum(stream, requested);
 }
 
+namespace {
+
+/// `requested` components at most; an error names the expression's first token.
+Tuple limited_expr(TokenStream& stream, int requested, Level level, const char* refusal)
+{
+    Tuple value;
+    if (stream.run_compiled_here(requested, level == Level::Full, value)) {
+        if (value.count <= requested) return value;
+        stream.fail(stream.last(), refusal);
+    }
+    const Token& at = stream.peek();
+    value = read_expr(stream, requested, level);
+    if (value.count > requested) stream.fail(stream.place(at), refusal);
+    return value;
+}
+
+}  // namespace
+
 double float_expr(TokenStream& stream, Level level)
 {
-    const Token at = stream.peek();
-    const Tuple value = requested_expr(stream, 1, level);
-    if (value.count != 1) stream.fail(stream.place(at), "expected a number, found a vector or color");
-    return value.at[0];
+    return limited_expr(stream, 1, level, "expected a number, found a vector or color").at[0];
 }
 
 glm::dvec2 vector2_expr(TokenStream& stream, Level level)
 {
-    const Token at = stream.peek();
-    const Tuple value = requested_expr(stream, 2, level);
-    if (value.count > 2) stream.fail(stream.place(at), "expected two numbers, as in <0, 1>, found more");
+    const Tuple value = limited_expr(stream, 2, level, "expected two numbers, as in <0, 1>, found more");
     return {value.at[0], value.at[1]};
 }
 
 glm::dvec3 vector_expr(TokenStream& stream, Level level)
 {
-    const Token at = stream.peek();
-    const Tuple value = requested_expr(stream, 3, level);
-    if (value.count > 3) stream.fail(stream.place(at), "expected a vector of three numbers, found more");
-    return value.vec3();
+    return limited_expr(stream, 3, level, "expected a vector of three numbers, found more").vec3();
 }
 
 glm::dvec4 vector4_expr(TokenStream& stream, Level level)
 {
-    const Token at = stream.peek();
-    const Tuple value = requested_expr(stream, 4, level);
-    if (value.count > 4) stream.fail(stream.place(at), "expected a vector of four numbers, found more");
+    const Tuple value = limited_expr(stream, 4, level, "expected a vector of four numbers, found more");
     return {value.at[0], value.at[1], value.at[2], value.at[3]};
 }
 

@@ -27,7 +27,9 @@ glm::dvec4 vector4_expr(TokenStream& stream, Level level = Level::Sum);
 /// With its own component count.
 Tuple untyped_expr(TokenStream& stream, Level level = Level::Sum);
 /// `requested` components (spec of the language 3.1): what the others are made of.
-Tuple requested_expr(TokenStream& stream, int requested, Level level);
+inline Tuple requested_expr(TokenStream& stream, int requested, Level level);
+/// The same, read token by token.
+Tuple read_expr(TokenStream& stream, int requested, Level level);
 /// `rgb ...`, `red 1 green 0.5`, `color C transmit 0.5`, C, <...>; rounded to single precision.
 scene::Color color_expr(TokenStream& stream);
 /// The same where filter and transmit mean nothing: warns about them, gives rgb only.
@@ -39,5 +41,11 @@ std::string path_expr(TokenStream& stream);
 bool optional_flag(TokenStream& stream);
 /// `( name )`-free part: continues a Sum after `first`, whose tokens were already taken.
 Tuple continue_sum(TokenStream& stream, Tuple first, int requested);
+
+inline Tuple requested_expr(TokenStream& stream, int requested, Level level)
+{
+    Tuple value;
+    return stream.run_compiled_here(requested, level == Level::Full, value) ? value : read_expr(stream, requested, level);
+}
 
 }  // namespace parser

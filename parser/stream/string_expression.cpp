@@ -4,12 +4,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 
 namespace parser {
 namespace {
+
+/// C's %.*f with leading blanks or zeros, by the quicker way for numbers of ordinary size.
+std::optional<std::string> plain_number_text(double value, int width, int precision)
+{
+    constexpr double kLargest = 1e15;
+    constexpr int kMostDecimals = 40, kMostWidth = 60;
+    if (!(std::abs(value) < kLargest) || precision > kMostDecimals || std::abs(width) > kMostWidth) return std::nullopt;
+    char digits[80];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, precision);
+    std::string text(digits, end);
+    const auto wanted = static_cast<std::size_t>(std::abs(width));
+    if (text.size() < wanted) text.insert(width < 0 && text[0] == '-' ? 1 : 0, wanted - text.size(), width < 0 ? '0' : ' ');
+    return text;
+}
 
 /// C's %*.*f: width < 0 pads with zeros, precision < 0 means 6 decimals; very long numbers use %g.
 std::string number_text(double value, double width_wanted, double precision_wanted)
@@ -17,6 +33,7 @@ std::string number_text(double value, double width_wanted, double precision_want
     constexpr int kLongest = 255, kMost = 2 * kLongest;
     const int width = std::clamp(to_int32(width_wanted), -kMost, kMost);
     const int precision = precision_wanted < 0 ? 6 : std::clamp(to_int32(precision_wanted), 0, kMost);
+    if (auto plain = plain_number_text(value, width, precision)) return std::move(*plain);
     char text[kLongest];
     int length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*f" : "%*.*f", std::abs(width), precision, value);
     if (length >= kLongest) length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*g" : "%*.*g", std::abs(width), precision, value);

@@ -77,7 +77,7 @@ const Cell& Symbols::declare(std::uint32_t name)
     return bindings.empty() ? global(name) : bindings.back().cell;
 }
 
-const Cell& Symbols::local(std::uint32_t name, std::uint32_t scope)
+const Cell& Symbols::new_local(std::uint32_t name, std::uint32_t scope)
 {
     auto& bindings = slot(name);
     auto at = bindings.end();

@@ -14,6 +14,8 @@ Cell make_cell(Value value);
 class Symbols {
 public:
     /// The binding in force, null if there is none.
+    /// The same of a name that was bound once.
+    Value* find_known(std::uint32_t name) const { return current_[name]; }
     Value* find(std::uint32_t name) const { return name < current_.size() ? current_[name] : nullptr; }
     Cell find_cell(std::uint32_t name) const;
     bool in_current_scope(std::uint32_t name) const;
@@ -22,7 +24,11 @@ public:
     const Cell& declare(std::uint32_t name);
     /// `#local` that began in `scope` (reading its value may have entered a macro that is not left yet): the symbol of
     /// that scope, else a new one there.
-    const Cell& local(std::uint32_t name, std::uint32_t scope);
+    const Cell& local(std::uint32_t name, std::uint32_t scope)
+    {
+        const auto& bindings = slot(name);
+        return !bindings.empty() && bindings.back().scope == scope ? bindings.back().cell : new_local(name, scope);
+    }
     const Cell& global(std::uint32_t name);
     /// A macro parameter: `name` in the current scope means `cell` from now on.
     void bind(std::uint32_t name, Cell cell)
@@ -55,6 +61,7 @@ private:
         return slots_[name];
     }
     void grow(std::uint32_t name);
+    const Cell& new_local(std::uint32_t name, std::uint32_t scope);
     void refresh(std::uint32_t name)
     {
         const auto& bindings = slots_[name];

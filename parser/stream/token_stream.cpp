@@ -31,7 +31,7 @@ TokenStream::Nesting::Nesting(TokenStream& stream) : stream_(stream)
     ++stream_.nesting_;
 }
 
-const Token& TokenStream::advance()
+const Token& TokenStream::advance_further()
 {
     for (;;) {
         Cursor& cursor = cursors_.back();
@@ -120,11 +120,6 @@ const Token& TokenStream::raw_next()
     return *(last_ = ahead_);
 }
 
-void TokenStream::expect(Kind kind, std::string_view what)
-{
-    if (!accept(kind)) fail_expected(what);
-}
-
 void TokenStream::execute_directive()
 {
     Cursor& cursor = cursors_.back();
@@ -162,8 +157,12 @@ bool TokenStream::execute(Kind word, std::uint32_t hash)
     case Kind::For: begin_for(hash); break;
     case Kind::Break: break_block(hash); break;
     case Kind::Macro: define_macro(hash); break;
-    case Kind::Declare: declare(false); break;
-    case Kind::Local: declare(true); break;
+    case Kind::Declare:
+        if (!declare_compiled(false)) declare(false);
+        break;
+    case Kind::Local:
+        if (!declare_compiled(true)) declare(true);
+        break;
     case Kind::Undef: undefine(); break;
     case Kind::Version: set_version(); break;
     case Kind::Include: include(); break;

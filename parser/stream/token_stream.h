@@ -72,7 +72,10 @@ public:
         next();
         return true;
     }
-    void expect(Kind kind, std::string_view what);    ///< or fails with "expected <what>, found ..."
+    void expect(Kind kind, std::string_view what)     ///< or fails with "expected <what>, found ..."
+    {
+        if (!accept(kind)) fail_expected(what);
+    }
     bool accept_comma() { return accept(Kind::Comma); }
     /// The next token where directives are not executed: `#` and a macro's name are returned as they stand.
     const Token& peek_raw();
@@ -143,7 +146,7 @@ public:
     /// `out` must be new: only its components are written.
     bool run_compiled_here(int requested, bool full, Tuple& out)
     {
-        return !blocks_.empty() && blocks_.back().repeats && find_compiled({static_cast<std::uint8_t>(requested), full, raw_operators_}, out);
+        return !blocks_.empty() && blocks_.back().repeats && find_compiled(CompiledKey(requested, full, raw_operators_), out);
     }
     /// The name that a running declaration will create: a function that names it calls itself.
     std::uint32_t declaring() const { return declaring_; }
@@ -186,8 +189,15 @@ private:
         ahead_raw_ = false;
         return true;
     }
-    const Token& advance();                       ///< throws at Options::most_tokens;
-                                           ///< the next token of the text, leaving finished macros and files
+    /// The next token of the text, leaving finished macros and files; throws at Options::most_tokens.
+    const Token& advance()
+    {
+        Cursor& cursor = cursors_.back();
+        if (cursor.position >= cursor.end || left_ == 0) return advance_further();
+        --left_;
+        return cursor.tokens[cursor.position++];
+    }
+    const Token& advance_further();
     void leave_cursor();
     bool is_macro(const Token& token) const;
     SourceFile& file() { return *files_[cursors_.back().file]; }
@@ -226,6 +236,7 @@ private:
 
     // compiled_sites.cpp
     bool find_compiled(CompiledKey key, Tuple& out);
+    bool compile_here(CompiledKey key, std::uint32_t at, Tuple& out);
     std::uint32_t* sites_of(std::uint16_t file);
     bool take_compiled(const CompiledExpression& expression, std::uint32_t at, Tuple& out);
     bool declare_compiled(bool local);
