@@ -3,6 +3,9 @@
 #include "render/app/option_table.h"
 #include "render/app/text.h"
 
+#include <fmt/format.h>
+
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -13,7 +16,10 @@ namespace {
 std::string as_value(const Option& option, const std::string& text)
 {
     if (option.kind == ValueKind::Flag) return truth_of(text) ? "On" : "Off";
-    if (option.keyword == "Output_File_Type") return text.substr(0, 1);
+    if (option.keyword == "Output_File_Type") return std::string(1, upper_case(text.empty() ? 'N' : text[0]));
+    if (option.kind == ValueKind::Integer) return std::to_string(std::strtol(text.c_str(), nullptr, 10));
+    if (option.kind == ValueKind::Number) return fmt::format("{:g}", std::strtof(text.c_str(), nullptr));
+    if (option.keyword == "Palette" || option.keyword == "Video_Mode") return text;  // one character
     // A declaration carries its own quotes; a command is taken as it stands.
     if (option.kind != ValueKind::Text || option.keyword == "Declare" || option.keyword.ends_with("_Command")) return text;
     const char quote = text.find('"') == std::string::npos ? '"' : '\'';

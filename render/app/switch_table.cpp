@@ -19,7 +19,7 @@ constexpr Switch kSwitches[] = {
     {"BS", true, nullptr, "Render_Block_Size"},
     {"B", false, "Bounding", nullptr},
     {"C", false, "Continue_Trace", nullptr},
-    {"D", true, "Display", nullptr},
+    {"D", true, "Display", "Video_Mode"},
     {"D", false, "Display", nullptr},
     {"EC", true, nullptr, "End_Column"},
     {"EF0", true, nullptr, "Subset_End_Frame", "0"},

@@ -108,3 +108,23 @@ TEST_CASE("the INI file that applies unnamed: the first of several places; its s
     support::ScopedVariable missing("POVINI", folder / "gone.ini");
     CHECK(height() == 120);
 }
+
+TEST_CASE("any text is an INI file or an error that says so", "[app][ini]")
+{
+    const std::vector<std::string> pieces{"Width", "=", "9", "\n", "\n", " ", "\"", "'", ";", "#", "[", "]", "+W", "-", "+A0", ",", "Declare", "a", ".5", "\t", "\r", "Antialias", "on", "Include_Ini",
+                                          "Library_Path", "/", "Output_File_Type", std::string(1, '\0'), "\xFF", "%", "+F", "+K", "--", "=\n", "Start_Row"};
+    for (std::uint32_t seed = 0; seed < 20'000; ++seed) {
+        std::uint32_t state = seed * 2654435761u + 1u;
+        std::string text;
+        for (int i = 0; i < 24; ++i) {
+            state = state * 1664525u + 1013904223u;
+            text += pieces[(state >> 16) % pieces.size()];
+        }
+        INFO("seed " << seed);
+        try {
+            settings_of(text, seed % 2 ? "a" : "");
+        } catch (const OptionError& error) {
+            REQUIRE(std::string(error.what()).starts_with("test.ini:"));
+        }
+    }
+}
