@@ -27,6 +27,18 @@ void SceneBuilder::set_default_layer(scene::Layer layer)
     default_texture_ = std::move(texture);
 }
 
+void SceneBuilder::version_changed(int version, const Options& options)
+{
+    constexpr int kNewDefaults = 380;
+    if (version < kNewDefaults || default_given || !description.objects.empty()) return;
+    scene::Layer layer = default_layer();
+    layer.pigment.kind = scene::Color{1, 1, 1, 0, 0};
+    layer.finish.ambient = glm::vec3(0);
+    set_default_layer(std::move(layer));
+    default_camera.right = {static_cast<double>(options.image_width) / options.image_height, 0, 0};
+    if (!camera_given) description.camera = default_camera;
+}
+
 void SceneBuilder::add(scene::Object object)
 {
     if (!object.undrawn.empty()) {

@@ -26,6 +26,7 @@ public:
 
     std::optional<Value> parse_declared_value(TokenStream& stream) override;
     void parse_default(TokenStream& stream) override;
+    void version_changed(int version, const Options& options) override;
     std::optional<function::Outer> parse_function_thing(TokenStream& stream) override;
     std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>& object, const glm::dvec3& origin,
                                    const glm::dvec3& direction) override;
@@ -57,6 +58,7 @@ public:
     bool camera_given = false, noise_generator_given = false;
     /// A question to an undrawn object was answered as if it were not there: what follows may be degenerate.
     bool guessed = false;
+    bool default_given = false;
 
 private:
     bool undrawn(const std::shared_ptr<const scene::Object>& object, const char* question);

@@ -143,6 +143,7 @@ void SceneBuilder::read_scene()
 void SceneBuilder::parse_default(TokenStream&)
 {
     SceneState s(*this);
+    default_given = true;
     read_block<DefaultItems>(*this, s, "default");
 }
 

@@ -1,6 +1,8 @@
 #include "parser/stream/expression.h"
 #include "parser/stream/token_stream.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace parser {
@@ -38,11 +40,22 @@ bool TokenStream::read_ifdef()
 bool TokenStream::read_defined()
 {
     if (raw_next().kind != Kind::LeftParen) fail(last(), "expected '(' before the name");
-    const Token name = raw_next();
-    if (name.kind != Kind::Identifier && !is_keyword(name.kind)) fail(place(name), "expected a name");
-    Cell cell = name.kind == Kind::Identifier ? symbols_.find_cell(name.name) : nullptr;
-    if (cell && cell->get_if<std::shared_ptr<Array>>() && peek_raw().kind == Kind::LeftSquare)
-        cell = subscripted(cell, name, true);
+    Token name;
+    Cell cell;
+    if (at_pseudo_scope() != Kind::EndOfText) {
+        cell = read_pseudo_cell(name);
+    } else {
+        name = raw_next();
+        if (name.kind != Kind::Identifier && !is_keyword(name.kind)) fail(place(name), "expected a name");
+        if (name.kind == Kind::Identifier) cell = symbols_.find_cell(name.name);
+    }
+    if (is_keyword(name.kind) && new_language()) {
+        warn(place(name), fmt::format("'{}' is a reserved word: it counts as defined", word(name)));
+        if (raw_next().kind != Kind::RightParen) fail(last(), "expected ')' after the name");
+        return true;
+    }
+    const Kind behind = cell && is_container(*cell) ? peek_raw().kind : Kind::EndOfText;
+    if (behind == Kind::LeftSquare || behind == Kind::Period) cell = subscripted(cell, name, true);
     if (raw_next().kind != Kind::RightParen) fail(last(), "expected ')' after the name");
     return cell && cell->set();
 }

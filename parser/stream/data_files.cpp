@@ -114,7 +114,7 @@ Cell TokenStream::read_target()
     if (name.kind != Kind::Identifier) fail_expected_at(name, "the name of a variable");
     Cell cell = symbols_.find_cell(name.name);
     if (!cell) return symbols_.global(name.name);
-    if (cell->get_if<std::shared_ptr<Array>>()) cell = subscripted(cell, name, false);
+    if (is_container(*cell)) cell = subscripted(cell, name, false);
     const Tuple* tuple = cell->get_if<Tuple>();
     const bool takes = !cell->set() || cell->get_if<std::string>() || (tuple && (tuple->count == 1 || tuple->count == 3));
     if (!takes) fail(place(name), fmt::format("'{}' is declared as {}: it cannot take data", word(name), type_name(*cell)));

@@ -8,44 +8,65 @@
 #include <utility>
 
 namespace parser {
-namespace {
+/// What a declaration writes to, up to the '='.
+TokenStream::Target TokenStream::read_target_of_declaration()
+{
+    Target target;
+    const Kind pseudo = at_pseudo_scope();
+    if (pseudo != Kind::EndOfText) {
+        raw_next();
+        raw_next();
+        target.global = pseudo == Kind::Identifier;
+        target.local = !target.global;
+    }
+    target.name = raw_next();
+    const Token& name = target.name;
+    if (name.kind != Kind::Identifier) fail_expected_at(name, "a name to declare that is no reserved word");
+    target.whole = symbols_.find_cell(name.name);
+    const Cell& whole = target.whole;
+    if (!whole) return target;
+    if (whole->get_if<std::shared_ptr<const Macro>>()) fail(place(name), fmt::format("'{}' is a macro", word(name)));
+    if (whole->get_if<std::shared_ptr<DataFile>>()) fail(place(name), fmt::format("'{}' is an open file", word(name)));
+    if (whole->get_if<function::FunctionPtr>())
+        fail(place(name), fmt::format("'{}' is a function already; #undef it first", word(name)));
+    const Kind next = is_container(*whole) ? peek_raw().kind : Kind::EndOfText;
+    if (next == Kind::LeftSquare || next == Kind::Period) target.element = subscripted(whole, name, true, &target.array);
+    return target;
+}
 
-constexpr double kSubscriptSlack = 1e-10;       // 0.9999999999999 means 1 (spec of the language 11)
-constexpr double kMostElements = 100'000'000;
-
-}  // namespace
+void TokenStream::store(const Target& target, Value value, bool local, std::uint32_t scope)
+{
+    const std::uint32_t name = target.name.name;
+    if (target.element && target.array) return set_element(*target.array, target.element, std::move(value), target.name);
+    if (target.element) {
+        *target.element = std::move(value);
+    } else if (target.global) {
+        *symbols_.global(name) = std::move(value);
+    } else if (local || target.local) {
+        if (symbols_.depth() >= scope) *symbols_.local(name, scope) = std::move(value);
+    } else {
+        *symbols_.declare(name) = std::move(value);
+    }
+}
 
 void TokenStream::declare(bool local)
 {
     std::optional<Deprecation> deprecation;
     if (peek_raw().kind == Kind::Deprecated) deprecation = read_deprecation();
-    const Token name = raw_next();
-    if (name.kind != Kind::Identifier) fail_expected_at(name, "a name to declare that is no reserved word");
-    Cell whole = symbols_.find_cell(name.name);
-    if (whole && whole->get_if<std::shared_ptr<const Macro>>())
-        fail(place(name), fmt::format("'{}' is a macro", word(name)));
-    if (whole && whole->get_if<std::shared_ptr<DataFile>>())
-        fail(place(name), fmt::format("'{}' is an open file", word(name)));
-    if (whole && whole->get_if<function::FunctionPtr>())
-        fail(place(name), fmt::format("'{}' is a function already; #undef it first", word(name)));
-    Cell target;
-    const bool element = whole && whole->get_if<std::shared_ptr<Array>>() && peek_raw().kind == Kind::LeftSquare;
-    std::shared_ptr<Array> array;
-    if (element) target = subscripted(whole, name, true, &array);
-    if (Token equal = raw_next(); equal.kind != Kind::Equal)
-        fail_expected_at(equal, fmt::format("'=' and a value for '{}'", word(name)));
-
+    if (new_language() && (peek_raw().kind == Kind::LeftParen || ahead_->kind == Kind::LeftBrace)) return declare_several(local);
     const std::uint32_t scope = symbols_.depth();
-    const std::uint32_t outer = std::exchange(declaring_, whole ? kNoIndex : name.name);
+    const Target target = read_target_of_declaration();
+    if (Token equal = raw_next(); equal.kind != Kind::Equal)
+        fail_expected_at(equal, fmt::format("'=' and a value for '{}'", word(target.name)));
+
+    const std::uint32_t outer = std::exchange(declaring_, target.whole ? kNoIndex : target.name.name);
     raw_operators_ = true;
     Value value = read_value();
     raw_operators_ = false;
     declaring_ = outer;
-    if (deprecation && !whole) deprecated_[name.name] = std::move(*deprecation);
+    if (deprecation && !target.whole) deprecated_[target.name.name] = std::move(*deprecation);
     const bool numeric = value.get_if<Tuple>() != nullptr;
-    if (!target && (!local || symbols_.depth() >= scope)) target = local ? symbols_.local(name.name, scope) : symbols_.declare(name.name);
-    if (element && array) set_element(*array, target, std::move(value), name);
-    else if (target) *target = std::move(value);
+    store(target, std::move(value), local, scope);
     end_declaration(numeric);
 }
 
@@ -67,15 +88,6 @@ void TokenStream::warn_deprecated(const Token& name)
     if (found->second.once) deprecated_.erase(found);
 }
 
-void TokenStream::set_element(Array& array, const Cell& element, Value value, const Token& name)
-{
-    const std::uint32_t kind = kind_of(value);
-    if (array.kind == 0) array.kind = kind;
-    if (array.kind != kind)
-        fail(place(name), fmt::format("the elements of '{}' are of another type than {}", word(name), type_name(value)));
-    *element = std::move(value);
-}
-
 void TokenStream::end_declaration(bool numeric)
 {
     const bool mandatory = numeric && language_.version >= 350;
@@ -90,10 +102,12 @@ void TokenStream::end_declaration(bool numeric)
 
 void TokenStream::undefine()
 {
+    if (at_pseudo_scope() != Kind::EndOfText) raw_next(), raw_next();
     const Token name = raw_next();
     if (name.kind != Kind::Identifier) fail_expected_at(name, "the name to forget");
     const Cell whole = symbols_.find_cell(name.name);
-    if (whole && whole->get_if<std::shared_ptr<Array>>() && peek_raw().kind == Kind::LeftSquare) {
+    const Kind behind = whole && is_container(*whole) ? peek_raw().kind : Kind::EndOfText;
+    if (behind == Kind::LeftSquare || behind == Kind::Period) {
         *subscripted(whole, name, true) = Value{};
     } else if (!symbols_.undefine(name.name)) {
         warn(place(name), fmt::format("'{}' is not declared, so #undef changes nothing", word(name)));
@@ -101,7 +115,7 @@ void TokenStream::undefine()
     end_declaration(false);
 }
 
-void TokenStream::set_version()
+void TokenStream::set_version(bool first_in_main)
 {
     const scene::SourceRef at = last();
     if (peek_raw().kind == Kind::Identifier && word(*ahead_) == "unofficial") raw_next();
@@ -109,48 +123,27 @@ void TokenStream::set_version()
     const double wanted = float_expr(*this);
     raw_operators_ = false;
     const double version = std::floor(100.0 * wanted + 0.5);
-    if (!(version <= 370.0)) fail(at, "this scene asks for a later version of the language than 3.7");
+    constexpr double kLatest = 380.0, kPatched = 371.0;
+    if (!(version <= kLatest)) fail(at, "this scene asks for a later version of the language than 3.8");
+    if (version >= kPatched && version < kLatest) warn(at, "this version has the words of 3.8, but it is not 3.8");
+    if (version == kLatest && first_in_main == false && language_.version < static_cast<int>(kLatest))
+        fail(at, "#version 3.8 must be the first statement of a scene");
     language_.version = static_cast<int>(std::max(version, 0.0));
     language_.version_set = true;
+    hooks_.version_changed(language_.version, options_);
     if (peek_raw().kind != Kind::Semicolon) warn(at, "#version should end in ';'");
     end_declaration(false);
-}
-
-Cell TokenStream::subscripted(Cell cell, const Token& name, bool may_create, std::shared_ptr<Array>* innermost)
-{
-    while (cell->get_if<std::shared_ptr<Array>>()) {
-        if (peek_operator().kind != Kind::LeftSquare) break;
-        const std::shared_ptr<Array> array = *cell->get_if<std::shared_ptr<Array>>();
-        std::size_t index = 0;
-        for (const std::uint32_t size : array->sizes) {
-            if (!accept(Kind::LeftSquare)) fail_expected("'[' and the next subscript");
-            const bool raw = std::exchange(raw_operators_, false);
-            const double at = float_expr(*this) + kSubscriptSlack;
-            expect(Kind::RightSquare, "']'");
-            raw_operators_ = raw;
-            if (!(at >= 0.0)) fail(last(), fmt::format("a subscript of '{}' is negative", word(name)));
-            if (at >= size)
-                fail(last(), fmt::format("a subscript of '{}' is {}, its size there is {}", word(name), std::floor(at), size));
-            index = index * size + static_cast<std::size_t>(at);
-        }
-        cell = Cell(array, &array->elements[index]);
-        if (innermost) *innermost = array;
-        if (!cell->set()) {
-            if (may_create) return cell;
-            fail(place(name), fmt::format("this element of '{}' has no value yet", word(name)));
-        }
-    }
-    return cell;
 }
 
 Value TokenStream::read_identifier_value(Cell* by_reference)
 {
     const Token name = *ahead_;
     Cell cell = symbols_.find_cell(name.name);
+    if (!cell && is_new_constant(name)) return untyped_expr(*this);
     if (!cell) fail_undeclared(name);
     if (cell->get_if<std::shared_ptr<DataFile>>()) fail(place(name), "a file handle is no value");
     next();
-    if (cell->get_if<std::shared_ptr<Array>>()) cell = subscripted(cell, name, false);
+    if (is_container(*cell)) cell = subscripted(cell, name, false);
     if (cell->get_if<function::FunctionPtr>() || cell->get_if<SplinePtr>()) {
         if (peek_operator().kind != Kind::LeftParen) return *cell;
         const Value copy = *cell;  // reading may change what the name stands for
@@ -176,7 +169,9 @@ Value TokenStream::read_value(Cell* by_reference)
     if (!by_reference)
         if (Tuple known; run_compiled_here(1, false, known)) return known;
     const Token& token = peek();
+    if (at_pseudo_scope() != Kind::EndOfText) return read_pseudo_value();
     if (token.kind == Kind::Identifier) {
+        if (new_language() && word(token) == "dictionary" && !value_of(token)) return read_dictionary();
         if (language_.version < 350)  // a declared colour begins a colour, as in `C transmit 0.5`
             if (const Value* value = value_of(token); value && kind_of(*value) == kind_of(Tuple{{}, 5})) return Tuple::of(color_expr(*this));
         return read_identifier_value(by_reference);
@@ -192,48 +187,6 @@ Value TokenStream::read_value(Cell* by_reference)
     raw_operators_ = raw;
     if (!value) fail_expected("a value");
     return std::move(*value);
-}
-
-std::shared_ptr<Array> TokenStream::read_array()
-{
-    next();
-    const bool raw = std::exchange(raw_operators_, false);
-    auto array = std::make_shared<Array>();
-    double elements = 1;
-    while (array->sizes.size() < 5 && (array->sizes.empty() || peek_raw().kind == Kind::LeftSquare)) {
-        expect(Kind::LeftSquare, "'[' and the array's size");
-        const double size = std::floor(float_expr(*this) + kSubscriptSlack);
-        expect(Kind::RightSquare, "']'");
-        elements *= size;
-        if (!(size >= 1.0 && elements <= kMostElements)) fail(last(), "this array has no or too many elements");
-        array->sizes.push_back(static_cast<std::uint32_t>(size));
-    }
-    array->elements.resize(static_cast<std::size_t>(elements));
-    if (peek_raw().kind == Kind::LeftBrace) {
-        std::size_t at = 0;
-        read_elements(*array, 0, at);
-    }
-    raw_operators_ = raw;
-    return array;
-}
-
-void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t& at)
-{
-    expect(Kind::LeftBrace, "'{' and the array's elements");
-    for (std::uint32_t i = 0; i < array.sizes[dimension]; ++i) {
-        if (dimension + 1 < array.sizes.size()) {
-            read_elements(array, dimension + 1, at);
-        } else {
-            Value value = read_value();
-            if (at == 0) array.kind = kind_of(value);
-            if (array.kind != kind_of(value))
-                fail(last(), fmt::format("the elements of this array are of type {}, this is {}",
-                                         type_name(array.elements[0]), type_name(value)));
-            array.elements[at++] = std::move(value);
-        }
-        accept_comma();
-    }
-    expect(Kind::RightBrace, fmt::format("'}}' after {} elements", array.sizes[dimension]));
 }
 
 }  // namespace parser

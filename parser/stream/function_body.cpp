@@ -161,10 +161,11 @@ BodyReader::Value BodyReader::named(const Token& token)
 {
     stream_.next();
     Cell cell = stream_.symbols().find_cell(token.name);
+    if (!cell && stream_.is_new_constant(token)) return build_.constant(2.0 * std::numbers::pi);
     if (!cell && token.name == stream_.declaring())
         stream_.fail(stream_.place(token), fmt::format("function '{}' calls itself: functions cannot recurse", stream_.word(token)));
     if (!cell) stream_.fail_undeclared(token);
-    if (cell->get_if<std::shared_ptr<Array>>()) cell = stream_.subscripted(cell, token, false);
+    if (is_container(*cell)) cell = stream_.subscripted(cell, token, false);
     if (const Tuple* tuple = cell->get_if<Tuple>(); tuple && tuple->count == 1) return build_.constant(tuple->at[0]);
     if (const auto* called = cell->get_if<function::FunctionPtr>()) return user_function(token, *called);
     stream_.fail(stream_.place(token), fmt::format("'{}' is no number and no function", stream_.word(token)));

@@ -8,6 +8,7 @@
 namespace parser {
 
 class TokenStream;
+struct Options;
 
 /// What the stream asks of the grammar, which knows the scene's constructs. Cold: one call per declaration.
 class GrammarHooks {
@@ -21,6 +22,9 @@ public:
 
     /// The block after `#default` (or `default`), braces included.
     virtual void parse_default(TokenStream& stream) = 0;
+
+    /// After `#version`: 3.8 begins with other defaults.
+    virtual void version_changed(int /*version*/, const Options& /*options*/) {}
 
     /// `pigment { ... }`, `pattern { ... }` or `transform { ... }` as the body of a function; stream.peek() is the word.
     virtual std::optional<function::Outer> parse_function_thing(TokenStream& /*stream*/) { return std::nullopt; }

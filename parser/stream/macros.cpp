@@ -29,8 +29,12 @@ void TokenStream::define_macro(std::uint32_t hash)
     if (Token open = raw_next(); open.kind != Kind::LeftParen) fail_expected_at(open, "'(' and the macro's parameters");
     for (Token token = raw_next(); token.kind != Kind::RightParen; token = raw_next()) {
         if (token.kind == Kind::Comma && !macro->parameters.empty()) continue;
+        const bool optional = new_language() && token.kind == Kind::Identifier && word(token) == "optional" &&
+                              peek_raw().kind == Kind::Identifier;
+        if (optional) token = raw_next();
         if (token.kind != Kind::Identifier) fail_expected_at(token, "a parameter's name or ')'");
         macro->parameters.push_back(token.name);
+        macro->optional.push_back(optional);
     }
     macro->begin = cursors_.back().position;
     macro->end = end;
@@ -47,14 +51,19 @@ void TokenStream::call_macro(const Token& name, const Macro& macro)
     const std::size_t first = arguments_.size();
     last_ = &name;
     if (!accept(Kind::LeftParen)) fail_expected(fmt::format("'(' after the name of macro {}", word(name)));
-    for (const std::uint32_t parameter : macro.parameters) {
+    for (std::size_t i = 0; i < macro.parameters.size(); ++i) {
+        if (macro.optional[i] && left_out()) {
+            arguments_.emplace_back();
+            accept_comma();
+            continue;
+        }
         if (Cell simple = argument_compiled()) {
             arguments_.push_back(std::move(simple));
             accept_comma();
             continue;
         }
         if (peek().kind == Kind::RightParen)
-            fail_expected(fmt::format("argument '{}' of macro {}", names_.word(parameter), word(name)));
+            fail_expected(fmt::format("argument '{}' of macro {}", names_.word(macro.parameters[i]), word(name)));
         Cell cell;
         Value value = read_value(&cell);
         if (!cell) cell = make_cell(std::move(value));
@@ -66,11 +75,25 @@ void TokenStream::call_macro(const Token& name, const Macro& macro)
     enter_macro(name, macro, first);
 }
 
+/// Nothing stands here, or a name that means nothing: an optional parameter stays undeclared.
+bool TokenStream::left_out()
+{
+    const Token& token = peek();
+    if (token.kind == Kind::Comma || token.kind == Kind::RightParen) return true;
+    const Cursor& cursor = cursors_.back();
+    if (token.kind != Kind::Identifier || value_of(token) || cursor.position >= cursor.end) return false;
+    const Kind behind = cursor.tokens[cursor.position].kind;
+    if (behind != Kind::Comma && behind != Kind::RightParen) return false;
+    next();
+    return true;
+}
+
 void TokenStream::enter_macro(const Token& name, const Macro& macro, std::size_t first)
 {
     if (cursors_.size() >= kDeepestCalls) fail(place(name), "macros call each other too deeply; does a recursion never end?");
     symbols_.open_scope();
-    for (std::size_t i = 0; i < macro.parameters.size(); ++i) symbols_.bind(macro.parameters[i], std::move(arguments_[first + i]));
+    for (std::size_t i = 0; i < macro.parameters.size(); ++i)
+        if (arguments_[first + i]) symbols_.bind(macro.parameters[i], std::move(arguments_[first + i]));
     arguments_.resize(first);
     Block marker;
     marker.kind = BlockKind::Macro;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace parser {
 namespace {
@@ -64,8 +65,9 @@ Tuple read_identifier(TokenStream& stream, int requested)
 {
     const Token name = stream.next();
     Cell cell = stream.symbols().find_cell(name.name);
+    if (!cell && stream.is_new_constant(name)) return replicated(2.0 * std::numbers::pi, requested);
     if (!cell) stream.fail_undeclared(name);
-    if (cell->get_if<std::shared_ptr<Array>>()) cell = stream.subscripted(cell, name, false);
+    if (is_container(*cell)) cell = stream.subscripted(cell, name, false);
     if (const Tuple* tuple = cell->get_if<Tuple>()) {
         if (tuple->count == 1) return replicated(tuple->at[0], requested);
         Tuple value = *tuple;
@@ -85,9 +87,21 @@ Tuple read_identifier(TokenStream& stream, int requested)
                                         std::string(type_name(*cell)));
 }
 
+/// `local.X`, `global.X`.
+Tuple read_pseudo(TokenStream& stream, int requested)
+{
+    Token name;
+    Cell cell = stream.read_pseudo_cell(name);
+    if (cell && is_container(*cell)) cell = stream.subscripted(cell, name, false);
+    const Tuple* tuple = cell ? cell->get_if<Tuple>() : nullptr;
+    if (!tuple) stream.fail(stream.place(name), "expected a number or vector, but '" + stream.word(name) + "' is none in this scope");
+    return tuple->count == 1 ? replicated(tuple->at[0], requested) : *tuple;
+}
+
 Tuple read_primary(TokenStream& stream, int requested)
 {
     const Token token = stream.peek();
+    if (stream.new_language() && stream.at_pseudo_scope() != Kind::EndOfText) return read_pseudo(stream, requested);
     switch (token.kind) {
     case Kind::Number: stream.next(); return replicated(token.number, requested);
     case Kind::Identifier: return read_identifier(stream, requested);
@@ -145,9 +159,10 @@ bool at_expression(TokenStream& stream)
     case Kind::Number: case Kind::LeftParen: case Kind::Plus: case Kind::Minus: case Kind::Exclamation: case Kind::Less:
         return true;
     case Kind::Identifier: {
-        const Value* value = stream.value_of(token);
-        return value && is_operand_identifier(*value);
+        const Value* value = stream.member_ahead();
+        return value ? is_operand_identifier(*value) : stream.is_new_constant(token) || stream.at_pseudo_scope() != Kind::EndOfText;
     }
+    case Kind::Local: return stream.at_pseudo_scope() != Kind::EndOfText;
     default:
         switch (lexical_class(token.kind)) {
         case LexicalClass::Float: case LexicalClass::Vector: case LexicalClass::Vector2: case LexicalClass::Vector4:
@@ -162,7 +177,7 @@ bool at_string(TokenStream& stream)
     const Token& token = stream.peek();
     if (token.kind == Kind::String || lexical_class(token.kind) == LexicalClass::String) return true;
     if (token.kind != Kind::Identifier) return false;
-    const Value* value = stream.value_of(token);
+    const Value* value = stream.member_ahead();
     return value && is_string_identifier(*value);
 }
 

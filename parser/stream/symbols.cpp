@@ -66,6 +66,12 @@ Cell Symbols::find_cell(std::uint32_t name) const
     return name < slots_.size() && !slots_[name].empty() ? slots_[name].back().cell : nullptr;
 }
 
+Cell Symbols::find_global(std::uint32_t name) const
+{
+    const bool known = name < slots_.size() && !slots_[name].empty() && slots_[name].front().scope == 0;
+    return known ? slots_[name].front().cell : nullptr;
+}
+
 bool Symbols::in_current_scope(std::uint32_t name) const
 {
     return name < slots_.size() && !slots_[name].empty() && slots_[name].back().scope == depth();

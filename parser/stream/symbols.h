@@ -19,6 +19,7 @@ public:
     Value* find(std::uint32_t name) const { return name < current_.size() ? current_[name] : nullptr; }
     Cell find_cell(std::uint32_t name) const;
     bool in_current_scope(std::uint32_t name) const;
+    Cell find_global(std::uint32_t name) const;
 
     /// `#declare`: the nearest symbol, else a new global one. The new one is unset.
     const Cell& declare(std::uint32_t name);

@@ -164,7 +164,7 @@ bool TokenStream::execute(Kind word, std::uint32_t hash)
         if (!declare_compiled(true)) declare(true);
         break;
     case Kind::Undef: undefine(); break;
-    case Kind::Version: set_version(); break;
+    case Kind::Version: set_version(hash == 0 && cursors_.size() == 1); break;
     case Kind::Include: include(); break;
     case Kind::Default: hooks_.parse_default(*this); break;
     case Kind::Debug:

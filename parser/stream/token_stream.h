@@ -19,6 +19,7 @@ namespace parser {
 struct Macro {
     std::uint32_t name = 0;
     std::vector<std::uint32_t> parameters;
+    std::vector<bool> optional;        ///< by parameter: may be left out in a call (version 3.8)
     std::uint16_t file = 0;
     std::uint32_t begin = 0, end = 0;  ///< tokens of the body; end is the Hash of its `#end`
 };
@@ -142,6 +143,14 @@ public:
     Value read_value(Cell* by_reference = nullptr);
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
+    /// Words and forms of version 3.8 are known from #version 3.71 on.
+    bool new_language() const { return language_.version > 370; }
+    /// What the identifier ahead means; of a dictionary the member that the tokens behind it name.
+    const Value* member_ahead();
+    bool is_new_constant(const Token& token) const;   ///< `tau`
+    Kind at_pseudo_scope();
+    Cell read_pseudo_cell(Token& name);
+    Value read_pseudo_value();
     /// In a loop or macro: the expression that begins here, if it was compiled; takes it. False: nothing was taken.
     /// `out` must be new: only its components are written.
     bool run_compiled_here(int requested, bool full, Tuple& out)
@@ -232,6 +241,7 @@ private:
     // macros.cpp
     void define_macro(std::uint32_t hash);
     void call_macro(const Token& name, const Macro& macro);
+    bool left_out();
     void enter_macro(const Token& name, const Macro& macro, std::size_t first_argument);
 
     // compiled_sites.cpp
@@ -244,13 +254,27 @@ private:
 
     // declarations.cpp
     void declare(bool local);
+    struct Target {
+        Token name;
+        Cell whole, element;               ///< what the name means already; the part of it that is written
+        std::shared_ptr<Array> array;      ///< that holds the element
+        bool global = false, local = false;  ///< `global.` or `local.` stood before the name
+    };
+    Target read_target_of_declaration();
+    void store(const Target& target, Value value, bool local, std::uint32_t scope);
+    void declare_several(bool local);
+    bool at_new_word(std::string_view wanted);
     void set_element(Array& array, const Cell& element, Value value, const Token& name);
     Deprecation read_deprecation();
     void warn_deprecated(const Token& name);
     void undefine();
-    void set_version();
+    void set_version(bool first_in_main);
     void end_declaration(bool numeric);
     Value read_identifier_value(Cell* by_reference);
+    Cell element_cell(const std::shared_ptr<Array>& array, const Token& name, bool may_create);
+    Cell member_cell(const std::shared_ptr<Dictionary>& dictionary, const Token& name, bool may_create);
+    std::string read_key();
+    std::shared_ptr<Dictionary> read_dictionary();
     std::shared_ptr<Array> read_array();
     void read_elements(Array& array, std::size_t dimension, std::size_t& at);
 
@@ -308,6 +332,14 @@ private:
 template <class T> std::optional<T> TokenStream::accept_identifier()
 {
     if (peek().kind != Kind::Identifier) return std::nullopt;
+    if (new_language())
+        if (const Value* member = member_ahead(); member && member != value_of(*ahead_)) {
+            if (!member->template get_if<T>()) return std::nullopt;
+            const Token name = next();
+            const Cell element = subscripted(symbols_.find_cell(name.name), name, false);
+            if (const T* content = element->template get_if<T>()) return *content;
+            fail(place(name), "this member is of another kind");
+        }
     Cell cell = symbols_.find_cell(ahead_->name);
     if (!cell) return std::nullopt;
     if (const T* whole = cell->template get_if<T>()) {

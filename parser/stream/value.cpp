@@ -17,7 +17,7 @@ std::string_view type_name(const Value& value)
     static constexpr std::string_view kNames[] = {
         "nothing", "number", "string", "array", "object", "texture", "pigment", "normal", "finish", "interior", "material",
         "color_map", "pigment_map", "normal_map", "slope_map", "texture_map", "transform", "camera", "fog", "sky_sphere",
-        "function", "spline", "macro", "file", "effect"};
+        "function", "spline", "macro", "file", "effect", "dictionary"};
     static_assert(std::size(kNames) == std::variant_size_v<Value::variant>);
     return kNames[value.index()];
 }
@@ -30,11 +30,18 @@ std::uint32_t kind_of(const Value& value)
 
 Value deep_copy(const Value& value)
 {
+    if (const auto* dictionary = value.get_if<std::shared_ptr<Dictionary>>()) {
+        auto copy = std::make_shared<Dictionary>();
+        for (const auto& [key, member] : (*dictionary)->members) copy->members.emplace(key, std::make_shared<Value>(deep_copy(*member)));
+        return copy;
+    }
     const auto* array = value.get_if<std::shared_ptr<Array>>();
     if (!array) return value;
     auto copy = std::make_shared<Array>();
     copy->sizes = (*array)->sizes;
     copy->kind = (*array)->kind;
+    copy->growing = (*array)->growing;
+    copy->mixed = (*array)->mixed;
     copy->elements.reserve((*array)->elements.size());
     for (const Value& element : (*array)->elements) copy->elements.push_back(deep_copy(element));
     return copy;

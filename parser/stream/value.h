@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -32,7 +33,14 @@ struct Array {
     std::vector<std::uint32_t> sizes;
     std::vector<Value> elements;
     std::uint32_t kind = 0;  ///< kind_of() the first element that was assigned; it binds all later ones
+    bool growing = false;    ///< one dimension without a size: an element behind the last may be assigned (version 3.8)
+    bool mixed = false;      ///< elements of any types (version 3.8)
+    bool gaps = false;       ///< elements of the initialiser may be left out (version 3.8)
+    std::vector<std::vector<Value>> retired;  ///< memory of a growing array that references may still look into
 };
+
+/// `dictionary { .Key: value }` (version 3.8).
+struct Dictionary;
 
 /// `material { }`: what an object gets at once.
 struct Material {
@@ -59,7 +67,8 @@ struct Value : std::variant<
     std::shared_ptr<const scene::Camera>, std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>,
     function::FunctionPtr, std::shared_ptr<const function::Spline>,
     std::shared_ptr<const Macro>, std::shared_ptr<DataFile>,
-    scene::StatementPtr> {                          // media, density, rainbow
+    scene::StatementPtr,                            // media, density, rainbow
+    std::shared_ptr<Dictionary>> {
     using variant::variant;
     using variant::operator=;
 
@@ -71,6 +80,14 @@ struct Value : std::variant<
 
 /// A declared place: shared by a variable and the macro parameters that refer to it.
 using Cell = std::shared_ptr<Value>;
+
+struct Dictionary { std::map<std::string, Cell> members; };
+
+/// An array or dictionary: subscripts or a member's name may follow.
+inline bool is_container(const Value& value)
+{
+    return value.get_if<std::shared_ptr<Array>>() != nullptr || value.get_if<std::shared_ptr<Dictionary>>() != nullptr;
+}
 
 /// "float", "vector", "color", "texture", ... for messages.
 std::string_view type_name(const Value& value);

@@ -35,7 +35,7 @@ glm::dvec3 read_trace(TokenStream& stream, const Token& word)
     if (stream.accept_comma()) {
         const Token name = stream.next();
         normal = name.kind == Kind::Identifier ? stream.symbols().find_cell(name.name) : nullptr;
-        if (normal && normal->get_if<std::shared_ptr<Array>>()) normal = stream.subscripted(normal, name, false);
+        if (normal && is_container(*normal)) normal = stream.subscripted(normal, name, false);
         const Tuple* old = normal ? normal->get_if<Tuple>() : nullptr;
         if (!old || old->count != 3) stream.fail(stream.place(name), "expected a declared vector that takes the normal");
     }
