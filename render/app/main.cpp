@@ -65,8 +65,14 @@ int run(const std::vector<std::string>& arguments, app::Settings& settings)
     }
     for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) std::signal(signal, cancel);
     app::read_default_ini_file(settings);
-    if (has_word(arguments, {"--benchmark", "-benchmark"})) app::apply_benchmark(settings);
-    else app::apply_command_line(settings, arguments);
+    if (has_word(arguments, {"--benchmark", "-benchmark"})) {
+        app::apply_benchmark(settings);
+        std::vector<std::string> others = arguments;
+        std::erase_if(others, [](const std::string& word) { return word.ends_with("-benchmark"); });
+        app::apply_command_line(settings, others);
+    } else {
+        app::apply_command_line(settings, arguments);
+    }
     return app::render_command(settings, cancellation);
 }
 

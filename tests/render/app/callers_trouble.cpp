@@ -111,7 +111,7 @@ TEST_CASE("the version is told on standard error, in one line that names POV-Ray
 TEST_CASE("the benchmark tells its time, and asks no key", "[callers]")
 {
     const support::TemporaryFolder folder;
-    const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"-benchmark"}, "1\n");
+    const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"-benchmark", "+W48", "+H48"}, "1\n");
     INFO(ended.err);
     if (ended.status == 0) {
         CHECK(std::regex_search(ended.err, std::regex("\n  Trace Time: .*\\(\\d+\\.\\d+ seconds\\)\n")));
