@@ -43,7 +43,8 @@ struct Message {
     scene::SourceRef source;
 };
 
-/// Thrown once for a scene that cannot be read; what() is the rendered message.
+/// Thrown once for a scene that cannot be read; what() is the rendered message, or several where it was safe to go on
+/// behind a statement with a mistake.
 struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -56,7 +57,7 @@ struct Result {
     scene::Description scene;
     std::vector<Message> messages;                     ///< in order; without errors
     Statistics statistics;
-    std::vector<std::string> data_files;               ///< that #fopen read, in order
+    std::vector<std::string> data_files;               ///< read besides the text: by #fopen, images, densities, fonts; in order
 };
 
 /// Called with each message as it arises (may be empty).

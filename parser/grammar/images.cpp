@@ -35,6 +35,7 @@ void add_file(StatementReader& s, std::string_view kind, const std::vector<std::
         s.in().fail(at, fmt::format("the kind of the image '{}' cannot be told from its name", name));
     const std::string path = s.in().find_file(name, extensions);
     if (path.empty()) s.in().fail(at, fmt::format("cannot find the image file '{}'", name));
+    s.in().data_files().push_back(path);
     s.add(kind, {path});
 }
 
@@ -104,6 +105,7 @@ scene::StatementPtr read_density_file(SceneBuilder& build)
     const std::string name = path_expr(s.in());
     const std::string path = s.in().find_file(name, {".df3", ".DF3"});
     if (path.empty()) s.in().fail(at, fmt::format("cannot find the density file '{}'", name));
+    s.in().data_files().push_back(path);
     s.add("df3", {path});
     static constexpr Form kForms[] = {{Kind::Interpolate, "f"}};
     s.read_one(kForms);

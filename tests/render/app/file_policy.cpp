@@ -79,10 +79,13 @@ TEST_CASE("--restrict-read keeps a scene to the folders that it is given", "[pro
     CHECK(status(folder, {"s.pov", "--restrict-read"}) == 0);  // the library
 }
 
-TEST_CASE("files that #fopen reads are among the files of a picture", "[program][policy]")
+TEST_CASE("files that #fopen and images read are among the files of a picture", "[program][policy]")
 {
     const support::TemporaryFolder folder;
     make(folder, "#fopen F \"data.txt\" read\n#read(F, A)\ncamera { location -z }\n");
     write_text(folder / "here/data.txt", "1, 2\n");
     CHECK(run_program(folder / "here", WHITTLE_PROGRAM, {"s.pov", "--deps"}).out.ends_with("s.pov\ndata.txt\n"));
+    write_text(folder / "here/picture.ppm", "P6 1 1 255 abc");
+    make(folder, "camera { location -z }\nsphere { 0, 1 pigment { image_map { ppm \"picture.ppm\" } } }\n");
+    CHECK(run_program(folder / "here", WHITTLE_PROGRAM, {"s.pov", "--deps"}).out.ends_with("s.pov\npicture.ppm\n"));
 }
