@@ -61,6 +61,8 @@ public:
     bool default_given = false;
 
 private:
+    /// One statement of the scene; false at the end of the text.
+    bool read_statement();
     bool undrawn(const std::shared_ptr<const scene::Object>& object, const char* question);
     TokenStream* stream_ = nullptr;
     scene::TexturePtr default_texture_;

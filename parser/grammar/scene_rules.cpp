@@ -128,14 +128,31 @@ const ValueEntry kValues[] = {
 
 }  // namespace
 
-void SceneBuilder::read_scene()
+bool SceneBuilder::read_statement()
 {
     SceneState s(*this);
-    while (stream_->peek().kind != Kind::EndOfText) {
-        if (SceneItems::match(*this, s) || read_old_setting(*this)) continue;
-        if (auto object = read_object(*this)) add(std::move(*object));
-        else fail_unknown("an object, a camera, a light_source or another statement");
+    stream_->begin_statement();
+    if (stream_->peek().kind == Kind::EndOfText) return false;
+    stream_->begin_statement();
+    if (SceneItems::match(*this, s) || read_old_setting(*this)) return true;
+    if (auto object = read_object(*this)) add(std::move(*object));
+    else fail_unknown("an object, a camera, a light_source or another statement");
+    return true;
+}
+
+void SceneBuilder::read_scene()
+{
+    constexpr int kMostErrors = 20;
+    std::string errors;
+    for (int count = 0;;) {
+        try {
+            if (!read_statement()) break;
+        } catch (const Error& error) {
+            errors += (count == 0 ? "" : "\n") + std::string(error.what());
+            if (++count == kMostErrors || !stream_->skip_statement()) throw Error(errors);
+        }
     }
+    if (!errors.empty()) throw Error(errors);
     if (description.objects.empty() && description.unsupported.empty())
         stream_->warn(stream_->last(), "the scene has no objects");
 }

@@ -105,6 +105,7 @@ using HeadReader = void (*)(StatementReader&);
 /// Null: this keyword is drawn or no solid.
 HeadReader undrawn_head(Kind keyword);
 HeadReader curve_head(Kind keyword);      ///< made of points along a curve
+HeadReader polynomial_head(Kind keyword);
 HeadReader field_head(Kind keyword);      ///< made of functions, components, files
 void read_light_group(StatementReader& s, scene::Object& object);
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 /// Solids made of functions, components, coefficients or files (reference manual: blob, isosurface, parametric,
-/// julia_fractal, poly, height_field, text, bicubic_patch, light_group).
+/// julia_fractal, height_field, text, bicubic_patch, light_group).
 namespace parser {
 namespace {
 
@@ -152,62 +152,6 @@ void julia_fractal(StatementReader& s)
     if (quaternion && !sums_only) s.fail("a quaternion julia_fractal knows sqr and cube alone; see hypercomplex");
 }
 
-// ---- polynomials ----------------------------------------------------------------------------------------------
-void coefficients(StatementReader& s, int order)
-{
-    const int count = (order + 1) * (order + 2) * (order + 3) / 6;
-    s.in().expect(Kind::Less, "'<' and the coefficients");
-    std::vector<StatementReader::Operand> values;
-    for (int i = 0; i < count; ++i) {
-        if (i > 0) s.in().accept_comma();
-        values.emplace_back(float_expr(s.in()));
-    }
-    s.in().expect(Kind::Greater, fmt::format("'>' after {} coefficients", count));
-    s.add("coefficients", std::move(values));
-}
-
-int read_order(StatementReader& s)
-{
-    constexpr int kLeast = 2, kMost = 35;
-    const double order = float_expr(s.in());
-    if (!(order >= kLeast && order < kMost + 1)) s.fail("the order must lie from 2 to 35");
-    s.add("order", {order});
-    return static_cast<int>(order);
-}
-
-void sturm(StatementReader& s)
-{
-    static constexpr Form kForms[] = {{Kind::Sturm, "o"}};
-    s.read_one(kForms);
-}
-
-void poly(StatementReader& s)
-{
-    const int order = read_order(s);
-    s.in().accept_comma();
-    coefficients(s, order);
-    sturm(s);
-}
-void cubic(StatementReader& s) { coefficients(s, 3); sturm(s); }
-void quartic(StatementReader& s) { coefficients(s, 4); sturm(s); }
-
-void polynomial(StatementReader& s)
-{
-    const int order = read_order(s);
-    s.in().accept_comma();
-    while (s.accept(Kind::Xyz)) {
-        s.in().expect(Kind::LeftParen, "'(' and the powers of x, y and z");
-        auto term = s.operands("fff");
-        if (number_of(term[0]) + number_of(term[1]) + number_of(term[2]) > order) s.fail("the powers of this term are above the order");
-        s.in().expect(Kind::RightParen, "')' after the powers");
-        s.in().expect(Kind::Colon, "':' and the coefficient");
-        term.emplace_back(float_expr(s.in()));
-        s.add("xyz", std::move(term));
-        s.in().accept_comma();
-    }
-    sturm(s);
-}
-
 // ---- height_field, text, bicubic_patch ------------------------------------------------------------------------
 void height_field(StatementReader& s)
 {
@@ -223,6 +167,7 @@ void text(StatementReader& s)
         const std::string name = path_expr(s.in());
         const std::string path = s.in().find_file(name, {".ttf", ".TTF"});
         if (path.empty()) s.in().fail(at, fmt::format("cannot find the font file '{}'", name));
+        s.in().data_files().push_back(path);
         s.add("ttf", {path});
     } else if (s.accept(Kind::Internal)) {
         s.read("internal", "f");
@@ -265,10 +210,6 @@ HeadReader field_head(Kind keyword)
     case Kind::Isosurface: return isosurface;
     case Kind::Parametric: return parametric;
     case Kind::JuliaFractal: return julia_fractal;
-    case Kind::Poly: return poly;
-    case Kind::Cubic: return cubic;
-    case Kind::Quartic: return quartic;
-    case Kind::Polynomial: return polynomial;
     case Kind::HeightField: return height_field;
     case Kind::Text: return text;
     case Kind::BicubicPatch: return bicubic_patch;
@@ -278,8 +219,9 @@ HeadReader field_head(Kind keyword)
 
 HeadReader undrawn_head(Kind keyword)
 {
-    const HeadReader curve = curve_head(keyword);
-    return curve ? curve : field_head(keyword);
+    for (const auto head : {curve_head, polynomial_head, field_head})
+        if (const HeadReader found = head(keyword)) return found;
+    return nullptr;
 }
 
 /// Objects, `global_lights` and transformations: it takes no other modifier.

@@ -4,6 +4,7 @@
 #include "parser/parse.h"
 #include "parser/stream/compiled.h"
 #include "parser/stream/hooks.h"
+#include "parser/stream/language_state.h"
 #include "parser/stream/symbols.h"
 
 #include <memory>
@@ -14,33 +15,6 @@
 #include <vector>
 
 namespace parser {
-
-/// A macro: parameters and the token range of its body.
-struct Macro {
-    std::uint32_t name = 0;
-    std::vector<std::uint32_t> parameters;
-    std::vector<bool> optional;        ///< by parameter: may be left out in a call (version 3.8)
-    std::uint16_t file = 0;
-    std::uint32_t begin = 0, end = 0;  ///< tokens of the body; end is the Hash of its `#end`
-};
-
-/// `#declare deprecated [once] ["message"] NAME`: what a use of the name is told.
-struct Deprecation {
-    bool once = false;
-    std::string message;
-};
-
-/// global_settings { charset }: what bytes above 127 in a text mean.
-enum class Charset : std::uint8_t { Ascii, Utf8, System };
-
-/// Settings of the text that change how the rest of it is read.
-struct LanguageState {
-    int version = 370;                      ///< `#version` * 100
-    bool version_set = false;               ///< by a directive or an option; off: gamma and the like act as in 3.62
-    Charset charset = Charset::Ascii;
-    scene::AssumedGamma assumed_gamma;      ///< the grammar keeps it up to date: srgb colours depend on it
-    int effective_version() const { return version_set ? version : 362; }
-};
 
 /// Executes directives and macro calls and hands on plain tokens, one token of look-ahead.
 class TokenStream {
@@ -151,6 +125,11 @@ public:
     Kind at_pseudo_scope();
     Cell read_pseudo_cell(Token& name);
     Value read_pseudo_value();
+    /// A statement of the scene begins with the token ahead (nothing is ahead: forgets it).
+    void begin_statement();
+    /// After an error: stands behind the block of that statement, if it is sure where it ends and that skipping it skips
+    /// nothing but the block. Else false.
+    bool skip_statement();
     /// In a loop or macro: the expression that begins here, if it was compiled; takes it. False: nothing was taken.
     /// `out` must be new: only its components are written.
     bool run_compiled_here(int requested, bool full, Tuple& out)
@@ -322,6 +301,7 @@ private:
     int nesting_ = 0;
     LanguageState language_;
     std::uint32_t declaring_ = kNoIndex;
+    std::uint32_t statement_ = kNoIndex;   ///< its first token in the main text
     std::unordered_map<std::uint32_t, Deprecation> deprecated_;
     std::vector<std::uint32_t> random_streams_;
     std::vector<Message> messages_;
@@ -329,40 +309,6 @@ private:
     std::vector<std::string> data_files_;
 };
 
-template <class T> std::optional<T> TokenStream::accept_identifier()
-{
-    if (peek().kind != Kind::Identifier) return std::nullopt;
-    if (new_language())
-        if (const Value* member = member_ahead(); member && member != value_of(*ahead_)) {
-            if (!member->template get_if<T>()) return std::nullopt;
-            const Token name = next();
-            const Cell element = subscripted(symbols_.find_cell(name.name), name, false);
-            if (const T* content = element->template get_if<T>()) return *content;
-            fail(place(name), "this member is of another kind");
-        }
-    Cell cell = symbols_.find_cell(ahead_->name);
-    if (!cell) return std::nullopt;
-    if (const T* whole = cell->template get_if<T>()) {
-        T content = *whole;
-        next();
-        return content;
-    }
-    const auto* array = cell->template get_if<std::shared_ptr<Array>>();
-    if (!array) return std::nullopt;
-    const Value* first = nullptr;  // arrays of arrays: look at the innermost elements
-    for (const Array* level = array->get(); level != nullptr;) {
-        first = nullptr;
-        for (const Value& element : level->elements)
-            if (element.set()) { first = &element; break; }
-        const auto* inner = first ? first->template get_if<std::shared_ptr<Array>>() : nullptr;
-        level = inner ? inner->get() : nullptr;
-    }
-    if (!first || !first->template get_if<T>()) return std::nullopt;
-    const Token name = next();
-    const scene::SourceRef at = place(name);
-    const Cell element = subscripted(std::move(cell), name, false);
-    if (const T* content = element->template get_if<T>()) return *content;
-    fail(at, "this array element is of another kind");
-}
-
 }  // namespace parser
+
+#include "parser/stream/accept_identifier.h"

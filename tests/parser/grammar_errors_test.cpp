@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <sstream>
+
 using grammar_test::error_of;
 
 TEST_CASE("a missing parameter is named", "[parser][error]")
@@ -56,4 +58,27 @@ TEST_CASE("textures and flags refuse what POV-Ray refuses", "[parser][error]")
           "2:29: error: a texture cannot be layered over a patterned texture");
     CHECK(error_of("union { sphere { 0, 1 } pigment { rgb 1 } sphere { 0, 2 } }") ==
           "1:43: error: expected an item of 'union' or '}', found 'sphere'");
+}
+
+TEST_CASE("several mistakes are told in one run where that is safe", "[parser][error]")
+{
+    const auto lines = [](const std::string& text) {
+        std::string all;
+        try {
+            grammar_test::parsed(text);
+        } catch (const parser::Error& error) {
+            std::istringstream in(error.what());
+            for (std::string line; std::getline(in, line);)
+                if (line.rfind("test.pov:", 0) == 0) all += line.substr(9) + '\n';
+        }
+        return all;
+    };
+    CHECK(lines("shpere { 0, 1 }\nbox { 0, 1 rotat x }\nsphere { 0, 1 }\nplane { y }\n") ==
+          "1:1: error: 'shpere' is not declared; did you mean 'sphere'?\n"
+          "2:12: error: 'rotat' is not declared; did you mean 'rotate'?\n"
+          "4:11: error: expected the plane's distance from the origin (a number), found '}'\n");
+    // What is skipped might declare a name, or the block's end is not certain: the first mistake is the only one.
+    CHECK(lines("shpere { 0, 1 #declare A = 1; }\nbox { 0, A rotat x }\n") == "1:1: error: 'shpere' is not declared; did you mean 'sphere'?\n");
+    CHECK(lines("#declare A = B;\nshpere { 0, 1 }\n") == "1:14: error: 'B' is not declared\n");
+    CHECK(lines("#if (1) shpere { 0, 1 } #end\nbox { 0, 1 rotat x }\n") == "1:9: error: 'shpere' is not declared; did you mean 'sphere'?\n");
 }

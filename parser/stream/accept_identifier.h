@@ -1,0 +1,44 @@
+#pragma once
+
+// The end of token_stream.h: include that.
+#include "parser/stream/token_stream.h"
+
+namespace parser {
+
+template <class T> std::optional<T> TokenStream::accept_identifier()
+{
+    if (peek().kind != Kind::Identifier) return std::nullopt;
+    if (new_language())
+        if (const Value* member = member_ahead(); member && member != value_of(*ahead_)) {
+            if (!member->template get_if<T>()) return std::nullopt;
+            const Token name = next();
+            const Cell element = subscripted(symbols_.find_cell(name.name), name, false);
+            if (const T* content = element->template get_if<T>()) return *content;
+            fail(place(name), "this member is of another kind");
+        }
+    Cell cell = symbols_.find_cell(ahead_->name);
+    if (!cell) return std::nullopt;
+    if (const T* whole = cell->template get_if<T>()) {
+        T content = *whole;
+        next();
+        return content;
+    }
+    const auto* array = cell->template get_if<std::shared_ptr<Array>>();
+    if (!array) return std::nullopt;
+    const Value* first = nullptr;  // arrays of arrays: look at the innermost elements
+    for (const Array* level = array->get(); level != nullptr;) {
+        first = nullptr;
+        for (const Value& element : level->elements)
+            if (element.set()) { first = &element; break; }
+        const auto* inner = first ? first->template get_if<std::shared_ptr<Array>>() : nullptr;
+        level = inner ? inner->get() : nullptr;
+    }
+    if (!first || !first->template get_if<T>()) return std::nullopt;
+    const Token name = next();
+    const scene::SourceRef at = place(name);
+    const Cell element = subscripted(std::move(cell), name, false);
+    if (const T* content = element->template get_if<T>()) return *content;
+    fail(at, "this array element is of another kind");
+}
+
+}  // namespace parser
