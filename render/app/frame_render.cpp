@@ -3,6 +3,7 @@
 #include "parser/parse.h"
 #include "render/app/output_name.h"
 #include "render/app/picture_identity.h"
+#include "render/app/preview_file.h"
 #include "render/app/scene_file.h"
 #include "render/app/scene_queries.h"
 #include "render/app/stage_options.h"
@@ -85,6 +86,13 @@ std::unique_ptr<StateFile> state_file(const Run& run, const std::string& path, c
     std::filesystem::path beside(path);
     beside.replace_extension(".whittle-state");
     return std::make_unique<StateFile>(beside.string(), [&] { return picture_identity(options, planned, parsed); }, trace::blocks_of(planned), run.settings.state_after);
+}
+
+/// Null where none is asked for.
+std::unique_ptr<PreviewFile> preview_file(const Settings& settings, const scene::Description& description)
+{
+    if (settings.preview_file.empty()) return nullptr;
+    return std::make_unique<PreviewFile>(settings.preview_file, settings.width, settings.height, file_settings(settings, description).encoding);
 }
 
 void resume(Run& run, StateFile& state, image::Image& picture)
@@ -176,10 +184,15 @@ int render_frame(Run& run, const Frame& frame)
     if (state && settings.continue_trace) resume(run, *state, picture);
     run.narrator.rendering();
     trace::RenderOptions render = render_options(settings, run.narrator, run.cancel.requested);
-    if (state) {
-        render.done = state->done();
-        render.finished = [&](std::size_t block) { state->finished(block, picture); };
-    }
+    const std::unique_ptr<PreviewFile> preview = preview_file(settings, parsed.scene);
+    const std::vector<trace::Block> blocks = preview ? trace::blocks_of(compiled.options) : std::vector<trace::Block>();
+    if (state) render.done = state->done();
+    for (std::size_t i = 0; preview && i < render.done.size(); ++i)
+        if (render.done[i]) preview->show(blocks[i], picture);
+    render.finished = [&](std::size_t block) {
+        if (state) state->finished(block, picture);
+        if (preview) preview->show(blocks[block], picture);
+    };
     const trace::RenderStatistics statistics = trace::render(compiled, render, picture);
     times.finish("trace");
     if (statistics.cancelled) {

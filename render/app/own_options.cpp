@@ -33,6 +33,7 @@ constexpr OwnOption kOwnOptions[] = {
     {"allow-write", "FOLDER", "a scene may write files below this folder too, besides the current one and the picture's", [](Settings& s, const std::string& v) { s.write_folders.push_back(v); }},
     {"restrict-read", "", "a scene may read files only below the current folder, its own, the picture's, those of the library path and of --allow-write", [](Settings& s, const std::string&) { s.restrict_read = true; }},
     {"allow-commands", "", "run the commands of Pre_Scene_Command and its kin", [](Settings& s, const std::string&) { s.allow_commands = true; }},
+    {"preview", "FILE", "a file mapped into memory in which another program watches the picture grow; also +SM<name>, as LeoCAD has it", [](Settings& s, const std::string& v) { s.preview_file = v; }},
     {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
     {"explain", "", "say what the plan kept, what it left out and why", [](Settings& s, const std::string&) { s.explain = true; }},
     {"isa", "v2|v3|v4|auto", "instruction set of the tracer", [](Settings& s, const std::string& v) { s.isa = v == "auto" ? "" : v; }},

@@ -79,6 +79,7 @@ struct Settings {
     enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;
     bool explain = false, parse_only = false;
     bool check = false, deps = false;              ///< with parse_only: no file is written; the files read are printed
+    std::string preview_file;                      ///< empty: none
     std::string json_file;                         ///< empty: none; "-": standard output
     bool warnings_are_errors = false, make_folders = false, allow_commands = false, restrict_read = false;
     std::vector<std::string> write_folders;        ///< where a scene may write besides the current folder and the picture's

@@ -1,6 +1,7 @@
 #include "render/app/switch_table.h"
 
 #include "render/app/option_table.h"
+#include "render/app/own_options.h"
 #include "render/app/text.h"
 
 namespace app {
@@ -74,6 +75,7 @@ constexpr Switch kSwitches[] = {
     {"SC", true, nullptr, "Start_Column"},
     {"SF0", true, nullptr, "Subset_Start_Frame", "0"},
     {"SF", true, nullptr, "Subset_Start_Frame"},
+    {"SM", true, nullptr, "+SM"},  // not POV-Ray's: LeoCAD's
     {"SP", true, nullptr, "Preview_Start_Size"},
     {"SR", true, nullptr, "Start_Row"},
     {"STP", true, nullptr, "Frame_Step"},
@@ -110,6 +112,7 @@ SwitchText text_of(const Switch& entry)
     if (*entry.prefix) return {};
     const std::string_view set = entry.option ? entry.option : entry.flag;
     if (set == "+F") return {"+F<type>[bits]", "write the picture: type N PNG, P PPM, T C Targa, J JPEG, B BMP, E OpenEXR, H Radiance; g for grey, or bits a channel"};
+    if (set == "+SM") return {"+SM<name>", find_own_option("--preview")->meaning};
     const Option& option = *find_option(set);
     const char* value = option.kind == ValueKind::Text ? "<name>" : option.kind == ValueKind::Integer ? "<n>" : "<x>";
     std::string form = entry.letters;
@@ -126,6 +129,10 @@ void apply_switch(Settings& settings, const std::string& word)
         if (!entry.option) return;
         const std::string text = entry.prefix + std::string(body.substr(std::string_view(entry.letters).size()));
         if (std::string_view(entry.option) == "+F") return set_file_type_switch(settings, text);
+        if (std::string_view(entry.option) == "+SM") {
+            settings.preview_file = text;
+            return;
+        }
         return set_option(settings, entry.option, text);
     }
     throw OptionError("unknown switch '" + word + "'");

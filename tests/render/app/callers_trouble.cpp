@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstring>
 #include <filesystem>
 #include <regex>
 
@@ -106,6 +107,21 @@ TEST_CASE("the version is told on standard error, in one line that names POV-Ray
         CHECK(ended.out.empty());
         CHECK(std::regex_search(ended.err, std::regex("(^|\n)[^\n]*POV-Ray[^\n]*official")));
     }
+}
+
+TEST_CASE("LeoCAD watches the picture grow in a mapped file", "[callers]")
+{
+    const support::TemporaryFolder folder;
+    write_text(folder / "x.pov", std::string(kScene) + "background { rgb <1, 0, 1> }\n");
+    CHECK(run_program(folder.path(), WHITTLE_AS_POVRAY, {"+I\"x.pov\"", "+W20", "+H10", "+SM\"map\"", "-F"}).status == 0);
+    const std::string map = support::text_of(folder / "map");
+    REQUIRE(map.size() == 20 + 4 * 20 * 10);
+    std::uint32_t header[5];
+    std::memcpy(header, map.data(), sizeof header);
+    CHECK(header[1] == 20);
+    CHECK(header[2] == 10);
+    CHECK(header[3] == 200);  // pixels in place
+    for (std::size_t i = 20; i < map.size(); i += 4) REQUIRE(map.substr(i, 4) == std::string("\xFF\0\xFF\xFF", 4));
 }
 
 TEST_CASE("the benchmark tells its time, and asks no key", "[callers]")
