@@ -158,3 +158,21 @@ TEST_CASE("each caller gets its picture, exit status 0 and the lines that it loo
         CHECK_FALSE(says(ended.err, ".*Error:.*"));
     }
 }
+
+TEST_CASE("called by its own name the program makes the same pictures", "[callers]")
+{
+    for (const Call& call : calls()) {
+        INFO(call.caller);
+        std::string pictures[2];
+        for (int named = 0; named < 2; ++named) {
+            const support::TemporaryFolder folder;
+            prepare(folder, call);
+            const Ended ended = support::run_program(folder.path(), named ? WHITTLE_AS_POVRAY : WHITTLE_PROGRAM, call.arguments, kScene);
+            CHECK(ended.status == 0);
+            CHECK(ascii(ended.err));
+            pictures[named] = call.picture ? support::text_of(folder / call.picture) : ended.out;
+        }
+        CHECK(pictures[0] == pictures[1]);
+        CHECK_FALSE(pictures[0].empty());
+    }
+}
