@@ -13,9 +13,12 @@
 
 #include <fmt/format.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -109,11 +112,12 @@ void check_folder(const Settings& settings, const std::string& path)
 {
     namespace fs = std::filesystem;
     if (path.empty() || !settings.output_to_file || settings.parse_only) return;
-    const fs::path folder = fs::path(path).parent_path();
-    if (folder.empty()) return;
+    fs::path folder = fs::path(path).parent_path();
+    if (folder.empty()) folder = ".";
     std::error_code error;
     if (settings.make_folders) fs::create_directories(folder, error);
     if (!fs::is_directory(folder, error)) throw OptionError(fmt::format("cannot write '{}': there is no folder '{}' (--make-folders makes it)", path, folder.string()));
+    if (access(folder.c_str(), W_OK) != 0) throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
 }
 
 parser::Result parse_scene(Run& run, const Frame& frame, const std::string& path, parser::Options& options, SceneQueries& queries)
