@@ -14,6 +14,8 @@ namespace {
 constexpr int kLineLength = 76;                                // of rules and headings
 constexpr std::chrono::milliseconds kBetweenUpdates{100};      // on a terminal
 
+constexpr int kFrameStep = 20;                                 // percent between updates in an animation, on a pipe
+
 std::string heading(const std::string& text) { return fmt::format("{:=<{}}\n", fmt::format("==== [{}...] ", text), kLineLength); }
 std::string rule() { return std::string(kLineLength, '-') + "\n"; }
 std::string titled(const char* title) { return rule() + title + "\n" + rule(); }
@@ -73,6 +75,7 @@ void PovrayNarrator::begin(const FrameFacts& f)
     const long long width = f.window.last_column - f.window.first_column + 1, height = f.window.last_row - f.window.first_row + 1;
     pixels_ = std::max(width, 0LL) * std::max(height, 0LL);
     percent_ = -1;
+    step_ = f.list.animation ? kFrameStep : 1;
     parsing_ = true;
 }
 
@@ -103,9 +106,11 @@ void PovrayNarrator::progress(double share)
     if (!verbose_) return;
     const int percent = static_cast<int>(std::floor(share * 100.0));
     const std::lock_guard lock(writing_);
-    // A pipe gets at most one line per percent, so that one that nobody reads does not fill; a terminal a steady pace.
+    // A pipe gets at most one line per percent, in animations fewer, so that one that nobody reads does not soon fill; a
+    // terminal gets a steady pace.
     const Clock::time_point now = Clock::now();
-    if (percent <= percent_ || (terminal() && percent < 100 && now - shown_ < kBetweenUpdates)) return;
+    const bool due = percent_ < 0 || percent >= percent_ + step_ || (percent >= 100 && percent_ < 100);
+    if (percent <= percent_ || (!terminal() && !due) || (terminal() && percent < 100 && now - shown_ < kBetweenUpdates)) return;
     percent_ = percent;
     shown_ = now;
     put(Stream::Lines, fmt::format("Rendered {} of {} pixels ({}%)\r", std::llround(share * static_cast<double>(pixels_)), pixels_, percent));

@@ -32,6 +32,7 @@ private:
     long long pixels_ = 0;
     std::mutex writing_;
     int percent_ = -1;         ///< shown last
+    int step_ = 1;             ///< percent between two lines on a pipe
     Clock::time_point shown_;  ///< when
     bool parsing_ = false;
 };

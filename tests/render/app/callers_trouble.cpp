@@ -94,6 +94,9 @@ TEST_CASE("a caller that never reads what is written does not hold the render up
     RunningProgram program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov.ini"}, "", ends[1]);
     CHECK(program.wait().status == 0);
     CHECK(std::filesystem::exists(folder / "x.png"));
+    RunningProgram animation(folder.path(), WHITTLE_AS_POVRAY, {"x.pov.ini", "+KFF20"}, "", ends[1]);
+    CHECK(animation.wait().status == 0);
+    CHECK(std::filesystem::exists(folder / "x20.png"));
     close(ends[0]);
     close(ends[1]);
 }
