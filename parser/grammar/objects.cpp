@@ -88,6 +88,7 @@ scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef
             else build.set_aside(std::move(*operand));
         }
         if (written < 2 && build.version() >= 150) in.warn(source, name + " should have at least two objects");
+        operands->shrink_to_fit();  // a scene may have a hundred thousand of these
         object.shape = scene::Csg{op_of(keyword), std::move(operands), true, false};
     }
     read_modifiers(build, object);

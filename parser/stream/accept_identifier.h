@@ -16,15 +16,16 @@ template <class T> std::optional<T> TokenStream::accept_identifier()
             if (const T* content = element->template get_if<T>()) return *content;
             fail(place(name), "this member is of another kind");
         }
-    Cell cell = symbols_.find_cell(ahead_->name);
-    if (!cell) return std::nullopt;
-    if (const T* whole = cell->template get_if<T>()) {
+    const Value* value = symbols_.find(ahead_->name);
+    if (!value) return std::nullopt;
+    if (const T* whole = value->template get_if<T>()) {
         T content = *whole;
         next();
         return content;
     }
-    const auto* array = cell->template get_if<std::shared_ptr<Array>>();
+    const auto* array = value->template get_if<std::shared_ptr<Array>>();
     if (!array) return std::nullopt;
+    Cell cell = symbols_.find_cell(ahead_->name);
     const Value* first = nullptr;  // arrays of arrays: look at the innermost elements
     for (const Array* level = array->get(); level != nullptr;) {
         first = nullptr;

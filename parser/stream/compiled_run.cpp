@@ -101,6 +101,17 @@ bool combine(Code code, double* left, int a, const double* right, int b)
     return true;
 }
 
+/// The same on the stack.
+bool combine_at(const CompiledOp& op, double*& top)
+{
+    double* const left = top - op.b - op.a;
+    double right[5];
+    std::copy(top - op.b, top, right);
+    if (!combine(op.code, left, op.a, right, op.b)) return false;
+    top = left + std::max(op.a, op.b);
+    return true;
+}
+
 /// The subscripts at `top` become the element's components.
 bool load_element(const CompiledOp& op, const Symbols& symbols, double* subscripts)
 {
@@ -199,14 +210,26 @@ bool run_compiled(const CompiledExpression& expression, const CompiledContext& c
             if (top[0] == 0.0) return random.give_up();
             top[-1] /= top[0];
             break;
-        case Code::AddTuple: case Code::SubtractTuple: case Code::MultiplyTuple: case Code::DivideTuple: {
-            double* left = top - op.b - op.a;
-            double right[5];
-            std::copy(top - op.b, top, right);
-            if (!combine(op.code, left, op.a, right, op.b)) return random.give_up();
-            top = left + std::max(op.a, op.b);
+        case Code::AddTuple:
+            if (op.a != op.b) {
+                if (!combine_at(op, top)) return random.give_up();
+                break;
+            }
+            top -= op.b;
+            for (int i = 0; i < op.a; ++i) top[i - op.a] += top[i];
             break;
-        }
+        case Code::SubtractTuple:
+            if (op.a != op.b) {
+                if (!combine_at(op, top)) return random.give_up();
+                break;
+            }
+            top -= op.b;
+            for (int i = 0; i < op.a; ++i) top[i - op.a] -= top[i];
+            break;
+        case Code::MultiplyTuple:
+        case Code::DivideTuple:
+            if (!combine_at(op, top)) return random.give_up();
+            break;
         case Code::AddNumber: top[-1] += op.number; break;
         case Code::MultiplyNumber: top[-1] *= op.number; break;
         case Code::Relation: --top; top[-1] = relation_holds(op.kind, top[-1], top[0]) ? 1.0 : 0.0; break;

@@ -22,15 +22,15 @@ TokenStream::Target TokenStream::read_target_of_declaration()
     target.name = raw_next();
     const Token& name = target.name;
     if (name.kind != Kind::Identifier) fail_expected_at(name, "a name to declare that is no reserved word");
-    target.whole = symbols_.find_cell(name.name);
-    const Cell& whole = target.whole;
-    if (!whole) return target;
+    const Value* whole = symbols_.find(name.name);
+    target.known = whole != nullptr;
+    if (!whole || whole->get_if<Tuple>()) return target;
     if (whole->get_if<std::shared_ptr<const Macro>>()) fail(place(name), fmt::format("'{}' is a macro", word(name)));
     if (whole->get_if<std::shared_ptr<DataFile>>()) fail(place(name), fmt::format("'{}' is an open file", word(name)));
     if (whole->get_if<function::FunctionPtr>())
         fail(place(name), fmt::format("'{}' is a function already; #undef it first", word(name)));
     const Kind next = is_container(*whole) ? peek_raw().kind : Kind::EndOfText;
-    if (next == Kind::LeftSquare || next == Kind::Period) target.element = subscripted(whole, name, true, &target.array);
+    if (next == Kind::LeftSquare || next == Kind::Period) target.element = subscripted(symbols_.find_cell(name.name), name, true, &target.array);
     return target;
 }
 
@@ -59,12 +59,12 @@ void TokenStream::declare(bool local)
     if (Token equal = raw_next(); equal.kind != Kind::Equal)
         fail_expected_at(equal, fmt::format("'=' and a value for '{}'", word(target.name)));
 
-    const std::uint32_t outer = std::exchange(declaring_, target.whole ? kNoIndex : target.name.name);
+    const std::uint32_t outer = std::exchange(declaring_, target.known ? kNoIndex : target.name.name);
     raw_operators_ = true;
     Value value = read_value();
     raw_operators_ = false;
     declaring_ = outer;
-    if (deprecation && !target.whole) deprecated_[target.name.name] = std::move(*deprecation);
+    if (deprecation && !target.known) deprecated_[target.name.name] = std::move(*deprecation);
     const bool numeric = value.get_if<Tuple>() != nullptr;
     store(target, std::move(value), local, scope);
     end_declaration(numeric);

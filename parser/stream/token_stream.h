@@ -235,7 +235,8 @@ private:
     void declare(bool local);
     struct Target {
         Token name;
-        Cell whole, element;               ///< what the name means already; the part of it that is written
+        bool known = false;                ///< the name means something already
+        Cell element;                      ///< the part of it that is written
         std::shared_ptr<Array> array;      ///< that holds the element
         bool global = false, local = false;  ///< `global.` or `local.` stood before the name
     };

@@ -31,11 +31,15 @@ glm::dvec3 read_trace(TokenStream& stream, const Token& word)
     const glm::dvec3 origin = vector_expr(stream);
     stream.accept_comma();
     const glm::dvec3 direction = vector_expr(stream);
-    Cell normal;
+    Value* normal = nullptr;
+    Cell element;
     if (stream.accept_comma()) {
-        const Token name = stream.next();
-        normal = name.kind == Kind::Identifier ? stream.symbols().find_cell(name.name) : nullptr;
-        if (normal && is_container(*normal)) normal = stream.subscripted(normal, name, false);
+        const Token& name = stream.next();
+        normal = name.kind == Kind::Identifier ? stream.symbols().find(name.name) : nullptr;
+        if (normal && is_container(*normal)) {
+            element = stream.subscripted(stream.symbols().find_cell(name.name), name, false);
+            normal = element.get();
+        }
         const Tuple* old = normal ? normal->get_if<Tuple>() : nullptr;
         if (!old || old->count != 3) stream.fail(stream.place(name), "expected a declared vector that takes the normal");
     }
