@@ -29,7 +29,7 @@ namespace {
 void tell_message(void* narrator, const parser::Message& message) { static_cast<Narrator*>(narrator)->message(message); }
 
 /// Through a file of its own: picture libraries want to seek.
-void write_to_standard_output(const image::Files& files, const image::Image& picture, const image::FileSettings& file)
+void write_to_stream(std::FILE* stream, const image::Files& files, const image::Image& picture, const image::FileSettings& file)
 {
     std::string folder = (std::filesystem::temp_directory_path() / "whittle-XXXXXX").string();
     if (!mkdtemp(folder.data())) throw image::FileError("cannot make a folder in '" + std::filesystem::temp_directory_path().string() + "'");
@@ -38,13 +38,13 @@ void write_to_standard_output(const image::Files& files, const image::Image& pic
         files.write(path, picture, file);
         std::ifstream in(path, std::ios::binary);
         char block[65536];
-        while (in.read(block, sizeof block) || in.gcount() > 0) std::fwrite(block, 1, static_cast<std::size_t>(in.gcount()), stdout);
+        while (in.read(block, sizeof block) || in.gcount() > 0) std::fwrite(block, 1, static_cast<std::size_t>(in.gcount()), stream);
     } catch (...) {
         std::filesystem::remove_all(folder);
         throw;
     }
     std::filesystem::remove_all(folder);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw image::FileError("cannot write to standard output");
+    if (std::fflush(stream) != 0 || std::ferror(stream)) throw image::FileError("cannot write to standard output");
 }
 
 /// The files that a picture is made of, in the order in which they were read.
@@ -141,7 +141,7 @@ void refuse_warnings(const parser::Result& parsed)
 void write_picture(Run& run, const std::string& path, const image::Image& picture, const scene::Description& description, StageTimes& times, StateFile* state)
 {
     const image::FileSettings file = file_settings(run.settings, description);
-    if (path.empty()) write_to_standard_output(run.files, picture, file);
+    if (path.empty()) write_to_stream(to_standard_error(run.settings) ? stderr : stdout, run.files, picture, file);
     else run.files.write(path, picture, file);
     times.finish("write");
     if (!path.empty()) run.narrator.written(path);

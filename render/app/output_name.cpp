@@ -1,7 +1,5 @@
 #include "render/app/output_name.h"
 
-#include "render/app/text.h"
-
 namespace app {
 
 namespace {
@@ -39,12 +37,14 @@ Name output_name(const Settings& settings, const std::string& extension)
 
 bool to_standard_output(const Settings& settings)
 {
-    return settings.output_file == "-" || same_text(settings.output_file, "stdout");
+    return settings.output_file == "-" || settings.output_file == "stdout";
 }
+
+bool to_standard_error(const Settings& settings) { return settings.output_file == "stderr"; }
 
 std::string output_path(const Settings& settings, const FrameList& list, const Frame& frame)
 {
-    if (to_standard_output(settings)) return {};
+    if (to_standard_output(settings) || to_standard_error(settings)) return {};
     const std::string extension = image::extension(settings.file_type);
     const Name name = output_name(settings, extension);
     std::string number;
