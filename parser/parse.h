@@ -14,7 +14,7 @@ class SceneQueries;  // parser/queries.h
 
 /// What the command line tells the parser.
 struct Options {
-    std::vector<std::string> library_path;             ///< searched after the scene's folder, in order
+    std::vector<std::string> library_path;             ///< searched after the current folder and before the scene's, in order
     std::vector<std::string> write_folders;            ///< where #fopen may write, besides the current folder
     bool write_nothing = false;                        ///< what #fopen would write is dropped
     bool restrict_read = false;                        ///< files are read only where may_read() of stream/file_policy.h says

@@ -111,8 +111,9 @@ std::string TokenStream::find_file(const std::string& name, const std::vector<st
     for (const std::string& extension : extensions) names.push_back(name + extension);
     if (!has_extension) names.push_back(name);
 
-    std::vector<fs::path> folders{fs::path(), fs::path(scene_folder_)};
+    std::vector<fs::path> folders{fs::path()};
     for (const std::string& folder : options_.library_path) folders.emplace_back(folder);
+    folders.emplace_back(scene_folder_);  // POV-Ray looks into neither of these two
     if (!cursors_.empty()) folders.push_back(fs::path(files_[cursors_.back().file]->path).parent_path());
     for (const std::string& candidate : names) {
         if (fs::path(candidate).is_absolute()) {

@@ -87,7 +87,7 @@ public:
     const Statistics& statistics() const { return statistics_; }
     std::vector<std::string>& data_files() { return data_files_; }  ///< opened for reading, in order
 
-    /// Full path of a file by the rules of `#include` (current folder, scene's folder, library path, the including
+    /// Full path of a file by the rules of `#include` (current folder, library path, scene's folder, the including
     /// file's folder); empty if there is none. `extensions` are tried as the manual says, e.g. {".inc", ".INC"}.
     std::string find_file(const std::string& name, const std::vector<std::string>& extensions) const;
 

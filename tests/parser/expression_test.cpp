@@ -28,7 +28,38 @@ TEST_CASE("expressions have POV-Ray's values", "[parser][expression]")
             found = error.what();
         }
         CHECK(found == wanted);
+        if (found == wanted) {  // in a loop it is compiled at the second pass: nothing may change
+            const std::string again = parser_test::debug_of("#for (Pass, 1, 4)\n" + program + "\n#debug \"\\n\"\n#end");
+            CHECK(again == wanted + '\n' + wanted + '\n' + wanted + '\n' + wanted + '\n');
+        }
         ++rows;
     }
     CHECK(rows > 100);
+}
+
+// Names change their type and their value between passes; what is compiled must notice.
+TEST_CASE("a compiled expression follows its names", "[parser][expression]")
+{
+    CHECK(parser_test::debug_of("#declare V=array[4]; #declare A=1; #for(I,0,3) #declare A=A+I; #debug str(A*2-1,0,0) #debug \" \" #end") == "1 3 7 13 ");
+    CHECK(parser_test::debug_of("#macro M(P) #local Q=P*2; #debug vstr(3,Q,\",\",0,0) #debug \" \" #end\n"
+                                "M(1) M(2) M(<1,2,3>) M(<4,5>) M(3) M(x) M(4)") == "2,0,0 4,0,0 2,4,6 8,10,0 6,0,0 2,0,0 8,0,0 ");
+    CHECK(parser_test::debug_of("#declare R=seed(1); #for(I,1,3) #debug str(rand(R)/(I-2+(I=2)*5),0,4) #debug \" \" #end") ==
+          "-0.4220 0.0974 0.6659 ");
+    CHECK(parser_test::debug_of("#declare A=array[3]{1,2,3}; #for(I,0,5) #if (I<3) #declare B=A[I]+I; #else #declare B=-1; #end #debug str(B,0,0) #end") ==
+          "135-1-1-1");
+    CHECK(parser_test::debug_of("#macro Op() +2 #end #for(I,1,3) #debug str(I Op(),0,0) #end") == "345");
+    CHECK(parser_test::debug_of("#macro Two() I+1 #end #for(I,1,3) #debug str(2*Two(),0,0) #debug \" \" #end") == "3 5 7 ");
+}
+
+TEST_CASE("a compiled division by zero warns at each pass", "[parser][expression]")
+{
+    parser_test::NoGrammar grammar;
+    parser::TokenStream stream({}, grammar);
+    stream.open_text("#for(I,1,4) #declare A=1/(I-2); #end", "test.pov");
+    while (stream.peek().kind != parser::Kind::EndOfText) stream.next();
+    CHECK(stream.messages().size() == 1);
+    parser::TokenStream each({}, grammar);
+    each.open_text("#for(I,1,4) #declare A=I/0; #end", "test.pov");
+    while (each.peek().kind != parser::Kind::EndOfText) each.next();
+    CHECK(each.messages().size() == 4);
 }
