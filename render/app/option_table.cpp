@@ -132,7 +132,7 @@ constexpr Option kOptions[] = {
     {"Buffer_Output", "of earlier versions", kText, State::Obsolete, nullptr},
     {"Buffer_Size", "of earlier versions", kText, State::Obsolete, nullptr},
     {"Clock", "value of clock in a single picture", kNumber, State::Acts, [](Settings& s, const Value& v) { s.clock = static_cast<float>(v.number); }},
-    {"Clockless_Animation", "frames by #read of a scene, not by clock", kFlag, State::NotYet, nullptr},
+    {"Clockless_Animation", "for real-time raytracing; nothing else", kFlag, State::Settled, nullptr},
     {"Compression", "quality of JPEG, 2 to 100", kInteger, State::Acts, set_within<&Settings::compression, 0, 100>},
     {"Continue_Trace", "go on with a picture that was interrupted; leave one that is there", kFlag, State::Acts, set<&Settings::continue_trace>},
     {"Create_Histogram", "of earlier versions", kText, State::Obsolete, nullptr},

@@ -110,9 +110,9 @@ TEST_CASE("options without effect are named in one line", "[program]")
 {
     const support::TemporaryFolder folder;
     write(folder / "scene.pov", kScene);
-    const Run result = run(folder, "scene.pov +W8 +H6 +RFO +KLA -D");
+    const Run result = run(folder, "scene.pov +W8 +H6 +RFO +RFI -D");
     CHECK(result.status == 0);
-    CHECK_THAT(result.err, Catch::Contains("note: accepted without effect for now: Radiosity_To_File, Clockless_Animation\n"));
+    CHECK_THAT(result.err, Catch::Contains("note: accepted without effect for now: Radiosity_To_File, Radiosity_From_File\n"));
 }
 
 TEST_CASE("an animation writes a picture per frame and continues where it stopped", "[program]")
