@@ -88,8 +88,9 @@ private:
                 } else if (!node.inverted) {
                     intersect(solid, ray_, out);
                 } else {
-                    Span plain[4];
-                    SpanList list(plain, 4);
+                    constexpr std::uint32_t kMost = most_plain_spans<T>();
+                    Span plain[kMost];
+                    SpanList list(plain, kMost);
                     intersect(solid, ray_, list);
                     complement(list, out);
                 }

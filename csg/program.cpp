@@ -148,17 +148,23 @@ bool box_worth_testing(const Draft& draft)
     const SolidKind kind = kind_of(draft.solid);
     return kind == SolidKind::Torus || kind == SolidKind::Quadric || kind == SolidKind::Cone ||
            kind == SolidKind::Cylinder || kind == SolidKind::OrientedBox || kind == SolidKind::Ellipsoid ||
-           kind == SolidKind::Mesh;
+           kind == SolidKind::Mesh || kind == SolidKind::Extrusion;
 }
 
 std::uint32_t leaf_spans(PartId part, const SolidStore& store)
 {
-    return kind_of(part) == SolidKind::Mesh ? store.all<Mesh>()[index_of(part)].most_spans() : 3;
+    return with_solid(store, part, [](const auto& solid) -> std::uint32_t {
+        if constexpr (requires { solid.most_spans(); }) return solid.most_spans();
+        else return 3;
+    });
 }
 
 std::uint32_t leaf_crossings(PartId part, const SolidStore& store)
 {
-    return kind_of(part) == SolidKind::Mesh ? store.all<Mesh>()[index_of(part)].most_crossings() : 8;
+    return with_solid(store, part, [](const auto& solid) -> std::uint32_t {
+        if constexpr (requires { solid.most_crossings(); }) return solid.most_crossings();
+        else return 8;
+    });
 }
 
 /// Appends the draft's nodes; returns how many spans it may have.

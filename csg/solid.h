@@ -4,6 +4,7 @@
 #include "csg/solids/cone.h"
 #include "csg/solids/cylinder.h"
 #include "csg/solids/disc.h"
+#include "csg/solids/extrusion.h"
 #include "csg/solids/mesh.h"
 #include "csg/solids/plane.h"
 #include "csg/solids/quadric.h"
@@ -21,10 +22,11 @@ namespace csg {
 
 /// Closed on purpose: visitors have no catch-all, so the compiler lists what a new solid lacks. The order is that of
 /// SolidKind.
-using Solid = std::variant<Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh>;
+using Solid = std::variant<Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh,
+                           Extrusion>;
 
 enum class SolidKind : std::uint32_t {
-    Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh
+    Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion
 };
 inline constexpr std::uint32_t kSolidKinds = std::variant_size_v<Solid>;
 
@@ -57,7 +59,7 @@ public:
 private:
     std::tuple<std::vector<Sphere>, std::vector<Ellipsoid>, std::vector<Box>, std::vector<OrientedBox>,
                std::vector<Plane>, std::vector<Cylinder>, std::vector<Cone>, std::vector<Torus>, std::vector<Quadric>,
-               std::vector<Disc>, std::vector<Triangle>, std::vector<Mesh>> solids_;
+               std::vector<Disc>, std::vector<Triangle>, std::vector<Mesh>, std::vector<Extrusion>> solids_;
     std::array<std::vector<SurfaceId>, kSolidKinds> surfaces_;
 };
 
@@ -79,6 +81,7 @@ inline decltype(auto) with_solid(const SolidStore& store, PartId part, F&& f)
         case SolidKind::Disc: return f(store.all<Disc>()[i]);
         case SolidKind::Triangle: return f(store.all<Triangle>()[i]);
         case SolidKind::Mesh: return f(store.all<Mesh>()[i]);
+        case SolidKind::Extrusion: return f(store.all<Extrusion>()[i]);
     }
     std::abort();
 }
@@ -106,6 +109,16 @@ inline void intersect(const T& solid, const Ray& ray, SpanList& out)
         if (solid.interval(ray, in))
             out.push({{.t = in.entry, .face = in.entry_face}, {.t = in.exit, .face = in.exit_face}});
     }
+}
+
+/// No ray has more spans in a solid of the kind; not for meshes.
+template <class T>
+constexpr std::uint32_t most_plain_spans()
+{
+    if constexpr (std::is_same_v<T, Extrusion>)
+        return Extrusion::kMostWalls / 2 + 1;
+    else
+        return 4;
 }
 
 /// Outward unit normal of the part's surface at world point p, negated if the crossing was inverted.

@@ -32,6 +32,11 @@ inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray
                 offer(t, face);
                 return t_max;
             });
+        } else if constexpr (requires { solid.each_span(ray, [](double, std::uint32_t, double, std::uint32_t) {}); }) {
+            solid.each_span(ray, [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                offer(in, in_face);
+                offer(out, out_face);
+            });
         } else if constexpr (requires { solid.intersect(ray, std::declval<SpanList&>()); }) {
             Span memory[4];
             SpanList spans(memory, 4);

@@ -59,6 +59,10 @@ scene::Object read_undrawn(SceneBuilder& build, Kind keyword, const scene::Sourc
         if (keyword == Kind::LightGroup) read_light_group(shape, object);
         else undrawn_head(keyword)(shape);
         object.shape_block = shape.take();
+        if (draw_outlines(build, *object.shape_block, object)) {
+            object.undrawn.clear();
+            object.shape_block = nullptr;
+        }
         if (keyword != Kind::LightGroup) read_modifiers(build, object);
     }
     build.close_block(name.c_str(), opened);

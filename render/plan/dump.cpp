@@ -8,7 +8,7 @@ namespace plan {
 namespace {
 
 constexpr const char* kSolidNames[] = {"sphere", "ellipsoid", "box", "oriented box", "plane", "cylinder",
-                                       "cone", "torus", "quadric", "disc", "triangle", "mesh"};
+                                       "cone", "torus", "quadric", "disc", "triangle", "mesh", "extrusion"};
 static_assert(std::size(kSolidNames) == csg::kSolidKinds);
 
 constexpr const char* kOpNames[] = {"leaf", "union", "merge", "intersection", "clip"};

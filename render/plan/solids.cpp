@@ -66,6 +66,17 @@ struct ToWorld {
         if (!s.smooth) return csg::Triangle::make(corners);
         return csg::Triangle::make(corners, {t.normal(s.normal[0]), t.normal(s.normal[1]), t.normal(s.normal[2])});
     }
+    csg::Solid operator()(const scene::Extrusion& s) const
+    {
+        csg::Extrusion made;
+        made.shape = s.outline;
+        made.low = s.low;
+        made.high = s.high;
+        made.open = s.open;
+        made.ends_up = s.ends_up;
+        made.frame = t;
+        return made;
+    }
     csg::Solid operator()(const scene::Mesh&) const { throw std::logic_error("a mesh is shared, and made by GeometryCompiler"); }
     csg::Solid operator()(const scene::Csg&) const { throw std::logic_error("a CSG object is many solids"); }
     csg::Solid operator()(const scene::Light&) const { throw std::logic_error("a light is no solid"); }

@@ -35,6 +35,10 @@ struct ShapeDump {
         if (t.smooth) out.line("normals", text(t.normal[0]) + " " + text(t.normal[1]) + " " + text(t.normal[2]));
     }
     void operator()(const Mesh& mesh) const;
+    void operator()(const Extrusion& e) const
+    {
+        out.line("extrusion", fmt::format("{} pieces, {} to {}{}", e.outline->pieces().size(), text(e.low), text(e.high), e.open ? " open" : ""));
+    }
     void operator()(const Csg& csg) const;
     void operator()(const Light& light) const;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/outline_shape.h"
 #include "csg/types.h"
 #include "render/scene/texture.h"
 
@@ -44,6 +45,12 @@ struct MeshData {
     glm::dvec3 inside_vector{0};
 };
 struct Mesh { std::shared_ptr<const MeshData> data; };
+/// A plane region swept along z from low to high: one character of a text, a linear prism (turned so that its z is y).
+struct Extrusion {
+    std::shared_ptr<const csg::OutlineShape> outline;
+    double low = 0, high = 1;
+    bool open = false, ends_up = false;            ///< as in csg::Extrusion
+};
 
 struct Object;
 
@@ -72,7 +79,7 @@ struct Light {
     std::shared_ptr<const Object> looks_like, projected_through;
 };
 
-using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Csg, Light>;
+using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Csg, Light>;
 
 struct Flags {
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;

@@ -53,6 +53,18 @@ inline Quad off(const csg::OrientedBox& s, const Quad3& p, std::uint32_t face)
 {
     return off_box(s.lower, s.upper, local(s.frame, p), face);
 }
+inline Quad off(const csg::Extrusion& s, const Quad3& p, std::uint32_t face)
+{
+    const Quad3 l = local(s.frame, p);
+    if (face < csg::Extrusion::kFirstWall) return l.z - (face == csg::Extrusion::kLow ? s.low : s.high);
+    const csg::OutlinePiece& c = s.shape->pieces()[face - csg::Extrusion::kFirstWall];
+    const glm::dvec2 near{static_cast<double>(l.x), static_cast<double>(l.y)};
+    const Quad w = s.shape->parameter(face - csg::Extrusion::kFirstWall, near);
+    // Across the curve: along it the nearest point is not known exactly, and need not be.
+    const Quad x = ((c.a.x * w + c.b.x) * w + c.c.x) * w + c.d.x - l.x, y = ((c.a.y * w + c.b.y) * w + c.c.y) * w + c.d.y - l.y;
+    const Quad sx = (3 * c.a.x * w + 2 * c.b.x) * w + c.c.x, sy = (3 * c.a.y * w + 2 * c.b.y) * w + c.c.y;
+    return (x * sy - y * sx) / root(sx * sx + sy * sy);
+}
 inline Quad off(const csg::Plane& s, const Quad3& p, std::uint32_t)
 {
     return s.normal_out.x * p.x + s.normal_out.y * p.y + s.normal_out.z * p.z - s.offset;

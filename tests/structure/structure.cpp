@@ -22,8 +22,9 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"parser", {"csg", "function", "parser/grammar", "parser/lexer", "parser/stream", "render/scene"}},
     {"parser/lexer", {}},
     {"parser/stream", {"csg", "function", "parser/lexer", "parser", "render/scene"}},
-    {"parser/grammar", {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene"}},
+    {"parser/grammar", {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene", "render/font"}},
     {"render/scene", {"csg", "function"}},
+    {"render/font", {"csg"}},
     {"render/image", {}},
     {"render/texture", {"csg", "function", "render/scene"}},
     {"render/light", {"csg", "function", "render/scene", "render/texture"}},
@@ -36,6 +37,7 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
 const std::map<std::string, std::string> kHomeOfLibrary = {
     {"OpenImageIO/", "render/image"},
     {"png.h", "render/image"},
+    {"ft2build.h", "render/font"},
     {"tao/pegtl", "parser"},
 };
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "csg/outline_shape.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace font {
+
+/// A character of a text: its region, one em a unit, and where its origin lies.
+struct Glyph {
+    std::shared_ptr<const csg::OutlineShape> outline;   ///< characters that are alike share it
+    glm::dvec2 origin{0.0};
+};
+
+/// The characters of a text that have an outline, in its order (spec 5b, 11.1 to 11.3). `offset` is added behind every
+/// character. `unicode`: codes are looked up in the font's Unicode table first, else in its Macintosh table.
+/// Throws std::runtime_error where the file is no font that can be read.
+std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset, bool unicode);
+
+}  // namespace font
