@@ -7,6 +7,7 @@
 #include "csg/solids/extrusion.h"
 #include "csg/solids/mesh.h"
 #include "csg/solids/plane.h"
+#include "csg/solids/polynomial.h"
 #include "csg/solids/quadric.h"
 #include "csg/solids/sphere.h"
 #include "csg/solids/torus.h"
@@ -23,10 +24,10 @@ namespace csg {
 /// Closed on purpose: visitors have no catch-all, so the compiler lists what a new solid lacks. The order is that of
 /// SolidKind.
 using Solid = std::variant<Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh,
-                           Extrusion>;
+                           Extrusion, Polynomial>;
 
 enum class SolidKind : std::uint32_t {
-    Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion
+    Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Polynomial
 };
 inline constexpr std::uint32_t kSolidKinds = std::variant_size_v<Solid>;
 
@@ -59,7 +60,8 @@ public:
 private:
     std::tuple<std::vector<Sphere>, std::vector<Ellipsoid>, std::vector<Box>, std::vector<OrientedBox>,
                std::vector<Plane>, std::vector<Cylinder>, std::vector<Cone>, std::vector<Torus>, std::vector<Quadric>,
-               std::vector<Disc>, std::vector<Triangle>, std::vector<Mesh>, std::vector<Extrusion>> solids_;
+               std::vector<Disc>, std::vector<Triangle>, std::vector<Mesh>, std::vector<Extrusion>,
+               std::vector<Polynomial>> solids_;
     std::array<std::vector<SurfaceId>, kSolidKinds> surfaces_;
 };
 
@@ -82,6 +84,7 @@ inline decltype(auto) with_solid(const SolidStore& store, PartId part, F&& f)
         case SolidKind::Triangle: return f(store.all<Triangle>()[i]);
         case SolidKind::Mesh: return f(store.all<Mesh>()[i]);
         case SolidKind::Extrusion: return f(store.all<Extrusion>()[i]);
+        case SolidKind::Polynomial: return f(store.all<Polynomial>()[i]);
     }
     std::abort();
 }
@@ -117,6 +120,8 @@ constexpr std::uint32_t most_plain_spans()
 {
     if constexpr (std::is_same_v<T, Extrusion>)
         return Extrusion::kMostWalls / 2 + 1;
+    else if constexpr (std::is_same_v<T, Polynomial>)
+        return Polynomial::kMostSpans;
     else
         return 4;
 }

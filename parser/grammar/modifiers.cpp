@@ -160,7 +160,8 @@ struct sturm : item<Kind::Sturm> {
     {
         const std::string& kind = s.object.undrawn;
         read_choice(s, "sturm", std::holds_alternative<scene::Torus>(s.object.shape) ||
-                                    std::holds_alternative<scene::Extrusion>(s.object.shape) || kind == "blob" || kind == "lathe" || kind == "prism" ||
+                                    std::holds_alternative<scene::Extrusion>(s.object.shape) ||
+                                    std::holds_alternative<scene::Polynomial>(s.object.shape) || kind == "blob" || kind == "lathe" || kind == "prism" ||
                                     kind == "sor" || kind == "ovus" || kind == "poly" || kind == "cubic" || kind == "quartic" || kind == "polynomial");
     }
 };

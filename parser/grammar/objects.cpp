@@ -59,7 +59,7 @@ scene::Object read_undrawn(SceneBuilder& build, Kind keyword, const scene::Sourc
         if (keyword == Kind::LightGroup) read_light_group(shape, object);
         else undrawn_head(keyword)(shape);
         object.shape_block = shape.take();
-        if (draw_outlines(build, *object.shape_block, object)) {
+        if (draw_outlines(build, *object.shape_block, object) || draw_polynomial(*object.shape_block, object)) {
             object.undrawn.clear();
             object.shape_block = nullptr;
         }

@@ -103,6 +103,9 @@ scene::StatementPtr read_object_pattern(SceneBuilder& build);
 /// Makes the solid of a statement that can be drawn: text, prism. False: another, or one that is not drawn yet.
 bool draw_outlines(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 
+/// The same for poly, cubic, quartic and polynomial.
+bool draw_polynomial(const scene::Statement& statement, scene::Object& object);
+
 /// Heads of undrawn solids: from behind the brace to the first modifier.
 using HeadReader = void (*)(StatementReader&);
 /// Null: this keyword is drawn or no solid.

@@ -8,7 +8,8 @@ namespace plan {
 namespace {
 
 constexpr const char* kSolidNames[] = {"sphere", "ellipsoid", "box", "oriented box", "plane", "cylinder",
-                                       "cone", "torus", "quadric", "disc", "triangle", "mesh", "extrusion"};
+                                       "cone", "torus", "quadric", "disc", "triangle", "mesh", "extrusion",
+                                       "polynomial"};
 static_assert(std::size(kSolidNames) == csg::kSolidKinds);
 
 constexpr const char* kOpNames[] = {"leaf", "union", "merge", "intersection", "clip"};

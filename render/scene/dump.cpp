@@ -25,6 +25,12 @@ struct ShapeDump {
     {
         out.line("quadric", fmt::format("{} {} {} {}", text(q.square), text(q.mixed), text(q.linear), text(q.constant)));
     }
+    void operator()(const Polynomial& p) const
+    {
+        out.open(fmt::format("polynomial of degree {}", p.shape->degree()));
+        for (const double c : p.shape->coefficients()) out.value("coefficient", c);
+        out.close();
+    }
     void operator()(const Disc& d) const
     {
         out.line("disc", fmt::format("{} {} {} {}", text(d.center), text(d.normal), text(d.radius), text(d.hole)));

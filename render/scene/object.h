@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/outline_shape.h"
+#include "csg/polynomial_shape.h"
 #include "csg/types.h"
 #include "render/scene/texture.h"
 
@@ -21,6 +22,8 @@ struct Cone { glm::dvec3 base{0}; double base_radius = 1; glm::dvec3 cap{0, 1, 0
 struct Torus { double major = 1, minor = 0.25; };               ///< axis y
 /// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0: square <A,B,C>, mixed <D,E,F>, linear <G,H,I>.
 struct Quadric { glm::dvec3 square{0}, mixed{0}, linear{0}; double constant = 0; };
+/// A polynomial of x, y and z that is not positive.
+struct Polynomial { std::shared_ptr<const csg::PolynomialShape> shape; };
 struct Disc { glm::dvec3 center{0}, normal{0, 0, 1}; double radius = 1, hole = 0; };
 struct Triangle {
     std::array<glm::dvec3, 3> vertex;
@@ -79,7 +82,7 @@ struct Light {
     std::shared_ptr<const Object> looks_like, projected_through;
 };
 
-using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Csg, Light>;
+using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Polynomial, Csg, Light>;
 
 struct Flags {
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;

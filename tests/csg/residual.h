@@ -65,6 +65,25 @@ inline Quad off(const csg::Extrusion& s, const Quad3& p, std::uint32_t face)
     const Quad sx = (3 * c.a.x * w + 2 * c.b.x) * w + c.c.x, sy = (3 * c.a.y * w + 2 * c.b.y) * w + c.c.y;
     return (x * sy - y * sx) / root(sx * sx + sy * sy);
 }
+/// First order: the value over the slope.
+inline Quad off(const csg::Polynomial& s, const Quad3& p, std::uint32_t)
+{
+    const Quad3 l = local(s.frame, p);
+    const int n = s.shape->degree();
+    Quad value = 0;
+    std::size_t next = 0;
+    for (int i = n; i >= 0; --i)
+        for (int j = n - i; j >= 0; --j)
+            for (int k = n - i - j; k >= 0; --k) {
+                Quad term = s.shape->coefficients()[next++];
+                for (int m = 0; m < i; ++m) term *= l.x;
+                for (int m = 0; m < j; ++m) term *= l.y;
+                for (int m = 0; m < k; ++m) term *= l.z;
+                value += term;
+            }
+    const glm::dvec3 slope = s.shape->gradient({static_cast<double>(l.x), static_cast<double>(l.y), static_cast<double>(l.z)});
+    return value / glm::length(slope);
+}
 inline Quad off(const csg::Plane& s, const Quad3& p, std::uint32_t)
 {
     return s.normal_out.x * p.x + s.normal_out.y * p.y + s.normal_out.z * p.z - s.offset;
