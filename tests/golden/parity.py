@@ -25,18 +25,16 @@ LACKING = {
     "image files (image_map, bump_map, material_map)": r"\bimage_map\b|\bbump_map\b|\bmaterial_map\b|\bimage_pattern\b",
     "isosurface, parametric": r"\bisosurface\b|\bparametric\b",
     "julia_fractal": r"\bjulia_fractal\b",
-    "lathe, sor, prism": r"\blathe\b|\bsor\b|\bprism\b",
+    "lathe, sor, conic prism": r"\blathe\b|\bsor\b|\bconic_sweep\b",
     "light groups": r"\blight_group\b",
     "media": r"\bmedia\b|\bhalo\b",
     "photons": r"\bphotons\b",
-    "poly, cubic, quartic": r"\b(?:poly|polynomial|cubic|quartic)\s*\{",
     "polygon": r"\bpolygon\b",
     "radiosity": r"\bradiosity\b",
     "rainbow": r"\brainbow\b",
     "sphere_sweep, ovus": r"\bsphere_sweep\b|\bovus\b",
     "subsurface": r"\bsubsurface\b",
     "superellipsoid": r"\bsuperellipsoid\b",
-    "text": r"\btext\s*\{",
 }
 MATCH = 0.99
 
