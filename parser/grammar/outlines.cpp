@@ -36,9 +36,10 @@ void make_text(SceneBuilder& build, const scene::Statement& statement, scene::Ob
     const double thickness = number_of(operands[1]);
     const glm::dvec3 offset = std::get<glm::dvec3>(operands[2]);
     const bool unicode = build.stream().language().charset != Charset::Ascii;
+    const auto file = font_path(build, statement);
     std::vector<font::Glyph> glyphs;
     try {
-        glyphs = font::lay_out(font_path(build, statement), units_of(std::get<std::string>(operands[0])), {offset.x, offset.y}, unicode);
+        glyphs = font::lay_out(file, units_of(std::get<std::string>(operands[0])), {offset.x, offset.y}, unicode);
     } catch (const std::runtime_error& error) {
         build.stream().fail(statement.source, error.what());
     }
