@@ -49,8 +49,8 @@ bool draw_polynomial(const scene::Statement& statement, scene::Object& object)
     std::vector<double> c = coefficients_of(statement, degree);
     for (const double v : c)
         if (!std::isfinite(v)) return false;
-    if (degree == 2) object.shape = scene::Quadric{{c[0], c[4], c[7]}, {c[1], c[2], c[5]}, {c[3], c[6], c[8]}, c[9]};
-    else object.shape = scene::Polynomial{std::make_shared<csg::PolynomialShape>(degree, std::move(c))};
+    // Of degree 2 as well: a quadric's extents would not be POV-Ray's, which are those of any polynomial.
+    object.shape = scene::Polynomial{std::make_shared<csg::PolynomialShape>(degree, std::move(c))};
     return true;
 }
 
