@@ -13,7 +13,7 @@ if(WHITTLE_FUZZ)
 endif()
 
 # Levels of x86-64 that get a kernel module of their own.
-set(WHITTLE_ISA_LEVELS v2 v3 v4)
+set(WHITTLE_ISA_LEVELS v2 v3 v4 CACHE STRING "levels of x86-64 to build")
 
 # One folder for programs and the modules that they open at run time, so that each finds them beside itself.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -86,12 +86,12 @@ private:
                 if constexpr (std::is_same_v<T, Mesh>) {
                     solid.spans(ray_, node.inverted, out);
                 } else if (!node.inverted) {
-                    intersect(solid, ray_, out);
+                    plain_spans(solid, out);
                 } else {
                     constexpr std::uint32_t kMost = most_plain_spans<T>();
                     Span plain[kMost];
                     SpanList list(plain, kMost);
-                    intersect(solid, ray_, list);
+                    plain_spans(solid, list);
                     complement(list, out);
                 }
                 for (Span& span : out) {
@@ -103,10 +103,19 @@ private:
         });
     }
 
-    /// Whether the leaf may draw where it has no span.
-    static bool drawn_without_span(const Node& node)
+    template <class T>
+    void plain_spans(const T& solid, SpanList& out) const
     {
-        return kind_of(node.solid) == SolidKind::Triangle || kind_of(node.solid) == SolidKind::Mesh;
+        if constexpr (std::is_same_v<T, Freeform>) solid.spans(ray_, t_min_, t_max_, out);
+        else intersect(solid, ray_, out);
+    }
+
+    /// Whether the leaf may draw where it has no span.
+    bool drawn_without_span(const Node& node) const
+    {
+        const SolidKind kind = kind_of(node.solid);
+        return kind == SolidKind::Triangle || kind == SolidKind::Mesh ||
+               (kind == SolidKind::Freeform && store_.all<Freeform>()[index_of(node.solid)].surface());
     }
 
     void add(const Crossing& crossing)
@@ -127,6 +136,14 @@ private:
             double t = 0.0;
             if (store_.all<Triangle>()[index_of(node.solid)].crossing(ray_, t))
                 add({.t = t, .part = node.solid, .inverted = node.inverted});
+        } else if (kind_of(node.solid) == SolidKind::Freeform) {
+            const Freeform& freeform = store_.all<Freeform>()[index_of(node.solid)];
+            if (!freeform.surface()) return;
+            RayRecord record(t_min_, t_max_, false);
+            freeform.meet(ray_, record);
+            record.each_touch([&](double t, std::uint32_t face) {
+                add({.t = t, .part = node.solid, .face = face});  // a patch ignores inversion
+            });
         } else if (kind_of(node.solid) == SolidKind::Torus) {
             const Torus& torus = store_.all<Torus>()[index_of(node.solid)];
             if (!torus.spindle()) return;

@@ -30,7 +30,8 @@ template <class T>
 bool bounds_space(const T& solid)
 {
     if constexpr (std::is_same_v<T, Mesh>) return solid.solid();
-    return !std::is_same_v<T, Triangle>;
+    else if constexpr (std::is_same_v<T, Freeform>) return !solid.surface();
+    else return !std::is_same_v<T, Triangle>;
 }
 
 Draft leaf(PartId part, bool inverted, const SolidStore& store)
@@ -148,7 +149,7 @@ bool box_worth_testing(const Draft& draft)
     const SolidKind kind = kind_of(draft.solid);
     return kind == SolidKind::Torus || kind == SolidKind::Quadric || kind == SolidKind::Cone ||
            kind == SolidKind::Cylinder || kind == SolidKind::OrientedBox || kind == SolidKind::Ellipsoid ||
-           kind == SolidKind::Mesh || kind == SolidKind::Extrusion;
+           kind == SolidKind::Mesh || kind == SolidKind::Extrusion || kind == SolidKind::Freeform;
 }
 
 std::uint32_t leaf_spans(PartId part, const SolidStore& store)

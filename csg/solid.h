@@ -5,6 +5,7 @@
 #include "csg/solids/cylinder.h"
 #include "csg/solids/disc.h"
 #include "csg/solids/extrusion.h"
+#include "csg/solids/freeform.h"
 #include "csg/solids/mesh.h"
 #include "csg/solids/plane.h"
 #include "csg/solids/polynomial.h"
@@ -24,10 +25,11 @@ namespace csg {
 /// Closed on purpose: visitors have no catch-all, so the compiler lists what a new solid lacks. The order is that of
 /// SolidKind.
 using Solid = std::variant<Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh,
-                           Extrusion, Polynomial>;
+                           Extrusion, Polynomial, Freeform>;
 
 enum class SolidKind : std::uint32_t {
-    Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Polynomial
+    Sphere, Ellipsoid, Box, OrientedBox, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Polynomial,
+    Freeform
 };
 inline constexpr std::uint32_t kSolidKinds = std::variant_size_v<Solid>;
 
@@ -61,7 +63,7 @@ private:
     std::tuple<std::vector<Sphere>, std::vector<Ellipsoid>, std::vector<Box>, std::vector<OrientedBox>,
                std::vector<Plane>, std::vector<Cylinder>, std::vector<Cone>, std::vector<Torus>, std::vector<Quadric>,
                std::vector<Disc>, std::vector<Triangle>, std::vector<Mesh>, std::vector<Extrusion>,
-               std::vector<Polynomial>> solids_;
+               std::vector<Polynomial>, std::vector<Freeform>> solids_;
     std::array<std::vector<SurfaceId>, kSolidKinds> surfaces_;
 };
 
@@ -85,16 +87,19 @@ inline decltype(auto) with_solid(const SolidStore& store, PartId part, F&& f)
         case SolidKind::Mesh: return f(store.all<Mesh>()[i]);
         case SolidKind::Extrusion: return f(store.all<Extrusion>()[i]);
         case SolidKind::Polynomial: return f(store.all<Polynomial>()[i]);
+        case SolidKind::Freeform: return f(store.all<Freeform>()[i]);
     }
     std::abort();
 }
 
 /// Whether the point of a boundary belongs to the solid (spec 5a, 2.4).
 template <class T>
-constexpr bool holds_surface(const T& solid, bool inverted)
+inline bool holds_surface(const T& solid, bool inverted)
 {
     if constexpr (std::is_same_v<T, Cylinder> || std::is_same_v<T, Cone>)
         return solid.open != inverted;
+    else if constexpr (std::is_same_v<T, Freeform>)
+        return inverted ? solid.inverse_closed() : solid.closed();
     else
         return inverted ? T::kInverseClosed : T::kClosed;
 }
@@ -122,6 +127,8 @@ constexpr std::uint32_t most_plain_spans()
         return Extrusion::kMostWalls / 2 + 1;
     else if constexpr (std::is_same_v<T, Polynomial>)
         return Polynomial::kMostSpans;
+    else if constexpr (std::is_same_v<T, Freeform>)
+        return Freeform::kMostSpans;
     else
         return 4;
 }

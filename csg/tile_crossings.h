@@ -132,7 +132,7 @@ private:
             const int lane = std::countr_zero(which);
             const auto k = static_cast<std::size_t>(i + lane);
             if (rays_.limit[k] < 0.0) continue;  // blocked meanwhile
-            add(k, {at[lane], surface, item.solid, static_cast<std::uint32_t>(side[lane]), turned(item)});
+            add(k, {at[lane], surface, item.solid, static_cast<std::uint32_t>(side[lane]), turned(world_, item)});
         }
     }
 

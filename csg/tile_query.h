@@ -102,7 +102,7 @@ public:
                     out_.set(i, {out_.t[k], world_.store.surface(leaf.solid), leaf.solid, end.face, leaf.turned});
                 } else {
                     const auto face = static_cast<std::uint32_t>(face_[k]);
-                    out_.set(i, {out_.t[k], world_.store.surface(item.solid), item.solid, face, turned(item)});
+                    out_.set(i, {out_.t[k], world_.store.surface(item.solid), item.solid, face, turned(world_, item)});
                 }
             }
         }

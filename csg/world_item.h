@@ -15,9 +15,9 @@ inline Hit hit_of(const SolidStore& store, const Crossing& c)
 }
 
 /// A lone solid's crossings in [t_min, t_max]: f(t, face) for each drawn one, in POV-Ray's order of generation where that
-/// decides ties.
+/// decides ties. `nearest_only`: the others may be left out.
 template <class F>
-inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray, double t_min, double t_max, F&& f)
+inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray, double t_min, double t_max, bool nearest_only, F&& f)
 {
     const auto offer = [&](double t, std::uint32_t face) {
         if (t >= t_min && t <= t_max && face != kUndrawnFace && t < kInfinity && t > -kInfinity) f(t, face);
@@ -32,6 +32,14 @@ inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray
                 offer(t, face);
                 return t_max;
             });
+        } else if constexpr (std::is_same_v<T, Freeform>) {
+            RayRecord record(t_min, t_max, nearest_only);
+            solid.meet(ray, record);
+            record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                offer(in, in_face);
+                offer(out, out_face);
+            });
+            record.each_touch(offer);
         } else if constexpr (requires { solid.each_span(ray, [](double, std::uint32_t, double, std::uint32_t) {}); }) {
             solid.each_span(ray, [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
                 offer(in, in_face);
@@ -60,8 +68,12 @@ inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray
     });
 }
 
-/// Whether an inverted solid's normal is turned: a quadric's is negated twice (spec 5a, 2.5).
-inline bool turned(const WorldItem& item) { return item.inverted && kind_of(item.solid) != SolidKind::Quadric; }
+/// Whether an inverted solid's normal is turned: a quadric's is negated twice (spec 5a, 2.5), a patch ignores inversion.
+inline bool turned(const WorldData& world, const WorldItem& item)
+{
+    if (!item.inverted || kind_of(item.solid) == SolidKind::Quadric) return false;
+    return kind_of(item.solid) != SolidKind::Freeform || !world.store.all<Freeform>()[index_of(item.solid)].surface();
+}
 
 /// The nearest face of a mesh in [t_min, t_max]; at equal t the one in the first place, whatever the way there.
 inline Hit mesh_nearest(const SolidStore& store, PartId part, const Ray& ray, double t_min, double t_max)
@@ -98,7 +110,7 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
     }
     Hit best;
     double limit = t_max;
-    solid_crossings(world.store, item.solid, ray, t_min, t_max, [&](double t, std::uint32_t face) {
+    solid_crossings(world.store, item.solid, ray, t_min, t_max, true, [&](double t, std::uint32_t face) {
         if (t > limit) return;
         limit = t;
         best.t = t;
@@ -107,7 +119,7 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
     });
     if (best.t <= t_max && best.t < kInfinity) {
         best.surface = world.store.surface(item.solid);
-        best.inverted = turned(item);
+        best.inverted = turned(world, item);
     }
     return best;
 }
@@ -122,8 +134,8 @@ inline void item_crossings(const WorldData& world, const WorldItem& item, const 
                       [&](const Crossing& c) { f(hit_of(world.store, c)); });
         return;
     }
-    solid_crossings(world.store, item.solid, ray, t_min, t_max, [&](double t, std::uint32_t face) {
-        f(Hit{t, world.store.surface(item.solid, face), item.solid, face, turned(item)});
+    solid_crossings(world.store, item.solid, ray, t_min, t_max, false, [&](double t, std::uint32_t face) {
+        f(Hit{t, world.store.surface(item.solid, face), item.solid, face, turned(world, item)});
     });
 }
 

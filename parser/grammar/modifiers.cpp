@@ -11,6 +11,9 @@ struct ObjectState : BlockState {
     ObjectState(SceneBuilder& b, scene::Object& o) : BlockState(b), object(o) {}
     scene::Object& object;
 
+    /// Keyword of a shape that is kept as written; empty for others.
+    std::string_view written() const { return object.shape_block ? std::string_view(object.shape_block->keyword) : std::string_view(); }
+
     /// The top layer of the object's own texture; the default texture is copied if there is none.
     template <class Change> void change_top(const char* what, Change&& change)
     {
@@ -75,10 +78,7 @@ struct material : item<Kind::Material> {
 /// What bounds or clips is a solid without a texture.
 void check_bare(ObjectState& s, const scene::Object& object, const char* what)
 {
-    const auto* mesh = std::get_if<scene::Mesh>(&object.shape);
-    const bool patch = std::holds_alternative<scene::Triangle>(object.shape) || std::holds_alternative<scene::Light>(object.shape) ||
-                       (mesh && mesh->data && !mesh->data->has_inside_vector) || object.undrawn == "bicubic_patch";
-    if (patch || object.texture)
+    if (is_patch(object) || std::holds_alternative<scene::Light>(object.shape) || object.texture)
         s.stream().fail(object.source, std::string("an object in ") + what + " must be a solid without a texture");
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg && csg->operands)
         for (const scene::Object& operand : *csg->operands) check_bare(s, operand, what);
@@ -143,8 +143,7 @@ struct hollow : item<Kind::Hollow> { static void act(ObjectState& s) { s.object.
 struct inverse : item<Kind::Inverse> {
     static void act(ObjectState& s)
     {
-        const auto* mesh = std::get_if<scene::Mesh>(&s.object.shape);
-        if (std::holds_alternative<scene::Triangle>(s.object.shape) || (mesh && mesh->data && !mesh->data->has_inside_vector))
+        if (is_patch(s.object))
             s.stream().warn(s.stream().last(), "what has no inside cannot be inverted");
         s.object.inverse = !s.object.inverse;
     }
@@ -158,17 +157,15 @@ void read_choice(ObjectState& s, const char* name, bool allowed)
 struct sturm : item<Kind::Sturm> {
     static void act(ObjectState& s)
     {
-        const std::string& kind = s.object.undrawn;
-        read_choice(s, "sturm", std::holds_alternative<scene::Torus>(s.object.shape) ||
-                                    std::holds_alternative<scene::Extrusion>(s.object.shape) ||
-                                    std::holds_alternative<scene::Polynomial>(s.object.shape) || kind == "blob" || kind == "lathe" || kind == "prism" ||
+        const std::string_view kind = s.written();
+        read_choice(s, "sturm", std::holds_alternative<scene::Torus>(s.object.shape) || kind == "blob" || kind == "lathe" || kind == "prism" ||
                                     kind == "sor" || kind == "ovus" || kind == "poly" || kind == "cubic" || kind == "quartic" || kind == "polynomial");
     }
 };
 struct hierarchy : item<Kind::Hierarchy> {
     static void act(ObjectState& s)
     {
-        const std::string& kind = s.object.undrawn;
+        const std::string_view kind = s.written();
         read_choice(s, "hierarchy", std::holds_alternative<scene::Mesh>(s.object.shape) || kind == "blob" || kind == "height_field");
     }
 };

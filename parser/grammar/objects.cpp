@@ -1,5 +1,6 @@
+#include "csg/solids/freeform.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
+#include "parser/grammar/shape_makers.h"
 
 namespace parser {
 namespace {
@@ -28,22 +29,22 @@ scene::Object read_wrapper(SceneBuilder& build, const scene::SourceRef& source)
     return *object;
 }
 
-/// Warned about in an intersection or difference: what has no inside.
+}  // namespace
+
 bool is_patch(const scene::Object& object)
 {
     const auto* mesh = std::get_if<scene::Mesh>(&object.shape);
-    return std::holds_alternative<scene::Triangle>(object.shape) || std::holds_alternative<scene::Light>(object.shape) ||
-           (mesh && mesh->data && !mesh->data->has_inside_vector);
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    return std::holds_alternative<scene::Triangle>(object.shape) || (mesh && mesh->data && !mesh->data->has_inside_vector) ||
+           (freeform && csg::Freeform{freeform->shape, {}}.surface()) || object.undrawn == "bicubic_patch";
 }
 
-}  // namespace
-
-bool is_undrawn(Kind keyword)
+bool is_written(Kind keyword)
 {
-    return keyword == Kind::LightGroup || undrawn_head(keyword) != nullptr;
+    return keyword == Kind::LightGroup || written_head(keyword) != nullptr;
 }
 
-scene::Object read_undrawn(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
+scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
 {
     const std::string name(spelling(keyword));
     scene::Object object;
@@ -57,12 +58,9 @@ scene::Object read_undrawn(SceneBuilder& build, Kind keyword, const scene::Sourc
         object.undrawn = name;
         object.source = source;
         if (keyword == Kind::LightGroup) read_light_group(shape, object);
-        else undrawn_head(keyword)(shape);
+        else written_head(keyword)(shape);
         object.shape_block = shape.take();
-        if (draw_outlines(build, *object.shape_block, object) || draw_polynomial(*object.shape_block, object)) {
-            object.undrawn.clear();
-            object.shape_block = nullptr;
-        }
+        if (make_shape(build, *object.shape_block, object)) object.undrawn.clear();
         if (keyword != Kind::LightGroup) read_modifiers(build, object);
     }
     build.close_block(name.c_str(), opened);
@@ -86,7 +84,7 @@ scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef
         std::size_t written = 0;
         while (auto operand = read_object(build)) {
             ++written;
-            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && is_patch(*operand))
+            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && (is_patch(*operand) || std::holds_alternative<scene::Light>(operand->shape)))
                 in.warn(operand->source, "what has no inside cannot be cut or cut with");
             if (operand->undrawn.empty()) operands->push_back(std::move(*operand));
             else build.set_aside(std::move(*operand));
@@ -114,9 +112,9 @@ std::optional<scene::Object> read_object(SceneBuilder& build)
         in.next();
         return read_solid(build, keyword);
     }
-    if (is_undrawn(keyword)) {
+    if (is_written(keyword)) {
         in.next();
-        return read_undrawn(build, keyword, in.last());
+        return read_written(build, keyword, in.last());
     }
     switch (keyword) {
     case Kind::Union: case Kind::Intersection: case Kind::Difference: case Kind::Merge: case Kind::Composite:

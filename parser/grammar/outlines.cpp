@@ -1,4 +1,4 @@
-#include "parser/grammar/statement.h"
+#include "parser/grammar/shape_makers.h"
 #include "parser/stream/text.h"
 #include "render/font/font.h"
 
@@ -11,51 +11,16 @@ namespace {
 
 using scene::StatementItem;
 
-const StatementItem* item(const scene::Statement& statement, std::string_view name)
-{
-    for (const StatementItem& one : statement.items)
-        if (one.name == name) return &one;
-    return nullptr;
-}
-
 /// POV-Ray's own faces are files of the package (spec 5b, 11).
 std::string font_path(SceneBuilder& build, const scene::Statement& statement)
 {
-    if (const StatementItem* file = item(statement, "ttf")) return std::get<std::string>(file->operands[0]);
+    if (const StatementItem* file = item_of(statement, "ttf")) return std::get<std::string>(file->operands[0]);
     static constexpr const char* kFaces[] = {"povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf"};
-    const double number = number_of(item(statement, "internal")->operands[0]);
+    const double number = number_of(item_of(statement, "internal")->operands[0]);
     const char* const name = kFaces[number >= 1.0 && number < 4.0 ? static_cast<int>(number) : 0];
     const std::string path = build.stream().find_file(name, {});
     if (path.empty()) build.stream().fail(statement.source, std::string("cannot find the font file '") + name + "'");
     return path;
-}
-
-void make_text(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
-{
-    const auto& operands = item(statement, "")->operands;
-    const double thickness = number_of(operands[1]);
-    const glm::dvec3 offset = std::get<glm::dvec3>(operands[2]);
-    const bool unicode = build.stream().language().charset != Charset::Ascii;
-    const auto file = font_path(build, statement);
-    std::vector<font::Glyph> glyphs;
-    try {
-        glyphs = font::lay_out(file, units_of(std::get<std::string>(operands[0])), {offset.x, offset.y}, unicode);
-    } catch (const std::runtime_error& error) {
-        build.stream().fail(statement.source, error.what());
-    }
-    auto characters = std::make_shared<std::vector<scene::Object>>();
-    for (const font::Glyph& glyph : glyphs) {
-        scene::Object character;
-        character.source = statement.source;
-        character.shape = scene::Extrusion{glyph.outline, std::min(0.0, thickness), std::max(0.0, thickness), false, false};
-        character.transform = csg::Transform::translate({glyph.origin, 0.0});
-        characters->push_back(std::move(character));
-    }
-    scene::Csg all;
-    all.operands = std::move(characters);
-    object.shape = all;
-    // POV-Ray turns every text by this much, visible in its normals and extents (spec 5b, 11).
-    object.transform = csg::Transform::rotate_degrees(glm::dvec3(0.001));
 }
 
 using Points = std::vector<glm::dvec2>;
@@ -128,6 +93,37 @@ Pieces bezier(const Points& p)
     return loop == p.size() ? pieces : Pieces();
 }
 
+}  // namespace
+
+bool make_text(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
+{
+    const auto& operands = item_of(statement, "")->operands;
+    const double thickness = number_of(operands[1]);
+    const glm::dvec3 offset = std::get<glm::dvec3>(operands[2]);
+    const bool unicode = build.stream().language().charset != Charset::Ascii;
+    const auto file = font_path(build, statement);
+    std::vector<font::Glyph> glyphs;
+    try {
+        glyphs = font::lay_out(file, units_of(std::get<std::string>(operands[0])), {offset.x, offset.y}, unicode);
+    } catch (const std::runtime_error& error) {
+        build.stream().fail(statement.source, error.what());
+    }
+    auto characters = std::make_shared<std::vector<scene::Object>>();
+    for (const font::Glyph& glyph : glyphs) {
+        scene::Object character;
+        character.source = statement.source;
+        character.shape = scene::Extrusion{glyph.outline, std::min(0.0, thickness), std::max(0.0, thickness), false, false};
+        character.transform = csg::Transform::translate({glyph.origin, 0.0});
+        characters->push_back(std::move(character));
+    }
+    scene::Csg all;
+    all.operands = std::move(characters);
+    object.shape = all;
+    // POV-Ray turns every text by this much, visible in its normals and extents (spec 5b, 11).
+    object.transform = csg::Transform::rotate_degrees(glm::dvec3(0.001));
+    return true;
+}
+
 /// False: a cone of outlines, which is not drawn yet.
 bool make_prism(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
 {
@@ -135,29 +131,19 @@ bool make_prism(SceneBuilder& build, const scene::Statement& statement, scene::O
     for (const StatementItem& one : statement.items) conic = one.name == "conic_sweep" || (conic && one.name != "linear_sweep");
     if (conic) return false;
     Points points;
-    for (const auto& p : item(statement, "points")->operands) points.push_back(std::get<glm::dvec2>(p));
-    const bool by_bezier = item(statement, "bezier_spline") != nullptr;
-    Pieces pieces = item(statement, "linear_spline") ? straight(points)
+    for (const auto& p : item_of(statement, "points")->operands) points.push_back(std::get<glm::dvec2>(p));
+    const bool by_bezier = item_of(statement, "bezier_spline") != nullptr;
+    Pieces pieces = item_of(statement, "linear_spline") ? straight(points)
                     : by_bezier                      ? bezier(points)
-                                                     : curved(points, item(statement, "cubic_spline") != nullptr);
+                                                     : curved(points, item_of(statement, "cubic_spline") != nullptr);
     if (by_bezier && pieces.empty()) build.stream().warn(statement.source, "an outline of this prism is not closed: it is not drawn");
-    const auto& heights = item(statement, "height")->operands;
+    const auto& heights = item_of(statement, "height")->operands;
     const double a = number_of(heights[0]), b = number_of(heights[1]);
     const auto outline = std::make_shared<csg::OutlineShape>(std::move(pieces));
-    object.shape = scene::Extrusion{outline, std::min(a, b), std::max(a, b), item(statement, "open") != nullptr, true};
+    object.shape = scene::Extrusion{outline, std::min(a, b), std::max(a, b), item_of(statement, "open") != nullptr, true};
     // Its points are (x, z), its heights y.
     csg::Transform& turn = object.transform;
     turn.linear = turn.inverse_linear = glm::dmat3({1, 0, 0}, {0, 0, 1}, {0, 1, 0});
-    return true;
-}
-
-}  // namespace
-
-bool draw_outlines(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
-{
-    if (statement.keyword == "prism") return make_prism(build, statement, object);
-    if (statement.keyword != "text") return false;
-    make_text(build, statement, object);
     return true;
 }
 

@@ -78,8 +78,10 @@ scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source);
 scene::Object read_mesh2(SceneBuilder& build, const scene::SourceRef& source);
 scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef& source);
 scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source);
-scene::Object read_undrawn(SceneBuilder& build, Kind keyword, const scene::SourceRef& source);
-bool is_undrawn(Kind keyword);
+scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::SourceRef& source);
+bool is_written(Kind keyword);
+/// Whether it is drawn but has no inside (spec 5b, 1.1).
+bool is_patch(const scene::Object& object);
 /// Modifiers of any object until something else stands there.
 void read_modifiers(SceneBuilder& build, scene::Object& object);
 

@@ -65,6 +65,8 @@ private:
 
 /// Number of an item's operand.
 double number_of(const scene::StatementItem::Operand& operand);
+/// The first item of that name; null: none.
+const scene::StatementItem* item_of(const scene::Statement& statement, std::string_view name);
 /// `{ forms }` after a keyword that has been taken, kept.
 template <std::size_t count> scene::StatementPtr read_forms(SceneBuilder& build, const Form (&forms)[count])
 {
@@ -100,16 +102,10 @@ scene::StatementPtr read_density_file(SceneBuilder& build);
 /// Stops before what the object's outside and inside have; close_list() takes the brace behind that.
 scene::StatementPtr read_object_pattern(SceneBuilder& build);
 
-/// Makes the solid of a statement that can be drawn: text, prism. False: another, or one that is not drawn yet.
-bool draw_outlines(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
-
-/// The same for poly, cubic, quartic and polynomial.
-bool draw_polynomial(const scene::Statement& statement, scene::Object& object);
-
-/// Heads of undrawn solids: from behind the brace to the first modifier.
+/// Heads of the solids that are kept as written: from behind the brace to the first modifier.
 using HeadReader = void (*)(StatementReader&);
-/// Null: this keyword is drawn or no solid.
-HeadReader undrawn_head(Kind keyword);
+/// Null: this keyword is read otherwise or no solid.
+HeadReader written_head(Kind keyword);
 HeadReader curve_head(Kind keyword);      ///< made of points along a curve
 HeadReader polynomial_head(Kind keyword);
 HeadReader field_head(Kind keyword);      ///< made of functions, components, files

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kSolidNames[] = {"sphere", "ellipsoid", "box", "oriented box", "plane", "cylinder",
                                        "cone", "torus", "quadric", "disc", "triangle", "mesh", "extrusion",
-                                       "polynomial"};
+                                       "polynomial", "freeform"};
 static_assert(std::size(kSolidNames) == csg::kSolidKinds);
 
 constexpr const char* kOpNames[] = {"leaf", "union", "merge", "intersection", "clip"};

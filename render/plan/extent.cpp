@@ -1,5 +1,6 @@
 #include "render/plan/extent.h"
 
+#include "csg/freeform.h"
 #include "render/plan/solids.h"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ struct ShapeExtent {
             for (const std::uint32_t v : face.vertex) box.include(s.data->vertices[v]);
         return corners_moved(t, box);
     }
+    csg::Aabb operator()(const scene::Freeform& s) const { return corners_moved(t, s.shape->extent()); }
     csg::Aabb operator()(const scene::Csg& s) const
     {
         const csg::Aabb box = csg_extent(s);

@@ -78,6 +78,7 @@ struct ToWorld {
         return made;
     }
     csg::Solid operator()(const scene::Polynomial& s) const { return csg::Polynomial{s.shape, t}; }
+    csg::Solid operator()(const scene::Freeform& s) const { return csg::Freeform{s.shape, t}; }
     csg::Solid operator()(const scene::Mesh&) const { throw std::logic_error("a mesh is shared, and made by GeometryCompiler"); }
     csg::Solid operator()(const scene::Csg&) const { throw std::logic_error("a CSG object is many solids"); }
     csg::Solid operator()(const scene::Light&) const { throw std::logic_error("a light is no solid"); }

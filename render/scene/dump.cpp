@@ -45,6 +45,7 @@ struct ShapeDump {
     {
         out.line("extrusion", fmt::format("{} pieces, {} to {}{}", e.outline->pieces().size(), text(e.low), text(e.high), e.open ? " open" : ""));
     }
+    void operator()(const Freeform&) const {}  // told by the statement
     void operator()(const Csg& csg) const;
     void operator()(const Light& light) const;
 };
@@ -118,7 +119,8 @@ void dump_flags(DumpWriter& out, const Flags& f)
 void dump(DumpWriter& out, const Object& object)
 {
     out.open("object");
-    if (object.undrawn.empty()) std::visit(ShapeDump{out}, object.shape);
+    const bool told_by_statement = !object.undrawn.empty() || std::holds_alternative<Freeform>(object.shape);
+    if (!told_by_statement) std::visit(ShapeDump{out}, object.shape);
     else if (object.shape_block) dump(out, *object.shape_block);
     out.value("transform", object.transform);
     if (object.inverse) out.flag("inverse", true);

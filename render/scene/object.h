@@ -11,6 +11,10 @@
 #include <variant>
 #include <vector>
 
+namespace csg {
+struct FreeformShape;
+}
+
 /// Objects as the author wrote them: a tree, each node with the transformation into its parent's space.
 namespace scene {
 
@@ -24,6 +28,8 @@ struct Torus { double major = 1, minor = 0.25; };               ///< axis y
 struct Quadric { glm::dvec3 square{0}, mixed{0}, linear{0}; double constant = 0; };
 /// A polynomial of x, y and z that is not positive.
 struct Polynomial { std::shared_ptr<const csg::PolynomialShape> shape; };
+/// What is kept in a shape of its own kind (csg/freeform.h); the object's shape_block tells how it was written.
+struct Freeform { std::shared_ptr<const csg::FreeformShape> shape; };
 struct Disc { glm::dvec3 center{0}, normal{0, 0, 1}; double radius = 1, hole = 0; };
 struct Triangle {
     std::array<glm::dvec3, 3> vertex;
@@ -82,7 +88,8 @@ struct Light {
     std::shared_ptr<const Object> looks_like, projected_through;
 };
 
-using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Polynomial, Csg, Light>;
+using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Polynomial, Freeform, Csg,
+                           Light>;
 
 struct Flags {
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
@@ -109,6 +116,7 @@ struct Object {
     /// Keyword of a kind that the renderer cannot draw yet; empty for all others. Such an object stands whole, with what
     /// `shape_block` holds of it, in Description::undrawn and never in Description::objects or among the operands of a Csg.
     std::string undrawn;
+    /// The statement as written; null for shapes that hold all of it themselves.
     StatementPtr shape_block;
     StatementPtr photons, radiosity;    ///< read, not used yet; null if not written
     SourceRef source;

@@ -217,7 +217,7 @@ HeadReader field_head(Kind keyword)
     }
 }
 
-HeadReader undrawn_head(Kind keyword)
+HeadReader written_head(Kind keyword)
 {
     for (const auto head : {curve_head, polynomial_head, field_head})
         if (const HeadReader found = head(keyword)) return found;

@@ -1,0 +1,79 @@
+#include "csg/freeform.h"
+
+#include "csg/solids/freeform.h"
+
+#include <type_traits>
+
+namespace csg {
+
+Aabb FreeformShape::extent() const
+{
+    return std::visit([](const auto& kind) {
+        if constexpr (requires { kind.extent(); }) return kind.extent();
+        else return kind.bounds();
+    }, this->kind);
+}
+
+bool Freeform::surface() const
+{
+    return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::kSurface; }, shape->kind);
+}
+
+bool Freeform::closed() const
+{
+    return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::kClosed; }, shape->kind);
+}
+
+bool Freeform::inverse_closed() const
+{
+    return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::kInverseClosed; }, shape->kind);
+}
+
+void Freeform::meet(const Ray& ray, RayRecord& out) const
+{
+    const Ray local = local_ray(frame, ray);
+    std::visit([&](const auto& kind) { kind.meet(local, out); }, shape->kind);
+}
+
+void Freeform::spans(const Ray& ray, double from, double to, SpanList& out) const
+{
+    RayRecord record(from, to, false);
+    meet(ray, record);
+    record.each_span([&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) {
+        out.push({{.t = in, .face = in_face}, {.t = end, .face = end_face}});
+    });
+}
+
+bool Freeform::contains(const glm::dvec3& p) const
+{
+    return std::visit([&](const auto& kind) { return kind.contains(frame.inverse_point(p)); }, shape->kind);
+}
+
+bool Freeform::contains_inverted(const glm::dvec3& p) const
+{
+    return std::visit([&](const auto& kind) {
+        if constexpr (requires { kind.contains_inverted(p); }) return kind.contains_inverted(frame.inverse_point(p));
+        else return !kind.contains(frame.inverse_point(p));
+    }, shape->kind);
+}
+
+glm::dvec3 Freeform::normal(const glm::dvec3& p, std::uint32_t face) const
+{
+    return std::visit([&](const auto& kind) { return unit_or_x(frame.normal(kind.gradient(frame.inverse_point(p), face))); }, shape->kind);
+}
+
+glm::dvec2 Freeform::uv(const glm::dvec3& p, std::uint32_t face) const
+{
+    return std::visit([&](const auto& kind) {
+        if constexpr (requires { kind.uv(p, face); }) return kind.uv(frame.inverse_point(p), face);
+        else return glm::dvec2(p);
+    }, shape->kind);
+}
+
+Aabb Freeform::bounds() const
+{
+    const Aabb local = std::visit([](const auto& kind) { return kind.bounds(); }, shape->kind);
+    return local.empty() || !local.finite() ? local : padded(transformed_box(frame, local));
+}
+
+}  // namespace csg

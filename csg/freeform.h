@@ -1,0 +1,26 @@
+#pragma once
+
+#include "csg/freeform/polygon.h"
+
+#include <memory>
+#include <utility>
+#include <variant>
+
+namespace csg {
+
+/// Shapes that answer through one call each: their own work outweighs it, and they stay out of what is inlined into every
+/// query. Each lives in its own space. A new one is a file in freeform/, a name in this list and its grammar.
+struct FreeformShape {
+    std::variant<Polygon> kind;
+
+    /// Box that POV-Ray tells of the shape in its own space: the shape's bounds unless it has an extent() of its own.
+    Aabb extent() const;
+};
+
+template <class T, class... Args>
+std::shared_ptr<const FreeformShape> make_freeform(Args&&... args)
+{
+    return std::make_shared<const FreeformShape>(FreeformShape{T(std::forward<Args>(args)...)});
+}
+
+}  // namespace csg

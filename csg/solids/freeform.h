@@ -1,0 +1,36 @@
+#pragma once
+
+#include "csg/freeform/ray_record.h"
+#include "csg/solids/common.h"
+
+#include <memory>
+
+namespace csg {
+
+struct FreeformShape;
+
+/// A freeform shape in the world: lathe, blob, isosurface, ... (csg/freeform.h).
+struct Freeform {
+    std::shared_ptr<const FreeformShape> shape;
+    Transform frame;               ///< local to world
+
+    static constexpr std::uint32_t kMostSpans = RayRecord::kMostSpans;
+    std::uint32_t most_spans() const { return surface() ? 1u : kMostSpans + 1; }
+    std::uint32_t most_crossings() const { return surface() ? RayRecord::kMostTouches : 2 * kMostSpans + 2; }
+
+    /// Drawn without an inside.
+    bool surface() const;
+    bool closed() const;
+    bool inverse_closed() const;
+    void meet(const Ray& ray, RayRecord& out) const;
+    void intersect(const Ray& ray, SpanList& out) const { spans(ray, -kInfinity, kInfinity, out); }
+    /// Those that meet [from, to]: correct within that range only.
+    void spans(const Ray& ray, double from, double to, SpanList& out) const;
+    bool contains(const glm::dvec3& p) const;
+    bool contains_inverted(const glm::dvec3& p) const;
+    glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const;
+    glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
+    Aabb bounds() const;
+};
+
+}  // namespace csg

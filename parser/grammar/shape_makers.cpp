@@ -1,0 +1,24 @@
+#include "parser/grammar/shape_makers.h"
+
+namespace parser {
+
+bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
+{
+    static constexpr struct {
+        std::string_view keyword;
+        ShapeMaker make;
+    } kMakers[] = {
+        {"cubic", make_polynomial},
+        {"poly", make_polynomial},
+        {"polygon", make_polygon},
+        {"polynomial", make_polynomial},
+        {"prism", make_prism},
+        {"quartic", make_polynomial},
+        {"text", make_text},
+    };
+    for (const auto& maker : kMakers)
+        if (maker.keyword == statement.keyword) return maker.make(build, statement, object);
+    return false;
+}
+
+}  // namespace parser

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "parser/grammar/statement.h"
+
+/// Shapes made of the statements that are kept as written.
+namespace parser {
+
+/// False: this statement cannot be drawn yet.
+using ShapeMaker = bool (*)(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+
+/// Asks the maker of the statement's keyword, if it has one.
+bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+
+bool make_polygon(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+bool make_polynomial(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+bool make_prism(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+bool make_text(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+
+}  // namespace parser
