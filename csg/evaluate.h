@@ -135,7 +135,7 @@ private:
         if (kind_of(node.solid) == SolidKind::Triangle) {
             double t = 0.0;
             if (store_.all<Triangle>()[index_of(node.solid)].crossing(ray_, t))
-                add({.t = t, .part = node.solid, .inverted = node.inverted});
+                add({.t = t, .part = node.solid});  // a patch ignores inversion
         } else if (kind_of(node.solid) == SolidKind::Freeform) {
             const Freeform& freeform = store_.all<Freeform>()[index_of(node.solid)];
             if (!freeform.surface()) return;

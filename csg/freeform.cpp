@@ -8,10 +8,10 @@ namespace csg {
 
 Aabb FreeformShape::extent() const
 {
-    return std::visit([](const auto& kind) {
-        if constexpr (requires { kind.extent(); }) return kind.extent();
-        else return kind.bounds();
-    }, this->kind);
+    return std::visit([](const auto& form) {
+        if constexpr (requires { form.extent(); }) return form.extent();
+        else return form.bounds();
+    }, kind);
 }
 
 bool Freeform::surface() const

@@ -68,10 +68,11 @@ inline void solid_crossings(const SolidStore& store, PartId part, const Ray& ray
     });
 }
 
-/// Whether an inverted solid's normal is turned: a quadric's is negated twice (spec 5a, 2.5), a patch ignores inversion.
+/// Whether an inverted solid's normal is turned: a quadric's is negated twice (spec 5a, 2.5), a patch ignores inversion
+/// (spec 5b, 1.1; meshes do not).
 inline bool turned(const WorldData& world, const WorldItem& item)
 {
-    if (!item.inverted || kind_of(item.solid) == SolidKind::Quadric) return false;
+    if (!item.inverted || kind_of(item.solid) == SolidKind::Quadric || kind_of(item.solid) == SolidKind::Triangle) return false;
     return kind_of(item.solid) != SolidKind::Freeform || !world.store.all<Freeform>()[index_of(item.solid)].surface();
 }
 

@@ -10,7 +10,8 @@ constexpr double kLeastEdge = 1e-3;  // a thinner box is widened by this on both
 
 Polygon::Polygon(std::vector<glm::dvec3> corners)
 {
-    for (const glm::dvec3& p : corners) box_.include(p);
+    for (const glm::dvec3& p : corners) corner_box_.include(p);
+    box_ = corner_box_;
     for (int k = 0; k < 3; ++k)
         if (box_.upper[k] - box_.lower[k] < kLeastEdge) {
             box_.lower[k] -= kLeastEdge;

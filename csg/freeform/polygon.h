@@ -18,6 +18,7 @@ public:
     bool contains_inverted(const glm::dvec3&) const { return false; }
     glm::dvec3 gradient(const glm::dvec3&, std::uint32_t) const { return axes_[2]; }
     Aabb bounds() const { return box_; }
+    Aabb extent() const { return corner_box_; }
 
     static constexpr bool kSurface = true;             ///< touched, never entered
     static constexpr bool kClosed = false, kInverseClosed = false;
@@ -29,7 +30,7 @@ private:
     glm::dvec3 origin_{0.0};
     glm::dmat3 axes_{1.0};                              ///< columns: two of the plane, its normal
     std::vector<glm::dvec2> corners_;                   ///< empty: nothing to draw
-    Aabb box_;
+    Aabb corner_box_, box_;                             ///< the second a little thick
 };
 
 }  // namespace csg

@@ -15,7 +15,7 @@ public:
 
     /// A shape may leave out what lies wholly outside [from, to]; what it tells of the rest is whole. `first_only`: no more
     /// is wanted than the nearest drawn end.
-    RayRecord(double from, double to, bool first_only) : from(from), to(to), first_only(first_only) {}
+    RayRecord(double nearest, double farthest, bool first) : from(nearest), to(farthest), first_only(first) {}
 
     const double from, to;
     const bool first_only;

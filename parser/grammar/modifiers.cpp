@@ -78,7 +78,8 @@ struct material : item<Kind::Material> {
 /// What bounds or clips is a solid without a texture.
 void check_bare(ObjectState& s, const scene::Object& object, const char* what)
 {
-    if (is_patch(object) || std::holds_alternative<scene::Light>(object.shape) || object.texture)
+    const bool patch = is_patch(object) && !std::holds_alternative<scene::Freeform>(object.shape);  // a polygon may
+    if (patch || std::holds_alternative<scene::Light>(object.shape) || object.texture)
         s.stream().fail(object.source, std::string("an object in ") + what + " must be a solid without a texture");
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg && csg->operands)
         for (const scene::Object& operand : *csg->operands) check_bare(s, operand, what);

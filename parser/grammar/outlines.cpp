@@ -112,7 +112,7 @@ bool make_text(SceneBuilder& build, const scene::Statement& statement, scene::Ob
     for (const font::Glyph& glyph : glyphs) {
         scene::Object character;
         character.source = statement.source;
-        character.shape = scene::Extrusion{glyph.outline, std::min(0.0, thickness), std::max(0.0, thickness), false, false};
+        character.shape = scene::Extrusion{glyph.outline, std::min(0.0, thickness), std::max(0.0, thickness), false, false, false};
         character.transform = csg::Transform::translate({glyph.origin, 0.0});
         characters->push_back(std::move(character));
     }
@@ -140,7 +140,7 @@ bool make_prism(SceneBuilder& build, const scene::Statement& statement, scene::O
     const auto& heights = item_of(statement, "height")->operands;
     const double a = number_of(heights[0]), b = number_of(heights[1]);
     const auto outline = std::make_shared<csg::OutlineShape>(std::move(pieces));
-    object.shape = scene::Extrusion{outline, std::min(a, b), std::max(a, b), item_of(statement, "open") != nullptr, true};
+    object.shape = scene::Extrusion{outline, std::min(a, b), std::max(a, b), item_of(statement, "open") != nullptr, true, by_bezier};
     // Its points are (x, z), its heights y.
     csg::Transform& turn = object.transform;
     turn.linear = turn.inverse_linear = glm::dmat3({1, 0, 0}, {0, 0, 1}, {0, 1, 0});

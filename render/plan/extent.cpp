@@ -12,6 +12,7 @@ namespace {
 constexpr double kFar = 1e10;             // half the edge of "everything"
 constexpr double kLongestEdge = 1e6;      // longer ones of a CSG object make it infinite
 constexpr double kDiscHalfThickness = 1e-3;
+constexpr double kPolygonHalfThickness = 1e-3;  // of one along the axes (spec 5b, 4)
 
 csg::Aabb everything() { return {glm::dvec3(-kFar), glm::dvec3(kFar)}; }
 
@@ -36,6 +37,16 @@ csg::Aabb unless_too_long(const csg::Aabb& box)
 {
     const glm::dvec3 edge = box.upper - box.lower;
     return std::max({edge.x, edge.y, edge.z}) > kLongestEdge ? everything() : box;
+}
+
+csg::Aabb thickened(csg::Aabb box)
+{
+    for (int k = 0; k < 3; ++k)
+        if (box.upper[k] - box.lower[k] < kPolygonHalfThickness) {
+            box.lower[k] -= kPolygonHalfThickness;
+            box.upper[k] += kPolygonHalfThickness;
+        }
+    return box;
 }
 
 csg::Aabb csg_extent(const scene::Csg& csg);
@@ -74,7 +85,20 @@ struct ShapeExtent {
             for (const std::uint32_t v : face.vertex) box.include(s.data->vertices[v]);
         return corners_moved(t, box);
     }
-    csg::Aabb operator()(const scene::Freeform& s) const { return corners_moved(t, s.shape->extent()); }
+    csg::Aabb operator()(const scene::Freeform& s) const
+    {
+        const csg::Aabb box = corners_moved(t, s.shape->extent());
+        return std::holds_alternative<csg::Polygon>(s.shape->kind) ? thickened(box) : box;
+    }
+    csg::Aabb operator()(const scene::Extrusion& s) const
+    {
+        if (s.outline->empty()) return {};
+        csg::Aabb box{glm::dvec3(s.outline->lower(), s.low), glm::dvec3(s.outline->upper(), s.high)};
+        if (s.bezier)
+            for (const csg::OutlinePiece& p : s.outline->pieces())
+                for (const glm::dvec2& control : {p.d + p.c / 3.0, p.d + (2.0 * p.c + p.b) / 3.0}) box.include(glm::dvec3(control, s.low));
+        return corners_moved(t, box);
+    }
     csg::Aabb operator()(const scene::Csg& s) const
     {
         const csg::Aabb box = csg_extent(s);

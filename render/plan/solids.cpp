@@ -27,6 +27,17 @@ bool diagonal(const glm::dmat3& m)
     return true;
 }
 
+using Corners = std::array<glm::dvec3, 3>;
+
+/// In the order whose cross product of edges is POV-Ray's normal: against the order as written, and once the triangle was
+/// moved so that its largest component has a sign of its own (spec 5b, 2.1).
+Corners oriented(const Corners& c, bool moved)
+{
+    const glm::dvec3 n = glm::cross(c[1] - c[0], c[2] - c[0]), size = glm::abs(n);
+    const double leading = size.x > size.y && size.x > size.z ? -n.x : size.z >= size.y ? -n.z : n.y;
+    return moved && leading >= 0.0 ? c : Corners{c[0], c[2], c[1]};
+}
+
 struct ToWorld {
     const csg::Transform& t;
 
@@ -62,8 +73,8 @@ struct ToWorld {
     csg::Solid operator()(const scene::Disc& s) const { return csg::Disc::make(s.center, s.normal, s.radius, s.hole, t); }
     csg::Solid operator()(const scene::Triangle& s) const
     {
-        const std::array<glm::dvec3, 3> corners{t.point(s.vertex[0]), t.point(s.vertex[1]), t.point(s.vertex[2])};
-        if (!s.smooth) return csg::Triangle::make(corners);
+        const Corners corners{t.point(s.vertex[0]), t.point(s.vertex[1]), t.point(s.vertex[2])};
+        if (!s.smooth) return csg::Triangle::make(oriented(corners, !t.identity()));
         return csg::Triangle::make(corners, {t.normal(s.normal[0]), t.normal(s.normal[1]), t.normal(s.normal[2])});
     }
     csg::Solid operator()(const scene::Extrusion& s) const

@@ -59,6 +59,7 @@ struct Extrusion {
     std::shared_ptr<const csg::OutlineShape> outline;
     double low = 0, high = 1;
     bool open = false, ends_up = false;            ///< as in csg::Extrusion
+    bool bezier = false;                           ///< its extent holds the control points too
 };
 
 struct Object;
