@@ -59,7 +59,10 @@ bool Freeform::contains_inverted(const glm::dvec3& p) const
 
 glm::dvec3 Freeform::normal(const glm::dvec3& p, std::uint32_t face) const
 {
-    return std::visit([&](const auto& kind) { return unit_or_x(frame.normal(kind.gradient(frame.inverse_point(p), face))); }, shape->kind);
+    return std::visit([&](const auto& kind) {
+        if constexpr (requires { kind.world_gradient(frame, p, face); }) return unit_or_x(kind.world_gradient(frame, frame.inverse_point(p), face));
+        else return unit_or_x(frame.normal(kind.gradient(frame.inverse_point(p), face)));
+    }, shape->kind);
 }
 
 glm::dvec2 Freeform::uv(const glm::dvec3& p, std::uint32_t face) const
@@ -72,7 +75,19 @@ glm::dvec2 Freeform::uv(const glm::dvec3& p, std::uint32_t face) const
 
 Aabb Freeform::bounds() const
 {
-    const Aabb local = std::visit([](const auto& kind) { return kind.bounds(); }, shape->kind);
+    return in_world(std::visit([](const auto& kind) { return kind.bounds(); }, shape->kind));
+}
+
+Aabb Freeform::drawn_bounds() const
+{
+    return in_world(std::visit([](const auto& kind) {
+        if constexpr (requires { kind.drawn_bounds(); }) return kind.drawn_bounds();
+        else return kind.bounds();
+    }, shape->kind));
+}
+
+Aabb Freeform::in_world(const Aabb& local) const
+{
     return local.empty() || !local.finite() ? local : padded(transformed_box(frame, local));
 }
 

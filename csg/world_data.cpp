@@ -14,6 +14,7 @@ Aabb drawn_bounds(const WorldData& world, const WorldItem& item)
     if (item.solid == kNoPart) return lens_bounds(world.programs[item.program], world.store);
     if (kind_of(item.solid) == SolidKind::Disc) return world.store.all<Disc>()[index_of(item.solid)].drawn_bounds();
     if (kind_of(item.solid) == SolidKind::Mesh) return world.store.all<Mesh>()[index_of(item.solid)].drawn_bounds();
+    if (kind_of(item.solid) == SolidKind::Freeform) return world.store.all<Freeform>()[index_of(item.solid)].drawn_bounds();
     return with_solid(world.store, item.solid, [](const auto& solid) { return solid.bounds(); });
 }
 

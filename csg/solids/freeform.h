@@ -31,6 +31,10 @@ struct Freeform {
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const;
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
     Aabb bounds() const;
+    Aabb drawn_bounds() const;     ///< of what can be seen of it
+
+private:
+    Aabb in_world(const Aabb& local) const;
 };
 
 }  // namespace csg

@@ -9,6 +9,7 @@ bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::O
         ShapeMaker make;
     } kMakers[] = {
         {"cubic", make_polynomial},
+        {"height_field", make_height_field},
         {"poly", make_polynomial},
         {"polygon", make_polygon},
         {"polynomial", make_polynomial},

@@ -155,9 +155,16 @@ void julia_fractal(StatementReader& s)
 // ---- height_field, text, bicubic_patch ------------------------------------------------------------------------
 void height_field(StatementReader& s)
 {
-    static constexpr Form kForms[] = {{Kind::WaterLevel, "f"}, {Kind::Smooth, "o"}, {Kind::Hierarchy, "o"}, {Kind::Gamma, "f"}, {Kind::Premultiplied, "o"}};
+    static constexpr Form kForms[] = {{Kind::WaterLevel, "f"}, {Kind::Smooth, "o"}, {Kind::Hierarchy, "o"}, {Kind::Premultiplied, "o"}};
     read_image_source(s, true);
-    s.read_all(kForms);
+    for (;;) {
+        if (s.accept(Kind::Gamma)) {
+            if (s.accept(Kind::Srgb)) s.add("gamma", {std::string("srgb")});
+            else s.read("gamma", "f");
+        } else if (!s.read_one(kForms)) {
+            return;
+        }
+    }
 }
 
 void text(StatementReader& s)

@@ -22,7 +22,7 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"parser", {"csg", "function", "parser/grammar", "parser/lexer", "parser/stream", "render/scene"}},
     {"parser/lexer", {}},
     {"parser/stream", {"csg", "function", "parser/lexer", "parser", "render/scene"}},
-    {"parser/grammar", {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene", "render/font"}},
+    {"parser/grammar", {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene", "render/font", "render/image"}},
     {"render/scene", {"csg", "function"}},
     {"render/font", {"csg"}},
     {"render/image", {}},
