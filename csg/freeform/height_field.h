@@ -42,7 +42,7 @@ private:
     struct Range {
         std::uint16_t lowest = 0xffff, highest = 0;
     };
-    /// Lowest and highest point of blocks of cells, each level's blocks eight times as wide as those below it.
+    /// Lowest and highest point of blocks of cells, each level's blocks four times as wide as those below it.
     struct Blocks {
         std::uint32_t columns = 0, rows = 0;
         std::vector<Range> ranges;

@@ -16,7 +16,7 @@ inline double terrain_level(const std::array<double, 4>& h, double x, double z)
 /// between two.
 class TerrainWalk {
 public:
-    static constexpr std::uint32_t kWide = 8;       ///< blocks along a side of the next larger block
+    static constexpr std::uint32_t kWideBits = 2, kWide = 1u << kWideBits;  ///< blocks along a side of the next larger block
 
     TerrainWalk(const HeightField& field, const Ray& ray, RayRecord& out)
         : field_(field), ray_(ray), inverse_(1.0 / ray.direction), out_(out)
@@ -30,12 +30,20 @@ private:
         std::uint32_t x_from, x_to, z_from, z_to;
     };
 
+    /// A part of the ray and its ends' levels.
+    struct Step {
+        double from, to, y_from, y_to;
+        double lowest() const { return std::min(y_from, y_to); }
+        double highest() const { return std::max(y_from, y_to); }
+    };
+
     bool clip(double& first, double& last) const;
     void enter_band(double t, bool between);
     void leave_band(double t, bool inside);
     void walk(std::size_t level, const Window& window, double from, double to);
-    void block(std::size_t level, std::uint32_t i, std::uint32_t k, double from, double to);
-    void cell(std::uint32_t i, std::uint32_t k, double from, double to);
+    void block(std::size_t level, std::uint32_t i, std::uint32_t k, const Step& step);
+    void cell(std::uint32_t i, std::uint32_t k, const Step& step);
+    void triangles(std::uint32_t i, std::uint32_t k, const Step& step);
     void edge(double t, double above, std::uint32_t face);
     void settle(bool inside, double t)
     {
@@ -58,12 +66,12 @@ private:
     /// A triangle of the cell that the ray is over at t: for what rounding has moved.
     std::uint32_t face_below(double t) const
     {
-        return face_of(place(x(t), 1.0, 0, field_.grid_.columns - 1), place(z(t), 1.0, 0, field_.grid_.rows - 1), false);
+        return face_of(place(x(t), 0, field_.grid_.columns - 1), place(z(t), 0, field_.grid_.rows - 1), false);
     }
-    /// The number from `from` to below `to` that holds v / size.
-    static std::uint32_t place(double v, double size, std::uint32_t from, std::uint32_t to)
+    /// The number from `from` to below `to` that holds v.
+    static std::uint32_t place(double v, std::uint32_t from, std::uint32_t to)
     {
-        const double at = std::floor(v / size);
+        const double at = std::floor(v);
         return at >= from ? (at < to ? static_cast<std::uint32_t>(at) : to - 1) : from;
     }
 
