@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 /// Terrain out of a picture or a function (reference manual: height_field; spec 5b, 10.1).
 namespace parser {
@@ -33,7 +34,8 @@ std::uint16_t level_of(const function::Values& value, bool color)
     return image::color_level(stored(value[0]), stored(value[1]), stored(value[2]));
 }
 
-Grid grid_of_function(SceneBuilder& build, const scene::Statement& statement)
+/// Nothing if the function asks the scene and nobody answers.
+std::optional<Grid> grid_of_function(SceneBuilder& build, const scene::Statement& statement)
 {
     const scene::StatementItem& size = *item_of(statement, "function");
     const double columns = std::trunc(number_of(size.operands[0])), rows = std::trunc(number_of(size.operands[1]));
@@ -52,7 +54,7 @@ Grid grid_of_function(SceneBuilder& build, const scene::Statement& statement)
                 continue;
             }
             const auto value = build.evaluate(called, at);
-            if (!value) build.stream().fail(statement.source, "this function cannot be evaluated here");
+            if (!value) return std::nullopt;
             levels.push_back(level_of(*value, color));
         }
     return turned_over(wide, deep, levels);
@@ -80,12 +82,14 @@ Grid grid_of_picture(SceneBuilder& build, const scene::Statement& statement)
 
 bool make_height_field(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
 {
-    Grid grid = item_of(statement, "function") ? grid_of_function(build, statement) : grid_of_picture(build, statement);
+    std::optional<Grid> made = item_of(statement, "function") ? grid_of_function(build, statement) : grid_of_picture(build, statement);
+    if (!made) return false;
+    Grid& grid = *made;
     for (const scene::StatementItem& item : statement.items) {
         if (item.name == "water_level") grid.water = number_of(item.operands[0]) * (build.version() < 200 ? 256.0 : 65536.0);
         else if (item.name == "smooth") grid.smooth = item.operands.empty() || number_of(item.operands[0]) != 0.0;
     }
-    object.shape = scene::Freeform{csg::make_freeform<csg::HeightField>(std::move(grid))};
+    object.shape = scene::Freeform{csg::make_freeform<csg::HeightField>(std::move(*made))};
     return true;
 }
 
