@@ -1,3 +1,4 @@
+#include "csg/freeform.h"
 #include "parser/grammar/rules.h"
 #include "parser/grammar/statement.h"
 
@@ -78,7 +79,8 @@ struct material : item<Kind::Material> {
 /// What bounds or clips is a solid without a texture.
 void check_bare(ObjectState& s, const scene::Object& object, const char* what)
 {
-    const bool patch = is_patch(object) && !std::holds_alternative<scene::Freeform>(object.shape);  // a polygon may
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    const bool patch = is_patch(object) && !(freeform && std::holds_alternative<csg::Polygon>(freeform->shape->kind));
     if (patch || std::holds_alternative<scene::Light>(object.shape) || object.texture)
         s.stream().fail(object.source, std::string("an object in ") + what + " must be a solid without a texture");
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg && csg->operands)

@@ -8,6 +8,7 @@ bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::O
         std::string_view keyword;
         ShapeMaker make;
     } kMakers[] = {
+        {"bicubic_patch", make_bicubic_patch},
         {"cubic", make_polynomial},
         {"height_field", make_height_field},
         {"poly", make_polynomial},

@@ -11,6 +11,7 @@ using ShapeMaker = bool (*)(SceneBuilder& build, const scene::Statement& stateme
 /// Asks the maker of the statement's keyword, if it has one.
 bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 
+bool make_bicubic_patch(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_height_field(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_polygon(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_polynomial(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);

@@ -189,6 +189,22 @@ void bicubic_patch(StatementReader& s)
 {
     static constexpr Form kForms[] = {{Kind::Flatness, "f"}, {Kind::USteps, "f"}, {Kind::VSteps, "f"}, {Kind::Accuracy, "f"}};
     bool typed = false;
+    if (s.in().peek().kind != Kind::Less && at_expression(s.in())) {  // the old way: numbers alone
+        s.in().warn(s.in().here(), "'type', 'flatness', 'u_steps' and 'v_steps' should name these numbers");
+        const auto next = [&](std::string_view name) {
+            const double value = float_expr(s.in());
+            s.in().accept_comma();
+            s.add(name, {value});
+            return value;
+        };
+        const double type = next("type");
+        if (type == 2.0 || type == 3.0) next("flatness");
+        else s.add("flatness", {0.1});
+        next("u_steps");
+        next("v_steps");
+        s.read("points", "vvvvvvvvvvvvvvvv");
+        return;
+    }
     for (;;) {
         if (s.accept(Kind::Type)) {
             double type = float_expr(s.in());

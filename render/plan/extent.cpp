@@ -87,6 +87,12 @@ struct ShapeExtent {
     }
     csg::Aabb operator()(const scene::Freeform& s) const
     {
+        if (const auto* patch = std::get_if<csg::BicubicPatch>(&s.shape->kind)) {
+            csg::Aabb points;
+            for (const auto& row : patch->input().points)
+                for (const glm::dvec3& point : row) points.include(t.point(point));
+            return points;
+        }
         const csg::Aabb box = corners_moved(t, s.shape->extent());
         return std::holds_alternative<csg::Polygon>(s.shape->kind) ? thickened(box) : box;
     }

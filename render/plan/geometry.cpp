@@ -1,5 +1,6 @@
 #include "render/plan/geometry.h"
 
+#include "csg/freeform.h"
 #include "render/plan/lights.h"
 #include "render/plan/solids.h"
 
@@ -21,6 +22,14 @@ bool same(const csg::Transform& a, const csg::Transform& b)
 {
     return a.linear == b.linear && a.offset == b.offset && a.inverse_linear == b.inverse_linear &&
            a.inverse_offset == b.inverse_offset;
+}
+
+/// What clips the object: nothing clips a bicubic_patch (spec 5b, 1.6).
+const std::vector<scene::Object>& clips_of(const scene::Object& object)
+{
+    static const std::vector<scene::Object> none;
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    return freeform && std::holds_alternative<csg::BicubicPatch>(freeform->shape->kind) ? none : object.clipped_by;
 }
 
 csg::Tree::Op tree_op(scene::CsgOp op)
@@ -105,7 +114,7 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
     object_ = static_cast<std::uint32_t>(out_.objects.size());
     out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source});
     csg::WorldData& world = out_.geometry;
-    const bool clipped = !object.clipped_by.empty();
+    const bool clipped = !clips_of(object).empty();
     if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh != nullptr && !clipped) {
         const csg::PartId part = mesh_part(*mesh, own);
         world.add_solid(part, object.inverse && mesh_is_solid(*mesh->data), object_, visible(own));
@@ -138,7 +147,7 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
     made.inverse = object.inverse;
     // Clips stand in the space of the parent.
     const csg::Transform parent = own.to_world * object.transform.inverted();
-    for (const scene::Object& clip : object.clipped_by) made.clips.push_back(clip_tree(clip, parent));
+    for (const scene::Object& clip : clips_of(object)) made.clips.push_back(clip_tree(clip, parent));
     return made;
 }
 

@@ -1,5 +1,7 @@
 #include "render/plan/solids.h"
 
+#include "csg/freeform.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -17,6 +19,12 @@ bool similarity(const glm::dmat3& m, double& factor)
     factor = std::sqrt(a);
     return a > 0.0 && std::abs(a - b) <= slack && std::abs(a - c) <= slack && std::abs(glm::dot(m[0], m[1])) <= slack &&
            std::abs(glm::dot(m[0], m[2])) <= slack && std::abs(glm::dot(m[1], m[2])) <= slack;
+}
+
+bool rigid(const glm::dmat3& m)
+{
+    double factor = 1.0;
+    return similarity(m, factor) && std::abs(factor - 1.0) <= kSimilarity;
 }
 
 bool diagonal(const glm::dmat3& m)
@@ -89,7 +97,16 @@ struct ToWorld {
         return made;
     }
     csg::Solid operator()(const scene::Polynomial& s) const { return csg::Polynomial{s.shape, t}; }
-    csg::Solid operator()(const scene::Freeform& s) const { return csg::Freeform{s.shape, t}; }
+    csg::Solid operator()(const scene::Freeform& s) const
+    {
+        // A patch is flat enough or not where it stands (spec 5b, 5).
+        const auto* patch = std::get_if<csg::BicubicPatch>(&s.shape->kind);
+        if (patch == nullptr || !(patch->input().flatness > 0.0) || rigid(t.linear)) return csg::Freeform{s.shape, t};
+        csg::BicubicPatch::Input moved = patch->input();
+        for (auto& row : moved.points)
+            for (glm::dvec3& point : row) point = t.point(point);
+        return csg::Freeform{csg::make_freeform<csg::BicubicPatch>(moved), {}};
+    }
     csg::Solid operator()(const scene::Mesh&) const { throw std::logic_error("a mesh is shared, and made by GeometryCompiler"); }
     csg::Solid operator()(const scene::Csg&) const { throw std::logic_error("a CSG object is many solids"); }
     csg::Solid operator()(const scene::Light&) const { throw std::logic_error("a light is no solid"); }
