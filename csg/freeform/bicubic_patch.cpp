@@ -61,6 +61,8 @@ void weights(double t, double (&value)[4], double (&slope)[4])
     slope[3] = 3.0 * t * t;
 }
 
+glm::dvec3 unit_or_zero(const glm::dvec3& n) { return n == glm::dvec3(0.0) ? n : unit_or_x(n); }
+
 /// Whether two edges span an area worth the name.
 bool spans_area(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -76,7 +78,10 @@ BicubicPatch::BicubicPatch(const Input& input) : input_(input)
     input_.v_steps = std::clamp(input_.v_steps, 0, kMostSteps);
     MeshInput triangles;
     divide(input_.points, {0.0f, 1.0f, 0.0f, 1.0f}, 0, triangles);
-    pieces_.shrink_to_fit();
+    for (const Piece& piece : pieces_) {
+        std::array<glm::vec3, 4>& normals = normals_.emplace_back();
+        for (std::size_t k = 0; k < 4; ++k) normals[k] = glm::vec3(unit_or_zero(normal_at(parameters(piece)[k])));
+    }
     mesh_ = std::make_shared<MeshShape>(triangles);
 }
 
@@ -139,14 +144,10 @@ void BicubicPatch::meet(const Ray& ray, RayRecord& out) const
     });
 }
 
-/// Parameters (u, v) at the corners of a triangle.
-std::array<glm::dvec2, 3> BicubicPatch::corners(std::uint32_t face) const
+/// (u, v) at the corners of a piece.
+std::array<glm::dvec2, 4> BicubicPatch::parameters(const Piece& p)
 {
-    const std::uint32_t declared = mesh_->block(face / 4).face[face % 4];
-    const Piece& piece = pieces_[declared / 2];
-    const glm::dvec2 end(piece.u1, piece.v1), second(piece.u0, piece.v1), third(piece.u1, piece.v0);
-    if (declared % 2 == 0) return {glm::dvec2(piece.u0, piece.v0), second, end};
-    return {glm::dvec2(piece.u0, piece.v0), end, third};
+    return {glm::dvec2(p.u0, p.v0), glm::dvec2(p.u0, p.v1), glm::dvec2(p.u1, p.v1), glm::dvec2(p.u1, p.v0)};
 }
 
 glm::dvec3 BicubicPatch::normal_at(const glm::dvec2& q) const
@@ -166,19 +167,23 @@ glm::dvec3 BicubicPatch::normal_at(const glm::dvec2& q) const
 glm::dvec3 BicubicPatch::world_gradient(const Transform& frame, const glm::dvec3& p, std::uint32_t face) const
 {
     const glm::dvec3 share = mesh_->weights(face, p);
-    const std::array<glm::dvec2, 3> at = corners(face);
+    const std::uint32_t which = declared(face);
+    const std::array<std::size_t, 3> at = corners(which);
     // POV-Ray moves the points: a mirrored patch has its normals on the other side.
     const double side = glm::determinant(frame.linear) < 0.0 ? -1.0 : 1.0;
     glm::dvec3 sum(0.0);
-    for (int k = 0; k < 3; ++k) sum += share[k] * unit_or_x(side * frame.normal(normal_at(at[static_cast<std::size_t>(k)])));
+    for (int k = 0; k < 3; ++k)
+        sum += share[k] * unit_or_x(side * frame.normal(glm::dvec3(normals_[which / 2][at[static_cast<std::size_t>(k)]])));
     return sum;
 }
 
 glm::dvec2 BicubicPatch::uv(const glm::dvec3& p, std::uint32_t face) const
 {
     const glm::dvec3 share = mesh_->weights(face, p);
-    const std::array<glm::dvec2, 3> at = corners(face);
-    const glm::dvec2 q = share.x * at[0] + share.y * at[1] + share.z * at[2];
+    const std::uint32_t which = declared(face);
+    const std::array<glm::dvec2, 4> all = parameters(pieces_[which / 2]);
+    const std::array<std::size_t, 3> at = corners(which);
+    const glm::dvec2 q = share.x * all[at[0]] + share.y * all[at[1]] + share.z * all[at[2]];
     const auto& c = input_.uv;
     return glm::mix(glm::mix(c[0], c[1], q.y), glm::mix(c[3], c[2], q.y), q.x);
 }

@@ -46,13 +46,20 @@ private:
     struct Piece {
         float u0, u1, v0, v1;
     };
-    std::array<glm::dvec2, 3> corners(std::uint32_t face) const;
+    /// Of a triangle: its piece, and which of the piece's corners it has, in the order of Input::uv.
+    std::uint32_t declared(std::uint32_t face) const { return mesh_->block(face / 4).face[face % 4]; }
+    static std::array<std::size_t, 3> corners(std::uint32_t declared)
+    {
+        return declared % 2 == 0 ? std::array<std::size_t, 3>{0, 1, 2} : std::array<std::size_t, 3>{0, 2, 3};
+    }
+    static std::array<glm::dvec2, 4> parameters(const Piece& piece);
     glm::dvec3 normal_at(const glm::dvec2& q) const;
     void divide(const Points& points, const Piece& piece, int depth, MeshInput& out);
     bool flat(const Points& points) const;
 
     Input input_;
     std::vector<Piece> pieces_;
+    std::vector<std::array<glm::vec3, 4>> normals_;             ///< at the corners of a piece, any length; 0: there is none
     std::shared_ptr<const MeshShape> mesh_;
 };
 
