@@ -2,12 +2,10 @@
 
 #include "function/interval_arithmetic.h"
 #include "function/internal_polynomials.h"
-#include "function/machine.h"
+#include "function/interval_rules.h"
 
 namespace function {
 namespace {
-
-constexpr double kMostRounds = 100'000;   // of a loop; a longer one may be anything
 
 bool is_polynomial(std::uint32_t n)
 {
@@ -32,7 +30,53 @@ Interval rounded_box(const Interval* a)
     return distance(beyond(0), beyond(1), beyond(2)) - a[3] - 1e-6;
 }
 
+/// Whether its interval shrinks to a point as its arguments do.
+bool internal_narrows(std::uint32_t n)
+{
+    return is_polynomial(n) || n == 17 || n == 47 || n == 57 || n == 60 || n == 61 || n == 69 || n == 70 || n == 77;
+}
+
 }  // namespace
+
+Interval internal_interval(std::uint32_t n, const Interval* a)
+{
+    if (is_polynomial(n)) return polynomial<Interval>(n, a);
+    switch (n) {
+    case 17: return distance(a[3] * a[0], a[4] * a[1], a[5] * a[2]);
+    case 47: return interval_binary(Op::Atan2, distance(a[0], 0.0, a[2]), a[1]);
+    case 57: return distance(a[0], a[1], a[2]);
+    case 60: return rounded_box(a);
+    case 61: return distance(a[0], a[1], a[2]) - a[3];
+    case 69: return interval_binary(Op::Atan2, a[0], a[2]);
+    case 70: return distance(distance(a[0], 0.0, a[2]) - a[3], a[1], 0.0) - a[4];
+    case 76: case 78: return {0.0, 1.0};
+    case 77: return 0.0;
+    default: return Interval::everything();
+    }
+}
+
+void outer_interval(const Outer& what, const Interval* a, Interval* out)
+{
+    std::fill(out, out + 5, Interval::everything());
+    if (const auto* t = std::get_if<csg::Transform>(&what)) {
+        for (int row = 0; row < 3; ++row)
+            out[row] = a[0] * t->linear[0][row] + a[1] * t->linear[1][row] + a[2] * t->linear[2][row] + t->offset[row];
+    } else if (const auto* use = std::get_if<OuterUse>(&what); use && use->kind == OuterUse::Kind::Pattern) {
+        out[0].low = 0.0;  // patterns are folded to above 0
+    }
+}
+
+bool narrows(const Function& function)
+{
+    for (const Instruction& in : function.code) {
+        if (in.op != Op::Call && in.op != Op::Internal && in.op != Op::Outer) continue;
+        const Outer& what = function.outer[in.c];
+        if (const auto* called = std::get_if<FunctionPtr>(&what); called && !narrows(**called)) return false;
+        if (const auto* n = std::get_if<std::uint32_t>(&what); n && !internal_narrows(*n)) return false;
+        if (in.op == Op::Outer && !std::holds_alternative<csg::Transform>(what)) return false;
+    }
+    return true;
+}
 
 template <> struct Rules<Interval> {
     static Interval constant(double v) { return v; }
@@ -43,12 +87,10 @@ template <> struct Rules<Interval> {
     static void select(Machine<Interval>& m, const Branching& b, std::uint32_t dst)
     {
         const Interval c = m.reg(b.condition);
-        const bool last = b.count == 2 ? c.high >= 0.0 : c.high > 0.0;
-        const bool can[] = {c.low < 0.0, b.count == 2 ? last : c.contains(0.0), b.count == 3 && last};
         bool some = false;
         Interval all;
         for (std::size_t k = 0; k < b.count; ++k) {
-            if (!can[k]) continue;
+            if (!branch_possible(c, b.count, k)) continue;
             m.run(b.begin[k], b.end[k]);
             all = some ? all.hull(m.reg(b.result[k])) : m.reg(b.result[k]);
             some = true;
@@ -74,33 +116,8 @@ template <> struct Rules<Interval> {
         m.reg(dst) = all;
     }
 
-    static Interval internal(std::uint32_t n, std::uint32_t, const Interval* a, const Host&)
-    {
-        if (is_polynomial(n)) return polynomial<Interval>(n, a);
-        switch (n) {
-        case 17: return distance(a[3] * a[0], a[4] * a[1], a[5] * a[2]);
-        case 47: return interval_binary(Op::Atan2, distance(a[0], 0.0, a[2]), a[1]);
-        case 57: return distance(a[0], a[1], a[2]);
-        case 60: return rounded_box(a);
-        case 61: return distance(a[0], a[1], a[2]) - a[3];
-        case 69: return interval_binary(Op::Atan2, a[0], a[2]);
-        case 70: return distance(distance(a[0], 0.0, a[2]) - a[3], a[1], 0.0) - a[4];
-        case 76: case 78: return {0.0, 1.0};
-        case 77: return 0.0;
-        default: return Interval::everything();
-        }
-    }
-
-    static void outer(const Outer& what, const Interval* a, const Host&, Interval* out)
-    {
-        std::fill(out, out + 5, Interval::everything());
-        if (const auto* t = std::get_if<csg::Transform>(&what)) {
-            for (int row = 0; row < 3; ++row)
-                out[row] = a[0] * t->linear[0][row] + a[1] * t->linear[1][row] + a[2] * t->linear[2][row] + t->offset[row];
-        } else if (const auto* use = std::get_if<OuterUse>(&what); use && use->kind == OuterUse::Kind::Pattern) {
-            out[0].low = 0.0;  // patterns are folded to above 0
-        }
-    }
+    static Interval internal(std::uint32_t n, std::uint32_t, const Interval* a, const Host&) { return internal_interval(n, a); }
+    static void outer(const Outer& what, const Interval* a, const Host&, Interval* out) { outer_interval(what, a, out); }
 };
 
 Interval evaluate_interval(const Function& function, const Interval* arguments, const Host& host)

@@ -11,6 +11,7 @@ bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::O
         {"bicubic_patch", make_bicubic_patch},
         {"cubic", make_polynomial},
         {"height_field", make_height_field},
+        {"isosurface", make_isosurface},
         {"poly", make_polynomial},
         {"polygon", make_polygon},
         {"polynomial", make_polynomial},

@@ -47,7 +47,8 @@ csg::Tree::Op tree_op(scene::CsgOp op)
 
 GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
                                    CompiledScene& out, std::vector<scene::Unsupported>& notes)
-    : description_(description), options_(options), textures_(textures), out_(out), notes_(notes), interiors_(out.interiors)
+    : description_(description), options_(options), textures_(textures), out_(out), notes_(notes), interiors_(out.interiors),
+      fields_(description, options.quality, notes)
 {
 }
 
@@ -121,7 +122,7 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
         return;
     }
     if (!std::holds_alternative<scene::Csg>(object.shape) && !std::holds_alternative<scene::Mesh>(object.shape) && !clipped) {
-        const csg::PartId part = world.store.add(world_solid(object.shape, own.to_world), surface(own));
+        const csg::PartId part = world.store.add(solid(object, own), surface(own));
         world.add_solid(part, object.inverse, object_, visible(own));
         return;
     }
@@ -133,6 +134,12 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
     world.add_program(std::move(program), object_, visible(own));
 }
 
+csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited& own)
+{
+    if (const auto* freeform = std::get_if<scene::Freeform>(&object.shape)) return csg::Freeform{fields_.linked(freeform->shape), own.to_world};
+    return world_solid(object.shape, own.to_world);
+}
+
 csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& own)
 {
     csg::Tree made;
@@ -142,7 +149,7 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
         made = csg::Tree::leaf(mesh_part(*mesh, own));
     } else {
         const csg::SurfaceId id = clipping_ ? csg::kNoSurface : surface(own);
-        made = csg::Tree::leaf(out_.geometry.store.add(world_solid(object.shape, own.to_world), id));
+        made = csg::Tree::leaf(out_.geometry.store.add(solid(object, own), id));
     }
     made.inverse = object.inverse;
     // Clips stand in the space of the parent.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
+#include "render/plan/fields.h"
 #include "render/plan/interiors.h"
 #include "render/plan/textures.h"
 
@@ -44,6 +45,7 @@ private:
     void add_top(const scene::Object& object, const Inherited& above);
     void add_alone(const scene::Object& object, const Inherited& own);
     csg::Tree tree(const scene::Object& object, const Inherited& own);
+    csg::Solid solid(const scene::Object& object, const Inherited& own);
     csg::Tree csg_tree(const scene::Csg& csg, const Inherited& own);
     csg::Tree cut_parts(const scene::Csg& csg, const scene::Csg& parts, const scene::Object& whole, const Inherited& own,
                         const Inherited& of_whole);
@@ -74,6 +76,7 @@ private:
     CompiledScene& out_;
     std::vector<scene::Unsupported>& notes_;
     InteriorCompiler interiors_;
+    FieldLinker fields_;
 
     scene::TexturePtr default_texture_;          ///< of the statement at hand
     std::uint32_t object_ = 0;                   ///< Surface::object at hand

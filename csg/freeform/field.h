@@ -1,0 +1,36 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace csg {
+
+/// Eight points or boxes, coordinate by coordinate.
+struct Eight {
+    alignas(64) double v[8];
+};
+struct EightPoints {
+    Eight x, y, z;
+};
+/// Every number from low to high; low <= high, ends may be infinite.
+struct EightRanges {
+    Eight low, high;
+};
+struct EightBoxes {
+    EightRanges x, y, z;
+};
+
+/// A number for every point of space: what isosurfaces and parametric surfaces are made of. Immutable, asked by many
+/// threads at once; no call allocates.
+class Field {
+public:
+    virtual ~Field() = default;
+    virtual double value(const glm::dvec3& p) const = 0;
+    /// Equal to value() bit for bit.
+    virtual void values(const EightPoints& p, Eight& out) const = 0;
+    /// Ranges that hold every value in the boxes.
+    virtual void ranges(const EightBoxes& boxes, EightRanges& out) const = 0;
+    /// Whether ranges() narrow down as boxes do. False: its value at points is all that is known.
+    virtual bool ranged() const = 0;
+};
+
+}  // namespace csg

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "csg/freeform/container.h"
+#include "csg/freeform/field.h"
+#include "csg/freeform/ray_record.h"
+
+#include <memory>
+
+namespace csg {
+
+/// What an isosurface is made of (spec 5b, 13; reference manual: Isosurface).
+struct IsosurfaceTerms {
+    std::shared_ptr<const Field> field;
+    double threshold = 0.0;
+    double accuracy = 0.001;       ///< above 0, distance in the world
+    double max_gradient = 1.1;     ///< asked only where the field has no ranges
+    bool evaluate = false;         ///< let that grow while a ray is followed, by `growth`
+    glm::dvec3 growth{0.0};
+    int max_trace = 1;             ///< crossings drawn on one ray
+    bool open = false;             ///< the container's wall is not drawn
+    Container container;
+};
+
+/// Where field <= threshold inside of a container. The first crossing is found by the field's ranges: nothing thicker than
+/// the accuracy is missed, whatever max_gradient says; without ranges by POV-Ray's bisection, which trusts max_gradient.
+/// Crossings are then narrowed to a small part of the accuracy.
+class Isosurface {
+public:
+    explicit Isosurface(IsosurfaceTerms terms) : terms_(std::move(terms)) {}
+
+    void meet(const Ray& ray, RayRecord& out) const;
+    bool contains(const glm::dvec3& p) const
+    {
+        return terms_.container.contains(p) && terms_.field->value(p) - terms_.threshold <= 0.0;
+    }
+    /// By forward differences over the accuracy, as POV-Ray's: they smooth what is finer.
+    glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
+    Aabb bounds() const { return terms_.container.bounds(); }
+
+    const IsosurfaceTerms& terms() const { return terms_; }
+
+    static constexpr bool kSurface = false;
+    static constexpr bool kClosed = true, kInverseClosed = false;
+
+private:
+    IsosurfaceTerms terms_;
+};
+
+}  // namespace csg

@@ -1,0 +1,49 @@
+#include "function/field.h"
+
+#include "function/evaluate.h"
+#include "function/interval.h"
+
+namespace function {
+namespace {
+
+constexpr std::size_t kCoordinates = 3;
+
+/// The host outlives every field: there is nothing to free.
+std::shared_ptr<const Host> lone_host() { return {std::shared_ptr<const Host>(), &no_host()}; }
+
+void copy(const csg::Eight& from, double* to) { std::copy_n(from.v, kLanes, to); }
+
+}  // namespace
+
+FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> host)
+    : function_(std::move(function)), host_(host ? std::move(host) : lone_host()), ranged_(narrows(*function_))
+{
+}
+
+double FunctionField::value(const glm::dvec3& p) const
+{
+    const double arguments[kCoordinates] = {p.x, p.y, p.z};
+    return evaluate(*function_, arguments, *host_);
+}
+
+void FunctionField::values(const csg::EightPoints& p, csg::Eight& out) const
+{
+    double arguments[kCoordinates][kLanes];
+    copy(p.x, arguments[0]);
+    copy(p.y, arguments[1]);
+    copy(p.z, arguments[2]);
+    evaluate_lanes(*function_, arguments, *host_, out.v);
+}
+
+void FunctionField::ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) const
+{
+    double low[kCoordinates][kLanes], high[kCoordinates][kLanes];
+    const csg::EightRanges* sides[kCoordinates] = {&boxes.x, &boxes.y, &boxes.z};
+    for (std::size_t i = 0; i < kCoordinates; ++i) {
+        copy(sides[i]->low, low[i]);
+        copy(sides[i]->high, high[i]);
+    }
+    evaluate_intervals(*function_, low, high, *host_, out.low.v, out.high.v);
+}
+
+}  // namespace function

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "csg/freeform.h"
+#include "render/scene/description.h"
+
+#include <unordered_map>
+
+namespace plan {
+
+/// Gives the functions that solids are made of what they ask of the scene: noise, patterns, pigments.
+class FieldLinker {
+public:
+    /// `notes` receives what cannot be evaluated; a solid that needs it is empty.
+    FieldLinker(const scene::Description& scene, int quality, std::vector<scene::Unsupported>& notes)
+        : scene_(scene), quality_(quality), notes_(notes)
+    {
+    }
+
+    /// The shape itself if it asks for nothing. Copies of one shape stay one.
+    std::shared_ptr<const csg::FreeformShape> linked(const std::shared_ptr<const csg::FreeformShape>& shape);
+
+private:
+    std::shared_ptr<const csg::Field> linked(const std::shared_ptr<const csg::Field>& field);
+
+    const scene::Description& scene_;
+    int quality_;
+    std::vector<scene::Unsupported>& notes_;
+    std::unordered_map<std::shared_ptr<const csg::FreeformShape>, std::shared_ptr<const csg::FreeformShape>> known_;
+};
+
+}  // namespace plan
