@@ -19,6 +19,11 @@ bool Freeform::surface() const
     return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::kSurface; }, shape->kind);
 }
 
+bool Freeform::beside() const
+{
+    return std::visit([](const auto& kind) { return requires { std::decay_t<decltype(kind)>::kBeside; }; }, shape->kind);
+}
+
 bool Freeform::closed() const
 {
     return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::kClosed; }, shape->kind);

@@ -2,6 +2,8 @@
 
 #include "csg/freeform/isosurface_search.h"
 
+#include <algorithm>
+
 namespace csg {
 namespace {
 
@@ -10,36 +12,52 @@ constexpr double kOnBall = 1e-10;           // a crossing as near to the ball ha
 
 }  // namespace
 
+/// Where POV-Ray begins to look, and on which side (spec 5b, 13.1, 2 to 4).
+struct Isosurface::Start {
+    double t = 0.0;
+    bool inside = false, wall = false;      ///< wall: it is drawn where the ray comes in
+};
+
+Isosurface::Start Isosurface::start(const IsosurfaceSearch& search, double entry) const
+{
+    const double near = 4.0 * terms_.accuracy * terms_.max_gradient, beyond = 5.0 * terms_.accuracy;
+    Start out{.t = std::max(entry, 0.0)};
+    const double here = search.value(out.t);
+    if (out.t > terms_.accuracy) {
+        out.inside = here < 0.0;
+        out.wall = out.inside && !terms_.open;
+    } else if (terms_.open ? std::abs(here) < near : here < near) {
+        out.t = beyond;
+        out.inside = search.value(out.t) < 0.0;
+    } else {
+        out.inside = here < 0.0;
+    }
+    return out;
+}
+
 void Isosurface::meet(const Ray& ray, RayRecord& out) const
 {
     Interval way;
-    if (!terms_.container.interval(ray, way) || way.exit - way.entry < terms_.accuracy) return;
-    if (way.exit < out.from || way.entry > out.to) return;
-    const double begin = std::max(way.entry, out.from);
+    if (!terms_.container.interval(ray, way) || way.exit < std::max(out.from, 0.0) || way.entry > out.to) return;
     IsosurfaceSearch search(terms_, ray, out.to);
-
-    // POV-Ray draws the wall where a ray comes in, and where it goes out only if it began inside (spec 5b, 13.1).
-    const bool from_outside = way.entry > terms_.accuracy;
-    int left = terms_.max_trace;
-    bool inside = search.value(begin) < 0.0;
-    if (inside) {
-        const bool drawn = !terms_.open && from_outside && begin == way.entry;
-        if (drawn) --left;
-        if (!out.enter(way.entry, drawn ? way.entry_face : kUndrawnFace)) return;
-    }
-    double from = begin;
-    Crossed found;
-    const bool wall_drawn = !terms_.open && !from_outside;
-    while (from < way.exit && !(out.first_only && left <= 0 && !wall_drawn) &&
-           search.first(from, way.exit, inside ? -1.0 : 1.0, found)) {
-        const double t = search.narrow(found, inside ? -1.0 : 1.0);
+    const Start begin = start(search, way.entry);
+    if (way.exit - begin.t < terms_.accuracy) return;
+    int left = terms_.max_trace - (begin.wall ? 1 : 0);
+    bool inside = begin.inside;
+    if (inside && !out.enter(way.entry, begin.wall ? way.entry_face : kUndrawnFace)) return;
+    // The wall is drawn where a ray goes out only if it began inside.
+    const bool wall = !terms_.open && std::max(way.entry, 0.0) <= terms_.accuracy && search.value(way.exit) < 0.0;
+    double t = 0.0, from = begin.t;
+    while (way.exit - from >= terms_.accuracy && search.first(from, way.exit, inside ? -1.0 : 1.0, t)) {
         const std::uint32_t face = left > 0 ? kField : kUndrawnFace;
-        --left;
         if (!(inside ? out.leave(t, face) : out.enter(t, face))) return;
         inside = !inside;
-        from = found.behind;
+        from = t + 5.0 * terms_.accuracy;
+        if (--left > 0 || !out.first_only) continue;
+        if (wall) out.touch(way.exit, way.exit_face);
+        return;
     }
-    if (inside) out.leave(way.exit, wall_drawn ? way.exit_face : kUndrawnFace);
+    if (inside) out.leave(way.exit, wall ? way.exit_face : kUndrawnFace);
 }
 
 glm::dvec3 Isosurface::gradient(const glm::dvec3& p, std::uint32_t face) const

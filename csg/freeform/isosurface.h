@@ -21,9 +21,12 @@ struct IsosurfaceTerms {
     Container container;
 };
 
+class IsosurfaceSearch;
+
 /// Where field <= threshold inside of a container. The first crossing is found by the field's ranges: nothing thicker than
 /// the accuracy is missed, whatever max_gradient says; without ranges by POV-Ray's bisection, which trusts max_gradient.
-/// Crossings are then narrowed to a small part of the accuracy.
+/// Either way a crossing is told where POV-Ray's bisection ends, up to the accuracy behind the field's own: textures and
+/// what a scene places by trace() depend on it.
 class Isosurface {
 public:
     explicit Isosurface(IsosurfaceTerms terms) : terms_(std::move(terms)) {}
@@ -40,9 +43,13 @@ public:
     const IsosurfaceTerms& terms() const { return terms_; }
 
     static constexpr bool kSurface = false;
+    static constexpr bool kBeside = true;   ///< up to the accuracy too far
     static constexpr bool kClosed = true, kInverseClosed = false;
 
 private:
+    struct Start;
+    Start start(const IsosurfaceSearch& search, double entry) const;
+
     IsosurfaceTerms terms_;
 };
 

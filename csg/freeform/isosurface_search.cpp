@@ -1,13 +1,13 @@
 #include "csg/freeform/isosurface_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace csg {
 namespace {
 
 constexpr int kParts = 8;
-constexpr double kLeastPart = 0x1p-40;    // of a ray's way through the container: parameters must stay apart
-constexpr double kNarrow = 1e-4;          // of the accuracy: a crossing is known as well before its last secant
+constexpr double kLeastPart = 0x1p-40;    // of a ray's way through the container is told apart
 constexpr double kRoom = 4 * 0x1p-52;     // relative error of a point of the ray, generously
 
 /// Sides of the boxes between t[k] and t[k + 1], with room for rounding.
@@ -35,17 +35,25 @@ void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const
     for (double& v : f.v) v = sign * (v - terms_.threshold);
 }
 
-bool IsosurfaceSearch::first(double from, double end, double sign, Crossed& out)
+bool IsosurfaceSearch::first(double from, double end, double sign, double& found)
 {
-    leaf_ = std::max(terms_.accuracy, (end - from) * kLeastPart);
-    if (terms_.field->ranged()) return by_ranges(from, end, sign, out);
+    accuracy_ = std::max(terms_.accuracy, (end - from) * kLeastPart);
+    if (terms_.field->ranged()) {
+        int halvings = 0;
+        for (double length = end - from; length >= accuracy_; length *= 0.5) ++halvings;
+        // Eighths as fine as POV-Ray's last halves, or up to four times finer.
+        const int levels = std::max(1, (halvings + 2) / 3);
+        const Grid grid{from, (end - from) / std::ldexp(1.0, 3 * levels), 3 * levels - halvings};
+        return eighths(grid, 0, levels, sign, found);
+    }
     if (terms_.evaluate && gradient_ > terms_.growth.x) gradient_ *= terms_.growth.z;
-    return bisect({from, sign * value(from)}, {end, sign * value(end)}, sign, out);
+    return bisect({from, sign * value(from)}, {end, sign * value(end)}, sign, found);
 }
 
-bool IsosurfaceSearch::by_ranges(double from, double end, double sign, Crossed& out)
+bool IsosurfaceSearch::eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found)
 {
-    const double step = (end - from) / kParts;
+    const std::int64_t width = std::int64_t{1} << (3 * (level - 1));
+    const double from = grid.at(first), step = grid.step * static_cast<double>(width);
     EightBoxes boxes;
     sides(ray_.origin.x, ray_.direction.x, from, step, boxes.x);
     sides(ray_.origin.y, ray_.direction.y, from, step, boxes.y);
@@ -53,28 +61,33 @@ bool IsosurfaceSearch::by_ranges(double from, double end, double sign, Crossed& 
     EightRanges f;
     terms_.field->ranges(boxes, f);
     const auto clear = [&](int k) { return (sign > 0.0 ? f.low.v[k] - terms_.threshold : terms_.threshold - f.high.v[k]) > 0.0; };
-    if (step >= leaf_) {
+    if (level > 1) {
         for (int k = 0; k < kParts && from + k * step <= to_; ++k)
-            if (!clear(k) && by_ranges(from + k * step, from + (k + 1) * step, sign, out)) return true;
+            if (!clear(k) && eighths(grid, first + k * width, level - 1, sign, found)) return true;
         return false;
     }
     bool all_clear = true;
     for (int k = 0; k < kParts; ++k) all_clear = all_clear && clear(k);
-    if (all_clear) return false;
-    Eight t, at;
-    for (int k = 0; k < kParts; ++k) t.v[k] = from + (k + 1) * step;
-    sample(t, sign, at);
+    return !all_clear && in_leaves(grid, first, sign, found);
+}
+
+bool IsosurfaceSearch::in_leaves(const Grid& grid, std::int64_t first, double sign, double& found) const
+{
+    Eight t, f;
+    for (int k = 0; k < kParts; ++k) t.v[k] = grid.at(first + k + 1);
+    sample(t, sign, f);
     for (int k = 0; k < kParts; ++k) {
-        if (clear(k) || !(at.v[k] < 0.0)) continue;
-        const double before = k == 0 ? from : t.v[k - 1];
-        out = {before, t.v[k], k == 0 ? sign * value(from) : at.v[k - 1], at.v[k]};
+        if (!(f.v[k] < 0.0)) continue;
+        // POV-Ray's interval that ends here or behind; what is thinner than it is found all the same.
+        const std::int64_t leaf = first + k + 1, end = ((leaf + (std::int64_t{1} << grid.finer) - 1) >> grid.finer) << grid.finer;
+        found = end == leaf || !(sign * value(grid.at(end)) < 0.0) ? t.v[k] : grid.at(end);
         return true;
     }
     return false;
 }
 
 /// POV-Ray's own rule (spec 5b, 13.2): halves, the nearer one first, while the ends allow a root under the gradient.
-bool IsosurfaceSearch::bisect(const Sample& left, const Sample& right, double sign, Crossed& out)
+bool IsosurfaceSearch::bisect(const Sample& left, const Sample& right, double sign, double& found)
 {
     if (left.t > to_) return false;
     const double length = right.t - left.t, world = speed_ * length;
@@ -82,43 +95,14 @@ bool IsosurfaceSearch::bisect(const Sample& left, const Sample& right, double si
         const double slope = std::abs(right.f - left.f) / world;
         if (gradient_ < slope * terms_.growth.y) gradient_ = slope * terms_.growth.y * terms_.growth.y;
     }
-    if (length < leaf_) {
-        out = {left.t, right.t, left.f, right.f};
+    if (length < accuracy_) {
+        found = right.t;
         return right.f < 0.0;
     }
     if (!(left.f + right.f - gradient_ * world < 0.0)) return false;
     const double t = left.t + 0.5 * length;
     const Sample middle{t, sign * value(t)};
-    return bisect(left, middle, sign, out) || bisect(middle, right, sign, out);
-}
-
-double IsosurfaceSearch::narrow(Crossed c, double sign) const
-{
-    const auto secant = [&] {
-        const double part = c.f_before / (c.f_before - c.f_behind);
-        return part > 0.0 && part < 1.0 ? c.before + part * (c.behind - c.before) : 0.5 * (c.before + c.behind);
-    };
-    constexpr int kMostRounds = 40;
-    const double enough = terms_.accuracy * kNarrow;
-    for (int round = 0; round < kMostRounds && c.behind - c.before > enough; ++round) {
-        // Close about where a secant puts the root, and two far away: smooth fields are done in one round, all in a few.
-        static constexpr double kOffsets[] = {-0.25, -2e-2, -1e-3, -3e-5, 3e-5, 1e-3, 2e-2, 0.25};
-        const double guess = secant(), width = c.behind - c.before;
-        Eight t, f;
-        for (int k = 0; k < kParts; ++k) t.v[k] = std::clamp(guess + kOffsets[k] * width, c.before, c.behind);
-        sample(t, sign, f);
-        for (int k = 0; k < kParts; ++k) {
-            if (f.v[k] < 0.0) {
-                c.behind = t.v[k];
-                c.f_behind = f.v[k];
-                break;
-            }
-            c.before = t.v[k];
-            c.f_before = f.v[k];
-        }
-        if (!(c.behind - c.before < width)) break;  // as near as numbers go
-    }
-    return secant();
+    return bisect(left, middle, sign, found) || bisect(middle, right, sign, found);
 }
 
 }  // namespace csg

@@ -2,13 +2,9 @@
 
 #include "csg/freeform/isosurface.h"
 
-namespace csg {
+#include <cstdint>
 
-/// Two points of a ray with the field's sign between them.
-struct Crossed {
-    double before, behind;      ///< parameters of the ray
-    double f_before, f_behind;  ///< sign * (field - threshold): the first is not below 0, the second is
-};
+namespace csg {
 
 /// One ray through the field of an isosurface.
 class IsosurfaceSearch {
@@ -19,25 +15,32 @@ public:
     {
     }
 
+    /// The field above the threshold.
     double value(double t) const { return terms_.field->value(ray_.at(t)) - terms_.threshold; }
 
-    /// Where sign * (field - threshold), not below 0 at `from`, first falls below 0 before `end`.
-    bool first(double from, double end, double sign, Crossed& out);
-    /// The crossing between the two points.
-    double narrow(Crossed found, double sign) const;
+    /// Where sign * value first falls below 0 between `from` and `end`, as POV-Ray tells it: the farther end of the interval,
+    /// shorter than the accuracy, that halving leads to.
+    bool first(double from, double end, double sign, double& found);
 
 private:
     struct Sample {
         double t, f;
     };
-    bool by_ranges(double from, double end, double sign, Crossed& out);
-    bool bisect(const Sample& left, const Sample& right, double sign, Crossed& out);
+    /// Where intervals end. POV-Ray's are 2^finer of these.
+    struct Grid {
+        double from, step;
+        int finer;
+        double at(std::int64_t i) const { return from + step * static_cast<double>(i); }
+    };
+    bool eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found);
+    bool in_leaves(const Grid& grid, std::int64_t first, double sign, double& found) const;
+    bool bisect(const Sample& left, const Sample& right, double sign, double& found);
     void sample(const Eight& t, double sign, Eight& f) const;
 
     const IsosurfaceTerms& terms_;
     const Ray& ray_;
     double to_, speed_, gradient_;
-    double leaf_ = 0.0;         ///< no interval is parted that is shorter
+    double accuracy_ = 0.0;     ///< no interval is parted that is shorter
 };
 
 }  // namespace csg

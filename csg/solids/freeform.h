@@ -20,6 +20,9 @@ struct Freeform {
 
     /// Drawn without an inside.
     bool surface() const;
+    /// Crossings are told beside the surface, by a distance that its own rays know to step over: a ray to a point of it must
+    /// begin there.
+    bool beside() const;
     bool closed() const;
     bool inverse_closed() const;
     void meet(const Ray& ray, RayRecord& out) const;

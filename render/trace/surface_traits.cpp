@@ -55,6 +55,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
     for (const plan::Interior& interior : scene.interiors) traits.fades |= interior.fade_distance != 0.0f;
+    for (const csg::Freeform& solid : scene.geometry.store.all<csg::Freeform>()) traits.beside |= solid.beside();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const plan::Surface& surface = scene.surfaces[i];
         traits.filters |= !surface.opaque && !surface.no_shadow;

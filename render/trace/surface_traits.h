@@ -24,6 +24,7 @@ struct SceneTraits {
     std::vector<SurfaceTraits> surfaces;   ///< by csg::SurfaceId
     bool filters = false;                  ///< some surface lets a shadow ray through
     bool fades = false;                    ///< light fades inside some interior
+    bool beside = false;                   ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
 };
 
 SceneTraits scene_traits(const plan::CompiledScene& scene);

@@ -73,7 +73,7 @@ public:
         const bool shadows = shadows_ && !light.shadowless;
         RayTile& beam = scratch_.rays;
         beam.count = 0;
-        beam.common_origin = light.from_one_point();
+        beam.common_origin = light.from_one_point() && !scratch_.traits.beside;
         for (int i = 0; i < rays_.count; ++i) {
             if (!asks_for_light(i)) continue;
             const auto k = static_cast<std::size_t>(i);

@@ -5,12 +5,34 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 using function::Interval;
 
 namespace {
+
+/// Eight boxes at once, the box cut into slices along its first side, hold what each slice holds.
+void check_eight(const function::Function& f, const std::vector<Interval>& box, const function::Host& host)
+{
+    constexpr std::size_t kMost = 16;
+    double low[kMost][8], high[kMost][8], out_low[8], out_high[8];
+    const double width = (box[0].high - box[0].low) / 8;
+    for (std::size_t lane = 0; lane < 8; ++lane)
+        for (std::size_t i = 0; i < box.size(); ++i) {
+            low[i][lane] = i == 0 ? box[0].low + static_cast<double>(lane) * width : box[i].low;
+            high[i][lane] = i == 0 ? box[0].low + static_cast<double>(lane + 1) * width : box[i].high;
+        }
+    function::evaluate_intervals(f, low, high, host, out_low, out_high);
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+        std::vector<double> middle;
+        for (std::size_t i = 0; i < box.size(); ++i) middle.push_back(std::clamp(low[i][lane] + 0.5 * (high[i][lane] - low[i][lane]), low[i][lane], high[i][lane]));
+        const double v = function::evaluate(f, middle.data(), host);
+        INFO("value " << v << " in slice [" << out_low[lane] << ", " << out_high[lane] << "]");
+        REQUIRE((std::isnan(v) || (out_low[lane] <= v && v <= out_high[lane])));
+    }
+}
 
 /// Random boxes of several sizes about `centre`; every value at points inside lies in the interval.
 void check_boxes(const function::Function& f, const std::vector<double>& centre, std::mt19937& random)
@@ -25,6 +47,7 @@ void check_boxes(const function::Function& f, const std::vector<double>& centre,
         }
         const Interval all = function::evaluate_interval(f, box.data(), host);
         REQUIRE(all.low <= all.high);
+        check_eight(f, box, host);
         for (int i = 0; i < 40; ++i) {
             std::vector<double> point;
             for (const Interval& side : box) point.push_back(i == 0 ? side.low : i == 1 ? side.high : std::min(side.high, side.low + (side.high - side.low) * unit(random)));
@@ -91,4 +114,34 @@ TEST_CASE("intervals are narrow where they can be", "[function]")
     CHECK(near(over("select(x,1,2)", {0.5, 1}), 2, 2));
     CHECK(near(over("select(x,1,2)", {-1, 1}), 1, 2));
     CHECK(near(over("sum(i,1,3,x)", {1, 2}), 3, 6));
+}
+
+TEST_CASE("eight intervals are as narrow as one", "[function]")
+{
+    const auto f = function_test::compiled("#declare F=function{x*x+sqrt(y)*abs(z)-min(x,2)/(y+3)+select(z,x,y)}", "F");
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(0.5, 3.0);
+    for (int round = 0; round < 200; ++round) {
+        double low[3][8], high[3][8], out_low[8], out_high[8];
+        for (auto& side : low)
+            for (double& v : side) v = any(random);
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t lane = 0; lane < 8; ++lane) high[i][lane] = low[i][lane] + 0.1 * any(random);
+        function::evaluate_intervals(*f, low, high, function::no_host(), out_low, out_high);
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+            const Interval box[] = {{low[0][lane], high[0][lane]}, {low[1][lane], high[1][lane]}, {low[2][lane], high[2][lane]}};
+            const Interval one = function::evaluate_interval(*f, box, function::no_host());
+            CHECK(out_low[lane] >= one.low - 1e-12);
+            CHECK(out_high[lane] <= one.high + 1e-12);
+        }
+    }
+}
+
+TEST_CASE("what does not narrow is known", "[function]")
+{
+    const auto narrows = [](const std::string& body) { return function::narrows(*function_test::compiled("#declare F=function{" + body + "}", "F")); };
+    CHECK(narrows("sin(x)+select(y,1,z)*pow(x,2)"));
+    CHECK_FALSE(function::narrows(*function::make_internal(76)));
+    CHECK(function::narrows(*function::make_internal(61)));
+    CHECK_FALSE(function::narrows(*function::make_internal(62)));
 }

@@ -31,9 +31,8 @@ std::map<std::string, std::string> statements()
 /// How far a hit may be from POV-Ray's, where more than rounding parts them: POV-Ray's own error, found by its accuracy.
 double tolerance_of(const std::string& name)
 {
-    static const std::map<std::string, double> kWider = {
-        {"isosurface_coarse", 0.05}};
-    if (name.rfind("isosurface", 0) == 0 && !kWider.contains(name)) return 1e-3;  // it names the end of an interval this long
+    static const std::map<std::string, double> kWider = {};
+
     const auto found = kWider.find(name);
     return found == kWider.end() ? 1e-6 : found->second;
 }
