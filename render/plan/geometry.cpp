@@ -136,7 +136,7 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
 
 csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited& own)
 {
-    if (const auto* freeform = std::get_if<scene::Freeform>(&object.shape)) return csg::Freeform{fields_.linked(freeform->shape), own.to_world};
+    if (const auto* freeform = std::get_if<scene::Freeform>(&object.shape)) return world_solid(scene::Freeform{fields_.linked(freeform->shape)}, own.to_world);
     return world_solid(object.shape, own.to_world);
 }
 

@@ -32,7 +32,6 @@ std::map<std::string, std::string> statements()
 double tolerance_of(const std::string& name)
 {
     static const std::map<std::string, double> kWider = {};
-
     const auto found = kWider.find(name);
     return found == kWider.end() ? 1e-6 : found->second;
 }
