@@ -115,7 +115,7 @@ private:
     {
         const SolidKind kind = kind_of(node.solid);
         return kind == SolidKind::Triangle || kind == SolidKind::Mesh ||
-               (kind == SolidKind::Freeform && store_.all<Freeform>()[index_of(node.solid)].surface());
+               (kind == SolidKind::Freeform && store_.all<Freeform>()[index_of(node.solid)].touches());
     }
 
     void add(const Crossing& crossing)
@@ -138,11 +138,12 @@ private:
                 add({.t = t, .part = node.solid});  // a patch ignores inversion
         } else if (kind_of(node.solid) == SolidKind::Freeform) {
             const Freeform& freeform = store_.all<Freeform>()[index_of(node.solid)];
-            if (!freeform.surface()) return;
+            if (!freeform.touches()) return;
             RayRecord record(t_min_, t_max_, false);
             freeform.meet(ray_, record);
+            const bool turned = node.inverted && !freeform.surface();  // a patch ignores inversion
             record.each_touch([&](double t, std::uint32_t face) {
-                add({.t = t, .part = node.solid, .face = face});  // a patch ignores inversion
+                add({.t = t, .part = node.solid, .face = face, .inverted = turned});
             });
         } else if (kind_of(node.solid) == SolidKind::Torus) {
             const Torus& torus = store_.all<Torus>()[index_of(node.solid)];

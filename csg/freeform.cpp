@@ -24,6 +24,14 @@ bool Freeform::beside() const
     return std::visit([](const auto& kind) { return requires { std::decay_t<decltype(kind)>::kBeside; }; }, shape->kind);
 }
 
+bool Freeform::touches() const
+{
+    return std::visit([](const auto& kind) {
+        if constexpr (requires { kind.touches(); }) return kind.touches();
+        else return std::decay_t<decltype(kind)>::kSurface;
+    }, shape->kind);
+}
+
 bool Freeform::closed() const
 {
     return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::kClosed; }, shape->kind);

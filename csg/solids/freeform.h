@@ -16,13 +16,18 @@ struct Freeform {
 
     static constexpr std::uint32_t kMostSpans = RayRecord::kMostSpans;
     std::uint32_t most_spans() const { return surface() ? 1u : kMostSpans + 1; }
-    std::uint32_t most_crossings() const { return surface() ? RayRecord::kMostTouches : 2 * kMostSpans + 2; }
+    std::uint32_t most_crossings() const
+    {
+        return (surface() ? 0 : 2 * kMostSpans + 2) + (touches() ? RayRecord::kMostTouches : 0);
+    }
 
     /// Drawn without an inside.
     bool surface() const;
     /// Crossings are told beside the surface, by a distance that its own rays know to step over: a ray to a point of it must
     /// begin there.
     bool beside() const;
+    /// Some of it may be drawn that bounds nothing: what a lathe has at a negative radius.
+    bool touches() const;
     bool closed() const;
     bool inverse_closed() const;
     void meet(const Ray& ray, RayRecord& out) const;

@@ -1,3 +1,5 @@
+#include "csg/solids/surface_coordinates.h"
+
 #include "csg/solid.h"
 
 #include <numbers>
@@ -8,6 +10,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+}  // namespace
+
 glm::dvec2 sphere_uv(const glm::dvec3& n)
 {
     constexpr double kPole = 1e-10;  // of the squared distance from the axis: POV-Ray's (spec 5a, 6)
@@ -16,8 +20,6 @@ glm::dvec2 sphere_uv(const glm::dvec3& n)
     const double u = std::atan2(n.z, n.x) / (2.0 * kPi);
     return {u < 0.0 ? u + 1.0 : u, v};
 }
-
-}  // namespace
 
 glm::dvec2 Sphere::uv(const glm::dvec3& p, std::uint32_t) const
 {

@@ -12,11 +12,14 @@ bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::O
         {"cubic", make_polynomial},
         {"height_field", make_height_field},
         {"isosurface", make_isosurface},
+        {"lathe", make_lathe},
+        {"ovus", make_ovus},
         {"poly", make_polynomial},
         {"polygon", make_polygon},
         {"polynomial", make_polynomial},
         {"prism", make_prism},
         {"quartic", make_polynomial},
+        {"sor", make_sor},
         {"text", make_text},
     };
     for (const auto& maker : kMakers)

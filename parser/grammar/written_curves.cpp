@@ -117,9 +117,8 @@ void lathe(StatementReader& s)
     const int count = read_count(s);
     need_points(s, "lathe", curve, count, {2, 3, 4});
     const std::vector<glm::dvec2> points = read_points(s, count);
-    const std::size_t before = curve == Curve::Quadratic || curve == Curve::Cubic ? 1 : 0, behind = curve == Curve::Cubic ? 1 : 0;
-    for (std::size_t i = before; i + behind < points.size(); ++i)  // control points may lie anywhere
-        if (curve != Curve::Bezier && points[i].x < 0.0) s.fail("a point of a lathe lies at a negative distance from the axis");
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)  // the first and the last may, of every spline
+        if (points[i].x < 0.0) s.fail("a point of a lathe lies at a negative distance from the axis");
     open_and_sturm(s, false);
 }
 

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "csg/solids/common.h"
+
+#include <cmath>
+
+namespace csg {
+
+/// A ray as seen from the local y axis: at height y it is sqrt(nearest^2 + ((y - foot) run / rise)^2) away from it, so
+/// that the circle of radius r at that height lies outside of what the ray sweeps about the axis where
+/// beyond(r, y) = rise^2 (r^2 - nearest^2) - run^2 (y - foot)^2 > 0, and the ray meets the circle where that is 0. Level
+/// and upright rays are no special cases of it: neither rise nor run is divided by.
+class AxisRay {
+public:
+    explicit AxisRay(const Ray& ray)
+    {
+        const glm::dvec3 &o = ray.origin, &d = ray.direction;
+        length_ = std::sqrt(glm::dot(d, d));
+        const glm::dvec3 e = d / length_;
+        up_ = e.y;
+        rise = std::abs(e.y);
+        run = std::sqrt(e.x * e.x + e.z * e.z);
+        origin_y_ = o.y;
+        if (run > kUpright) {
+            nearest = std::abs(o.x * e.z - o.z * e.x) / run;
+            shift_ = -(o.x * e.x + o.z * e.z) / (run * run);
+        } else {
+            run = 0.0;
+            nearest = std::sqrt(o.x * o.x + o.z * o.z);
+            shift_ = 0.0;
+        }
+        foot = o.y + shift_ * e.y;
+        nearest2_ = nearest * nearest;
+    }
+
+    double rise = 0.0, run = 0.0;      ///< |cosine| and sine of the angle between ray and axis
+    double nearest = 0.0, foot = 0.0;  ///< distance from the axis where the ray comes nearest to it, and the height there
+
+    /// False: nothing can be said of this ray.
+    bool valid() const { return length_ > 0.0 && length_ < kInfinity && nearest < kInfinity && std::abs(foot) < kInfinity; }
+    /// It stays at one height: at most 2^-460 of it is upward, too little to be squared.
+    bool level() const { return !(rise > kLevel); }
+    bool rising() const { return up_ > 0.0; }
+
+    /// Of the circle of radius r (may be negative) at foot + above.
+    double beyond(double r, double above) const
+    {
+        const double across = run * above;
+        return rise * rise * (r - nearest) * (r + nearest) - across * across;
+    }
+    /// The same of the radius' square.
+    double beyond_square(double r2, double above) const
+    {
+        const double across = run * above;
+        return rise * rise * (r2 - nearest2_) - across * across;
+    }
+
+    /// Ray parameter where a circle is met at foot + above; `side` < 0: below the foot, where `above` is all rounding.
+    double at(double r, double above, double side) const { return at_square((r - nearest) * (r + nearest), above, side); }
+    /// The same of r^2 - nearest^2.
+    double at_square(double room, double above, double side) const
+    {
+        if (rise > run) return at_height(foot + above);
+        const double along = std::sqrt(glm::max(room, 0.0)) / run;
+        return (shift_ + ((side < 0.0) == (up_ < 0.0) ? along : -along)) / length_;
+    }
+    /// Ray parameter at height y; not of level rays.
+    double at_height(double y) const { return (y - origin_y_) / up_ / length_; }
+    /// Ray parameters within radius r of the axis; false: none.
+    bool within(double r, double& from, double& to) const
+    {
+        if (!(r > nearest)) return false;
+        const double half = std::sqrt((r - nearest) * (r + nearest)) / run;
+        from = (shift_ - half) / length_;
+        to = (shift_ + half) / length_;
+        return true;
+    }
+
+private:
+    static constexpr double kUpright = 1e-100, kLevel = 0x1p-460;
+
+    double length_ = 0.0, shift_ = 0.0, origin_y_ = 0.0, up_ = 0.0, nearest2_ = 0.0;
+};
+
+/// Share of a full turn of a point about the y axis, 0 at x, 0.25 at z; 0 on the axis (spec 5b, 7.5).
+double turn_about_y(const glm::dvec3& p);
+
+/// Squared distance at which POV-Ray takes a point to lie on the axis (spec 5b, 7.2).
+inline constexpr double kOnAxis = 1e-10;
+
+}  // namespace csg

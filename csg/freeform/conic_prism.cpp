@@ -1,0 +1,83 @@
+#include "csg/freeform/conic_prism.h"
+
+#include "csg/freeform/sorted_ends.h"
+#include "csg/solids/common.h"
+
+namespace csg {
+namespace {
+
+constexpr double kApex = 1e-10;   // a height that POV-Ray takes for the apex's (spec 5b, 6.5)
+
+}  // namespace
+
+ConicPrism::ConicPrism(std::shared_ptr<const OutlineShape> outline, double low, double high, bool open, const glm::dvec2 (&reach)[2])
+    : outline_(std::move(outline)), low_(low), high_(high), open_(open), extent_(box(reach[0], reach[1]))
+{
+}
+
+Aabb ConicPrism::box(const glm::dvec2& lower, const glm::dvec2& upper) const
+{
+    Aabb all;
+    for (const double y : {low_, high_})
+        for (const glm::dvec2& p : {lower, upper}) all.include({p.x * y, y, p.y * y});
+    return all;
+}
+
+/// Seen from the apex the ray is a straight line across the outline, and the plane of both cuts it where the ray passes a
+/// wall. Where the ray is level with the apex it is infinitely far out on that line: outside.
+void ConicPrism::meet(const Ray& ray, RayRecord& out) const
+{
+    const glm::dvec3& d = ray.direction;
+    const double square = glm::dot(d, d);
+    if (outline_->empty() || !(square > 0.0 && square < kInfinity)) return;
+    const double shift = -glm::dot(ray.origin, d) / square;
+    const glm::dvec3 o = ray.at(shift);   // near the apex
+    Interval within;
+    if (!slab(o.y, d.y, low_, high_, within)) return;
+    const std::uint32_t first = end_face(within.entry_face == 0 ? kLow : kHigh), last = end_face(within.exit_face == 0 ? kLow : kHigh);
+    const glm::dvec3 normal = glm::cross(o, d);
+    const glm::dvec2 side(normal.x, normal.z);
+    if (side == glm::dvec2(0.0)) {
+        if (d.y == 0.0 || !outline_->contains({d.x / d.y, d.z / d.y})) return;
+        if (out.enter(shift + within.entry, first)) out.leave(shift + within.exit, last);
+        return;
+    }
+    SortedEnds walls;
+    const double apex = -o.y / d.y;        // where the ray is level with it; never, if the ray is level
+    bool inside = false;                   // on the ray's far past
+    outline_->crossings(side, -normal.y, [&](double w, std::uint32_t piece) {
+        const glm::dvec2 c = outline_->pieces()[piece].at(w);
+        const glm::dvec2 gap(c.x * o.y - o.x, c.y * o.y - o.z), closing(d.x - c.x * d.y, d.z - c.y * d.y);
+        const double t = glm::dot(gap, closing) / glm::dot(closing, closing);
+        if (d.y != 0.0 && t < apex) inside = !inside;
+        walls.add(t, kFirstWall + piece);
+    });
+    const auto tell = [&](const SortedEnds::End& a, const SortedEnds::End& b) {
+        if (b.t < within.entry || a.t > within.exit || !(a.t <= b.t)) return true;
+        const bool entered = a.t < within.entry, left = b.t > within.exit;
+        return out.enter(shift + (entered ? within.entry : a.t), entered ? first : a.face) &&
+               out.leave(shift + (left ? within.exit : b.t), left ? last : b.face);
+    };
+    SortedEnds::End in{-kInfinity, kUndrawnFace};
+    for (const SortedEnds::End& wall : walls) {
+        if (inside && !tell(in, wall)) return;
+        in = wall;
+        inside = !inside;
+    }
+    if (inside) tell(in, {kInfinity, kUndrawnFace});
+}
+
+bool ConicPrism::contains(const glm::dvec3& p) const
+{
+    return p.y >= low_ && p.y <= high_ && p.y != 0.0 && !outline_->empty() && outline_->contains({p.x / p.y, p.z / p.y});
+}
+
+glm::dvec3 ConicPrism::gradient(const glm::dvec3& p, std::uint32_t face) const
+{
+    if (face < kFirstWall || !(std::abs(p.y) > kApex)) return {0.0, 1.0, 0.0};
+    const std::uint32_t piece = face - kFirstWall;
+    const glm::dvec2 q(p.x / p.y, p.z / p.y), slope = outline_->pieces()[piece].slope(outline_->parameter(piece, q));
+    return {slope.y, q.y * slope.x - q.x * slope.y, -slope.x};
+}
+
+}  // namespace csg

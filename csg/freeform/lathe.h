@@ -1,0 +1,70 @@
+#pragma once
+
+#include "csg/freeform/axis_ray.h"
+#include "csg/freeform/ray_record.h"
+#include "csg/outline_shape.h"
+
+#include <vector>
+
+namespace csg {
+
+/// A curve of radius (x) and height (y) turned about the y axis (spec 5b, 7; manual: Lathe). Inside is what lies within an
+/// odd number of its turns at one height, however open it is, and farther from the axis than its nearest point. What has a
+/// negative radius is drawn, but bounds nothing. It holds its surface, its inverse does not.
+class Lathe {
+public:
+    /// `segments`: the curve's pieces in order, a uv coordinate's unit each. `reach`: least and largest radius that POV-Ray
+    /// finds, from which it takes extents and the hole that is never inside. Numbers that are not finite: nothing is met.
+    Lathe(const std::vector<OutlinePiece>& segments, const Aabb& extent, double least_radius);
+
+    void meet(const Ray& ray, RayRecord& out) const;
+    bool contains(const glm::dvec3& p) const;
+    glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
+    glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
+    Aabb bounds() const;
+    Aabb extent() const { return extent_; }
+    /// Whether rays may touch it where they neither enter nor leave.
+    bool touches() const { return negative_; }
+
+    static constexpr bool kSurface = false;
+    static constexpr bool kClosed = true, kInverseClosed = false;
+
+private:
+    /// A part of a segment, from `lo` to `hi` of its parameter, on which radius, height and the slopes of both keep their
+    /// direction and the radius its sign.
+    struct Arc {
+        glm::dvec2 a, b, c, d;
+        double lo, hi;
+        glm::dvec2 start, end;              ///< shared with the neighbours
+        std::uint32_t segment;
+        bool straight, negative;
+        glm::dvec2 at(double w) const { return ((a * w + b) * w + c) * w + d; }
+        glm::dvec2 slope(double w) const { return (3.0 * a * w + 2.0 * b) * w + c; }
+    };
+    /// Arcs in a binary tree, parents first: what they lie in, a little larger.
+    struct Node {
+        double nearest, farthest, low, high;   ///< distance from the axis; height
+        std::uint32_t next;                    ///< the node behind this one's
+        std::uint32_t arc;                     ///< kNoArc: no leaf
+    };
+    static constexpr std::uint32_t kNoArc = 0xffffffffu;
+
+    struct Cell;
+    class Meeting;
+
+    void add_segment(const OutlinePiece& piece, std::uint32_t segment);
+    void add_node(std::uint32_t first, std::uint32_t last);
+    void find_rims();
+    static bool misses(const Node& node, const AxisRay& ray);
+    double parameter(const Arc& arc, const glm::dvec2& p) const;
+
+    std::vector<Arc> arcs_;
+    std::vector<Node> nodes_;
+    std::vector<glm::dvec2> rims_;          ///< where the curve ends at a positive radius
+    Aabb extent_;
+    double hole_ = 0.0;                     ///< radius that is never inside; 0 if no point of it could be
+    double segments_ = 1.0;
+    bool negative_ = false;
+};
+
+}  // namespace csg
