@@ -55,12 +55,12 @@ public:
         return rise * rise * (r2 - nearest2_) - across * across;
     }
 
-    /// Ray parameter where a circle is met at foot + above; `side` < 0: below the foot, where `above` is all rounding.
-    double at(double r, double above, double side) const { return at_square((r - nearest) * (r + nearest), above, side); }
+    /// Ray parameter where a circle is met at height y; `side` < 0: below the foot, which y tells too, but for its rounding.
+    double at(double r, double y, double side) const { return at_square((r - nearest) * (r + nearest), y, side); }
     /// The same of r^2 - nearest^2.
-    double at_square(double room, double above, double side) const
+    double at_square(double room, double y, double side) const
     {
-        if (rise > run) return at_height(foot + above);
+        if (rise > run) return at_height(y);
         const double along = std::sqrt(glm::max(room, 0.0)) / run;
         return (shift_ + ((side < 0.0) == (up_ < 0.0) ? along : -along)) / length_;
     }
@@ -82,10 +82,15 @@ private:
     double length_ = 0.0, shift_ = 0.0, origin_y_ = 0.0, up_ = 0.0, nearest2_ = 0.0;
 };
 
-/// Share of a full turn of a point about the y axis, 0 at x, 0.25 at z; 0 on the axis (spec 5b, 7.5).
-double turn_about_y(const glm::dvec3& p);
+/// Share of a full turn of a point about the y axis, 0 at x, 0.25 at z; 0 on the axis (spec 5b, 7.5). `widest`: largest
+/// distance from it of any point of the solid.
+double turn_about_y(const glm::dvec3& p, double widest);
 
-/// Squared distance at which POV-Ray takes a point to lie on the axis (spec 5b, 7.2).
-inline constexpr double kOnAxis = 1e-10;
+/// Squared distance at which a point is taken to lie on the axis: POV-Ray's (spec 5b, 7.2), unless the solid is so small that
+/// much of it would.
+inline double on_axis(double widest)
+{
+    return 1e-10 * glm::min(1.0, widest * widest);
+}
 
 }  // namespace csg

@@ -26,9 +26,9 @@ double reached(const auto& piece, int k, double level, double lo, double hi, boo
 
 }  // namespace
 
-double turn_about_y(const glm::dvec3& p)
+double turn_about_y(const glm::dvec3& p, double widest)
 {
-    if (!(p.x * p.x + p.z * p.z > kOnAxis)) return 0.0;
+    if (!(p.x * p.x + p.z * p.z > on_axis(widest))) return 0.0;
     const double turn = std::atan2(p.z, p.x) / (2.0 * std::numbers::pi);
     return turn < 0.0 ? turn + 1.0 : turn;
 }
@@ -166,7 +166,7 @@ double Lathe::parameter(const Arc& arc, const glm::dvec2& p) const
 glm::dvec3 Lathe::gradient(const glm::dvec3& p, std::uint32_t face) const
 {
     const double rho2 = p.x * p.x + p.z * p.z;
-    if (!(rho2 > kOnAxis)) return {0.0, 1.0, 0.0};
+    if (!(rho2 > on_axis(nodes_[0].farthest))) return {0.0, 1.0, 0.0};
     const double rho = std::sqrt(rho2);
     const Arc& arc = arcs_[face];
     // Of a negative radius too, where it is no normal: as POV-Ray has it (spec 5b, 7.2).
@@ -178,7 +178,7 @@ glm::dvec2 Lathe::uv(const glm::dvec3& p, std::uint32_t face) const
 {
     const Arc& arc = arcs_[face];
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
-    return {turn_about_y(p), (arc.segment + parameter(arc, {arc.negative ? -rho : rho, p.y})) / segments_};
+    return {turn_about_y(p, nodes_[0].farthest), (arc.segment + parameter(arc, {arc.negative ? -rho : rho, p.y})) / segments_};
 }
 
 Aabb Lathe::bounds() const

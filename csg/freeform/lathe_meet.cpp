@@ -8,7 +8,7 @@ namespace csg {
 /// A point of an arc as a ray sees it.
 struct LathePoint {
     double w;                        ///< parameter
-    double radius, above;            ///< above the ray's foot
+    double radius, height, above;    ///< above the ray's foot
     double slope_radius, slope_above;
     double beyond;                   ///< AxisRay::beyond
     bool out() const { return beyond > 0.0; }
@@ -85,17 +85,18 @@ private:
         else if (t >= from_ && t <= best_.t && t < kInfinity) best_ = {t, face};
     }
 
-    LathePoint point(const Arc& arc, double w, double radius, double above) const
+    LathePoint point(const Arc& arc, double w, double radius, double height, double above) const
     {
         const glm::dvec2 slope = arc.slope(w);
-        return {w, radius, above, slope.x, slope.y, ray_.beyond(radius, above)};
+        return {w, radius, height, above, slope.x, slope.y, ray_.beyond(radius, above)};
     }
-    /// A crossing lies between these. Where one is enough, the others wait for their turn, the nearest first.
+    /// A crossing lies between these. Out of the range that was asked for it matters only that there is one. Where one is
+    /// enough, the others wait for their turn, the nearest first.
     void add_between(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
     {
+        const double a = ray_.at(start.radius, start.height, side), b = ray_.at(end.radius, end.height, side);
+        if (glm::max(a, b) < from_ || glm::min(a, b) > best_.t) return first_only_ ? void() : events_.add(a, face_);
         if (!first_only_) return add_at(arc, refined(arc, start, end), side);
-        const double a = ray_.at(start.radius, start.above, side), b = ray_.at(end.radius, end.above, side);
-        if (glm::max(a, b) < from_ || glm::min(a, b) > best_.t) return;
         const Waiting one{glm::min(a, b), side, face_, start, end};
         if (waiting_count_ == kMostWaiting) return resolve(one);
         std::uint32_t at = waiting_count_++;
@@ -112,7 +113,7 @@ private:
     void add_at(const Arc& arc, double w, double side)
     {
         const glm::dvec2 p = arc.at(w);
-        add(ray_.at(p.x, p.y - ray_.foot, side), face_);
+        add(ray_.at(p.x, p.y, side), face_);
     }
 
     void meet_arc(std::uint32_t index)
@@ -125,11 +126,11 @@ private:
             if (!passes) return;
             const double radius = arc.at(level_parameter(arc, above_start, above_end)).x;
             if (!(std::abs(radius) > ray_.nearest)) return;
-            add(ray_.at(radius, 0.0, -1.0), index);
-            add(ray_.at(radius, 0.0, 1.0), index);
+            add(ray_.at(radius, ray_.foot, -1.0), index);
+            add(ray_.at(radius, ray_.foot, 1.0), index);
             return;
         }
-        const LathePoint start = point(arc, arc.lo, arc.start.x, above_start), end = point(arc, arc.hi, arc.end.x, above_end);
+        const LathePoint start = point(arc, arc.lo, arc.start.x, arc.start.y, above_start), end = point(arc, arc.hi, arc.end.x, arc.end.y, above_end);
         if (!passes) {
             meet_cell(arc, start, end, above_start + above_end);
             return;
@@ -137,7 +138,7 @@ private:
         // Below and above the foot the ray meets a circle on different sides; a nearly level ray does so close together.
         const double w = level_parameter(arc, above_start, above_end);
         const double radius = glm::clamp(arc.at(w).x, glm::min(arc.start.x, arc.end.x), glm::max(arc.start.x, arc.end.x));
-        const LathePoint foot = point(arc, w, radius, 0.0);
+        const LathePoint foot = point(arc, w, radius, ray_.foot, 0.0);
         meet_cell(arc, start, foot, above_start < 0.0 ? -1.0 : 1.0);
         meet_cell(arc, foot, end, above_start < 0.0 ? 1.0 : -1.0);
     }
@@ -227,7 +228,7 @@ private:
         if (!changes && std::abs(start.beyond) + std::abs(end.beyond) > width * steepest) return;
         const double w = 0.5 * (start.w + end.w);
         const glm::dvec2 p = arc.at(w);
-        const LathePoint middle = point(arc, w, p.x, p.y - ray_.foot);
+        const LathePoint middle = point(arc, w, p.x, p.y, p.y - ray_.foot);
         meet_curve(arc, start, middle, side);
         meet_curve(arc, middle, end, side);
     }

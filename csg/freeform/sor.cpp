@@ -89,7 +89,7 @@ private:
         const double room = s.square(y - s.low) - ray_.nearest * ray_.nearest;
         if (!(room > 0.0)) return;
         const auto face = kFirstSide + static_cast<std::uint32_t>(&s - sor_.segments_.data());
-        const double a = ray_.at_square(room, 0.0, -1.0), b = ray_.at_square(room, 0.0, 1.0);
+        const double a = ray_.at_square(room, y, -1.0), b = ray_.at_square(room, y, 1.0);
         if (toggle(std::min(a, b), face)) toggle(std::max(a, b), face);
     }
 
@@ -133,7 +133,7 @@ private:
             if ((values[i] > 0.0) == (values[i + 1] > 0.0)) continue;
             const double v = root(value, slope, ends[i], ends[i + 1], values[i] > 0.0);
             const double room = s.square(h + v) - ray_.nearest * ray_.nearest;
-            if (!toggle(ray_.at_square(room, off + v, off + v), kFirstSide + index)) return false;
+            if (!toggle(ray_.at_square(room, middle + v, off + v), kFirstSide + index)) return false;
         }
         return true;
     }
@@ -191,7 +191,7 @@ glm::dvec3 Sor::gradient(const glm::dvec3& p, std::uint32_t face) const
 
 glm::dvec2 Sor::uv(const glm::dvec3& p, std::uint32_t face) const
 {
-    const double turn = turn_about_y(p), rho = std::sqrt(p.x * p.x + p.z * p.z);
+    const double turn = turn_about_y(p, std::sqrt(most_)), rho = std::sqrt(p.x * p.x + p.z * p.z);
     if (face == kBase) return {turn, rho / std::sqrt(base_) - 1.0};
     if (face == kCap) return {turn, 2.0 - rho / std::sqrt(cap_)};
     const Segment& s = segments_[face - kFirstSide];

@@ -217,6 +217,51 @@ TEST_CASE("the nearest crossing alone is the nearest of all", "[csg][revolution]
     }
 }
 
+TEST_CASE("a lathe's scale is the ray's", "[csg][revolution]")
+{
+    const std::vector<glm::dvec2> points = {{0, -0.3}, {0, 0}, {1, 0.2}, {0.3, 0.9}, {0.9, 1.6}, {0, 2}, {-1, 2}};
+    const Freeform solid = lathe(spline(points));
+    for (const double scale : {1e-9, 1e-4, 1e4, 1e9}) {
+        std::vector<glm::dvec2> scaled = points;
+        for (glm::dvec2& p : scaled) p *= scale;
+        const Freeform other = lathe(spline(scaled));
+        for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+            INFO("scale " << scale << ", seed " << seed);
+            Rng rng(seed);
+            const Ray ray = some_ray(rng, seed, 1.0);
+            FixedSpans<16> spans, same;
+            solid.intersect(ray, spans);
+            other.intersect({ray.origin * scale, ray.direction}, same);
+            REQUIRE(spans.size() == same.size());
+            for (std::uint32_t i = 0; i < spans.size(); ++i) {
+                REQUIRE(std::abs(same[i].in.t / scale - spans[i].in.t) < 1e-7);  // a tangent's roots: measured 1e-8
+                const glm::dvec3 n = solid.normal(ray.at(spans[i].in.t), spans[i].in.face);
+                const glm::dvec3 m = other.normal(ray.origin * scale + same[i].in.t * ray.direction, same[i].in.face);
+                REQUIRE(glm::length(n - m) < 1e-6);
+            }
+        }
+    }
+}
+
+TEST_CASE("a lathe from far away", "[csg][revolution]")
+{
+    const Curve vase = spline({{0, -0.3}, {0, 0}, {1, 0.2}, {0.3, 0.9}, {0.9, 1.6}, {0, 2}, {-1, 2}});
+    const Freeform solid = lathe(vase);
+    int hits = 0;
+    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const Ray ray = csg_test::ray_near(rng, {0, 1, 0}, 1.0, 1e6);
+        FixedSpans<16> spans;
+        solid.intersect(ray, spans);
+        for (const Span& span : spans) {
+            ++hits;
+            REQUIRE(off(vase, ray.at(span.in.t)) < 1e-9);  // 1e6 in doubles: 1e-10
+        }
+    }
+    CHECK(hits > 500);
+}
+
 TEST_CASE("a negative radius is touched, not entered", "[csg][revolution]")
 {
     const Freeform solid = lathe(polyline({{-0.5, 0}, {0.5, 1}, {0, 1}}));
