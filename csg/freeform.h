@@ -4,8 +4,10 @@
 #include "csg/freeform/conic_prism.h"
 #include "csg/freeform/height_field.h"
 #include "csg/freeform/isosurface.h"
+#include "csg/freeform/julia.h"
 #include "csg/freeform/lathe.h"
 #include "csg/freeform/ovus.h"
+#include "csg/freeform/parametric.h"
 #include "csg/freeform/polygon.h"
 #include "csg/freeform/sor.h"
 
@@ -18,7 +20,7 @@ namespace csg {
 /// Shapes that answer through one call each: their own work outweighs it, and they stay out of what is inlined into every
 /// query. Each lives in its own space. A new one is a file in freeform/, a name in this list and its grammar.
 struct FreeformShape {
-    std::variant<BicubicPatch, ConicPrism, HeightField, Isosurface, Lathe, Ovus, Polygon, Sor> kind;
+    std::variant<BicubicPatch, ConicPrism, HeightField, Isosurface, Julia, Lathe, Ovus, Parametric, Polygon, Sor> kind;
 
     /// Box that POV-Ray tells of the shape in its own space: the shape's bounds unless it has an extent() of its own.
     Aabb extent() const;

@@ -23,7 +23,7 @@ struct Freeform {
 
     /// Drawn without an inside.
     bool surface() const;
-    /// Crossings are told beside the surface, by a distance that its own rays know to step over: a ray to a point of it must
+    /// Crossings are told beside the surface, or the way there matters: a ray to a point of it must
     /// begin there.
     bool beside() const;
     /// Some of it may be drawn that bounds nothing: what a lathe has at a negative radius.

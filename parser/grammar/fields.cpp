@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-/// Solids made of functions (reference manual: isosurface).
+/// Solids made of functions (reference manual: isosurface, parametric).
 namespace parser {
 namespace {
 
@@ -69,6 +69,34 @@ bool make_isosurface(SceneBuilder& build, const scene::Statement& statement, sce
         }
     }
     object.shape = scene::Freeform{csg::make_freeform<csg::Isosurface>(std::move(terms))};
+    return true;
+}
+
+bool make_parametric(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
+{
+    constexpr double kMostLevels = 20.0;
+    csg::ParametricTerms terms;
+    std::size_t axis = 0;
+    for (const auto& item : statement.items) {
+        if (item.name == "function") {
+            terms.field[axis] = field_of(item);
+            if (!terms.field[axis++]) return false;
+        } else if (item.name == "range") {
+            const auto a = std::get<glm::dvec2>(item.operands[0]), b = std::get<glm::dvec2>(item.operands[1]);
+            terms.lower = glm::min(a, b);
+            terms.upper = glm::max(a, b);
+        } else if (item.name == "precompute") {
+            const double levels = number_of(item.operands[0]);
+            if (!(levels >= 1.0 && levels <= kMostLevels)) build.stream().fail(statement.source, "precompute needs 1 to 20 levels");
+            terms.precompute = static_cast<int>(levels);
+            for (std::size_t i = 1; i < item.operands.size(); ++i)
+                terms.precomputed[static_cast<std::size_t>(std::get<std::string>(item.operands[i])[0] - 'x')] = true;
+        }
+    }
+    terms.accuracy = positive(build, statement, "accuracy", terms.accuracy);
+    terms.max_gradient = number(statement, "max_gradient", terms.max_gradient);
+    terms.container = container_of(statement);
+    object.shape = scene::Freeform{csg::make_freeform<csg::Parametric>(std::move(terms))};
     return true;
 }
 

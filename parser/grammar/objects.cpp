@@ -62,6 +62,7 @@ scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::Sourc
         object.shape_block = shape.take();
         if (make_shape(build, *object.shape_block, object)) object.undrawn.clear();
         if (keyword != Kind::LightGroup) read_modifiers(build, object);
+        if (keyword == Kind::JuliaFractal) object.inverse = false;  // POV-Ray forgets it at the end of the block (spec 5b, 12.4)
     }
     build.close_block(name.c_str(), opened);
     return object;

@@ -14,8 +14,10 @@ bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::O
 bool make_bicubic_patch(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_height_field(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_isosurface(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+bool make_julia(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_lathe(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_ovus(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+bool make_parametric(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_polygon(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_polynomial(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_prism(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);

@@ -45,6 +45,15 @@ std::shared_ptr<const csg::Field> FieldLinker::linked(const std::shared_ptr<cons
 
 std::shared_ptr<const csg::FreeformShape> FieldLinker::linked(const std::shared_ptr<const csg::FreeformShape>& shape)
 {
+    if (const auto* two = std::get_if<csg::Parametric>(&shape->kind)) {
+        auto& known = known_[shape];
+        if (known) return known;
+        csg::ParametricTerms terms = two->terms();
+        for (auto& field : terms.field) field = linked(field);
+        csg::Parametric ready(std::move(terms));
+        ready.prepare();
+        return known = csg::make_freeform<csg::Parametric>(std::move(ready));
+    }
     const auto* surface = std::get_if<csg::Isosurface>(&shape->kind);
     if (!surface || !asking(surface->terms().field)) return shape;
     auto& known = known_[shape];

@@ -7,7 +7,8 @@
 
 namespace plan {
 
-/// Gives the functions that solids are made of what they ask of the scene: noise, patterns, pigments.
+/// Gives the functions that solids are made of what they ask of the scene: noise, patterns, pigments. What asks them before
+/// the first ray does so then.
 class FieldLinker {
 public:
     /// `notes` receives what cannot be evaluated; a solid that needs it is empty.
