@@ -70,19 +70,20 @@ TEST_CASE("a parametric ball is met where the ball is, within some accuracies", 
         Rng rng(seed);
         const Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), 0.7, 5.0);
         const double foot = -glm::dot(ray.origin, ray.direction), rest = 1.0 - (glm::dot(ray.origin, ray.origin) - foot * foot);
-        if (rest < 0.3) continue;   // grazing: the shift by the accuracy moves the hit far
+        // Grazing rays are moved far by the shift. The range of the last coordinate alone says how far a hit is, which is coarse
+        // for a ray nearly level in it.
+        if (rest < 0.3 || std::abs(ray.direction.z) < 0.3) continue;
         const Touch found = touch(surface, ray);
-        // The last coordinate alone says how far, which is coarse for a ray nearly level in it: 0.027 was measured.
-        REQUIRE(std::abs(found.t - (foot - std::sqrt(rest))) < 0.05);
+        REQUIRE(std::abs(found.t - (foot - std::sqrt(rest))) < 0.03);
         const glm::dvec3 p = ray.at(found.t);
         const glm::dvec2 uv = surface.uv(p, found.face);
         const glm::dvec3 named(std::sin(uv.x) * std::cos(uv.y), std::sin(uv.x) * std::sin(uv.y), std::cos(uv.x));
-        REQUIRE(glm::length(named - p) < 0.05);
+        REQUIRE(glm::length(named - p) < 0.03);
         const glm::dvec3 n = glm::normalize(surface.gradient(p, found.face));
         if (std::abs(std::sin(uv.x)) > 0.05) REQUIRE(std::abs(glm::dot(n, p)) > 0.99);
         ++hits;
     }
-    CHECK(hits > 150);
+    CHECK(hits > 100);
 }
 
 TEST_CASE("what is precomputed hardly moves a hit", "[csg][parametric]")
