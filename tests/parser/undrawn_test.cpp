@@ -12,7 +12,7 @@ global_settings { assumed_gamma 1 radiosity { count 50, 400 error_bound 0.5 } ph
 media { emission 0.1 scattering { 2, rgb 0.5 extinction 0.25 } density { spherical color_map { [0 rgb 0] [1 rgb 1] } } translate x }
 rainbow { direction x angle 42 width 5 distance 10 color_map { [0 rgb 0] [1 rgb 1] } }
 blob { threshold 0.6 sphere { 0, 1, strength 2 } cylinder { 0, y, 1, -1 pigment { rgb x } } sturm translate y photons { target } }
-union { sphere { 0, 1 } parametric { function { u } function { v } function { u*v } <0,0>, <1,1> contained_by { sphere { 0, 2 } } } }
+union { sphere { 0, 1 } light_group { sphere { 0, 1 } } }
 light_group { sphere { 0, 2 } global_lights off }
 sphere { 0, 1 finish { subsurface { translucency rgb 0.5 } } interior { ior 1.5 media { absorption 1 } } }
 camera { location -z bokeh { pigment { rgb 1 } } }
@@ -28,7 +28,7 @@ TEST_CASE("what is not drawn yet is kept", "[parser][undrawn]")
     CHECK(d.undrawn[0].shape_block->items.size() == 4);
     CHECK(d.undrawn[0].photons != nullptr);
     CHECK(d.undrawn[0].transform.offset == glm::dvec3(0, 1, 0));
-    CHECK(d.undrawn[1].undrawn == "parametric");
+    CHECK(d.undrawn[1].undrawn == "light_group");
     CHECK(d.undrawn[2].undrawn == "light_group");
     CHECK(d.objects.size() == 2);
     CHECK(d.effects.size() == 2);
@@ -44,7 +44,7 @@ TEST_CASE("the dump shows it, the same each time", "[parser][undrawn]")
     const std::string text = scene::dump(grammar_test::parsed(kScene));
     CHECK(text == scene::dump(grammar_test::parsed(kScene)));
     for (const char* const line : {"count 50 400", "error_bound 0.5", "mm_per_unit 5", "threshold 0.6", "global_lights 0", "eccentricity",
-                                   "translucency", "scattering", "contained_by", "not drawn yet", "bokeh", "angle 42"}) {
+                                   "translucency", "scattering", "not drawn yet", "bokeh", "angle 42"}) {
         INFO(line);
         CHECK((text.find(line) != std::string::npos) == (std::string(line) != "eccentricity"));
     }
