@@ -5,7 +5,7 @@
 namespace csg {
 namespace {
 
-constexpr int kKnownLevels = 12;
+constexpr int kKnownLevels = 14;
 constexpr std::uint32_t kLastSplit = 0x40000000u;   // parts from here on are not parted: their number fits 32 bits
 constexpr double kParallel = 1e-10;
 
@@ -44,20 +44,19 @@ Parametric::Range Parametric::range_of(const double* corners, const Part& part) 
     return {std::min(low[0], low[1]) - room(low[0], low[1], size.x), std::max(high[0], high[1]) + room(high[0], high[1], size.x)};
 }
 
-void Parametric::ranges(const Part& a, const Part& b, Ranges& of_a, Ranges& of_b) const
+void Parametric::ranges(const Part& a, const Part& b, std::size_t axis, Range& of_a, Range& of_b) const
 {
-    EightPoints at{};
+    EightPoints at;
     for (int i = 0; i < 8; ++i) {
         const Part& part = i < 4 ? a : b;
         at.x.v[i] = (i & 2) != 0 ? part.upper.x : part.lower.x;
         at.y.v[i] = (i & 1) != 0 ? part.upper.y : part.lower.y;
+        at.z.v[i] = 0.0;
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        Eight f;
-        terms_.field[axis]->values(at, f);
-        of_a[axis] = range_of(f.v, a);
-        of_b[axis] = range_of(f.v + 4, b);
-    }
+    Eight f;
+    terms_.field[axis]->values(at, f);
+    of_a = range_of(f.v, a);
+    of_b = range_of(f.v + 4, b);
 }
 
 /// Where POV-Ray precomputes, a part's range is that of its halves.
@@ -75,12 +74,11 @@ void Parametric::prepare()
     const int levels = std::max(kKnownLevels, terms_.precompute);
     const std::uint32_t end = 1u << levels;
     known_.resize(end);
-    Ranges unused;
-    ranges(whole(), whole(), known_[1], unused);
+    for (std::size_t axis = 0; axis < 3; ++axis) ranges(whole(), whole(), axis, known_[1][axis], known_[1][axis]);
     const auto fill = [&](const auto& again, const Part& parent) -> void {
         if (2 * parent.number >= end) return;
         const Part a = parent.half(0), b = parent.half(1);
-        ranges(a, b, known_[a.number], known_[b.number]);
+        for (std::size_t axis = 0; axis < 3; ++axis) ranges(a, b, axis, known_[a.number][axis], known_[b.number][axis]);
         again(again, a);
         again(again, b);
     };
@@ -94,27 +92,23 @@ struct Parametric::Search {
     double first, last, best;
     std::uint32_t found = 0;
 
-    /// Whether the part must be looked into. longest: of its ranges along the ray; entry: where the last of them begins.
-    bool meets(const Ranges& box, double& longest, double& entry) const
+    /// What the coordinates so far leave of the ray; longest: of their ranges along it; entry: where the last of them begins.
+    struct Along {
+        double low = -kInfinity, high = kInfinity, longest = 0.0, entry = -kInfinity;
+    };
+    /// Takes in coordinate k. False: the part need not be looked into.
+    bool narrow(int k, const Range& side, Along& along) const
     {
-        double low = -kInfinity, high = kInfinity;
-        longest = 0.0;
-        entry = -kInfinity;
-        for (int k = 0; k < 3; ++k) {
-            const Range& side = box[static_cast<std::size_t>(k)];
-            if (std::abs(direction[k]) < kParallel) {
-                if (!(origin[k] >= side.low && origin[k] <= side.high)) return false;
-                continue;
-            }
-            double a = (side.low - origin[k]) / direction[k], b = (side.high - origin[k]) / direction[k];
-            if (a > b) std::swap(a, b);
-            if (!(b >= first && a <= last && a <= best && a <= high && b >= low)) return false;
-            low = std::max(low, a);
-            high = std::min(high, b);
-            longest = std::max(longest, b - a);
-            entry = a;
-        }
+        if (std::abs(direction[k]) < kParallel) return origin[k] >= side.low && origin[k] <= side.high;
+        double a = (side.low - origin[k]) / direction[k], b = (side.high - origin[k]) / direction[k];
+        if (a > b) std::swap(a, b);
+        if (!(b >= first && a <= last && a <= best && a <= along.high && b >= along.low)) return false;
+        along = {std::max(along.low, a), std::min(along.high, b), std::max(along.longest, b - a), a};
         return true;
+    }
+    bool meets(const Ranges& box, Along& along) const
+    {
+        return narrow(0, box[0], along) && narrow(1, box[1], along) && narrow(2, box[2], along);
     }
 };
 
@@ -136,26 +130,31 @@ void Parametric::meet(const Ray& ray, RayRecord& out) const
     stack[height++] = {whole(), known_[1]};
     while (height > 0) {
         const Waiting here = stack[--height];
-        double longest = 0.0, entry = 0.0;
-        if (!search.meets(here.box, longest, entry)) continue;
+        Search::Along along;
+        if (!search.meets(here.box, along)) continue;
         const Part& part = here.part;
         const int side = part.longer();
-        if (std::min(part.upper[side] - part.lower[side], longest) < terms_.accuracy || part.number >= kLastSplit) {
-            if (!(search.best > entry && entry > first)) continue;
-            search.best = entry;
+        if (std::min(part.upper[side] - part.lower[side], along.longest) < terms_.accuracy || part.number >= kLastSplit) {
+            if (!(search.best > along.entry && along.entry > first)) continue;
+            search.best = along.entry;
             search.found = part.number;
             continue;
         }
-        Waiting &b = stack[height], &a = stack[height + 1];
-        a.part = part.half(0);
-        b.part = part.half(1);
-        if (b.part.number < known_.size()) {
-            a.box = known_[a.part.number];
-            b.box = known_[b.part.number];
-        } else {
-            ranges(a.part, b.part, a.box, b.box);
+        const Part halves[2] = {part.half(0), part.half(1)};
+        if (halves[1].number < known_.size()) {
+            for (const int k : {1, 0}) stack[height++] = {halves[k], known_[halves[k].number]};
+            continue;
         }
-        height += 2;
+        // Most parts are left after one coordinate: the others are not asked for.
+        Ranges boxes[2];
+        Search::Along ways[2];
+        bool open[2] = {true, true};
+        for (std::size_t axis = 0; axis < 3 && (open[0] || open[1]); ++axis) {
+            ranges(halves[0], halves[1], axis, boxes[0][axis], boxes[1][axis]);
+            for (const int k : {0, 1}) open[k] = open[k] && search.narrow(static_cast<int>(axis), boxes[k][axis], ways[k]);
+        }
+        for (const int k : {1, 0})
+            if (open[k]) stack[height++] = {halves[k], boxes[k]};
     }
     if (search.found != 0 && search.best < way.exit) out.touch(search.best, search.found);
 }

@@ -61,7 +61,7 @@ private:
 
     Part whole() const { return {terms_.lower, terms_.upper, 1}; }
     Part part(std::uint32_t number) const;
-    void ranges(const Part& a, const Part& b, Ranges& of_a, Ranges& of_b) const;
+    void ranges(const Part& a, const Part& b, std::size_t axis, Range& of_a, Range& of_b) const;
     Range range_of(const double* corners, const Part& part) const;
     void unite(std::uint32_t number);
     glm::dvec3 point(double u, double v) const;
