@@ -74,7 +74,9 @@ private:
     /// False: no more is wanted.
     static bool span(const Event& in, const Event& end, double from, double to, RayRecord& out)
     {
-        const auto push = [&](const Event& a, const Event& b) { return !(a.t <= b.t) || (out.enter(a.t, a.face) && out.leave(b.t, b.face)); };
+        const auto push = [&](const Event& a, const Event& b) {
+            return !(a.t <= b.t) || (out.enter(a.t, a.face) && out.leave(b.t, b.face));
+        };
         if (!(from < end.t && to > in.t)) return push(in, end);
         return (from <= in.t || push(in, {from, kUndrawnFace})) && (to >= end.t || push({to, kUndrawnFace}, end));
     }
@@ -130,7 +132,8 @@ private:
             add(ray_.at(radius, ray_.foot, 1.0), index);
             return;
         }
-        const LathePoint start = point(arc, arc.lo, arc.start.x, arc.start.y, above_start), end = point(arc, arc.hi, arc.end.x, arc.end.y, above_end);
+        const LathePoint start = point(arc, arc.lo, arc.start.x, arc.start.y, above_start);
+        const LathePoint end = point(arc, arc.hi, arc.end.x, arc.end.y, above_end);
         if (!passes) {
             meet_cell(arc, start, end, above_start + above_end);
             return;
@@ -252,11 +255,12 @@ private:
     double refined(const Arc& arc, const LathePoint& start, const LathePoint& end) const
     {
         const double c = ray_.nearest, sign = start.above + end.above < 0.0 ? -1.0 : 1.0;
-        const double r_sign = arc.negative ? -1.0 : 1.0;
         const bool by_roots = ray_.rise < ray_.run && std::abs(start.radius) > c && std::abs(end.radius) > c;
+        double across = 0.0;  // how far from the ray's nearest point
         const auto value = [&](double radius, double above) {
-            return by_roots ? ray_.rise * std::sqrt(glm::max((radius - c) * (radius + c), 0.0)) - ray_.run * std::abs(above)
-                            : ray_.beyond(radius, above);
+            if (!by_roots) return ray_.beyond(radius, above);
+            across = std::sqrt(glm::max((radius - c) * (radius + c), 0.0));
+            return ray_.rise * across - ray_.run * std::abs(above);
         };
         double lo = start.w, hi = end.w;
         const double before = value(start.radius, start.above), after = value(end.radius, end.above);
@@ -267,7 +271,7 @@ private:
             const double above = p.y - ray_.foot, now = value(p.x, above);
             if (now == 0.0) break;
             ((now > 0.0) == start.out() ? lo : hi) = w;
-            const double slope = by_roots ? ray_.rise * r_sign * d.x / std::sqrt(1.0 - (c / p.x) * (c / p.x)) - ray_.run * sign * d.y
+            const double slope = by_roots ? ray_.rise * d.x * p.x / across - ray_.run * sign * d.y
                                           : 2.0 * (ray_.rise * ray_.rise * p.x * d.x - ray_.run * ray_.run * above * d.y);
             double next = w - now / slope;
             if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);

@@ -41,8 +41,8 @@ Ovus::Ovus(double bottom, double top) : bottom_(bottom), top_(top)
 }
 
 /// How far a point at parameter s lies outside of the arc, rho + offset - sqrt(arc^2 - (y - height)^2), is a convex
-/// function of s: Newton's steps from either end never pass the nearest root.
-bool Ovus::between(const glm::dvec3& o, const glm::dvec3& e, double& from, double& to) const
+/// function of s: Newton's steps from either end never pass the nearest root. Without `both`, `to` is not cut.
+bool Ovus::between(const glm::dvec3& o, const glm::dvec3& e, double& from, double& to, bool both) const
 {
     const auto outside = [&](double s, double& slope) {
         const glm::dvec3 p = o + s * e;
@@ -51,7 +51,7 @@ bool Ovus::between(const glm::dvec3& o, const glm::dvec3& e, double& from, doubl
         slope = (rho > 0.0 ? (p.x * e.x + p.z * e.z) / rho : 0.0) + (width > 0.0 ? up * e.y / width : 0.0);
         return rho + offset_ - width;
     };
-    constexpr double kClose = 1e-16;  // of the arc's radius
+    constexpr double kClose = 1e-12;  // of the arc's radius: so small a step has squared the error before it
     const auto approach = [&](double& s, double end, double way) {
         for (int i = 0; i < 100; ++i) {
             double slope = 0.0;
@@ -65,8 +65,7 @@ bool Ovus::between(const glm::dvec3& o, const glm::dvec3& e, double& from, doubl
         }
         return true;
     };
-    const double far = to;
-    return approach(from, far, 1.0) && approach(to, from, -1.0);
+    return approach(from, to, 1.0) && (!both || approach(to, from, -1.0));
 }
 
 void Ovus::meet(const Ray& ray, RayRecord& out) const
@@ -79,18 +78,28 @@ void Ovus::meet(const Ray& ray, RayRecord& out) const
     double from = -kInfinity, to = kInfinity;
     if (!in_ball(o, e, middle, 1.5 * bottom_ + top_, from, to)) return;
 
+    // Zone by zone, in the ray's order: the first that is met has the way in, the last the way out. A way in behind `wanted`
+    // is enough where one crossing is; a little more, so that rounding cannot make it none.
+    const double start = out.from * length, slack = 1e-12 * (std::abs(start) + std::abs(shift) + arc_);
+    const double wanted = out.first_only ? start - shift + slack : kInfinity;
+    const double low[] = {-kInfinity, high_, low_}, high[] = {low_, kInfinity, high_};  // by face
     Interval found{kInfinity, -kInfinity};
-    const auto part = [&](double low, double high, std::uint32_t face, auto&& inside) {
-        Interval zone;
-        if (!(low <= high) || !slab(o.y, e.y, low, high, zone)) return;
-        double a = glm::max(zone.entry, from), b = glm::min(zone.exit, to);
-        if (!(a <= b) || !inside(a, b)) return;
+    const auto zone = [&](std::uint32_t face) {
+        Interval part;
+        if (!slab(o.y, e.y, low[face], high[face], part)) return false;
+        double a = glm::max(part.entry, from), b = glm::min(part.exit, to);
+        if (!(a <= b)) return false;
+        const bool both = found.entry < kInfinity || !(a >= wanted);
+        const bool met = face == kBetween ? between(o, e, a, b, both)
+                         : face == kBelow ? in_ball(o, e, glm::dvec3(0.0), bottom_, a, b)
+                                          : in_ball(o, e, {0.0, bottom_, 0.0}, top_, a, b);
+        if (!met) return false;
         if (a < found.entry) found.entry = a, found.entry_face = face;
         if (b > found.exit) found.exit = b, found.exit_face = face;
+        return found.entry >= wanted;
     };
-    part(-kInfinity, low_, kBelow, [&](double& a, double& b) { return in_ball(o, e, glm::dvec3(0.0), bottom_, a, b); });
-    part(low_, high_, kBetween, [&](double& a, double& b) { return between(o, e, a, b); });
-    part(high_, kInfinity, kAbove, [&](double& a, double& b) { return in_ball(o, e, {0.0, bottom_, 0.0}, top_, a, b); });
+    const bool rising = e.y >= 0.0;
+    if (!zone(rising ? kBelow : kAbove) && !zone(kBetween)) zone(rising ? kAbove : kBelow);
     if (!(found.entry <= found.exit)) return;
     if (out.enter((shift + found.entry) / length, found.entry_face)) out.leave((shift + found.exit) / length, found.exit_face);
 }

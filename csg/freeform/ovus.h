@@ -25,7 +25,7 @@ public:
 private:
     static constexpr std::uint32_t kBelow = 0, kAbove = 1, kBetween = 2;
 
-    bool between(const glm::dvec3& o, const glm::dvec3& e, double& from, double& to) const;
+    bool between(const glm::dvec3& o, const glm::dvec3& e, double& from, double& to, bool both) const;
 
     double bottom_, top_;
     double arc_;                 ///< radius of the arc: (rho + offset)^2 + (y - height)^2 = arc^2

@@ -128,6 +128,27 @@ TEST_CASE("an egg's spans are its inside", "[csg][ovus]")
     }
 }
 
+TEST_CASE("the nearest crossing of an egg alone is the nearest of all", "[csg][ovus]")
+{
+    const Freeform solid{make_freeform<Ovus>(0.8, 0.5), {}};
+    for (std::uint32_t seed = 0; seed < 5000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const Ray ray = csg_test::ray_near(rng, {0, 0.3, 0}, 1.2, rng.coin() ? 6.0 : 0.5);
+        const double from = rng.coin() ? 0.0 : rng.uniform(4.0, 7.0);
+        double nearest[2] = {kInfinity, kInfinity};
+        for (const bool first : {false, true}) {
+            RayRecord record(from, kInfinity, first);
+            solid.meet(ray, record);
+            record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                if (in >= from && in_face != kUndrawnFace) nearest[first] = std::min(nearest[first], in);
+                if (out >= from && out_face != kUndrawnFace) nearest[first] = std::min(nearest[first], out);
+            });
+        }
+        REQUIRE(nearest[0] == nearest[1]);
+    }
+}
+
 TEST_CASE("an egg is smooth where its parts meet", "[csg][ovus]")
 {
     for (const double top : {0.3, 0.8, 1.3}) {
