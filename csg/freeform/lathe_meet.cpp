@@ -1,18 +1,10 @@
 #include "csg/freeform/lathe.h"
+#include "csg/freeform/lathe_point.h"
 #include "csg/freeform/sorted_ends.h"
 
 #include <array>
 
 namespace csg {
-
-/// A point of an arc as a ray sees it.
-struct LathePoint {
-    double w;                        ///< parameter
-    double radius, height, above;    ///< above the ray's foot
-    double slope_radius, slope_above;
-    double beyond;                   ///< AxisRay::beyond
-    bool out() const { return beyond > 0.0; }
-};
 
 /// One ray through a lathe.
 class Lathe::Meeting {
@@ -198,27 +190,13 @@ private:
         add_at(arc, w, side);
     }
 
-    /// Least and largest of a product of two numbers known at both ends, each monotone between them.
-    struct Range {
-        double least, most;
-        bool negative;
-    };
-    static Range range(double a0, double a1, double b0, double b1)
-    {
-        const double a_least = (a0 < 0.0) == (a1 < 0.0) ? glm::min(std::abs(a0), std::abs(a1)) : 0.0;
-        const double b_least = (b0 < 0.0) == (b1 < 0.0) ? glm::min(std::abs(b0), std::abs(b1)) : 0.0;
-        const double a_most = glm::max(std::abs(a0), std::abs(a1)), b_most = glm::max(std::abs(b0), std::abs(b1));
-        return {a_least * b_least, a_most * b_most, (a0 + a1 < 0.0) != (b0 + b1 < 0.0)};
-    }
-    static bool apart(const Range& a, const Range& b) { return a.negative != b.negative || a.least > b.most || b.least > a.most; }
-
     /// Bisects until beyond() rises or falls all the way, or cannot be 0.
     void meet_curve(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
     {
         const double rise2 = ray_.rise * ray_.rise, run2 = ray_.run * ray_.run;
         // Half of its slope is the difference of these.
-        Range gain = range(start.radius, end.radius, start.slope_radius, end.slope_radius);
-        Range loss = range(start.above, end.above, start.slope_above, end.slope_above);
+        SlopeRange gain = slope_range(start.radius, end.radius, start.slope_radius, end.slope_radius);
+        SlopeRange loss = slope_range(start.above, end.above, start.slope_above, end.slope_above);
         gain.least *= rise2, gain.most *= rise2;
         loss.least *= run2, loss.most *= run2;
         const bool changes = start.out() != end.out();
@@ -244,9 +222,9 @@ private:
         const double least = glm::min(r0, r1), most = glm::max(r0, r1);
         if (!(least > c)) return false;
         const double factor_least = most / std::sqrt((most - c) * (most + c)), factor_most = least / std::sqrt((least - c) * (least + c));
-        Range gain = range(ray_.rise * factor_least, ray_.rise * factor_most, start.slope_radius, end.slope_radius);
+        SlopeRange gain = slope_range(ray_.rise * factor_least, ray_.rise * factor_most, start.slope_radius, end.slope_radius);
         gain.negative = toward_axis;
-        Range loss = range(ray_.run, ray_.run, start.slope_above, end.slope_above);
+        SlopeRange loss = slope_range(ray_.run, ray_.run, start.slope_above, end.slope_above);
         loss.negative = (start.slope_above + end.slope_above < 0.0) != (start.above + end.above < 0.0);
         return apart(gain, loss);
     }
