@@ -1,16 +1,18 @@
 #include "csg/freeform.h"
 
+#include "csg/hit.h"
 #include "csg/solids/freeform.h"
 
 #include <type_traits>
 
 namespace csg {
 
-Aabb FreeformShape::extent() const
+Aabb FreeformShape::extent(const Transform& moved) const
 {
-    return std::visit([](const auto& form) {
-        if constexpr (requires { form.extent(); }) return form.extent();
-        else return form.bounds();
+    return std::visit([&](const auto& form) {
+        if constexpr (requires { form.extent(moved); }) return form.extent(moved);
+        else if constexpr (requires { form.extent(); }) return transformed_box(moved, form.extent());
+        else return transformed_box(moved, form.bounds());
     }, kind);
 }
 
@@ -83,6 +85,13 @@ glm::dvec2 Freeform::uv(const glm::dvec3& p, std::uint32_t face) const
     return std::visit([&](const auto& kind) {
         if constexpr (requires { kind.uv(p, face); }) return kind.uv(frame.inverse_point(p), face);
         else return glm::dvec2(p);
+    }, shape->kind);
+}
+
+void Freeform::shares(const glm::dvec3& p, std::vector<Share>& out) const
+{
+    std::visit([&](const auto& kind) {
+        if constexpr (requires { kind.shares(p, out); }) kind.shares(frame.inverse_point(p), out);
     }, shape->kind);
 }
 

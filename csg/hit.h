@@ -26,6 +26,12 @@ struct HitDetails {
     glm::vec3 weights{1, 0, 0};     ///< how near the corners of a mesh's face are; sums to 1
 };
 
+/// How much of a surface one part of its shape has (a blob's component); all shares of a point sum to 1.
+struct Share {
+    std::uint32_t part;
+    float weight;
+};
+
 inline constexpr int kTileSide = 8;
 inline constexpr int kTileRays = kTileSide * kTileSide;
 

@@ -157,6 +157,11 @@ HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
     return out;
 }
 
+void World::shares(const Hit& hit, const glm::dvec3& point, std::vector<Share>& out) const
+{
+    if (kind_of(hit.part) == SolidKind::Freeform) data_->store.all<Freeform>()[index_of(hit.part)].shares(point, out);
+}
+
 Shadow World::shadow(const Ray& ray, double t_min, double t_max, Scratch& scratch) const
 {
     return shadow_walk(*data_, ray, t_min, t_max, scratch, [](const Hit&) {});

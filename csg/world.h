@@ -23,6 +23,8 @@ public:
 
     /// Point and normal of a hit of that ray; uv where asked for.
     HitDetails details(const Ray& ray, const Hit& hit, bool with_uv = true) const;
+    /// Appends the shares of the parts of the shape that was hit (Freeform::shares).
+    void shares(const Hit& hit, const glm::dvec3& point, std::vector<Share>& out) const;
 
     /// Whether anything that casts a shadow lies in (t_min, t_max): Blocked as soon as an opaque surface is met.
     Shadow shadow(const Ray& ray, double t_min, double t_max, Scratch& scratch) const;

@@ -4,10 +4,12 @@
 #include "csg/solids/common.h"
 
 #include <memory>
+#include <vector>
 
 namespace csg {
 
 struct FreeformShape;
+struct Share;  // csg/hit.h
 
 /// A freeform shape in the world: lathe, blob, isosurface, ... (csg/freeform.h).
 struct Freeform {
@@ -38,6 +40,8 @@ struct Freeform {
     bool contains_inverted(const glm::dvec3& p) const;
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const;
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
+    /// Appends the shares of the shape's parts at world point p; nothing for a shape that has none.
+    void shares(const glm::dvec3& p, std::vector<Share>& out) const;
     Aabb bounds() const;
     Aabb drawn_bounds() const;     ///< of what can be seen of it
 

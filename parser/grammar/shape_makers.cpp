@@ -9,6 +9,7 @@ bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::O
         ShapeMaker make;
     } kMakers[] = {
         {"bicubic_patch", make_bicubic_patch},
+        {"blob", make_blob},
         {"cubic", make_polynomial},
         {"height_field", make_height_field},
         {"isosurface", make_isosurface},
@@ -22,6 +23,8 @@ bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::O
         {"prism", make_prism},
         {"quartic", make_polynomial},
         {"sor", make_sor},
+        {"sphere_sweep", make_sphere_sweep},
+        {"superellipsoid", make_superellipsoid},
         {"text", make_text},
     };
     for (const auto& maker : kMakers)

@@ -12,6 +12,7 @@ using ShapeMaker = bool (*)(SceneBuilder& build, const scene::Statement& stateme
 bool make_shape(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 
 bool make_bicubic_patch(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+bool make_blob(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_height_field(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_isosurface(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_julia(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
@@ -22,6 +23,8 @@ bool make_polygon(SceneBuilder& build, const scene::Statement& statement, scene:
 bool make_polynomial(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_prism(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_sor(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+bool make_sphere_sweep(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
+bool make_superellipsoid(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 bool make_text(SceneBuilder& build, const scene::Statement& statement, scene::Object& object);
 
 }  // namespace parser

@@ -63,6 +63,7 @@ struct Settings {
 struct CompiledScene {
     csg::WorldData geometry;               ///< ask through world()
     std::vector<Surface> surfaces;         ///< by csg::SurfaceId
+    std::vector<std::uint32_t> part_textures;  ///< see Surface::first_part
     std::vector<ObjectInfo> objects;       ///< by Surface::object
     texture::TextureSet textures;
     std::vector<Interior> interiors;       ///< by Surface::interior; identity decides refraction

@@ -93,7 +93,7 @@ struct ShapeExtent {
                 for (const glm::dvec3& point : row) points.include(t.point(point));
             return points;
         }
-        const csg::Aabb box = corners_moved(t, s.shape->extent());
+        const csg::Aabb box = corners_moved({}, s.shape->extent(t));
         return std::holds_alternative<csg::Polygon>(s.shape->kind) ? thickened(box) : box;
     }
     csg::Aabb operator()(const scene::Extrusion& s) const

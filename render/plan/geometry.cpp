@@ -66,6 +66,7 @@ void GeometryCompiler::finish()
     for (Surface& s : out_.surfaces) {
         const auto opaque = [&](std::uint32_t texture) { return texture == kNone || out_.textures.textures[texture].opaque; };
         s.opaque = opaque(s.texture) && opaque(s.interior_texture) && opaque(s.corner_textures[0]) && opaque(s.corner_textures[1]);
+        for (std::uint32_t k = 0; k < s.part_count; ++k) s.opaque = s.opaque && opaque(out_.part_textures[s.first_part + k]);
         out_.geometry.surface_opaque.push_back(s.opaque ? 1 : 0);
     }
     out_.geometry.finish();
@@ -122,7 +123,7 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
         return;
     }
     if (!std::holds_alternative<scene::Csg>(object.shape) && !std::holds_alternative<scene::Mesh>(object.shape) && !clipped) {
-        const csg::PartId part = world.store.add(solid(object, own), surface(own));
+        const csg::PartId part = world.store.add(solid(object, own), shape_surface(object, own));
         world.add_solid(part, object.inverse, object_, visible(own));
         return;
     }
@@ -148,7 +149,7 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
     } else if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
         made = csg::Tree::leaf(mesh_part(*mesh, own));
     } else {
-        const csg::SurfaceId id = clipping_ ? csg::kNoSurface : surface(own);
+        const csg::SurfaceId id = clipping_ ? csg::kNoSurface : shape_surface(object, own);
         made = csg::Tree::leaf(out_.geometry.store.add(solid(object, own), id));
     }
     made.inverse = object.inverse;
@@ -213,7 +214,22 @@ void GeometryCompiler::add_light(const scene::Light& light, const scene::Object&
     automatic_interiors_.clear();
 }
 
-csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners)
+csg::SurfaceId GeometryCompiler::shape_surface(const scene::Object& object, const Inherited& own)
+{
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    if (freeform == nullptr || !freeform->part_textures || freeform->part_textures->empty()) return surface(own);
+    Inherited outside = own;
+    outside.interior_texture = nullptr;  // POV-Ray shows the parts on both sides (spec 5a, 5.11)
+    std::vector<std::uint32_t> parts;
+    for (const scene::TexturePtr& texture : *freeform->part_textures) {
+        if (texture) parts.push_back(textures_.texture(own.uv_mapping ? texture : moved(texture, own.to_world)));
+        else parts.push_back(textures_.texture(own.texture ? own.texture : default_texture_));
+    }
+    return surface(outside, {}, parts);
+}
+
+csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
+                                         const std::vector<std::uint32_t>& parts)
 {
     const scene::TexturePtr& texture = own.texture ? own.texture : default_texture_;
     Surface s;
@@ -221,6 +237,12 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
     s.interior_texture = own.interior_texture ? textures_.texture(own.interior_texture) : kNone;
     for (std::size_t k = 0; k < 2; ++k)
         if (corners[k]) s.corner_textures[k] = textures_.texture(corners[k]);
+    if (!parts.empty()) {
+        const auto [known, fresh] = known_parts_.try_emplace(parts, static_cast<std::uint32_t>(out_.part_textures.size()));
+        if (fresh) out_.part_textures.insert(out_.part_textures.end(), parts.begin(), parts.end());
+        s.first_part = known->second;
+        s.part_count = static_cast<std::uint32_t>(parts.size());
+    }
     s.interior = interior(own, texture);
     s.object = object_;
     s.no_shadow = own.no_shadow;
@@ -232,7 +254,8 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
                                 (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u);
     const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
     const auto [known, fresh] = known_surfaces_.try_emplace(
-        {s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0], s.corner_textures[1]}, id);
+        {s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0], s.corner_textures[1],
+         parts.empty() ? kNone : s.first_part}, id);
     if (fresh) out_.surfaces.push_back(s);
     return known->second;
 }

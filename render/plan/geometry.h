@@ -54,8 +54,12 @@ private:
     void collect_lights(const scene::Object& object, const Inherited& above);
     void add_light(const scene::Light& light, const scene::Object& object, const Inherited& above);
 
-    /// `corners`: what the second and the third corner of a mesh's faces show, if another texture.
-    csg::SurfaceId surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners = {});
+    /// `corners`: what the second and the third corner of a mesh's faces show, if another texture. `parts`: compiled
+    /// textures of a shape's parts.
+    csg::SurfaceId surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners = {},
+                           const std::vector<std::uint32_t>& parts = {});
+    /// Of an object's own shape; the parts of a freeform shape may differ.
+    csg::SurfaceId shape_surface(const scene::Object& object, const Inherited& own);
 
     /// A mesh that several objects may show, and the textures of its faces' corners (null: the object's) by slot.
     struct SharedMesh {
@@ -83,8 +87,9 @@ private:
     bool clipping_ = false;                      ///< inside a clip: nothing is drawn, no surface is made
     /// Interiors made for the statement at hand where the text gives none: by texture with a legacy finish, else null.
     std::map<const scene::Texture*, std::uint32_t> automatic_interiors_;
-    using SurfaceKey = std::array<std::uint32_t, 7>;
+    using SurfaceKey = std::array<std::uint32_t, 8>;
     std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
+    std::map<std::vector<std::uint32_t>, std::uint32_t> known_parts_;   ///< to Surface::first_part
     struct Moved {
         csg::Transform by;
         scene::TexturePtr from, to;

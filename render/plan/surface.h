@@ -15,13 +15,15 @@ struct Surface {
     std::uint32_t texture = kNone;           ///< index into TextureSet::textures; kNone: contributes black
     /// What the second and third corner of a mesh's face show, mixed with `texture` by nearness; kNone: `texture` alone.
     std::array<std::uint32_t, 2> corner_textures{kNone, kNone};
+    /// Textures of the parts of a shape (a blob's components) in CompiledScene::part_textures, mixed by their shares.
+    std::uint32_t first_part = 0, part_count = 0;
     std::uint32_t interior_texture = kNone;  ///< used when the raw normal faces along the ray
     std::uint32_t interior = kNone;          ///< index into CompiledScene::interiors; identity decides refraction
     std::uint32_t object = kNone;            ///< top-level object after splitting unions, in order of declaration
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
     bool opaque = true;                      ///< spec 3, 13.2: a shadow ray may stop here
     bool uv_mapping = false;
-    bool blends() const { return corner_textures[0] != kNone; }
+    bool blends() const { return corner_textures[0] != kNone || part_count != 0; }
 };
 
 /// Which kind of ray asks; objects hide from some (spec 3, 14).

@@ -29,7 +29,12 @@ struct Quadric { glm::dvec3 square{0}, mixed{0}, linear{0}; double constant = 0;
 /// A polynomial of x, y and z that is not positive.
 struct Polynomial { std::shared_ptr<const csg::PolynomialShape> shape; };
 /// What is kept in a shape of its own kind (csg/freeform.h); the object's shape_block tells how it was written.
-struct Freeform { std::shared_ptr<const csg::FreeformShape> shape; };
+struct Freeform {
+    std::shared_ptr<const csg::FreeformShape> shape;
+    /// Of the shape's parts, mixed by their shares (csg::Share), in the shape's space; null: the object's. Null or empty: it
+    /// has one texture.
+    std::shared_ptr<const std::vector<TexturePtr>> part_textures = nullptr;
+};
 struct Disc { glm::dvec3 center{0}, normal{0, 0, 1}; double radius = 1, hole = 0; };
 struct Triangle {
     std::array<glm::dvec3, 3> vertex;

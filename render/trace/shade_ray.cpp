@@ -64,6 +64,25 @@ scene::Color corner_blend(Context& context, HitContext& hit, const glm::vec3& we
     return sum;
 }
 
+/// The textures of a shape's parts by their shares of the point, left out below adc_bailout like a mesh's.
+scene::Color part_blend(Context& context, HitContext& hit, const Hit& where, const glm::dvec3& p)
+{
+    auto& shares = context.scratch.shade.shares;
+    const std::size_t base = shares.size();
+    context.world.shares(where, hit.point, shares);
+    scene::Color sum;
+    for (std::size_t k = base, end = shares.size(); k < end; ++k) {
+        const csg::Share share = shares[k];
+        if (static_cast<double>(share.weight) < context.scene.settings.adc_bailout) continue;
+        const float w = share.weight;
+        const scene::Color c = shade_texture(context, hit, context.scene.part_textures[hit.surface.first_part + share.part], p);
+        sum = {sum.red + w * c.red, sum.green + w * c.green, sum.blue + w * c.blue, sum.filter + w * c.filter,
+               sum.transmit + w * c.transmit};
+    }
+    shares.resize(base);
+    return sum;
+}
+
 }  // namespace
 
 scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t index, const glm::dvec3& p)
@@ -109,6 +128,7 @@ scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, 
     HitContext at{{state, surface, details.point, from_inside ? -details.normal : details.normal, hit.t, level}, first_light, {}};
     at.around = {details.point, at.normal, state.ray.direction, details.uv, true};
     const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+    if (surface.part_count != 0) return part_blend(context, at, hit, p);
     if (surface.blends() && texture == surface.texture) return corner_blend(context, at, details.weights, p);
     return shade_texture(context, at, texture, p);
 }

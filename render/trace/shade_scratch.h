@@ -32,6 +32,7 @@ struct PlainHit {
 struct ShadeScratch {
     SceneTraits traits;                  ///< filled by the first tile
     std::vector<LightSample> lights;     ///< a stack: every shaded hit owns lights.size() entries at its level
+    std::vector<csg::Share> shares;      ///< a stack: of a blob's components, while their textures are shaded
     std::vector<glm::vec3> area_nodes;   ///< shadow values of the area light at hand; red below 0: not yet known
     csg::RayTile rays;                   ///< shadow rays of a tile
     Wave wave;                           ///< rays that go on from the tile's hits

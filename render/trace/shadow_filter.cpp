@@ -75,6 +75,16 @@ glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit
     const glm::dvec3 normal = from_inside ? -details.normal : details.normal;
     Passing passing{context, surface, state.ray, normal, {details.point, normal, d, details.uv, true}};
     const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+    if (surface.part_count != 0) {
+        auto& shares = context.scratch.shade.shares;
+        const std::size_t base = shares.size();
+        context.world.shares(hit, details.point, shares);
+        glm::vec3 light(0.0f);
+        for (std::size_t k = base; k < shares.size(); ++k)
+            light += shares[k].weight * passing.through(context.scene.part_textures[surface.first_part + shares[k].part], p);
+        shares.resize(base);
+        return light;
+    }
     if (!surface.blends() || texture != surface.texture) return passing.through(texture, p);
     return details.weights.x * passing.through(texture, p) + details.weights.y * passing.through(surface.corner_textures[0], p) +
            details.weights.z * passing.through(surface.corner_textures[1], p);

@@ -23,18 +23,17 @@ camera { location -z bokeh { pigment { rgb 1 } } }
 TEST_CASE("what is not drawn yet is kept", "[parser][undrawn]")
 {
     const scene::Description d = grammar_test::parsed(kScene);
-    REQUIRE(d.undrawn.size() == 3);
-    CHECK(d.undrawn[0].undrawn == "blob");
-    CHECK(d.undrawn[0].shape_block->items.size() == 4);
-    CHECK(d.undrawn[0].photons != nullptr);
-    CHECK(d.undrawn[0].transform.offset == glm::dvec3(0, 1, 0));
+    REQUIRE(d.undrawn.size() == 2);
+    CHECK(d.undrawn[0].undrawn == "light_group");
     CHECK(d.undrawn[1].undrawn == "light_group");
-    CHECK(d.undrawn[2].undrawn == "light_group");
-    CHECK(d.objects.size() == 2);
+    REQUIRE(d.objects.size() == 3);
+    CHECK(d.objects[0].shape_block->items.size() == 4);
+    CHECK(d.objects[0].photons != nullptr);
+    CHECK(d.objects[0].transform.offset == glm::dvec3(0, 1, 0));
     CHECK(d.effects.size() == 2);
     CHECK(d.global.effects.size() == 2);
     CHECK(d.camera.undrawn.size() == 1);
-    CHECK(d.objects[1].interior->media.size() == 1);
+    CHECK(d.objects[2].interior->media.size() == 1);
     std::set<std::string> told;
     for (const scene::Unsupported& u : d.unsupported) CHECK(told.insert(u.what).second);
 }

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "csg/polynomial_roots.h"
+
+#include <array>
+
+/// Polynomials on [0, 1] by their Bernstein ordinates: the first and the last are the values at the ends, and no value lies
+/// outside of them all (Farin, Curves and Surfaces for CAGD, 4). An array of n + 1 ordinates is one of degree n.
+namespace csg {
+
+namespace detail {
+
+/// A number of ways: k of n.
+constexpr double choose(std::size_t n, std::size_t k)
+{
+    double ways = 1.0;
+    for (std::size_t i = 0; i < k; ++i) ways = ways * static_cast<double>(n - i) / static_cast<double>(i + 1);
+    return ways;
+}
+
+/// Value and slope at t (de Casteljau).
+template <std::size_t count>
+inline void casteljau(std::array<double, count> b, double t, double& value, double& slope)
+{
+    for (std::size_t left = count - 1; left > 1; --left)
+        for (std::size_t i = 0; i < left; ++i) b[i] += t * (b[i + 1] - b[i]);
+    slope = static_cast<double>(count - 1) * (b[1] - b[0]);
+    value = b[0] + t * (b[1] - b[0]);
+}
+
+/// One polynomial, one change of sign among its ordinates: where, in [0, 1].
+template <std::size_t count>
+inline double only_change(const std::array<double, count>& b)
+{
+    const double last = b[count - 1], chord = b[0] / (b[0] - last);
+    double t = chord > 0.0 && chord < 1.0 ? chord : 0.5;
+    if constexpr (count == 5) {
+        const double c[5] = {b[0], 4.0 * (b[1] - b[0]), 6.0 * (b[2] - 2.0 * b[1] + b[0]),
+                             4.0 * (b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0]), b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
+        return bracketed(c, 4, 0.0, 1.0, b[0] <= 0.0, t, 1e-15);
+    } else {
+        constexpr double kClose = 1e-15;  // of the interval
+        double low = 0.0, high = 1.0;
+        for (int i = 0; i < 100; ++i) {
+            double value = 0.0, slope = 0.0;
+            casteljau(b, t, value, slope);
+            ((value > 0.0) == (b[0] > 0.0) ? low : high) = t;
+            double next = t - value / slope;
+            if (!(next > low && next < high)) next = 0.5 * (low + high);
+            if (std::abs(next - t) <= kClose) return next;
+            t = next;
+        }
+        return t;
+    }
+}
+
+}  // namespace detail
+
+/// The product of two polynomials.
+template <std::size_t n, std::size_t m>
+inline std::array<double, n + m - 1> product(const std::array<double, n>& a, const std::array<double, m>& b)
+{
+    static constexpr auto kShare = [] {
+        std::array<std::array<double, m>, n> share{};
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t k = 0; k < m; ++k)
+                share[i][k] = detail::choose(n - 1, i) * detail::choose(m - 1, k) / detail::choose(n + m - 2, i + k);
+        return share;
+    }();
+    std::array<double, n + m - 1> all{};
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < m; ++k) all[i + k] += kShare[i][k] * a[i] * b[k];
+    return all;
+}
+
+/// The derivative.
+template <std::size_t n>
+inline std::array<double, n - 1> derivative(const std::array<double, n>& b)
+{
+    std::array<double, n - 1> d;
+    for (std::size_t i = 0; i + 1 < n; ++i) d[i] = static_cast<double>(n - 1) * (b[i + 1] - b[i]);
+    return d;
+}
+
+/// How often the sign changes along the ordinates: at least as often as the polynomial's own in (0, 1), and odd where that
+/// is odd (Descartes). What is not positive counts as negative, NaN too.
+template <std::size_t count>
+inline int ordinate_changes(const std::array<double, count>& b)
+{
+    int changes = 0;
+    for (std::size_t i = 0; i + 1 < count; ++i) changes += (b[i] > 0.0) != (b[i + 1] > 0.0) ? 1 : 0;
+    return changes;
+}
+
+/// Calls found(t) in order where the polynomial, here on [low, high], changes its sign between positive and not; false from
+/// it ends the search. Halves the interval until one change at most is left, `depth` times; two nearer than that are not told.
+template <std::size_t count, class F>
+inline bool each_change(const std::array<double, count>& b, double low, double high, int depth, F&& found)
+{
+    const int changes = ordinate_changes(b);
+    if (changes == 0) return true;
+    if (changes == 1) return found(low + (high - low) * detail::only_change(b));
+    const double middle = 0.5 * (low + high);
+    if (depth == 0) return (changes & 1) == 0 || found(middle);
+    std::array<double, count> left, right = b;
+    for (std::size_t k = 0; k < count; ++k) {
+        left[k] = right[0];
+        for (std::size_t i = 0; i + k + 1 < count; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+    }
+    return each_change(left, low, middle, depth - 1, found) && each_change(right, middle, high, depth - 1, found);
+}
+
+}  // namespace csg
