@@ -3,6 +3,7 @@
 #include "csg/polynomial_roots.h"
 
 #include <array>
+#include <functional>
 
 /// Polynomials on [0, 1] by their Bernstein ordinates: the first and the last are the values at the ends, and no value lies
 /// outside of them all (Farin, Curves and Surfaces for CAGD, 4). An array of n + 1 ordinates is one of degree n.
@@ -28,18 +29,36 @@ inline void casteljau(std::array<double, count> b, double t, double& value, doub
     value = b[0] + t * (b[1] - b[0]);
 }
 
+/// Roots of degree 2 in order, a double one where there are none; NaN for a polynomial without any.
+inline void quadratic_roots(const std::array<double, 3>& b, double (&roots)[2])
+{
+    const double half = b[1] - b[0], a = b[0] - 2.0 * b[1] + b[2];
+    const double q = -(half + std::copysign(std::sqrt(std::max(half * half - a * b[0], 0.0)), half));
+    const double s = q / a, t = b[0] / q;
+    roots[0] = std::min(s, t);
+    roots[1] = std::max(s, t);
+}
+
 /// One polynomial, one change of sign among its ordinates: where, in [0, 1].
 template <std::size_t count>
 inline double only_change(const std::array<double, count>& b)
 {
     const double last = b[count - 1], chord = b[0] / (b[0] - last);
     double t = chord > 0.0 && chord < 1.0 ? chord : 0.5;
-    if constexpr (count == 5) {
+    if constexpr (count == 2) {
+        return t;
+    } else if constexpr (count == 3) {
+        double roots[2];
+        quadratic_roots(b, roots);
+        // The other lies outside, if only by rounding.
+        const bool first = std::abs(roots[0] - 0.5) <= std::abs(roots[1] - 0.5);
+        return std::min(std::max(first ? roots[0] : roots[1], 0.0), 1.0);
+    } else if constexpr (count == 5) {
         const double c[5] = {b[0], 4.0 * (b[1] - b[0]), 6.0 * (b[2] - 2.0 * b[1] + b[0]),
                              4.0 * (b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0]), b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
         return bracketed(c, 4, 0.0, 1.0, b[0] <= 0.0, t, 1e-15);
     } else {
-        constexpr double kClose = 1e-15;  // of the interval
+        constexpr double kClose = 1e-9;  // of the interval: the last of Newton's steps doubles its digits
         double low = 0.0, high = 1.0;
         for (int i = 0; i < 100; ++i) {
             double value = 0.0, slope = 0.0;
@@ -56,9 +75,9 @@ inline double only_change(const std::array<double, count>& b)
 
 }  // namespace detail
 
-/// The product of two polynomials.
-template <std::size_t n, std::size_t m>
-inline std::array<double, n + m - 1> product(const std::array<double, n>& a, const std::array<double, m>& b)
+/// The product of two polynomials; `times` multiplies ordinates, numbers or vectors.
+template <class T, std::size_t n, std::size_t m, class Times = std::multiplies<T>>
+inline std::array<double, n + m - 1> product(const std::array<T, n>& a, const std::array<T, m>& b, Times&& times = {})
 {
     static constexpr auto kShare = [] {
         std::array<std::array<double, m>, n> share{};
@@ -69,7 +88,7 @@ inline std::array<double, n + m - 1> product(const std::array<double, n>& a, con
     }();
     std::array<double, n + m - 1> all{};
     for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t k = 0; k < m; ++k) all[i + k] += kShare[i][k] * a[i] * b[k];
+        for (std::size_t k = 0; k < m; ++k) all[i + k] += kShare[i][k] * times(a[i], b[k]);
     return all;
 }
 
@@ -80,6 +99,17 @@ inline std::array<double, n - 1> derivative(const std::array<double, n>& b)
     std::array<double, n - 1> d;
     for (std::size_t i = 0; i + 1 < n; ++i) d[i] = static_cast<double>(n - 1) * (b[i + 1] - b[i]);
     return d;
+}
+
+/// The polynomial on [0, 1/2] and on [1/2, 1].
+template <class T, std::size_t count>
+inline void halve(const std::array<T, count>& b, std::array<T, count>& left, std::array<T, count>& right)
+{
+    right = b;
+    for (std::size_t k = 0; k < count; ++k) {
+        left[k] = right[0];
+        for (std::size_t i = 0; i + k + 1 < count; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+    }
 }
 
 /// How often the sign changes along the ordinates: at least as often as the polynomial's own in (0, 1), and odd where that
@@ -100,13 +130,16 @@ inline bool each_change(const std::array<double, count>& b, double low, double h
     const int changes = ordinate_changes(b);
     if (changes == 0) return true;
     if (changes == 1) return found(low + (high - low) * detail::only_change(b));
+    if constexpr (count == 3) {  // two changes: both roots are in it, if there are any
+        double roots[2];
+        detail::quadratic_roots(b, roots);
+        if (!((b[1] - b[0]) * (b[1] - b[0]) > (b[0] - 2.0 * b[1] + b[2]) * b[0])) return true;
+        return found(low + (high - low) * roots[0]) && found(low + (high - low) * roots[1]);
+    }
     const double middle = 0.5 * (low + high);
     if (depth == 0) return (changes & 1) == 0 || found(middle);
-    std::array<double, count> left, right = b;
-    for (std::size_t k = 0; k < count; ++k) {
-        left[k] = right[0];
-        for (std::size_t i = 0; i + k + 1 < count; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
-    }
+    std::array<double, count> left, right;
+    halve(b, left, right);
     return each_change(left, low, middle, depth - 1, found) && each_change(right, middle, high, depth - 1, found);
 }
 

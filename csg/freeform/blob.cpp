@@ -52,11 +52,16 @@ void Blob::add(const Component& component)
     const double r = std::abs(component.radius);
     if (!(std::abs(component.strength) > 0.0) || !std::isfinite(component.strength) || !(r > 0.0) || !std::isfinite(r)) return;
     const Transform unit = component.frame * Transform::scale(glm::dvec3(r));
-    Field field{unit.inverse_linear, unit.inverse_offset, component.length / r, component.strength, component.part};
+    Field field{unit.inverse_linear, unit.inverse_offset, component.length / r, component.strength, component.part, {}, 0.0, false};
     Aabb box = ellipsoid_box(unit.linear, unit.offset);
     box.include(ellipsoid_box(unit.linear, unit.point({0.0, 0.0, field.length})));
     const bool sound = finite(field.to_unit[0]) && finite(field.to_unit[1]) && finite(field.to_unit[2]) && finite(field.offset);
     if (!sound || !box.finite()) return;
+    double factor = 1.0;
+    field.ball = component.length == 0.0 && keeps_balls(component.frame.linear, factor);
+    const glm::dvec3 half = 0.5 * (box.upper - box.lower);
+    field.middle = field.ball ? unit.offset : 0.5 * (box.lower + box.upper);
+    field.reach2 = field.ball ? r * r * factor * factor : glm::dot(half, half);
     fields_.push_back(field);
     boxes_.push_back(padded(box));
 }

@@ -41,6 +41,9 @@ private:
         glm::dvec3 offset;
         double length, strength;
         std::uint32_t part;
+        glm::dvec3 middle;        ///< of a ball around all that the field reaches,
+        double reach2;            ///< and its radius squared: that of the field itself where it is a ball
+        bool ball;
 
         glm::dvec3 unit(const glm::dvec3& p) const { return to_unit * p + offset; }
         /// From the nearest point of centre or axis, in units of the radius.
@@ -63,7 +66,8 @@ private:
 
     void add(const Component& component);
     void bound();
-    void gather(const Field& field, const Ray& ray, double from, double to, std::vector<Stretch>& out) const;
+    void gather(const Field& field, const Ray& ray, double inverse, double from, double to, std::vector<Stretch>& out) const;
+    void gather_capsule(const Field& field, const Ray& ray, double from, double to, std::vector<Stretch>& out) const;
     template <class F> void each_near(const glm::dvec3& p, F&& f) const;
 
     static constexpr std::size_t kMostLoose = 12;   ///< more components go through a hierarchy

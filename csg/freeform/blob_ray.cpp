@@ -80,7 +80,23 @@ struct Blob::Walk {
     }
 };
 
-void Blob::gather(const Field& field, const Ray& ray, double from, double to, std::vector<Stretch>& out) const
+/// `inverse`: 1 over the square of the direction's length.
+void Blob::gather(const Field& field, const Ray& ray, double inverse, double from, double to, std::vector<Stretch>& out) const
+{
+    const glm::dvec3 o = ray.origin - field.middle;
+    const double ref = -glm::dot(o, ray.direction) * inverse;
+    const glm::dvec3 foot = o + ref * ray.direction;
+    const double left2 = field.reach2 - glm::dot(foot, foot);
+    if (!(left2 > 0.0)) return;
+    if (!field.ball) return gather_capsule(field, ray, from, to, out);
+    const double half = std::sqrt(left2 * inverse);
+    if (ref + half < from || ref - half > to) return;
+    const double scale = 1.0 / field.reach2, w0 = left2 * scale;
+    out.push_back({ref - half, ref + half, ref, w0, -2.0 * scale * glm::dot(foot, ray.direction), -scale / inverse, field.strength,
+                   field.strength > 0.0 ? field.strength * w0 * w0 : 0.0});
+}
+
+void Blob::gather_capsule(const Field& field, const Ray& ray, double from, double to, std::vector<Stretch>& out) const
 {
     const glm::dvec3 u = field.unit(ray.origin), d = field.to_unit * ray.direction;
     // Where the nearest point of the axis is its inner part, its lower or its upper end; a ball is one end.
@@ -135,16 +151,16 @@ void Blob::meet(const Ray& ray, RayRecord& out) const
     walk.stretches.clear();
     walk.active.clear();
     // From the point nearest to the blob, so that its size and not the way there sets the rounding.
-    const double start = -glm::dot(ray.origin - middle_, ray.direction) / glm::dot(ray.direction, ray.direction);
+    const double inverse = 1.0 / glm::dot(ray.direction, ray.direction), start = -glm::dot(ray.origin - middle_, ray.direction) * inverse;
     if (!std::isfinite(start)) return;
     const Ray near{ray.at(start), ray.direction};
     const double from = out.from - start, to = out.to - start;
     if (tree_.nodes.empty()) {
-        for (const Field& field : fields_) gather(field, near, from, to, walk.stretches);
+        for (const Field& field : fields_) gather(field, near, inverse, from, to, walk.stretches);
     } else {
         const double limit = std::max(to, 0.0);  // below 0 the walk would end
         traverse(tree_, RaySlabs(near), from, limit, ~0u, [&](ChildWord leaf) {
-            gather(fields_[leaf.index()], near, from, to, walk.stretches);
+            gather(fields_[leaf.index()], near, inverse, from, to, walk.stretches);
             return limit;
         });
     }

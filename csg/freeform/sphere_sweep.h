@@ -9,6 +9,11 @@
 
 namespace csg {
 
+/// Where a ray goes into or out of a segment's balls: its parameter, and the place of the ball on the segment.
+struct SweepEnd {
+    double t, u;
+};
+
 /// All balls whose centre and radius run along a spline (spec 5b, 9; manual: Sphere Sweep), as one solid: what POV-Ray finds
 /// by sorting candidate hits is here the union of the intervals that a ray has in the balls of each segment.
 class SphereSweep {
@@ -24,7 +29,7 @@ public:
 
     void meet(const Ray& ray, RayRecord& out) const;
     bool contains(const glm::dvec3& p) const;
-    /// `face`: the segment, and where on it in 2^-16.
+    /// `face`: the segment, and where on it in 2^-12.
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
     Aabb bounds() const { return box_; }
     /// POV-Ray's after a transformation: around the balls as they were written, moved; twice as large for Spline::Cubic.
@@ -40,18 +45,23 @@ private:
         glm::dvec4 at(double u) const;
         glm::dvec4 rate(double u) const;
     };
-    struct End {
-        double t, u;
-    };
     struct Piece {
-        End in, out;
+        SweepEnd in, out;
         std::uint32_t segment;
     };
 
+    static constexpr std::uint32_t kPlaceBits = 12, kPlaces = (1u << kPlaceBits) - 1;   ///< of the place in a face's number
+    static std::uint32_t face_of(std::uint32_t segment, double u)
+    {
+        return segment << kPlaceBits | static_cast<std::uint32_t>(glm::clamp(u, 0.0, 1.0) * kPlaces + 0.5);
+    }
+
     void add(const Segment& segment);
     void gather(std::uint32_t segment, const Ray& ray, std::vector<Piece>& out) const;
+    void gather_all(const Ray& ray, double from, double to, bool first_only, std::vector<Piece>& out) const;
 
-    static constexpr std::size_t kMostLoose = 8;   ///< more segments go through a hierarchy
+    static constexpr std::size_t kMostSegments = (std::size_t{1} << (32 - kPlaceBits)) - 2;
+    static constexpr std::size_t kMostLoose = 3;   ///< more segments go through a hierarchy
 
     Spline spline_;
     std::vector<Ball> balls_;

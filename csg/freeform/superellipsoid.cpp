@@ -9,6 +9,8 @@ namespace {
 constexpr double kSkin = 1e-10;       // POV-Ray's inside reaches so far out (spec 5a, 2.4)
 constexpr double kRounding = 4e-16;   // of the length near 1: four roundings of one half unit in the last place
 constexpr int kMostSteps = 80;        // Newton; where the ray grazes, each step halves the way left
+constexpr double kClose = 1e-9;       // a step so short, local units: the next would be its square
+constexpr double kClear = 1.0 + 1e-9; // Newton begins so far outside
 constexpr int kHalvings = 40;
 
 /// (u^p + v^p)^(1/p) of numbers that are not negative, and its derivatives by both.
@@ -53,6 +55,13 @@ void add_scaled(double factor, double low, double high, double& sum_low, double&
 Superellipsoid::Superellipsoid(double e, double n)
     : across_(2.0 / e), along_(2.0 / n), convex_(across_ >= 1.0 && along_ >= 1.0)
 {
+    if (!convex_) return;
+    const double widest = std::pow(2.0, 1.0 - 1.0 / across_);  // of |x| + |y| where the flat length is 1
+    edge_ = kClear * widest;
+    rim_ = kClear * std::pow(2.0, 1.0 - 1.0 / along_);
+    // Hoelder: the most of widest h + |z| where h^c + |z|^c is 1.
+    const double dual = along_ > 1.0 ? (std::isinf(along_) ? 1.0 : along_ / (along_ - 1.0)) : kInfinity;
+    corner_ = kClear * norm(widest, 1.0, dual);
 }
 
 double Superellipsoid::excess(const glm::dvec3& p) const
@@ -86,15 +95,16 @@ Superellipsoid::Slope Superellipsoid::along(const Line& line, double t) const
 /// Newton from outside never steps over an entry: the length lies above its tangents.
 bool Superellipsoid::first_entry(const Line& line, double from, double to, double& t) const
 {
+    const double scale = std::sqrt(glm::dot(line.direction, line.direction));
     t = from;
     for (int i = 0; i < kMostSteps; ++i) {
         const Slope here = along(line, t);
         if (here.value <= kRounding) return true;
         if (!(here.slope < 0.0)) return false;
-        const double next = t - here.value / here.slope;
-        if (!(next <= to)) return false;
-        if (next == t) return true;
-        t = next;
+        const double step = -here.value / here.slope;
+        t += step;
+        if (!(t <= to)) return false;
+        if (step * scale < kClose) return true;
     }
     return false;
 }
@@ -199,17 +209,29 @@ void Superellipsoid::meet(const Ray& ray, RayRecord& out) const
     // From the point nearest to the middle, so that the way there does not set the rounding.
     const Line line{ray.at(start), ray.direction};
     double from = -kInfinity, to = kInfinity;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double o = line.origin[axis], d = line.direction[axis];
+    const auto cut = [&](double o, double d, double reach) {
         if (d == 0.0) {
-            if (std::abs(o) > kReach) return;
-            continue;
+            if (std::abs(o) > reach) to = -kInfinity;
+            return;
         }
-        const double a = (-kReach - o) / d, b = (kReach - o) / d;
+        const double inverse = 1.0 / d, a = (-reach - o) * inverse, b = (reach - o) * inverse;
         from = std::max(from, std::min(a, b));
         to = std::min(to, std::max(a, b));
-    }
+    };
+    const glm::dvec3 &o = line.origin, &d = line.direction;
+    for (int axis = 0; axis < 3; ++axis) cut(o[axis], d[axis], convex_ ? kClear : kReach);
     if (!(from < to)) return;
+    if (convex_) {
+        cut(o.x + o.y, d.x + d.y, edge_);
+        cut(o.x - o.y, d.x - d.y, edge_);
+        for (const double side : {1.0, -1.0}) {
+            cut(o.x + side * o.z, d.x + side * d.z, rim_);
+            cut(o.y + side * o.z, d.y + side * d.z, rim_);
+            cut(o.x + o.y + side * o.z, d.x + d.y + side * d.z, corner_);
+            cut(o.x - o.y + side * o.z, d.x - d.y + side * d.z, corner_);
+        }
+        if (!(from < to)) return;
+    }
     if (start + from > out.to || start + to < out.from) return;
     if (convex_) meet_convex(line, {from, to}, start, out);
     else meet_any(line, {from, to}, start, out);

@@ -42,6 +42,7 @@ private:
 
     double across_, along_;   ///< exponents 2 / e and 2 / n
     bool convex_;
+    double edge_ = 0.0, rim_ = 0.0, corner_ = 0.0;   ///< reach of a convex one along x + y, x + z and x + y + z
 };
 
 }  // namespace csg
