@@ -31,7 +31,11 @@ bool read_component(StatementReader& s)
     if (!s.accept(Kind::Sphere) && !s.accept(Kind::Cylinder)) return false;
     const char* name = ball ? "sphere" : "cylinder";
     const auto opened = s.build().open_block(name);
-    finish_component(s, name, s.operands(ball ? "vf" : "vvf"));
+    auto operands = s.operands(ball ? "vf" : "vvf");
+    constexpr double kShortest = 1e-10;  // POV-Ray's (spec 5a, 5.11)
+    if (!ball && glm::distance(std::get<glm::dvec3>(operands[0]), std::get<glm::dvec3>(operands[1])) < kShortest)
+        s.fail("the two ends of this cylinder are one point");
+    finish_component(s, name, std::move(operands));
     s.build().close_block(name, opened);
     return true;
 }

@@ -11,6 +11,7 @@ TEST_CASE("a missing parameter is named", "[parser][error]")
     CHECK(error_of("plane { <0,1,0> }") == "1:17: error: expected the plane's distance from the origin (a number), found '}'");
     CHECK(error_of("plane { }") == "1:9: error: expected the plane's normal, as in <0, 1, 0>, found '}'");
     CHECK(error_of("sphere { <0,1,0> pigment { rgb 1 } }") == "1:18: error: expected the radius (a number), found 'pigment'");
+    CHECK(error_of("blob { cylinder { x, x, 1, 1 } }").find("the two ends of this cylinder are one point") != std::string::npos);
     CHECK(error_of("sphere 1") == "1:8: error: expected '{' after sphere, found '1'");
     CHECK(error_of("sphere { 0, 1 finish { phong } }") == "1:30: error: expected a number, found '}'");
     CHECK(error_of("sphere { 0, 1 pigment { gradient } }") ==
