@@ -109,19 +109,23 @@ glm::dvec3 SphereSweep::gradient(const glm::dvec3& p, std::uint32_t face) const
     const Segment& segment = segments_[std::min<std::size_t>(face >> kPlaceBits, segments_.size() - 1)];
     const double place = static_cast<double>(face & kPlaces) / kPlaces, step = 1.0 / kPlaces;
     double low = std::max(0.0, place - step), high = std::min(1.0, place + step);
-    // The ball that touches p there: the distance from its surface is least.
-    const auto grows = [&](double u) {
-        const glm::dvec4 c = segment.at(u), rate = segment.rate(u);
-        return glm::dot(glm::dvec3(c) - p, glm::dvec3(rate)) - c.w * rate.w > 0.0;
+    // The ball that touches p there: the distance from its surface is least, and this is the rate at which it grows.
+    const auto rate = [&](double u) {
+        const glm::dvec4 c = segment.at(u), d = segment.rate(u);
+        return glm::dot(glm::dvec3(c) - p, glm::dvec3(d)) - c.w * d.w;
     };
-    if (grows(low)) high = low;
-    else if (!grows(high)) low = high;
-    while (low < high) {
-        const double middle = 0.5 * (low + high);
-        if (middle == low || middle == high) break;
-        (grows(middle) ? high : low) = middle;
+    double at_low = rate(low), at_high = rate(high), u = at_low > 0.0 ? low : high;
+    constexpr double kClose = 1e-12;  // of the segment
+    for (int i = 0; i < 60 && at_low <= 0.0 && at_high > 0.0 && high - low > kClose; ++i) {
+        // The chord's zero, and half of the bracket where that is outside.
+        u = low + (high - low) * (at_low / (at_low - at_high));
+        if (i % 3 == 2 || !(u > low && u < high)) u = 0.5 * (low + high);
+        const double here = rate(u);
+        if (std::abs(here) <= kClose * (at_high - at_low)) break;
+        (here > 0.0 ? high : low) = u;
+        (here > 0.0 ? at_high : at_low) = here;
     }
-    const glm::dvec4 c = segment.at(low);
+    const glm::dvec4 c = segment.at(u);
     return (p - glm::dvec3(c)) * (c.w < 0.0 ? -1.0 : 1.0);
 }
 

@@ -146,12 +146,15 @@ template <class F>
 bool Superellipsoid::each_change(const Line& line, Range in, Range ends, int depth, F&& found) const
 {
     const bool changes = (ends.low > 0.0) != (ends.high > 0.0);
+    // Exponents up to 1: the length is concave within an octant.
+    const bool concave = across_ <= 1.0 && along_ <= 1.0;
+    if (!changes && concave && ends.low > 0.0) return true;
     if (!changes) {
         // It grows with every coordinate, and each of them is least and most at an end.
         const glm::dvec3 p = glm::abs(line.at(in.low)), q = glm::abs(line.at(in.high));
         if (ends.low > 0.0 ? excess(glm::min(p, q)) > 0.0 : excess(glm::max(p, q)) <= 0.0) return true;
     }
-    if (slope_has_sign(line, in.low, in.high)) {
+    if ((concave && changes) || slope_has_sign(line, in.low, in.high)) {
         if (!changes) return true;
         const bool rises = ends.high > 0.0;
         double low = in.low, high = in.high, t = 0.5 * (low + high);
