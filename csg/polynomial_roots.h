@@ -1,6 +1,7 @@
 #pragma once
 
 // Continues polynomial_shape.h: the root finder, inline because it is compiled once per instruction set.
+#include "csg/low_degree_roots.h"
 #include "csg/polynomial_shape.h"
 
 #include <algorithm>
@@ -61,6 +62,8 @@ inline double root_bound(const PolynomialShape::Along& c, int degree)
 inline int sign_changes(const PolynomialShape::Along& c, int degree, double (&out)[PolynomialShape::kMostDegree])
 {
     constexpr int kMost = PolynomialShape::kMostDegree;
+    const int by_formula = degree == 4 ? detail::quartic_roots(c.data(), out) : degree == 3 ? detail::cubic_roots(c.data(), out) : detail::kUnsure;
+    if (by_formula != detail::kUnsure) return by_formula;
     // Between two roots of its derivative a polynomial changes its sign at most once: from the parabola upwards.
     double derivative[kMost + 1];
     const double bound = detail::root_bound(c, degree);

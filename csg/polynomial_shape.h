@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/polynomial_along.h"
 #include "csg/types.h"
 
 #include <algorithm>
@@ -26,6 +27,24 @@ public:
     /// The polynomial along o + t d.
     void along(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
     {
+        switch (degree_) {
+        case 2: return along_of<2>(o, d, out);
+        case 3: return along_of<3>(o, d, out);
+        case 4: return along_of<4>(o, d, out);
+        default: return along_any(o, d, out);
+        }
+    }
+
+private:
+    template <int degree>
+    void along_of(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
+    {
+        const double* next = coefficients_.data();
+        const detail::Powers<degree> found = detail::along_x<degree>(next, {o.x, o.y, o.z, d.x, d.y, d.z});
+        std::copy(found.begin(), found.end(), out.begin());
+    }
+    void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
+    {
         // Horner's scheme in x, whose coefficients are polynomials of y and z, and so on; numbers here are polynomials of t.
         const double* next = coefficients_.data();
         std::fill_n(out.begin(), degree_ + 1, 0.0);
@@ -41,8 +60,6 @@ public:
             step(out, degree_ - i, o.x, d.x, in_y);
         }
     }
-
-private:
     /// p (of degree `degree` - 1) times (o + t d), plus a number or a polynomial no longer than the product.
     static void step(Along& p, int degree, double o, double d, double plus)
     {
