@@ -45,11 +45,12 @@ struct TileLeaf {
     {
         const WorldItem& item = world.items[index];
         if ((item.visible & kinds) == 0) return;
-        if (item.solid != kNoPart && lanes::has_test(world.store, item.solid)) {
+        const bool gated = item.gate != WorldItem::kNoGate;
+        if (item.solid != kNoPart && !gated && lanes::has_test(world.store, item.solid)) {
             lanes::with_test(world.store, item.solid, rays, [&](const auto& at) { query.solid(index, mask, at); });
             return;
         }
-        if (kind_of(item.solid) == SolidKind::Torus && torus(index, mask)) return;
+        if (kind_of(item.solid) == SolidKind::Torus && !gated && torus(index, mask)) return;
         if (item.simple && (mask & (mask - 1)) != 0 && query.lanes_serve(item)) {
             query.ask(front, item, world.programs[item.program].flat, mask);
             query.program(index, front);

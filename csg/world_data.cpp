@@ -87,13 +87,19 @@ void WorldData::add_program(Program program, std::uint32_t object, std::uint8_t 
     programs.push_back(std::move(program));
 }
 
+void WorldData::gate_last(Gate gate)
+{
+    items.back().gate = static_cast<std::uint32_t>(gates.size());
+    gates.push_back(std::move(gate));
+}
+
 void WorldData::finish()
 {
     std::vector<BvhInput> inputs;
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         WorldItem& item = items[i];
         item.all_opaque = all_opaque(*this, item);
-        item.simple = item.solid == kNoPart && programs[item.program].flat.simple();
+        item.simple = item.solid == kNoPart && item.gate == WorldItem::kNoGate && programs[item.program].flat.simple();
         item.plain = item.simple && programs[item.program].flat.terms[0].plain();
         visible_everywhere &= item.visible;
         const Aabb box = drawn_bounds(*this, item);

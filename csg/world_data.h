@@ -18,6 +18,16 @@ struct WorldItem {
     bool all_opaque = true;           ///< every surface of it stops light
     bool simple = false;              ///< a program whose flat form suits vector lanes
     bool plain = false;               ///< and has nothing cut from it
+    std::uint32_t gate = kNoGate;     ///< index into WorldData::gates
+
+    static constexpr std::uint32_t kNoGate = 0xffffffffu;
+};
+
+/// What a ray must meet, or start inside of, to be told anything of an item: POV-Ray's `bounded_by` (spec 5a, 9.2). Of what it
+/// is told then, nothing is left out.
+struct Gate {
+    Aabb box = Aabb::everything();
+    std::vector<std::uint32_t> programs;   ///< each of them
 };
 
 /// Eight balls in lanes; an empty place has radius -1.
@@ -32,6 +42,7 @@ struct WorldData {
     SolidStore store;
     std::vector<Program> programs;
     std::vector<WorldItem> items;
+    std::vector<Gate> gates;
     std::vector<std::uint32_t> unbounded;      ///< items outside the hierarchy
     Bvh bvh;
     std::vector<SphereBlock> spheres;          ///< by leaf block
@@ -42,6 +53,8 @@ struct WorldData {
     void add_solid(PartId solid, bool inverted, std::uint32_t object, std::uint8_t visible);
     /// A CSG object.
     void add_program(Program program, std::uint32_t object, std::uint8_t visible);
+    /// Puts a gate before the item that was added last.
+    void gate_last(Gate gate);
     /// Builds the hierarchy. surface_opaque must be set.
     void finish();
 };

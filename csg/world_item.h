@@ -94,11 +94,35 @@ inline Hit mesh_nearest(const SolidStore& store, PartId part, const Ray& ray, do
     return best;
 }
 
+/// Whether a ray is let through to an item: it meets every bound at or beyond t_min, however far, or starts inside.
+inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, Scratch& scratch)
+{
+    if (item.gate == WorldItem::kNoGate) return true;
+    const Gate& gate = world.gates[item.gate];
+    double first = t_min, last = kInfinity;
+    for (int k = 0; k < 3; ++k) {
+        Interval side;
+        if (!slab(ray.origin[k], ray.direction[k], gate.box.lower[k], gate.box.upper[k], side)) return false;
+        first = std::max(first, side.entry);
+        last = std::min(last, side.exit);
+    }
+    if (!(first <= last)) return false;
+    for (const std::uint32_t p : gate.programs) {
+        const Program& bound = world.programs[p];
+        bool met = false;
+        for (const Span& span : inside_spans(bound, world.store, ray, scratch)) met = met || span.out.t >= t_min;
+        // Where there is no inside, it is drawn all the same.
+        if (!met && nearest_visible(bound, world.store, ray, t_min, kInfinity, scratch).part == kNoPart) return false;
+    }
+    return true;
+}
+
 /// The nearest crossing of an item in [t_min, t_max]; at equal t the last generated (spec 5a, 2.1). `slabs` of the ray, if
 /// they are known.
 inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
                         Scratch& scratch, const RaySlabs* slabs = nullptr)
 {
+    if (!passes(world, item, ray, t_min, scratch)) return {};
     if (item.solid == kNoPart) {
         const Crossing c = nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs);
         if (c.part == kNoPart || !(c.t <= t_max)) return {};
@@ -130,6 +154,7 @@ template <class F>
 inline void item_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
                            Scratch& scratch, const RaySlabs* slabs, F&& f)
 {
+    if (!passes(world, item, ray, t_min, scratch)) return;
     if (item.solid == kNoPart) {
         each_crossing(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs,
                       [&](const Crossing& c) { f(hit_of(world.store, c)); });

@@ -76,6 +76,7 @@ void GeometryCompiler::finish()
     tell(split_unions_, "unions split into their operands", "nothing at top level needs them as one object");
     tell(empty_programs_, "objects left out", "bounds of their operands leave nothing to draw");
     tell(bounds_, "bounded_by left out", "the hierarchy bounds every object itself");
+    tell(gates_, "bounded_by kept", "they are smaller than what they bound");
 }
 
 /// What `object` hands down to its operands and to its own surface.
@@ -125,6 +126,7 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
     if (!std::holds_alternative<scene::Csg>(object.shape) && !std::holds_alternative<scene::Mesh>(object.shape) && !clipped) {
         const csg::PartId part = world.store.add(solid(object, own), shape_surface(object, own));
         world.add_solid(part, object.inverse, object_, visible(own));
+        add_gate(object, own);
         return;
     }
     csg::Program program = csg::build(tree(object, own), world.store);
@@ -133,6 +135,7 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
         return;
     }
     world.add_program(std::move(program), object_, visible(own));
+    add_gate(object, own);
 }
 
 csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited& own)

@@ -43,6 +43,7 @@ private:
 
     Inherited below(const scene::Object& object, const Inherited& above);
     void add_top(const scene::Object& object, const Inherited& above);
+    void add_gate(const scene::Object& object, const Inherited& own);
     void add_alone(const scene::Object& object, const Inherited& own);
     csg::Tree tree(const scene::Object& object, const Inherited& own);
     csg::Solid solid(const scene::Object& object, const Inherited& own);
@@ -96,7 +97,7 @@ private:
     };
     std::unordered_map<const scene::Texture*, std::vector<Moved>> moved_;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
-    std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0;
+    std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0, gates_ = 0;
 };
 
 }  // namespace plan
