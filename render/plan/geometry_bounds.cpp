@@ -39,6 +39,20 @@ void GeometryCompiler::add_gate(const scene::Object& object, const Inherited& ow
                                 : csg::with_solid(world.store, item.solid, [](const auto& solid) { return solid.bounds(); });
     const csg::Transform parent = own.to_world * object.transform.inverted();
     csg::Gate gate;
+    const auto must_meet = [&](const csg::Tree& tree) {
+        csg::Program program = csg::build(tree, world.store);
+        if (program.nodes.empty()) return;
+        if (program.bounds.finite()) gate.box = gate.box.intersected(program.bounds);
+        gate.programs.push_back(static_cast<std::uint32_t>(world.programs.size()));
+        world.programs.push_back(std::move(program));
+    };
+    if (std::holds_alternative<scene::Polynomial>(object.shape) && !object.clipped_by.empty()) {
+        // What a ray cannot meet inside all clips is not worth the roots.
+        csg::Tree all;
+        all.op = csg::Tree::Op::Intersection;
+        for (const scene::Object& clip : object.clipped_by) all.operands.push_back(clip_tree(clip, parent));
+        must_meet(all);
+    }
     for (const scene::Object& clip : object.clipped_by) {
         if (clip.inverse) continue;
         scene::Object moved = clip;
@@ -47,16 +61,10 @@ void GeometryCompiler::add_gate(const scene::Object& object, const Inherited& ow
         if (glm::all(glm::lessThan(glm::max(glm::abs(box.lower), glm::abs(box.upper)), glm::dvec3(kUnbounded)))) gate.box = gate.box.intersected(box);
     }
     if (!object.bounded_by.empty() && !object.bounded_by_clip && keeps_bounds(object, drawn)) {
-        for (const scene::Object& bound : object.bounded_by) {
-            csg::Program program = csg::build(clip_tree(bound, parent), world.store);
-            if (program.nodes.empty()) continue;
-            if (program.bounds.finite()) gate.box = gate.box.intersected(program.bounds);
-            gate.programs.push_back(static_cast<std::uint32_t>(world.programs.size()));
-            world.programs.push_back(std::move(program));
-        }
+        for (const scene::Object& bound : object.bounded_by) must_meet(clip_tree(bound, parent));
     }
     if ((gate.programs.empty() && !gate.box.finite()) || holds(gate.box, drawn)) return;
-    if (!gate.programs.empty()) {
+    if (!object.bounded_by.empty() && !object.bounded_by_clip && bounds_ > 0) {
         --bounds_;
         ++gates_;
     }
