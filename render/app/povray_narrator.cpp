@@ -17,7 +17,12 @@ constexpr std::chrono::milliseconds kBetweenUpdates{100};      // on a terminal
 constexpr int kFrameStep = 20;                                 // percent between updates in an animation, on a pipe
 
 std::string heading(const std::string& text) { return fmt::format("{:=<{}}\n", fmt::format("==== [{}...] ", text), kLineLength); }
-std::string rule() { return std::string(kLineLength, '-') + "\n"; }
+std::string rule()
+{
+    std::string line(kLineLength, '-');
+    line += '\n';
+    return line;
+}
 std::string titled(const char* title) { return rule() + title + "\n" + rule(); }
 
 std::string duration(double seconds)

@@ -1,0 +1,12 @@
+# precompiled(TARGET): the library headers that most sources of TARGET include are read once. They are half of what such a
+# file takes to compile; ccache needs -fpch-preprocess and its sloppiness (CMakePresets.json) to cache files that use them.
+function(precompiled target)
+  target_precompile_headers(${target} PRIVATE
+    <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory> <optional> <set> <stdexcept>
+    <string> <string_view> <utility> <variant> <vector> <glm/glm.hpp> ${ARGN})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  else()
+    target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+  endif()
+endfunction()
