@@ -12,6 +12,7 @@
 /// what has become another type, or would be an error or a warning, is left to the reader of tokens, which starts afresh.
 namespace parser {
 
+class GrammarHooks;
 struct LanguageState;
 
 /// How an expression is read; the same place may be read in several ways.
@@ -32,6 +33,7 @@ struct CompiledOp {
         Add, Subtract, Multiply, Divide, AddTuple, SubtractTuple, MultiplyTuple, DivideTuple,
         AddNumber, MultiplyNumber, Relation, And, Or, Choose,
         Function1, Function2, Min, Max, Choose3, Choose4, Length, Dot, Cross, Normalize, Rotate, Call, Random,
+        Inside, Trace, StoreNormal,
     };
     Code code = Code::Constant;
     std::uint8_t a = 1, b = 1;     ///< component counts of the operands, or what the code says
@@ -53,6 +55,7 @@ struct CompiledExpression {
 struct CompiledContext {
     const Symbols& symbols;
     std::vector<std::uint32_t>& random_streams;
+    GrammarHooks& hooks;
 };
 
 /// Compiles the expression at tokens[begin] if it is of the kinds known here and ends before `limit` at a token that ends

@@ -1,6 +1,7 @@
 #include "parser/stream/compiled.h"
 
 #include "function/evaluate.h"
+#include "parser/stream/hooks.h"
 #include "parser/stream/operand.h"
 
 #include <algorithm>
@@ -154,114 +155,178 @@ void put3(double* to, const glm::dvec3& v)
     to[2] = v.z;
 }
 
+/// A list at work: its stack and what it has to undo.
+class Run {
+public:
+    Run(const CompiledExpression& expression, const CompiledContext& context)
+        : expression_(expression), context_(context), random_(context.random_streams) {}
+
+    bool all(double* result)
+    {
+        for (const CompiledOp& op : expression_.ops)
+            if (!step(op)) return random_.give_up();
+        result[0] = stack_[0];
+        for (int i = 1; i < expression_.count; ++i) result[i] = stack_[i];
+        return true;
+    }
+
+private:
+    /// The operations that most lists are made of.
+    bool step(const CompiledOp& op)
+    {
+        switch (op.code) {
+        case Code::Constant: *top_++ = op.number; return true;
+        case Code::Load: return load(op.name, 1);
+        case Code::LoadTuple: return load(op.name, op.a);
+        case Code::Element:
+            if (!load_element(op, context_.symbols, top_ - op.a)) return false;
+            top_ += op.b - op.a;
+            return true;
+        case Code::Add: --top_; top_[-1] += top_[0]; return true;
+        case Code::Subtract: --top_; top_[-1] -= top_[0]; return true;
+        case Code::Multiply: --top_; top_[-1] *= top_[0]; return true;
+        case Code::Divide: --top_; return top_[0] != 0.0 ? (top_[-1] /= top_[0], true) : false;
+        case Code::AddTuple:
+            if (op.a != op.b) return combine_at(op, top_);
+            top_ -= op.b;
+            for (int i = 0; i < op.a; ++i) top_[i - op.a] += top_[i];
+            return true;
+        case Code::SubtractTuple:
+            if (op.a != op.b) return combine_at(op, top_);
+            top_ -= op.b;
+            for (int i = 0; i < op.a; ++i) top_[i - op.a] -= top_[i];
+            return true;
+        case Code::MultiplyTuple:
+        case Code::DivideTuple: return combine_at(op, top_);
+        case Code::AddNumber: top_[-1] += op.number; return true;
+        case Code::MultiplyNumber: top_[-1] *= op.number; return true;
+        case Code::Relation: --top_; top_[-1] = relation_holds(op.kind, top_[-1], top_[0]) ? 1.0 : 0.0; return true;
+        case Code::And: --top_; top_[-1] = truth(top_[-1]) && truth(top_[0]) ? 1.0 : 0.0; return true;
+        case Code::Or: --top_; top_[-1] = truth(top_[-1]) || truth(top_[0]) ? 1.0 : 0.0; return true;
+        case Code::Length: top_ -= 2; top_[-1] = glm::length(at3(top_ - 1)); return true;
+        case Code::Random: return random_.draw(top_[-1], top_[-1]);
+        default: return shape(op) || function(op);
+        }
+    }
+
+    /// What moves, chooses or turns over components. False: none of these.
+    bool shape(const CompiledOp& op)
+    {
+        switch (op.code) {
+        case Code::Splat:
+            for (int i = 1; i < op.a; ++i, ++top_) *top_ = top_[-1];
+            return true;
+        case Code::Select: {
+            const double chosen = top_[op.b - op.a];
+            top_ -= op.a - 1;
+            top_[-1] = chosen;
+            return true;
+        }
+        case Code::Gray:
+            top_ -= op.a - 1;
+            top_[-1] = 0.297 * top_[-1] + 0.589 * top_[0] + 0.114 * top_[1];
+            return true;
+        case Code::Negate:
+            for (int i = 1; i <= op.a; ++i) top_[-i] = -top_[-i];
+            return true;
+        case Code::Not:
+            for (int i = 1; i <= op.a; ++i) top_[-i] = truth(top_[-i]) ? 0.0 : 1.0;
+            return true;
+        case Code::Choose: top_ -= 2; top_[-1] = truth(top_[-1]) ? top_[0] : top_[1]; return true;
+        case Code::Min: --top_; top_[-1] = top_[0] < top_[-1] ? top_[0] : top_[-1]; return true;
+        case Code::Max: --top_; top_[-1] = top_[-1] < top_[0] ? top_[0] : top_[-1]; return true;
+        case Code::Choose3: top_ -= 2; top_[-1] = top_[-1] < 0.0 ? top_[0] : top_[1]; return true;
+        case Code::Choose4: top_ -= 3; top_[-1] = top_[-1] < 0.0 ? top_[0] : top_[-1] == 0.0 ? top_[1] : top_[2]; return true;
+        default: return false;
+        }
+    }
+
+    /// Functions. False: the reader of tokens has something to say.
+    bool function(const CompiledOp& op)
+    {
+        switch (op.code) {
+        case Code::Function1: return function_of_one(op.kind, top_[-1]);
+        case Code::Function2: --top_; return function_of_two(op.kind, top_[-1], top_[0]);
+        case Code::Dot: top_ -= 5; top_[-1] = glm::dot(at3(top_ - 1), at3(top_ + 2)); return true;
+        case Code::Cross: top_ -= 3; put3(top_ - 3, glm::cross(at3(top_ - 3), at3(top_))); return true;
+        case Code::Normalize: {
+            const double length = glm::length(at3(top_ - 3));
+            if (!(length != 0.0)) return false;
+            put3(top_ - 3, at3(top_ - 3) / length);
+            return true;
+        }
+        case Code::Rotate: top_ -= 3; put3(top_ - 3, rotated(at3(top_ - 3), at3(top_))); return true;
+        case Code::Call:
+            if (!call(op, expression_, context_.symbols, top_ - op.a)) return false;
+            top_ += static_cast<int>(expression_.functions[op.b]->components) - op.a;
+            return true;
+        case Code::Inside: return inside(op);
+        case Code::Trace: return trace(op);
+        case Code::StoreNormal: return store_normal(op);
+        default: return false;
+        }
+    }
+
+    bool load(std::uint32_t name, int count)
+    {
+        const Value* value = context_.symbols.find_known(name);
+        const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
+        if (!tuple || tuple->count != count) return false;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) *top_++ = tuple->at[i];
+        return true;
+    }
+
+    const std::shared_ptr<const scene::Object>* object(const CompiledOp& op) const
+    {
+        const Value* value = context_.symbols.find(op.name);
+        return value ? value->get_if<std::shared_ptr<const scene::Object>>() : nullptr;
+    }
+
+    bool inside(const CompiledOp& op)
+    {
+        const auto* asked = object(op);
+        if (!asked) return false;
+        top_ -= 2;
+        const auto answer = context_.hooks.inside(*asked, at3(top_ - 1));
+        if (!answer) return false;
+        top_[-1] = *answer ? 1.0 : 0.0;
+        return true;
+    }
+
+    bool trace(const CompiledOp& op)
+    {
+        const auto* asked = object(op);
+        if (!asked) return false;
+        top_ -= 3;
+        const auto answer = context_.hooks.trace(*asked, at3(top_ - 3), glm::normalize(at3(top_)));
+        if (!answer) return false;
+        normal_ = answer->hit ? answer->normal : glm::dvec3(0.0);
+        put3(top_ - 3, answer->hit ? answer->point : glm::dvec3(0.0));
+        return true;
+    }
+
+    bool store_normal(const CompiledOp& op)
+    {
+        Value* value = context_.symbols.find(op.name);
+        Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
+        if (!tuple || tuple->count != 3) return false;
+        *tuple = Tuple::of(normal_);
+        return true;
+    }
+
+    const CompiledExpression& expression_;
+    const CompiledContext& context_;
+    RandomUndo random_;
+    double stack_[64];             // not cleared: a list writes before it reads
+    double* top_ = stack_;         // the first free place
+    glm::dvec3 normal_{0.0};       // that the last trace() found
+};
+
 }  // namespace
 
 bool run_compiled(const CompiledExpression& expression, const CompiledContext& context, double* result)
 {
-    double stack[64];
-    double* top = stack;  // the first free place
-    RandomUndo random(context.random_streams);
-    for (const CompiledOp& op : expression.ops) {
-        switch (op.code) {
-        case Code::Constant: *top++ = op.number; break;
-        case Code::Load: {
-            const Value* value = context.symbols.find_known(op.name);
-            const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
-            if (!tuple || tuple->count != 1) return random.give_up();
-            *top++ = tuple->at[0];
-            break;
-        }
-        case Code::LoadTuple: {
-            const Value* value = context.symbols.find_known(op.name);
-            const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
-            if (!tuple || tuple->count != op.a) return random.give_up();
-            for (std::size_t i = 0; i < op.a; ++i) *top++ = tuple->at[i];
-            break;
-        }
-        case Code::Element:
-            if (!load_element(op, context.symbols, top - op.a)) return random.give_up();
-            top += op.b - op.a;
-            break;
-        case Code::Splat:
-            for (int i = 1; i < op.a; ++i, ++top) *top = top[-1];
-            break;
-        case Code::Select: {
-            const double chosen = top[op.b - op.a];
-            top -= op.a - 1;
-            top[-1] = chosen;
-            break;
-        }
-        case Code::Gray: {
-            top -= op.a - 1;
-            top[-1] = 0.297 * top[-1] + 0.589 * top[0] + 0.114 * top[1];
-            break;
-        }
-        case Code::Negate:
-            for (int i = 1; i <= op.a; ++i) top[-i] = -top[-i];
-            break;
-        case Code::Not:
-            for (int i = 1; i <= op.a; ++i) top[-i] = truth(top[-i]) ? 0.0 : 1.0;
-            break;
-        case Code::Add: --top; top[-1] += top[0]; break;
-        case Code::Subtract: --top; top[-1] -= top[0]; break;
-        case Code::Multiply: --top; top[-1] *= top[0]; break;
-        case Code::Divide:
-            --top;
-            if (top[0] == 0.0) return random.give_up();
-            top[-1] /= top[0];
-            break;
-        case Code::AddTuple:
-            if (op.a != op.b) {
-                if (!combine_at(op, top)) return random.give_up();
-                break;
-            }
-            top -= op.b;
-            for (int i = 0; i < op.a; ++i) top[i - op.a] += top[i];
-            break;
-        case Code::SubtractTuple:
-            if (op.a != op.b) {
-                if (!combine_at(op, top)) return random.give_up();
-                break;
-            }
-            top -= op.b;
-            for (int i = 0; i < op.a; ++i) top[i - op.a] -= top[i];
-            break;
-        case Code::MultiplyTuple:
-        case Code::DivideTuple:
-            if (!combine_at(op, top)) return random.give_up();
-            break;
-        case Code::AddNumber: top[-1] += op.number; break;
-        case Code::MultiplyNumber: top[-1] *= op.number; break;
-        case Code::Relation: --top; top[-1] = relation_holds(op.kind, top[-1], top[0]) ? 1.0 : 0.0; break;
-        case Code::And: --top; top[-1] = truth(top[-1]) && truth(top[0]) ? 1.0 : 0.0; break;
-        case Code::Or: --top; top[-1] = truth(top[-1]) || truth(top[0]) ? 1.0 : 0.0; break;
-        case Code::Choose: top -= 2; top[-1] = truth(top[-1]) ? top[0] : top[1]; break;
-        case Code::Function1: if (!function_of_one(op.kind, top[-1])) return random.give_up(); break;
-        case Code::Function2: --top; if (!function_of_two(op.kind, top[-1], top[0])) return random.give_up(); break;
-        case Code::Min: --top; top[-1] = top[0] < top[-1] ? top[0] : top[-1]; break;
-        case Code::Max: --top; top[-1] = top[-1] < top[0] ? top[0] : top[-1]; break;
-        case Code::Choose3: top -= 2; top[-1] = top[-1] < 0.0 ? top[0] : top[1]; break;
-        case Code::Choose4: top -= 3; top[-1] = top[-1] < 0.0 ? top[0] : top[-1] == 0.0 ? top[1] : top[2]; break;
-        case Code::Length: top -= 2; top[-1] = glm::length(at3(top - 1)); break;
-        case Code::Dot: top -= 5; top[-1] = glm::dot(at3(top - 1), at3(top + 2)); break;
-        case Code::Cross: top -= 3; put3(top - 3, glm::cross(at3(top - 3), at3(top))); break;
-        case Code::Normalize: {
-            const double length = glm::length(at3(top - 3));
-            if (!(length != 0.0)) return random.give_up();
-            put3(top - 3, at3(top - 3) / length);
-            break;
-        }
-        case Code::Rotate: top -= 3; put3(top - 3, rotated(at3(top - 3), at3(top))); break;
-        case Code::Call:
-            if (!call(op, expression, context.symbols, top - op.a)) return random.give_up();
-            top += static_cast<int>(expression.functions[op.b]->components) - op.a;
-            break;
-        case Code::Random: if (!random.draw(top[-1], top[-1])) return random.give_up(); break;
-        }
-    }
-    result[0] = stack[0];
-    for (int i = 1; i < expression.count; ++i) result[i] = stack[i];
-    return true;
+    return Run(expression, context).all(result);
 }
 
 }  // namespace parser

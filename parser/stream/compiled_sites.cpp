@@ -26,7 +26,7 @@ bool TokenStream::find_compiled(CompiledKey key, Tuple& out)
     }
     if (!deprecated_.empty() || language_.version < 150) return false;
 
-    const CompiledContext context{symbols_, random_streams_};
+    const CompiledContext context{symbols_, random_streams_, hooks_};
     int lists = 0;
     for (std::uint32_t list = site < kFirst ? kNoIndex : site - kFirst; list != kNoIndex; ++lists) {
         const CompiledExpression& expression = compiled_[list];
@@ -48,7 +48,7 @@ bool TokenStream::compile_here(CompiledKey key, std::uint32_t at, Tuple& out)
     made.next = site < kFirst ? kNoIndex : site - kFirst;
     site = static_cast<std::uint32_t>(compiled_.size()) + kFirst;
     compiled_.push_back(std::move(made));
-    return run_compiled(compiled_.back(), {symbols_, random_streams_}, out.at.data()) && take_compiled(compiled_.back(), at, out);
+    return run_compiled(compiled_.back(), {symbols_, random_streams_, hooks_}, out.at.data()) && take_compiled(compiled_.back(), at, out);
 }
 
 std::uint32_t* TokenStream::sites_of(std::uint16_t file)

@@ -46,16 +46,6 @@ int Compiler::product(int requested)
     return left;
 }
 
-namespace {
-
-bool is_relation(Kind kind)
-{
-    return kind == Kind::Less || kind == Kind::Greater || kind == Kind::LessEqual || kind == Kind::GreaterEqual ||
-           kind == Kind::Equal || kind == Kind::NotEqual;
-}
-
-}  // namespace
-
 int Compiler::relation(int requested)
 {
     int left = sum(requested);
@@ -102,22 +92,6 @@ int Compiler::factor(int requested)
     return count;
 }
 
-namespace {
-
-int component_of(Kind kind)
-{
-    switch (kind) {
-    case Kind::X: case Kind::U: case Kind::Red: return 0;
-    case Kind::Y: case Kind::V: case Kind::Green: return 1;
-    case Kind::Z: case Kind::Blue: return 2;
-    case Kind::T: case Kind::Filter: return 3;
-    case Kind::Transmit: return 4;
-    default: return -1;
-    }
-}
-
-}  // namespace
-
 int Compiler::select(int count, int requested)
 {
     if (!take(Kind::Period)) return count;
@@ -126,7 +100,7 @@ int Compiler::select(int count, int requested)
         emit(Code::Gray, 1 - count).a = static_cast<std::uint8_t>(count);
         return splat(requested);
     }
-    const int index = component_of(kind());
+    const int index = component_index(kind());
     if (index < 0 || index >= count) return -1;
     ++at_;
     CompiledOp& op = emit(Code::Select, 1 - count);
@@ -174,6 +148,9 @@ bool compile_expression(const Token* tokens, std::uint32_t begin, std::uint32_t 
     Compiler compiler(tokens, begin, limit, symbols, out);
     const int count = key.full() ? compiler.full(key.requested()) : compiler.sum(key.requested());
     if (count < 1 || count > 5 || !ends_surely(compiler.kind(), key.raw())) return false;
+    const auto stores = [](const CompiledOp& op) { return op.code == CompiledOp::Code::StoreNormal; };
+    if (const auto store = std::find_if(out.ops.begin(), out.ops.end(), stores); store != out.ops.end())
+        if (std::any_of(store + 1, out.ops.end(), [](const CompiledOp& op) { return op.code != CompiledOp::Code::Constant; })) return false;
     out.count = static_cast<std::uint8_t>(count);
     out.end = compiler.at();
     return true;

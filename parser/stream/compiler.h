@@ -79,6 +79,8 @@ private:
     int call(const Token& name, const function::FunctionPtr& function, int requested);
     int float_word(Kind word, int requested);
     int float_function(Kind word);
+    int trace(int requested);
+    bool object(std::uint32_t& name);
     int vector_word(Kind word, int requested);
     bool number(bool whole = false) { return (whole ? full(1) : sum(1)) == 1; }
     bool vector();

@@ -146,6 +146,11 @@ int Compiler::float_function(Kind word)
         take(Kind::Comma);
         if (!vector()) return -1;
         return emit(Code::Dot, -5), 1;
+    case Kind::Inside: {
+        std::uint32_t name = kNoIndex;
+        if (!object(name) || !vector()) return -1;
+        return emit(Code::Inside, -2).name = name, 1;
+    }
     case Kind::Abs: case Kind::Acos: case Kind::Asin: case Kind::Atan: case Kind::Cosh: case Kind::Sinh: case Kind::Tanh:
     case Kind::Ceil: case Kind::Cos: case Kind::Degrees: case Kind::Exp: case Kind::Floor: case Kind::Int: case Kind::Ln:
     case Kind::Log: case Kind::Radians: case Kind::Sin: case Kind::Sqrt: case Kind::Tan: case Kind::Rand:
@@ -156,12 +161,40 @@ int Compiler::float_function(Kind word)
     }
 }
 
+/// The name of a declared object and the comma behind it.
+bool Compiler::object(std::uint32_t& name)
+{
+    if (kind() != Kind::Identifier) return false;
+    name = tokens_[at_++].name;
+    const Value* value = symbols_.find(name);
+    if (!value || !value->get_if<std::shared_ptr<const scene::Object>>()) return false;
+    take(Kind::Comma);
+    return true;
+}
+
+/// Behind the word. What it stores cannot be taken back: it has to be the whole expression (compile_expression sees to it).
+int Compiler::trace(int requested)
+{
+    std::uint32_t name = kNoIndex;
+    if (!take(Kind::LeftParen) || !object(name) || !vector()) return -1;
+    take(Kind::Comma);
+    if (!vector()) return -1;
+    emit(Code::Trace, -3).name = name;
+    if (take(Kind::Comma)) {
+        if (kind() != Kind::Identifier) return -1;
+        emit(Code::StoreNormal, 0).name = tokens_[at_].name;
+        if (!symbols_.find(tokens_[at_++].name)) return -1;
+    }
+    return take(Kind::RightParen) ? pad(3, std::max(3, requested)) : -1;
+}
+
 int Compiler::vector_word(Kind word, int requested)
 {
     switch (word) {
     case Kind::X: return tuple({1, 0, 0}, requested);
     case Kind::Y: return tuple({0, 1, 0}, requested);
     case Kind::Z: return tuple({0, 0, 1}, requested);
+    case Kind::Trace: return trace(requested);
     default: break;
     }
     const bool two = word == Kind::Vcross || word == Kind::Vrotate;

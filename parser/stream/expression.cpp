@@ -80,13 +80,13 @@ bool relation_holds(Kind kind, double a, double b)
     }
 }
 
-namespace {
-
 bool is_relation(Kind kind)
 {
     return kind == Kind::Less || kind == Kind::Greater || kind == Kind::LessEqual || kind == Kind::GreaterEqual ||
            kind == Kind::Equal || kind == Kind::NotEqual;
 }
+
+namespace {
 
 Tuple read_relation(TokenStream& stream, int requested)
 {

@@ -138,6 +138,8 @@ Tuple read_primary(TokenStream& stream, int requested)
     }
 }
 
+}  // namespace
+
 int component_index(Kind kind)
 {
     switch (kind) {
@@ -149,8 +151,6 @@ int component_index(Kind kind)
     default: return -1;
     }
 }
-
-}  // namespace
 
 bool at_expression(TokenStream& stream)
 {

@@ -5,6 +5,9 @@
 /// Inside of the expression reader: one operand, and the built-in functions.
 namespace parser {
 
+/// Place of the component that a word behind a period names; -1: none.
+int component_index(Kind word);
+
 /// Operand with signs and component access: `-V.y`, `!a`, `(a < b)`, `<1, 2>`, `sin(x)`.
 Tuple read_factor(TokenStream& stream, int requested);
 /// `.x` and the like after an operand, if there.
@@ -22,6 +25,7 @@ std::int32_t to_int32(double value);
 glm::dvec3 rotated(glm::dvec3 v, const glm::dvec3& degrees);
 /// `a relation b`, with the tolerance of the language.
 bool relation_holds(Kind kind, double a, double b);
+bool is_relation(Kind kind);
 inline constexpr double kSame = 1e-10;  ///< comparisons and truth: values nearer than this are equal
 
 }  // namespace parser

@@ -9,9 +9,14 @@ constexpr std::size_t kMostKept = 256;     // a loop that declares an object in 
 
 plan::ObjectProbe& SceneQueries::probe(const ObjectPtr& object)
 {
-    if (const auto known = objects_.find(object); known != objects_.end()) return *known->second;
-    if (objects_.size() >= kMostKept) objects_.clear();
-    return *objects_.emplace(object, std::make_unique<plan::ObjectProbe>(*object)).first->second;
+    if (object.get() == last_) return *last_probe_;
+    auto known = objects_.find(object);
+    if (known == objects_.end()) {
+        if (objects_.size() >= kMostKept) objects_.clear();
+        known = objects_.emplace(object, std::make_unique<plan::ObjectProbe>(*object)).first;
+    }
+    last_ = object.get();  // alive: the map holds it
+    return *(last_probe_ = known->second.get());
 }
 
 parser::ObjectHit SceneQueries::trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction)

@@ -20,6 +20,8 @@ public:
 private:
     plan::ObjectProbe& probe(const ObjectPtr& object);
     std::unordered_map<ObjectPtr, std::unique_ptr<plan::ObjectProbe>> objects_;
+    const scene::Object* last_ = nullptr;  ///< asked last: questions come in rows
+    plan::ObjectProbe* last_probe_ = nullptr;
     std::unordered_map<function::FunctionPtr, std::unique_ptr<plan::FunctionProbe>> functions_;
     int noise_generator_ = 0;              ///< that the kept functions were made with
 };

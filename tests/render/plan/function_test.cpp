@@ -9,10 +9,13 @@
 
 namespace {
 
-/// Functions only.
 struct Queries final : parser::SceneQueries {
-    parser::ObjectHit trace(const ObjectPtr&, const glm::dvec3&, const glm::dvec3&) override { return {}; }
-    bool inside(const ObjectPtr&, const glm::dvec3&) override { return false; }
+    parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction) override
+    {
+        const auto answer = plan::ObjectProbe(*object).trace(origin, direction);
+        return {answer.hit, answer.point, answer.normal};
+    }
+    bool inside(const ObjectPtr& object, const glm::dvec3& point) override { return plan::ObjectProbe(*object).inside(point); }
     csg::Aabb extent(const ObjectPtr&) override { return {}; }
     glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override
     {
@@ -61,4 +64,25 @@ TEST_CASE("noise follows the generator of the scene", "[plan][function]")
     const std::string two = debug_of("global_settings{noise_generator 2}" + noise), three = debug_of("global_settings{noise_generator 3}" + noise);
     CHECK(two == "0.334707373");
     CHECK(three != two);
+}
+
+// In a loop they are compiled at the second pass: written out pass by pass they are not.
+TEST_CASE("trace and inside answer in a loop as outside of one", "[plan][function]")
+{
+    const std::string head = "#version 3.7; #declare S=sphere{0,1} #declare B=box{-1,<1,1,.5>} #declare O=object{S} #declare N=<9,9,9>; #declare I=0;";
+    for (const std::string body : {
+             "#declare P=trace(O,<.1*I,.2,-3>,z,N); #debug concat(vstr(3,P,\" \",0,9),\"/\",vstr(3,N,\" \",0,9),\";\")",
+             "#declare P=trace(O,<.1*I,.2,-3>,z).z+I; #debug str(P.x,0,9)",
+             "#declare P=trace(O,<.1*I,.2,-3>,<.1,0,1>,N)+N; #debug vstr(3,P,\" \",0,9)",
+             "#declare P=trace(O,<.7*I,.2,-3>,z,N); #debug concat(str(P.z,0,9),str(vlength(N),0,3),\";\") #if (I=1) #declare O=object{B} #end",
+             "#if (inside(O,<.35*I,.5,.5>)) #debug \"in \" #else #debug \"out \" #end #if (I=1) #declare O=object{B rotate 20*y} #end",
+             "#local P=trace(O,<.1*I,.2,-3>,z,N); #debug vstr(3,P+N,\" \",0,9) #if (I=2) #undef N #declare N=<1,2,3>; #end",
+         }) {
+        INFO(body);
+        std::string unrolled = head;
+        for (int pass = 0; pass < 4; ++pass) unrolled += body + " #declare I=I+1; ";
+        const std::string told = debug_of(unrolled);
+        CHECK(told.size() > 8);
+        CHECK(debug_of(head + "#while (I<4) " + body + " #declare I=I+1; #end") == told);
+    }
 }
