@@ -38,9 +38,9 @@ inline Points difference(const glm::dvec3& a, const Points& b) { return {Double(
 inline glm::dvec3 into(const Transform& frame, const glm::dvec3& p) { return frame.inverse_point(p); }
 inline Points into(const Transform& frame, const Points& p)
 {
-    const Directions v = Directions{p.x, p.y, p.z}.in(frame);
-    const glm::dvec3& o = frame.inverse_offset;
-    return {v.x + Double(o.x), v.y + Double(o.y), v.z + Double(o.z)};
+    const Points from = difference(p, frame.offset);
+    const Directions v = Directions{from.x, from.y, from.z}.in(frame);
+    return {v.x, v.y, v.z};
 }
 
 inline double along(const glm::dvec3& n, const glm::dvec3& p) { return glm::dot(n, p); }

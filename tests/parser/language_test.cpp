@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -70,5 +71,19 @@ TEST_CASE("what POV-Ray accepts and rejects, and what it prints", "[parser][lang
         CHECK(error.empty() == one.accepted);
         if (one.accepted) CHECK(trimmed(debug) == trimmed(one.debug));
         else if (one.line > 0) CHECK(error.rfind("t.pov:" + std::to_string(one.line + (one.raw ? 0 : 1)) + ":", 0) == 0);
+    }
+}
+
+TEST_CASE("every standard include file can be included", "[parser][language]")
+{
+    const std::filesystem::path folder = "/usr/share/povray-3.7/include";
+    if (!std::filesystem::is_directory(folder)) return;  // the package is optional
+    parser::Options options;
+    options.library_path = {folder.string()};
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".inc") continue;
+        INFO(entry.path());
+        const std::string text = "#version 3.7; global_settings { assumed_gamma 1 } #include \"" + entry.path().filename().string() + "\" sphere { 0, 1 }";
+        CHECK_NOTHROW(parser::parse_text(text, "test.pov", options));
     }
 }

@@ -1,0 +1,190 @@
+#include "bench/numerics/measure.h"
+
+#include "bench/numerics/oracle.h"
+
+#include <chrono>
+#include <optional>
+
+namespace numerics {
+namespace {
+
+using csg::Ray;
+constexpr std::uint32_t kMostSpans = 64;
+
+Parts parts(const csg::Solid& solid, const Ray& ray, double shift = 0.0)
+{
+    return std::visit([&](const auto& s) -> Parts {
+        if constexpr (requires { parts_of(s, along(ray, shift)); }) return parts_of(s, along(ray, shift));
+        else return {};
+    }, solid);
+}
+
+std::vector<double> answered(const csg::Solid& solid, const Ray& ray, std::vector<std::uint32_t>* faces = nullptr)
+{
+    csg::FixedSpans<kMostSpans> spans;
+    std::visit([&](const auto& s) { csg::intersect(s, ray, spans); }, solid);
+    std::vector<double> ends;
+    for (const csg::Span& span : spans)
+        for (const csg::Crossing& end : {span.in, span.out})
+            if (end.t > -csg::kInfinity && end.t < csg::kInfinity) {
+                ends.push_back(end.t);
+                if (faces) faces->push_back(end.face);
+            }
+    return ends;
+}
+
+glm::dvec3 normal(const csg::Solid& solid, const glm::dvec3& p, std::uint32_t face)
+{
+    return std::visit([&](const auto& s) { return s.normal(p, face); }, solid);
+}
+
+/// What one ray adds to a row.
+class Judge {
+public:
+    Judge(const Case& given, Row& row, std::vector<double>& errors) : case_(given), row_(row), errors_(errors), reach_(glm::max(given.distance, given.size)) {}
+
+    void ray(const Ray& ray, csg_test::Rng& rng, Asked* asked)
+    {
+        const double low = case_.distance - 20.0 * case_.size, high = case_.distance + 20.0 * case_.size;
+        std::vector<Quad> truth = crossings(parts(case_.solid, ray, case_.distance), -20.0 * case_.size, 20.0 * case_.size);
+        for (Quad& t : truth) t += case_.distance;
+        std::vector<std::uint32_t> faces;
+        std::vector<double> ends = answered(case_.solid, ray, &faces);
+        ++row_.rays;
+        std::size_t i = 0, j = 0;
+        const double close = 1e-3 * case_.size + 1e-12 * reach_;
+        while (i < truth.size() || j < ends.size()) {
+            if (j < ends.size() && (ends[j] < low || ends[j] > high)) {
+                ++j;
+                continue;
+            }
+            const bool both = i < truth.size() && j < ends.size();
+            const double gap = both ? static_cast<double>(ends[j] - truth[i]) : 0.0;
+            if (both && std::abs(gap) <= close) {
+                error(ray, gap, ends[j], faces[j]);
+                ++i, ++j;
+            } else if (!both ? i < truth.size() : gap > 0.0) {
+                const bool tangent = i + 1 < truth.size() && truth[i + 1] - truth[i] < kBand * case_.size + 1e-15 * reach_;
+                row_.missed += tangent ? 0 : 1;
+                i += tangent ? 2 : 1;
+            } else {
+                const bool tangent = j + 1 < ends.size() && ends[j + 1] - ends[j] < kBand * case_.size + 1e-15 * reach_;
+                row_.wrong += tangent ? 0 : 1;
+                j += tangent ? 2 : 1;
+            }
+        }
+        point(ray, rng, low, high);
+        if (asked) first(ray, truth, *asked);
+    }
+
+private:
+    void error(const Ray& ray, double gap, double t, std::uint32_t face)
+    {
+        ++row_.hits;
+        const glm::dvec3 p = ray.at(t), n = normal(case_.solid, p, face);
+        const double incidence = std::abs(glm::dot(n, ray.direction)), relative = std::abs(gap) / reach_;
+        if (incidence < kClear) {
+            row_.grazing = glm::max(row_.grazing, relative);
+            return;
+        }
+        row_.worst = glm::max(row_.worst, relative);
+        errors_.push_back(relative);
+        if (row_.hits % 4 == 0) spawned({p, ray.direction - 2.0 * glm::dot(ray.direction, n) * n});
+    }
+
+    /// Leaves a hit as a mirror does: where does it meet its own start again?
+    void spawned(const Ray& ray)
+    {
+        ++spawns_;
+        double own = csg::kInfinity;
+        for (const double t : answered(case_.solid, ray)) own = glm::min(own, std::abs(t));
+        if (!(own < csg::kInfinity)) return;
+        row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
+        acne_ += own > kSpawned ? 1 : 0;
+        const double behind = glm::max(2.0 * own, 1e-12 * case_.size);
+        for (const Quad t : crossings(parts(case_.solid, ray), behind, 20.0 * case_.size)) lost_ += t < kSpawned ? 1 : 0;
+        row_.acne = 1e6 * static_cast<double>(acne_) / static_cast<double>(spawns_);
+        row_.lost = 1e6 * static_cast<double>(lost_) / static_cast<double>(spawns_);
+    }
+
+    void point(const Ray& ray, csg_test::Rng& rng, double low, double high)
+    {
+        const glm::dvec3 p = ray.at(rng.uniform(low, high));
+        const bool held = std::visit([&](const auto& s) { return s.contains(p); }, case_.solid);
+        const Parts all = parts(case_.solid, {p, glm::dvec3(0.0)});
+        if (held == inside(all, 0)) return;
+        ++row_.disagree;
+    }
+
+    void first(const Ray& ray, const std::vector<Quad>& truth, Asked& asked) const
+    {
+        asked.ray = ray;
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            const auto t = static_cast<double>(truth[i]);
+            if (t < kSpawned) continue;
+            if (!asked.hit) asked.t = t;
+            asked.hit = true;
+            if (i + 1 < truth.size() && static_cast<double>(truth[i + 1]) - t < 0.02 * case_.size) asked.clear = false;
+        }
+    }
+
+    const Case& case_;
+    Row& row_;
+    std::vector<double>& errors_;
+    const double reach_;
+    long spawns_ = 0, acne_ = 0, lost_ = 0;
+};
+
+double nanoseconds(const csg::Solid& solid, const std::vector<Ray>& rays)
+{
+    constexpr double kLong = 2e7;
+    using Clock = std::chrono::steady_clock;
+    double best = csg::kInfinity, spent = 0.0;
+    while (spent < kLong) {
+        const auto begin = Clock::now();
+        std::uint64_t ends = 0;
+        std::visit([&](const auto& s) {
+            for (const Ray& ray : rays) {
+                csg::FixedSpans<kMostSpans> spans;
+                csg::intersect(s, ray, spans);
+                ends += spans.size();
+            }
+        }, solid);
+        const double took = std::chrono::duration<double, std::nano>(Clock::now() - begin).count() + (ends == ~std::uint64_t{0} ? 1.0 : 0.0);
+        best = glm::min(best, took);
+        spent += took;
+    }
+    return best / static_cast<double>(rays.size());
+}
+
+}  // namespace
+
+bool Row::passes() const
+{
+    return missed == 0 && wrong == 0 && disagree == 0 && worst < bar_of(solid);
+}
+
+Row measure(const Sweep& sweep, const std::string& solid, double value, long rays, std::vector<Asked>* asked)
+{
+    const Case given = sweep.make(solid, value);
+    Row row{.sweep = sweep.name, .solid = solid, .value = value};
+    std::vector<double> errors;
+    std::vector<Ray> timed;
+    Judge judge(given, row, errors);
+    csg_test::Rng rng(static_cast<std::uint32_t>(std::hash<std::string>{}(sweep.name + solid) + static_cast<std::size_t>(std::llround(100.0 * std::log10(value)))));
+    for (long i = 0; i < rays; ++i) {
+        const glm::dvec3 origin = given.target + rng.direction() * given.distance;
+        const glm::dvec3 aim = given.target + rng.point(given.spread);
+        const Ray ray{origin, glm::normalize(aim - origin)};
+        if (timed.size() < 2000) timed.push_back(ray);
+        judge.ray(ray, rng, asked ? &asked->emplace_back() : nullptr);
+    }
+    row.ns = nanoseconds(given.solid, timed);
+    if (!errors.empty()) {
+        std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+        row.median = errors[errors.size() / 2];
+    }
+    return row;
+}
+
+}  // namespace numerics

@@ -1,0 +1,113 @@
+#include "bench/numerics/oracle.h"
+
+namespace numerics {
+namespace {
+
+QuadPolynomial square(const QuadPolynomial& p) { return p * p; }
+QuadPolynomial weighted(const glm::dvec3& w, const Point& p)
+{
+    return QuadPolynomial(w.x) * p.x + QuadPolynomial(w.y) * p.y + QuadPolynomial(w.z) * p.z;
+}
+
+Parts between(const glm::dvec3& lower, const glm::dvec3& upper, const Point& p)
+{
+    return {QuadPolynomial(lower.x) - p.x, p.x - QuadPolynomial(upper.x), QuadPolynomial(lower.y) - p.y,
+            p.y - QuadPolynomial(upper.y), QuadPolynomial(lower.z) - p.z, p.z - QuadPolynomial(upper.z)};
+}
+
+}  // namespace
+
+Point along(const csg::Ray& ray, double shift)
+{
+    const auto from = [&](int i) { return QuadPolynomial(ray.origin[i] + static_cast<Quad>(shift) * ray.direction[i], ray.direction[i]); };
+    return {from(0), from(1), from(2)};
+}
+
+Point local(const csg::Transform& f, const Point& p)
+{
+    const Point from{p.x - QuadPolynomial(f.offset.x), p.y - QuadPolynomial(f.offset.y), p.z - QuadPolynomial(f.offset.z)};
+    const auto row = [&](int i) { return weighted({f.inverse_linear[0][i], f.inverse_linear[1][i], f.inverse_linear[2][i]}, from); };
+    return {row(0), row(1), row(2)};
+}
+
+Parts parts_of(const csg::Sphere& s, const Point& p)
+{
+    return {square(p.x - QuadPolynomial(s.center.x)) + square(p.y - QuadPolynomial(s.center.y)) + square(p.z - QuadPolynomial(s.center.z)) -
+            square(QuadPolynomial(s.radius))};
+}
+Parts parts_of(const csg::Ellipsoid& s, const Point& world)
+{
+    const Point p = local(s.frame, world);
+    return {square(p.x) + square(p.y) + square(p.z) - QuadPolynomial(1)};
+}
+Parts parts_of(const csg::Box& s, const Point& p) { return between(s.lower, s.upper, p); }
+Parts parts_of(const csg::OrientedBox& s, const Point& p) { return between(s.lower, s.upper, local(s.frame, p)); }
+Parts parts_of(const csg::Plane& s, const Point& p) { return {weighted(s.normal_out, p) - QuadPolynomial(s.offset)}; }
+Parts parts_of(const csg::Cylinder& s, const Point& world)
+{
+    const Point p = local(s.frame, world);
+    return {square(p.x) + square(p.y) - QuadPolynomial(1), QuadPolynomial(0) - p.z, p.z - QuadPolynomial(1)};
+}
+Parts parts_of(const csg::Cone& s, const Point& world)
+{
+    const Point p = local(s.frame, world);
+    return {square(p.x) + square(p.y) - square(p.z), QuadPolynomial(s.low) - p.z, p.z - QuadPolynomial(1)};
+}
+Parts parts_of(const csg::Torus& s, const Point& world)
+{
+    const Point p = local(s.frame, world);
+    const Quad major = s.major, minor = s.minor;
+    const QuadPolynomial across = square(p.x) + square(p.z);
+    return {square(across + square(p.y) + QuadPolynomial(major * major - minor * minor)) - QuadPolynomial(4 * major * major) * across};
+}
+Parts parts_of(const csg::Quadric& s, const Point& world)
+{
+    const Point p = local(s.frame, world);
+    const Point squares{square(p.x), square(p.y), square(p.z)}, mixed{p.x * p.y, p.x * p.z, p.y * p.z};
+    return {weighted(s.square, squares) + weighted(s.mixed, mixed) + weighted(s.linear, p) + QuadPolynomial(s.constant)};
+}
+Parts parts_of(const csg::Polynomial& s, const Point& world)
+{
+    const Point p = local(s.frame, world);
+    const int n = s.shape->degree();
+    std::vector<QuadPolynomial> x(1, 1), y(1, 1), z(1, 1);
+    for (int i = 0; i < n; ++i) {
+        x.push_back(x.back() * p.x);
+        y.push_back(y.back() * p.y);
+        z.push_back(z.back() * p.z);
+    }
+    QuadPolynomial sum;
+    std::size_t next = 0;
+    for (int i = n; i >= 0; --i)
+        for (int j = n - i; j >= 0; --j)
+            for (int k = n - i - j; k >= 0; --k) {
+                const double c = s.shape->coefficients()[next++];
+                const auto at = [](const std::vector<QuadPolynomial>& v, int power) { return v[static_cast<std::size_t>(power)]; };
+                if (c != 0.0) sum = sum + QuadPolynomial(c) * at(x, i) * at(y, j) * at(z, k);
+            }
+    return {sum};
+}
+
+bool inside(const Parts& parts, Quad t)
+{
+    return std::all_of(parts.begin(), parts.end(), [&](const QuadPolynomial& p) { return p(t) <= 0; });
+}
+
+std::vector<Quad> crossings(const Parts& parts, Quad low, Quad high)
+{
+    std::vector<Quad> ends;
+    for (const QuadPolynomial& p : parts)
+        for (const Quad t : sign_changes(p, low, high)) ends.push_back(t);
+    std::sort(ends.begin(), ends.end());
+    std::vector<Quad> found;
+    bool was = inside(parts, low);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const Quad behind = i + 1 < ends.size() ? ends[i + 1] : high;
+        const bool is = inside(parts, (ends[i] + behind) / 2);
+        if (is != was) found.push_back(ends[i]);
+        was = is;
+    }
+    return found;
+}
+
+}  // namespace numerics

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "bench/numerics/quad_polynomial.h"
+#include "csg/solid.h"
+
+namespace numerics {
+
+/// A solid along one ray: the parameters where every part is not positive.
+using Parts = std::vector<QuadPolynomial>;
+
+struct Point {
+    QuadPolynomial x, y, z;
+};
+
+/// The ray in world space, counted from `shift` on, and in a frame: from the doubles as they are stored. Near the object
+/// the polynomials keep their digits; from a far camera a quartic would lose all 113 bits.
+Point along(const csg::Ray& ray, double shift);
+Point local(const csg::Transform& frame, const Point& p);
+
+Parts parts_of(const csg::Sphere&, const Point&);
+Parts parts_of(const csg::Ellipsoid&, const Point&);
+Parts parts_of(const csg::Box&, const Point&);
+Parts parts_of(const csg::OrientedBox&, const Point&);
+Parts parts_of(const csg::Plane&, const Point&);
+Parts parts_of(const csg::Cylinder&, const Point&);
+Parts parts_of(const csg::Cone&, const Point&);
+Parts parts_of(const csg::Torus&, const Point&);
+Parts parts_of(const csg::Quadric&, const Point&);
+Parts parts_of(const csg::Polynomial&, const Point&);
+
+/// Parameters in [low, high] where the ray goes in or out, ascending.
+std::vector<Quad> crossings(const Parts& parts, Quad low, Quad high);
+bool inside(const Parts& parts, Quad t);
+
+}  // namespace numerics
