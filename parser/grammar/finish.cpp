@@ -136,13 +136,13 @@ using FinishItems = table<FinishState, ambient, emission, diffuse, brilliance, c
 
 }  // namespace
 
-scene::Finish read_finish(SceneBuilder& build)
+scene::Finish read_finish(SceneBuilder& build, const scene::Finish& before)
 {
     FinishState s(build);
     const scene::SourceRef source = build.stream().last();
     read_block<FinishItems>(build, s, "finish", [&] {
         const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Finish>>();
-        s.finish = declared ? **declared : build.default_layer().finish;
+        s.finish = declared ? **declared : before;
     });
     s.finish.source = source;
     return s.finish;

@@ -55,7 +55,7 @@ struct normal : item<Kind::Normal> {
 struct finish : item<Kind::Finish> {
     static void act(ObjectState& s)
     {
-        s.change_top("finish", [&](scene::Layer& top) { top.finish = read_finish(s.build); });
+        s.change_top("finish", [&](scene::Layer& top) { top.finish = read_finish(s.build, top.finish); });
     }
 };
 struct interior : item<Kind::Interior> {

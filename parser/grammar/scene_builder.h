@@ -95,7 +95,8 @@ scene::Pigment read_pigment_body(SceneBuilder& build, const scene::Pigment& base
 scene::Pigment read_density_body(SceneBuilder& build, const scene::Pigment& base);
 scene::Normal read_normal(SceneBuilder& build, const std::optional<scene::Normal>& base);
 scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::Normal>& base);
-scene::Finish read_finish(SceneBuilder& build);
+/// Items change what `before` holds; a declared finish takes its place.
+scene::Finish read_finish(SceneBuilder& build, const scene::Finish& before);
 scene::TexturePtr read_texture(SceneBuilder& build);
 scene::TexturePtr read_texture_body(SceneBuilder& build);         ///< without braces
 /// texture { } texture { } ...: layers; the first keyword has been taken.

@@ -35,7 +35,11 @@ struct normal : item<Kind::Normal> {
     }
 };
 struct finish : item<Kind::Finish> {
-    static void act(TextureState& s) { s.top("finish").finish = read_finish(s.build); }
+    static void act(TextureState& s)
+    {
+        scene::Layer& top = s.top("finish");
+        top.finish = read_finish(s.build, top.finish);
+    }
 };
 struct no_bump_scale : item<Kind::NoBumpScale> {
     static void act(TextureState& s) { s.no_bump_scale = optional_flag(s.stream()); }
