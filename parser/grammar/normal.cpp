@@ -49,7 +49,10 @@ void read_head(NormalState& s)
         return;
     }
     if (in.accept(Kind::UvMapping)) s.build.unsupported("uv_mapping of a normal", in.last());
-    if (!read_pattern_type(s.build, s.normal.pattern, true)) return;
+    if (!read_pattern_type(s.build, s.normal.pattern, true)) {
+        if (!s.normal.pattern.name.empty() && at_expression(in)) s.normal.amount = parser::float_expr(in);  // normal { N 0.9 }
+        return;
+    }
     if (const int count = list_size(s.normal.pattern)) read_list(s, count);
     close_list(s.build, s.normal.pattern);
     const bool comma = in.accept_comma();
