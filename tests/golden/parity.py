@@ -17,24 +17,15 @@ import sys
 
 # What the text of a scene says when it needs something not rendered yet. A line goes when its feature arrives.
 LACKING = {
-    "bicubic_patch": r"\bbicubic_patch\b",
-    "blob": r"\bblob\b",
     "dispersion": r"\bdispersion\b",
     "focal blur": r"\baperture\b",
-    "height_field": r"\bheight_field\b",
     "image files (image_map, bump_map, material_map)": r"\bimage_map\b|\bbump_map\b|\bmaterial_map\b|\bimage_pattern\b",
-    "isosurface, parametric": r"\bisosurface\b|\bparametric\b",
-    "julia_fractal": r"\bjulia_fractal\b",
-    "lathe, sor, conic prism": r"\blathe\b|\bsor\b|\bconic_sweep\b",
     "light groups": r"\blight_group\b",
     "media": r"\bmedia\b|\bhalo\b",
     "photons": r"\bphotons\b",
-    "polygon": r"\bpolygon\b",
     "radiosity": r"\bradiosity\b",
     "rainbow": r"\brainbow\b",
-    "sphere_sweep, ovus": r"\bsphere_sweep\b|\bovus\b",
     "subsurface": r"\bsubsurface\b",
-    "superellipsoid": r"\bsuperellipsoid\b",
 }
 MATCH = 0.99
 
