@@ -10,16 +10,24 @@ enum class Curve { Linear, Quadratic, Cubic, Bezier };
 
 constexpr double kSamePoint = 1e-10;  // of a closed outline's first and last point
 
-/// The last word counts.
-Curve read_curve(StatementReader& s)
+bool accept_curve(StatementReader& s, Curve& curve)
+{
+    if (s.accept(Kind::LinearSpline)) curve = Curve::Linear;
+    else if (s.accept(Kind::QuadraticSpline)) curve = Curve::Quadratic;
+    else if (s.accept(Kind::CubicSpline)) curve = Curve::Cubic;
+    else if (s.accept(Kind::BezierSpline)) curve = Curve::Bezier;
+    else return false;
+    return true;
+}
+
+/// The last word counts; those of a sweep may stand between if `sweeps`.
+Curve read_curve(StatementReader& s, bool sweeps = false)
 {
     Curve curve = Curve::Linear;
     for (;;) {
-        if (s.accept(Kind::LinearSpline)) curve = Curve::Linear;
-        else if (s.accept(Kind::QuadraticSpline)) curve = Curve::Quadratic;
-        else if (s.accept(Kind::CubicSpline)) curve = Curve::Cubic;
-        else if (s.accept(Kind::BezierSpline)) curve = Curve::Bezier;
-        else break;
+        if (sweeps && s.accept(Kind::LinearSweep)) s.add("linear_sweep");
+        else if (sweeps && s.accept(Kind::ConicSweep)) s.add("conic_sweep");
+        else if (!accept_curve(s, curve)) break;
     }
     static constexpr const char* kNames[] = {"linear_spline", "quadratic_spline", "cubic_spline", "bezier_spline"};
     s.add(kNames[static_cast<int>(curve)]);
@@ -34,13 +42,14 @@ int read_count(StatementReader& s)
     return static_cast<int>(count);
 }
 
-std::vector<glm::dvec2> read_points(StatementReader& s, int count)
+/// A list of pairs or vectors, by what reads one.
+template <class Point> std::vector<Point> read_points(StatementReader& s, int count, Point (*read)(TokenStream&, Level))
 {
-    std::vector<glm::dvec2> points;
+    std::vector<Point> points;
     std::vector<StatementReader::Operand> operands;
     for (int i = 0; i < count; ++i) {
         s.in().accept_comma();
-        points.push_back(vector2_expr(s.in()));
+        points.push_back(read(s.in(), Level::Sum));
         operands.emplace_back(points.back());
     }
     s.add("points", std::move(operands));
@@ -91,23 +100,12 @@ void check_outlines(StatementReader& s, Curve curve, const std::vector<glm::dvec
 
 void prism(StatementReader& s)
 {
-    Curve curve = Curve::Linear;
-    for (;;) {
-        if (s.accept(Kind::LinearSweep)) s.add("linear_sweep");
-        else if (s.accept(Kind::ConicSweep)) s.add("conic_sweep");
-        else if (s.accept(Kind::LinearSpline)) curve = Curve::Linear;
-        else if (s.accept(Kind::QuadraticSpline)) curve = Curve::Quadratic;
-        else if (s.accept(Kind::CubicSpline)) curve = Curve::Cubic;
-        else if (s.accept(Kind::BezierSpline)) curve = Curve::Bezier;
-        else break;
-    }
-    static constexpr const char* kNames[] = {"linear_spline", "quadratic_spline", "cubic_spline", "bezier_spline"};
-    s.add(kNames[static_cast<int>(curve)]);
+    const Curve curve = read_curve(s, true);
     s.read("height", "ff");
     s.in().accept_comma();
     const int count = read_count(s);
     need_points(s, "prism", curve, count, {3, 5, 6});
-    check_outlines(s, curve, read_points(s, count));
+    check_outlines(s, curve, read_points(s, count, vector2_expr));
     open_and_sturm(s, true);
 }
 
@@ -116,7 +114,7 @@ void lathe(StatementReader& s)
     const Curve curve = read_curve(s);
     const int count = read_count(s);
     need_points(s, "lathe", curve, count, {2, 3, 4});
-    const std::vector<glm::dvec2> points = read_points(s, count);
+    const std::vector<glm::dvec2> points = read_points(s, count, vector2_expr);
     for (std::size_t i = 1; i + 1 < points.size(); ++i)  // the first and the last may, of every spline
         if (points[i].x < 0.0) s.fail("a point of a lathe lies at a negative distance from the axis");
     open_and_sturm(s, false);
@@ -126,7 +124,7 @@ void sor(StatementReader& s)
 {
     const int count = read_count(s);
     if (count < 4) s.fail("a surface of revolution needs at least four points");
-    const std::vector<glm::dvec2> points = read_points(s, count);
+    const std::vector<glm::dvec2> points = read_points(s, count, vector2_expr);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool between = i >= 2 && i + 1 < points.size();  // the first and the last are control points
         const bool level = i >= 2 && points[i].y == points[i - 2].y;
@@ -158,14 +156,7 @@ void polygon(StatementReader& s)
 {
     const int count = read_count(s);
     if (count < 3) s.fail("a polygon needs at least three points");
-    std::vector<StatementReader::Operand> points;
-    std::vector<glm::dvec3> corners;
-    for (int i = 0; i < count; ++i) {
-        s.in().accept_comma();
-        corners.push_back(vector_expr(s.in()));
-        points.emplace_back(corners.back());
-    }
-    s.add("points", std::move(points));
+    const std::vector<glm::dvec3> corners = read_points(s, count, vector_expr);
     bool closed = true;
     for (std::size_t first = 0; first < corners.size();) {
         std::size_t last = first + 1;
