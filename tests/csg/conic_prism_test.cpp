@@ -169,13 +169,11 @@ TEST_CASE("an egg is smooth where its parts meet", "[csg][ovus]")
 
 TEST_CASE("conic prisms and eggs bear any question", "[csg][conic_prism][ovus]")
 {
-    const double values[] = {0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, -1e308, kInfinity, -kInfinity, std::nan(""), 1e-160, 0.5};
     const Freeform solids[] = {cone_of(round_loop(), -1, 1), cone_of({}, 0, 1), {make_freeform<Ovus>(1.0, 0.5), {}}, {make_freeform<Ovus>(1.0, 0.0), {}}};
     for (const Freeform& solid : solids) {
         Rng rng(3);
         for (int k = 0; k < 6000; ++k) {
-            Ray ray{};
-            for (int i = 0; i < 3; ++i) ray.origin[i] = values[rng.below(12)], ray.direction[i] = values[rng.below(12)];
+            const Ray ray = csg_test::hostile_ray(rng);
             RayRecord record(0.0, kInfinity, k % 2 == 0);
             solid.meet(ray, record);
             record.each_span([](double in, std::uint32_t, double out, std::uint32_t) { REQUIRE_FALSE(out < in); });

@@ -59,11 +59,9 @@ void check_spans(const Freeform& solid, const Curve& curve, std::uint32_t rays, 
 /// No question makes it fail, and no answer is out of order.
 void check_hostile(const Freeform& solid)
 {
-    const double values[] = {0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, -1e308, kInfinity, -kInfinity, std::nan(""), 1e-160, 0.5};
     Rng rng(3);
     for (int k = 0; k < 6000; ++k) {
-        Ray ray{};
-        for (int i = 0; i < 3; ++i) ray.origin[i] = values[rng.below(12)], ray.direction[i] = values[rng.below(12)];
+        const Ray ray = csg_test::hostile_ray(rng);
         RayRecord record(0.0, kInfinity, k % 2 == 0);
         solid.meet(ray, record);
         record.each_span([](double in, std::uint32_t, double out, std::uint32_t) { REQUIRE(in <= out); });

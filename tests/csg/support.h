@@ -2,6 +2,7 @@
 
 #include "csg/program.h"
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 
@@ -33,6 +34,15 @@ inline csg::Ray ray_near(Rng& rng, const glm::dvec3& target, double size, double
 {
     const glm::dvec3 origin = target + rng.direction() * distance;
     return {origin, glm::normalize(target + rng.point(size) - origin)};
+}
+
+/// A ray whose numbers are of the kind that breaks arithmetic.
+inline csg::Ray hostile_ray(Rng& rng)
+{
+    const double values[] = {0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, -1e308, csg::kInfinity, -csg::kInfinity, std::nan(""), 1e-160, 0.5};
+    csg::Ray ray{};
+    for (int i = 0; i < 3; ++i) ray.origin[i] = values[rng.below(12)], ray.direction[i] = values[rng.below(12)];
+    return ray;
 }
 
 /// A rotation, a scale and a shift, all of ordinary size.
