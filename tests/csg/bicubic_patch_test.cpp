@@ -38,7 +38,7 @@ glm::dvec3 surface(const BicubicPatch::Points& c, double u, double v)
 TEST_CASE("what is met of a patch lies where its uv says", "[csg][patch]")
 {
     int met = 0;
-    constexpr std::uint32_t kPatches = 100, kRays = 20;  // making a patch takes as long as 400 rays
+    constexpr std::uint32_t kPatches = csg_test::share(100), kRays = 20;  // making a patch takes as long as 400 rays
     std::optional<BicubicPatch> patch;
     BicubicPatch::Input input;
     for (std::uint32_t seed = 0; seed < kPatches * kRays; ++seed) {
@@ -63,12 +63,12 @@ TEST_CASE("what is met of a patch lies where its uv says", "[csg][patch]")
             CHECK(glm::length(surface(input.points, uv.y, uv.x) - p) < 2e-3);  // half the sag of a piece 1/64 wide
         });
     }
-    CHECK(met >= 2000);
+    CHECK(met >= csg_test::share(2000));
 }
 
 TEST_CASE("every piece of a patch is flat or halved to the end", "[csg][patch]")
 {
-    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    for (std::uint32_t seed = 0; seed < csg_test::share(300); ++seed) {
         INFO("seed " << seed);
         Rng rng(seed);
         BicubicPatch::Input input = random_patch(rng);

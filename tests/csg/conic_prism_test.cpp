@@ -75,7 +75,7 @@ void check_cone(const std::vector<OutlinePiece>& pieces, double low, double high
     const Corners corners = polygon(pieces);
     const Freeform solid = cone_of(pieces, low, high);
     int off = 0;
-    check_spans(solid, 300, 16, [&](const glm::dvec3& p) {
+    check_spans(solid, csg_test::share(300), 16, [&](const glm::dvec3& p) {
         const bool held = p.y >= low && p.y <= high && p.y != 0.0 && inside(corners, {p.x / p.y, p.z / p.y});
         if (held == solid.contains(p)) return held;
         ++off;  // nearer to a curve than its polygon
@@ -116,7 +116,7 @@ TEST_CASE("an egg's spans are its inside", "[csg][ovus]")
     for (const double top : {0.0, 0.3, 0.6, 0.8, 0.9, 1.3, 1.55}) {
         const Freeform solid{make_freeform<Ovus>(0.8, top), {}};
         INFO("top " << top);
-        check_spans(solid, 3000, 16, [&](const glm::dvec3& p) { return solid.contains(p); });
+        check_spans(solid, csg_test::share(3000), 16, [&](const glm::dvec3& p) { return solid.contains(p); });
         const Aabb box = solid.bounds();
         Rng rng(5);
         for (int i = 0; i < 2000; ++i) {

@@ -80,21 +80,21 @@ Freeform lathe(const Curve& curve, double least_radius = 0.0)
 TEST_CASE("a lathe's spans are where its profile says", "[csg][revolution]")
 {
     const Curve vase = spline({{0, -0.3}, {0, 0}, {1, 0.2}, {0.3, 0.9}, {0.9, 1.6}, {0, 2}, {-1, 2}});
-    check_spans(lathe(vase), vase, 1500, true);
+    check_spans(lathe(vase), vase, share(1500), true);
     const Curve star = polyline({{0, -0.2}, {1, 0.5}, {0.4, 0.6}, {0.9, 1.4}, {0.2, 1.2}, {0, 2}});
-    check_spans(lathe(star), star, 1500, true);
+    check_spans(lathe(star), star, share(1500), true);
     const Curve ring = spline({{1, 0}, {0.5, 0.5}, {0.8, 1.2}, {1.2, 0.6}, {1, 0}, {0.5, 0.5}, {0.8, 1.2}});
-    check_spans(lathe(ring, 0.3), ring, 1500, true);
+    check_spans(lathe(ring, 0.3), ring, share(1500), true);
     const Curve can = polyline({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-    check_spans(lathe(can), can, 1500, true);
+    check_spans(lathe(can), can, share(1500), true);
 }
 
 TEST_CASE("an open lathe is bounded by what is not drawn", "[csg][revolution]")
 {
     const Curve vase = spline({{0.5, -0.3}, {0.6, 0}, {1, 0.5}, {0.5, 1.2}, {0.7, 1.9}, {0.7, 2}});
-    check_spans(lathe(vase, 0.45), vase, 1500, false);
+    check_spans(lathe(vase, 0.45), vase, share(1500), false);
     const Curve gap = polyline({{0.4, 0}, {1, 0.3}, {0.7, 1.5}});
-    check_spans(lathe(gap, 0.4), gap, 1500, false);
+    check_spans(lathe(gap, 0.4), gap, share(1500), false);
 }
 
 TEST_CASE("the nearest crossing alone is the nearest of all", "[csg][revolution]")
