@@ -1,4 +1,5 @@
-# precompiled(TARGET): the library headers that most sources of TARGET include are read once. They are half of what such a
+# precompiled(TARGET HEADER...): the library headers that most sources of TARGET include are read once, and with them the
+# headers of ours that all of them include. They are half of what such a
 # file takes to compile; ccache needs -fpch-preprocess and its sloppiness (CMakePresets.json) to cache files that use them.
 function(precompiled target)
   target_precompile_headers(${target} PRIVATE

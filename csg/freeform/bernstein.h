@@ -122,6 +122,8 @@ inline int ordinate_changes(const std::array<double, count>& b)
     return changes;
 }
 
+inline constexpr int kHalvings = 40;  ///< a fit `depth`: two changes nearer than 2^-40 of the interval count as a touch
+
 /// Calls found(t) in order where the polynomial, here on [low, high], changes its sign between positive and not; false from
 /// it ends the search. Halves the interval until one change at most is left, `depth` times; two nearer than that are not told.
 template <std::size_t count, class F>

@@ -6,8 +6,6 @@
 namespace csg {
 namespace {
 
-constexpr int kHalvings = 40;  // of a stretch between two ends, before two crossings count as a touch
-
 }  // namespace
 
 /// Bernstein ordinates.

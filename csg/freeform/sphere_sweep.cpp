@@ -7,8 +7,6 @@
 namespace csg {
 namespace {
 
-constexpr int kHalvings = 40;
-
 glm::dvec4 joined(const SphereSweep::Ball& ball) { return {ball.center, ball.radius}; }
 
 bool finite(const glm::dvec4& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w); }

@@ -7,7 +7,6 @@
 namespace csg {
 namespace {
 
-constexpr int kHalvings = 40;
 constexpr int kMostPieces = 3;    // halvings of a segment, after which its extremes are taken as roots of degree 10
 constexpr double kAcross = 1e-3;  // a derivative that varies by no more than this factor stays far from 0
 

@@ -11,7 +11,7 @@ constexpr double kRounding = 4e-16;   // of the length near 1: four roundings of
 constexpr int kMostSteps = 80;        // Newton; where the ray grazes, each step halves the way left
 constexpr double kClose = 1e-9;       // a step so short, local units: the next would be its square
 constexpr double kClear = 1.0 + 1e-9; // Newton begins so far outside
-constexpr int kHalvings = 40;
+constexpr int kMostHalvings = 40;
 
 /// (u^p + v^p)^(1/p) of numbers that are not negative, and its derivatives by both.
 struct Norm {
@@ -199,7 +199,7 @@ void Superellipsoid::meet_any(const Line& line, Range in_cube, double start, Ray
     };
     for (int i = 0; i < count && more; ++i) {
         const double next = excess(line.at(cuts[i + 1]));
-        each_change(line, {cuts[i], cuts[i + 1]}, {value, next}, kHalvings, cross);
+        each_change(line, {cuts[i], cuts[i + 1]}, {value, next}, kMostHalvings, cross);
         value = next;
     }
 }

@@ -1,5 +1,6 @@
 #include "render/image/files.h"
 
+#include "render/image/direct_readers.h"
 #include "render/image/io_loader.h"
 #include "render/image/png_writer.h"
 #include "render/image/ppm_writer.h"
@@ -159,6 +160,7 @@ void Files::write(const std::string& path, const Raster& raster, FileType type, 
 
 Picture Files::read(const std::string& path) const
 {
+    if (auto picture = read_directly(path)) return std::move(*picture);
     const IoModule& module = loader_->get();
     ReadResult result{};
     if (const char* message = module.read(path.c_str(), result)) throw FileError("cannot read '" + path + "': " + message);

@@ -1,7 +1,6 @@
-#include "render/image/indexed_picture.h"
+#include "render/image/direct_readers.h"
 
 #include <array>
-#include <stdexcept>
 
 namespace image {
 namespace {
@@ -11,10 +10,10 @@ constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 30;
 /// Bytes in order; past the end is an error.
 class Bytes {
 public:
-    explicit Bytes(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+    explicit Bytes(const ByteList& bytes) : bytes_(bytes) {}
     std::uint32_t next()
     {
-        if (at_ >= bytes_.size()) throw std::runtime_error("the file ends too early");
+        if (at_ >= bytes_.size()) throw FileError("the file ends too early");
         return bytes_[at_++];
     }
     std::uint32_t next_pair()
@@ -33,7 +32,7 @@ public:
     bool more() const { return at_ < bytes_.size(); }
 
 private:
-    const std::vector<std::uint8_t>& bytes_;
+    const ByteList& bytes_;
     std::size_t at_ = 0;
 };
 
@@ -45,7 +44,7 @@ public:
     {
         while (held_ < bits) {
             if (left_ == 0) left_ = bytes_.next();
-            if (left_ == 0) throw std::runtime_error("the pixels end too early");
+            if (left_ == 0) throw FileError("the pixels end too early");
             --left_;
             buffer_ |= bytes_.next() << held_;
             held_ += 8;
@@ -67,7 +66,7 @@ std::vector<std::uint8_t> unpack(Bytes& bytes, std::size_t count)
 {
     constexpr int kMostBits = 12;
     const int first_bits = static_cast<int>(bytes.next());
-    if (first_bits < 1 || first_bits > 8) throw std::runtime_error("its pixels have a size that no GIF has");
+    if (first_bits < 1 || first_bits > 8) throw FileError("its pixels have a size that no GIF has");
     const std::uint32_t clear = 1u << first_bits, stop = clear + 1, none = 1u << kMostBits;
     struct Entry {
         std::uint32_t before;
@@ -81,14 +80,14 @@ std::vector<std::uint8_t> unpack(Bytes& bytes, std::size_t count)
     int bits = first_bits + 1;
     while (out.size() < count) {
         const std::uint32_t code = codes.next(bits);
-        if (code == stop) throw std::runtime_error("pixels are missing");
+        if (code == stop) throw FileError("pixels are missing");
         if (code == clear) {
             size = stop + 1;
             bits = first_bits + 1;
             previous = none;
             continue;
         }
-        if (code > size || (code == size && previous == none)) throw std::runtime_error("a code of its pixels means nothing");
+        if (code > size || (code == size && previous == none)) throw FileError("a code of its pixels means nothing");
         if (previous != none && size < none) {
             table[size] = {previous, code == size ? table[previous].first : table[code].first, table[previous].first};
             ++size;
@@ -115,15 +114,27 @@ std::vector<std::uint8_t> woven(const std::vector<std::uint8_t>& rows, std::uint
     return out;
 }
 
+/// As many colours as the flags of their block say.
+std::vector<float> palette_of(Bytes& bytes, std::uint32_t flags)
+{
+    std::vector<float> palette;
+    for (std::uint32_t left = 2u << (flags & 7); left > 0; --left) {
+        for (int c = 0; c < 3; ++c) palette.push_back(static_cast<float>(bytes.next()) / 255.0f);
+        palette.push_back(1.0f);
+    }
+    return palette;
+}
+
 }  // namespace
 
-IndexedPicture decode_gif(const std::vector<std::uint8_t>& file)
+Picture decode_gif(const ByteList& file)
 {
     Bytes bytes(file);
+    Picture out;
     bytes.skip(6 + 4);  // signature, size of the screen
     const std::uint32_t flags = bytes.next();
     bytes.skip(2);
-    if (flags & 0x80) bytes.skip(3u << ((flags & 7) + 1));
+    if (flags & 0x80) out.palette = palette_of(bytes, flags);
     for (;;) {
         const std::uint32_t block = bytes.next();
         if (block == '!') {
@@ -132,19 +143,20 @@ IndexedPicture decode_gif(const std::vector<std::uint8_t>& file)
         } else if (block == ',') {
             break;
         } else {
-            throw std::runtime_error("it holds no picture");
+            throw FileError("it holds no picture");
         }
     }
     bytes.skip(4);
-    IndexedPicture out;
-    out.width = bytes.next_pair();
-    out.height = bytes.next_pair();
+    const std::uint32_t width = bytes.next_pair(), height = bytes.next_pair();
+    out.width = static_cast<int>(width);
+    out.height = static_cast<int>(height);
     const std::uint32_t own = bytes.next();
-    if (own & 0x80) bytes.skip(3u << ((own & 7) + 1));
-    const std::uint64_t count = std::uint64_t{out.width} * out.height;
-    if (count > kMostPixels) throw std::runtime_error("it is too large");
+    if (own & 0x80) out.palette = palette_of(bytes, own);
+    const std::uint64_t count = out.count();
+    if (count > kMostPixels) throw FileError("it is too large");
     out.indices = unpack(bytes, count);
-    if (own & 0x40) out.indices = woven(out.indices, out.width, out.height);
+    if (own & 0x40) out.indices = woven(out.indices, width, height);
+    expand_palette(out);
     return out;
 }
 

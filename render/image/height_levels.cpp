@@ -1,7 +1,6 @@
 #include "render/image/height_levels.h"
 
 #include "render/image/files.h"
-#include "render/image/indexed_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,13 +33,14 @@ std::uint16_t brightness(float red, float green, float blue)
     return level_of(65535.0 * (0.297 * static_cast<double>(red) + 0.589 * static_cast<double>(green) + 0.114 * static_cast<double>(blue)));
 }
 
-HeightLevels heights_of(const IndexedPicture& picture, bool halves)
+HeightLevels heights_of_places(const Picture& picture, bool halves)
 {
-    HeightLevels out{halves ? picture.width / 2 : picture.width, picture.height, {}};
+    const auto width = static_cast<std::uint32_t>(picture.width);
+    HeightLevels out{halves ? width / 2 : width, static_cast<std::uint32_t>(picture.height), {}};
     out.levels.reserve(std::size_t{out.width} * out.height);
     for (std::uint32_t y = 0; y < out.height; ++y)
         for (std::uint32_t x = 0; x < out.width; ++x) {
-            const std::uint8_t* row = &picture.indices[std::size_t{y} * picture.width];
+            const std::uint8_t* row = &picture.indices[std::size_t{y} * width];
             out.levels.push_back(static_cast<std::uint16_t>(row[x] * 256 + (halves ? row[x + out.width] : 0)));
         }
     return out;
@@ -65,8 +65,8 @@ std::uint16_t color_level(std::uint16_t red, std::uint16_t green, std::uint16_t 
 HeightLevels read_heights(const std::string& path, const TransferCurve& decode)
 {
     const bool pot = path.ends_with(".pot") || path.ends_with(".POT");
-    if (const auto indexed = read_indexed(path)) return heights_of(*indexed, pot);
     const Picture picture = Files().read(path);
+    if (!picture.indices.empty()) return heights_of_places(picture, pot);
     const bool png = path.ends_with(".png") || path.ends_with(".PNG"), grey = picture.channels < 3;
     HeightLevels out{static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height), {}};
     out.levels.reserve(std::size_t{out.width} * out.height);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace image {
+
+/// A picture could not be read or written; what() names the file.
+struct FileError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A picture file as read, top row first: 0 to 1 for integer files, straight alpha, values as stored (no gamma applied).
+struct Picture {
+    int width = 0, height = 0, channels = 0;
+    int bits = 8;                                ///< of a sample in the file, at least 8; 32 is float
+    std::vector<float> samples;
+    float file_gamma = 0.0f;                     ///< of its gAMA entry as decoding gamma; 0: none
+    bool srgb = false;                           ///< tagged as sRGB
+
+    /// For files with a palette also the places in it, one a pixel, and its colours: red, green, blue, alpha each.
+    std::vector<std::uint8_t> indices;
+    std::vector<float> palette;
+
+    std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    const float* at(int x, int y) const
+    {
+        return &samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+                        static_cast<std::size_t>(channels)];
+    }
+};
+
+/// A picture whose indices and palette are set: writes its samples, three a pixel, or four if a colour is clear.
+/// Throws FileError for an index beyond the palette.
+void expand_palette(Picture& picture);
+
+}  // namespace image
