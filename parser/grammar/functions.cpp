@@ -40,6 +40,8 @@ std::optional<ObjectHit> SceneBuilder::trace(const ObjectPtr& object, const glm:
 {
     if (undrawn(object, "trace()")) return ObjectHit{};
     SceneQueries* queries = stream_->options().queries;
+    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
+    description.effective_version = stream_->language().effective_version();
     return queries ? std::optional(queries->trace(object, origin, direction)) : std::nullopt;
 }
 
@@ -47,6 +49,8 @@ std::optional<bool> SceneBuilder::inside(const ObjectPtr& object, const glm::dve
 {
     if (undrawn(object, "inside()")) return false;
     SceneQueries* queries = stream_->options().queries;
+    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
+    description.effective_version = stream_->language().effective_version();
     return queries ? std::optional(queries->inside(object, point)) : std::nullopt;
 }
 
@@ -55,18 +59,24 @@ std::optional<csg::Aabb> SceneBuilder::extent(const ObjectPtr& object)
     // A unit box: programs divide by what they get.
     if (undrawn(object, "the extent")) return csg::Aabb{glm::dvec3(0.0), glm::dvec3(1.0)};
     SceneQueries* queries = stream_->options().queries;
+    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
+    description.effective_version = stream_->language().effective_version();
     return queries ? std::optional(queries->extent(object)) : std::nullopt;
 }
 
 std::optional<glm::dvec3> SceneBuilder::turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)
 {
     SceneQueries* queries = stream_->options().queries;
+    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
+    description.effective_version = stream_->language().effective_version();
     return queries ? std::optional(queries->turbulence(point, octaves, lambda, omega)) : std::nullopt;
 }
 
 std::optional<function::Values> SceneBuilder::evaluate(const function::FunctionPtr& called, const double* arguments)
 {
     SceneQueries* queries = stream_->options().queries;
+    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
+    description.effective_version = stream_->language().effective_version();
     return queries ? std::optional(queries->evaluate(called, arguments, description)) : std::nullopt;
 }
 

@@ -1,7 +1,11 @@
 #include "parser/grammar/statement.h"
 #include "parser/stream/function.h"
+#include "render/image/files.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 /// Blocks that name a picture or a volume: the file must exist, its content is not looked at here.
 namespace parser {
@@ -39,7 +43,74 @@ void add_file(StatementReader& s, std::string_view kind, const std::vector<std::
     s.add(kind, {path});
 }
 
+constexpr double kMostTexels = 1 << 28;
+
+std::uint16_t stored(double share) { return static_cast<std::uint16_t>(std::clamp(std::isnan(share) ? 0.0 : share, 0.0, 1.0) * 65535.0 + 0.5); }
+
+/// A function's values as a picture of 16 bits: numbers wrap round, colours are cut off (spec 4, 12.6).
+std::shared_ptr<const image::Picture> picture_of(StatementReader& s, const function::FunctionPtr& called, double columns, double rows)
+{
+    if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= kMostTexels)) s.fail("a picture made by a function has at least 1 and at most 2^28 pixels");
+    auto picture = std::make_shared<image::Picture>();
+    picture->width = static_cast<int>(columns);
+    picture->height = static_cast<int>(rows);
+    picture->bits = 16;
+    picture->channels = called->components > 1 ? 4 : 1;
+    const auto put = [&](std::uint16_t level) { picture->samples.push_back(static_cast<float>(level) / 65535.0f); };
+    for (int y = 0; y < picture->height; ++y)
+        for (int x = 0; x < picture->width; ++x) {
+            const double at[3] = {x / (columns - 1.0), y / (rows - 1.0), 0.0};
+            std::optional<function::Values> value = called->asks_scene ? s.build().evaluate(called, at) : function::evaluate_all(*called, at, function::no_host());
+            if (!value) value.emplace();  // it asks what is not drawn yet; that was told
+            const function::Values& v = *value;
+            if (picture->channels == 1) {
+                put(static_cast<std::uint16_t>(static_cast<std::int64_t>(std::clamp(std::isnan(v[0]) ? 0.0 : v[0] * 65535.0, -0x1p31, 0x1p31))));
+            } else {
+                for (std::size_t c = 0; c < 3; ++c) put(stored(v[c]));
+                put(stored(1.0 - v[4]));
+            }
+        }
+    return picture;
+}
+
+/// The picture itself, as the source's last operand.
+void load(StatementReader& s)
+{
+    scene::StatementItem& source = s.statement().items.front();
+    if (source.name == "function") {
+        const auto& called = std::get<function::FunctionPtr>(item_of(s.statement(), "body")->operands[0]);
+        const double columns = std::trunc(number_of(source.operands[0]) + 0.5), rows = std::trunc(number_of(source.operands[1]) + 0.5);
+        source.operands.emplace_back(picture_of(s, called, columns, rows));
+    } else {
+        source.operands.emplace_back(s.build().picture(std::get<std::string>(source.operands[0]), s.in().last()));
+    }
+}
+
+/// What only an image_map insists on (spec 4, 12.1).
+void check_mapping(StatementReader& s)
+{
+    const auto one_of = [&](const char* name, std::initializer_list<double> allowed, const char* listed) {
+        const scene::StatementItem* item = item_of(s.statement(), name);
+        if (item == nullptr) return;
+        const double given = std::trunc(number_of(item->operands[0]));
+        if (std::find(allowed.begin(), allowed.end(), given) == allowed.end()) s.fail(fmt::format("{} of an image_map is {}", name, listed));
+    };
+    one_of("map_type", {0.0, 1.0, 2.0, 5.0}, "0, 1, 2 or 5");
+    one_of("interpolate", {2.0, 3.0, 4.0}, "2, 3 or 4");
+}
+
 }  // namespace
+
+std::shared_ptr<const image::Picture> SceneBuilder::picture(const std::string& path, const scene::SourceRef& at)
+{
+    auto& known = pictures_[path];
+    try {
+        if (!known) known = std::make_shared<const image::Picture>(image::Files().read(path));
+    } catch (const image::FileError& error) {
+        stream().fail(at, error.what());
+    }
+    return known;
+}
 
 void read_image_source(StatementReader& s, bool bare_name_allowed)
 {
@@ -59,11 +130,12 @@ scene::StatementPtr read_image_block(SceneBuilder& build, bool colors)
 {
     static constexpr Form kForms[] = {{Kind::MapType, "f"}, {Kind::Interpolate, "f"}, {Kind::Once, ""}, {Kind::Gamma, "f"},
                                       {Kind::Premultiplied, "o"}, {Kind::UseIndex, ""}, {Kind::UseColor, ""}, {Kind::UseAlpha, ""},
-                                      {Kind::BumpSize, "f"}};
+                                      {Kind::BumpSize, "f"}, {Kind::Repeat, "p"}, {Kind::Offset, "p"}};
     const auto guard = build.stream().nest();
     StatementReader s(build);
     s.open();
     read_image_source(s, true);
+    load(s);
     const bool made = s.statement().items.front().name == "function";
     for (;;) {
         const Kind kind = s.in().peek().kind;
@@ -79,17 +151,19 @@ scene::StatementPtr read_image_block(SceneBuilder& build, bool colors)
         }
     }
     s.close();
+    if (colors) check_mapping(s);
     return s.take();
 }
 
 scene::StatementPtr read_material_map(SceneBuilder& build)
 {
     static constexpr Form kForms[] = {{Kind::MapType, "f"}, {Kind::Interpolate, "f"}, {Kind::Once, ""}, {Kind::Gamma, "f"}, {Kind::UseIndex, ""},
-                                      {Kind::UseColor, ""}};
+                                      {Kind::UseColor, ""}, {Kind::Repeat, "p"}, {Kind::Offset, "p"}};
     const auto guard = build.stream().nest();
     StatementReader s(build);
     s.open();
     read_image_source(s, true);
+    load(s);
     s.read_all(kForms);
     if (s.in().peek().kind != Kind::Texture) s.in().fail_expected("'texture' and the material of the first colour");
     while (s.accept(Kind::Texture)) s.add("texture", {read_texture(build)});

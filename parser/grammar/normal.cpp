@@ -41,11 +41,14 @@ void read_head(NormalState& s)
 {
     TokenStream& in = s.stream();
     if (in.accept(Kind::BumpMap)) {
-        s.build.unsupported("bump_map", in.last());
-        s.normal.pattern.name = "bumps";
+        s.normal.pattern = {};
+        s.normal.pattern.name = "bump_map";
+        s.normal.pattern.source = in.last();
         s.normal.pattern.block = read_image_block(s.build, false);
-        if (at_expression(in)) parser::float_expr(in);
-        s.normal.amount = 0;
+        s.normal.map = std::monostate{};
+        if (const scene::StatementItem* size = item_of(*s.normal.pattern.block, "bump_size")) s.normal.amount = number_of(size->operands[0]);
+        in.accept_comma();
+        if (at_expression(in)) s.normal.amount = parser::float_expr(in);
         return;
     }
     if (in.accept(Kind::UvMapping)) s.build.unsupported("uv_mapping of a normal", in.last());

@@ -215,7 +215,8 @@ struct function_pattern : item<Kind::Function> {
 struct image_pattern : item<Kind::ImagePattern> {
     static void act(PatternState& s) 
     {
-        undrawn(s, "image_pattern", [](SceneBuilder& build) { return read_image_block(build, false); });
+        set_type(s, "image_pattern");
+        s.pattern.block = read_image_block(s.build, false);
         s.pattern.frequency = 0;
     }
 };

@@ -12,7 +12,6 @@ struct PigmentState : BlockState {
 
     bool density;                           // `density`: its own maps and lists
     std::optional<scene::Color> quick_color;
-    scene::StatementPtr image;
     scene::Color color;
     scene::Pattern pattern;                 // a name: the pigment is patterned
     scene::ColorMap colors;
@@ -22,7 +21,6 @@ struct PigmentState : BlockState {
     void start_from(const scene::Pigment& base)
     {
         quick_color = base.quick_color;
-        image = base.image;
         if (const auto* plain = std::get_if<scene::Color>(&base.kind)) {
             color = *plain;
             return;
@@ -35,7 +33,6 @@ struct PigmentState : BlockState {
     void set_plain(const scene::Color& c)
     {
         pattern = {};
-        image = nullptr;
         color = c;
     }
 };
@@ -119,9 +116,12 @@ void read_head(PigmentState& s)
     if (at_plain_color(in)) {
         s.set_plain(parser::color_expr(in));
     } else if (in.accept(Kind::ImageMap)) {
-        s.build.unsupported("image_map", in.last());
-        s.set_plain({0.5f, 0.5f, 0.5f, 0, 0});
-        s.image = read_image_block(s.build, true);
+        s.set_plain({});
+        s.colors.clear();
+        s.pigments.clear();
+        s.pattern.name = "image_map";
+        s.pattern.source = in.last();
+        s.pattern.block = read_image_block(s.build, true);
     } else if (in.accept(Kind::UvMapping)) {
         s.pattern = {};
         s.pattern.name = "uv_mapping";
@@ -145,7 +145,6 @@ scene::Pigment finished(PigmentState& s, const scene::SourceRef& source)
     scene::Pigment result;
     result.source = source;
     result.quick_color = s.quick_color;
-    result.image = s.image;
     if (s.pattern.name.empty()) {
         result.kind = s.color;
         return result;
@@ -154,6 +153,8 @@ scene::Pigment finished(PigmentState& s, const scene::SourceRef& source)
     patterned.pattern = std::move(s.pattern);
     if (s.on_surface) {
         patterned.map = scene::PigmentMap{{0, s.on_surface}};
+    } else if (patterned.pattern.name == "image_map") {
+        patterned.map = scene::ColorMap{};
     } else if (!s.pigments.empty()) {
         patterned.map = std::move(s.pigments);
     } else {

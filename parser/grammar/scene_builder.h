@@ -4,6 +4,7 @@
 #include "render/scene/description.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -47,6 +48,9 @@ public:
     /// Something understood but not drawn yet: told once for each `what`.
     void unsupported(const std::string& what, const scene::SourceRef& source);
 
+    /// The content of a picture file, read once.
+    std::shared_ptr<const image::Picture> picture(const std::string& path, const scene::SourceRef& at);
+
     /// '{' of a block whose keyword has been taken; its place. close_block() tells what is wrong if '}' does not follow.
     scene::SourceRef open_block(const char* what);
     void close_block(const char* what, const scene::SourceRef& opened);
@@ -67,6 +71,7 @@ private:
     TokenStream* stream_ = nullptr;
     scene::TexturePtr default_texture_;
     std::set<std::string> told_;
+    std::map<std::string, std::shared_ptr<const image::Picture>> pictures_;
 };
 
 /// At the first token of an object statement (or at an object identifier): reads it. nullopt, nothing taken: no object.

@@ -76,19 +76,6 @@ void StatementReader::close()
     build_.close_block(statement_.keyword.c_str(), opened_);
 }
 
-double number_of(const scene::StatementItem::Operand& operand)
-{
-    const double* number = std::get_if<double>(&operand);
-    return number ? *number : 0.0;
-}
-
-const scene::StatementItem* item_of(const scene::Statement& statement, std::string_view name)
-{
-    for (const scene::StatementItem& item : statement.items)
-        if (item.name == name) return &item;
-    return nullptr;
-}
-
 scene::StatementPtr accept_declared(SceneBuilder& build, std::string_view keyword)
 {
     TokenStream& stream = build.stream();

@@ -63,10 +63,8 @@ private:
     scene::SourceRef opened_;
 };
 
-/// Number of an item's operand.
-double number_of(const scene::StatementItem::Operand& operand);
-/// The first item of that name; null: none.
-const scene::StatementItem* item_of(const scene::Statement& statement, std::string_view name);
+using scene::item_of;
+using scene::number_of;
 /// `{ forms }` after a keyword that has been taken, kept.
 template <std::size_t count> scene::StatementPtr read_forms(SceneBuilder& build, const Form (&forms)[count])
 {

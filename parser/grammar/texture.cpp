@@ -93,8 +93,15 @@ void read_head(TextureState& s)
     TokenStream& in = s.stream();
     if (in.accept(Kind::Tiles)) return read_tiles(s);
     if (in.accept(Kind::MaterialMap)) {
-        s.build.unsupported("material_map", in.last());
-        s.texture.material_map = read_material_map(s.build);
+        scene::Pattern pattern;
+        pattern.name = "material_map";
+        pattern.source = in.last();
+        pattern.block = read_material_map(s.build);
+        TextureMap map;
+        for (const scene::StatementItem& item : pattern.block->items)
+            if (item.name == "texture") map.push_back({static_cast<double>(map.size()), std::get<scene::TexturePtr>(item.operands[0])});
+        become(s, std::move(pattern));
+        s.pattern().map = std::move(map);
         return;
     }
     if (in.accept(Kind::UvMapping)) {

@@ -45,7 +45,7 @@ function::Values SceneQueries::evaluate(const function::FunctionPtr& called, con
     if (so_far.global.noise_generator != noise_generator_ || functions_.size() >= kMostKept) functions_.clear();
     noise_generator_ = so_far.global.noise_generator;
     auto& kept = functions_[called];
-    if (!kept) kept = std::make_unique<plan::FunctionProbe>(called, so_far.global);
+    if (!kept) kept = std::make_unique<plan::FunctionProbe>(called, so_far);
     return kept->evaluate(arguments);
 }
 

@@ -55,11 +55,12 @@ glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, doubl
     return texture::vector_turbulence(point, octaves, lambda, omega);
 }
 
-FunctionProbe::FunctionProbe(const function::FunctionPtr& called, const scene::GlobalSettings& settings)
+FunctionProbe::FunctionProbe(const function::FunctionPtr& called, const scene::Description& so_far)
 {
     constexpr int kFullQuality = 9, kWaves = 10;
     scene::Description description;
-    description.global = settings;
+    description.global = so_far.global;
+    description.effective_version = so_far.effective_version;
     description.global.number_of_waves = kWaves;
     std::vector<scene::Unsupported> notes;
     TextureCompiler compiler(description, kFullQuality, set_, notes);

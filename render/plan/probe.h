@@ -33,7 +33,7 @@ glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, doubl
 class FunctionProbe {
 public:
     /// Throws std::runtime_error if it needs a pattern that cannot be evaluated.
-    FunctionProbe(const function::FunctionPtr& called, const scene::GlobalSettings& settings);
+    FunctionProbe(const function::FunctionPtr& called, const scene::Description& so_far);
 
     function::Values evaluate(const double* arguments) const;
 

@@ -1,6 +1,7 @@
 #include "render/plan/textures.h"
 
 #include "function/link.h"
+#include "render/plan/images.h"
 #include "render/plan/pattern_kinds.h"
 #include "render/scene/function.h"
 #include "render/texture/noise.h"
@@ -63,8 +64,16 @@ std::uint32_t TextureCompiler::pattern(const scene::Pattern& description)
         compiled.function = description.function ? function(description.function) : texture::kNone;
         if (compiled.function == texture::kNone) return texture::kNone;
     }
+    if (*kind == texture::PatternKind::Image) compiled.image = image(description.block, description.name == "image_map");
     out_.patterns.push_back(compiled);
     return size_of(out_.patterns.size() - 1);
+}
+
+std::uint32_t TextureCompiler::image(const scene::StatementPtr& description, bool colors)
+{
+    const auto [known, fresh] = known_images_.emplace(description, size_of(out_.images.size()));
+    if (fresh) out_.images.push_back(compile_image(scene_, *description, colors));
+    return known->second;
 }
 
 std::uint32_t TextureCompiler::function(const function::FunctionPtr& description)
@@ -109,6 +118,11 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
     using Kind = texture::Pigment::Kind;
     texture::Pigment out;
     out.pattern = pattern(description.pattern);
+    if (description.pattern.name == "image_map") {
+        out.kind = Kind::Image;
+        out_.pigments.push_back(out);
+        return size_of(out_.pigments.size() - 1);
+    }
     const auto* colors = std::get_if<scene::ColorMap>(&description.map);
     const auto* pigments = std::get_if<scene::PigmentMap>(&description.map);
     out.count = size_of(colors ? colors->size() : pigments->size());
@@ -146,6 +160,7 @@ bool TextureCompiler::pigment_opaque(std::uint32_t index) const
 {
     const texture::Pigment& pigment = out_.pigments[index];
     if (pigment.kind == texture::Pigment::Kind::Solid) return !clear(pigment.color);
+    if (pigment.kind == texture::Pigment::Kind::Image) return out_.images[out_.patterns[pigment.pattern].image].opaque;
     for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
         const bool opaque = pigment.kind == texture::Pigment::Kind::ColorMap ? !clear(out_.colors[i])
                                                                              : pigment_opaque(out_.children[i]);
@@ -186,7 +201,8 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
             out_.slopes[out.first + i] = (*slopes)[i].value;
         }
     }
-    if (out.map != Map::None && out.count == 0) return texture::kNone;
+    if (description.pattern.name == "bump_map") out.map = Map::Image;
+    else if (out.map != Map::None && out.count == 0) return texture::kNone;
     out_.normals.push_back(out);
     return size_of(out_.normals.size() - 1);
 }
@@ -240,6 +256,7 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     const texture::PatternKind kind = out_.patterns[out.pattern].kind;
     if (kind == texture::PatternKind::Average) out.kind = Kind::Average;
     if (kind == texture::PatternKind::Uv) out.kind = Kind::Uv;
+    if (description.pattern.name == "material_map") out.kind = Kind::Material;
     out_.textures.push_back(out);
     return size_of(out_.textures.size() - 1);
 }

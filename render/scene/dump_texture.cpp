@@ -145,7 +145,6 @@ void dump(DumpWriter& out, const Pigment& pigment)
     if (pigment.quick_color) out.value("quick_color", *pigment.quick_color);
     if (const auto* color = std::get_if<Color>(&pigment.kind)) {
         out.value("color", *color);
-        if (pigment.image) dump(out, *pigment.image);
     } else {
         const auto& patterned = std::get<PatternedPigment>(pigment.kind);
         dump(out, patterned.pattern);
@@ -165,7 +164,6 @@ void dump(DumpWriter& out, const Pigment& pigment)
 void dump(DumpWriter& out, const Texture& texture)
 {
     out.open("texture");
-    if (texture.material_map) dump(out, *texture.material_map);
     if (const auto* patterned = std::get_if<PatternedTexture>(&texture.kind)) {
         dump(out, patterned->pattern);
         for (const auto& entry : patterned->map) {

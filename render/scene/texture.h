@@ -49,7 +49,7 @@ struct Pattern {
     std::vector<double> numbers;        ///< mortar, control values, exponents, ...
     std::shared_ptr<const Pigment> pigment;  ///< pigment_pattern only
     function::FunctionPtr function;     ///< `function` only: of x, y, z
-    StatementPtr block;                 ///< image_pattern, object, density_file, bump_map: read, not drawn yet
+    StatementPtr block;                 ///< image_map, image_pattern, bump_map, material_map, density_file: as written; object: not drawn yet
     int noise_generator = 0;            ///< 0: the scene's
     double frequency = 1, phase = 0;
     WaveForm wave = WaveForm::Ramp;
@@ -72,14 +72,13 @@ using PigmentMap = std::vector<MapEntry<PigmentPtr>>;
 
 struct PatternedPigment {
     Pattern pattern;                               ///< name "average" and "uv_mapping" included
-    std::variant<ColorMap, PigmentMap> map;        ///< defaults filled in, never empty
+    std::variant<ColorMap, PigmentMap> map;        ///< defaults filled in, never empty but for image_map
 };
 
 struct Pigment {
     std::variant<Color, PatternedPigment> kind = Color{};
     std::optional<Color> quick_color;
     SourceRef source;
-    StatementPtr image;                            ///< image_map: read, not drawn yet
 
     void transform(const csg::Transform& t);       ///< deep: a pigment_map's entries stay in the map's space
 };
@@ -138,7 +137,6 @@ struct PatternedTexture {
 struct Texture {
     std::variant<std::vector<Layer>, PatternedTexture> kind;
     SourceRef source;
-    StatementPtr material_map;                     ///< read, not drawn yet
     void transform(const csg::Transform& t);
 };
 

@@ -38,6 +38,12 @@ scene::Color mix(const scene::Color& lower, const scene::Color& upper, double sh
 scene::Color pigment_color(const TextureSet& set, std::uint32_t pigment, const glm::dvec3& p,
                            const Surroundings& around);
 
+/// Whether the pigment is a picture that is not at `p`: then the layer is not there (spec 4, 11).
+bool pigment_missing(const TextureSet& set, std::uint32_t pigment, const glm::dvec3& p, const Surroundings& around);
+
+/// The texture of a material_map that a point of pattern space shows (spec 4, 12.8).
+std::uint32_t material_at(const TextureSet& set, const Texture& texture, const glm::dvec3& p);
+
 /// Bends `n` (faces the viewer) as the normal says (spec 4, section 15). Unit length. `around.normal` takes the result.
 glm::dvec3 perturb(const TextureSet& set, std::uint32_t normal, const glm::dvec3& n, const glm::dvec3& p,
                    Surroundings& around);

@@ -60,6 +60,7 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
     case PatternKind::Gradient: return gradient(pattern, p);
     case PatternKind::Granite: return granite(pattern, p);
     case PatternKind::Hexagon: return hexagon(p);
+    case PatternKind::Image: return image_value(set.images[pattern.image], p);
     case PatternKind::Julia: return julia(pattern, p);
     case PatternKind::Leopard: return leopard(p);
     case PatternKind::MagnetJulia: return magnet_julia(pattern, p);

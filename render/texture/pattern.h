@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 enum class PatternKind : std::uint8_t {
     Average, Uv,
     Agate, Aoi, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle, Cubic, Cylindrical, Dents, Function, Gradient, Granite,
-    Hexagon, Julia, Leopard, MagnetJulia, MagnetMandel, Mandel, Marble, Onion, PigmentPattern, Planar, Quilted, Radial,
+    Hexagon, Image, Julia, Leopard, MagnetJulia, MagnetMandel, Mandel, Marble, Onion, PigmentPattern, Planar, Quilted, Radial,
     Ripples, Slope, Spherical, Spiral1, Spiral2, Square, Triangular, Waves, Wood, Wrinkles, Facets,
 };
 
@@ -39,6 +39,7 @@ struct Pattern {
     std::uint32_t first_warp = 0, warp_count = 0;
     std::uint32_t pigment = kNone;         ///< PigmentPattern: whose grey is the value
     std::uint32_t function = kNone;        ///< Function: index into TextureSet::functions
+    std::uint32_t image = kNone;           ///< Image: index into TextureSet::images
     double frequency = 1, phase = 0, poly_exponent = 1;
     scene::Turbulence turbulence;
     glm::dvec3 vector{0};                  ///< gradient axis (unit), brick size, crackle form, julia's constant, ...

@@ -1,5 +1,7 @@
 #include "render/texture/evaluate.h"
 
+#include <algorithm>
+
 namespace texture {
 
 Blend blend_at(const TextureSet& set, std::uint32_t first, std::uint32_t count, double value)
@@ -22,6 +24,8 @@ scene::Color mix(const scene::Color& lower, const scene::Color& upper, double sh
 }
 
 namespace {
+
+constexpr scene::Color kNoColor{1, 1, 1, 0, 1};  // of a picture where it is not (spec 4, 11)
 
 scene::Color average_color(const TextureSet& set, const Pigment& pigment, const glm::dvec3& p,
                            const Surroundings& around)
@@ -51,6 +55,11 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm
         return pigment_color(set, set.children[pigment.first], {around.uv.x, around.uv.y, 0.0}, around);
     const Pattern& pattern = set.patterns[pigment.pattern];
     const glm::dvec3 q = warp_point(set, pattern, p);
+    if (pigment.kind == Pigment::Kind::Image) {
+        glm::dvec2 place;
+        const Image& image = set.images[pattern.image];
+        return image_place(image, q, place) ? image_color(image, place) : kNoColor;
+    }
     if (pigment.kind == Pigment::Kind::Average) return average_color(set, pigment, q, around);
     const Blend blend = blend_at(set, pigment.first, pigment.count, pattern_value(set, pattern, q, around));
     if (pigment.kind == Pigment::Kind::ColorMap) {
@@ -60,6 +69,25 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm
     const scene::Color lower = pigment_color(set, set.children[blend.lower], q, around);
     if (blend.lower == blend.upper) return lower;
     return mix(lower, pigment_color(set, set.children[blend.upper], q, around), blend.share);
+}
+
+bool pigment_missing(const TextureSet& set, std::uint32_t index, const glm::dvec3& p, const Surroundings& around)
+{
+    const Pigment& pigment = set.pigments[index];
+    if (pigment.kind == Pigment::Kind::Uv) return pigment_missing(set, set.children[pigment.first], {around.uv.x, around.uv.y, 0.0}, around);
+    if (pigment.kind != Pigment::Kind::Image) return false;
+    const Pattern& pattern = set.patterns[pigment.pattern];
+    glm::dvec2 place;
+    return !image_place(set.images[pattern.image], warp_point(set, pattern, p), place);
+}
+
+std::uint32_t material_at(const TextureSet& set, const Texture& texture, const glm::dvec3& p)
+{
+    const Image& image = set.images[set.patterns[texture.pattern].image];
+    glm::dvec2 place;
+    auto index = image_place(image, p, place) ? static_cast<std::uint32_t>(std::max(0, image_index(image, place))) : 0u;
+    if (index > texture.count) index %= texture.count;
+    return set.children[texture.first + std::min(index, texture.count - 1)];
 }
 
 }  // namespace texture

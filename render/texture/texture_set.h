@@ -2,6 +2,7 @@
 
 #include "function/program.h"
 #include "render/scene/color.h"
+#include "render/texture/image.h"
 #include "render/texture/pattern.h"
 
 #include <vector>
@@ -11,14 +12,14 @@ namespace texture {
 
 /// What a pigment, a normal or a texture with a pattern looks its value up in.
 struct Pigment {
-    enum class Kind : std::uint8_t { Solid, ColorMap, PigmentMap, Average, Uv } kind = Kind::Solid;
+    enum class Kind : std::uint8_t { Solid, ColorMap, PigmentMap, Average, Uv, Image } kind = Kind::Solid;
     scene::Color color;                    ///< Solid
     std::uint32_t pattern = kNone;
     std::uint32_t first = 0, count = 0;    ///< entries: keys[first..], and colors (ColorMap) or children beside them
 };
 
 struct Normal {
-    enum class Map : std::uint8_t { None, Normals, Slopes, Average, Uv } map = Map::None;
+    enum class Map : std::uint8_t { None, Normals, Slopes, Average, Uv, Image } map = Map::None;
     std::uint32_t pattern = kNone;
     double amount = 0.5, accuracy = 0.02;  ///< single precision values
     bool no_bump_scale = false;
@@ -46,7 +47,7 @@ struct Layer {
 
 /// Either layers (the last is the top) or a pattern over other textures.
 struct Texture {
-    enum class Kind : std::uint8_t { Layers, Map, Average, Uv } kind = Kind::Layers;
+    enum class Kind : std::uint8_t { Layers, Map, Average, Uv, Material } kind = Kind::Layers;
     bool opaque = true;                    ///< spec 3, 13.2: stops light outright
     bool plain = false;                    ///< one layer that can neither let light through nor reflect, no normal: the small kernel
     bool lit = true;                       ///< some layer asks for light sources
@@ -64,6 +65,7 @@ struct TextureSet {
     std::vector<Normal> normals;
     std::vector<Pattern> patterns;
     std::vector<Warp> warps;
+    std::vector<Image> images;
     std::vector<function::FunctionPtr> functions;  ///< slots of patterns and pigments filled in
     std::vector<float> keys;
     std::vector<scene::Color> colors;

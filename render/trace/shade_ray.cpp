@@ -106,6 +106,8 @@ scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t inde
     scene::Color c;
     if (texture.kind == texture::Texture::Kind::Average) {
         c = average(context, hit, texture, q);
+    } else if (texture.kind == texture::Texture::Kind::Material) {
+        c = shade_texture(context, hit, texture::material_at(set, texture, q), q);
     } else {
         const double v = texture::pattern_value(set, pattern, q, hit.around);
         const texture::Blend blend = texture::blend_at(set, texture.first, texture.count, v);

@@ -23,6 +23,7 @@ struct Passing {
         glm::vec3 light(1);
         for (std::uint32_t i = texture.count; i-- > 0;) {
             const texture::Layer& layer = set.layers[texture.first + i];
+            if (texture::pigment_missing(set, layer.pigment, p, around)) continue;
             const scene::Color c = texture::pigment_color(set, layer.pigment, p, around);
             light *= c.filter * c.rgb() + c.transmit;
             if (power != 0.0f) {
@@ -45,6 +46,7 @@ struct Passing {
         if (texture.kind == Kind::Uv) return through(set.children[texture.first], {around.uv.x, around.uv.y, 0.0});
         const texture::Pattern& pattern = set.patterns[texture.pattern];
         const glm::dvec3 q = texture::warp_point(set, pattern, p);
+        if (texture.kind == Kind::Material) return through(texture::material_at(set, texture, q), q);
         if (texture.kind == Kind::Average) {
             glm::vec3 sum(0);
             float weights = 0;

@@ -41,6 +41,7 @@ LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
     if (texture.kind != texture::Texture::Kind::Layers || texture.count != 1) return {};
     const texture::Layer& layer = set.layers[texture.first];
     const texture::Finish& finish = set.finishes[layer.finish];
+    if (set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid && !texture.opaque) return {};  // it may be missing
     if (layer.normal != texture::kNone || finish.diffuse_back != 0.0f || finish.irid != 0.0f || finish.crand != 0.0f) return {};
     if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
     return {texture.first, !texture.plain};

@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <png.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -81,7 +83,9 @@ TEST_CASE("every kind of PNG is read as OpenImageIO reads it", "[image][files]")
         REQUIRE(picture->channels == other.channels);
         const std::vector<float> samples(other.samples, other.samples + picture->count() * static_cast<std::size_t>(other.channels));
         library.get().release(other);
-        CHECK(picture->samples == samples);
+        float most = 0.0f;  // OpenImageIO multiplies by 1 / 255, which is not the same to the last bit
+        for (std::size_t i = 0; i < samples.size(); ++i) most = std::max(most, std::abs(picture->samples[i] - samples[i]));
+        CHECK(most <= 6.0e-8f);
     }
 }
 

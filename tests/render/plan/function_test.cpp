@@ -23,7 +23,7 @@ struct Queries final : parser::SceneQueries {
     }
     function::Values evaluate(const function::FunctionPtr& called, const double* arguments, const scene::Description& so_far) override
     {
-        return plan::FunctionProbe(called, so_far.global).evaluate(arguments);
+        return plan::FunctionProbe(called, so_far).evaluate(arguments);
     }
 };
 

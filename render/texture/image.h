@@ -1,0 +1,43 @@
+#pragma once
+
+#include "render/scene/color.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+/// A picture as a function of a point: image_map, image_pattern, bump_map and material_map (spec 4, section 12).
+namespace texture {
+
+/// Colours decoded, settings resolved; built once by plan/.
+struct Image {
+    enum class Projection : std::uint8_t { Planar, Spherical, Cylindrical, Torus } projection = Projection::Planar;
+    enum class Interpolation : std::uint8_t { None, Bilinear, Bicubic, NormalizedDistance } interpolation = Interpolation::None;
+    bool once = false;                    ///< nothing outside the picture
+    bool by_place = false;                ///< `use_index` of a picture with a palette
+    enum class Value : std::uint8_t { Grey, Red, Transmit } value = Value::Grey;  ///< what image_pattern shows
+    bool opaque = true;                   ///< no texel lets light through, and the picture covers everything
+    std::uint32_t width = 0, height = 0;  ///< texels, not 0
+    glm::dvec2 repeat{1.0}, offset{0.0};  ///< in pictures
+    float filter = 0;                     ///< of every texel without a palette
+    std::vector<glm::vec4> texels;        ///< red, green, blue, transmit, top row first; empty if there is a palette
+    std::vector<std::uint8_t> places;     ///< in the palette, the same order
+    std::vector<scene::Color> palette;
+};
+
+/// Column and row of a point of pattern space, from the top left corner, in texels; false where the picture is not.
+bool image_place(const Image& image, const glm::dvec3& p, glm::dvec2& place);
+
+/// At a place within the picture, interpolated (spec 4, 12.2).
+scene::Color image_color(const Image& image, const glm::dvec2& place);
+/// The same for places in the palette; without one 255 times red. Truncated.
+int image_index(const Image& image, const glm::dvec2& place);
+
+/// Value of image_pattern, 0 to 1 (spec 4, 12.7).
+double image_value(const Image& image, const glm::dvec3& p);
+
+/// `n` bent by the picture as heights; unchanged where the picture is not (spec 4, 15.5).
+glm::dvec3 image_bump(const Image& image, double size, const glm::dvec3& n, const glm::dvec3& p);
+
+}  // namespace texture
