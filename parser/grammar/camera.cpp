@@ -97,8 +97,7 @@ struct mesh_camera : item<Kind::MeshCamera> {
     static void act(CameraState& s)
     {
         set_kind<Kinds::Mesh>(s);
-        s.build.unsupported("mesh_camera", s.stream().last());
-        s.camera.undrawn.push_back(read_mesh_camera(s.build));
+        s.camera.mesh = read_mesh_camera(s.build);
     }
 };
 struct location : item<Kind::Location, a_vector> { static void act(CameraState& s) { s.camera.location = s.pop_vector(); } };

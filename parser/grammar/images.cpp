@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 /// Blocks that name a picture or a volume: the file must exist, its content is not looked at here.
 namespace parser {
@@ -84,6 +86,31 @@ void load(StatementReader& s)
     } else {
         source.operands.emplace_back(s.build().picture(std::get<std::string>(source.operands[0]), s.in().last()));
     }
+}
+
+/// Three sizes of 16 bits, then samples of 8, 16 or 32 bits as the file's length tells, high bytes first (spec 4, 5.7).
+std::shared_ptr<const scene::Volume> volume_of(StatementReader& s, const std::string& path, const scene::SourceRef& at)
+{
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<unsigned char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    constexpr std::size_t kHeader = 6;
+    auto volume = std::make_shared<scene::Volume>();
+    std::size_t count = bytes.size() < kHeader ? 0 : 1;
+    for (std::size_t axis = 0; axis < 3 && count > 0; ++axis) {
+        volume->size[axis] = static_cast<std::uint32_t>(bytes[2 * axis] << 8 | bytes[2 * axis + 1]);
+        count *= volume->size[axis];
+    }
+    std::size_t width = 4;
+    while (width > 0 && (count == 0 || bytes.size() != kHeader + count * width)) width /= 2;
+    if (width == 0) s.in().fail(at, fmt::format("'{}' is no density file: its length does not fit its sizes", path));
+    volume->samples.reserve(count);
+    volume->most = std::exp2(8.0 * static_cast<double>(width)) - 1.0;
+    for (std::size_t i = kHeader; i < bytes.size(); i += width) {
+        std::uint32_t level = 0;
+        for (std::size_t k = 0; k < width; ++k) level = level << 8 | bytes[i + k];
+        volume->samples.push_back(level);
+    }
+    return volume;
 }
 
 /// What only an image_map insists on (spec 4, 12.1).
@@ -180,7 +207,7 @@ scene::StatementPtr read_density_file(SceneBuilder& build)
     const std::string path = s.in().find_file(name, {".df3", ".DF3"});
     if (path.empty()) s.in().fail(at, fmt::format("cannot find the density file '{}'", name));
     s.in().data_files().push_back(path);
-    s.add("df3", {path});
+    s.add("df3", {path, volume_of(s, path, at)});
     static constexpr Form kForms[] = {{Kind::Interpolate, "f"}};
     s.read_one(kForms);
     return s.take();

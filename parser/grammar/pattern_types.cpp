@@ -3,6 +3,7 @@
 #include "parser/stream/function.h"
 
 #include <algorithm>
+#include <cmath>
 
 /// Pattern keywords with their parameters; what each number means is written in docs/patterns.md.
 namespace parser {
@@ -195,13 +196,6 @@ struct pigment_pattern : item<Kind::PigmentPattern> {
     }
 };
 
-/// Types that need an image, a file or an object: understood, not drawn yet.
-void undrawn(PatternState& s, const char* name, scene::StatementPtr (*read)(SceneBuilder&))
-{
-    set_type(s, name);
-    s.build.unsupported(std::string("pattern ") + name, s.stream().last());
-    s.pattern.block = read(s.build);
-}
 struct function_pattern : item<Kind::Function> {
     static void act(PatternState& s)
     {
@@ -223,11 +217,19 @@ struct image_pattern : item<Kind::ImagePattern> {
 struct object : item<Kind::Object> {
     static void act(PatternState& s) 
     {
-        undrawn(s, "object", read_object_pattern);
+        set_type(s, "object");
+        s.pattern.block = read_object_pattern(s.build);
         s.pattern.frequency = 0;
     }
 };
-struct density_file : item<Kind::DensityFile> { static void act(PatternState& s) { undrawn(s, "density_file", read_density_file); } };
+struct density_file : item<Kind::DensityFile> { 
+    static void act(PatternState& s)
+    {
+        set_type(s, "density_file");
+        s.pattern.block = read_density_file(s.build);
+        if (const scene::StatementItem* item = item_of(*s.pattern.block, "interpolate")) s.pattern.numbers = {std::trunc(number_of(item->operands[0]))};
+    }
+};
 
 using Types = table<PatternState, aoi, average, boxed, bozo, bumps, cells, cylindrical, dents, granite, leopard, onion,
                     planar, radial, ripples, spherical, spotted, waves, wrinkles, checker, hexagon, square, triangular,

@@ -40,6 +40,7 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     CompiledScene out;
     out.options = options;
     out.camera = description.camera;
+    out.mesh_camera = compile_mesh_camera(description.camera);
     out.settings = settings(description, options);
     std::vector<scene::Unsupported> notes;
     TextureCompiler textures(description, options.quality, out.textures, notes);

@@ -4,6 +4,7 @@
 #include "csg/world_data.h"
 #include "render/light/light_set.h"
 #include "render/plan/interior.h"
+#include "render/plan/mesh_camera.h"
 #include "render/plan/surface.h"
 #include "render/scene/description.h"
 #include "render/texture/sky.h"
@@ -71,6 +72,7 @@ struct CompiledScene {
     texture::Sky sky;
     std::vector<texture::Fog> fogs;
     scene::Camera camera;
+    std::shared_ptr<const MeshCamera> mesh_camera;  ///< null for other cameras
     Settings settings;
     Options options;
     std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)

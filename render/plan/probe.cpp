@@ -43,11 +43,12 @@ ObjectProbe::Answer ObjectProbe::trace(const glm::dvec3& origin, const glm::dvec
     return {true, details.point, details.normal};
 }
 
-bool ObjectProbe::inside(const glm::dvec3& point)
+bool ObjectProbe::inside(const glm::dvec3& point) const
 {
-    found_.clear();
-    compiled_.world().containing(point, found_);
-    return !found_.empty();
+    thread_local std::vector<std::uint32_t> found;
+    found.clear();
+    compiled_.world().containing(point, found);
+    return !found.empty();
 }
 
 glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)

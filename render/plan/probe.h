@@ -17,12 +17,11 @@ public:
     struct Answer { bool hit = false; glm::dvec3 point{0}, normal{0}; };
     /// `direction` of unit length. The normal is raw: it is not turned toward the ray.
     Answer trace(const glm::dvec3& origin, const glm::dvec3& direction);
-    bool inside(const glm::dvec3& point);
+    bool inside(const glm::dvec3& point) const;  ///< may be asked from many threads at once
 
 private:
     CompiledScene compiled_;
     std::unique_ptr<csg::Scratch> scratch_;
-    std::vector<std::uint32_t> found_;
 };
 
 /// The sum of vector noise behind vturbulence().

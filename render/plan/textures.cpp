@@ -1,7 +1,6 @@
 #include "render/plan/textures.h"
 
 #include "function/link.h"
-#include "render/plan/images.h"
 #include "render/plan/pattern_kinds.h"
 #include "render/scene/function.h"
 #include "render/texture/noise.h"
@@ -64,16 +63,9 @@ std::uint32_t TextureCompiler::pattern(const scene::Pattern& description)
         compiled.function = description.function ? function(description.function) : texture::kNone;
         if (compiled.function == texture::kNone) return texture::kNone;
     }
-    if (*kind == texture::PatternKind::Image) compiled.image = image(description.block, description.name == "image_map");
+    compiled.data = pattern_data(description, *kind);
     out_.patterns.push_back(compiled);
     return size_of(out_.patterns.size() - 1);
-}
-
-std::uint32_t TextureCompiler::image(const scene::StatementPtr& description, bool colors)
-{
-    const auto [known, fresh] = known_images_.emplace(description, size_of(out_.images.size()));
-    if (fresh) out_.images.push_back(compile_image(scene_, *description, colors));
-    return known->second;
 }
 
 std::uint32_t TextureCompiler::function(const function::FunctionPtr& description)
@@ -160,7 +152,7 @@ bool TextureCompiler::pigment_opaque(std::uint32_t index) const
 {
     const texture::Pigment& pigment = out_.pigments[index];
     if (pigment.kind == texture::Pigment::Kind::Solid) return !clear(pigment.color);
-    if (pigment.kind == texture::Pigment::Kind::Image) return out_.images[out_.patterns[pigment.pattern].image].opaque;
+    if (pigment.kind == texture::Pigment::Kind::Image) return out_.images[out_.patterns[pigment.pattern].data].opaque;
     for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
         const bool opaque = pigment.kind == texture::Pigment::Kind::ColorMap ? !clear(out_.colors[i])
                                                                              : pigment_opaque(out_.children[i]);

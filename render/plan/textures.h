@@ -31,7 +31,8 @@ private:
     std::uint32_t normal(const scene::Normal& description, bool no_bump_scale);
     std::uint32_t finish(const scene::Finish& description);
     std::uint32_t pattern(const scene::Pattern& description);
-    std::uint32_t image(const scene::StatementPtr& description, bool colors);
+    /// Index of what the pattern looks its value up in; texture::kNone for those that look nothing up.
+    std::uint32_t pattern_data(const scene::Pattern& description, texture::PatternKind kind);
     std::uint32_t reserve_map(std::size_t count);
     void note(const std::string& what, const scene::SourceRef& source);
     bool pigment_opaque(std::uint32_t index) const;
@@ -42,7 +43,7 @@ private:
     std::vector<scene::Unsupported>& notes_;
     std::unordered_map<const scene::Texture*, std::uint32_t> known_;
     std::unordered_map<function::FunctionPtr, std::uint32_t> known_functions_;
-    std::unordered_map<scene::StatementPtr, std::uint32_t> known_images_;
+    std::unordered_map<scene::StatementPtr, std::uint32_t> known_data_;
     std::vector<scene::TexturePtr> alive_;  ///< keeps the keys of known_ from being reused
 };
 

@@ -17,7 +17,8 @@ struct Camera {
     /// Focal blur; off while aperture is 0.
     double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
     int blur_samples = 0;
-    std::vector<StatementPtr> undrawn;     ///< mesh_camera, bokeh, normal: read, not used yet
+    StatementPtr mesh;                     ///< of a mesh camera, as written
+    std::vector<StatementPtr> undrawn;     ///< bokeh, normal: read, not used yet
     SourceRef source;
 };
 

@@ -167,6 +167,7 @@ void dump(DumpWriter& out, const Camera& c)
     out.line("angle", text(c.angle_deg) + " " + text(c.angle2_deg));
     out.line("focus", fmt::format("aperture {} distance {} samples {} confidence {} variance {}", text(c.aperture),
                                   text(c.focal_distance), c.blur_samples, text(c.confidence), text(c.variance)));
+    if (c.mesh) dump(out, *c.mesh);
     for (const StatementPtr& statement : c.undrawn) dump(out, *statement);
     out.close();
 }

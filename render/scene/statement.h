@@ -5,6 +5,7 @@
 #include "render/image/picture.h"
 #include "render/scene/color.h"
 #include "render/scene/source_ref.h"
+#include "render/scene/volume.h"
 
 #include <memory>
 #include <string>
@@ -25,7 +26,7 @@ using StatementPtr = std::shared_ptr<const Statement>;
 struct StatementItem {
     using Operand = std::variant<double, glm::dvec2, glm::dvec3, glm::dvec4, Color, std::string, function::FunctionPtr,
                                  csg::Transform, std::shared_ptr<const Pigment>, std::shared_ptr<const Texture>,
-                                 std::shared_ptr<const Object>, StatementPtr, std::shared_ptr<const image::Picture>>;
+                                 std::shared_ptr<const Object>, StatementPtr, std::shared_ptr<const image::Picture>, std::shared_ptr<const Volume>>;
     std::string name;                ///< keyword; empty for what stands first in the block without one
     std::vector<Operand> operands;   ///< none: the keyword alone
 };

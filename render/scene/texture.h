@@ -49,7 +49,7 @@ struct Pattern {
     std::vector<double> numbers;        ///< mortar, control values, exponents, ...
     std::shared_ptr<const Pigment> pigment;  ///< pigment_pattern only
     function::FunctionPtr function;     ///< `function` only: of x, y, z
-    StatementPtr block;                 ///< image_map, image_pattern, bump_map, material_map, density_file: as written; object: not drawn yet
+    StatementPtr block;                 ///< image_map, image_pattern, bump_map, material_map, density_file, object: as written
     int noise_generator = 0;            ///< 0: the scene's
     double frequency = 1, phase = 0;
     WaveForm wave = WaveForm::Ramp;

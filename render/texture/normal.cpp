@@ -152,7 +152,7 @@ glm::dvec3 perturb(const TextureSet& set, std::uint32_t index, const glm::dvec3&
     glm::dvec3 local = normal_into(set, pattern, n, normal.no_bump_scale);
     const glm::dvec3 q = warp_point(set, pattern, p);
     const bool mapped = normal.map == Normal::Map::Normals || normal.map == Normal::Map::Average;
-    if (normal.map == Normal::Map::Image) local = image_bump(set.images[pattern.image], normal.amount, local, q);
+    if (normal.map == Normal::Map::Image) local = image_bump(set.images[pattern.data], normal.amount, local, q);
     else local = mapped ? by_map(set, normal, pattern, local, q, around) : by_pattern(set, normal, pattern, local, q, around);
     const glm::dvec3 out = normal_out_of(set, pattern, local, normal.no_bump_scale);
     around.normal = glm::normalize(out);

@@ -14,8 +14,8 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 /// Every pattern that is evaluated. `Average` and `Uv` are not functions of a point: the user of the map handles them.
 enum class PatternKind : std::uint8_t {
     Average, Uv,
-    Agate, Aoi, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle, Cubic, Cylindrical, Dents, Function, Gradient, Granite,
-    Hexagon, Image, Julia, Leopard, MagnetJulia, MagnetMandel, Mandel, Marble, Onion, PigmentPattern, Planar, Quilted, Radial,
+    Agate, Aoi, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle, Cubic, Cylindrical, Dents, DensityFile, Function, Gradient, Granite,
+    Hexagon, Image, Julia, Leopard, MagnetJulia, MagnetMandel, Mandel, Marble, Object, Onion, PigmentPattern, Planar, Quilted, Radial,
     Ripples, Slope, Spherical, Spiral1, Spiral2, Square, Triangular, Waves, Wood, Wrinkles, Facets,
 };
 
@@ -39,7 +39,7 @@ struct Pattern {
     std::uint32_t first_warp = 0, warp_count = 0;
     std::uint32_t pigment = kNone;         ///< PigmentPattern: whose grey is the value
     std::uint32_t function = kNone;        ///< Function: index into TextureSet::functions
-    std::uint32_t image = kNone;           ///< Image: index into TextureSet::images
+    std::uint32_t data = kNone;            ///< index into TextureSet's images, volumes or objects by kind
     double frequency = 1, phase = 0, poly_exponent = 1;
     scene::Turbulence turbulence;
     glm::dvec3 vector{0};                  ///< gradient axis (unit), brick size, crackle form, julia's constant, ...

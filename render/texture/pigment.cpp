@@ -57,7 +57,7 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm
     const glm::dvec3 q = warp_point(set, pattern, p);
     if (pigment.kind == Pigment::Kind::Image) {
         glm::dvec2 place;
-        const Image& image = set.images[pattern.image];
+        const Image& image = set.images[pattern.data];
         return image_place(image, q, place) ? image_color(image, place) : kNoColor;
     }
     if (pigment.kind == Pigment::Kind::Average) return average_color(set, pigment, q, around);
@@ -78,12 +78,12 @@ bool pigment_missing(const TextureSet& set, std::uint32_t index, const glm::dvec
     if (pigment.kind != Pigment::Kind::Image) return false;
     const Pattern& pattern = set.patterns[pigment.pattern];
     glm::dvec2 place;
-    return !image_place(set.images[pattern.image], warp_point(set, pattern, p), place);
+    return !image_place(set.images[pattern.data], warp_point(set, pattern, p), place);
 }
 
 std::uint32_t material_at(const TextureSet& set, const Texture& texture, const glm::dvec3& p)
 {
-    const Image& image = set.images[set.patterns[texture.pattern].image];
+    const Image& image = set.images[set.patterns[texture.pattern].data];
     glm::dvec2 place;
     auto index = image_place(image, p, place) ? static_cast<std::uint32_t>(std::max(0, image_index(image, place))) : 0u;
     if (index > texture.count) index %= texture.count;

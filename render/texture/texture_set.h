@@ -2,9 +2,12 @@
 
 #include "function/program.h"
 #include "render/scene/color.h"
+#include "render/scene/volume.h"
 #include "render/texture/image.h"
+#include "render/texture/inside_test.h"
 #include "render/texture/pattern.h"
 
+#include <memory>
 #include <vector>
 
 /// All textures of a scene as flat arrays: built once by plan/, read by every thread.
@@ -66,6 +69,8 @@ struct TextureSet {
     std::vector<Pattern> patterns;
     std::vector<Warp> warps;
     std::vector<Image> images;
+    std::vector<std::shared_ptr<const scene::Volume>> volumes;
+    std::vector<std::shared_ptr<const InsideTest>> objects;
     std::vector<function::FunctionPtr> functions;  ///< slots of patterns and pigments filled in
     std::vector<float> keys;
     std::vector<scene::Color> colors;

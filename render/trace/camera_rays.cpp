@@ -1,9 +1,11 @@
 #include "render/trace/camera_rays.h"
 
 #include "csg/lanes.h"
+#include "render/trace/mesh_camera_ray.h"
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace trace {
 namespace {
@@ -41,8 +43,8 @@ bool shared_eye(const scene::Camera& camera)
 
 }  // namespace
 
-CameraRays::CameraRays(const scene::Camera& camera, int width, int height)
-    : camera_(camera), width_(width), height_(height), unit_direction_(unit(camera.direction)),
+CameraRays::CameraRays(const scene::Camera& camera, int width, int height, std::shared_ptr<const plan::MeshCamera> mesh)
+    : camera_(camera), mesh_(std::move(mesh)), width_(width), height_(height), unit_direction_(unit(camera.direction)),
       unit_right_(unit(camera.right)), unit_up_(unit(camera.up)), length_right_(glm::length(camera.right)),
       length_up_(glm::length(camera.up)), common_origin_(shared_eye(camera))
 {
@@ -76,7 +78,9 @@ bool CameraRays::ray(double px, double py, csg::Ray& out) const
     case Kind::Panoramic: panoramic(px, v, out); break;
     case Kind::Cylinder: cylinder(u, v, out); break;
     case Kind::Spherical: spherical(u, v, out); break;
-    case Kind::Mesh: found = false; break;
+    case Kind::Mesh:
+        found = mesh_ && mesh_camera_ray(*mesh_, px, py, static_cast<int>(width_), static_cast<int>(height_), 0, out);
+        break;
     }
     if (!found) return false;
     const double length = glm::length(out.direction);

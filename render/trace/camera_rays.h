@@ -1,15 +1,17 @@
 #pragma once
 
 #include "csg/hit.h"
+#include "render/plan/mesh_camera.h"
 #include "render/scene/description.h"
 
 namespace trace {
 
-/// From a sample position to a ray, for every kind of camera but the mesh camera (spec 2, section 4).
+/// From a sample position to a ray (spec 2, sections 4 and 5).
 /// A position counts pixels from the top left; whole numbers are pixel centres.
 class CameraRays {
 public:
-    CameraRays(const scene::Camera& camera, int width, int height);
+    /// \param mesh  of a mesh camera; such a camera without one has no rays
+    CameraRays(const scene::Camera& camera, int width, int height, std::shared_ptr<const plan::MeshCamera> mesh = nullptr);
 
     /// False for a sample without a ray (outside a fisheye's circle): it is black with transmit 1.
     bool ray(double px, double py, csg::Ray& out) const;
@@ -20,6 +22,9 @@ public:
 
     /// All rays start in the eye: a tile of them is a beam.
     bool common_origin() const { return common_origin_; }
+
+    /// What is farther counts as sky; 0: nothing does.
+    double max_distance() const { return mesh_ ? mesh_->max_distance : 0.0; }
 
     /// Perspective with its directions in one half space: neighbours stay neighbours in every plane through the eye.
     bool flat_projection() const { return camera_.kind == scene::Camera::Kind::Perspective; }
@@ -34,6 +39,7 @@ private:
     glm::dvec3 polar(double theta, double a, double b) const;
 
     scene::Camera camera_;
+    std::shared_ptr<const plan::MeshCamera> mesh_;
     double width_, height_;
     glm::dvec3 unit_direction_, unit_right_, unit_up_;
     double length_right_, length_up_;

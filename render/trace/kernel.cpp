@@ -18,7 +18,7 @@ namespace trace {
 class BlockTracer {
 public:
     explicit BlockTracer(const plan::CompiledScene& scene)
-        : scene_(scene), world_(scene.world()), camera_(scene.camera, scene.options.width, scene.options.height)
+        : scene_(scene), world_(scene.world()), camera_(scene.camera, scene.options.width, scene.options.height, scene.mesh_camera)
     {
         // A perspective camera's tiles differ in nothing but their directions.
         rays_.ox.fill(scene.camera.location.x);
@@ -83,6 +83,12 @@ private:
         targets_[k] = out;
     }
 
+    void forget_beyond(double distance)
+    {
+        for (int i = 0; i < rays_.count; ++i)
+            if (hits_.at(i).t > distance) hits_.set(i, {});
+    }
+
     /// A perspective camera's rays in vector lanes; for the others one by one, and not every sample has one.
     void make_rays()
     {
@@ -113,6 +119,7 @@ private:
         if (rays_.count == 0) return;
         scratch_.counts.camera += static_cast<std::uint64_t>(rays_.count);
         world_.nearest(rays_, bit(plan::RayKind::Image), scratch_.geometry, hits_);
+        if (camera_.max_distance() > 0.0) forget_beyond(camera_.max_distance());
         shade_tile(scene_, rays_, hits_, colors_, scratch_);
         for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) *targets_[i] = colors_[i];
     }

@@ -7,6 +7,7 @@
 #include "render/trace/ray_state.h"
 #include "render/trace/scratch.h"
 
+#include <algorithm>
 #include <array>
 
 /// Inside of shading: the state of one ray and of one hit, and the steps that call each other in recursion.
@@ -16,6 +17,9 @@ inline constexpr double kMinDistance = 1e-4;        ///< nearer hits of camera a
 inline constexpr double kShadowTolerance = 1e-3;    ///< the same for shadow rays, at both ends
 inline constexpr double kNearlyZero = 1e-10;        ///< light and index differences below it count as none
 inline constexpr float kDark = 1e-10f;              ///< kNearlyZero for colours
+
+inline bool black(const glm::vec3& c) { return c.x == 0.0f && c.y == 0.0f && c.z == 0.0f; }
+inline float largest(const glm::vec3& c) { return std::max({c.x, c.y, c.z}); }
 
 /// Everything shading reads and writes besides the ray.
 struct Context {

@@ -17,10 +17,6 @@ struct Mirror {
     const texture::Finish* finish;
 };
 
-bool black(const glm::vec3& c) { return c.x == 0.0f && c.y == 0.0f && c.z == 0.0f; }
-
-float largest(const glm::vec3& c) { return std::max({c.x, c.y, c.z}); }
-
 /// The layer's normal, bent by the layer and carried through the patterns around it (spec 3, section 4).
 glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal, const glm::dvec3& p)
 {

@@ -9,10 +9,6 @@
 namespace trace {
 namespace {
 
-bool black(const glm::vec3& c) { return c.x == 0.0f && c.y == 0.0f && c.z == 0.0f; }
-
-float largest(const glm::vec3& c) { return std::max({c.x, c.y, c.z}); }
-
 /// As trace_ray decides it.
 bool worth_tracing(const Context& context, const RayState& state)
 {

@@ -23,12 +23,13 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"parser/lexer", {}},
     {"parser/stream", {"csg", "function", "parser/lexer", "parser", "render/scene"}},
     {"parser/grammar", {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene", "render/font", "render/image"}},
-    {"render/scene", {"csg", "function"}},
+    // Pictures that a scene reads: image knows nothing of scenes, and is what comes last as well as what comes in.
+    {"render/scene", {"csg", "function", "render/image"}},
     {"render/font", {"csg"}},
     {"render/image", {}},
     {"render/texture", {"csg", "function", "render/scene"}},
     {"render/light", {"csg", "function", "render/scene", "render/texture"}},
-    {"render/plan", {"csg", "function", "render/scene", "render/texture", "render/light"}},
+    {"render/plan", {"csg", "function", "render/scene", "render/texture", "render/light", "render/image"}},
     {"render/trace", {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image"}},
     {"render/app", {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace"}},
 };

@@ -6,6 +6,10 @@
 /// `p` is the warped point; parameters as in docs/patterns.md.
 namespace texture {
 
+// looked up
+/// numbers: interpolate.
+double density(const Pattern& pattern, const scene::Volume& volume, const glm::dvec3& p);
+
 // noise based
 double bozo(const Pattern& pattern, const glm::dvec3& p);
 double dents(const Pattern& pattern, const glm::dvec3& p);

@@ -1,0 +1,88 @@
+#include "render/plan/mesh_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plan {
+namespace {
+
+constexpr double kTiny = 1e-10;
+
+/// From a mesh's own space to the rays that leave it.
+struct Launch {
+    const scene::Camera& camera;
+    const csg::Transform& to_world;
+
+    MeshCamera::Ray from(const glm::dvec3& p, const glm::dvec3& normal) const
+    {
+        const glm::dvec3 n = glm::normalize(normal);
+        const glm::dvec3 direction = camera.direction.z < -kTiny ? -n : n;
+        return {to_world.point(p + camera.location.z * n), glm::normalize(glm::transpose(to_world.inverse_linear) * direction)};
+    }
+};
+
+void add_faces(MeshCamera& out, const scene::MeshData& mesh, const Launch& launch, bool smooth)
+{
+    constexpr std::uint32_t kNone = scene::MeshData::kNone;
+    for (const scene::MeshData::Face& face : mesh.faces) {
+        const auto corner = [&](std::size_t k) { return mesh.vertices[face.vertex[k]]; };
+        const glm::dvec3 normal = glm::cross(corner(2) - corner(0), corner(1) - corner(0));
+        if (out.method != MeshCamera::Method::ByUv) {
+            out.faces.push_back(launch.from((corner(0) + corner(1) + corner(2)) / 3.0, normal));
+            continue;
+        }
+        MeshCamera::Corners corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (face.uv[k] != kNone) corners.uv[k] = mesh.uvs[face.uv[k]];
+            const bool own = smooth && face.normal[k] != kNone;
+            corners.rays[k] = launch.from(corner(k), own ? mesh.normals[face.normal[k]] : normal);
+        }
+        out.corners.push_back(corners);
+    }
+}
+
+void sort_into_cells(MeshCamera& out)
+{
+    constexpr auto kAll = static_cast<std::size_t>(MeshCamera::kCells) * MeshCamera::kCells;
+    std::vector<std::vector<std::uint32_t>> cells(kAll);
+    for (std::uint32_t f = 0; f < out.corners.size(); ++f) {
+        const auto& uv = out.corners[f].uv;
+        const glm::dvec2 low = glm::min(glm::min(uv[0], uv[1]), uv[2]), high = glm::max(glm::max(uv[0], uv[1]), uv[2]);
+        for (int y = MeshCamera::cell_of(low.y); y <= MeshCamera::cell_of(high.y); ++y)
+            for (int x = MeshCamera::cell_of(low.x); x <= MeshCamera::cell_of(high.x); ++x)
+                cells[static_cast<std::size_t>(y) * MeshCamera::kCells + static_cast<std::size_t>(x)].push_back(f);
+    }
+    out.cell_first = {0};
+    for (const std::vector<std::uint32_t>& cell : cells) {
+        out.cell_faces.insert(out.cell_faces.end(), cell.begin(), cell.end());
+        out.cell_first.push_back(static_cast<std::uint32_t>(out.cell_faces.size()));
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<const MeshCamera> compile_mesh_camera(const scene::Camera& camera)
+{
+    if (camera.kind != scene::Camera::Kind::Mesh || !camera.mesh) return nullptr;
+    const scene::Statement& statement = *camera.mesh;
+    auto out = std::make_shared<MeshCamera>();
+    const auto& head = statement.items.front().operands;
+    out->rays_per_pixel = static_cast<int>(number_of(head[0]));
+    out->method = static_cast<MeshCamera::Method>(static_cast<int>(number_of(head[1])));
+    if (const auto* item = item_of(statement, "max_distance")) out->max_distance = number_of(item->operands[0]);
+    if (out->max_distance < kTiny) out->max_distance = 0.0;
+    const bool smooth = item_of(statement, "smooth") != nullptr;
+    for (const scene::StatementItem& item : statement.items) {
+        if (item.name != "mesh" && item.name != "mesh2") continue;
+        const auto& object = *std::get<std::shared_ptr<const scene::Object>>(item.operands[0]);
+        const scene::MeshData& mesh = *std::get<scene::Mesh>(object.shape).data;
+        const auto first = static_cast<std::uint32_t>(out->faces.size());
+        if (out->method == MeshCamera::Method::ByUv && !out->corners.empty()) continue;  // further meshes are not used
+        add_faces(*out, mesh, {camera, object.transform}, smooth);
+        out->meshes.push_back({first, static_cast<std::uint32_t>(out->faces.size()) - first});
+    }
+    if (out->method == MeshCamera::Method::ByUv) sort_into_cells(*out);
+    return out;
+}
+
+}  // namespace plan
