@@ -1,5 +1,7 @@
 #include "csg/bvh.h"
 
+#include "csg/rounding.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -143,13 +145,6 @@ private:
     std::vector<BvhInput>& inputs_;
     std::vector<BinaryNode> nodes_;
 };
-
-float rounded_down(double v)
-{
-    const auto f = static_cast<float>(v);
-    return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
-}
-float rounded_up(double v) { return -rounded_down(-v); }
 
 /// Gathers the binary tree into nodes of eight by opening the child of largest area.
 class Collapser {

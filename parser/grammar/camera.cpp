@@ -145,10 +145,12 @@ struct blur_samples : item<Kind::BlurSamples, a_number> {
     static void act(CameraState& s)
     {
         s.camera.blur_samples = s.pop_int();
+        s.camera.blur_fewest = 0;
         if (s.camera.blur_samples <= 0) s.stream().fail(s.stream().last(), "blur_samples must be above 0");
         // `min, max`: the larger number is the limit.
         if (s.fixed_order && s.stream().accept_comma()) {
             read_rule<a_number>(s.build, s);
+            s.camera.blur_fewest = s.camera.blur_samples;
             s.camera.blur_samples = s.pop_int();
         }
     }
@@ -186,8 +188,7 @@ struct bokeh : item<Kind::Bokeh> {
 struct normal : item<Kind::Normal> {
     static void act(CameraState& s)
     {
-        s.build.unsupported("normal of a camera", s.stream().last());
-        read_normal(s.build, std::nullopt);
+        s.camera.normal = read_normal(s.build, std::nullopt);
     }
 };
 

@@ -46,6 +46,7 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     TextureCompiler textures(description, options.quality, out.textures, notes);
     GeometryCompiler geometry(description, options, textures, out, notes);
     for (const scene::Object& object : description.objects) geometry.add(object);
+    if (description.camera.normal) out.camera_normal = textures.normal(*description.camera.normal, false);
     out.sky = compile_sky(description, textures, options.alpha);
     out.fogs = compile_fogs(description);
     geometry.finish();

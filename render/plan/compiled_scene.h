@@ -73,6 +73,7 @@ struct CompiledScene {
     std::vector<texture::Fog> fogs;
     scene::Camera camera;
     std::shared_ptr<const MeshCamera> mesh_camera;  ///< null for other cameras
+    std::uint32_t camera_normal = kNone;   ///< index into textures.normals
     Settings settings;
     Options options;
     std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)

@@ -20,6 +20,8 @@ public:
     std::uint32_t texture(const scene::TexturePtr& description);
     /// Index into TextureSet::pigments.
     std::uint32_t pigment(const scene::Pigment& description);
+    /// Index into TextureSet::normals; texture::kNone if it cannot be evaluated (noted).
+    std::uint32_t normal(const scene::Normal& description, bool no_bump_scale);
     /// Index into TextureSet::functions; texture::kNone if it needs a pattern that cannot be evaluated (noted).
     std::uint32_t function(const function::FunctionPtr& description);
 
@@ -28,7 +30,6 @@ private:
     std::uint32_t layers(const std::vector<scene::Layer>& description);
     std::uint32_t patterned(const scene::PatternedTexture& description);
     std::uint32_t pigment_map(const scene::PatternedPigment& description);
-    std::uint32_t normal(const scene::Normal& description, bool no_bump_scale);
     std::uint32_t finish(const scene::Finish& description);
     std::uint32_t pattern(const scene::Pattern& description);
     /// Index of what the pattern looks its value up in; texture::kNone for those that look nothing up.

@@ -2,6 +2,7 @@
 
 #include "render/scene/object.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ struct Camera {
     double angle2_deg = 0;                 ///< spherical: vertical
     /// Focal blur; off while aperture is 0.
     double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
-    int blur_samples = 0;
+    int blur_samples = 0, blur_fewest = 0; ///< at most and at least, a sample of the picture
     StatementPtr mesh;                     ///< of a mesh camera, as written
-    std::vector<StatementPtr> undrawn;     ///< bokeh, normal: read, not used yet
+    std::optional<Normal> normal;          ///< bends the rays
+    std::vector<StatementPtr> undrawn;     ///< bokeh: read, not used yet
     SourceRef source;
 };
 

@@ -165,9 +165,10 @@ void dump(DumpWriter& out, const Camera& c)
     out.value("up", c.up);
     out.value("sky", c.sky);
     out.line("angle", text(c.angle_deg) + " " + text(c.angle2_deg));
-    out.line("focus", fmt::format("aperture {} distance {} samples {} confidence {} variance {}", text(c.aperture),
-                                  text(c.focal_distance), c.blur_samples, text(c.confidence), text(c.variance)));
+    out.line("focus", fmt::format("aperture {} distance {} samples {}{} confidence {} variance {}", text(c.aperture),
+                                  text(c.focal_distance), c.blur_samples, c.blur_fewest > 0 ? fmt::format(" at least {}", c.blur_fewest) : "", text(c.confidence), text(c.variance)));
     if (c.mesh) dump(out, *c.mesh);
+    if (c.normal) dump(out, *c.normal);
     for (const StatementPtr& statement : c.undrawn) dump(out, *statement);
     out.close();
 }

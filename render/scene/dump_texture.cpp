@@ -109,6 +109,8 @@ void dump(DumpWriter& out, const Finish& f)
     out.close();
 }
 
+}  // namespace
+
 void dump(DumpWriter& out, const Normal& normal)
 {
     out.open("normal");
@@ -128,8 +130,6 @@ void dump(DumpWriter& out, const Normal& normal)
     }
     out.close();
 }
-
-}  // namespace
 
 void dump(DumpWriter& out, const Turbulence& t)
 {

@@ -33,6 +33,7 @@ std::string text(const glm::dvec3& v);
 std::string text(const Color& c);
 
 void dump(DumpWriter& out, const Pigment& pigment);
+void dump(DumpWriter& out, const Normal& normal);
 void dump(DumpWriter& out, const Texture& texture);
 void dump(DumpWriter& out, const Interior& interior);
 void dump(DumpWriter& out, const Turbulence& turbulence);

@@ -1,11 +1,11 @@
 #include "render/trace/camera_rays.h"
 
 #include "csg/lanes.h"
+#include "render/texture/evaluate.h"
 #include "render/trace/mesh_camera_ray.h"
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace trace {
 namespace {
@@ -36,15 +36,15 @@ glm::dvec3 rotated(const glm::dvec3& v, const glm::dvec3& axis, double angle)
 
 bool shared_eye(const scene::Camera& camera)
 {
-    if (camera.aperture != 0) return false;
+    if (camera.aperture != 0 && camera.blur_samples > 0) return false;
     if (camera.kind == Kind::Cylinder) return camera.cylinder_type <= 2;
     return camera.kind != Kind::Orthographic && camera.kind != Kind::Mesh;
 }
 
 }  // namespace
 
-CameraRays::CameraRays(const scene::Camera& camera, int width, int height, std::shared_ptr<const plan::MeshCamera> mesh)
-    : camera_(camera), mesh_(std::move(mesh)), width_(width), height_(height), unit_direction_(unit(camera.direction)),
+CameraRays::CameraRays(const scene::Camera& camera, int width, int height, const Extras& extras)
+    : camera_(camera), extras_(extras), width_(width), height_(height), unit_direction_(unit(camera.direction)),
       unit_right_(unit(camera.right)), unit_up_(unit(camera.up)), length_right_(glm::length(camera.right)),
       length_up_(glm::length(camera.up)), common_origin_(shared_eye(camera))
 {
@@ -57,9 +57,29 @@ CameraRays::CameraRays(const scene::Camera& camera, int width, int height, std::
 
 bool CameraRays::ray(double px, double py, csg::Ray& out) const
 {
+    glm::dvec2 place;
+    if (!project(px, py, out, place)) return false;
+    const double length = glm::length(out.direction);
+    if (!(length > 0)) return false;
+    out.direction /= length;
+    if (extras_.normal == texture::kNone) return true;
+    texture::Surroundings around;
+    out.direction = glm::normalize(texture::perturb(*extras_.textures, extras_.normal, out.direction, {place.x, place.y, 0.0}, around));
+    return out.direction == out.direction;
+}
+
+bool CameraRays::unscaled_ray(double px, double py, csg::Ray& out) const
+{
+    glm::dvec2 place;
+    return project(px, py, out, place);
+}
+
+bool CameraRays::project(double px, double py, csg::Ray& out, glm::dvec2& place) const
+{
     const double u = (px + 0.5) / width_ - 0.5;
     const double v = (height_ - 0.5 - py) / height_ - 0.5;
     out.origin = camera_.location;
+    place = {u, v};
     bool found = true;
     switch (camera_.kind) {
     case Kind::Perspective: out.direction = camera_.direction + u * camera_.right + v * camera_.up; break;
@@ -67,26 +87,24 @@ bool CameraRays::ray(double px, double py, csg::Ray& out) const
         out.origin += u * camera_.right + v * camera_.up;
         out.direction = camera_.direction;
         break;
-    case Kind::Fisheye: found = fisheye(u, v, out); break;
+    case Kind::Fisheye: found = fisheye(u, v, out, place); break;
     case Kind::UltraWideAngle: {
         const double alpha = u * angle_, beta = v * angle_ * length_up_ / length_right_;
+        place = {alpha, beta};
         out.direction = std::sin(alpha) * unit_right_ + std::sin(beta) * unit_up_ +
                         std::cos(alpha) * std::cos(beta) * unit_direction_;
         break;
     }
-    case Kind::Omnimax: found = omnimax(u, v, out); break;
-    case Kind::Panoramic: panoramic(px, v, out); break;
-    case Kind::Cylinder: cylinder(u, v, out); break;
-    case Kind::Spherical: spherical(u, v, out); break;
+    case Kind::Omnimax: found = omnimax(u, v, out, place); break;
+    case Kind::Panoramic: panoramic(px, v, out, place); break;
+    case Kind::Cylinder: cylinder(u, v, out, place); break;
+    case Kind::Spherical: spherical(u, v, out, place); break;
     case Kind::Mesh:
-        found = mesh_ && mesh_camera_ray(*mesh_, px, py, static_cast<int>(width_), static_cast<int>(height_), 0, out);
+        place = {0, 0};
+        found = extras_.mesh && mesh_camera_ray(*extras_.mesh, px, py, static_cast<int>(width_), static_cast<int>(height_), 0, out);
         break;
     }
-    if (!found) return false;
-    const double length = glm::length(out.direction);
-    if (!(length > 0)) return false;
-    out.direction /= length;
-    return true;
+    return found;
 }
 
 bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& rays) const
@@ -117,15 +135,16 @@ glm::dvec3 CameraRays::polar(double theta, double a, double b) const
            std::cos(theta) * unit_direction_;
 }
 
-bool CameraRays::fisheye(double u, double v, csg::Ray& out) const
+bool CameraRays::fisheye(double u, double v, csg::Ray& out, glm::dvec2& place) const
 {
     const double a = 2 * u * length_right_, b = 2 * v * length_up_, rho = std::hypot(a, b);
     if (rho > 1) return false;
-    out.direction = polar(rho * angle_ / 2, a, b);
+    place = {std::atan2(b, a), rho * angle_ / 2};
+    out.direction = polar(place.y, a, b);
     return true;
 }
 
-bool CameraRays::omnimax(double u, double v, csg::Ray& out) const
+bool CameraRays::omnimax(double u, double v, csg::Ray& out, glm::dvec2& place) const
 {
     const double q = length_right_ / length_up_;
     double a = 2 * u, b = 2 * v;
@@ -141,35 +160,40 @@ bool CameraRays::omnimax(double u, double v, csg::Ray& out) const
     if (rho > 1) return false;
     const double rho2 = rho * rho;
     const double theta = rho * (1.411269 + rho2 * (-0.09439 + rho2 * 0.25674));
+    place = {std::atan2(b, a), theta};
     // More than 45 degrees below the horizon there is only the projection booth.
     if (std::sin(std::atan2(b, a)) * std::sin(theta) < std::tan(radians(135)) * std::cos(theta)) return false;
     out.direction = polar(theta, a, b);
     return true;
 }
 
-void CameraRays::panoramic(double px, double v, csg::Ray& out) const
+void CameraRays::panoramic(double px, double v, csg::Ray& out, glm::dvec2& place) const
 {
     constexpr double kVertical = 1e-10;        // closer to straight up than this counts as straight up
     constexpr double kVerticalTangent = 2e10;
     const double a = (1 - (px + 0.5) / width_) * kPi, b = v * kPi;
+    place = {a, b};
     const double rise = std::abs(kPi / 2 - std::abs(b)) < kVertical ? std::copysign(kVerticalTangent, b) : std::tan(b);
     out.direction = std::cos(a) * camera_.right + rise * camera_.up + std::sin(a) * camera_.direction;
 }
 
-void CameraRays::cylinder(double u, double v, csg::Ray& out) const
+void CameraRays::cylinder(double u, double v, csg::Ray& out, glm::dvec2& place) const
 {
     const double across = u * angle_, along = v * angle_;
     if (camera_.cylinder_type == 1 || camera_.cylinder_type == 3) {
+        place = {across, v * length_up_};
         out.direction = std::sin(across) * unit_right_ + std::cos(across) * unit_direction_;
         (camera_.cylinder_type == 1 ? out.direction : out.origin) += v * length_up_ * unit_up_;
     } else {
+        place = {u * length_right_, along};
         out.direction = std::sin(along) * unit_up_ + std::cos(along) * unit_direction_;
         (camera_.cylinder_type == 2 ? out.direction : out.origin) += u * length_right_ * unit_right_;
     }
 }
 
-void CameraRays::spherical(double u, double v, csg::Ray& out) const
+void CameraRays::spherical(double u, double v, csg::Ray& out, glm::dvec2& place) const
 {
+    place = {u * angle_, v * angle2_};
     const glm::dvec3 tilted = rotated(unit_direction_, unit_right_, -v * angle2_);
     out.direction = rotated(tilted, unit_up_, u * angle_);
 }

@@ -28,12 +28,11 @@ std::array<std::uint16_t, kHashSize> make_permutation()
 
 const std::array<std::uint16_t, kHashSize> kPermutation = make_permutation();
 
-/// Pictures are far smaller than the range of an int; the cast truncates toward zero as the rule asks.
-std::uint32_t truncated(double v) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(v)); }
-
 std::uint32_t hash(std::uint32_t a, std::uint32_t b) { return kPermutation[(kPermutation[a & 4095u] ^ b) & 4095u]; }
 
 }  // namespace
+
+std::uint32_t permuted(std::uint32_t index) { return kPermutation[index & 4095u]; }
 
 glm::dvec2 jitter(double x, double y)
 {

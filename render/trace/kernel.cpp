@@ -1,6 +1,7 @@
 #include "render/trace/kernel.h"
 
 #include "render/trace/camera_rays.h"
+#include "render/trace/focal_blur.h"
 #include "render/trace/geometry.h"
 #include "render/trace/shade.h"
 
@@ -18,14 +19,14 @@ namespace trace {
 class BlockTracer {
 public:
     explicit BlockTracer(const plan::CompiledScene& scene)
-        : scene_(scene), world_(scene.world()), camera_(scene.camera, scene.options.width, scene.options.height, scene.mesh_camera)
+        : scene_(scene), world_(scene.world()), camera_(scene.camera, scene.options.width, scene.options.height, {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}), blur_(scene.camera)
     {
         // A perspective camera's tiles differ in nothing but their directions.
         rays_.ox.fill(scene.camera.location.x);
         rays_.oy.fill(scene.camera.location.y);
         rays_.oz.fill(scene.camera.location.z);
         rays_.t_min.fill(kCameraMinDistance);
-        rays_.t_max.fill(csg::kInfinity);
+        rays_.t_max.fill(camera_.max_distance() > 0.0 ? camera_.max_distance() : csg::kInfinity);
     }
 
     void trace(const Block& block, scene::Color* out)
@@ -83,12 +84,6 @@ private:
         targets_[k] = out;
     }
 
-    void forget_beyond(double distance)
-    {
-        for (int i = 0; i < rays_.count; ++i)
-            if (hits_.at(i).t > distance) hits_.set(i, {});
-    }
-
     /// A perspective camera's rays in vector lanes; for the others one by one, and not every sample has one.
     void make_rays()
     {
@@ -102,26 +97,78 @@ private:
                 *targets_[i] = {0, 0, 0, 0, 1};  // no ray: black, and clear where alpha is asked for (spec 2, 4.10)
                 continue;
             }
-            const auto k = static_cast<std::size_t>(rays_.count++);
-            rays_.ox[k] = ray.origin.x;
-            rays_.oy[k] = ray.origin.y;
-            rays_.oz[k] = ray.origin.z;
-            rays_.dx[k] = ray.direction.x;
-            rays_.dy[k] = ray.direction.y;
-            rays_.dz[k] = ray.direction.z;
-            targets_[k] = targets_[i];
+            targets_[static_cast<std::size_t>(rays_.count)] = targets_[i];
+            put(rays_.count++, ray);
         }
     }
 
     void finish_tile()
     {
+        if (blur_.active()) return finish_blurred();
         make_rays();
         if (rays_.count == 0) return;
+        trace_rays();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) *targets_[i] = colors_[i];
+    }
+
+    /// Samples of the tile in batches, each until it is certain; rays of different samples share tiles.
+    void finish_blurred()
+    {
+        std::array<FocalBlur::Sums, kTileRays> sums{};
+        std::array<int, kTileRays> going{}, owner{};
+        int left = samples_;
+        for (int i = 0; i < left; ++i) going[static_cast<std::size_t>(i)] = i;
+        rays_.common_origin = false;
+        const auto flush = [&] {
+            if (rays_.count > 0) trace_rays();
+            for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) sums[static_cast<std::size_t>(owner[i])].add(colors_[i], true);
+            rays_.count = 0;
+        };
+        rays_.count = 0;
+        while (left > 0) {
+            for (int g = 0; g < left; ++g) {
+                const int i = going[static_cast<std::size_t>(g)];
+                const auto k = static_cast<std::size_t>(i);
+                const int taken = sums[k].count;
+                for (int n = taken, end = taken + blur_.batch(taken); n < end; ++n) {
+                    csg::Ray ray;
+                    if (!blur_.ray(camera_, {x_[k], y_[k]}, n, ray)) {
+                        sums[k].add({0, 0, 0, 0, 1}, false);
+                        continue;
+                    }
+                    owner[static_cast<std::size_t>(rays_.count)] = i;
+                    put(rays_.count++, ray);
+                    if (rays_.count == kTileRays) flush();
+                }
+            }
+            flush();
+            int kept = 0;
+            for (int g = 0; g < left; ++g) {
+                const int i = going[static_cast<std::size_t>(g)];
+                const FocalBlur::Sums& of = sums[static_cast<std::size_t>(i)];
+                if (blur_.batch(of.count) > 0 && !blur_.certain(of)) going[static_cast<std::size_t>(kept++)] = i;
+                else *targets_[static_cast<std::size_t>(i)] = of.mean();
+            }
+            left = kept;
+        }
+    }
+
+    void put(int i, const csg::Ray& ray)
+    {
+        const auto k = static_cast<std::size_t>(i);
+        rays_.ox[k] = ray.origin.x;
+        rays_.oy[k] = ray.origin.y;
+        rays_.oz[k] = ray.origin.z;
+        rays_.dx[k] = ray.direction.x;
+        rays_.dy[k] = ray.direction.y;
+        rays_.dz[k] = ray.direction.z;
+    }
+
+    void trace_rays()
+    {
         scratch_.counts.camera += static_cast<std::uint64_t>(rays_.count);
         world_.nearest(rays_, bit(plan::RayKind::Image), scratch_.geometry, hits_);
-        if (camera_.max_distance() > 0.0) forget_beyond(camera_.max_distance());
         shade_tile(scene_, rays_, hits_, colors_, scratch_);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) *targets_[i] = colors_[i];
     }
 
     /// POV-Ray ignores what is nearer than this (spec 3, 3.1).
@@ -130,6 +177,7 @@ private:
     const plan::CompiledScene& scene_;
     csg::World world_;
     CameraRays camera_;
+    FocalBlur blur_;
     Scratch scratch_;
     AntialiasScratch antialias_;
     alignas(64) std::array<double, kTileRays> x_{}, y_{};   ///< sample positions of the tile at hand

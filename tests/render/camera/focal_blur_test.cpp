@@ -1,0 +1,75 @@
+#include "render/trace/focal_blur.h"
+
+#include <catch2/catch.hpp>
+
+using trace::FocalBlur;
+
+namespace {
+
+scene::Camera lens(int samples, double variance = 1.0 / 128.0)
+{
+    scene::Camera camera;
+    camera.aperture = 2.0;
+    camera.focal_distance = 6.0;
+    camera.blur_samples = samples;
+    camera.variance = variance;
+    return camera;
+}
+
+}  // namespace
+
+TEST_CASE("focal blur takes its samples in POV-Ray's batches", "[camera][blur]")
+{
+    const auto batches = [](int samples) {
+        const FocalBlur blur(lens(samples));
+        std::vector<int> sizes;
+        for (int taken = 0; taken < samples; taken += sizes.back()) {
+            REQUIRE(blur.batch(taken) > 0);
+            sizes.push_back(blur.batch(taken));
+        }
+        CHECK(blur.batch(samples) == 0);
+        return sizes;
+    };
+    CHECK(batches(1) == std::vector{1});
+    CHECK(batches(5) == std::vector{4, 1});
+    CHECK(batches(10) == std::vector{7, 3});
+    CHECK(batches(25) == std::vector{7, 6, 6, 4, 2});
+    CHECK(batches(37) == std::vector{7, 6, 6, 4, 4, 4, 4, 2});
+}
+
+TEST_CASE("rays of focal blur meet on the focal plane and leave a lens of half the aperture", "[camera][blur]")
+{
+    const scene::Camera camera = lens(60);
+    const FocalBlur blur(camera);
+    const trace::CameraRays rays(camera, 40, 30);
+    double farthest = 0.0;
+    for (int n = 0; n < 60; ++n) {
+        csg::Ray ray;
+        REQUIRE(blur.ray(rays, {20, 15}, n, ray));
+        CHECK(glm::length(ray.direction) == Approx(1.0));
+        CHECK(ray.origin.z == Approx(0.0).margin(1e-12));
+        farthest = std::max(farthest, glm::length(ray.origin));
+        // Within a pixel of where the sample's own ray meets the plane z = 6.
+        const glm::dvec3 met = ray.at(6.0 / ray.direction.z);
+        CHECK(std::abs(met.x - 6.0 * (20.5 / 40 - 0.5) * 4.0 / 3.0) <= 6.0 * 4.0 / 3.0 / 40);
+        CHECK(std::abs(met.y - 6.0 * (14.5 / 30 - 0.5)) <= 6.0 / 30);
+    }
+    CHECK(farthest > 0.3);
+    CHECK(farthest < 0.65);  // a quarter of the aperture and the jitter
+}
+
+TEST_CASE("focal blur is certain of what does not change, and of nothing at variance 0", "[camera][blur]")
+{
+    FocalBlur::Sums same, mixed;
+    for (int n = 0; n < 7; ++n) {
+        same.add({0.5f, 0.5f, 0.5f, 0, 0}, true);
+        mixed.add({n % 2 == 0 ? 1.0f : 0.0f, 0, 0, 0, 0}, true);
+    }
+    CHECK(FocalBlur(lens(37)).certain(same));
+    CHECK_FALSE(FocalBlur(lens(37)).certain(mixed));
+    CHECK_FALSE(FocalBlur(lens(37, 0.0)).certain(same));
+    scene::Camera patient = lens(37);
+    patient.blur_fewest = 20;
+    CHECK_FALSE(FocalBlur(patient).certain(same));
+    CHECK(mixed.mean().red == Approx(4.0 / 7.0));
+}
