@@ -16,7 +16,7 @@ global_settings { assumed_gamma 1.0 }
         #end
     #end
 }
-camera { mesh_camera { 1 3 mesh { Sheet } } location <0, 0, 0.05> direction -z }
+camera { mesh_camera { 1 3 mesh { Sheet } } location <0, 0, 0.05> }
 light_source { <-6, 9, -9> rgb 1 }
 background { rgb <0.5, 0.6, 0.8> }
 plane { y, -1 pigment { checker rgb 0.9, rgb <0.4, 0.5, 0.4> } finish { diffuse 0.7 ambient 0.2 } }
