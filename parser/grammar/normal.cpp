@@ -75,6 +75,7 @@ scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::N
     if (const auto declared = in.accept_identifier<scene::NormalPtr>()) s.normal = **declared;
     read_head(s);
     while (NormalItems::match(build, s) || read_pattern_modifier(build, s.normal.pattern)) {}
+    check_pavement(build, s.normal.pattern);
     if (s.normal.pattern.name.empty() && !std::holds_alternative<std::monostate>(s.normal.map))
         in.fail(s.normal.source, "this normal has a map, but no pattern");
     return s.normal;

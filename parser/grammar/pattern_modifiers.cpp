@@ -1,5 +1,7 @@
 #include "parser/grammar/rules.h"
 
+#include <cmath>
+
 /// Modifiers of a pattern: warps, turbulence, wave forms and the named parameters of single types.
 namespace parser {
 namespace {
@@ -104,7 +106,14 @@ template <Kind kind, std::size_t at, std::size_t pavement_at> struct side : item
 struct number_of_sides : item<Kind::NumberOfSides, a_number> { static void act(ModifierState& s) { s.set("pavement", 0, s.pop_float()); } };
 struct number_of_tiles : item<Kind::NumberOfTiles, a_number> { static void act(ModifierState& s) { s.set("pavement", 1, s.pop_float()); } };
 struct pavement_pattern : item<Kind::Pattern, a_number> { static void act(ModifierState& s) { s.set("pavement", 2, s.pop_float()); } };
-struct interpolate : item<Kind::Interpolate, a_number> { static void act(ModifierState& s) { s.pop_float(); } };
+/// Of a density_file, whose block has it too; behind a normal's amount it can stand here only.
+struct interpolate : item<Kind::Interpolate, a_number> {
+    static void act(ModifierState& s)
+    {
+        const double method = std::trunc(s.pop_float());
+        if (s.pattern.name == "density_file") s.pattern.numbers = {method};
+    }
+};
 
 // ---- warp { } -------------------------------------------------------------------------------------------------
 struct WarpState : BlockState {

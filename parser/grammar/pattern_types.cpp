@@ -119,7 +119,13 @@ template <Kind kind> struct spiral : item<kind, spiral_arms> {
 };
 struct tiling_kind : seq<a_number> {};
 struct tiling : item<Kind::Tiling, tiling_kind> {
-    static void act(PatternState& s) { set_type(s, "tiling"); s.pattern.numbers = {s.pop_float()}; }
+    static void act(PatternState& s)
+    {
+        set_type(s, "tiling");
+        const double kind = std::trunc(s.pop_float());
+        if (!(kind >= 1 && kind <= 27)) s.stream().fail(s.stream().last(), "the kind of tiling must be between 1 and 27");
+        s.pattern.numbers = {kind};
+    }
 };
 struct pavement : item<Kind::Pavement> {
     static void act(PatternState& s) { set_type(s, "pavement"); s.pattern.numbers = {3, 1, 1, 0, 0, 0}; }

@@ -189,6 +189,7 @@ scene::Pigment read_body(SceneBuilder& build, const scene::Pigment& base, bool d
     }
     read_head(s);
     while (PigmentItems::match(build, s) || read_pattern_modifier(build, s.pattern)) {}
+    check_pavement(build, s.pattern);
     return finished(s, source);
 }
 

@@ -133,6 +133,8 @@ bool read_pattern_type(SceneBuilder& build, scene::Pattern& pattern, bool of_nor
 void close_list(SceneBuilder& build, const scene::Pattern& pattern);
 /// One pattern modifier (warp, turbulence, frequency, wave form, transformation, ...) if it is next.
 bool read_pattern_modifier(SceneBuilder& build, scene::Pattern& pattern);
+/// Fails if the pattern is a pavement that does not exist; to be called behind its modifiers, which come in any order.
+void check_pavement(SceneBuilder& build, const scene::Pattern& pattern);
 /// Number of entries of a list pattern (checker 2, ...); 0 for all others.
 int list_size(const scene::Pattern& pattern);
 /// Colours of a list pattern where the text gives none, and colour maps of other patterns (spec 4, 10).

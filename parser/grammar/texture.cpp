@@ -158,6 +158,7 @@ scene::TexturePtr read_texture_body(SceneBuilder& build)
     s.texture.source = in.here();
     read_head(s);
     while (TextureItems::match(build, s) || read_texture_modifier(s)) {}
+    if (s.patterned()) check_pavement(build, s.pattern().pattern);
     if (s.patterned() && s.pattern().map.empty()) in.fail(s.texture.source, "this patterned texture has no texture_map");
     if (s.no_bump_scale && !s.patterned())
         for (scene::Layer& layer : std::get<Layers>(s.texture.kind))

@@ -19,11 +19,11 @@ const std::unordered_map<std::string, PatternKind> kKinds{
     {"julia", PatternKind::Julia},
     {"leopard", PatternKind::Leopard}, {"magnet_julia", PatternKind::MagnetJulia},
     {"magnet_mandel", PatternKind::MagnetMandel}, {"mandel", PatternKind::Mandel}, {"marble", PatternKind::Marble},
-    {"object", PatternKind::Object}, {"onion", PatternKind::Onion}, {"pigment_pattern", PatternKind::PigmentPattern}, {"planar", PatternKind::Planar},
+    {"object", PatternKind::Object}, {"onion", PatternKind::Onion}, {"pavement", PatternKind::Pavement}, {"pigment_pattern", PatternKind::PigmentPattern}, {"planar", PatternKind::Planar},
     {"quilted", PatternKind::Quilted}, {"radial", PatternKind::Radial}, {"ripples", PatternKind::Ripples},
     {"slope", PatternKind::Slope}, {"spherical", PatternKind::Spherical}, {"spiral1", PatternKind::Spiral1},
     {"spiral2", PatternKind::Spiral2}, {"spotted", PatternKind::Bozo}, {"square", PatternKind::Square},
-    {"triangular", PatternKind::Triangular}, {"uv_mapping", PatternKind::Uv}, {"waves", PatternKind::Waves},
+    {"tiling", PatternKind::Tiling}, {"triangular", PatternKind::Triangular}, {"uv_mapping", PatternKind::Uv}, {"waves", PatternKind::Waves},
     {"wood", PatternKind::Wood}, {"wrinkles", PatternKind::Wrinkles},
 };
 

@@ -70,6 +70,7 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
     case PatternKind::Marble: return marble(pattern, p);
     case PatternKind::Object: return set.objects[pattern.data]->holds(p) ? 1.0 : 0.0;
     case PatternKind::Onion: return onion(p);
+    case PatternKind::Pavement: return pavement(pattern, p);
     case PatternKind::PigmentPattern: return grey_of(set, pattern, p, around);
     case PatternKind::Planar: return planar(p);
     case PatternKind::Quilted: return quilted(pattern, p);
@@ -80,6 +81,7 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
     case PatternKind::Spiral1: return spiral1(pattern, p);
     case PatternKind::Spiral2: return spiral2(pattern, p);
     case PatternKind::Square: return square(p);
+    case PatternKind::Tiling: return tiling(pattern, p);
     case PatternKind::Triangular: return triangular(p);
     case PatternKind::Waves: return waves(set, pattern, p);
     case PatternKind::Wood: return wood(pattern, p);

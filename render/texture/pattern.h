@@ -15,8 +15,8 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 enum class PatternKind : std::uint8_t {
     Average, Uv,
     Agate, Aoi, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle, Cubic, Cylindrical, Dents, DensityFile, Function, Gradient, Granite,
-    Hexagon, Image, Julia, Leopard, MagnetJulia, MagnetMandel, Mandel, Marble, Object, Onion, PigmentPattern, Planar, Quilted, Radial,
-    Ripples, Slope, Spherical, Spiral1, Spiral2, Square, Triangular, Waves, Wood, Wrinkles, Facets,
+    Hexagon, Image, Julia, Leopard, MagnetJulia, MagnetMandel, Mandel, Marble, Object, Onion, Pavement, PigmentPattern, Planar, Quilted, Radial,
+    Ripples, Slope, Spherical, Spiral1, Spiral2, Square, Tiling, Triangular, Waves, Wood, Wrinkles, Facets,
 };
 
 /// world -> pattern space: p' = linear * p + offset, the inverse of what the author wrote.

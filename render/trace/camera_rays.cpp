@@ -55,10 +55,10 @@ CameraRays::CameraRays(const scene::Camera& camera, int width, int height, const
     angle2_ = radians(camera.angle2_deg != 0 ? camera.angle2_deg : angle / 2);
 }
 
-bool CameraRays::ray(double px, double py, csg::Ray& out) const
+bool CameraRays::ray(double px, double py, csg::Ray& out, int k) const
 {
     glm::dvec2 place;
-    if (!project(px, py, out, place)) return false;
+    if (!project(px, py, k, out, place)) return false;
     const double length = glm::length(out.direction);
     if (!(length > 0)) return false;
     out.direction /= length;
@@ -71,10 +71,10 @@ bool CameraRays::ray(double px, double py, csg::Ray& out) const
 bool CameraRays::unscaled_ray(double px, double py, csg::Ray& out) const
 {
     glm::dvec2 place;
-    return project(px, py, out, place);
+    return project(px, py, 0, out, place);
 }
 
-bool CameraRays::project(double px, double py, csg::Ray& out, glm::dvec2& place) const
+bool CameraRays::project(double px, double py, int k, csg::Ray& out, glm::dvec2& place) const
 {
     const double u = (px + 0.5) / width_ - 0.5;
     const double v = (height_ - 0.5 - py) / height_ - 0.5;
@@ -101,7 +101,7 @@ bool CameraRays::project(double px, double py, csg::Ray& out, glm::dvec2& place)
     case Kind::Spherical: spherical(u, v, out, place); break;
     case Kind::Mesh:
         place = {0, 0};
-        found = extras_.mesh && mesh_camera_ray(*extras_.mesh, px, py, static_cast<int>(width_), static_cast<int>(height_), 0, out);
+        found = extras_.mesh && mesh_camera_ray(*extras_.mesh, px, py, static_cast<int>(width_), static_cast<int>(height_), k, out);
         break;
     }
     return found;

@@ -22,7 +22,11 @@ public:
     CameraRays(const scene::Camera& camera, int width, int height) : CameraRays(camera, width, height, Extras{}) {}
 
     /// False for a sample without a ray (outside a fisheye's circle): it is black with transmit 1.
-    bool ray(double px, double py, csg::Ray& out) const;
+    /// k: which of the rays_per_sample() rays.
+    bool ray(double px, double py, csg::Ray& out, int k = 0) const;
+
+    /// A mesh camera may average several rays for one sample, and some of them may be missing; all others have one.
+    int rays_per_sample() const { return extras_.mesh ? extras_.mesh->rays_per_pixel : 1; }
 
     /// The same with a direction of any length, 0 too.
     bool unscaled_ray(double px, double py, csg::Ray& out) const;
@@ -42,7 +46,7 @@ public:
 
 private:
     // `place` is where a normal of the camera is evaluated (spec 2, section 6).
-    bool project(double px, double py, csg::Ray& out, glm::dvec2& place) const;
+    bool project(double px, double py, int k, csg::Ray& out, glm::dvec2& place) const;
     bool fisheye(double u, double v, csg::Ray& out, glm::dvec2& place) const;
     bool omnimax(double u, double v, csg::Ray& out, glm::dvec2& place) const;
     void cylinder(double u, double v, csg::Ray& out, glm::dvec2& place) const;

@@ -105,10 +105,32 @@ private:
     void finish_tile()
     {
         if (blur_.active()) return finish_blurred();
+        if (camera_.rays_per_sample() > 1) return finish_averaged();
         make_rays();
         if (rays_.count == 0) return;
         trace_rays();
         for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) *targets_[i] = colors_[i];
+    }
+
+    /// The mean of the rays that a sample has, one ray of every sample a tile.
+    void finish_averaged()
+    {
+        std::array<FocalBlur::Sums, kTileRays> sums{};
+        std::array<std::size_t, kTileRays> owner{};
+        rays_.common_origin = false;
+        for (int k = 0; k < camera_.rays_per_sample(); ++k) {
+            rays_.count = 0;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i) {
+                csg::Ray ray;
+                if (!camera_.ray(x_[i], y_[i], ray, k)) continue;
+                owner[static_cast<std::size_t>(rays_.count)] = i;
+                put(rays_.count++, ray);
+            }
+            if (rays_.count > 0) trace_rays();
+            for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) sums[owner[i]].add(colors_[i], true);
+        }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i)
+            *targets_[i] = sums[i].count > 0 ? sums[i].mean() : scene::Color{0, 0, 0, 0, 1};
     }
 
     /// Samples of the tile in batches, each until it is certain; rays of different samples share tiles.

@@ -45,6 +45,10 @@ double square(const glm::dvec3& p);
 double cubic(const glm::dvec3& p);
 double triangular(const glm::dvec3& p);
 
+// tilings of the x-z plane: greatest at the edges of the tiles
+double tiling(const Pattern& pattern, const glm::dvec3& p);
+double pavement(const Pattern& pattern, const glm::dvec3& p);
+
 double crackle(const Pattern& pattern, const glm::dvec3& p);
 
 // fractals

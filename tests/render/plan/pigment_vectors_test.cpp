@@ -1,0 +1,90 @@
+#include "parser/parse.h"
+#include "render/plan/textures.h"
+#include "render/texture/evaluate.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+// Whole pigments and normals, read by the parser, against what POV-Ray answered (data/pigments.txt, data/normals.txt).
+namespace {
+
+struct Measured {
+    std::string statement;
+    std::vector<std::vector<double>> rows;
+};
+
+std::vector<Measured> measured(const std::string& name)
+{
+    std::ifstream in(WHITTLE_TEST_DATA "/" + name);
+    std::vector<Measured> out;
+    for (std::string line; std::getline(in, line);) {
+        if (line.empty() || line[0] == '#') continue;
+        if (line[0] == '=') {
+            out.push_back({line.substr(2), {}});
+            continue;
+        }
+        std::istringstream numbers(line);
+        out.back().rows.emplace_back();
+        for (double v = 0; numbers >> v;) out.back().rows.back().push_back(v);
+    }
+    return out;
+}
+
+scene::Description parsed(const std::string& part)
+{
+    parser::Options options;
+    options.library_path = {WHITTLE_TEST_DATA};
+    return parser::parse_text("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 " + part + " }", "test.pov", options).scene;
+}
+
+const scene::Layer& layer_of(const scene::Description& scene)
+{
+    return std::get<std::vector<scene::Layer>>(scene.objects.at(0).texture->kind).at(0);
+}
+
+}  // namespace
+
+TEST_CASE("pigments answer as POV-Ray's do", "[plan][pigment]")
+{
+    const std::vector<Measured> all = measured("pigments.txt");
+    REQUIRE(all.size() == 92);
+    for (const Measured& one : all) {
+        const scene::Description scene = parsed("pigment { " + one.statement + " }");
+        texture::TextureSet set;
+        std::vector<scene::Unsupported> notes;
+        const std::uint32_t pigment = plan::TextureCompiler(scene, 9, set, notes).pigment(layer_of(scene).pigment);
+        CHECK(notes.empty());
+        // In the origin alone these answer as nowhere beside it.
+        const bool odd_origin = one.statement.starts_with("tiling 12") || one.statement.starts_with("tiling 13") || one.statement.starts_with("tiling 14");
+        for (const auto& row : one.rows) {
+            if (odd_origin && row[0] == 0 && row[2] == 0) continue;
+            INFO(one.statement << " at " << row[0] << ' ' << row[1] << ' ' << row[2]);
+            const scene::Color c = texture::pigment_color(set, pigment, {row[0], row[1], row[2]}, {});
+            const float got[] = {c.red, c.green, c.blue, c.filter, c.transmit};
+            // Half a unit of the last written digit, and the rounding of single precision.
+            for (std::size_t k = 0; k < 5; ++k) CHECK(std::abs(static_cast<double>(got[k]) - row[3 + k]) <= 7e-8);
+        }
+    }
+}
+
+TEST_CASE("normals with maps answer as POV-Ray's do", "[plan][normal]")
+{
+    const std::vector<Measured> all = measured("normals.txt");
+    REQUIRE(all.size() == 7);
+    for (const Measured& one : all) {
+        const scene::Description scene = parsed("normal { " + one.statement + " }");
+        texture::TextureSet set;
+        std::vector<scene::Unsupported> notes;
+        const std::uint32_t normal = plan::TextureCompiler(scene, 9, set, notes).normal(*layer_of(scene).normal, false);
+        CHECK(notes.empty());
+        for (const auto& row : one.rows) {
+            INFO(one.statement << " at " << row[0] << ' ' << row[1]);
+            texture::Surroundings around;
+            const glm::dvec3 n = glm::normalize(texture::perturb(set, normal, {0, 0, -1}, {row[0], row[1], 0}, around));
+            for (int k = 0; k < 3; ++k) CHECK(n[k] == Approx(row[2 + static_cast<std::size_t>(k)]).margin(1e-4));  // 16 bits of a picture
+        }
+    }
+}
