@@ -22,46 +22,22 @@ template <int degree>
 
 /// o + d t in each of the three coordinates.
 struct Course {
-    double ox, oy, oz, dx, dy, dz;
+    double o[3], d[3];
 };
 
-// Horner's scheme in x, whose coefficients are polynomials of y and z, and so on: each takes its coefficients in POV-Ray's
-// order, the highest power first, from `next`.
-template <int degree>
-[[gnu::always_inline]] inline Powers<degree> along_z(const double*& next, const Course& c)
+/// Horner's scheme in x, whose coefficients are polynomials of y and z, and so on: each takes its coefficients in POV-Ray's
+/// order, the highest power first, from `next`. Powers of coordinate `axis` from `lowest` to `degree`, over that to the lowest.
+template <int axis, int degree, int lowest = 0>
+[[gnu::always_inline]] inline auto along(const double*& next, const Course& c)
 {
-    if constexpr (degree == 0) {
-        return {*next++};
+    if constexpr (axis == 3) {
+        return Powers<0>{*next++};
+    } else if constexpr (lowest == degree) {
+        return along<axis + 1, 0>(next, c);
     } else {
-        Powers<degree> out = times<degree - 1>(along_z<degree - 1>(next, c), c.oz, c.dz);
-        out[0] += *next++;
-        return out;
-    }
-}
-
-/// Powers of y from `lowest` to `degree`, over y^lowest.
-template <int degree, int lowest = 0>
-[[gnu::always_inline]] inline Powers<degree - lowest> along_y(const double*& next, const Course& c)
-{
-    if constexpr (lowest == degree) {
-        return along_z<0>(next, c);
-    } else {
-        Powers<degree - lowest> out = times<degree - lowest - 1>(along_y<degree, lowest + 1>(next, c), c.oy, c.dy);
-        const Powers<degree - lowest> plus = along_z<degree - lowest>(next, c);
-        for (std::size_t i = 0; i <= degree - lowest; ++i) out[i] += plus[i];
-        return out;
-    }
-}
-
-template <int degree, int lowest = 0>
-[[gnu::always_inline]] inline Powers<degree - lowest> along_x(const double*& next, const Course& c)
-{
-    if constexpr (lowest == degree) {
-        return along_y<0>(next, c);
-    } else {
-        Powers<degree - lowest> out = times<degree - lowest - 1>(along_x<degree, lowest + 1>(next, c), c.ox, c.dx);
-        const Powers<degree - lowest> plus = along_y<degree - lowest>(next, c);
-        for (std::size_t i = 0; i <= degree - lowest; ++i) out[i] += plus[i];
+        auto out = times<degree - lowest - 1>(along<axis, degree, lowest + 1>(next, c), c.o[axis], c.d[axis]);
+        const auto plus = along<axis + 1, degree - lowest>(next, c);
+        for (std::size_t i = 0; i < plus.size(); ++i) out[i] += plus[i];
         return out;
     }
 }

@@ -10,6 +10,22 @@ PolynomialShape::PolynomialShape(int degree, std::vector<double> coefficients)
     if (degree < 1 || degree > kMostDegree ||
         coefficients_.size() != static_cast<std::size_t>((degree + 1) * (degree + 2) * (degree + 3) / 6))
         throw std::invalid_argument("a polynomial with the wrong number of coefficients");
+    std::size_t next = 0;
+    for (int i = degree; i >= 0; --i)
+        for (int j = degree - i; j >= 0; --j) {
+            leading_size_ += std::abs(coefficients_[next]);   // of x^i y^j z^(degree - i - j)
+            next += static_cast<std::size_t>(degree - i - j + 1);
+        }
+}
+
+int PolynomialShape::sure_degree(const glm::dvec3& o, const glm::dvec3& d, const Along& c) const
+{
+    // The same sums with every term positive.
+    Along size{};
+    along_any(glm::abs(o), glm::abs(d), size, [](double v) { return std::abs(v); });
+    int degree = degree_;
+    while (degree > 0 && !(std::abs(c[at(degree)]) > rounding() * size[at(degree)])) --degree;
+    return degree;
 }
 
 double PolynomialShape::value(const glm::dvec3& p) const

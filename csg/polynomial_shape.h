@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,7 +25,7 @@ public:
     double value(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p) const;
 
-    /// The polynomial along o + t d.
+    /// The polynomial along o + t d, where |d| = 1.
     void along(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
     {
         switch (degree_) {
@@ -35,46 +36,81 @@ public:
         }
     }
 
+    /// What is left of the degree where leading coefficients found by along() are nothing but rounding: such a one would
+    /// put a root anywhere.
+    int degree_along(const glm::dvec3& o, const glm::dvec3& d, const Along& c) const
+    {
+        if (std::abs(c[at(degree_)]) > rounding() * leading_size_) return degree_;
+        return sure_degree(o, d, c);
+    }
+
 private:
+    /// Above what rounding adds to a coefficient, in parts of the sum of its terms' sizes: some 4 roundings a power.
+    double rounding() const { return 4 * degree_ * 0x1p-53; }
+
+    int sure_degree(const glm::dvec3& o, const glm::dvec3& d, const Along& c) const;
+
     template <int degree>
     void along_of(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
     {
         const double* next = coefficients_.data();
-        const detail::Powers<degree> found = detail::along_x<degree>(next, {o.x, o.y, o.z, d.x, d.y, d.z});
+        const detail::Powers<degree> found = detail::along<0, degree>(next, {{o.x, o.y, o.z}, {d.x, d.y, d.z}});
         std::copy(found.begin(), found.end(), out.begin());
     }
-    void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
+    void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out) const 
+    {
+        along_any(o, d, out, [](double v) { return v; });
+    }
+    /// The polynomial with `of` each coefficient.
+    template <class F>
+    void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out, F&& of) const
     {
         // Horner's scheme in x, whose coefficients are polynomials of y and z, and so on; numbers here are polynomials of t.
+        // Most high degrees have few terms: what has not begun yet costs nothing.
         const double* next = coefficients_.data();
-        std::fill_n(out.begin(), degree_ + 1, 0.0);
+        Sum in_x;
         for (int i = degree_; i >= 0; --i) {
-            Along in_y;
-            std::fill_n(in_y.begin(), degree_ - i + 1, 0.0);
+            Sum in_y;
             for (int j = degree_ - i; j >= 0; --j) {
-                Along in_z;
-                std::fill_n(in_z.begin(), degree_ - i - j + 1, 0.0);
-                for (int k = degree_ - i - j; k >= 0; --k) step(in_z, degree_ - i - j - k, o.z, d.z, *next++);
-                step(in_y, degree_ - i - j, o.y, d.y, in_z);
+                Sum in_z;
+                for (int k = degree_ - i - j; k >= 0; --k) {
+                    const double c = of(*next++);
+                    in_z.times(o.z, d.z);
+                    if (c != 0.0) in_z.add(&c, 0);
+                }
+                in_y.times(o.y, d.y);
+                in_y.add(in_z.c.data(), in_z.degree);
             }
-            step(out, degree_ - i, o.x, d.x, in_y);
+            in_x.times(o.x, d.x);
+            in_x.add(in_y.c.data(), in_y.degree);
         }
+        std::fill_n(out.begin(), degree_ + 1, 0.0);
+        std::copy_n(in_x.c.begin(), in_x.degree + 1, out.begin());
     }
-    /// p (of degree `degree` - 1) times (o + t d), plus a number or a polynomial no longer than the product.
-    static void step(Along& p, int degree, double o, double d, double plus)
-    {
-        for (int i = degree; i > 0; --i) p[at(i)] = p[at(i)] * o + p[at(i - 1)] * d;
-        p[0] = p[0] * o + plus;
-    }
-    static void step(Along& p, int degree, double o, double d, const Along& plus)
-    {
-        step(p, degree, o, d, 0.0);
-        for (int i = 0; i <= degree; ++i) p[at(i)] += plus[at(i)];
-    }
+    /// A polynomial of t; degree -1 for none yet.
+    struct Sum {
+        Along c;
+        int degree = -1;
+
+        void times(double o, double d)
+        {
+            if (degree < 0) return;
+            c[at(degree + 1)] = c[at(degree)] * d;
+            for (int i = degree; i > 0; --i) c[at(i)] = c[at(i)] * o + c[at(i - 1)] * d;
+            c[0] *= o;
+            ++degree;
+        }
+        void add(const double* other, int other_degree)
+        {
+            for (; degree < other_degree; ++degree) c[at(degree + 1)] = 0.0;
+            for (int i = 0; i <= other_degree; ++i) c[at(i)] += other[i];
+        }
+    };
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
     int degree_;
     std::vector<double> coefficients_;
+    double leading_size_ = 0.0;    ///< sum of the sizes of the coefficients of the highest degree
 };
 
 /// Where c[0] + c[1] t + ... + c[degree] t^degree changes its sign, in order: at most `degree` places. c[degree] is not 0.

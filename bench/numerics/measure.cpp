@@ -19,6 +19,15 @@ Parts parts(const csg::Solid& solid, const Ray& ray, double shift = 0.0)
     }, solid);
 }
 
+/// A parameter near the solid.
+double near(const csg::Solid& solid, const Ray& ray, double otherwise)
+{
+    return std::visit([&](const auto& s) {
+        if constexpr (requires { s.frame; }) return foot(s.frame, ray);
+        else return otherwise;
+    }, solid);
+}
+
 std::vector<double> answered(const csg::Solid& solid, const Ray& ray, std::vector<std::uint32_t>* faces = nullptr)
 {
     csg::FixedSpans<kMostSpans> spans;
@@ -46,8 +55,9 @@ public:
     void ray(const Ray& ray, csg_test::Rng& rng, Asked* asked)
     {
         const double low = case_.distance - 20.0 * case_.size, high = case_.distance + 20.0 * case_.size;
-        std::vector<Quad> truth = crossings(parts(case_.solid, ray, case_.distance), -20.0 * case_.size, 20.0 * case_.size);
-        for (Quad& t : truth) t += case_.distance;
+        const double middle = near(case_.solid, ray, case_.distance);
+        std::vector<Quad> truth = crossings(parts(case_.solid, ray, middle), static_cast<Quad>(low) - middle, static_cast<Quad>(high) - middle);
+        for (Quad& t : truth) t += middle;
         std::vector<std::uint32_t> faces;
         std::vector<double> ends = answered(case_.solid, ray, &faces);
         ++row_.rays;

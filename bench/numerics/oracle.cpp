@@ -23,6 +23,13 @@ Point along(const csg::Ray& ray, double shift)
     return {from(0), from(1), from(2)};
 }
 
+double foot(const csg::Transform& f, const csg::Ray& ray)
+{
+    const Point p = local(f, along(ray, 0.0));
+    const auto coefficient = [&](std::size_t i, std::size_t k) { return p.x.c[i] * p.x.c[k] + p.y.c[i] * p.y.c[k] + p.z.c[i] * p.z.c[k]; };
+    return static_cast<double>(-coefficient(0, 1) / coefficient(1, 1));
+}
+
 Point local(const csg::Transform& f, const Point& p)
 {
     const Point from{p.x - QuadPolynomial(f.offset.x), p.y - QuadPolynomial(f.offset.y), p.z - QuadPolynomial(f.offset.z)};

@@ -32,13 +32,9 @@ struct Polynomial {
         const glm::dvec3 d = given.direction / length;
         const double shift = -glm::dot(given.origin, d);  // start near the frame's origin
         PolynomialShape::Along c{};
-        shape->along(given.origin + shift * d, d, c);
-        // A leading coefficient that is rounding alone would put a root anywhere.
-        constexpr double kNoise = 1e-13;
-        int degree = shape->degree();
-        double largest = 0.0;
-        for (int i = 0; i <= degree; ++i) largest = glm::max(largest, std::abs(c[static_cast<std::size_t>(i)]));
-        while (degree > 0 && std::abs(c[static_cast<std::size_t>(degree)]) <= kNoise * largest) --degree;
+        const glm::dvec3 p = given.origin + shift * d;
+        shape->along(p, d, c);
+        const int degree = shape->degree_along(p, d, c);
         double roots[PolynomialShape::kMostDegree];
         const int count = degree > 0 ? sign_changes(c, degree, roots) : 0;
         const double last = c[static_cast<std::size_t>(degree)];

@@ -1,5 +1,5 @@
 #include "csg/polynomial_roots.h"
-#include "tests/csg/support.h"
+#include "tests/csg/degrees.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +12,35 @@ using csg_test::Rng;
 
 namespace {
 
-/// Coefficients of the product of (t - root) and of (t - x)^2 + y^2 for the rest, multiplied out in long double.
+/// Factors multiplied out in long double.
+class Product {
+public:
+    explicit Product(double leading = 1.0) : c_{leading} {}
+    void linear(double root) { multiply({-static_cast<long double>(root), 1.0L}); }
+    /// (t - x)^2 + y^2
+    void pair(double x, double y)
+    {
+        const long double a = x, b = y;
+        multiply({a * a + b * b, -2.0L * a, 1.0L});
+    }
+    PolynomialShape::Along rounded() const
+    {
+        PolynomialShape::Along c{};
+        for (std::size_t i = 0; i < c_.size(); ++i) c[i] = static_cast<double>(c_[i]);
+        return c;
+    }
+
+private:
+    void multiply(const std::vector<long double>& factor)
+    {
+        std::vector<long double> out(c_.size() + factor.size() - 1, 0.0L);
+        for (std::size_t i = 0; i < c_.size(); ++i)
+            for (std::size_t j = 0; j < factor.size(); ++j) out[i + j] += c_[i] * factor[j];
+        c_ = out;
+    }
+    std::vector<long double> c_;
+};
+
 struct Known {
     PolynomialShape::Along c{};
     std::vector<double> roots;
@@ -25,23 +53,17 @@ Known known_roots(Rng& rng, int degree)
     made.scale = std::pow(10.0, rng.uniform(-4, 4));
     const double middle = rng.coin() ? 0.0 : made.scale * rng.uniform(-5, 5);
     const int real = degree - 2 * rng.below(degree / 2 + 1);
-    std::vector<long double> product{std::pow(10.0, rng.uniform(-5, 5)) * (rng.coin() ? 1 : -1)};
-    const auto multiply = [&](const std::vector<long double>& factor) {
-        std::vector<long double> out(product.size() + factor.size() - 1, 0.0L);
-        for (std::size_t i = 0; i < product.size(); ++i)
-            for (std::size_t j = 0; j < factor.size(); ++j) out[i + j] += product[i] * factor[j];
-        product = out;
-    };
+    Product product(std::pow(10.0, rng.uniform(-5, 5)) * (rng.coin() ? 1 : -1));
     for (int i = 0; i < real; ++i) {
         // A tenth apart at least: closer ones are another question.
         made.roots.push_back(middle + made.scale * (i * 0.3 + rng.uniform(0.0, 0.2)));
-        multiply({-static_cast<long double>(made.roots.back()), 1.0L});
+        product.linear(made.roots.back());
     }
     for (int left = degree - real; left > 0; left -= 2) {
-        const long double x = middle + made.scale * rng.uniform(-1, 1), y = made.scale * rng.uniform(0.05, 1);
-        multiply({x * x + y * y, -2.0L * x, 1.0L});
+        const double x = middle + made.scale * rng.uniform(-1, 1);
+        product.pair(x, made.scale * rng.uniform(0.05, 1));
     }
-    for (std::size_t i = 0; i < product.size(); ++i) made.c[i] = static_cast<double>(product[i]);
+    made.c = product.rounded();
     return made;
 }
 
@@ -49,51 +71,67 @@ Known known_roots(Rng& rng, int degree)
 
 TEST_CASE("sign changes are the roots that were multiplied out", "[csg][polynomial]")
 {
-    for (int degree = 1; degree <= 8; ++degree)
-        for (std::uint32_t seed = 0; seed < 4000; ++seed) {
-            INFO("degree " << degree << ", seed " << seed);
-            Rng rng(seed);
-            const Known known = known_roots(rng, degree);
-            double found[PolynomialShape::kMostDegree];
-            const int count = sign_changes(known.c, degree, found);
-            REQUIRE(count == static_cast<int>(known.roots.size()));
-            // What rounding the coefficients does to a root: 1e-16 (middle / apart)^degree.
-            const double slack = degree <= 4 ? 1e-9 : 1e-5;
-            for (int i = 0; i < count; ++i) REQUIRE(std::abs(found[i] - known.roots[static_cast<std::size_t>(i)]) < slack * known.scale);
+    csg_test::each_degree(1, 8, 4000, [](int degree, Rng& rng) {
+        const Known known = known_roots(rng, degree);
+        double found[PolynomialShape::kMostDegree];
+        const int count = sign_changes(known.c, degree, found);
+        REQUIRE(count == static_cast<int>(known.roots.size()));
+        // What rounding the coefficients does to a root: 1e-16 (middle / apart)^degree.
+        const double slack = degree <= 4 ? 1e-9 : 1e-5;
+        for (int i = 0; i < count; ++i) REQUIRE(std::abs(found[i] - known.roots[static_cast<std::size_t>(i)]) < slack * known.scale);
+    });
+}
+
+TEST_CASE("roots of sizes from 1e-6 to 1e12 are found together, up to degree 35", "[csg][polynomial]")
+{
+    csg_test::each_degree(5, PolynomialShape::kMostDegree, 200, [](int degree, Rng& rng) {
+        // A few real ones far apart, the rest a crowd of complex ones of the size of 1.
+        std::vector<double> roots;
+        const int least = degree % 2 == 0 ? 2 : 1;
+        for (int left = least + 2 * rng.below(2); left > 0; --left) {
+            const double size = std::pow(10.0, rng.uniform(-6, 12));
+            if (std::any_of(roots.begin(), roots.end(), [&](double r) { return size > 0.3 * std::abs(r) && size < 3.0 * std::abs(r); })) ++left;
+            else roots.push_back(rng.coin() ? size : -size);
         }
+        std::sort(roots.begin(), roots.end());
+        Product product;
+        for (const double r : roots) product.linear(r);
+        for (int left = degree - static_cast<int>(roots.size()); left > 0; left -= 2) product.pair(rng.uniform(-0.5, 0.5), rng.uniform(0.5, 2.0));
+        double found[PolynomialShape::kMostDegree];
+        const int count = sign_changes(product.rounded(), degree, found);
+        REQUIRE(count == static_cast<int>(roots.size()));
+        for (int i = 0; i < count; ++i) REQUIRE(found[i] == Approx(roots[static_cast<std::size_t>(i)]).epsilon(1e-9));
+    });
 }
 
 TEST_CASE("cubics and quartics by formula are rarely unsure and never wrong", "[csg][polynomial]")
 {
     int unsure = 0;
-    for (const int degree : {3, 4})
-        for (std::uint32_t seed = 0; seed < 20000; ++seed) {
-            INFO("degree " << degree << ", seed " << seed);
-            Rng rng(seed);
-            PolynomialShape::Along c{};
-            for (int i = 0; i <= degree; ++i) c[static_cast<std::size_t>(i)] = rng.uniform(-1, 1);
-            double found[PolynomialShape::kMostDegree];
-            const int count = degree == 4 ? detail::quartic_roots(c.data(), found) : detail::cubic_roots(c.data(), found);
-            if (count == detail::kUnsure) {
-                ++unsure;
-                continue;
-            }
-            // Signs where nothing but the number of roots below decides.
-            const auto value = [&](double t) {
-                long double v = 0;
-                for (int i = degree; i >= 0; --i) v = v * static_cast<long double>(t) + static_cast<long double>(c[static_cast<std::size_t>(i)]);
-                return v;
-            };
-            bool positive = (degree % 2 == 0) == (c[static_cast<std::size_t>(degree)] > 0.0);
-            double before = -1e6;
-            for (int i = 0; i <= count; ++i) {
-                const double after = i < count ? found[i] : 1e6;
-                CHECK((value(0.5 * (before + after)) > 0) == positive);
-                if (i < count) CHECK(std::abs(value(after)) < 1e-10L * (1 + std::pow(std::abs(static_cast<long double>(after)), degree)));
-                positive = !positive;
-                before = after;
-            }
+    csg_test::each_degree(3, 4, 20000, [&](int degree, Rng& rng) {
+        PolynomialShape::Along c{};
+        for (int i = 0; i <= degree; ++i) c[static_cast<std::size_t>(i)] = rng.uniform(-1, 1);
+        double found[PolynomialShape::kMostDegree];
+        const int count = degree == 4 ? detail::quartic_roots(c.data(), found) : detail::cubic_roots(c.data(), found);
+        if (count == detail::kUnsure) {
+            ++unsure;
+            return;
         }
+        // Signs where nothing but the number of roots below decides.
+        const auto value = [&](double t) {
+            long double v = 0;
+            for (int i = degree; i >= 0; --i) v = v * static_cast<long double>(t) + static_cast<long double>(c[static_cast<std::size_t>(i)]);
+            return v;
+        };
+        bool positive = (degree % 2 == 0) == (c[static_cast<std::size_t>(degree)] > 0.0);
+        double before = -1e6;
+        for (int i = 0; i <= count; ++i) {
+            const double after = i < count ? found[i] : 1e6;
+            CHECK((value(0.5 * (before + after)) > 0) == positive);
+            if (i < count) CHECK(std::abs(value(after)) < 1e-10L * (1 + std::pow(std::abs(static_cast<long double>(after)), degree)));
+            positive = !positive;
+            before = after;
+        }
+    });
     CHECK(unsure < 400);
 }
 

@@ -1,102 +1,15 @@
-#include "tests/csg/residual.h"
-#include "tests/csg/support.h"
+#include "tests/csg/laws.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 
 using namespace csg;
+using csg_test::check_hostile;
+using csg_test::check_solid;
 using csg_test::Rng;
 
 namespace {
-
-struct Check {
-    glm::dvec3 target{0.0};       ///< rays pass near it
-    double size = 1.5;            ///< within this distance
-    double distance = 5.0;        ///< from so far away
-    double tolerance = 1e-12;     ///< of a crossing from the surface, in the solid's own units
-    int least_hits = 200;         ///< of 2000 rays, so that a test cannot pass by missing
-};
-
-bool within(const Aabb& box, const glm::dvec3& p, double slack)
-{
-    for (int i = 0; i < 3; ++i)
-        if (!(p[i] >= box.lower[i] - slack && p[i] <= box.upper[i] + slack)) return false;
-    return true;
-}
-
-/// The laws of any solid: crossings lie on the surface, span middles are inside, points just beyond are not, bounds hold
-/// every span, normals have unit length and point out, and scaling the direction scales the parameter.
-template <class T>
-void check_solid(const T& solid, const Check& how = {})
-{
-    int hits = 0;
-    const double just = 1e-6 * how.size;  // beyond an end; spans and gaps shorter than that prove nothing
-    const double rounding = 4e-16 * (how.distance + glm::length(how.target));
-    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
-        INFO("seed " << seed);
-        Rng rng(seed);
-        const Ray ray = csg_test::ray_near(rng, how.target, how.size, rng.coin() ? how.distance : 0.5 * how.size);
-        FixedSpans<8> spans;
-        intersect(solid, ray, spans);
-        for (std::uint32_t i = 0; i < spans.size(); ++i) {
-            ++hits;
-            const Span& span = spans[i];
-            for (const Crossing& end : {span.in, span.out}) {
-                if (!std::isfinite(end.t)) continue;
-                REQUIRE(csg_test::residual(solid, ray, end.t, end.face) <= how.tolerance);
-                REQUIRE(within(solid.bounds(), ray.at(end.t), 4.0 * rounding + how.tolerance * how.size));
-                const glm::dvec3 n = solid.normal(ray.at(end.t), end.face);
-                REQUIRE(glm::length(n) == Approx(1.0).epsilon(1e-12));
-                const double along = glm::dot(n, ray.direction);  // 1e-4: a grazing ray's crossing is that far off
-                if (end.face != kUndrawnFace) REQUIRE((end.t == span.in.t ? along <= 1e-4 : along >= -1e-4));
-            }
-            const double first = std::max(span.in.t, -1e3 * how.distance), last = std::min(span.out.t, 1e3 * how.distance);
-            if (last - first > 4.0 * just) {
-                REQUIRE(solid.contains(ray.at(0.5 * (first + last))));
-                REQUIRE_FALSE(solid.contains_inverted(ray.at(0.5 * (first + last))));
-            }
-            const bool gap_before = i == 0 || span.in.t - spans[i - 1].out.t > 2.0 * just;
-            if (std::isfinite(span.in.t) && gap_before) REQUIRE_FALSE(solid.contains(ray.at(span.in.t - just)));
-            const bool gap_after = i + 1 == spans.size() || spans[i + 1].in.t - span.out.t > 2.0 * just;
-            if (std::isfinite(span.out.t) && gap_after) REQUIRE_FALSE(solid.contains(ray.at(span.out.t + just)));
-        }
-        // Points along the ray agree with the spans, where they are clear of an end.
-        for (int k = 0; k < 8; ++k) {
-            const double t = rng.uniform(-2.0, 2.0) * how.size + (k % 2 ? how.distance : 0.0);
-            bool clear = true;
-            for (const Span& span : spans)
-                clear = clear && std::abs(t - span.in.t) > just && std::abs(t - span.out.t) > just;
-            if (clear) REQUIRE(spans.contains(t) == solid.contains(ray.at(t)));
-        }
-        FixedSpans<8> slow;
-        intersect(solid, Ray{ray.origin, 0.25 * ray.direction}, slow);
-        REQUIRE(slow.size() == spans.size());
-        for (std::uint32_t i = 0; i < spans.size(); ++i)
-            if (std::isfinite(spans[i].in.t))
-                REQUIRE(slow[i].in.t == Approx(4.0 * spans[i].in.t).margin(1e-9 * how.size + 1e3 * rounding));
-    }
-    REQUIRE(hits >= how.least_hits);
-}
-
-/// Whatever is asked, no NaN comes back.
-template <class T>
-void check_hostile(const T& solid)
-{
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = kInfinity;
-    const double values[] = {0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, -1e308, inf, -inf, nan, 1e-160};
-    Rng rng(7);
-    for (int k = 0; k < 4000; ++k) {
-        Ray ray{};
-        for (int i = 0; i < 3; ++i) {
-            ray.origin[i] = values[rng.below(11)];
-            ray.direction[i] = values[rng.below(11)];
-        }
-        FixedSpans<8> spans;
-        intersect(solid, ray, spans);
-        for (const Span& span : spans) REQUIRE(span.in.t <= span.out.t);
-    }
-}
 
 const Transform kSkew = Transform::translate({0.1, -0.2, 0.3}) * Transform::rotate_degrees({30, 40, 50}) *
                         Transform::scale({1.0, 0.7, 1.3});
@@ -281,67 +194,4 @@ TEST_CASE("extrusion: a region counts every joint once", "[csg][solid]")
     CHECK_FALSE(diamond.contains({-1.01, 0.0}));
     CHECK_FALSE(diamond.contains({0.1, 1.0}));
     CHECK(diamond.contains({0.0, 0.999}));
-}
-
-namespace {
-
-/// Place of a term in POV-Ray's order, found by counting.
-std::size_t term(int degree, int x, int y, int z)
-{
-    std::size_t at = 0;
-    for (int i = degree; i >= 0; --i)
-        for (int j = degree - i; j >= 0; --j)
-            for (int k = degree - i - j; k >= 0; --k, ++at)
-                if (i == x && j == y && k == z) return at;
-    return at;
-}
-
-}  // namespace
-
-TEST_CASE("polynomial: the laws of a solid, from degree 3 to 8", "[csg][solid]")
-{
-    for (int degree = 3; degree <= 8; ++degree)
-        for (std::uint32_t seed = 0; seed < 3; ++seed) {
-            INFO("degree " << degree << ", seed " << seed);
-            Rng rng(1000u * static_cast<std::uint32_t>(degree) + seed);
-            std::vector<double> c(static_cast<std::size_t>((degree + 1) * (degree + 2) * (degree + 3) / 6));
-            for (double& v : c) v = rng.uniform(-0.1, 0.1);
-            // Closed around the middle where the degree is even, open where it is odd.
-            for (const int axis : {0, 1, 2}) c[term(degree, axis == 0 ? degree : 0, axis == 1 ? degree : 0, axis == 2 ? degree : 0)] += 1.0;
-            c.back() -= 1.0;
-            const Transform frame = csg_test::random_transform(rng);
-            check_solid(Polynomial{std::make_shared<PolynomialShape>(degree, c), frame}, {.target = frame.offset, .tolerance = 1e-10});
-        }
-}
-
-TEST_CASE("polynomial: a torus as a quartic meets rays where the torus does", "[csg][solid]")
-{
-    const double major = 1.0, minor = 0.3, r2 = major * major, k = r2 - minor * minor;
-    std::vector<double> c(35);
-    // (x^2 + y^2 + z^2 + k)^2 - 4 r2 (x^2 + z^2)
-    for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b) {
-            const auto power = [&](int axis) { return 2 * (a == axis) + 2 * (b == axis); };
-            c[term(4, power(0), power(1), power(2))] += 1.0;
-        }
-    for (int a = 0; a < 3; ++a) c[term(4, 2 * (a == 0), 2 * (a == 1), 2 * (a == 2))] += 2.0 * k - (a == 1 ? 0.0 : 4.0 * r2);
-    c[34] += k * k;
-    const Polynomial quartic{std::make_shared<PolynomialShape>(4, c), {}};
-    const Torus torus{major, minor, {}};
-    int met = 0;
-    for (std::uint32_t seed = 0; seed < 4000; ++seed) {
-        INFO("seed " << seed);
-        Rng rng(seed);
-        const Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), 1.4, 6.0);
-        FixedSpans<20> by_polynomial;
-        FixedSpans<4> by_torus;
-        quartic.intersect(ray, by_polynomial);
-        torus.intersect(ray, by_torus);
-        REQUIRE(by_polynomial.size() == by_torus.size());
-        for (std::uint32_t i = 0; i < by_torus.size(); ++i, ++met) {
-            REQUIRE(by_polynomial[i].in.t == Approx(by_torus[i].in.t).epsilon(1e-9));
-            REQUIRE(by_polynomial[i].out.t == Approx(by_torus[i].out.t).epsilon(1e-9));
-        }
-    }
-    CHECK(met > 1000);
 }
