@@ -1,6 +1,7 @@
 #include "csg/program.h"
 
 #include "csg/polyhedron_box.h"
+#include "csg/quadric_box.h"
 
 #include <cmath>
 #include <optional>
@@ -50,8 +51,21 @@ Draft leaf(PartId part, bool inverted, const SolidStore& store)
     return made;
 }
 
+/// Box of an intersection whose operands' boxes leave some axis open.
+Aabb closed_box(const Draft& draft, const SolidStore& store)
+{
+    std::vector<Plane> planes;
+    for (const Draft& operand : draft.operands)
+        if (operand.half_space) planes.push_back(*operand.half_space);
+    Aabb box = polyhedron_box(planes, draft.box);
+    for (const Draft& operand : draft.operands)
+        if (operand.op == Op::Leaf && !operand.inverted && kind_of(operand.solid) == SolidKind::Quadric)
+            box = quadric_box(store.all<Quadric>()[index_of(operand.solid)], planes, box);
+    return box;
+}
+
 /// Box and what lies beyond it, from the operands'.
-void enclose(Draft& draft)
+void enclose(Draft& draft, const SolidStore& store)
 {
     const bool both = draft.op == Op::Intersection || draft.op == Op::Clip;
     Aabb hull, common = Aabb::everything();
@@ -64,12 +78,7 @@ void enclose(Draft& draft)
     }
     draft.inside_beyond = both ? all_beyond : any_beyond;
     draft.box = both && !all_beyond ? common : hull;
-    if (both && !draft.box.empty() && !draft.box.finite()) {
-        std::vector<Plane> planes;
-        for (const Draft& operand : draft.operands)
-            if (operand.half_space) planes.push_back(*operand.half_space);
-        draft.box = polyhedron_box(planes, draft.box);
-    }
+    if (both && !draft.box.empty() && !draft.box.finite()) draft.box = closed_box(draft, store);
     if (draft.box.empty()) draft.box = Aabb{};
 }
 
@@ -111,7 +120,7 @@ Draft shape_of(const Tree& tree, bool inverted, const SolidStore& store)
         const bool subtracted = tree.op == Tree::Op::Difference && i > 0;
         join(made, draft_of(tree.operands[i], inverted != subtracted, store));
     }
-    enclose(made);
+    enclose(made, store);
     drop_useless(made);
     if (made.operands.size() == 1) {
         Draft only = std::move(made.operands.front());
@@ -127,7 +136,7 @@ Draft draft_of(const Tree& tree, bool inverted, const SolidStore& store)
     Draft clipped{.op = Op::Clip};
     clipped.operands.push_back(std::move(shape));
     for (const Tree& clip : tree.clips) clipped.operands.push_back(draft_of(clip, false, store));
-    enclose(clipped);
+    enclose(clipped, store);
     return clipped;
 }
 

@@ -36,48 +36,45 @@ bool SceneBuilder::undrawn(const ObjectPtr& object, const char* question)
     return true;
 }
 
+SceneQueries* SceneBuilder::queries()
+{
+    description.global.assumed_gamma = stream_->language().assumed_gamma;
+    description.effective_version = stream_->language().effective_version();
+    return stream_->options().queries;
+}
+
 std::optional<ObjectHit> SceneBuilder::trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction)
 {
     if (undrawn(object, "trace()")) return ObjectHit{};
-    SceneQueries* queries = stream_->options().queries;
-    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
-    description.effective_version = stream_->language().effective_version();
-    return queries ? std::optional(queries->trace(object, origin, direction)) : std::nullopt;
+    SceneQueries* asked = queries();
+    return asked ? std::optional(asked->trace(object, origin, direction)) : std::nullopt;
 }
 
 std::optional<bool> SceneBuilder::inside(const ObjectPtr& object, const glm::dvec3& point)
 {
     if (undrawn(object, "inside()")) return false;
-    SceneQueries* queries = stream_->options().queries;
-    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
-    description.effective_version = stream_->language().effective_version();
-    return queries ? std::optional(queries->inside(object, point)) : std::nullopt;
+    SceneQueries* asked = queries();
+    return asked ? std::optional(asked->inside(object, point)) : std::nullopt;
 }
 
 std::optional<csg::Aabb> SceneBuilder::extent(const ObjectPtr& object)
 {
     // A unit box: programs divide by what they get.
     if (undrawn(object, "the extent")) return csg::Aabb{glm::dvec3(0.0), glm::dvec3(1.0)};
-    SceneQueries* queries = stream_->options().queries;
-    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
-    description.effective_version = stream_->language().effective_version();
-    return queries ? std::optional(queries->extent(object)) : std::nullopt;
+    SceneQueries* asked = queries();
+    return asked ? std::optional(asked->extent(object)) : std::nullopt;
 }
 
 std::optional<glm::dvec3> SceneBuilder::turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)
 {
-    SceneQueries* queries = stream_->options().queries;
-    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
-    description.effective_version = stream_->language().effective_version();
-    return queries ? std::optional(queries->turbulence(point, octaves, lambda, omega)) : std::nullopt;
+    SceneQueries* asked = queries();
+    return asked ? std::optional(asked->turbulence(point, octaves, lambda, omega)) : std::nullopt;
 }
 
 std::optional<function::Values> SceneBuilder::evaluate(const function::FunctionPtr& called, const double* arguments)
 {
-    SceneQueries* queries = stream_->options().queries;
-    description.global.assumed_gamma = stream_->language().assumed_gamma;  // pictures are decoded by them
-    description.effective_version = stream_->language().effective_version();
-    return queries ? std::optional(queries->evaluate(called, arguments, description)) : std::nullopt;
+    SceneQueries* asked = queries();
+    return asked ? std::optional(asked->evaluate(called, arguments, description)) : std::nullopt;
 }
 
 }  // namespace parser

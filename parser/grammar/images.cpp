@@ -1,3 +1,4 @@
+#include "parser/grammar/function_samples.h"
 #include "parser/grammar/statement.h"
 #include "parser/stream/function.h"
 #include "render/image/files.h"
@@ -9,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-/// Blocks that name a picture or a volume: the file must exist, its content is not looked at here.
+/// Blocks that name a picture or a volume; its content is read with them.
 namespace parser {
 namespace {
 
@@ -47,9 +48,7 @@ void add_file(StatementReader& s, std::string_view kind, const std::vector<std::
 
 constexpr double kMostTexels = 1 << 28;
 
-std::uint16_t stored(double share) { return static_cast<std::uint16_t>(std::clamp(std::isnan(share) ? 0.0 : share, 0.0, 1.0) * 65535.0 + 0.5); }
-
-/// A function's values as a picture of 16 bits: numbers wrap round, colours are cut off (spec 4, 12.6).
+/// A function's values as a picture of 16 bits.
 std::shared_ptr<const image::Picture> picture_of(StatementReader& s, const function::FunctionPtr& called, double columns, double rows)
 {
     if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= kMostTexels)) s.fail("a picture made by a function has at least 1 and at most 2^28 pixels");
@@ -57,21 +56,10 @@ std::shared_ptr<const image::Picture> picture_of(StatementReader& s, const funct
     picture->width = static_cast<int>(columns);
     picture->height = static_cast<int>(rows);
     picture->bits = 16;
-    picture->channels = called->components > 1 ? 4 : 1;
-    const auto put = [&](std::uint16_t level) { picture->samples.push_back(static_cast<float>(level) / 65535.0f); };
-    for (int y = 0; y < picture->height; ++y)
-        for (int x = 0; x < picture->width; ++x) {
-            const double at[3] = {x / (columns - 1.0), y / (rows - 1.0), 0.0};
-            std::optional<function::Values> value = called->asks_scene ? s.build().evaluate(called, at) : function::evaluate_all(*called, at, function::no_host());
-            if (!value) value.emplace();  // it asks what is not drawn yet; that was told
-            const function::Values& v = *value;
-            if (picture->channels == 1) {
-                put(static_cast<std::uint16_t>(static_cast<std::int64_t>(std::clamp(std::isnan(v[0]) ? 0.0 : v[0] * 65535.0, -0x1p31, 0x1p31))));
-            } else {
-                for (std::size_t c = 0; c < 3; ++c) put(stored(v[c]));
-                put(stored(1.0 - v[4]));
-            }
-        }
+    picture->channels = static_cast<int>(sampled_channels(*called));
+    const auto levels = sampled_levels(s.build(), called, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows));
+    picture->samples.resize(picture->count() * sampled_channels(*called));  // stays 0 where the function asks what is not drawn yet; that was told
+    if (levels) std::transform(levels->begin(), levels->end(), picture->samples.begin(), [](std::uint16_t level) { return static_cast<float>(level) / 65535.0f; });
     return picture;
 }
 

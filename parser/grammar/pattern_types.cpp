@@ -228,7 +228,7 @@ struct object : item<Kind::Object> {
         s.pattern.frequency = 0;
     }
 };
-struct density_file : item<Kind::DensityFile> { 
+struct density_file : item<Kind::DensityFile> {
     static void act(PatternState& s)
     {
         set_type(s, "density_file");

@@ -68,6 +68,8 @@ private:
     /// One statement of the scene; false at the end of the text.
     bool read_statement();
     bool undrawn(const std::shared_ptr<const scene::Object>& object, const char* question);
+    /// Who answers questions to what is described so far; null: nobody. Pictures are decoded by the language's settings.
+    SceneQueries* queries();
     TokenStream* stream_ = nullptr;
     scene::TexturePtr default_texture_;
     std::set<std::string> told_;

@@ -1,6 +1,7 @@
 #include "render/plan/images.h"
 
 #include "render/image/transfer_curve.h"
+#include "render/scene/picture_gamma.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,16 +38,12 @@ std::optional<TransferCurve> tagged(const image::Picture& picture)
 /// From the file's levels to those of the scene (spec 4, 12.4).
 image::Transcoder levels_of(const scene::Description& scene, const scene::Statement& statement, const image::Picture& picture, bool colors)
 {
-    const scene::StatementItem* gamma = item_of(statement, "gamma");
+    const auto gamma = scene::written_gamma(statement);
     const bool legacy = scene.effective_version < kGammaVersion;
     const bool assumed = scene.global.assumed_gamma.kind != scene::AssumedGamma::Kind::Unset;
     const std::string* path = std::get_if<std::string>(&statement.items.front().operands[0]);
     if (path == nullptr) return {};
-    if (gamma != nullptr) {
-        const bool srgb = std::holds_alternative<std::string>(gamma->operands[0]);
-        const TransferCurve file = srgb ? TransferCurve::srgb() : TransferCurve::power(static_cast<float>(number_of(gamma->operands[0])));
-        return {colors ? working_curve(scene) : TransferCurve::linear(), file};
-    }
+    if (gamma) return {colors ? working_curve(scene) : TransferCurve::linear(), *gamma};
     if (!colors || (legacy && !assumed)) return {};
     if (ends_with_any(*path, {".exr", ".hdr"})) return {working_curve(scene), TransferCurve::linear()};
     const auto tag = ends_with_any(*path, {".png"}) ? tagged(picture) : std::nullopt;
