@@ -12,13 +12,6 @@ bool begins(const ByteList& bytes, const char* text, std::size_t length)
     return bytes.size() >= length && std::equal(text, text + length, bytes.begin(), [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
 }
 
-/// A Targa file has no signature: its name and the fields for a palette of 8-bit places.
-bool is_targa_with_palette(const std::string& path, const ByteList& bytes)
-{
-    const bool named = path.ends_with(".tga") || path.ends_with(".TGA");
-    return named && bytes.size() > 18 && bytes[1] == 1 && (bytes[2] == 1 || bytes[2] == 9) && bytes[16] == 8;
-}
-
 }  // namespace
 
 void expand_palette(Picture& picture)
@@ -44,7 +37,8 @@ std::optional<Picture> read_directly(const std::string& path)
     try {
         if (begins(bytes, "\x89PNG\r\n\x1a\n", 8)) return decode_png(bytes);
         if (begins(bytes, "GIF8", 4)) return decode_gif(bytes);
-        if (is_targa_with_palette(path, bytes)) return decode_targa_palette(bytes);
+        if (begins(bytes, "\xff\xd8\xff", 3)) return decode_jpeg(bytes);
+        if (is_plain_targa(path, bytes)) return decode_targa(bytes);
     } catch (const std::exception& error) {
         throw FileError("cannot read '" + path + "': " + error.what());
     }

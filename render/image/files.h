@@ -26,8 +26,9 @@ struct FileSettings {
     int jpeg_quality = 85;
 };
 
-/// Reads and writes picture files. PNG is the work of libpng itself, PPM is written and pictures with palettes are read
-/// by hand; all else waits for OpenImageIO, which takes some 0.2 s to load: prepare() early. The destructor does not wait for it. Copies share it.
+/// Reads and writes picture files. PNG is the work of libpng itself, PPM is written by hand, direct_readers.h says what is
+/// read without OpenImageIO; all else waits for that library, which takes some 0.2 s to load: prepare() early. The
+/// destructor does not wait for it. Copies share it.
 class Files {
 public:
     Files();

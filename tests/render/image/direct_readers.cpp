@@ -1,0 +1,125 @@
+#include "render/image/direct_readers.h"
+
+#include "render/image/files.h"
+#include "render/image/io_loader.h"
+#include "tests/support/temporary_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+using namespace image;
+
+namespace {
+
+ByteList bytes_of(const std::string& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Of 5x3 pixels; \param order  bits 5 and 4 of its descriptor
+ByteList targa(std::uint8_t kind, std::uint8_t bits, std::uint8_t order, const ByteList& rest)
+{
+    ByteList bytes(18);
+    bytes[0] = 2;  // of identification
+    bytes[2] = kind;
+    bytes[12] = 5;
+    bytes[14] = 3;
+    bytes[16] = bits;
+    bytes[17] = order;
+    bytes.insert(bytes.end(), {'i', 'd'});
+    bytes.insert(bytes.end(), rest.begin(), rest.end());
+    return bytes;
+}
+
+ByteList counted(std::size_t size)
+{
+    ByteList bytes;
+    for (std::size_t i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(i));
+    return bytes;
+}
+
+int level(const Picture& picture, int x, int y, std::size_t channel) { return static_cast<int>(std::lround(255.0f * picture.at(x, y)[channel])); }
+
+}  // namespace
+
+TEST_CASE("JPEG is read as OpenImageIO reads it", "[image][files]")
+{
+    const support::TemporaryFolder folder;
+    const std::string path = folder / "picture.jpg";
+    for (const int channels : {1, 3}) {
+        INFO(channels << " channels");
+        Raster raster{67, 41, channels, 8, {}};
+        for (int i = 0; i < 67 * 41 * channels; ++i) raster.samples.push_back(static_cast<std::uint16_t>((i * 7 + i / 67 * 3) % 256));
+        Files().write(path, raster, FileType::Jpeg, TransferCurve::srgb());
+        const auto picture = read_directly(path);
+        REQUIRE(picture);
+        ReadResult other{};
+        IoLoader library;
+        REQUIRE(library.get().read(path.c_str(), other) == nullptr);
+        REQUIRE(picture->channels == other.channels);
+        float most = 0.0f;
+        for (std::size_t i = 0; i < picture->samples.size(); ++i) most = std::max(most, std::abs(picture->samples[i] - other.samples[i]));
+        library.get().release(other);
+        CHECK(most <= 6.0e-8f);
+    }
+}
+
+TEST_CASE("a broken JPEG is told from a whole one", "[image][files]")
+{
+    const support::TemporaryFolder folder;
+    const std::string path = folder / "picture.jpg";
+    Raster raster{33, 33, 3, 8, {}};
+    raster.samples.assign(33 * 33 * 3, 77);
+    Files().write(path, raster, FileType::Jpeg, TransferCurve::srgb());
+    const ByteList whole = bytes_of(path);
+    CHECK(decode_jpeg(whole)->width == 33);
+    for (std::size_t at = 2; at < whole.size(); ++at)
+        for (const std::uint8_t change : ByteList{0x01, 0x40, 0xff}) {
+            ByteList changed = whole;
+            changed[at] ^= change;
+            try {
+                const auto picture = decode_jpeg(changed);
+                CHECK((!picture || picture->samples.size() < 100'000'000));
+            } catch (const FileError& error) {
+                CHECK(std::string(error.what()).find("JPEG") != std::string::npos);
+            }
+        }
+    CHECK_THROWS_AS(decode_jpeg({0xff, 0xd8, 0xff}), FileError);
+}
+
+TEST_CASE("Targa pixels stand where the descriptor says", "[image][files]")
+{
+    const ByteList rest = counted(5 * 3 * 3);
+    for (const std::uint8_t order : ByteList{0x00, 0x10, 0x20, 0x30}) {
+        INFO("descriptor " << int{order});
+        const Picture picture = decode_targa(targa(2, 24, order, rest));
+        REQUIRE(picture.channels == 3);
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < 5; ++x) {
+                const int row = order & 0x20 ? y : 2 - y, column = order & 0x10 ? 4 - x : x, first = 3 * (5 * row + column);
+                CHECK(level(picture, x, y, 2) == first);  // blue first
+                CHECK(level(picture, x, y, 0) == first + 2);
+            }
+    }
+    const Picture grey = decode_targa(targa(3, 8, 0x20, counted(15)));
+    REQUIRE(grey.channels == 1);
+    CHECK(level(grey, 1, 2, 0) == 11);
+}
+
+TEST_CASE("Targa runs are unpacked", "[image][files]")
+{
+    // Nine times one colour, then four as they are, then two times another.
+    const ByteList runs = {0x88, 1, 2, 3, 0x03, 10, 11, 12, 20, 21, 22, 30, 31, 32, 40, 41, 42, 0x81, 4, 5, 6};
+    const ByteList whole = targa(10, 24, 0x20, runs);
+    const Picture picture = decode_targa(whole);
+    CHECK(level(picture, 3, 1, 0) == 3);
+    CHECK(level(picture, 4, 1, 2) == 10);
+    CHECK(level(picture, 2, 2, 1) == 41);
+    CHECK(level(picture, 4, 2, 2) == 4);
+    for (std::size_t length = 19; length < whole.size(); ++length)
+        CHECK_THROWS_AS(decode_targa({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}), FileError);
+}
