@@ -8,7 +8,9 @@
 namespace csg {
 namespace {
 
-constexpr int kBins = 16;
+constexpr int kMostBins = 16;
+/// Few things do not need many places to be parted at.
+int bins_for(std::uint32_t count) { return count <= 32 ? 8 : kMostBins; }
 /// A node's eight boxes cost about as much as half a leaf's test (measured: notes on tracing speed, section 1).
 constexpr double kNodeCost = 0.5;
 /// Deeper cuts halve the count: 40 levels and the 28 that halving can add stay within kBvhStack.
@@ -81,40 +83,45 @@ private:
 
     static glm::dvec3 center(const BvhInput& input) { return 0.5 * (input.bounds.lower + input.bounds.upper); }
 
-    static int bin_of(double value, double lower, double scale)
+    static int bin_of(double value, double lower, double scale, int bins)
     {
-        return std::clamp(static_cast<int>((value - lower) * scale), 0, kBins - 1);
+        return std::clamp(static_cast<int>((value - lower) * scale), 0, bins - 1);
     }
 
     /// The cheapest cut, in units of one leaf block tested; axis -1 if all centres coincide.
     Split best_split(std::uint32_t begin, std::uint32_t end, const Aabb& centers, double parent_area, std::uint32_t capacity) const
     {
         Split best;
+        const int bins = bins_for(end - begin);
         for (int axis = 0; axis < 3; ++axis) {
             const double extent = centers.upper[axis] - centers.lower[axis];
             if (!(extent > 0.0)) continue;
-            const double scale = kBins / extent;
-            Aabb boxes[kBins];
-            std::uint32_t counts[kBins] = {};
+            const double scale = bins / extent;
+            Aabb boxes[kMostBins];
+            std::uint32_t counts[kMostBins] = {};
             for (std::uint32_t i = begin; i < end; ++i) {
-                const int bin = bin_of(center(inputs_[i])[axis], centers.lower[axis], scale);
+                const int bin = bin_of(center(inputs_[i])[axis], centers.lower[axis], scale, bins);
                 boxes[bin].include(inputs_[i].bounds);
                 ++counts[bin];
             }
-            double right_cost[kBins] = {};
+            double right_cost[kMostBins] = {};
             Aabb sweep;
             std::uint32_t count = 0;
-            for (int bin = kBins - 1; bin > 0; --bin) {
-                sweep.include(boxes[bin]);
-                count += counts[bin];
-                right_cost[bin] = count == 0 ? kInfinity : half_area(sweep) * blocks(count, capacity);
+            double cost_so_far = kInfinity;
+            for (int bin = bins - 1; bin > 0; --bin) {
+                if (counts[bin] > 0) {
+                    sweep.include(boxes[bin]);
+                    count += counts[bin];
+                    cost_so_far = half_area(sweep) * blocks(count, capacity);
+                }
+                right_cost[bin] = cost_so_far;
             }
             sweep = Aabb{};
             count = 0;
-            for (int bin = 1; bin < kBins; ++bin) {
+            for (int bin = 1; bin < bins; ++bin) {
+                if (counts[bin - 1] == 0) continue;  // the same cut as before
                 sweep.include(boxes[bin - 1]);
                 count += counts[bin - 1];
-                if (count == 0) continue;
                 const double sum = half_area(sweep) * blocks(count, capacity) + right_cost[bin];
                 const double cost = kNodeCost + (parent_area > 0.0 ? sum / parent_area : 0.0);
                 if (cost < best.cost) best = {axis, bin, cost};
@@ -128,9 +135,10 @@ private:
         const auto first = inputs_.begin();
         if (split.axis >= 0) {
             const double lower = centers.lower[split.axis];
-            const double scale = kBins / (centers.upper[split.axis] - lower);
+            const int bins = bins_for(end - begin);
+            const double scale = bins / (centers.upper[split.axis] - lower);
             const auto cut = std::stable_partition(first + begin, first + end, [&](const BvhInput& input) {
-                return bin_of(center(input)[split.axis], lower, scale) < split.bin;
+                return bin_of(center(input)[split.axis], lower, scale, bins) < split.bin;
             });
             const auto middle = static_cast<std::uint32_t>(cut - first);
             if (middle != begin && middle != end) return middle;

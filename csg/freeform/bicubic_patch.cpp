@@ -1,7 +1,10 @@
 #include "csg/freeform/bicubic_patch.h"
 
+#include "csg/freeform.h"
 #include "csg/mesh_query.h"
 #include "csg/solids/common.h"
+
+#include <unordered_map>
 
 namespace csg {
 namespace {
@@ -63,6 +66,9 @@ void weights(double t, double (&value)[4], double (&slope)[4])
 
 glm::dvec3 unit_or_zero(const glm::dvec3& n) { return n == glm::dvec3(0.0) ? n : unit_or_x(n); }
 
+/// Places are multiples of 2^-kMostSteps, which single precision holds.
+std::uint32_t step_of(double t) { return static_cast<std::uint32_t>(t * (1u << BicubicPatch::kMostSteps)); }
+
 /// Whether two edges span an area worth the name.
 bool spans_area(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -78,11 +84,24 @@ BicubicPatch::BicubicPatch(const Input& input) : input_(input)
     input_.v_steps = std::clamp(input_.v_steps, 0, kMostSteps);
     MeshInput triangles;
     divide(input_.points, {0.0f, 1.0f, 0.0f, 1.0f}, 0, triangles);
+    // Four pieces meet at most corners: each normal is worked out once.
+    std::unordered_map<std::uint64_t, glm::vec3> known;
     for (const Piece& piece : pieces_) {
         std::array<glm::vec3, 4>& normals = normals_.emplace_back();
-        for (std::size_t k = 0; k < 4; ++k) normals[k] = glm::vec3(unit_or_zero(normal_at(parameters(piece)[k])));
+        for (std::size_t k = 0; k < 4; ++k) {
+            const glm::dvec2 at = parameters(piece)[k];
+            const auto [found, fresh] = known.try_emplace(std::uint64_t{step_of(at.x)} << 32 | step_of(at.y));
+            if (fresh) found->second = glm::vec3(unit_or_zero(normal_at(at)));
+            normals[k] = found->second;
+        }
     }
     mesh_ = std::make_shared<MeshShape>(triangles);
+}
+
+std::shared_ptr<const FreeformShape> BicubicPatch::divided() const
+{
+    std::call_once(later_->once, [this] { later_->shape = make_freeform<BicubicPatch>(input_); });
+    return later_->shape;
 }
 
 /// Whether no control point is as far as the flatness from the plane of three corners.

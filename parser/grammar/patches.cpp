@@ -21,7 +21,7 @@ bool make_bicubic_patch(SceneBuilder&, const scene::Statement& statement, scene:
         for (std::size_t k = 0; k < 4; ++k) input.uv[k] = std::get<glm::dvec2>(uv->operands[k]);
     const auto& points = item_of(statement, "points")->operands;
     for (std::size_t k = 0; k < 16; ++k) input.points[k / 4][k % 4] = std::get<glm::dvec3>(points[k]);
-    object.shape = scene::Freeform{csg::make_freeform<csg::BicubicPatch>(input)};
+    object.shape = scene::Freeform{csg::make_freeform<csg::BicubicPatch>(input, csg::BicubicPatch::Later::Divide)};
     return true;
 }
 
