@@ -2,6 +2,8 @@
 #include "parser/grammar/rules.h"
 #include "parser/grammar/statement.h"
 
+#include <fmt/format.h>
+
 /// Modifiers of any object, in the order written: each acts on what is there (spec 1, 14.3; 5a, 10).
 namespace parser {
 namespace {
@@ -20,7 +22,7 @@ struct ObjectState : BlockState {
     {
         const auto copy = std::make_shared<scene::Texture>(object.texture ? *object.texture : *build.default_texture());
         auto* layers = std::get_if<Layers>(&copy->kind);
-        if (!layers) stream().fail(stream().last(), std::string("'") + what + "' cannot change a patterned texture");
+        if (!layers) stream().fail(stream().last(), fmt::format("'{}' cannot change a patterned texture", what));
         change(layers->back());
         object.texture = copy;
     }
