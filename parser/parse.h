@@ -2,6 +2,7 @@
 
 #include "render/scene/description.h"
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <stdexcept>
@@ -31,7 +32,11 @@ struct Options {
     std::string include_header;                        ///< file to include ahead of the scene; empty: none
     SceneQueries* queries = nullptr;                   ///< answers trace(), inside(), eval_pigment, ...; null: they are errors
     std::uint64_t most_tokens = 0;                     ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
+    const std::atomic<bool>* cancel = nullptr;         ///< looked at now and then: when set, reading ends with Cancelled
 };
+
+/// Thrown when Options::cancel asks for it.
+struct Cancelled {};
 
 enum class Severity { Debug, Note, Warning, Error };
 
@@ -63,7 +68,7 @@ struct Result {
 /// Called with each message as it arises (may be empty).
 using MessageSink = void (*)(void* context, const Message&);
 
-/// Reads a scene file and everything it includes. Throws Error.
+/// Reads a scene file and everything it includes. Throws Error, Cancelled.
 Result parse_file(const std::string& path, const Options& options, MessageSink sink = nullptr, void* context = nullptr);
 
 /// The same for text in memory; `name` stands for the file in messages.

@@ -15,6 +15,13 @@ bool is(const std::string& text, std::size_t at, int (*test)(int))
 
 }  // namespace
 
+bool DataFile::write(const std::string& bytes)
+{
+    if (!kept) return std::fwrite(bytes.data(), 1, bytes.size(), out.get()) == bytes.size();
+    *kept += bytes;
+    return true;
+}
+
 /// White space and both forms of comments, block comments within each other.
 void DataFile::skip_blanks()
 {

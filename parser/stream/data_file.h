@@ -14,10 +14,14 @@ struct DataFile {
     struct Closer { void operator()(std::FILE* f) const { std::fclose(f); } };
 
     std::string path;
-    std::unique_ptr<std::FILE, Closer> out;        ///< writing
+    std::unique_ptr<std::FILE, Closer> out;        ///< writing to disk
+    std::shared_ptr<std::string> kept;             ///< writing with Options::write_nothing
     std::string text;                              ///< reading: all of it
     std::size_t position = 0;
-    bool reading() const { return !out; }
+    bool reading() const { return !out && !kept; }
+
+    /// False if the disk does not take it. Not for files that are read.
+    bool write(const std::string& bytes);
 
     /// A number, a vector of 2 to 5 components or a string.
     struct Vector { std::array<double, 5> at{}; int count = 0; };

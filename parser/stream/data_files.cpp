@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 /// `#fopen` and its kin (spec of the language 10.2 to 10.4). A scene may write below the current folder and the folders of
 /// Options::write_folders only.
@@ -65,15 +63,16 @@ void TokenStream::open_data_file()
     const Token way = raw_next();
     if (way.kind == Kind::Read) {
         const std::string path = find_file(file->path, {});
-        std::ifstream in(path, std::ios::binary);
-        if (path.empty() || !in) fail(at, fmt::format("cannot open '{}' for reading{}", file->path, why_not_found()));
-        data_files_.push_back(path);
-        file->text.assign(std::istreambuf_iterator<char>(in), {});
+        std::optional<std::string> text = path.empty() ? std::nullopt : kept_files_.read(path);
+        if (!text) fail(at, fmt::format("cannot open '{}' for reading{}", file->path, why_not_found()));
+        if (!kept_files_.has(path)) data_files_.push_back(path);
+        file->text = std::move(*text);
     } else if (way.kind == Kind::Write || way.kind == Kind::Append) {
         if (!may_write(options_, file->path)) fail(at, fmt::format("a scene may not write to '{}': it lies outside of the current folder and the output's (--allow-write)", file->path));
-        const char* path = options_.write_nothing ? "/dev/null" : file->path.c_str();
-        file->out.reset(std::fopen(path, way.kind == Kind::Write ? "wb" : "ab"));
-        if (!file->out) fail(at, fmt::format("cannot open '{}' for writing", file->path));
+        const bool append = way.kind == Kind::Append;
+        if (options_.write_nothing) file->kept = kept_files_.open(file->path, append);
+        else file->out.reset(std::fopen(file->path.c_str(), append ? "ab" : "wb"));
+        if (file->reading()) fail(at, fmt::format("cannot open '{}' for writing", file->path));
         forget_text(file->path);
     } else {
         fail_expected_at(way, "'read', 'write' or 'append'");
@@ -85,7 +84,10 @@ void TokenStream::open_data_file()
 void TokenStream::forget_text(const std::string& path)
 {
     std::error_code error;
-    std::erase_if(loaded_, [&](const auto& entry) { return std::filesystem::equivalent(entry.first, path, error); });
+    const auto written = std::filesystem::path(path).lexically_normal();
+    std::erase_if(loaded_, [&](const auto& entry) {
+        return std::filesystem::path(entry.first).lexically_normal() == written || std::filesystem::equivalent(entry.first, path, error);
+    });
 }
 
 void TokenStream::close_data_file()
@@ -183,8 +185,7 @@ void TokenStream::write_data()
         accept_comma();
     }
     next();
-    if (std::fwrite(text.data(), 1, text.size(), file->out.get()) != text.size())
-        fail(place(name), fmt::format("cannot write to '{}'", file->path));
+    if (!file->write(text)) fail(place(name), fmt::format("cannot write to '{}'", file->path));
 }
 
 }  // namespace parser

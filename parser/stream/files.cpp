@@ -5,10 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace parser {
 namespace {
@@ -16,17 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepestIncludes = 100;   // POV-Ray stops at 32
-
-std::optional<std::string> read_bytes(const std::string& path)
-{
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) return std::nullopt;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return std::nullopt;
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
-    return std::move(bytes).str();
-}
 
 bool is_file(const fs::path& path)
 {
@@ -69,7 +55,7 @@ void TokenStream::open_main(std::uint16_t index, const std::string& path)
 
 void TokenStream::open_file(const std::string& path)
 {
-    auto text = read_bytes(path);
+    auto text = kept_files_.read(path);
     if (!text) throw Error(path + ": error: cannot read this file");
     open_main(load(path, std::move(*text), true), path);
 }
@@ -115,13 +101,14 @@ std::string TokenStream::find_file(const std::string& name, const std::vector<st
     for (const std::string& folder : options_.library_path) folders.emplace_back(folder);
     folders.emplace_back(scene_folder_);  // POV-Ray looks into neither of these two
     if (!cursors_.empty()) folders.push_back(fs::path(files_[cursors_.back().file]->path).parent_path());
+    const auto there = [&](const fs::path& path) { return kept_files_.has(path.string()) || is_file(path); };
     for (const std::string& candidate : names) {
         if (fs::path(candidate).is_absolute()) {
-            if (is_file(candidate) && may_read(options_, scene_folder_, candidate)) return candidate;
+            if (there(candidate) && may_read(options_, scene_folder_, candidate)) return candidate;
             continue;
         }
         for (const fs::path& folder : folders)
-            if (is_file(folder / candidate) && may_read(options_, scene_folder_, (folder / candidate).string())) return (folder / candidate).string();
+            if (there(folder / candidate) && may_read(options_, scene_folder_, (folder / candidate).string())) return (folder / candidate).string();
     }
     return {};
 }
@@ -146,7 +133,7 @@ void TokenStream::include_named(const std::string& name, const Token& call, cons
 
     auto known = loaded_.find(path);
     if (known == loaded_.end()) {
-        auto text = read_bytes(path);
+        auto text = kept_files_.read(path);
         if (!text) fail(at, fmt::format("cannot read the include file '{}'", path));
         known = loaded_.emplace(path, load(path, std::move(*text), false)).first;
     }

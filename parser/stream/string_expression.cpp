@@ -13,6 +13,8 @@
 namespace parser {
 namespace {
 
+constexpr int kEscapesInPaths = 371;  // language version from which a backslash in a file's name is an escape
+
 /// C's %.*f with leading blanks or zeros, by the quicker way for numbers of ordinary size.
 std::optional<std::string> plain_number_text(double value, int width, int precision)
 {
@@ -181,16 +183,17 @@ std::string path_expr(TokenStream& stream)
 std::string TokenStream::string_text(const Token& token, bool path)
 {
     const std::string& raw = files_[token.file]->strings[token.name];
-    if (path) return raw;
-    if (language_.charset == Charset::System) fail(place(token), "texts in the charset 'sys' cannot be read here");
+    if (path && language_.version < kEscapesInPaths) return raw;
+    if (!path && language_.charset == Charset::System) fail(place(token), "texts in the charset 'sys' cannot be read here");
     const bool plain = is_ascii(raw);
     if (plain && raw.find('\\') == std::string::npos) return raw;
-    if (!plain && language_.charset == Charset::Ascii && language_.version >= 350)
+    if (!plain && !path && language_.charset == Charset::Ascii && language_.version >= 350)
         warn(place(token), "characters outside of ASCII are taken as blanks; see 'charset' in global_settings");
 
     std::string text, bytes;  // bytes: up to the next escape, not yet in the form of texts
     const auto finish_bytes = [&] {
-        if (language_.charset == Charset::Utf8) text += from_utf8_bytes(bytes);
+        if (path) text += bytes;
+        else if (language_.charset == Charset::Utf8) text += from_utf8_bytes(bytes);
         else text += language_.version < 350 ? from_latin1(bytes) : printed(from_latin1(bytes), language_.version);
         bytes.clear();
     };

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -19,7 +20,7 @@ TokenStream::TokenStream(const Options& options, GrammarHooks& hooks, MessageSin
     : options_(options), hooks_(hooks), sink_(sink), sink_context_(sink_context)
 {
     language_.version = options.version;
-    left_ = options.most_tokens != 0 ? options.most_tokens : std::numeric_limits<std::uint64_t>::max();
+    later_ = options.most_tokens != 0 ? options.most_tokens : std::numeric_limits<std::uint64_t>::max();
     predefine();
 }
 
@@ -36,12 +37,23 @@ const Token& TokenStream::advance_further()
     for (;;) {
         Cursor& cursor = cursors_.back();
         if (cursor.position < cursor.end) {
-            if (left_-- == 0) fail(place(cursor.tokens[cursor.position]), "the limit of tokens is reached: does this loop end?");
+            if (left_ == 0) allow_more(cursor.tokens[cursor.position]);
+            --left_;
             return cursor.tokens[cursor.position++];
         }
         if (cursors_.size() == 1) return files_[cursor.file]->tokens.back();
         leave_cursor();
     }
+}
+
+/// The next share of the tokens that may be read; between shares is the time to look whether anybody still wants them.
+void TokenStream::allow_more(const Token& next)
+{
+    constexpr std::uint64_t kShare = 1 << 18;
+    if (options_.cancel && *options_.cancel) throw Cancelled();
+    if (later_ == 0) fail(place(next), "the limit of tokens is reached: does this loop end?");
+    left_ = std::min(kShare, later_);
+    later_ -= left_;
 }
 
 void TokenStream::leave_cursor()

@@ -4,6 +4,7 @@
 #include "parser/parse.h"
 #include "parser/stream/compiled.h"
 #include "parser/stream/hooks.h"
+#include "parser/stream/kept_files.h"
 #include "parser/stream/language_state.h"
 #include "parser/stream/symbols.h"
 
@@ -186,6 +187,7 @@ private:
         return cursor.tokens[cursor.position++];
     }
     const Token& advance_further();
+    void allow_more(const Token& next);
     void leave_cursor();
     bool is_macro(const Token& token) const;
     SourceFile& file() { return *files_[cursors_.back().file]; }
@@ -298,7 +300,7 @@ private:
     const Token* last_ = &kNoToken;
     bool has_ahead_ = false, ahead_raw_ = false, raw_operators_ = false;
     std::uint64_t taken_ = 0;
-    std::uint64_t left_ = 0;               ///< tokens until Options::most_tokens
+    std::uint64_t left_ = 0, later_ = 0;   ///< tokens that may be read before allow_more(), and after; Options::most_tokens in all
     int nesting_ = 0;
     LanguageState language_;
     std::uint32_t declaring_ = kNoIndex;
@@ -308,6 +310,7 @@ private:
     std::vector<Message> messages_;
     Statistics statistics_;
     std::vector<std::string> data_files_;
+    KeptFiles kept_files_;
 };
 
 }  // namespace parser

@@ -6,6 +6,7 @@
 #include "render/app/preview_file.h"
 #include "render/app/scene_file.h"
 #include "render/app/scene_queries.h"
+#include "render/app/shell_commands.h"
 #include "render/app/stage_options.h"
 #include "render/app/state_file.h"
 #include "render/app/text.h"
@@ -125,11 +126,26 @@ parser::Result parse_scene(Run& run, const Frame& frame, const std::string& path
     const Settings& settings = run.settings;
     options = parser_options(settings, run.list, frame);
     options.queries = &queries;
+    options.cancel = &run.cancel.requested;
     if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
     const std::string scene = run.input ? "stdin" : find_scene(settings);
     run.narrator.begin({settings, run.list, frame, scene, settings.output_to_file ? path : "", window_of(settings)});
-    return run.input ? parser::parse_text(*run.input, scene, options, tell_message, &run.narrator) : parser::parse_file(scene, options, tell_message, &run.narrator);
+    try {
+        return run.input ? parser::parse_text(*run.input, scene, options, tell_message, &run.narrator)
+                         : parser::parse_file(scene, options, tell_message, &run.narrator);
+    } catch (const parser::Cancelled&) {
+        throw AbortedRun();
+    }
 }
+
+/// While it lives, the run looks by itself whether it is wanted.
+struct Heeding {
+    explicit Heeding(Cancellation& cancel) : flag(cancel.heeded) { flag = true; }
+    Heeding(const Heeding&) = delete;
+    Heeding& operator=(const Heeding&) = delete;
+    ~Heeding() { flag = false; }
+    std::atomic<bool>& flag;
+};
 
 void refuse_warnings(const parser::Result& parsed)
 {
@@ -173,6 +189,7 @@ int render_frame(Run& run, const Frame& frame)
     StageTimes times;
     SceneQueries queries;
     parser::Options options;
+    const Heeding heeding(run.cancel);  // until the picture file is in place
     const parser::Result parsed = parse_scene(run, frame, path, options, queries);
     times.finish("parse");
     run.narrator.parsed(parsed, times.stages().back().second);
@@ -183,7 +200,6 @@ int render_frame(Run& run, const Frame& frame)
     const plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
     times.finish("plan");
     image::Image picture;
-    run.cancel.heeded = true;  // until the picture file is in place
     const std::unique_ptr<StateFile> state = state_file(run, path, options, parsed, compiled.options);
     if (state && settings.continue_trace) resume(run, *state, picture);
     run.narrator.rendering();
@@ -204,7 +220,6 @@ int render_frame(Run& run, const Frame& frame)
         return kCancelled;
     }
     if (settings.output_to_file) write_picture(run, path, picture, parsed.scene, times, state.get());
-    run.cancel.heeded = false;
     run.narrator.rendered(times, statistics);
     return kSuccess;
 }

@@ -77,3 +77,9 @@ TEST_CASE("arrays grow, mix types, have gaps", "[parser][language]")
     CHECK(said("#declare A = array[3] optional {1,,3}; #ifdef(A[1]) #debug \"yes\" #else #debug str(A[2],0,0) #end") == "3");
     CHECK(parser_test::error_of("#declare A = array {1,2};").find("expected '[' and the array's size") != std::string::npos);
 }
+
+TEST_CASE("a backslash in a file's name is an escape", "[parser][language]")
+{
+    CHECK(said("#include \"no\\\\where\\u0041\"").find("'no\\whereA'") != std::string::npos);
+    CHECK(parser_test::error_of("#include \"no\\\\where\"").find("'no\\\\where'") != std::string::npos);
+}

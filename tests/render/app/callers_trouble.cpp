@@ -84,6 +84,20 @@ TEST_CASE("a caller that ends the render gets status 2 and no picture", "[caller
     }
 }
 
+TEST_CASE("a caller that ends the reading of a scene gets status 2, and its command is run", "[callers]")
+{
+    const support::TemporaryFolder folder;
+    write_text(folder / "x.pov", "#debug \"reading\\n\"\n#declare I = 0;\n#while (I >= 0) #declare I = I + 1; #end\n");
+    write_text(folder / "x.ini", "Input_File_Name=x.pov\nUser_Abort_Command=touch told\n");
+    RunningProgram program(folder.path(), WHITTLE_AS_POVRAY, {"x.ini", "--allow-commands"});
+    while (program.error_so_far().find("reading") == std::string::npos && program.running()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    program.kill(SIGINT);
+    const Ended ended = program.wait();
+    INFO(ended.err);
+    CHECK(ended.status == 2);
+    CHECK(std::filesystem::exists(folder / "told"));
+}
+
 TEST_CASE("a caller that never reads what is written does not hold the render up", "[callers]")
 {
     const support::TemporaryFolder folder;

@@ -60,6 +60,22 @@ TEST_CASE("--check makes none of the files that a scene writes", "[program][poli
     CHECK(std::filesystem::is_empty(folder / "here/out"));
 }
 
+TEST_CASE("--check reads again what a scene would have written", "[program][policy]")
+{
+    const support::TemporaryFolder folder;
+    const std::string file = "\"" + (folder / "here/out/part.inc") + "\"";
+    const std::string scene = "#fopen F " + file + " write\n#write(F, \"#declare A = 1;\\n\")\n#fclose F\n#include " + file + "\n"
+                              "#fopen F " + file + " append\n#write(F, \"#declare B = 2;\\n\")\n#fclose F\n#include " + file + "\n"
+                              "#if (A + B != 3) #error \"lost\" #end\n";
+    make(folder, scene + "camera { location -z }\n");
+    CHECK(status(folder, {"s.pov", "--check"}) == 0);
+    CHECK(std::filesystem::is_empty(folder / "here/out"));
+    CHECK(status(folder, {"s.pov"}) == 0);
+    make(folder, "#fopen F " + file + " write\n#write(F, \"#declare C = 1;\\n\")\n#fclose F\n#include " + file + "\n#declare A = B;\n");
+    CHECK(status(folder, {"s.pov", "--check"}) == 1);
+    CHECK(status(folder, {"s.pov"}) == 1);
+}
+
 TEST_CASE("--restrict-read keeps a scene to the folders that it is given", "[program][policy]")
 {
     const support::TemporaryFolder folder;
