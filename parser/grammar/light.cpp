@@ -112,11 +112,7 @@ struct looks_like : item<Kind::LooksLike> {
     }
 };
 struct projected_through : item<Kind::ProjectedThrough> {
-    static void act(LightState& s)
-    {
-        s.build.unsupported("projected_through", s.stream().last());
-        s.light().projected_through = read_inner(s, "projected_through");
-    }
+    static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through"); }
 };
 struct photons : item<Kind::Photons> {
     static void act(LightState& s) { s.object.photons = read_light_photons(s.build); }

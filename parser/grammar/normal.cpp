@@ -51,7 +51,13 @@ void read_head(NormalState& s)
         if (at_expression(in)) s.normal.amount = parser::float_expr(in);
         return;
     }
-    if (in.accept(Kind::UvMapping)) s.build.unsupported("uv_mapping of a normal", in.last());
+    if (in.accept(Kind::UvMapping)) {
+        s.normal = {};
+        s.normal.source = s.normal.pattern.source = in.last();
+        s.normal.pattern.name = "uv_mapping";
+        s.normal.map = NormalMap{{0, std::make_shared<scene::Normal>(read_normal_body(s.build, std::nullopt))}};
+        return;
+    }
     if (!read_pattern_type(s.build, s.normal.pattern, true)) {
         if (!s.normal.pattern.name.empty() && at_expression(in)) s.normal.amount = parser::float_expr(in);  // normal { N 0.9 }
         return;

@@ -126,6 +126,21 @@ void read_head(TextureState& s)
     close_list(s.build, list);
 }
 
+/// no_bump_scale of a whole texture reaches all normals in it.
+void keep_bump_size(scene::Texture& texture)
+{
+    if (auto* layers = std::get_if<Layers>(&texture.kind)) {
+        for (scene::Layer& layer : *layers)
+            if (layer.normal) layer.normal->no_bump_scale = true;
+        return;
+    }
+    for (auto& entry : std::get<scene::PatternedTexture>(texture.kind).map) {
+        const auto copy = std::make_shared<scene::Texture>(*entry.value);
+        keep_bump_size(*copy);
+        entry.value = copy;
+    }
+}
+
 /// A declared pigment, normal or finish stands for a texture that has it.
 void accept_part(TextureState& s)
 {
@@ -160,9 +175,7 @@ scene::TexturePtr read_texture_body(SceneBuilder& build)
     while (TextureItems::match(build, s) || read_texture_modifier(s)) {}
     if (s.patterned()) check_pavement(build, s.pattern().pattern);
     if (s.patterned() && s.pattern().map.empty()) in.fail(s.texture.source, "this patterned texture has no texture_map");
-    if (s.no_bump_scale && !s.patterned())
-        for (scene::Layer& layer : std::get<Layers>(s.texture.kind))
-            if (layer.normal) layer.normal->no_bump_scale = true;
+    if (s.no_bump_scale) keep_bump_size(s.texture);
     return std::make_shared<scene::Texture>(std::move(s.texture));
 }
 
@@ -186,6 +199,33 @@ scene::TexturePtr read_textures(SceneBuilder& build)
     return all;
 }
 
+namespace {
+
+/// Up to version 3.1 only the bottom layer filters: the filter of the others lets all light through (spec 3, 18).
+void filter_to_transmit(scene::Color& color)
+{
+    color.transmit += color.filter;
+    color.filter = 0;
+}
+void filter_to_transmit(scene::Pigment& pigment)
+{
+    if (auto* plain = std::get_if<scene::Color>(&pigment.kind)) return filter_to_transmit(*plain);
+    auto& map = std::get<scene::PatternedPigment>(pigment.kind).map;
+    if (auto* colors = std::get_if<scene::ColorMap>(&map)) {
+        for (auto& entry : *colors) filter_to_transmit(entry.value);
+        return;
+    }
+    for (auto& entry : std::get<scene::PigmentMap>(map)) {
+        const auto copy = std::make_shared<scene::Pigment>(*entry.value);
+        filter_to_transmit(*copy);
+        entry.value = copy;
+    }
+}
+
+constexpr int kLastOldLayers = 310;
+
+}  // namespace
+
 scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, const scene::TexturePtr& top,
                           const scene::SourceRef& at)
 {
@@ -196,7 +236,10 @@ scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, c
     if (!upper) build.stream().fail(at, "a patterned texture cannot be layered over another texture");
     auto both = std::make_shared<scene::Texture>(*below);
     auto& layers = std::get<Layers>(both->kind);
+    const std::size_t first = layers.size();
     layers.insert(layers.end(), upper->begin(), upper->end());
+    if (build.version() <= kLastOldLayers)
+        for (std::size_t i = first; i < layers.size(); ++i) filter_to_transmit(layers[i].pigment);
     return both;
 }
 

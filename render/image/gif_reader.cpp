@@ -1,6 +1,7 @@
 #include "render/image/direct_readers.h"
 
 #include <array>
+#include <optional>
 
 namespace image {
 namespace {
@@ -135,10 +136,18 @@ Picture decode_gif(const ByteList& file)
     const std::uint32_t flags = bytes.next();
     bytes.skip(2);
     if (flags & 0x80) out.palette = palette_of(bytes, flags);
+    std::optional<std::uint32_t> clear;  // the transparent place in the palette
     for (;;) {
         const std::uint32_t block = bytes.next();
         if (block == '!') {
-            bytes.next();
+            constexpr std::uint32_t kGraphicControl = 0xf9;
+            if (bytes.next() == kGraphicControl) {
+                bytes.skip(1);  // its length
+                const std::uint32_t control = bytes.next();
+                bytes.skip(2);
+                const std::uint32_t place = bytes.next();
+                clear = control & 1u ? std::optional(place) : std::nullopt;
+            }
             bytes.skip_blocks();
         } else if (block == ',') {
             break;
@@ -154,6 +163,7 @@ Picture decode_gif(const ByteList& file)
     if (own & 0x80) out.palette = palette_of(bytes, own);
     const std::uint64_t count = out.count();
     if (count > kMostPixels) throw FileError("it is too large");
+    if (clear && std::size_t{*clear} * 4 + 3 < out.palette.size()) out.palette[std::size_t{*clear} * 4 + 3] = 0.0f;
     out.indices = unpack(bytes, count);
     if (own & 0x40) out.indices = woven(out.indices, width, height);
     expand_palette(out);

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "csg/types.h"
+#include "render/light/projector.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 /// Lights as the tracer uses them: built once by plan/, read by every thread. Formulas: spec 3, section 12.
@@ -22,6 +23,10 @@ struct Light {
     double fade_distance = 0, fade_power = 0;  ///< fade_power 0: no fading
     glm::dvec3 axis1{0}, axis2{0};             ///< area light: edges
     int size1 = 1, size2 = 1, adaptive = 100;
+    std::shared_ptr<const Projector> projector;  ///< projected_through; null: nothing
+
+    /// Its shadows are found point by point, not by tiles of rays.
+    bool by_points() const { return area || projector != nullptr; }
 
     /// Every lit point has the light in the same direction or sees it at one place: shadow rays form a beam.
     bool from_one_point() const { return !parallel && kind != Kind::Cylinder && !area; }

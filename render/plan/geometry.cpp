@@ -3,6 +3,7 @@
 #include "csg/freeform.h"
 #include "render/plan/lights.h"
 #include "render/plan/solids.h"
+#include "render/plan/uv_use.h"
 
 #include <utility>
 
@@ -47,7 +48,7 @@ csg::Tree::Op tree_op(scene::CsgOp op)
 
 GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
                                    CompiledScene& out, std::vector<scene::Unsupported>& notes)
-    : description_(description), options_(options), textures_(textures), out_(out), notes_(notes), interiors_(out.interiors),
+    : description_(description), options_(options), textures_(textures), out_(out), interiors_(out.interiors),
       fields_(description, options.quality, notes)
 {
 }
@@ -141,7 +142,9 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
 csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited& own)
 {
     if (const auto* freeform = std::get_if<scene::Freeform>(&object.shape)) return world_solid(scene::Freeform{fields_.linked(freeform->shape)}, own.to_world);
-    return world_solid(object.shape, own.to_world);
+    const bool on_surface = std::holds_alternative<scene::Sphere>(object.shape) &&
+                            (own.uv_mapping || uses_uv(own.texture ? own.texture : default_texture_) || uses_uv(own.interior_texture));
+    return world_solid(object.shape, own.to_world, on_surface);
 }
 
 csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& own)
@@ -195,7 +198,7 @@ csg::Tree GeometryCompiler::clip_tree(const scene::Object& clip, const csg::Tran
 void GeometryCompiler::collect_lights(const scene::Object& object, const Inherited& above)
 {
     if (const auto* light = std::get_if<scene::Light>(&object.shape)) {
-        add_light(*light, object, above);
+        add_light(*light, above);
         return;
     }
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
@@ -205,9 +208,9 @@ void GeometryCompiler::collect_lights(const scene::Object& object, const Inherit
     for (const scene::Object& operand : *csg->operands) collect_lights(operand, own);
 }
 
-void GeometryCompiler::add_light(const scene::Light& light, const scene::Object& object, const Inherited& above)
+void GeometryCompiler::add_light(const scene::Light& light, const Inherited& above)
 {
-    out_.lights.lights.push_back(compile_light(light, above.to_world, options_.quality, object.source, notes_));
+    out_.lights.lights.push_back(compile_light(light, above.to_world, options_.quality));
     if (!light.looks_like) return;
     Inherited own = above;
     own.no_shadow = true;

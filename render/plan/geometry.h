@@ -53,7 +53,7 @@ private:
     scene::TexturePtr cut_texture(const scene::Object& object, const Inherited& own);
     csg::Tree clip_tree(const scene::Object& clip, const csg::Transform& to_world);
     void collect_lights(const scene::Object& object, const Inherited& above);
-    void add_light(const scene::Light& light, const scene::Object& object, const Inherited& above);
+    void add_light(const scene::Light& light, const Inherited& above);
 
     /// `corners`: what the second and the third corner of a mesh's faces show, if another texture. `parts`: compiled
     /// textures of a shape's parts.
@@ -79,7 +79,6 @@ private:
     const Options& options_;
     TextureCompiler& textures_;
     CompiledScene& out_;
-    std::vector<scene::Unsupported>& notes_;
     InteriorCompiler interiors_;
     FieldLinker fields_;
 

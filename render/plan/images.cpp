@@ -121,6 +121,8 @@ void take_settings(const scene::Statement& statement, texture::Image& out)
     default: break;
     }
     out.once = item_of(statement, "once") != nullptr;
+    for (const scene::StatementItem& item : statement.items)
+        if (item.name == "premultiplied") out.premultiplied = number_of(item.operands[0]) != 0.0;
     const auto pair = [&](const char* name, glm::dvec2& to) {
         if (const scene::StatementItem* item = item_of(statement, name)) to = std::get<glm::dvec2>(item->operands[0]);
     };
@@ -156,7 +158,11 @@ texture::Image compile_image(const scene::Description& scene, const scene::State
     else take_texels(picture, levels, path != nullptr && ends_with_any(*path, {".png"}), out);
     take_clarity(statement, out);
     out.opaque = !lets_light_through(out);
+    // EXR stores colours times alpha. A TIFF's straight colours are multiplied and divided again by POV-Ray: left alone.
+    const bool tiff = path != nullptr && ends_with_any(*path, {".tif", ".tiff"});
+    out.premultiplied = path != nullptr && ends_with_any(*path, {".exr"});
     take_settings(statement, out);
+    out.premultiplied = out.premultiplied && !tiff;
     out.opaque = out.opaque && !out.once && out.projection == texture::Image::Projection::Planar;
     return out;
 }

@@ -1,5 +1,7 @@
 #include "render/plan/lights.h"
 
+#include "render/plan/probe.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -13,10 +15,15 @@ glm::dvec3 unit(const glm::dvec3& v)
     return length > 0.0 ? v / length : glm::dvec3(0, 0, 1);
 }
 
+struct ProjectingObject final : light::Projector {
+    explicit ProjectingObject(const scene::Object& object) : probe(object) {}
+    double depth(const csg::Ray& ray) const override { return probe.depth(ray); }
+    ObjectProbe probe;
+};
+
 }  // namespace
 
-light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, int quality,
-                           const scene::SourceRef& source, std::vector<scene::Unsupported>& notes)
+light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, int quality)
 {
     constexpr double kDegree = std::numbers::pi / 180.0;
     light::Light out;
@@ -55,7 +62,11 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     out.size2 = description.size2;
     out.adaptive = description.adaptive;
     out.atmosphere = description.media_attenuation && description.media_interaction;
-    if (description.projected_through) notes.push_back({"projected_through", source});
+    if (description.projected_through) {
+        scene::Object object = *description.projected_through;
+        object.transform_by(to_world);
+        out.projector = std::make_shared<ProjectingObject>(object);
+    }
     return out;
 }
 

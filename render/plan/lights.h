@@ -6,8 +6,7 @@
 namespace plan {
 
 /// One light in world space. `to_world` includes the transformation of the object that holds the light.
-/// quality: below 5 an area light is a point. `notes` receives what is not rendered yet.
-light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, int quality,
-                           const scene::SourceRef& source, std::vector<scene::Unsupported>& notes);
+/// quality: below 5 an area light is a point.
+light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, int quality);
 
 }  // namespace plan

@@ -17,7 +17,9 @@ public:
     struct Answer { bool hit = false; glm::dvec3 point{0}, normal{0}; };
     /// `direction` of unit length. The normal is raw: it is not turned toward the ray.
     Answer trace(const glm::dvec3& origin, const glm::dvec3& direction);
-    bool inside(const glm::dvec3& point) const;  ///< may be asked from many threads at once
+    // These two may be asked from many threads at once.
+    bool inside(const glm::dvec3& point) const;
+    double depth(const csg::Ray& ray) const;  ///< of the first crossing from 1e-4 on; negative: none
 
 private:
     CompiledScene compiled_;

@@ -48,11 +48,13 @@ Corners oriented(const Corners& c, bool moved)
 
 struct ToWorld {
     const csg::Transform& t;
+    bool on_surface;
 
     csg::Solid operator()(const scene::Sphere& s) const
     {
         double factor = 1.0;
-        if (similarity(t.linear, factor)) return csg::Sphere{t.point(s.center), std::abs(s.radius) * factor};
+        const bool turned = !diagonal(t.linear) || t.linear[0][0] <= 0.0 || t.linear[1][1] <= 0.0 || t.linear[2][2] <= 0.0;
+        if (similarity(t.linear, factor) && !(turned && on_surface)) return csg::Sphere{t.point(s.center), std::abs(s.radius) * factor};
         return csg::Ellipsoid{t * csg::Transform::translate(s.center) * csg::Transform::scale(glm::dvec3(std::abs(s.radius)))};
     }
     csg::Solid operator()(const scene::Box& s) const
@@ -115,6 +117,9 @@ struct ToWorld {
 
 }  // namespace
 
-csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world) { return std::visit(ToWorld{to_world}, shape); }
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface)
+{
+    return std::visit(ToWorld{to_world, on_surface}, shape);
+}
 
 }  // namespace plan

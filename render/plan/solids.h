@@ -5,7 +5,8 @@
 
 namespace plan {
 
-/// A described primitive in world space. Not for meshes, CSG and lights.
-csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world);
+/// A described primitive in world space. Not for meshes, CSG and lights. on_surface: something asks for coordinates on its
+/// surface, so that a ball has to know how it was turned.
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface = false);
 
 }  // namespace plan

@@ -177,6 +177,18 @@ scene::Color image_color(const Image& image, const glm::dvec2& place)
     return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), static_cast<float>(sum[3]), static_cast<float>(sum[4])};
 }
 
+scene::Color image_pigment(const Image& image, const glm::dvec2& place)
+{
+    scene::Color c = image_color(image, place);
+    // POV-Ray divides what it has interpolated, and `transmit all` counts (measured).
+    if (const float alpha = 1.0f - c.transmit; image.premultiplied && alpha != 0.0f) {
+        c.red /= alpha;
+        c.green /= alpha;
+        c.blue /= alpha;
+    }
+    return c;
+}
+
 int image_index(const Image& image, const glm::dvec2& place)
 {
     if (image.palette.empty()) return static_cast<int>(255.0f * image_color(image, place).red);

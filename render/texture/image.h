@@ -16,6 +16,7 @@ struct Image {
     enum class Interpolation : std::uint8_t { None, Bilinear, Bicubic, NormalizedDistance } interpolation = Interpolation::None;
     bool once = false;                    ///< nothing outside the picture
     bool by_place = false;                ///< `use_index` of a picture with a palette
+    bool premultiplied = false;           ///< colours of a pigment are divided by their alpha
     enum class Value : std::uint8_t { Grey, Red, Transmit } value = Value::Grey;  ///< what image_pattern shows
     bool opaque = true;                   ///< no texel lets light through, and the picture covers everything
     std::uint32_t width = 0, height = 0;  ///< texels, not 0
@@ -31,6 +32,9 @@ bool image_place(const Image& image, const glm::dvec3& p, glm::dvec2& place);
 
 /// At a place within the picture, interpolated (spec 4, 12.2).
 scene::Color image_color(const Image& image, const glm::dvec2& place);
+/// What an image_map shows there: straight colours.
+scene::Color image_pigment(const Image& image, const glm::dvec2& place);
+
 /// The same for places in the palette; without one 255 times red. Truncated.
 int image_index(const Image& image, const glm::dvec2& place);
 

@@ -58,7 +58,7 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm
     if (pigment.kind == Pigment::Kind::Image) {
         glm::dvec2 place;
         const Image& image = set.images[pattern.data];
-        return image_place(image, q, place) ? image_color(image, place) : kNoColor;
+        return image_place(image, q, place) ? image_pigment(image, place) : kNoColor;
     }
     if (pigment.kind == Pigment::Kind::Average) return average_color(set, pigment, q, around);
     const Blend blend = blend_at(set, pigment.first, pigment.count, pattern_value(set, pattern, q, around));

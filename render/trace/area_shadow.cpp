@@ -28,7 +28,7 @@ struct Sampler {
             }
             const light::Illumination lit =
                 light::toward(light, hit.point, light::node_offset(light, hit.point, x, y));
-            value = filtered_light(context, hit.point, hit.state.interiors, lit, color);
+            value = point_shadow(context, hit, light, lit, color);
         }
         return value;
     }
@@ -57,6 +57,17 @@ struct Sampler {
 };
 
 }  // namespace
+
+glm::vec3 point_shadow(Context& context, const HitContext& hit, const light::Light& light, light::Illumination lit,
+                       const glm::vec3& color)
+{
+    if (light.projector) {
+        const double depth = light.projector->depth({hit.point, lit.direction});
+        if (depth < 0.0 || depth >= lit.distance) return glm::vec3(0);
+        lit.distance = depth;
+    }
+    return light.shadowless ? color : filtered_light(context, hit.point, hit.state.interiors, lit, color);
+}
 
 glm::vec3 area_shadow(Context& context, const HitContext& hit, const light::Light& light,
                       const light::Illumination& lit)

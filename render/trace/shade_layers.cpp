@@ -22,13 +22,12 @@ glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal,
 {
     if (normal == texture::kNone || context.scene.settings.quality < 8) return hit.normal;
     const auto& set = context.scene.textures;
-    const bool keep = set.normals[normal].no_bump_scale;
     glm::dvec3 n = hit.normal;
     for (std::size_t i = 0; i < hit.enclosing_count; ++i)
-        n = texture::normal_into(set, set.patterns[hit.enclosing[i]], n, keep);
+        n = texture::normal_into(set, set.patterns[hit.enclosing[i]], n, false);
     n = texture::perturb(set, normal, n, p, hit.around);
     for (std::size_t i = hit.enclosing_count; i-- > 0;)
-        n = texture::normal_out_of(set, set.patterns[hit.enclosing[i]], n, keep);
+        n = texture::normal_out_of(set, set.patterns[hit.enclosing[i]], n, false);
     return glm::normalize(n);
 }
 

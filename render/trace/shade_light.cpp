@@ -15,7 +15,7 @@ const glm::vec3& shadowed(Context& context, const HitContext& hit, const light::
 {
     if (!sample.shadow_known) {
         sample.shadowed = light.area ? area_shadow(context, hit, light, sample.lit)
-                                     : filtered_light(context, hit.point, hit.state.interiors, sample.lit, sample.lit.color);
+                                     : point_shadow(context, hit, light, sample.lit, sample.lit.color);
         sample.shadow_known = true;
     }
     return sample.shadowed;
@@ -87,7 +87,7 @@ glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish&
             behind = true;
         }
         glm::vec3 color = light.area_illumination ? light.color : sample.lit.color;
-        if (quality >= 4 && !light.shadowless) color = shadowed(context, hit, light, sample);
+        if (quality >= 4 && (!light.shadowless || light.projector)) color = shadowed(context, hit, light, sample);
         if (!(std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)) continue;
         layer.purpose = static_cast<std::uint32_t>(i);
         sum += light.area_illumination ? from_area(context, hit, layer, light, color)

@@ -111,9 +111,10 @@ scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t inde
     } else {
         const double v = texture::pattern_value(set, pattern, q, hit.around);
         const texture::Blend blend = texture::blend_at(set, texture.first, texture.count, v);
-        c = shade_texture(context, hit, set.children[blend.lower], q);
+        // The upper one first: a slope in the lower one sees the normal that it leaves (spec 4, 15.1).
+        c = shade_texture(context, hit, set.children[blend.upper], q);
         if (blend.lower != blend.upper)
-            c = mixed(c, shade_texture(context, hit, set.children[blend.upper], q), blend.share);
+            c = mixed(shade_texture(context, hit, set.children[blend.lower], q), c, blend.share);
     }
     if (nested) --hit.enclosing_count;
     return c;

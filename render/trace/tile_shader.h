@@ -35,7 +35,7 @@ public:
         const auto& lights = context_.scene.lights.lights;
         const plan::Settings& settings = context_.scene.settings;
         const bool small = settings.quality >= 2 &&
-                           std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.area; });
+                           std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.by_points(); });
         const bool go_on = settings.quality >= 8 && settings.adc_bailout < 1.0 && !scratch_.wave.full();
         bool general = false;
         for (int i = 0; i < rays_.count; ++i) {
@@ -67,7 +67,7 @@ public:
     void light(std::size_t which)
     {
         const light::Light& light = context_.scene.lights.lights[which];
-        if (light.area) return;
+        if (light.by_points()) return;
         const bool one_color = steady(light);
         if (one_color) toward_point(light, scratch_.hits, rays_.count, scratch_.light);
         const bool shadows = shadows_ && !light.shadowless;
