@@ -11,9 +11,13 @@ constexpr std::size_t kCoordinates = 3;
 /// The host outlives every field: there is nothing to free.
 std::shared_ptr<const Host> lone_host() { return {std::shared_ptr<const Host>(), &no_host()}; }
 
+Evaluators current{evaluate, evaluate_lanes, evaluate_intervals};
+
 void copy(const csg::Eight& from, double* to) { std::copy_n(from.v, kLanes, to); }
 
 }  // namespace
+
+void use(const Evaluators& evaluators) { current = evaluators; }
 
 FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> host)
     : function_(std::move(function)), host_(host ? std::move(host) : lone_host()), ranged_(narrows(*function_))
@@ -23,7 +27,7 @@ FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> h
 double FunctionField::value(const glm::dvec3& p) const
 {
     const double arguments[kCoordinates] = {p.x, p.y, p.z};
-    return evaluate(*function_, arguments, *host_);
+    return current.one(*function_, arguments, *host_);
 }
 
 void FunctionField::values(const csg::EightPoints& p, csg::Eight& out) const
@@ -32,7 +36,7 @@ void FunctionField::values(const csg::EightPoints& p, csg::Eight& out) const
     copy(p.x, arguments[0]);
     copy(p.y, arguments[1]);
     copy(p.z, arguments[2]);
-    evaluate_lanes(*function_, arguments, *host_, out.v);
+    current.lanes(*function_, arguments, *host_, out.v);
 }
 
 void FunctionField::ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) const
@@ -43,7 +47,7 @@ void FunctionField::ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) 
         copy(sides[i]->low, low[i]);
         copy(sides[i]->high, high[i]);
     }
-    evaluate_intervals(*function_, low, high, *host_, out.low.v, out.high.v);
+    current.intervals(*function_, low, high, *host_, out.low.v, out.high.v);
 }
 
 }  // namespace function

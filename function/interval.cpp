@@ -1,34 +1,11 @@
 #include "function/interval.h"
 
 #include "function/interval_arithmetic.h"
-#include "function/internal_polynomials.h"
+#include "function/internal_ranges.h"
 #include "function/interval_rules.h"
 
 namespace function {
 namespace {
-
-bool is_polynomial(std::uint32_t n)
-{
-    switch (n) {
-    case 4: case 5: case 8: case 11: case 12: case 13: case 14: case 16: case 20: case 22: case 23: case 30: case 31: case 33:
-    case 35: case 36: case 37: case 38: case 41: case 42: case 43: case 44: case 45: case 46: case 48: case 49: case 54: case 55:
-    case 56: case 65: case 66: case 71: case 72: case 73: case 74: return true;
-    default: return false;
-    }
-}
-
-Interval distance(const Interval& x, const Interval& y, const Interval& z)
-{
-    return sqrt(squared(x) + squared(y) + squared(z));
-}
-
-Interval rounded_box(const Interval* a)
-{
-    const auto beyond = [&](int k) {
-        return interval_binary(Op::Max, 0.0, interval_unary(Op::Abs, a[k]) - (a[4 + k] - a[3]));
-    };
-    return distance(beyond(0), beyond(1), beyond(2)) - a[3] - 1e-6;
-}
 
 /// Whether its interval shrinks to a point as its arguments do.
 bool internal_narrows(std::uint32_t n)
@@ -40,15 +17,11 @@ bool internal_narrows(std::uint32_t n)
 
 Interval internal_interval(std::uint32_t n, const Interval* a)
 {
-    if (is_polynomial(n)) return polynomial<Interval>(n, a);
+    Interval out;
+    if (arithmetic_range(n, a, out)) return out;
     switch (n) {
-    case 17: return distance(a[3] * a[0], a[4] * a[1], a[5] * a[2]);
-    case 47: return interval_binary(Op::Atan2, distance(a[0], 0.0, a[2]), a[1]);
-    case 57: return distance(a[0], a[1], a[2]);
-    case 60: return rounded_box(a);
-    case 61: return distance(a[0], a[1], a[2]) - a[3];
+    case 47: return interval_binary(Op::Atan2, distance<Interval>(a[0], 0.0, a[2]), a[1]);
     case 69: return interval_binary(Op::Atan2, a[0], a[2]);
-    case 70: return distance(distance(a[0], 0.0, a[2]) - a[3], a[1], 0.0) - a[4];
     case 76: case 78: return {0.0, 1.0};
     case 77: return 0.0;
     default: return Interval::everything();

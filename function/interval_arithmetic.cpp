@@ -8,10 +8,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRelative = 1e-15;       // above the error of one operation or library function, 4 units in the last place
-constexpr double kAbsolute = 1e-300;      // the same next to 0
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 Interval truth(bool can_fail, bool can_hold) { return {can_fail ? 0.0 : 1.0, can_hold ? 1.0 : 0.0}; }
 
 /// Least and greatest of f at the corners, for an f that is monotone in each variable.
@@ -81,13 +77,13 @@ template <class F> Interval growing(const Interval& a, F&& f, double from = -kIn
     return widened(f(std::max(a.low, from)), f(std::min(a.high, to)));
 }
 
+}  // namespace
+
 Interval absolute(const Interval& a)
 {
     const double l = std::abs(a.low), h = std::abs(a.high);
     return {a.contains(0.0) ? 0.0 : std::min(l, h), std::max(l, h)};
 }
-
-}  // namespace
 
 Interval widened(double low, double high)
 {
@@ -132,7 +128,7 @@ Interval interval_binary(Op op, const Interval& a, const Interval& b)
     case Op::And: return truth(zero(a) || zero(b), other(a) && other(b));
     case Op::Or: return truth(zero(a) && zero(b), other(a) || other(b));
     case Op::Min: return {std::min(a.low, b.low), std::min(a.high, b.high)};
-    case Op::Max: return {std::max(a.low, b.low), std::max(a.high, b.high)};
+    case Op::Max: return larger(a, b);
     case Op::Atan2: return arc_tangent(a, b);
     case Op::IntDivide: return interval_unary(Op::Int, a / b);
     case Op::Modulo: return modulo(a, b);

@@ -1,24 +1,19 @@
+#include "function/batch.h"
+#include "function/internal_ranges.h"
 #include "function/interval_arithmetic.h"
 #include "function/interval_rules.h"
 
-#include <xsimd/xsimd.hpp>
-
 /// Eight intervals at once: what arithmetic needs runs in vector registers, the rest lane by lane.
 namespace function {
-namespace {
-
-using Batch = xsimd::batch<double>;
-constexpr std::size_t kWidth = Batch::size;
-static_assert(kLanes % kWidth == 0);
-
-// As in interval_arithmetic.cpp: above the error of one operation, next to 0 and elsewhere.
-constexpr double kRelative = 1e-15, kAbsolute = 1e-300;
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 struct EightIntervals {
     alignas(64) double low[kLanes], high[kLanes];
+    EightIntervals() = default;
+    EightIntervals(double v)  // implicit: constants of formulas
+    {
+        std::fill_n(low, kLanes, v);
+        std::fill_n(high, kLanes, v);
+    }
     Interval lane(std::size_t i) const { return {low[i], high[i]}; }
     void set(std::size_t i, const Interval& v) { low[i] = v.low, high[i] = v.high; }
 };
@@ -53,7 +48,7 @@ template <class F> EightIntervals batchwise(const EightIntervals& a, const Eight
     return out;
 }
 
-template <class F> EightIntervals lanewise(F&& f)
+template <class F> EightIntervals each_lane(F&& f)
 {
     EightIntervals out;
     for (std::size_t i = 0; i < kLanes; ++i) out.set(i, f(i));
@@ -99,41 +94,59 @@ Ends divide(const Ends& a, const Ends& b)
 
 }  // namespace
 
+/// The square of what is written twice.
+EightIntervals squared(const EightIntervals& a) { return batchwise(a, a, [](const Ends& x, const Ends&) { return square(x); }); }
+EightIntervals absolute(const EightIntervals& a) { return batchwise(a, a, [](const Ends& x, const Ends&) { return absolute(x); }); }
+EightIntervals sqrt(const EightIntervals& a)
+{
+    return batchwise(a, a, [](const Ends& x, const Ends&) {
+        return widened(xsimd::sqrt(xsimd::max(x.low, Batch(0.0))), xsimd::sqrt(x.high));  // no root of a wholly negative number: it may be any
+    });
+}
+EightIntervals larger(const EightIntervals& a, const EightIntervals& b)
+{
+    return batchwise(a, b, [](const Ends& x, const Ends& y) { return Ends{xsimd::max(x.low, y.low), xsimd::max(x.high, y.high)}; });
+}
+EightIntervals field_limit(const EightIntervals& a)
+{
+    const auto limit = [](const Batch& v) { return xsimd::min(Batch(10.0), xsimd::max(Batch(-10.0), v)); };
+    return batchwise(a, a, [&](const Ends& x, const Ends&) { return Ends{limit(x.low), limit(x.high)}; });
+}
+
+EightIntervals operator+(const EightIntervals& a, const EightIntervals& b)
+{
+    return batchwise(a, b, [](const Ends& x, const Ends& y) { return widened(x.low + y.low, x.high + y.high); });
+}
+EightIntervals operator-(const EightIntervals& a, const EightIntervals& b)
+{
+    return batchwise(a, b, [](const Ends& x, const Ends& y) { return widened(x.low - y.high, x.high - y.low); });
+}
+EightIntervals operator*(const EightIntervals& a, const EightIntervals& b)
+{
+    return &a == &b ? squared(a) : batchwise(a, b, multiply);  // a number times itself is no product of two
+}
+
 template <> struct Rules<EightIntervals> {
-    static EightIntervals constant(double c)
-    {
-        EightIntervals out;
-        std::fill_n(out.low, kLanes, c);
-        std::fill_n(out.high, kLanes, c);
-        return out;
-    }
+    static EightIntervals constant(double c) { return c; }
 
     template <Op op> static EightIntervals binary(const EightIntervals& a, const EightIntervals& b)
     {
-        if constexpr (op == Op::Add)
-            return batchwise(a, b, [](const Ends& x, const Ends& y) { return widened(x.low + y.low, x.high + y.high); });
-        else if constexpr (op == Op::Subtract)
-            return batchwise(a, b, [](const Ends& x, const Ends& y) { return widened(x.low - y.high, x.high - y.low); });
-        else if constexpr (op == Op::Multiply)  // a number times itself is no product of two
-            return &a == &b ? batchwise(a, b, [](const Ends& x, const Ends&) { return square(x); }) : batchwise(a, b, multiply);
+        if constexpr (op == Op::Add) return a + b;
+        else if constexpr (op == Op::Subtract) return a - b;
+        else if constexpr (op == Op::Multiply) return a * b;
         else if constexpr (op == Op::Divide) return batchwise(a, b, divide);
         else if constexpr (op == Op::Min)
             return batchwise(a, b, [](const Ends& x, const Ends& y) { return Ends{xsimd::min(x.low, y.low), xsimd::min(x.high, y.high)}; });
-        else if constexpr (op == Op::Max)
-            return batchwise(a, b, [](const Ends& x, const Ends& y) { return Ends{xsimd::max(x.low, y.low), xsimd::max(x.high, y.high)}; });
-        else return lanewise([&](std::size_t i) { return interval_binary(op, a.lane(i), b.lane(i)); });
+        else if constexpr (op == Op::Max) return larger(a, b);
+        else return each_lane([&](std::size_t i) { return interval_binary(op, a.lane(i), b.lane(i)); });
     }
 
     template <Op op> static EightIntervals unary(const EightIntervals& a)
     {
         if constexpr (op == Op::Negate) return batchwise(a, a, [](const Ends& x, const Ends&) { return Ends{-x.high, -x.low}; });
-        else if constexpr (op == Op::Abs) return batchwise(a, a, [](const Ends& x, const Ends&) { return absolute(x); });
-        else if constexpr (op == Op::Sqrt)
-            return batchwise(a, a, [](const Ends& x, const Ends&) {
-                const Ends r = widened(xsimd::sqrt(xsimd::max(x.low, Batch(0.0))), xsimd::sqrt(x.high));
-                return r;  // no root of a wholly negative number: it may be any
-            });
-        else return lanewise([&](std::size_t i) { return interval_unary(op, a.lane(i)); });
+        else if constexpr (op == Op::Abs) return absolute(a);
+        else if constexpr (op == Op::Sqrt) return sqrt(a);
+        else return each_lane([&](std::size_t i) { return interval_unary(op, a.lane(i)); });
     }
 
     /// Every branch that can be taken, lane by lane.
@@ -170,7 +183,7 @@ template <> struct Rules<EightIntervals> {
             last = std::max(last, to.high[i]);
         }
         if (!known || !(last - from.low[0] < kMostRounds)) {
-            m.reg(dst) = lanewise([](std::size_t) { return Interval::everything(); });
+            m.reg(dst) = each_lane([](std::size_t) { return Interval::everything(); });
             return;
         }
         EightIntervals all = constant(l.product ? 1.0 : 0.0);
@@ -189,7 +202,9 @@ template <> struct Rules<EightIntervals> {
 
     static EightIntervals internal(std::uint32_t n, std::uint32_t count, const EightIntervals* a, const Host&)
     {
-        return lanewise([&](std::size_t lane) {
+        EightIntervals out;
+        if (arithmetic_range(n, a, out)) return out;
+        return each_lane([&](std::size_t lane) {
             Interval one[kMostParameters];
             for (std::uint32_t i = 0; i < count; ++i) one[i] = a[i].lane(lane);
             return internal_interval(n, one);

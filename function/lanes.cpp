@@ -1,17 +1,9 @@
+#include "function/batch.h"
 #include "function/internal.h"
 #include "function/machine.h"
 #include "function/outer.h"
 
-#include <xsimd/xsimd.hpp>
-
 namespace function {
-namespace {
-
-using Batch = xsimd::batch<double>;
-constexpr std::size_t kWidth = Batch::size;
-static_assert(kLanes % kWidth == 0);
-
-}  // namespace
 
 /// Eight numbers. Arithmetic runs in vector registers; what the C library computes is asked lane by lane, so that every
 /// lane has the bits of the scalar result.

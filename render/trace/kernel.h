@@ -1,5 +1,6 @@
 #pragma once
 
+#include "function/field.h"
 #include "render/plan/compiled_scene.h"
 #include "render/scene/color.h"
 #include "render/trace/antialias.h"
@@ -18,6 +19,7 @@ struct KernelTable {
     /// Colours of the block's pixels, row by row.
     void (*trace)(BlockTracer& tracer, const Block& block, scene::Color* out);
     RayCounts (*counts)(const BlockTracer& tracer);
+    function::Evaluators evaluators;       ///< for the fields of solids, which live outside of the module
 };
 
 /// The one symbol that a module exports.

@@ -67,6 +67,7 @@ void prepare(Isa isa, int threads)
 RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image)
 {
     const KernelTable& kernel = load_kernel(options.isa);
+    function::use(kernel.evaluators);
     const auto start = std::chrono::steady_clock::now();
     image.width = scene.options.width;
     image.height = scene.options.height;
