@@ -137,7 +137,10 @@ def main():
         with (args.out / "povray.csv").open("w") as told:
             told.write("sweep,value,solid,rays,missed,false,worst\n")
             for r in rows:
-                answer = ask_povray(args.povray, asked / f"{r['sweep']}_{r['solid']}_{r['value']}.csv", args.povray_rays)
+                told_rays = asked / f"{r['sweep']}_{r['solid']}_{r['value']}.csv"
+                if not told_rays.exists():  # a form that is not compared
+                    continue
+                answer = ask_povray(args.povray, told_rays, args.povray_rays)
                 povray[(r["sweep"], r["solid"], r["value"])] = answer
                 if answer:
                     told.write(f"{r['sweep']},{r['value']},{r['solid']},{args.povray_rays},{answer[0]},{answer[1]},{answer[2] / reach(r):.3g}\n")

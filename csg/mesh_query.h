@@ -4,6 +4,7 @@
 #include "csg/traverse.h"
 
 #include <bit>
+#include <cmath>
 
 /// One ray against a mesh. Compiled once per instruction set.
 namespace csg {
@@ -104,18 +105,34 @@ inline std::uint32_t meet_triangles(const TriangleBlock& block, const Ray& ray, 
     return met;
 }
 
+/// Far from a mesh, edge functions lose what its corners differ by, and rounded boxes all lie in the ray's way: such a ray is
+/// taken from beside the mesh, to which fma() moves it with one rounding of where it then is. How far along it that is.
+inline double move_near(const Aabb& box, Ray& ray)
+{
+    constexpr double kFar = 100.0;   // of the mesh's size: two digits are left to the differences
+    const glm::dvec3 size = box.upper - box.lower, away = ray.origin - 0.5 * (box.lower + box.upper);
+    if (!(glm::dot(away, away) > kFar * kFar * glm::dot(size, size))) return 0.0;
+    const double t = -glm::dot(away, ray.direction) / glm::dot(ray.direction, ray.direction);
+    if (!(std::abs(t) < kInfinity)) return 0.0;
+    for (int k = 0; k < 3; ++k) ray.origin[k] = std::fma(t, ray.direction[k], ray.origin[k]);
+    return t;
+}
+
 /// Calls f(t, face) for every face met with t_min <= t <= t_max; f returns the new t_max, a negative infinity ends it.
 template <class F>
 inline void mesh_crossings(const MeshShape& shape, const Ray& ray, double t_min, double t_max, F&& f)
 {
+    Ray near = ray;
+    const double moved = move_near(shape.bounds(), near);
     double limit = t_max;
-    traverse(shape.bvh(), RaySlabs(ray), t_min, t_max, ~0u, [&](ChildWord leaf) {
+    traverse(shape.bvh(), RaySlabs(near), t_min - moved, t_max - moved, ~0u, [&](ChildWord leaf) {
         alignas(32) double t[4];
-        for (std::uint32_t met = meet_triangles(shape.block(leaf.index()), ray, t); met != 0; met &= met - 1) {
+        for (std::uint32_t met = meet_triangles(shape.block(leaf.index()), near, t); met != 0; met &= met - 1) {
             const auto place = static_cast<std::uint32_t>(std::countr_zero(met));
-            if (t[place] >= t_min && t[place] <= limit) limit = f(t[place], leaf.index() * 4 + place);
+            const double here = t[place] + moved;
+            if (here >= t_min && here <= limit) limit = f(here, leaf.index() * 4 + place);
         }
-        return limit;
+        return limit - moved;
     });
 }
 

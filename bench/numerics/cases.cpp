@@ -12,11 +12,17 @@ using csg::Transform;
 const std::vector<std::string> kQuadrics{"sphere", "ellipsoid", "box", "oriented_box", "cylinder", "cone", "paraboloid", "hyperboloid"};
 const std::vector<std::string> kHigher{"torus", "cubic", "quartic", "degree6", "degree10", "degree20", "degree35"};
 
+std::vector<std::string> with_forms(std::vector<std::string> names)
+{
+    for (const Form& form : forms()) names.push_back(form.name);
+    return names;
+}
+
 std::vector<std::string> all()
 {
     std::vector<std::string> names = kQuadrics;
     names.insert(names.end(), kHigher.begin(), kHigher.end());
-    return names;
+    return with_forms(names);
 }
 
 std::size_t place(int degree, int i, int j, int k)
@@ -44,8 +50,10 @@ int degree_of(const std::string& name)
     return name.rfind("degree", 0) == 0 ? std::stoi(name.substr(6)) : 0;
 }
 
+/// The opening of the solid in the scene language; empty for forms, which are not compared.
 std::string sdl_of(const std::string& name)
 {
+    if (form_of(name) != nullptr) return "";
     if (name == "sphere") return "sphere{0,1";
     if (name == "ellipsoid") return "sphere{0,1 scale <1,.6,1.4>";
     if (name == "box") return "box{<-1,-.7,-.5>,<1,.7,.5>";
@@ -92,6 +100,26 @@ csg::Solid solid_of(const std::string& name, const Transform& t)
     return csg::Polynomial{std::make_shared<csg::PolynomialShape>(degree, coefficients(degree)), t};
 }
 
+/// `size`: the longest side of a solid of ordinary size in `t`.
+Case case_of(const std::string& name, const Transform& t, double size)
+{
+    Case made;
+    made.form = form_of(name);
+    made.solid = made.form ? made.form->make(t, size) : solid_of(name, t);
+    made.target = t.offset;
+    made.spread = made.size = size;
+    made.distance = 6.0 * size;
+    if (!made.form) made.sdl = sdl_of(name);
+    return made;
+}
+
+/// `rest`: what follows the solid's opening words.
+Case told(Case made, const std::string& rest)
+{
+    if (!made.sdl.empty()) made.sdl += rest;
+    return made;
+}
+
 std::vector<double> decades(int from, int to, int step = 1)
 {
     std::vector<double> values;
@@ -105,38 +133,45 @@ std::vector<Sweep> sweeps()
 {
     std::vector<Sweep> all_sweeps;
     all_sweeps.push_back({"scale", "scale of the object; the camera 6 sizes away", decades(-9, 9, 3), [](const std::string& name, double s) {
-                              return Case{solid_of(name, Transform::scale(glm::dvec3(s))), glm::dvec3(0.0), s, 6.0 * s, s,
-                                          fmt::format("{} scale {:e}}}", sdl_of(name), s)};
+                              return told(case_of(name, Transform::scale(glm::dvec3(s)), s), fmt::format(" scale {:e}}}", s));
                           }, all()});
     all_sweeps.push_back({"offset", "distance of object and camera from the origin", decades(0, 9, 3), [](const std::string& name, double d) {
                               const glm::dvec3 at = d * glm::dvec3(0.6, -0.48, 0.64);
-                              return Case{solid_of(name, Transform::translate(at)), at, 1.0, 6.0, 1.0,
-                                          fmt::format("{} translate <{:.17g},{:.17g},{:.17g}>}}", sdl_of(name), at.x, at.y, at.z)};
+                              return told(case_of(name, Transform::translate(at), 1.0),
+                                          fmt::format(" translate <{:.17g},{:.17g},{:.17g}>}}", at.x, at.y, at.z));
                           }, all()});
     all_sweeps.push_back({"distance", "distance of the camera", decades(0, 9, 3), [](const std::string& name, double d) {
-                              return Case{solid_of(name, {}), glm::dvec3(0.0), 1.0, 6.0 * d, 1.0, sdl_of(name) + "}"};
+                              Case made = told(case_of(name, {}, 1.0), "}");
+                              made.distance = 6.0 * d;
+                              return made;
                           }, all()});
     all_sweeps.push_back({"aspect", "length over thickness", decades(0, 8, 2), [](const std::string& name, double a) {
-                              return Case{solid_of(name, Transform::scale({1.0, 1.0 / a, 1.0})), glm::dvec3(0.0), 1.0, 6.0, 1.0,
-                                          fmt::format("{} scale <1,{:e},1>}}", sdl_of(name), 1.0 / a)};
-                          }, {"sphere", "ellipsoid", "box", "oriented_box", "cylinder", "cone", "torus", "quartic"}});
+                              return told(case_of(name, Transform::scale({1.0, 1.0 / a, 1.0}), 1.0), fmt::format(" scale <1,{:e},1>}}", 1.0 / a));
+                          }, with_forms({"sphere", "ellipsoid", "box", "oriented_box", "cylinder", "cone", "torus", "quartic"})});
     all_sweeps.push_back({"tube", "major over minor radius of a torus", decades(0, 6, 2), [](const std::string&, double a) {
                               const double minor = 0.9 / a;
-                              return Case{csg::Torus{1.0, minor, {}}, glm::dvec3(0.0), 1.0, 6.0, 1.0, fmt::format("torus{{1,{:.17g}}}", minor)};
+                              return Case{.solid = csg::Torus{1.0, minor, {}}, .sdl = fmt::format("torus{{1,{:.17g}}}", minor)};
                           }, {"torus"}});
     all_sweeps.push_back({"flat", "square coefficient of a quadric that is nearly a plane pair or a parabola", decades(-12, 0, 3),
                           [](const std::string& name, double v) {
                               const bool open = name == "paraboloid";
                               const csg::Quadric made{open ? glm::dvec3(1, v, 1) : glm::dvec3(1, -v, v), {0, 0, 0}, open ? glm::dvec3(0, 1, 0) : glm::dvec3(0), -0.3, {}};
-                              return Case{made, glm::dvec3(0.0), 1.0, 6.0, 1.0,
-                                          open ? fmt::format("quadric{{<1,{:e},1>,<0,0,0>,<0,1,0>,-.3}}", v)
-                                               : fmt::format("quadric{{<1,{:e},{:e}>,<0,0,0>,<0,0,0>,-.3}}", -v, v)};
+                              return Case{.solid = made,
+                                          .sdl = open ? fmt::format("quadric{{<1,{:e},1>,<0,0,0>,<0,1,0>,-.3}}", v)
+                                                      : fmt::format("quadric{{<1,{:e},{:e}>,<0,0,0>,<0,0,0>,-.3}}", -v, v)};
                           }, {"paraboloid", "hyperboloid"}});
     return all_sweeps;
 }
 
+double band_of(const std::string& solid)
+{
+    const Form* form = form_of(solid);
+    return form ? form->band : 1e-6;
+}
+
 double bar_of(const std::string& solid)
 {
+    if (const Form* form = form_of(solid)) return form->bar;
     if (solid == "torus" || degree_of(solid) == 3 || degree_of(solid) == 4) return 1e-11;
     return degree_of(solid) > 4 ? 1e-8 : 1e-13;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bench/numerics/forms.h"
 #include "csg/solid.h"
 #include "tests/csg/support.h"
 
@@ -17,6 +18,7 @@ struct Case {
     double distance = 6.0;         ///< from there
     double size = 1.0;             ///< the object's scale
     std::string sdl;               ///< the same in the scene language, for trace(); empty: not compared
+    const Form* form = nullptr;    ///< what judges it; none: its polynomials do
 };
 
 struct Sweep {
@@ -31,5 +33,7 @@ std::vector<Sweep> sweeps();
 
 /// The worst error, relative to the larger of distance and size, that a kind may show outside the tangency band.
 double bar_of(const std::string& solid);
+/// Chords shorter than this part of the object's size lie in the tangency band: there a hit may come or go.
+double band_of(const std::string& solid);
 
 }  // namespace numerics

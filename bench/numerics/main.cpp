@@ -11,16 +11,18 @@
 int main(int count, char** words)
 {
     std::map<std::string, std::string> options{{"--rays", "20000"}, {"--sweep", ""}, {"--solid", ""}, {"--csv", ""}, {"--asked", ""}};
-    bool check = false;
+    bool check = false, timed = true;
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
         const auto option = options.find(word);
         if (word == "--check") {
             check = true;
+        } else if (word == "--untimed") {
+            timed = false;
         } else if (option != options.end() && i + 1 < count) {
             option->second = words[++i];
         } else {
-            fmt::print(stderr, "usage: numerics_lab [--rays N] [--sweep NAME] [--solid NAME] [--csv FILE] [--asked FOLDER] [--check]\n");
+            fmt::print(stderr, "usage: numerics_lab [--rays N] [--sweep NAME] [--solid NAME] [--csv FILE] [--asked FOLDER] [--check] [--untimed]\n");
             return 2;
         }
     }
@@ -30,7 +32,7 @@ int main(int count, char** words)
     std::FILE* table = csv.empty() ? nullptr : std::fopen(csv.c_str(), "w");
     if (!csv.empty() && table == nullptr) return fmt::print(stderr, "cannot write {}\n", csv), 2;
     if (table) fmt::print(table, "sweep,value,solid,rays,hits,missed,false,worst,median,grazing,ns,spawn,acne_per_million,lost_per_million,disagree,bar,passes\n");
-    fmt::print("{:9} {:>7} {:12} {:>6} {:>6} {:>6} {:>9} {:>9} {:>9} {:>7} {:>9} {:>8} {:>8} {:>5}\n", "sweep", "value", "solid", "hits", "missed",
+    fmt::print("{:9} {:>7} {:19} {:>6} {:>6} {:>6} {:>9} {:>9} {:>9} {:>7} {:>9} {:>8} {:>8} {:>5}\n", "sweep", "value", "solid", "hits", "missed",
                "false", "worst", "median", "grazing", "ns", "spawn", "acne/M", "lost/M", "in/out");
     int failed = 0;
     for (const numerics::Sweep& sweep : numerics::sweeps()) {
@@ -39,14 +41,14 @@ int main(int count, char** words)
             for (const double value : sweep.values) {
                 if (!only_solid.empty() && solid != only_solid) continue;
                 std::vector<numerics::Asked> asked;
-                const numerics::Row r = numerics::measure(sweep, solid, value, rays, asked_folder.empty() ? nullptr : &asked);
+                const numerics::Row r = numerics::measure(sweep, solid, value, rays, timed, asked_folder.empty() ? nullptr : &asked);
                 failed += r.passes() ? 0 : 1;
-                fmt::print("{:9} {:7.0e} {:12} {:6} {:6} {:6} {:9.1e} {:9.1e} {:9.1e} {:7.0f} {:9.1e} {:8.0f} {:8.0f} {:5}{}\n", r.sweep, r.value, r.solid, r.hits,
+                fmt::print("{:9} {:7.0e} {:19} {:6} {:6} {:6} {:9.1e} {:9.1e} {:9.1e} {:7.0f} {:9.1e} {:8.0f} {:8.0f} {:5}{}\n", r.sweep, r.value, r.solid, r.hits,
                            r.missed, r.wrong, r.worst, r.median, r.grazing, r.ns, r.spawn, r.acne, r.lost, r.disagree, r.passes() ? "" : "  !");
                 if (table)
                     fmt::print(table, "{},{:g},{},{},{},{},{},{:.3g},{:.3g},{:.3g},{:.1f},{:.3g},{:.1f},{:.1f},{},{:g},{}\n", r.sweep, r.value, r.solid, r.rays, r.hits,
                                r.missed, r.wrong, r.worst, r.median, r.grazing, r.ns, r.spawn, r.acne, r.lost, r.disagree, numerics::bar_of(r.solid), r.passes() ? 1 : 0);
-                if (asked.empty()) continue;
+                if (asked.empty() || sweep.make(solid, value).sdl.empty()) continue;
                 const std::string path = fmt::format("{}/{}_{}_{:g}.csv", asked_folder, sweep.name, solid, value);
                 std::FILE* file = std::fopen(path.c_str(), "w");
                 if (file == nullptr) return fmt::print(stderr, "cannot write {}\n", path), 2;

@@ -1,15 +1,18 @@
 #include "bench/numerics/measure.h"
 
 #include "bench/numerics/oracle.h"
+#include "csg/front.h"
 
+#include <algorithm>
 #include <chrono>
-#include <optional>
 
 namespace numerics {
 namespace {
 
 using csg::Ray;
-constexpr std::uint32_t kMostSpans = 64;
+constexpr std::uint32_t kMostSpans = 160;
+/// A crossing farther than this part of the object's size is another one, not a spawned ray's own start.
+constexpr double kFarStart = 1e-2;
 
 Parts parts(const csg::Solid& solid, const Ray& ray, double shift = 0.0)
 {
@@ -28,19 +31,49 @@ double near(const csg::Solid& solid, const Ray& ray, double otherwise)
     }, solid);
 }
 
-std::vector<double> answered(const csg::Solid& solid, const Ray& ray, std::vector<std::uint32_t>* faces = nullptr)
+csg::Transform frame_of(const csg::Solid& solid)
 {
-    csg::FixedSpans<kMostSpans> spans;
-    std::visit([&](const auto& s) { csg::intersect(s, ray, spans); }, solid);
-    std::vector<double> ends;
-    for (const csg::Span& span : spans)
-        for (const csg::Crossing& end : {span.in, span.out})
-            if (end.t > -csg::kInfinity && end.t < csg::kInfinity) {
-                ends.push_back(end.t);
-                if (faces) faces->push_back(end.face);
-            }
-    return ends;
+    return std::visit([](const auto& s) {
+        if constexpr (requires { s.frame; }) return s.frame;
+        else return csg::Transform{};
+    }, solid);
 }
+
+/// A solid's ends; of a surface what is seen.
+class Answers {
+public:
+    explicit Answers(const Case& given) : solid_(given.solid), surface_(given.form && !given.form->holds)
+    {
+        if (surface_) object_.program = csg::build(csg::Tree::leaf(object_.store.add(solid_)), object_.store);
+    }
+
+    std::vector<double> operator()(const Ray& ray, std::vector<std::uint32_t>* faces = nullptr)
+    {
+        std::vector<double> ends;
+        const auto add = [&](const csg::Crossing& end) {
+            if (!(end.t > -csg::kInfinity && end.t < csg::kInfinity)) return;
+            ends.push_back(end.t);
+            if (faces) faces->push_back(end.face);
+        };
+        if (surface_) {
+            const auto [first, last] = csg::visible_crossings(object_.program, object_.store, ray, -csg::kInfinity, csg::kInfinity, object_.scratch);
+            std::for_each(first, last, add);
+            return ends;
+        }
+        csg::FixedSpans<kMostSpans> spans;
+        std::visit([&](const auto& s) { csg::intersect(s, ray, spans); }, solid_);
+        for (const csg::Span& span : spans) {
+            add(span.in);
+            add(span.out);
+        }
+        return ends;
+    }
+
+private:
+    const csg::Solid& solid_;
+    const bool surface_;
+    csg_test::Object object_;
+};
 
 glm::dvec3 normal(const csg::Solid& solid, const glm::dvec3& p, std::uint32_t face)
 {
@@ -50,16 +83,14 @@ glm::dvec3 normal(const csg::Solid& solid, const glm::dvec3& p, std::uint32_t fa
 /// What one ray adds to a row.
 class Judge {
 public:
-    Judge(const Case& given, Row& row, std::vector<double>& errors) : case_(given), row_(row), errors_(errors), reach_(glm::max(given.distance, given.size)) {}
+    Judge(const Case& given, Row& row, std::vector<double>& errors) : case_(given), answers_(given), band_(band_of(row.solid)), row_(row), errors_(errors), reach_(glm::max(given.distance, given.size)) {}
 
     void ray(const Ray& ray, csg_test::Rng& rng, Asked* asked)
     {
         const double low = case_.distance - 20.0 * case_.size, high = case_.distance + 20.0 * case_.size;
-        const double middle = near(case_.solid, ray, case_.distance);
-        std::vector<Quad> truth = crossings(parts(case_.solid, ray, middle), static_cast<Quad>(low) - middle, static_cast<Quad>(high) - middle);
-        for (Quad& t : truth) t += middle;
         std::vector<std::uint32_t> faces;
-        std::vector<double> ends = answered(case_.solid, ray, &faces);
+        const std::vector<double> ends = answers_(ray, &faces);
+        const std::vector<Quad> truth = truth_of(ray, low, high, case_.distance, ends);
         ++row_.rays;
         std::size_t i = 0, j = 0;
         const double close = 1e-3 * case_.size + 1e-12 * reach_;
@@ -74,11 +105,11 @@ public:
                 error(ray, gap, ends[j], faces[j]);
                 ++i, ++j;
             } else if (!both ? i < truth.size() : gap > 0.0) {
-                const bool tangent = i + 1 < truth.size() && truth[i + 1] - truth[i] < kBand * case_.size + 1e-15 * reach_;
+                const bool tangent = i + 1 < truth.size() && truth[i + 1] - truth[i] < band_ * case_.size + 1e-15 * reach_;
                 row_.missed += tangent ? 0 : 1;
                 i += tangent ? 2 : 1;
             } else {
-                const bool tangent = j + 1 < ends.size() && ends[j + 1] - ends[j] < kBand * case_.size + 1e-15 * reach_;
+                const bool tangent = j + 1 < ends.size() && ends[j + 1] - ends[j] < band_ * case_.size + 1e-15 * reach_;
                 row_.wrong += tangent ? 0 : 1;
                 j += tangent ? 2 : 1;
             }
@@ -88,9 +119,19 @@ public:
     }
 
 private:
+    std::vector<Quad> truth_of(const Ray& ray, double low, double high, double otherwise, const std::vector<double>& told) const
+    {
+        if (case_.form) return crossings(*case_.form, frame_of(case_.solid), ray, low, high, told);
+        const double middle = near(case_.solid, ray, otherwise);
+        std::vector<Quad> truth = crossings(parts(case_.solid, ray, middle), static_cast<Quad>(low) - middle, static_cast<Quad>(high) - middle);
+        for (Quad& t : truth) t += middle;
+        return truth;
+    }
+
     void error(const Ray& ray, double gap, double t, std::uint32_t face)
     {
         ++row_.hits;
+        if (face == csg::kUndrawnFace) return;   // it has no normal, and nothing is spawned there
         const glm::dvec3 p = ray.at(t), n = normal(case_.solid, p, face);
         const double incidence = std::abs(glm::dot(n, ray.direction)), relative = std::abs(gap) / reach_;
         if (incidence < kClear) {
@@ -107,23 +148,26 @@ private:
     {
         ++spawns_;
         double own = csg::kInfinity;
-        for (const double t : answered(case_.solid, ray)) own = glm::min(own, std::abs(t));
-        if (!(own < csg::kInfinity)) return;
+        const std::vector<double> ends = answers_(ray);
+        for (const double t : ends) own = glm::min(own, std::abs(t));
+        if (!(own < kFarStart * case_.size)) return;
         row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
         acne_ += own > kSpawned ? 1 : 0;
-        const double behind = glm::max(2.0 * own, 1e-12 * case_.size);
-        for (const Quad t : crossings(parts(case_.solid, ray), behind, 20.0 * case_.size)) lost_ += t < kSpawned ? 1 : 0;
+        const double behind = glm::max(2.0 * own, (case_.form ? 2.0 * case_.form->bar : 1e-12) * case_.size);
+        for (const Quad t : truth_of(ray, behind, 20.0 * case_.size, 0.0, ends)) lost_ += t < kSpawned ? 1 : 0;
         row_.acne = 1e6 * static_cast<double>(acne_) / static_cast<double>(spawns_);
         row_.lost = 1e6 * static_cast<double>(lost_) / static_cast<double>(spawns_);
     }
 
     void point(const Ray& ray, csg_test::Rng& rng, double low, double high)
     {
-        const glm::dvec3 p = ray.at(rng.uniform(low, high));
+        // Anywhere, or near: in or out as like as not.
+        const double at = rng.coin() ? rng.uniform(low, high) : case_.distance + rng.uniform(-1.2, 1.2) * case_.size;
+        const glm::dvec3 p = ray.at(at);
         const bool held = std::visit([&](const auto& s) { return s.contains(p); }, case_.solid);
-        const Parts all = parts(case_.solid, {p, glm::dvec3(0.0)});
-        if (held == inside(all, 0)) return;
-        ++row_.disagree;
+        if (case_.form && !case_.form->holds) return;
+        const bool is = case_.form ? holds(*case_.form, frame_of(case_.solid), p) : inside(parts(case_.solid, {p, glm::dvec3(0.0)}), 0);
+        row_.disagree += held != is ? 1 : 0;
     }
 
     void first(const Ray& ray, const std::vector<Quad>& truth, Asked& asked) const
@@ -139,6 +183,8 @@ private:
     }
 
     const Case& case_;
+    Answers answers_;
+    const double band_;
     Row& row_;
     std::vector<double>& errors_;
     const double reach_;
@@ -171,25 +217,26 @@ double nanoseconds(const csg::Solid& solid, const std::vector<Ray>& rays)
 
 bool Row::passes() const
 {
-    return missed == 0 && wrong == 0 && disagree == 0 && worst < bar_of(solid);
+    const Form* form = form_of(solid);
+    return (form && form->by_rules) || (missed == 0 && wrong == 0 && disagree == 0 && worst < bar_of(solid));
 }
 
-Row measure(const Sweep& sweep, const std::string& solid, double value, long rays, std::vector<Asked>* asked)
+Row measure(const Sweep& sweep, const std::string& solid, double value, long rays, bool timed, std::vector<Asked>* asked)
 {
     const Case given = sweep.make(solid, value);
     Row row{.sweep = sweep.name, .solid = solid, .value = value};
     std::vector<double> errors;
-    std::vector<Ray> timed;
+    std::vector<Ray> first;
     Judge judge(given, row, errors);
     csg_test::Rng rng(static_cast<std::uint32_t>(std::hash<std::string>{}(sweep.name + solid) + static_cast<std::size_t>(std::llround(100.0 * std::log10(value)))));
     for (long i = 0; i < rays; ++i) {
         const glm::dvec3 origin = given.target + rng.direction() * given.distance;
         const glm::dvec3 aim = given.target + rng.point(given.spread);
         const Ray ray{origin, glm::normalize(aim - origin)};
-        if (timed.size() < 2000) timed.push_back(ray);
+        if (first.size() < 2000) first.push_back(ray);
         judge.ray(ray, rng, asked ? &asked->emplace_back() : nullptr);
     }
-    row.ns = nanoseconds(given.solid, timed);
+    if (timed) row.ns = nanoseconds(given.solid, first);
     if (!errors.empty()) {
         std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
         row.median = errors[errors.size() / 2];

@@ -7,8 +7,6 @@
 
 namespace numerics {
 
-/// Chords shorter than this part of the object's size lie in the tangency band: there a hit may come or go.
-inline constexpr double kBand = 1e-6;
 /// Errors count against the bar where the cosine of incidence is at least this; below it they are told apart.
 inline constexpr double kClear = 0.01;
 /// The renderer's: nearer crossings of a spawned ray do not count.
@@ -34,6 +32,7 @@ struct Asked {
     double t = 0;
 };
 
-Row measure(const Sweep& sweep, const std::string& solid, double value, long rays, std::vector<Asked>* asked);
+/// `timed`: also how long a ray takes.
+Row measure(const Sweep& sweep, const std::string& solid, double value, long rays, bool timed, std::vector<Asked>* asked);
 
 }  // namespace numerics

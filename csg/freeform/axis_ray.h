@@ -60,7 +60,8 @@ public:
     /// The same of r^2 - nearest^2.
     double at_square(double room, double y, double side) const
     {
-        if (rise > run) return at_height(y);
+        // Near the ray's own nearest point the radius says little, the height still does.
+        if (rise > run || room < rise * rise * (room + nearest2_)) return at_height(y);
         const double along = std::sqrt(glm::max(room, 0.0)) / run;
         return (shift_ + ((side < 0.0) == (up_ < 0.0) ? along : -along)) / length_;
     }

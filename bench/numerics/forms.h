@@ -1,0 +1,49 @@
+#pragma once
+
+#include "csg/solid.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Solids without polynomials of their own: judged by their definition, in 64-bit mantissas and by looking everywhere.
+namespace numerics {
+
+using Wide = long double;
+
+struct WidePoint {
+    Wide x = 0, y = 0, z = 0;
+};
+
+/// A form about the origin of its own space, and its definition there.
+struct Form {
+    std::string name;
+    /// In a frame that takes lengths `scale` times as large.
+    std::function<csg::Solid(const csg::Transform& frame, double scale)> make;
+    /// Of a solid: whether it holds a point.
+    std::function<bool(const WidePoint&)> holds = {};
+    /// Of a surface: all s where from + s way meets it, in any order.
+    std::function<std::vector<Wide>(const WidePoint& from, const WidePoint& way)> meets = {};
+    double reach = 2.0;        ///< it lies within this distance of the origin
+    double bar = 1e-11;        ///< the worst error that a hit may show, of the larger of distance and size
+    double band = 1e-6;        ///< shorter chords, of the size, may come or go
+    int looks = 400;           ///< places on a ray that the definition is asked at, before crossings are closed in on
+    bool first_only = false;   ///< no more is told than the nearest
+    bool by_rules = false;     ///< POV-Ray's steps and shifts are kept on purpose: told, but held to no bar
+};
+
+const std::vector<Form>& forms();
+const Form* form_of(const std::string& name);
+
+/// Parameters in [low, high] where a ray crosses the form in the frame of the solid made, ascending. `told`: what is judged; the definition is asked
+/// between these places too, so that a narrow piece that was found is not called false.
+std::vector<__float128> crossings(const Form& form, const csg::Transform& frame, const csg::Ray& ray, double low, double high,
+                                  const std::vector<double>& told);
+bool holds(const Form& form, const csg::Transform& frame, const glm::dvec3& p);
+
+std::vector<Form> surface_forms();
+std::vector<Form> outline_forms();
+std::vector<Form> field_forms();
+
+}  // namespace numerics
