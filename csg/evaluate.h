@@ -80,6 +80,9 @@ private:
             if constexpr (std::is_same_v<T, Triangle>) {
                 out.clear();  // bounds nothing, inverted or not
             } else {
+                if constexpr (std::is_same_v<T, Freeform>) {
+                    if (solid.surface()) return out.clear();
+                }
                 // POV-Ray negates an inverted quadric's coefficients and its normal too: the normal stays (spec 5a, 2.5).
                 const bool turned = node.inverted && !std::is_same_v<T, Quadric>;
                 const bool closed = holds_surface(solid, node.inverted);

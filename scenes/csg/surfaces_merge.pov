@@ -1,0 +1,6 @@
+// Merge of a solid with each operand that bounds nothing.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+#include "surface_operands.inc"
+#macro Pair(A, B) merge { object { A } object { B } } #end
+Pairs()

@@ -1,0 +1,6 @@
+// Union of a solid with each operand that bounds nothing.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+#include "surface_operands.inc"
+#macro Pair(A, B) union { object { A } object { B } } #end
+Pairs()
