@@ -1,5 +1,7 @@
+#include "csg/quadric_box.h"
 #include "render/plan/extent.h"
 #include "render/plan/geometry.h"
+#include "render/plan/solids.h"
 
 namespace plan {
 namespace {
@@ -59,6 +61,11 @@ void GeometryCompiler::add_gate(const scene::Object& object, const Inherited& ow
         moved.transform_by(parent);
         const csg::Aabb box = described_extent(moved);
         if (glm::all(glm::lessThan(glm::max(glm::abs(box.lower), glm::abs(box.upper)), glm::dvec3(kUnbounded)))) gate.box = gate.box.intersected(box);
+    }
+    if (std::holds_alternative<scene::Quadric>(object.shape) && gate.box.finite()) {
+        // What the clips' boxes leave of an endless quadric.
+        const csg::Solid whole = world_solid(object.shape, own.to_world);
+        if (const auto* quadric = std::get_if<csg::Quadric>(&whole)) gate.box = csg::quadric_box(*quadric, {}, gate.box);
     }
     if (!object.bounded_by.empty() && !object.bounded_by_clip && keeps_bounds(object, drawn)) {
         for (const scene::Object& bound : object.bounded_by) must_meet(clip_tree(bound, parent));
