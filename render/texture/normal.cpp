@@ -119,9 +119,10 @@ glm::dvec3 by_map(const TextureSet& set, const Normal& normal, const Pattern& pa
         return sum / weights;
     }
     const Blend b = blend_at(set, normal.first, normal.count, pattern_value(set, pattern, p, around));
-    const glm::dvec3 lower = perturb(set, set.children[b.lower], n, p, around);
-    if (b.lower == b.upper) return lower;
-    return (1.0 - b.share) * lower + b.share * perturb(set, set.children[b.upper], n, p, around);
+    // The upper one first: a slope in the lower one sees the normal that it leaves.
+    const glm::dvec3 upper = perturb(set, set.children[b.upper], n, p, around);
+    if (b.lower == b.upper) return upper;
+    return (1.0 - b.share) * perturb(set, set.children[b.lower], n, p, around) + b.share * upper;
 }
 
 }  // namespace

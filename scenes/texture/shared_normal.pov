@@ -16,5 +16,6 @@ sphere { <1.4, 1.7, 0>, 1.3 texture { gradient x texture_map { [0 Slope] [1 Bump
 sphere { <4.2, 1.7, 0>, 1.3 texture { average texture_map { [1 Bumpy] [1 pigment { aoi color_map { Steep } }] [2 Slope] } } }
 sphere { <-4.2, -1.5, 0>, 1.3 texture { pigment { slope y color_map { Steep } } } texture { pigment { rgbt <1, 1, 1, 0.7> } normal { bumps 1 scale 0.3 } } }
 sphere { <-1.4, -1.5, 0>, 1.3 texture { pigment { slope y color_map { Steep } } normal { bumps 1 scale <0.2, 0.5, 0.3> no_bump_scale } } }
-sphere { <1.4, -1.5, 0>, 1.3 texture { pigment { slope x color_map { Steep } } normal { gradient x normal_map { [0 slope y 2 sine_wave] [1 bumps 1 scale 0.3] } } } }
+#declare Steeper = normal { slope y normal_map { [0.25 marble 2 scale 0.3] [0.5 ripples 1 scale 0.2] [0.6 bozo 2 scale 0.3] } scale <0.6, 1, 1.3> }
+sphere { <1.4, -1.5, 0>, 1.3 texture { pigment { rgb <0.8, 0.7, 0.6> } normal { gradient x normal_map { [0 Steeper] [1 leopard 2 scale 0.05] } rotate 30 } } }
 sphere { <4.2, -1.5, 0>, 1.3 texture { pigment { rgb 1 } normal { density_file df3 "cells.df3", 3 interpolate 1 scale 2.8 translate <2.8, -2.9, -1.6> } finish { phong 0.5 } } }
