@@ -54,7 +54,6 @@ void add_layer(Context& context, HitContext& hit, const texture::Layer& layer, c
     const auto& set = context.scene.textures;
     const plan::Settings& settings = context.scene.settings;
     const texture::Finish& finish = set.finishes[layer.finish];
-    if (texture::pigment_missing(set, layer.pigment, p, hit.around)) return;
     const glm::dvec3 normal = layer_normal(context, hit, layer.normal, p);
     if (stack.count == 0) stack.top_normal = normal;
     const scene::Color c = texture::pigment_color(set, layer.pigment, p, hit.around);

@@ -1,4 +1,5 @@
-// Pictures that let light through: a GIF's transparent colour, alpha, colours already multiplied by it.
+// Pictures that let light through: a GIF's transparent colour, alpha, colours already multiplied by it;
+// and where a picture is not, its layer still shines.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <0, 0, -10> right 8*x up 6*y direction z }
@@ -11,7 +12,7 @@ plane { -z, -1 pigment { checker rgb 1, rgb <0.2, 0.3, 0.5> scale 0.25 } finish 
 object { Sheet pigment { image_map { gif "shapes.gif" } } finish { Bright } Place(0, 2) }
 object { Sheet pigment { image_map { gif "shapes.gif" interpolate 2 } } finish { Bright } Place(1, 2) }
 object { Sheet pigment { image_map { gif "shapes.gif" transmit 1 0.7 filter 2 0.5 } } finish { Bright } Place(2, 2) }
-object { Sheet pigment { image_map { gif "shapes.gif" once } scale 0.6 } finish { Bright } Place(3, 2) }
+object { Sheet pigment { image_map { gif "shapes.gif" once } scale 0.6 } finish { Bright phong 0.6 phong_size 2 } Place(3, 2) }
 object { Sheet pigment { image_map { png "glow.png" } } finish { Bright } Place(0, 1) }
 object { Sheet pigment { image_map { png "glow.png" premultiplied on } } finish { Bright } Place(1, 1) }
 object { Sheet pigment { image_map { png "glow.png" premultiplied on interpolate 2 } } finish { Bright } Place(2, 1) }
