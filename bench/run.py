@@ -10,6 +10,7 @@ Exit status 1 if a ratio is below the bar or a picture is wrong. Run it on a mac
 """
 import argparse
 import csv
+import os
 import pathlib
 import re
 import statistics
@@ -37,16 +38,31 @@ class Failure(Exception):
     """A program that did not render, with the end of what it said."""
 
 
-def trace_seconds(program, pattern, scene, size, threads, picture):
-    """Renders once and returns the seconds of tracing that the program itself reports."""
+def rendered(program, scene, size, threads, picture):
+    """Renders once; what the program says, and the most memory that it had, in bytes."""
     command = [program, f"+I{scene.name}", f"+O{picture}", f"+W{size[0]}", f"+H{size[1]}", "-A", "-D", "-P",
                f"+WT{threads}", "+FN8"]
-    done = subprocess.run(command, cwd=scene.parent, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, errors="replace")
-    found = pattern.search(done.stdout)
-    if done.returncode != 0 or not found:
-        raise Failure(f"{' '.join(command)}: exit status {done.returncode}\n{done.stdout[-600:]}")
+    with subprocess.Popen(command, cwd=scene.parent, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors="replace") as running:
+        said = running.stdout.read()
+        _, status, used = os.wait4(running.pid, 0)
+        running.returncode = os.waitstatus_to_exitcode(status)
+    if running.returncode != 0:
+        raise Failure(f"{' '.join(command)}: exit status {running.returncode}\n{said[-600:]}")
+    return said, used.ru_maxrss * 1024
+
+
+def seconds(said, pattern):
+    """What of the time that a program tells the pattern finds."""
+    found = pattern.search(said)
+    if not found:
+        raise Failure(f"no time in what was said:\n{said[-600:]}")
     return float(found.group(1))
+
+
+def trace_seconds(program, pattern, scene, size, threads, picture):
+    """Renders once and returns the seconds of tracing that the program itself reports."""
+    return seconds(rendered(program, scene, size, threads, picture)[0], pattern)
 
 
 def agreement(whittle, reference, actual):
