@@ -229,8 +229,6 @@ scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source)
     }
     if (!declared && s.data->faces.empty()) build.stream().fail(source, "this mesh has no triangles");
     object = finish_mesh(s, std::move(object), declared);
-    // `inside_vector` may also follow the modifiers.
-    if (table<MeshState, inside_vector>::match(build, s)) read_modifiers(build, object);
     build.close_block("mesh", opened);
     return object;
 }
