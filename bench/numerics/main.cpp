@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -10,7 +11,7 @@
 /// The laboratory: error of every solver against a 113-bit oracle, beside its time (docs/numerics.md).
 int main(int count, char** words)
 {
-    std::map<std::string, std::string> options{{"--rays", "20000"}, {"--sweep", ""}, {"--solid", ""}, {"--csv", ""}, {"--asked", ""}};
+    std::map<std::string, std::string> options{{"--rays", "20000"}, {"--sweep", ""}, {"--solid", ""}, {"--value", ""}, {"--csv", ""}, {"--asked", ""}};
     bool check = false, timed = true;
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
@@ -22,7 +23,7 @@ int main(int count, char** words)
         } else if (option != options.end() && i + 1 < count) {
             option->second = words[++i];
         } else {
-            fmt::print(stderr, "usage: numerics_lab [--rays N] [--sweep NAME] [--solid NAME] [--csv FILE] [--asked FOLDER] [--check] [--untimed]\n");
+            fmt::print(stderr, "usage: numerics_lab [--rays N] [--sweep NAME] [--solid NAME] [--value V] [--csv FILE] [--asked FOLDER] [--check] [--untimed]\n");
             return 2;
         }
     }
@@ -40,6 +41,7 @@ int main(int count, char** words)
         for (const std::string& solid : sweep.solids)
             for (const double value : sweep.values) {
                 if (!only_solid.empty() && solid != only_solid) continue;
+                if (!options["--value"].empty() && std::abs(value / std::atof(options["--value"].c_str()) - 1.0) > 1e-9) continue;
                 std::vector<numerics::Asked> asked;
                 const numerics::Row r = numerics::measure(sweep, solid, value, rays, timed, asked_folder.empty() ? nullptr : &asked);
                 failed += r.passes() ? 0 : 1;
