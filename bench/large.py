@@ -17,7 +17,7 @@ import re
 import sys
 import tempfile
 
-from run import HERE, POVRAY_TRACE, WHITTLE_TRACE, Failure, agreement, rendered, seconds
+from speed import HERE, POVRAY_TRACE, WHITTLE_TRACE, Failure, agreement, rendered, seconds
 
 SIZE = (640, 480)   # fewer pixels and most of 10^5 balls are smaller than one: tiles of rays lose their coherence
 NUMBERS = {"union": [10**3, 10**4, 10**5], "mesh": [10**4, 10**5, 10**6], "difference": [10, 10**2, 10**3]}
