@@ -1,5 +1,6 @@
 #include "render/texture/angle.h"
 #include "render/texture/noise.h"
+#include "render/texture/noise_points.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
@@ -41,28 +42,9 @@ double dents(const Pattern& pattern, const glm::dvec3& p)
     return n * n * n;
 }
 
-double granite(const Pattern& pattern, const glm::dvec3& p)
-{
-    double sum = 0.0, scale = 1.0;
-    for (int i = 0; i < 6; ++i) {
-        const double n = noise(4.0 * scale * p, pattern.noise_generator);
-        const double g = pattern.noise_generator == 1 ? std::abs(0.5 - n) : std::min(0.5, std::abs(1.0 - 2.0 * n));
-        sum += g / scale;
-        scale *= 2.0;
-    }
-    return sum;
-}
+double granite(const Pattern& pattern, const glm::dvec3& p) { return octaves_at(p, OctaveSum::Granite, pattern.noise_generator); }
 
-double wrinkles(const Pattern& pattern, const glm::dvec3& p)
-{
-    double sum = 0.0, scale = 1.0;
-    for (int i = 0; i < 10; ++i) {
-        const double n = noise(scale * p, pattern.noise_generator);
-        sum += (pattern.noise_generator == 1 ? n : std::clamp(2.0 * n - 0.5, 0.0, 1.0)) / scale;
-        scale *= 2.0;
-    }
-    return sum / 2.0;
-}
+double wrinkles(const Pattern& pattern, const glm::dvec3& p) { return octaves_at(p, OctaveSum::Wrinkles, pattern.noise_generator); }
 
 double agate(const Pattern& pattern, const glm::dvec3& p)
 {

@@ -1,0 +1,289 @@
+#include "render/texture/noise_points.h"
+
+#include "render/texture/lattice.h"
+#include "render/texture/noise.h"
+
+#include <cmath>
+
+namespace texture {
+namespace {
+
+using csg::lanes::Double;
+using csg::lanes::kDoubles;
+constexpr std::size_t kLanes = static_cast<std::size_t>(kDoubles);
+
+/// Toward zero to 32 bits and back; out of range and NaN give the least integer. `index`: the numbers of the cells.
+inline Double truncated(const Double& v, std::uint32_t* index)
+{
+#if defined(__AVX512F__)
+    const __m256i i = _mm512_cvttpd_epi32(v.data), offset = _mm256_set1_epi32(kCellOffset), mask = _mm256_set1_epi32(kLatticeMask);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(index), _mm256_and_si256(_mm256_add_epi32(i, offset), mask));
+    return Double(_mm512_cvtepi32_pd(i));
+#else
+    const __m128i offset = _mm_set1_epi32(kCellOffset), mask = _mm_set1_epi32(kLatticeMask);
+#if defined(__AVX__)
+    const __m128i i = _mm256_cvttpd_epi32(v.data);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(index), _mm_and_si128(_mm_add_epi32(i, offset), mask));
+    return Double(_mm256_cvtepi32_pd(i));
+#else
+    const __m128i i = _mm_cvttpd_epi32(v.data);
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(index), _mm_and_si128(_mm_add_epi32(i, offset), mask));
+    return Double(_mm_cvtepi32_pd(i));
+#endif
+#endif
+}
+
+/// One coordinate of as many points as there are lanes, in their cells.
+struct Axis {
+    Double fraction, weight;
+    std::uint32_t index[kLanes];
+
+    /// True if all are in one cell.
+    bool prepare(const double* at)
+    {
+        const Double v = Double::load_aligned(at), zero(0.0);
+        const Double moved = xsimd::select(v >= zero, v, v - Double(kNearlyOne));
+        const Double whole = truncated(moved.data, index);
+        fraction = v - whole;
+        weight = smooth(fraction);
+        return csg::lanes::mask(whole == Double(whole.get(0))) == (1u << kLanes) - 1;
+    }
+};
+
+/// The sums of points in one cell: points in lanes, rows broadcast.
+template <int Rows>
+void shared_cell(const Axis& x, const Axis& y, const Axis& z, const double* lattice, double* const (&out)[Rows])
+{
+    const double* rows[8];
+    corner_rows(x.index[0], y.index[0], z.index[0], lattice, rows);
+    const Double one(1.0), sx = x.weight, sy = y.weight, sz = z.weight, tx = one - sx, ty = one - sy, tz = one - sz;
+    for (int r = 0; r < Rows; ++r) {
+        const auto part = [&](std::size_t k, const auto& factor) {
+            const std::size_t e = 4 * static_cast<std::size_t>(r) + k;
+            const auto corner = [&](int c) { return factor(c) * Double(rows[c][e]); };
+            const Double low = (corner(0) * tx + corner(1) * sx) * ty + (corner(2) * tx + corner(3) * sx) * sy;
+            const Double high = (corner(4) * tx + corner(5) * sx) * ty + (corner(6) * tx + corner(7) * sx) * sy;
+            return low * tz + high * sz;
+        };
+        const Double fx = x.fraction, fy = y.fraction, fz = z.fraction, gx = fx - one, gy = fy - one, gz = fz - one, half(0.5);
+        const Double p0 = part(0, [&](int) { return half; }), p1 = part(1, [&](int c) { return (c & 1) != 0 ? gx : fx; });
+        const Double p2 = part(2, [&](int c) { return (c & 2) != 0 ? gy : fy; }), p3 = part(3, [&](int c) { return (c & 4) != 0 ? gz : fz; });
+        ((p0 + p1) + (p2 + p3)).store_aligned(out[r]);
+    }
+}
+
+/// Each point in its own cell: parts in lanes.
+template <int Rows>
+void own_cells(const Axis& x, const Axis& y, const Axis& z, std::size_t count, const double* lattice, double* const (&out)[Rows])
+{
+    alignas(64) double f[6][kLanes];
+    x.fraction.store_aligned(f[0]);
+    y.fraction.store_aligned(f[1]);
+    z.fraction.store_aligned(f[2]);
+    x.weight.store_aligned(f[3]);
+    y.weight.store_aligned(f[4]);
+    z.weight.store_aligned(f[5]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* rows[8];
+        corner_rows(x.index[i], y.index[i], z.index[i], lattice, rows);
+        double sums[Rows];
+        row_sums<Rows>({f[0][i], f[1][i], f[2][i], f[3][i], f[4][i], f[5][i]}, rows, sums);
+        for (int r = 0; r < Rows; ++r) out[r][i] = sums[r];
+    }
+}
+
+/// `Rows` sums of every point; `first`: of the rows, 0 to 2.
+template <int Rows>
+void lattice_points(const Points& p, std::size_t first, const std::array<double*, Rows>& out)
+{
+    const double* lattice = kNoiseTables.lattice.data() + 4 * first;
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        Axis x, y, z;
+        const bool in_x = x.prepare(p.x.data() + i), in_y = y.prepare(p.y.data() + i), in_z = z.prepare(p.z.data() + i);
+        double* at[Rows];
+        for (std::size_t r = 0; r < Rows; ++r) at[r] = out[r] + i;
+        if (in_x && in_y && in_z) shared_cell<Rows>(x, y, z, lattice, at);
+        else own_cells<Rows>(x, y, z, std::min(kLanes, p.size() - i), lattice, at);
+    }
+}
+
+/// f of every value, a vector at a time.
+template <class F>
+inline void each(std::size_t count, F&& f)
+{
+    for (std::size_t i = 0; i < count; i += kLanes) f(i);
+}
+
+inline Double get(const Values& v, std::size_t i) { return Double::load_aligned(v.data() + i); }
+inline void put(Values& v, std::size_t i, const Double& d) { d.store_aligned(v.data() + i); }
+
+/// std::clamp(v, 0.0, 1.0), NaN and signs of zero as there.
+inline Double clamp01(const Double& v)
+{
+    const Double zero(0.0), one(1.0);
+    return xsimd::select(v < zero, zero, xsimd::select(one < v, one, v));
+}
+
+void scale(const Points& p, double by, Points& out)
+{
+    const Double factor(by);
+    out.count = p.count;
+    each(p.size(), [&](std::size_t i) {
+        put(out.x, i, factor * get(p.x, i));
+        put(out.y, i, factor * get(p.y, i));
+        put(out.z, i, factor * get(p.z, i));
+    });
+}
+
+/// What the octave of this scale adds to granite or wrinkles.
+inline Double octave_term(const Double& n, OctaveSum kind, int generator, const Double& scale)
+{
+    if (kind == OctaveSum::Wrinkles) return (generator == 1 ? n : clamp01(Double(2.0) * n - Double(0.5))) / scale;
+    if (generator == 1) return xsimd::abs(Double(0.5) - n) / scale;
+    const Double half(0.5), g = xsimd::abs(Double(1.0) - Double(2.0) * n);
+    return xsimd::select(g < half, g, half) / scale;
+}
+
+constexpr int octaves_of(OctaveSum kind) { return kind == OctaveSum::Granite ? 6 : 10; }
+constexpr double first_scale(OctaveSum kind) { return kind == OctaveSum::Granite ? 4.0 : 1.0; }
+constexpr double last_factor(OctaveSum kind) { return kind == OctaveSum::Granite ? 1.0 : 0.5; }
+
+}  // namespace
+
+void noise_points(const Points& p, int generator, Values& out)
+{
+    if (generator == 3) {
+        for (std::size_t i = 0; i < p.size(); ++i) out[i] = noise(p.at(i), 3);
+        return;
+    }
+    lattice_points<1>(p, 0, {out.data()});
+    each(p.size(), [&](std::size_t i) {
+        const Double raw = get(out, i);
+        put(out, i, clamp01(generator == 1 ? raw + Double(0.5) : (raw + Double(1.05242)) * Double(0.48985582)));
+    });
+}
+
+void vector_noise_points(const Points& p, unsigned live, Points& out)
+{
+    out.count = p.count;
+    switch (live) {
+    case 1: return lattice_points<1>(p, 0, {out.x.data()});
+    case 2: return lattice_points<1>(p, 1, {out.y.data()});
+    case 4: return lattice_points<1>(p, 2, {out.z.data()});
+    case 3: return lattice_points<2>(p, 0, {out.x.data(), out.y.data()});
+    case 6: return lattice_points<2>(p, 1, {out.y.data(), out.z.data()});
+    default: return lattice_points<3>(p, 0, {out.x.data(), out.y.data(), out.z.data()});
+    }
+}
+
+void vector_turbulence_points(const Points& p, int octaves, double lambda, double omega, unsigned live, Points& out)
+{
+    vector_noise_points(p, live, out);
+    double l = lambda, o = omega;
+    Points scaled, term;
+    for (int k = 1; k < octaves; ++k) {
+        scale(p, l, scaled);
+        vector_noise_points(scaled, live, term);
+        const Double share(o);
+        const auto add = [&](unsigned bit, Values& to, const Values& from) {
+            if ((live & bit) != 0) each(p.size(), [&](std::size_t i) { put(to, i, get(to, i) + share * get(from, i)); });
+        };
+        add(1, out.x, term.x);
+        add(2, out.y, term.y);
+        add(4, out.z, term.z);
+        l *= lambda;
+        o *= omega;
+    }
+}
+
+void scalar_turbulence_points(const Points& p, int octaves, double lambda, double omega, int generator, Values& out)
+{
+    const auto term = [&](const Values& n, std::size_t i) { return generator == 1 ? get(n, i) : Double(2.0) * get(n, i) - Double(0.5); };
+    Values n;
+    noise_points(p, generator, n);
+    each(p.size(), [&](std::size_t i) { put(out, i, generator == 1 ? term(n, i) : clamp01(term(n, i))); });
+    double l = lambda, o = omega;
+    Points scaled;
+    for (int k = 1; k < octaves; ++k) {
+        scale(p, l, scaled);
+        noise_points(scaled, generator, n);
+        const Double share(o);
+        each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) + share * term(n, i)); });
+        l *= lambda;
+        o *= omega;
+    }
+}
+
+void octave_points(const Points& p, OctaveSum kind, int generator, Values& out)
+{
+    Values n;
+    Points scaled;
+    each(p.size(), [&](std::size_t i) { put(out, i, Double(0.0)); });
+    double factor = 1.0;
+    for (int k = 0; k < octaves_of(kind); ++k, factor *= 2.0) {
+        scale(p, first_scale(kind) * factor, scaled);
+        noise_points(scaled, generator, n);
+        each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) + octave_term(get(n, i), kind, generator, Double(factor))); });
+    }
+    each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) * Double(last_factor(kind))); });
+}
+
+double octaves_at(const glm::dvec3& p, OctaveSum kind, int generator)
+{
+    Points at;
+    Values n, factors;
+    double factor = 1.0;
+    for (int k = 0; k < octaves_of(kind); ++k, factor *= 2.0) {
+        factors[at.size()] = factor;
+        at.add(first_scale(kind) * factor * p);
+    }
+    at.pad();
+    for (std::size_t i = at.size(); i < kMostPoints && i % kLanes != 0; ++i) factors[i] = 1.0;
+    noise_points(at, generator, n);
+    each(at.size(), [&](std::size_t i) { put(n, i, octave_term(get(n, i), kind, generator, get(factors, i))); });
+    double sum = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) sum += n[i];
+    return sum * last_factor(kind);
+}
+
+glm::dvec3 vector_turbulence(const glm::dvec3& p, int octaves, double lambda, double omega)
+{
+    glm::dvec3 sum = vector_noise(p);
+    double l = lambda, o = omega;
+    Points at, n;
+    Values shares;
+    for (int k = 1; k < octaves;) {
+        at.count = 0;
+        for (; k < octaves && at.count < kMostPoints; ++k, l *= lambda, o *= omega) {
+            shares[at.size()] = o;
+            at.add(l * p);
+        }
+        at.pad();
+        vector_noise_points(at, 7, n);
+        for (std::size_t i = 0; i < at.size(); ++i) sum += shares[i] * n.at(i);
+    }
+    return sum;
+}
+
+double scalar_turbulence(const glm::dvec3& p, int octaves, double lambda, double omega, int generator)
+{
+    const auto term = [generator](double n) { return generator == 1 ? n : 2.0 * n - 0.5; };
+    const double first = term(noise(p, generator));
+    double sum = generator == 1 ? first : std::clamp(first, 0.0, 1.0);
+    double l = lambda, o = omega;
+    Points at;
+    Values n, shares;
+    for (int k = 1; k < octaves;) {
+        at.count = 0;
+        for (; k < octaves && at.count < kMostPoints; ++k, l *= lambda, o *= omega) {
+            shares[at.size()] = o;
+            at.add(l * p);
+        }
+        at.pad();
+        noise_points(at, generator, n);
+        for (std::size_t i = 0; i < at.size(); ++i) sum += shares[i] * term(n[i]);
+    }
+    return sum;
+}
+
+}  // namespace texture

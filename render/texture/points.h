@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace texture {
+
+inline constexpr int kMostPoints = 64;   ///< a tile's
+
+/// A value for each of some points; what lies behind the last one is anything.
+struct alignas(64) Values {
+    std::array<double, kMostPoints> v;
+    double& operator[](std::size_t i) { return v[i]; }
+    double operator[](std::size_t i) const { return v[i]; }
+    double* data() { return v.data(); }
+    const double* data() const { return v.data(); }
+};
+
+/// Up to 64 points side by side, or an octave each of one point.
+struct Points {
+    Values x, y, z;
+    int count = 0;
+
+    std::size_t size() const { return static_cast<std::size_t>(count); }
+    glm::dvec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    void set(std::size_t i, const glm::dvec3& p)
+    {
+        x[i] = p.x;
+        y[i] = p.y;
+        z[i] = p.z;
+    }
+    void add(const glm::dvec3& p) { set(static_cast<std::size_t>(count++), p); }
+
+    /// Repeats the last point up to the end of its vector, so that nothing there is in a cell of its own.
+    void pad()
+    {
+        for (std::size_t i = size(), end = std::min<std::size_t>((i + 7) & ~std::size_t{7}, kMostPoints); i < end; ++i) set(i, at(size() - 1));
+    }
+};
+
+}  // namespace texture
