@@ -23,6 +23,9 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
 /// Value after frequency, phase and wave form at a warped point (spec 4, section 4).
 double pattern_value(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around);
 
+/// A raw value after frequency, phase and wave form.
+double waved(const Pattern& pattern, double raw);
+
 /// Two neighbouring entries of a map and the share of the upper one; lower == upper: that entry alone.
 struct Blend {
     std::uint32_t lower = 0, upper = 0;  ///< indices into keys
@@ -34,6 +37,10 @@ Blend blend_at(const TextureSet& set, std::uint32_t first, std::uint32_t count, 
 
 /// Per component: differences single, product with the double share rounded, sum single (spec 4, 9.2).
 scene::Color mix(const scene::Color& lower, const scene::Color& upper, double share);
+
+/// Sums of an average: weighted colours are added, then divided by the sum of the weights; single precision.
+void add_weighted(scene::Color& sum, float weight, const scene::Color& c);
+scene::Color divided(const scene::Color& sum, float weights);
 
 scene::Color pigment_color(const TextureSet& set, std::uint32_t pigment, const glm::dvec3& p,
                            const Surroundings& around);

@@ -46,7 +46,9 @@ struct Axis {
         const Double whole = truncated(moved.data, index);
         fraction = v - whole;
         weight = smooth(fraction);
-        return csg::lanes::mask(whole == Double(whole.get(0))) == (1u << kLanes) - 1;
+        alignas(64) double cells[kLanes];
+        whole.store_aligned(cells);
+        return csg::lanes::mask(whole == Double(cells[0])) == (1u << kLanes) - 1;
     }
 };
 

@@ -10,6 +10,14 @@ namespace {
 
 constexpr double kModulus = 1.00001;  // keeps an exact 1 from wrapping to 0 (spec 4, section 4)
 
+/// fmod(v, kModulus), which is exact: a difference is too as long as it is below the modulus.
+double folded(double v)
+{
+    const double size = std::abs(v);
+    if (size < kModulus) return v;
+    return size < 2.0 * kModulus ? std::copysign(size - kModulus, v) : std::fmod(v, kModulus);
+}
+
 double wave(const Pattern& pattern, double v)
 {
     switch (pattern.wave) {
@@ -90,12 +98,17 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
     return 0.0;
 }
 
-double pattern_value(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around)
+double waved(const Pattern& pattern, double raw)
 {
-    double v = raw_pattern(set, pattern, p, around);
-    if (pattern.folds) v = std::fmod(v * pattern.frequency + pattern.phase, kModulus);
+    double v = raw;
+    if (pattern.folds) v = folded(v * pattern.frequency + pattern.phase);
     if (v < 0.0) v -= std::floor(v);
     return wave(pattern, v);
+}
+
+double pattern_value(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around)
+{
+    return waved(pattern, raw_pattern(set, pattern, p, around));
 }
 
 }  // namespace texture

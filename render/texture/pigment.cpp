@@ -23,6 +23,20 @@ scene::Color mix(const scene::Color& lower, const scene::Color& upper, double sh
             one(lower.filter, upper.filter), one(lower.transmit, upper.transmit)};
 }
 
+void add_weighted(scene::Color& sum, float weight, const scene::Color& c)
+{
+    sum.red += weight * c.red;
+    sum.green += weight * c.green;
+    sum.blue += weight * c.blue;
+    sum.filter += weight * c.filter;
+    sum.transmit += weight * c.transmit;
+}
+
+scene::Color divided(const scene::Color& sum, float weights)
+{
+    return {sum.red / weights, sum.green / weights, sum.blue / weights, sum.filter / weights, sum.transmit / weights};
+}
+
 namespace {
 
 constexpr scene::Color kNoColor{1, 1, 1, 0, 1};  // of a picture where it is not (spec 4, 11)
@@ -36,13 +50,9 @@ scene::Color average_color(const TextureSet& set, const Pigment& pigment, const 
         const scene::Color c = pigment_color(set, set.children[i], p, around);
         const float w = set.keys[i];
         weights += w;
-        sum.red += w * c.red;
-        sum.green += w * c.green;
-        sum.blue += w * c.blue;
-        sum.filter += w * c.filter;
-        sum.transmit += w * c.transmit;
+        add_weighted(sum, w, c);
     }
-    return {sum.red / weights, sum.green / weights, sum.blue / weights, sum.filter / weights, sum.transmit / weights};
+    return divided(sum, weights);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "render/texture/angle.h"
-#include "render/texture/evaluate.h"
+#include "csg/lanes.h"
+#include "render/texture/evaluate_points.h"
 #include "render/texture/noise.h"
+#include "render/texture/noise_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +128,83 @@ struct Apply {
     }
 };
 
+using csg::lanes::Double;
+
+/// A warp over many points.
+struct ApplyToAll {
+    Points& p;
+    unsigned live;   ///< of turbulence
+
+    /// False where some point is so far out that sums of noise may overflow: NaN times 0 is NaN.
+    bool near() const
+    {
+        constexpr double kFar = 1e9;
+        bool all = true;
+        for (std::size_t i = 0; i < p.size(); ++i) all &= std::abs(p.x[i]) < kFar && std::abs(p.y[i]) < kFar && std::abs(p.z[i]) < kFar;
+        return all;
+    }
+
+    void operator()(const Affine& t) const
+    {
+        const auto& m = t.linear;
+        for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+            const Double x = Double::load_aligned(p.x.data() + i), y = Double::load_aligned(p.y.data() + i), z = Double::load_aligned(p.z.data() + i);
+            const auto row = [&](int k) { return Double(m[0][k]) * x + Double(m[1][k]) * y + Double(m[2][k]) * z + Double(t.offset[k]); };
+            const Double a = row(0), b = row(1), c = row(2);
+            a.store_aligned(p.x.data() + i);
+            b.store_aligned(p.y.data() + i);
+            c.store_aligned(p.z.data() + i);
+        }
+    }
+
+    void operator()(const scene::Turbulence& t) const
+    {
+        unsigned moved = 0;
+        for (int k = 0; k < 3; ++k)
+            if (t.amount[k] != 0.0) moved |= 1u << k;
+        moved &= live;
+        if (!near()) moved = kAllLive;
+        if (moved == 0) return;
+        Points d;
+        vector_turbulence_points(p, t.octaves, t.lambda, t.omega, moved, d);
+        const auto move = [&](unsigned bit, Values& to, const Values& by, double amount) {
+            if ((moved & bit) != 0)
+                for (std::size_t i = 0; i < p.size(); ++i) to[i] += amount * by[i];
+        };
+        move(1, p.x, d.x, t.amount.x);
+        move(2, p.y, d.y, t.amount.y);
+        move(4, p.z, d.z, t.amount.z);
+        p.pad();
+    }
+
+    template <class Other>
+    void operator()(const Other& warp) const
+    {
+        for (std::size_t i = 0; i < p.size(); ++i) p.set(i, Apply{p.at(i)}(warp));
+        p.pad();
+    }
+};
+
+void hold(Values& v, std::size_t count)
+{
+    const Double least(-kFarthest), most(kFarthest);
+    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) {
+        const Double a = Double::load_aligned(v.data() + i), b = xsimd::select(a < least, least, a);
+        xsimd::select(most < b, most, b).store_aligned(v.data() + i);
+    }
+}
+
 }  // namespace
+
+void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsigned live)
+{
+    for (std::uint32_t i = 0; i < pattern.warp_count; ++i)
+        std::visit(ApplyToAll{p, kAllLive}, set.warps[pattern.first_warp + i]);
+    if (pattern.displaces) ApplyToAll{p, live}(pattern.turbulence);
+    hold(p.x, p.size());
+    hold(p.y, p.size());
+    hold(p.z, p.size());
+}
 
 glm::dvec3 warp_point(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p)
 {

@@ -50,6 +50,7 @@ struct HitContext : HitPlace {
     texture::Surroundings around;
     std::array<std::uint32_t, 8> enclosing{};  ///< patterns of the texture maps around, outside in
     std::size_t enclosing_count = 0;
+    const LayersAhead* ahead = nullptr;   ///< pigments of the texture's layers, where they are known already
 };
 
 /// Colour along a ray. `straight`: an unbent continuation, which uses no level (spec 3, section 2).
@@ -66,9 +67,9 @@ inline scene::Color through_air(const Context& context, const RayState& state, d
     return foggy(context) ? through_hollow(context, state, length, color) : color;
 }
 
-/// Colour of a hit. `details` as World gives them; `first_light`: samples already filled in for this hit.
+/// Colour of a hit. `details` as World gives them; `first_light`: samples already filled in for this hit; `ahead`: pigments.
 scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, const HitDetails& details, int level,
-                       std::size_t first_light);
+                       std::size_t first_light, const LayersAhead* ahead = nullptr);
 
 /// Colour of a texture at p (its own space's point).
 scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t texture, const glm::dvec3& p);

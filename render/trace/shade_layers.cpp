@@ -49,14 +49,23 @@ struct Stack {
     std::size_t count = 0;
 };
 
-void add_layer(Context& context, HitContext& hit, const texture::Layer& layer, const glm::dvec3& p, Stack& stack)
+/// The pigment of a texture's i-th layer.
+scene::Color pigment_of(const Context& context, const HitContext& hit, const texture::Texture& texture, std::uint32_t i, const glm::dvec3& p)
+{
+    if (hit.ahead != nullptr) return hit.ahead->colors[i];
+    const auto& set = context.scene.textures;
+    return texture::pigment_color(set, set.layers[texture.first + i].pigment, p, hit.around);
+}
+
+void add_layer(Context& context, HitContext& hit, const texture::Texture& texture, std::uint32_t index, const glm::dvec3& p, Stack& stack)
 {
     const auto& set = context.scene.textures;
     const plan::Settings& settings = context.scene.settings;
+    const texture::Layer& layer = set.layers[texture.first + index];
     const texture::Finish& finish = set.finishes[layer.finish];
     const glm::dvec3 normal = layer_normal(context, hit, layer.normal, p);
     if (stack.count == 0) stack.top_normal = normal;
-    const scene::Color c = texture::pigment_color(set, layer.pigment, p, hit.around);
+    const scene::Color c = pigment_of(context, hit, texture, index, p);
 
     Mirror& mirror = stack.mirrors[stack.count++];
     mirror = {glm::vec3(0), normal, 0.0f, &finish};
@@ -82,11 +91,11 @@ void add_layer(Context& context, HitContext& hit, const texture::Layer& layer, c
 }
 
 /// The plain case by itself: one layer that lets no light through and mirrors none.
-scene::Color shade_plain(Context& context, HitContext& hit, const texture::Layer& layer, const glm::dvec3& p)
+scene::Color shade_plain(Context& context, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p)
 {
     const auto& set = context.scene.textures;
-    const texture::Finish& finish = set.finishes[layer.finish];
-    const scene::Color c = texture::pigment_color(set, layer.pigment, p, hit.around);
+    const texture::Finish& finish = set.finishes[set.layers[texture.first].finish];
+    const scene::Color c = pigment_of(context, hit, texture, 0, p);
     glm::vec3 sum = c.rgb() * (finish.ambient + finish.emission);
     if (finish.lit()) sum += direct_light(context, hit, finish, c, hit.normal, 1.0);
     return scene::Color::of(sum);
@@ -106,13 +115,12 @@ glm::vec3 raised(const scene::Color& c, float exponent)
 
 scene::Color shade_layers(Context& context, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p)
 {
-    const auto& set = context.scene.textures;
     const plan::Settings& settings = context.scene.settings;
-    if (texture.plain && settings.quality >= 2) return shade_plain(context, hit, set.layers[texture.first], p);
+    if (texture.plain && settings.quality >= 2) return shade_plain(context, hit, texture, p);
     const auto bailout = static_cast<float>(settings.adc_bailout);
     Stack stack;
     for (std::uint32_t i = texture.count; i-- > 0 && stack.residual > bailout;)
-        add_layer(context, hit, set.layers[texture.first + i], p, stack);
+        add_layer(context, hit, texture, i, p, stack);
 
     scene::Color out;
     bool total = false;

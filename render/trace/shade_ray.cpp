@@ -121,7 +121,7 @@ scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t inde
 }
 
 scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, const HitDetails& details, int level,
-                       std::size_t first_light)
+                       std::size_t first_light, const LayersAhead* ahead)
 {
     const plan::Surface& surface = context.scene.surfaces[hit.surface];
     const bool from_inside = glm::dot(details.normal, state.ray.direction) > 0.0;
@@ -133,6 +133,7 @@ scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, 
     const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
     if (surface.part_count != 0) return part_blend(context, at, hit, p);
     if (surface.blends() && texture == surface.texture) return corner_blend(context, at, details.weights, p);
+    if (ahead != nullptr && ahead->texture == texture) at.ahead = ahead;
     return shade_texture(context, at, texture, p);
 }
 

@@ -2,6 +2,7 @@
 
 #include "csg/hit.h"
 #include "render/light/illuminate.h"
+#include "render/trace/pigment_batch.h"
 #include "render/trace/shade_lanes.h"
 #include "render/trace/surface_traits.h"
 #include "render/trace/wave.h"
@@ -43,6 +44,9 @@ struct ShadeScratch {
     TileLight light;                     ///< the one at hand
     std::array<glm::vec3, csg::kTileRays> lit_colors;   ///< of the light at hand, before shadows
     std::array<PlainHit, csg::kTileRays> plain;
+    PigmentBatch pigments;               ///< of the plain hits, then of layer after layer of the others
+    std::array<texture::Surroundings, csg::kTileRays> around;
+    std::array<LayersAhead, csg::kTileRays> layers;
     csg::CrossingTile crossings;         ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
     std::array<std::uint8_t, csg::kTileRays> lane;   ///< of each shadow ray: which hit it belongs to

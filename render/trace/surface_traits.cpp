@@ -1,5 +1,7 @@
 #include "render/trace/surface_traits.h"
 
+#include "render/trace/pigment_batch.h"
+
 #include <algorithm>
 
 namespace trace {
@@ -47,6 +49,23 @@ LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
     return {texture.first, !texture.plain};
 }
 
+/// The texture itself if it has layers with patterns, and few enough.
+std::uint32_t layers_ahead(const TextureSet& set, std::uint32_t index)
+{
+    if (index == texture::kNone) return plan::kNone;
+    const texture::Texture& texture = set.textures[index];
+    if (texture.kind != texture::Texture::Kind::Layers || texture.count > kLayersAhead) return plan::kNone;
+    // A bent normal may be looked at by the layer's pigment.
+    const auto looks = [](const texture::Pattern& p) { return p.kind == texture::PatternKind::Slope || p.kind == texture::PatternKind::Aoi; };
+    const bool any_looks = std::any_of(set.patterns.begin(), set.patterns.end(), looks);
+    bool patterned = false;
+    for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
+        patterned |= set.pigments[set.layers[i].pigment].kind != texture::Pigment::Kind::Solid;
+        if (any_looks && set.layers[i].normal != texture::kNone) return plan::kNone;
+    }
+    return patterned ? index : plan::kNone;
+}
+
 }  // namespace
 
 SceneTraits scene_traits(const plan::CompiledScene& scene)
@@ -62,6 +81,9 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         traits.filters |= !surface.opaque && !surface.no_shadow;
         all[i].needs_uv = uv || surface.uv_mapping;
         if (surface.blends()) continue;
+        all[i].outer_layers = layers_ahead(scene.textures, surface.texture);
+        all[i].inner_layers = surface.interior_texture == plan::kNone ? all[i].outer_layers
+                                                                      : layers_ahead(scene.textures, surface.interior_texture);
         if (!surface.double_illuminate) {
             all[i].outer = lone_layer(scene.textures, surface.texture);
             all[i].inner = surface.interior_texture == plan::kNone ? all[i].outer

@@ -17,6 +17,7 @@ struct SurfaceTraits {
     bool needs_uv = true;        ///< something of its textures looks at surface coordinates
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
     LoneLayer outer, inner;      ///< as seen from outside, and where the raw normal faces along the ray
+    std::uint32_t outer_layers = plan::kNone, inner_layers = plan::kNone;   ///< textures whose pigments a tile looks up together
     glm::vec3 filter{1};         ///< steady_filter: by this (spec 3, 13.2)
 };
 

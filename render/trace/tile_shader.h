@@ -38,6 +38,8 @@ public:
                            std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.by_points(); });
         const bool go_on = settings.quality >= 8 && settings.adc_bailout < 1.0 && !scratch_.wave.full();
         bool general = false;
+        PigmentBatch& pigments = scratch_.pigments;
+        pigments.clear();
         for (int i = 0; i < rays_.count; ++i) {
             const auto k = static_cast<std::size_t>(i);
             scratch_.plain[k].finish = nullptr;
@@ -52,9 +54,16 @@ public:
             scratch_.hits.set(k, at.point, from_inside ? -at.normal : at.normal);
             const SurfaceTraits& traits = scratch_.traits.surfaces[hit.surface];
             const LoneLayer& layer = from_inside ? traits.inner : traits.outer;
-            if (small && layer.index != plan::kNone && (go_on || !layer.goes_on)) begin_plain(i, layer, hit);
-            else general = true;
+            scratch_.layers[k].texture = plan::kNone;
+            if (small && layer.index != plan::kNone && (go_on || !layer.goes_on)) {
+                begin_plain(i, layer, hit);
+            } else {
+                general = true;
+                begin_layers(i, from_inside ? traits.inner_layers : traits.outer_layers);
+            }
         }
+        pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { color_plain(k, c); });
+        if (general) look_ahead();
         for (int i = rays_.count; i % csg::kTileSide != 0; ++i)
             scratch_.hits.set(static_cast<std::size_t>(i), glm::dvec3(0), glm::dvec3(0));
         return general;
@@ -118,7 +127,7 @@ public:
             const HitPlace place{state, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), hit.t, level(i)};
             add_branch(context_, place, *plain.finish, plain.pigment, plain.glow + plain.lit, place_of(i), reach(i) + hit.t);
         } else {
-            give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), level(i), first_light(i))));
+            give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), level(i), first_light(i), &scratch_.layers[k])));
         }
     }
 
@@ -140,20 +149,68 @@ private:
         const texture::Layer& layer = set.layers[lone.index];
         PlainHit& plain = scratch_.plain[k];
         plain.finish = &set.finishes[layer.finish];
-        const texture::Pigment& pigment = set.pigments[layer.pigment];
-        if (pigment.kind == texture::Pigment::Kind::Solid) {
-            plain.pigment = pigment.color;
-        } else {
-            const HitDetails& at = details(i);
-            const texture::Surroundings around{at.point, scratch_.hits.normal(k), rays_.ray(i).direction, at.uv, true};
-            const bool uv = context_.scene.surfaces[hit.surface].uv_mapping;
-            plain.pigment =
-                texture::pigment_color(set, layer.pigment, uv ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point, around);
-        }
         plain.goes_on = lone.goes_on;
-        plain.alpha = lone.goes_on ? texture::opacity(plain.pigment, set.legacy_opacity) : 1.0f;
-        plain.glow = plain.pigment.rgb() * (plain.finish->ambient + plain.finish->emission) * plain.alpha;
+        const texture::Pigment& pigment = set.pigments[layer.pigment];
+        if (pigment.kind == texture::Pigment::Kind::Solid) return color_plain(k, pigment.color);
+        surround(i);
+        scratch_.pigments.ask(k, layer.pigment, pattern_point(i, hit), scratch_.around[k]);
+    }
+
+    void color_plain(std::size_t k, const scene::Color& c)
+    {
+        PlainHit& plain = scratch_.plain[k];
+        plain.pigment = c;
+        plain.alpha = plain.goes_on ? texture::opacity(c, context_.scene.textures.legacy_opacity) : 1.0f;
+        plain.glow = c.rgb() * (plain.finish->ambient + plain.finish->emission) * plain.alpha;
         plain.lit = glm::vec3(0);
+    }
+
+    void surround(int i)
+    {
+        const auto k = static_cast<std::size_t>(i);
+        const HitDetails& at = details(i);
+        scratch_.around[k] = {at.point, scratch_.hits.normal(k), rays_.ray(i).direction, at.uv, true};
+    }
+
+    glm::dvec3 pattern_point(int i, const Hit& hit)
+    {
+        const HitDetails& at = details(i);
+        return context_.scene.surfaces[hit.surface].uv_mapping ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point;
+    }
+
+    void begin_layers(int i, std::uint32_t texture)
+    {
+        if (texture == plan::kNone) return;
+        LayersAhead& layers = scratch_.layers[static_cast<std::size_t>(i)];
+        layers.texture = texture;
+        layers.residual = 1.0f;
+        layers.filter = glm::vec3(1);
+        surround(i);
+    }
+
+    /// Pigments of the other hits' layers, the top ones first: a layer is asked for only where those above let light through
+    /// (as add_layer has it, but for what mirrors take away).
+    void look_ahead()
+    {
+        const auto& set = context_.scene.textures;
+        const auto bailout = static_cast<float>(context_.scene.settings.adc_bailout);
+        for (std::uint32_t depth = 1, most = 1; depth <= most; ++depth) {
+            for (int i = 0; i < rays_.count; ++i) {
+                const auto k = static_cast<std::size_t>(i);
+                const Hit hit = hits_.at(i);
+                if (!hit.found() || scratch_.plain[k].finish != nullptr || scratch_.layers[k].texture == plan::kNone) continue;
+                const texture::Texture& texture = set.textures[scratch_.layers[k].texture];
+                most = std::max(most, texture.count);
+                if (texture.count < depth || !(scratch_.layers[k].residual > bailout)) continue;
+                scratch_.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, pattern_point(i, hit), scratch_.around[k]);
+            }
+            scratch_.pigments.run(set, [&](std::size_t k, const scene::Color& c) {
+                LayersAhead& layers = scratch_.layers[k];
+                layers.colors[set.textures[layers.texture].count - depth] = c;
+                layers.filter *= c.filter * c.rgb() + c.transmit;
+                layers.residual = std::min(1.0f, std::abs(scene::grey(layers.filter)));
+            });
+        }
     }
 
     bool asks_for_light(int i) const

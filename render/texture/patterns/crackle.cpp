@@ -1,3 +1,5 @@
+#include "csg/lanes.h"
+#include "csg/types.h"
 #include "render/texture/angle.h"
 #include "render/texture/nearest_cells.h"
 #include "render/texture/noise.h"
@@ -5,62 +7,142 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
+/// vector: form; numbers: metric, offset, solid.
 namespace texture {
 namespace {
 
-double powered_distance(const glm::dvec3& delta, double metric, bool signed_sum)
+using csg::lanes::Double;
+
+bool solid(const Pattern& pattern) { return pattern.numbers[2] != 0.0; }
+
+/// How many of the nearest distances count.
+int wanted(const Pattern& pattern)
 {
-    if (metric == 2.0) return glm::dot(delta, delta);
-    if (metric == 1.0 && signed_sum) return -(delta.x + delta.y + delta.z);
-    const glm::dvec3 a = glm::abs(delta);
-    if (metric == 1.0) return a.x + a.y + a.z;
-    return std::pow(a.x, metric) + std::pow(a.y, metric) + std::pow(a.z, metric);
+    if (solid(pattern)) return 1;
+    return pattern.vector.z != 0.0 ? 3 : pattern.vector.y != 0.0 ? 2 : 1;
+}
+
+double value_of(const Pattern& pattern, const std::array<double, 3>& powered, int count)
+{
+    const double metric = pattern.numbers[0], offset = pattern.numbers[1];
+    double v = 0.0;
+    for (int i = 0; i < count; ++i) {
+        double s = powered[static_cast<std::size_t>(i)];
+        if (offset != 0.0) s += metric == 2.0 ? offset * offset : metric == 1.0 ? offset : std::pow(offset, metric);
+        v += pattern.vector[i] * (metric == 2.0 ? std::sqrt(s) : metric == 1.0 ? s : std::pow(s, 1.0 / metric));
+    }
+    return std::clamp(v, 0.0, 1.0);
+}
+
+double crackle_in(const Pattern& pattern, const glm::dvec3& p, CellPoints& cells)
+{
+    const int count = wanted(pattern);
+    const NearestCells found = nearest_cells(p, cells, pattern.numbers[0], false, count);
+    return solid(pattern) ? std::clamp(noise(found.point, pattern.noise_generator), 0.0, 1.0) : value_of(pattern, found.powered, count);
+}
+
+/// The smallest distances of as many points as there are lanes.
+struct Nearest {
+    Double first = Double(csg::kInfinity), second = first, third = first;
+
+    void take(const Double& d, int count)
+    {
+        if (count > 2) third = xsimd::min(third, xsimd::max(second, d));
+        if (count > 1) second = xsimd::min(second, xsimd::max(first, d));
+        first = xsimd::min(first, d);
+    }
+    const Double& last(int count) const { return count > 2 ? third : count > 1 ? second : first; }
+};
+
+/// Points of one cell in lanes; metric 1 or 2.
+template <int Count, bool Squared>
+void shared_cell(const Points& p, CellPoints& cells, Values& first, Values& second, Values& third)
+{
+    for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+        const Double x = Double::load_aligned(p.x.data() + i), y = Double::load_aligned(p.y.data() + i), z = Double::load_aligned(p.z.data() + i);
+        Nearest found;
+        const auto search = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t c = begin; c < end; ++c) {
+                const Double dx = x - Double(cells.x[c]), dy = y - Double(cells.y[c]), dz = z - Double(cells.z[c]);
+                found.take(Squared ? dx * dx + dy * dy + dz * dz : xsimd::abs(dx) + xsimd::abs(dy) + xsimd::abs(dz), Count);
+            }
+        };
+        search(0, CellPoints::kNear);
+        if (csg::lanes::mask(found.last(Count) >= Double(kOuterCells)) != 0) {
+            cells.complete();
+            search(CellPoints::kNear, CellPoints::kAll);
+        }
+        found.first.store_aligned(first.data() + i);
+        found.second.store_aligned(second.data() + i);
+        found.third.store_aligned(third.data() + i);
+    }
+}
+
+template <bool Squared>
+void shared_cell(const Points& p, CellPoints& cells, int count, Values& first, Values& second, Values& third)
+{
+    if (count == 1) shared_cell<1, Squared>(p, cells, first, second, third);
+    else if (count == 2) shared_cell<2, Squared>(p, cells, first, second, third);
+    else shared_cell<3, Squared>(p, cells, first, second, third);
+}
+
+/// All points lie in the cell `base`.
+void values_in(const Pattern& pattern, const glm::dvec3& base, Points& p, Values& out)
+{
+    constexpr int kFew = 2;   // up to so many points cells fill the lanes better
+    CellPoints cells(base);
+    const double metric = pattern.numbers[0];
+    if (solid(pattern) || (metric != 1.0 && metric != 2.0) || p.count <= kFew) {
+        for (std::size_t i = 0; i < p.size(); ++i) out[i] = crackle_in(pattern, p.at(i), cells);
+        return;
+    }
+    p.pad();
+    const int count = wanted(pattern);
+    Values first, second, third;
+    if (metric == 2.0) shared_cell<true>(p, cells, count, first, second, third);
+    else shared_cell<false>(p, cells, count, first, second, third);
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = value_of(pattern, {first[i], second[i], third[i]}, count);
 }
 
 }  // namespace
 
-NearestCells nearest_cells(const glm::dvec3& p, const glm::dvec3& base_cell, double metric, bool signed_sum)
-{
-    NearestCells found{{csg::kInfinity, csg::kInfinity, csg::kInfinity}, p};
-    for (int a = -2; a <= 2; ++a)
-        for (int b = -2; b <= 2; ++b)
-            for (int c = -2; c <= 2; ++c) {
-                if ((std::abs(a) == 2) + (std::abs(b) == 2) + (std::abs(c) == 2) > 1) continue;
-                const glm::dvec3 cell = base_cell + glm::dvec3(a, b, c);
-                const int seed = cell_hash(static_cast<long long>(cell.x), static_cast<long long>(cell.y),
-                                           static_cast<long long>(cell.z));
-                const glm::dvec3 point =
-                    cell + glm::dvec3(pattern_random(seed), pattern_random(seed + 1), pattern_random(seed + 2));
-                const double d = powered_distance(p - point, metric, signed_sum);
-                auto& best = found.powered;
-                if (d < best[0]) {
-                    best = {d, best[0], best[1]};
-                    found.point = point;
-                } else if (d < best[1]) {
-                    best = {best[0], d, best[1]};
-                } else if (d < best[2]) {
-                    best[2] = d;
-                }
-            }
-    return found;
-}
-
-/// vector: form; numbers: metric, offset, solid.
 double crackle(const Pattern& pattern, const glm::dvec3& p)
 {
-    const double metric = pattern.numbers[0], offset = pattern.numbers[1];
-    NearestCells found = nearest_cells(p, glm::floor(p - kTiny), metric, false);
-    if (pattern.numbers[2] != 0.0) return std::clamp(noise(found.point, pattern.noise_generator), 0.0, 1.0);
-    const glm::dvec3& form = pattern.vector;
-    double v = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        double s = found.powered[static_cast<std::size_t>(i)];
-        if (offset != 0.0) s += metric == 2.0 ? offset * offset : metric == 1.0 ? offset : std::pow(offset, metric);
-        v += form[i] * (metric == 2.0 ? std::sqrt(s) : metric == 1.0 ? s : std::pow(s, 1.0 / metric));
+    CellPoints cells(glm::floor(p - kTiny));
+    return crackle_in(pattern, p, cells);
+}
+
+void crackle_values(const Pattern& pattern, const Points& p, Values& out)
+{
+    std::array<glm::dvec3, kMostPoints> base;
+    std::array<std::uint8_t, kMostPoints> left, owner;
+    std::size_t count = p.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        base[i] = glm::floor(p.at(i) - kTiny);
+        left[i] = static_cast<std::uint8_t>(i);
     }
-    return std::clamp(v, 0.0, 1.0);
+    Points group;
+    Values found;
+    while (count != 0) {
+        const glm::dvec3 cell = base[left[0]];
+        group.count = 0;
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint8_t i = left[k];
+            if (base[i] == cell) {
+                owner[group.size()] = i;
+                group.add(p.at(i));
+            } else {
+                left[kept++] = i;
+            }
+        }
+        if (kept == count) break;   // a point that is no number is in no cell
+        count = kept;
+        values_in(pattern, cell, group, found);
+        for (std::size_t k = 0; k < group.size(); ++k) out[owner[k]] = found[k];
+    }
+    for (std::size_t k = 0; k < count; ++k) out[left[k]] = crackle(pattern, p.at(left[k]));
 }
 
 }  // namespace texture

@@ -1,3 +1,4 @@
+#include "csg/lanes.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
@@ -105,6 +106,59 @@ double magnet(const Pattern& pattern, Complex z, double smallest, Complex c)
 }  // namespace
 
 double mandel(const Pattern& pattern, const glm::dvec3& p) { return power_set(pattern, {p.x, p.y}, {p.x, p.y}); }
+
+namespace {
+
+using csg::lanes::Double;
+
+struct ComplexLanes {
+    Double a, b;
+};
+
+/// power_set of as many points as there are lanes, in the same order of operations; c may be the points.
+void power_set_lanes(const Pattern& pattern, ComplexLanes z, const ComplexLanes& c, std::size_t count, double* out)
+{
+    const int exponent = static_cast<int>(pattern.numbers[1]), n = static_cast<int>(pattern.numbers[0]);
+    const auto square = [](const ComplexLanes& w) { return w.a * w.a + w.b * w.b; };
+    const std::uint32_t everyone = (1u << csg::lanes::kDoubles) - 1;
+    Double smallest = square(z);
+    std::uint32_t escaped = 0;
+    for (int k = 0; k < n && escaped != everyone; ++k) {
+        ComplexLanes r = z;
+        for (int i = 1; i < exponent; ++i) r = {r.a * z.a - r.b * z.b, r.a * z.b + r.b * z.a};
+        z = {r.a + c.a, r.b + c.b};
+        const Double size = square(z);
+        smallest = xsimd::select(size < smallest, size, smallest);
+        // A lane that is out stays out: its size grows or is no number, so only the first time counts.
+        const auto out_now = size > Double(kEscape);
+        const std::uint32_t fresh = csg::lanes::mask(out_now) & ~escaped;
+        if (fresh == 0) continue;
+        alignas(64) double za[csg::lanes::kDoubles], zb[csg::lanes::kDoubles];
+        z.a.store_aligned(za);
+        z.b.store_aligned(zb);
+        for (std::size_t i = 0; i < count; ++i)
+            if ((fresh >> i & 1u) != 0) out[i] = exterior(pattern, k, {za[i], zb[i]});
+        escaped |= fresh;
+    }
+    alignas(64) double za[csg::lanes::kDoubles], zb[csg::lanes::kDoubles], least[csg::lanes::kDoubles];
+    z.a.store_aligned(za);
+    z.b.store_aligned(zb);
+    smallest.store_aligned(least);
+    for (std::size_t i = 0; i < count; ++i)
+        if ((escaped >> i & 1u) == 0) out[i] = interior(pattern, least[i], {za[i], zb[i]});
+}
+
+}  // namespace
+
+void power_set_values(const Pattern& pattern, const Points& p, Values& out)
+{
+    constexpr std::size_t kLanes = csg::lanes::kDoubles;
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const ComplexLanes z{Double::load_aligned(p.x.data() + i), Double::load_aligned(p.y.data() + i)};
+        const ComplexLanes c = pattern.kind == PatternKind::Mandel ? z : ComplexLanes{Double(pattern.vector.x), Double(pattern.vector.y)};
+        power_set_lanes(pattern, z, c, std::min(kLanes, p.size() - i), out.data() + i);
+    }
+}
 
 double julia(const Pattern& pattern, const glm::dvec3& p)
 {

@@ -46,9 +46,11 @@ double granite(const Pattern& pattern, const glm::dvec3& p) { return octaves_at(
 
 double wrinkles(const Pattern& pattern, const glm::dvec3& p) { return octaves_at(p, OctaveSum::Wrinkles, pattern.noise_generator); }
 
-double agate(const Pattern& pattern, const glm::dvec3& p)
+double agate(const Pattern& pattern, const glm::dvec3& p) { return agate_band(pattern, p.z, turbulence_at(pattern, p)); }
+
+double agate_band(const Pattern& pattern, double z, double turbulence)
 {
-    const double c = (1.0 + cycle(1.3 * pattern.numbers[0] * turbulence_at(pattern, p) + 1.1 * p.z)) / 2.0;
+    const double c = (1.0 + cycle(1.3 * pattern.numbers[0] * turbulence + 1.1 * z)) / 2.0;
     return c < 0.0 ? 0.0 : std::pow(std::min(1.0, c), 0.77);
 }
 
@@ -59,13 +61,16 @@ double marble(const Pattern& pattern, const glm::dvec3& p)
 
 double wood(const Pattern& pattern, const glm::dvec3& p)
 {
-    double x = p.x, y = p.y;
-    if (pattern.has_turbulence) {
-        const scene::Turbulence& t = pattern.turbulence;
-        const glm::dvec3 d = vector_turbulence(p, t.octaves, t.lambda, t.omega);
-        x += cycle((p.x + d.x) * t.amount.x);
-        y += cycle((p.y + d.y) * t.amount.y);
-    }
+    if (!pattern.has_turbulence) return std::sqrt(p.x * p.x + p.y * p.y);
+    const scene::Turbulence& t = pattern.turbulence;
+    const glm::dvec3 d = vector_turbulence(p, t.octaves, t.lambda, t.omega);
+    return wood_ring(pattern, p.x, p.y, d.x, d.y);
+}
+
+double wood_ring(const Pattern& pattern, double px, double py, double dx, double dy)
+{
+    const double x = px + cycle((px + dx) * pattern.turbulence.amount.x);
+    const double y = py + cycle((py + dy) * pattern.turbulence.amount.y);
     return std::sqrt(x * x + y * y);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/texture/evaluate.h"
+#include "render/texture/points.h"
 
 /// Raw values of the patterns, one function each, by family. Formulas and ranges: spec 4, section 5.
 /// `p` is the warped point; parameters as in docs/patterns.md.
@@ -18,6 +19,9 @@ double wrinkles(const Pattern& pattern, const glm::dvec3& p);
 double agate(const Pattern& pattern, const glm::dvec3& p);
 double marble(const Pattern& pattern, const glm::dvec3& p);
 double wood(const Pattern& pattern, const glm::dvec3& p);
+/// agate from its turbulence, and wood moved by (dx, dy).
+double agate_band(const Pattern& pattern, double z, double turbulence);
+double wood_ring(const Pattern& pattern, double px, double py, double dx, double dy);
 double spiral1(const Pattern& pattern, const glm::dvec3& p);
 double spiral2(const Pattern& pattern, const glm::dvec3& p);
 
@@ -50,10 +54,14 @@ double tiling(const Pattern& pattern, const glm::dvec3& p);
 double pavement(const Pattern& pattern, const glm::dvec3& p);
 
 double crackle(const Pattern& pattern, const glm::dvec3& p);
+/// crackle of each point; padded.
+void crackle_values(const Pattern& pattern, const Points& p, Values& out);
 
 // fractals
 double mandel(const Pattern& pattern, const glm::dvec3& p);
 double julia(const Pattern& pattern, const glm::dvec3& p);
+/// mandel or julia of each point; padded.
+void power_set_values(const Pattern& pattern, const Points& p, Values& out);
 double magnet_mandel(const Pattern& pattern, const glm::dvec3& p);
 double magnet_julia(const Pattern& pattern, const glm::dvec3& p);
 

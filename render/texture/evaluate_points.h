@@ -1,0 +1,25 @@
+#pragma once
+
+#include "render/scene/color.h"
+#include "render/texture/evaluate.h"
+#include "render/texture/points.h"
+
+/// Patterns and pigments of many points at once: the bits are those of evaluate.h for each point, but noise, sums of
+/// octaves and crackle share vector lanes. Points that a function takes are padded (Points::pad).
+namespace texture {
+
+/// What surrounds each point.
+using Around = std::array<const Surroundings*, kMostPoints>;
+
+inline constexpr unsigned kAllLive = 7;
+
+/// warp_point of each. `live`: components that are asked for (bit 0: x); classic turbulence leaves the others as they were. Padded.
+void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsigned live);
+
+/// pattern_value of each warped point.
+void pattern_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out);
+
+/// pigment_color of each point; p.count colours are written.
+void pigment_colors(const TextureSet& set, std::uint32_t pigment, const Points& p, const Around& around, scene::Color* out);
+
+}  // namespace texture
