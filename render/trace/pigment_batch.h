@@ -66,6 +66,7 @@ struct LayersAhead {
     std::uint32_t texture;           ///< kNone: nothing was looked up
     float residual;                  ///< share of light that the layers so far let through, or more
     glm::vec3 filter;
+    glm::dvec3 point;                ///< of pattern space
     std::array<scene::Color, kLayersAhead> colors;
 };
 

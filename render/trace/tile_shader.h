@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/trace/look_ahead.h"
 #include "render/trace/shade_context.h"
 #include "render/trace/shade_light.h"
 #include "render/trace/wave.h"
@@ -43,6 +44,7 @@ public:
         for (int i = 0; i < rays_.count; ++i) {
             const auto k = static_cast<std::size_t>(i);
             scratch_.plain[k].finish = nullptr;
+            scratch_.layers[k].texture = plan::kNone;
             const Hit hit = hits_.at(i);
             if (!hit.found()) {
                 scratch_.hits.set(k, glm::dvec3(0), glm::dvec3(0));
@@ -54,16 +56,15 @@ public:
             scratch_.hits.set(k, at.point, from_inside ? -at.normal : at.normal);
             const SurfaceTraits& traits = scratch_.traits.surfaces[hit.surface];
             const LoneLayer& layer = from_inside ? traits.inner : traits.outer;
-            scratch_.layers[k].texture = plan::kNone;
             if (small && layer.index != plan::kNone && (go_on || !layer.goes_on)) {
                 begin_plain(i, layer, hit);
             } else {
                 general = true;
-                begin_layers(i, from_inside ? traits.inner_layers : traits.outer_layers);
+                begin_layers(i, hit, from_inside ? traits.inner_layers : traits.outer_layers);
             }
         }
         pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { color_plain(k, c); });
-        if (general) look_ahead();
+        if (general) look_ahead(scratch_, context_.scene.textures, rays_.count, static_cast<float>(settings.adc_bailout));
         for (int i = rays_.count; i % csg::kTileSide != 0; ++i)
             scratch_.hits.set(static_cast<std::size_t>(i), glm::dvec3(0), glm::dvec3(0));
         return general;
@@ -178,39 +179,15 @@ private:
         return context_.scene.surfaces[hit.surface].uv_mapping ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point;
     }
 
-    void begin_layers(int i, std::uint32_t texture)
+    void begin_layers(int i, const Hit& hit, std::uint32_t texture)
     {
         if (texture == plan::kNone) return;
         LayersAhead& layers = scratch_.layers[static_cast<std::size_t>(i)];
         layers.texture = texture;
         layers.residual = 1.0f;
         layers.filter = glm::vec3(1);
+        layers.point = pattern_point(i, hit);
         surround(i);
-    }
-
-    /// Pigments of the other hits' layers, the top ones first: a layer is asked for only where those above let light through
-    /// (as add_layer has it, but for what mirrors take away).
-    void look_ahead()
-    {
-        const auto& set = context_.scene.textures;
-        const auto bailout = static_cast<float>(context_.scene.settings.adc_bailout);
-        for (std::uint32_t depth = 1, most = 1; depth <= most; ++depth) {
-            for (int i = 0; i < rays_.count; ++i) {
-                const auto k = static_cast<std::size_t>(i);
-                const Hit hit = hits_.at(i);
-                if (!hit.found() || scratch_.plain[k].finish != nullptr || scratch_.layers[k].texture == plan::kNone) continue;
-                const texture::Texture& texture = set.textures[scratch_.layers[k].texture];
-                most = std::max(most, texture.count);
-                if (texture.count < depth || !(scratch_.layers[k].residual > bailout)) continue;
-                scratch_.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, pattern_point(i, hit), scratch_.around[k]);
-            }
-            scratch_.pigments.run(set, [&](std::size_t k, const scene::Color& c) {
-                LayersAhead& layers = scratch_.layers[k];
-                layers.colors[set.textures[layers.texture].count - depth] = c;
-                layers.filter *= c.filter * c.rgb() + c.transmit;
-                layers.residual = std::min(1.0f, std::abs(scene::grey(layers.filter)));
-            });
-        }
     }
 
     bool asks_for_light(int i) const

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "render/trace/shade_scratch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trace {
+
+/// Pigments of layered textures for the tile's hits that have `layers` and are not plain, the top layers first: one is asked
+/// for only where those above let light through (as shade_layers has it, but for what mirrors take away).
+inline void look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, int hits, float bailout)
+{
+    std::uint32_t most = 1;
+    for (std::uint32_t depth = 1; depth <= most; ++depth) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(hits); ++k) {
+            const LayersAhead& layers = scratch.layers[k];
+            if (layers.texture == plan::kNone) continue;
+            const texture::Texture& texture = set.textures[layers.texture];
+            most = std::max(most, texture.count);
+            if (texture.count < depth || !(layers.residual > bailout)) continue;
+            scratch.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, layers.point, scratch.around[k]);
+        }
+        scratch.pigments.run(set, [&](std::size_t k, const scene::Color& c) {
+            LayersAhead& layers = scratch.layers[k];
+            layers.colors[set.textures[layers.texture].count - depth] = c;
+            layers.filter *= c.filter * c.rgb() + c.transmit;
+            layers.residual = std::min(1.0f, std::abs(scene::grey(layers.filter)));
+        });
+    }
+}
+
+}  // namespace trace
