@@ -109,4 +109,3 @@ def run(description, scenes, sizes, threads):
     if ratios:
         print(f"geometric mean {statistics.geometric_mean(ratios):.2f}, least {min(ratios):.2f}, bar {options.bar:g}")
     return 0 if all(row["ok"] for row in rows) else 1
-
