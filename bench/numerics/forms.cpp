@@ -69,7 +69,7 @@ std::vector<Quad> crossings(const Form& form, const csg::Transform& frame, const
             if (t >= low && t <= high) found.push_back(t);
         }
         std::sort(found.begin(), found.end());
-        if (form.first_only && found.size() > 1) found.resize(1);
+        if (form.first_only && found.size() > 1) found.erase(found.begin() + 1, found.end());
         return found;
     }
     const std::vector<Wide> places = looks(form, course, low, high, told);
