@@ -120,7 +120,7 @@ inline double middle_of_roots(const PolynomialShape::Along& c, int degree)
         for (int k = degree; 2 * k >= degree; --k) {
             const double low = std::abs(c[static_cast<std::size_t>(i)]), high = std::abs(c[static_cast<std::size_t>(k)]);
             if (!(low > 0.0 && high > 0.0)) continue;
-            const double rise = static_cast<double>(std::ilogb(high) - std::ilogb(low)) / (k - i);
+            const double rise = (static_cast<double>(std::ilogb(high)) - std::ilogb(low)) / (k - i);
             const double there = std::ilogb(low) + rise * (middle - i);
             if (!(there > highest)) continue;
             highest = there;
@@ -166,7 +166,8 @@ inline int sign_changes(const PolynomialShape::Along& c, int degree, double (&ou
     if (!(bound < kInfinity)) return 0;
     // The largest term at the bound is the leading one; binomials of the derivatives add 33 bits.
     constexpr int kMostExponent = 980;
-    if (std::ilogb(c[static_cast<std::size_t>(degree)]) + degree * std::ilogb(bound) > kMostExponent) return detail::far_and_near_roots(c, degree, out);
+    const double exponent = std::ilogb(c[static_cast<std::size_t>(degree)]) + static_cast<double>(degree) * std::ilogb(bound);  // of a bound of 0: the least integer
+    if (exponent > kMostExponent) return detail::far_and_near_roots(c, degree, out);
     return detail::roots_by_turns(c.data(), degree, -bound, bound, out);
 }
 

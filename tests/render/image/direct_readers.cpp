@@ -77,7 +77,7 @@ TEST_CASE("a broken JPEG is told from a whole one", "[image][files]")
     Files().write(path, raster, FileType::Jpeg, TransferCurve::srgb());
     const ByteList whole = bytes_of(path);
     CHECK(decode_jpeg(whole)->width == 33);
-    for (std::size_t at = 2; at < whole.size(); ++at)
+    for (std::size_t at = 2; at < whole.size(); at += at < 40 ? 1 : 7)  // the sizes stand in front
         for (const std::uint8_t change : ByteList{0x01, 0x40, 0xff}) {
             ByteList changed = whole;
             changed[at] ^= change;
