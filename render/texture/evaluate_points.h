@@ -11,8 +11,6 @@ namespace texture {
 /// What surrounds each point.
 using Around = std::array<const Surroundings*, kMostPoints>;
 
-inline constexpr unsigned kAllLive = 7;
-
 /// warp_point of each. `live`: components that are asked for (bit 0: x); classic turbulence leaves the others as they were. Padded.
 void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsigned live);
 

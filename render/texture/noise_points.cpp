@@ -248,21 +248,43 @@ double octaves_at(const glm::dvec3& p, OctaveSum kind, int generator)
     return sum * last_factor(kind);
 }
 
+namespace {
+
+/// The octaves of a point's turbulence behind the first, as many at a time as there is room for.
+struct LaterOctaves {
+    Points at;
+    Values shares;
+
+    LaterOctaves(int octaves, double lambda, double omega) : left_(octaves - 1), lambda_(lambda), omega_(omega), scale_(lambda), share_(omega) {}
+
+    /// Padded; false: there are no more.
+    bool next(const glm::dvec3& p)
+    {
+        at.count = 0;
+        for (; left_ > 0 && at.count < kMostPoints; --left_, scale_ *= lambda_, share_ *= omega_) {
+            shares[at.size()] = share_;
+            at.add(scale_ * p);
+        }
+        if (at.count == 0) return false;
+        at.pad();
+        return true;
+    }
+
+private:
+    int left_;
+    double lambda_, omega_, scale_, share_;
+};
+
+}  // namespace
+
 glm::dvec3 vector_turbulence(const glm::dvec3& p, int octaves, double lambda, double omega)
 {
     glm::dvec3 sum = vector_noise(p);
-    double l = lambda, o = omega;
-    Points at, n;
-    Values shares;
-    for (int k = 1; k < octaves;) {
-        at.count = 0;
-        for (; k < octaves && at.count < kMostPoints; ++k, l *= lambda, o *= omega) {
-            shares[at.size()] = o;
-            at.add(l * p);
-        }
-        at.pad();
-        vector_noise_points(at, 7, n);
-        for (std::size_t i = 0; i < at.size(); ++i) sum += shares[i] * n.at(i);
+    LaterOctaves later(octaves, lambda, omega);
+    Points n;
+    while (later.next(p)) {
+        vector_noise_points(later.at, kAllLive, n);
+        for (std::size_t i = 0; i < later.at.size(); ++i) sum += later.shares[i] * n.at(i);
     }
     return sum;
 }
@@ -272,18 +294,11 @@ double scalar_turbulence(const glm::dvec3& p, int octaves, double lambda, double
     const auto term = [generator](double n) { return generator == 1 ? n : 2.0 * n - 0.5; };
     const double first = term(noise(p, generator));
     double sum = generator == 1 ? first : std::clamp(first, 0.0, 1.0);
-    double l = lambda, o = omega;
-    Points at;
-    Values n, shares;
-    for (int k = 1; k < octaves;) {
-        at.count = 0;
-        for (; k < octaves && at.count < kMostPoints; ++k, l *= lambda, o *= omega) {
-            shares[at.size()] = o;
-            at.add(l * p);
-        }
-        at.pad();
-        noise_points(at, generator, n);
-        for (std::size_t i = 0; i < at.size(); ++i) sum += shares[i] * term(n[i]);
+    LaterOctaves later(octaves, lambda, omega);
+    Values n;
+    while (later.next(p)) {
+        noise_points(later.at, generator, n);
+        for (std::size_t i = 0; i < later.at.size(); ++i) sum += later.shares[i] * term(n[i]);
     }
     return sum;
 }

@@ -9,6 +9,7 @@
 namespace texture {
 
 inline constexpr int kMostPoints = 64;   ///< a tile's
+inline constexpr unsigned kAllLive = 7;  ///< all three components are asked for (bit 0: x)
 
 /// A value for each of some points; what lies behind the last one is anything.
 struct alignas(64) Values {

@@ -45,6 +45,16 @@ const scene::Layer& layer_of(const scene::Description& scene)
     return std::get<std::vector<scene::Layer>>(scene.objects.at(0).texture->kind).at(0);
 }
 
+/// The index that `make` gets from a compiler of the scene's textures, which has nothing to complain of.
+template <class Make> std::uint32_t compiled(const scene::Description& scene, texture::TextureSet& set, Make&& make)
+{
+    std::vector<scene::Unsupported> notes;
+    plan::TextureCompiler compiler(scene, 9, set, notes);
+    const std::uint32_t index = make(compiler);
+    CHECK(notes.empty());
+    return index;
+}
+
 }  // namespace
 
 TEST_CASE("pigments answer as POV-Ray's do", "[plan][pigment]")
@@ -54,9 +64,7 @@ TEST_CASE("pigments answer as POV-Ray's do", "[plan][pigment]")
     for (const Measured& one : all) {
         const scene::Description scene = parsed("pigment { " + one.statement + " }");
         texture::TextureSet set;
-        std::vector<scene::Unsupported> notes;
-        const std::uint32_t pigment = plan::TextureCompiler(scene, 9, set, notes).pigment(layer_of(scene).pigment);
-        CHECK(notes.empty());
+        const std::uint32_t pigment = compiled(scene, set, [&](plan::TextureCompiler& c) { return c.pigment(layer_of(scene).pigment); });
         // In the origin alone these answer as nowhere beside it.
         const bool odd_origin = one.statement.starts_with("tiling 12") || one.statement.starts_with("tiling 13") || one.statement.starts_with("tiling 14");
         for (const auto& row : one.rows) {
@@ -77,9 +85,7 @@ TEST_CASE("normals with maps answer as POV-Ray's do", "[plan][normal]")
     for (const Measured& one : all) {
         const scene::Description scene = parsed("normal { " + one.statement + " }");
         texture::TextureSet set;
-        std::vector<scene::Unsupported> notes;
-        const std::uint32_t normal = plan::TextureCompiler(scene, 9, set, notes).normal(*layer_of(scene).normal, false);
-        CHECK(notes.empty());
+        const std::uint32_t normal = compiled(scene, set, [&](plan::TextureCompiler& c) { return c.normal(*layer_of(scene).normal, false); });
         for (const auto& row : one.rows) {
             INFO(one.statement << " at " << row[0] << ' ' << row[1]);
             texture::Surroundings around;
