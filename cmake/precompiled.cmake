@@ -1,6 +1,6 @@
 # precompiled(TARGET HEADER...): the library headers that most sources of TARGET include are read once, and with them the
-# headers of ours that all of them include. They are half of what such a
-# file takes to compile; ccache needs -fpch-preprocess and its sloppiness (CMakePresets.json) to cache files that use them.
+# headers of ours that all of them include. Pays where a target has more than five batches of sources. ccache needs
+# -fpch-preprocess and its sloppiness (CMakePresets.json) to cache files that use them.
 function(precompiled target)
   target_precompile_headers(${target} PRIVATE
     <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory> <optional> <set> <stdexcept>

@@ -15,7 +15,7 @@ struct fog_type : item<Kind::FogType, a_number> { static void act(FogState& s)
 struct distance : item<Kind::Distance, a_number> { static void act(FogState& s) { s.fog.distance = s.pop_float(); } };
 struct fog_offset : item<Kind::FogOffset, a_number> { static void act(FogState& s) { s.fog.offset = s.pop_float(); } };
 struct fog_alt : item<Kind::FogAlt, a_number> { static void act(FogState& s) { s.fog.altitude = s.pop_float(); } };
-struct up : item<Kind::Up, a_vector> { static void act(FogState& s) { s.fog.up = s.pop_vector(); } };
+struct fog_up : item<Kind::Up, a_vector> { static void act(FogState& s) { s.fog.up = s.pop_vector(); } };
 struct turbulence : item<Kind::Turbulence, a_vector> { static void act(FogState& s) { s.fog.turbulence.amount = s.pop_vector(); } };
 struct octaves : item<Kind::Octaves, a_number> { static void act(FogState& s) { s.fog.turbulence.octaves = s.pop_int(); } };
 struct omega : item<Kind::Omega, a_number> { static void act(FogState& s) { s.fog.turbulence.omega = s.pop_float(); } };
@@ -24,7 +24,7 @@ struct turb_depth : item<Kind::TurbDepth, a_number> { static void act(FogState& 
 struct FogItems {
     static bool match(SceneBuilder& build, FogState& s)
     {
-        using Items = table<FogState, fog_type, distance, fog_offset, fog_alt, up, turbulence, octaves, omega, lambda, turb_depth>;
+        using Items = table<FogState, fog_type, distance, fog_offset, fog_alt, fog_up, turbulence, octaves, omega, lambda, turb_depth>;
         if (Items::match(build, s)) return true;
         // Only the direction `up` can be turned; a fog has no place to move (spec 2, 16.1).
         if (const auto t = read_transformation(build)) {
@@ -44,13 +44,13 @@ struct SkyState : BlockState {
 struct pigment : item<Kind::Pigment> {
     static void act(SkyState& s) { s.sky.layers.push_back(read_pigment(s.build, scene::Pigment{})); }
 };
-struct emission : item<Kind::Emission> {
+struct sky_emission : item<Kind::Emission> {
     static void act(SkyState& s) { s.sky.emission = parser::rgb_expr(s.stream()).rgb(); }
 };
 struct SkyItems {
     static bool match(SceneBuilder& build, SkyState& s)
     {
-        if (table<SkyState, pigment, emission>::match(build, s)) return true;
+        if (table<SkyState, pigment, sky_emission>::match(build, s)) return true;
         const auto t = read_transformation(build);
         if (!t) return false;
         for (scene::Pigment& layer : s.sky.layers) layer.transform(*t);

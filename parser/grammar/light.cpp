@@ -54,8 +54,8 @@ struct falloff : item<Kind::Falloff, a_number> {
 struct tightness : item<Kind::Tightness, a_number> {
     static void act(LightState& s) { s.need_cone("tightness"); s.light().tightness = s.pop_float(); }
 };
-struct fade_distance : item<Kind::FadeDistance, a_number> { static void act(LightState& s) { s.light().fade_distance = s.pop_float(); } };
-struct fade_power : item<Kind::FadePower, a_number> { static void act(LightState& s) { s.light().fade_power = s.pop_float(); } };
+struct light_fade_distance : item<Kind::FadeDistance, a_number> { static void act(LightState& s) { s.light().fade_distance = s.pop_float(); } };
+struct light_fade_power : item<Kind::FadePower, a_number> { static void act(LightState& s) { s.light().fade_power = s.pop_float(); } };
 
 struct second_axis : seq<opt_comma, a_vector> {};
 struct area_size : seq<opt_comma, a_number> {};
@@ -130,7 +130,7 @@ struct LightItems {
     static bool match(SceneBuilder& build, LightState& s)
     {
         using Items = table<LightState, spotlight, cylinder, shadowless, parallel, point_at, radius, falloff, tightness,
-                            fade_distance, fade_power, area_light, adaptive, area_illumination, circular, orient, jitter,
+                            light_fade_distance, light_fade_power, area_light, adaptive, area_illumination, circular, orient, jitter,
                             media_attenuation, media_interaction, looks_like, projected_through, photons, color_map>;
         if (Items::match(build, s)) return true;
         const auto t = read_transformation(build);

@@ -1,13 +1,8 @@
 #include "csg/freeform.h"
 #include "parser/grammar/shape_makers.h"
+#include "parser/grammar/statement.h"
 
 namespace parser {
-namespace {
-
-constexpr double kSamePoint = 1e-10;
-
-}  // namespace
-
 bool make_polygon(SceneBuilder&, const scene::Statement& statement, scene::Object& object)
 {
     std::vector<glm::dvec3> corners;

@@ -46,7 +46,7 @@ void poly(StatementReader& s)
     coefficients(s, order);
     sturm(s);
 }
-void cubic(StatementReader& s) { coefficients(s, 3); sturm(s); }
+void cubic_head(StatementReader& s) { coefficients(s, 3); sturm(s); }
 void quartic(StatementReader& s) { coefficients(s, 4); sturm(s); }
 
 void polynomial(StatementReader& s)
@@ -105,7 +105,7 @@ HeadReader polynomial_head(Kind keyword)
 {
     switch (keyword) {
     case Kind::Poly: return poly;
-    case Kind::Cubic: return cubic;
+    case Kind::Cubic: return cubic_head;
     case Kind::Quartic: return quartic;
     case Kind::Polynomial: return polynomial;
     default: return nullptr;

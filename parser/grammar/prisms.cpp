@@ -10,7 +10,6 @@ namespace {
 
 using scene::StatementItem;
 
-constexpr double kSamePoint = 1e-10;
 bool same(const glm::dvec2& a, const glm::dvec2& b) { return glm::distance(a, b) < kSamePoint; }
 
 /// Loops of straight pieces, each closed by its start (spec 5b, 6.2).

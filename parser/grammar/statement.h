@@ -91,6 +91,9 @@ scene::StatementPtr read_finish_subsurface(SceneBuilder& build);
 scene::StatementPtr read_mesh_camera(SceneBuilder& build);
 scene::StatementPtr read_bokeh(SceneBuilder& build);
 
+/// Points of an outline nearer than this are the same, as where it closes.
+inline constexpr double kSamePoint = 1e-10;
+
 /// What stands first in an image's block: a kind and a file that must exist, or `function w, h { }`. `what` for messages.
 void read_image_source(StatementReader& s, bool bare_name_allowed);
 /// image_map, bump_map, image_pattern: the whole block. `colors`: filter and transmit may stand in it.

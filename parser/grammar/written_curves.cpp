@@ -8,8 +8,6 @@ namespace {
 
 enum class Curve { Linear, Quadratic, Cubic, Bezier };
 
-constexpr double kSamePoint = 1e-10;  // of a closed outline's first and last point
-
 bool accept_curve(StatementReader& s, Curve& curve)
 {
     if (s.accept(Kind::LinearSpline)) curve = Curve::Linear;

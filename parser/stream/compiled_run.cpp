@@ -13,7 +13,6 @@ namespace {
 
 using Code = CompiledOp::Code;
 constexpr double kDegree = 0.01745329251994329576;
-constexpr double kSubscriptSlack = 1e-10;
 
 /// Streams of random numbers are set back where a list stops halfway.
 class RandomUndo {

@@ -11,7 +11,6 @@
 namespace parser {
 namespace {
 
-constexpr double kSubscriptSlack = 1e-10;       // 0.9999999999999 means 1 (spec of the language 11)
 constexpr double kMostElements = 100'000'000;
 
 /// One element more. References into the old memory stay readable.

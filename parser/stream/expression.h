@@ -48,4 +48,7 @@ inline Tuple requested_expr(TokenStream& stream, int requested, Level level)
     return stream.run_compiled_here(requested, level == Level::Full, value) ? value : read_expr(stream, requested, level);
 }
 
+/// Added to subscripts and sizes before they are cut to an integer: 0.9999999999999 means 1 (spec of the language 11).
+inline constexpr double kSubscriptSlack = 1e-10;
+
 }  // namespace parser

@@ -15,7 +15,8 @@ struct Check {
     double size = 1.5;            ///< within this distance
     double distance = 5.0;        ///< from so far away
     double tolerance = 1e-12;     ///< of a crossing from the surface, in the solid's own units
-    int least_hits = 200;         ///< of 2000 rays, so that a test cannot pass by missing
+    std::uint32_t rays = 2000;
+    int least_hits = 200;         ///< of them, so that a test cannot pass by missing
 };
 
 inline bool within(const csg::Aabb& box, const glm::dvec3& p, double slack)
@@ -33,7 +34,7 @@ void check_solid(const T& solid, const Check& how = {})
     int hits = 0;
     const double just = 1e-6 * how.size;  // beyond an end; spans and gaps shorter than that prove nothing
     const double rounding = 4e-16 * (how.distance + glm::length(how.target));
-    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+    for (std::uint32_t seed = 0; seed < how.rays; ++seed) {
         INFO("seed " << seed);
         Rng rng(seed);
         const csg::Ray ray = ray_near(rng, how.target, how.size, rng.coin() ? how.distance : 0.5 * how.size);

@@ -25,7 +25,7 @@ struct Folder {
     }
 };
 
-std::string error_of(const std::string& text)
+std::string trouble_of(const std::string& text)
 {
     try {
         debug_of(text);
@@ -74,12 +74,12 @@ TEST_CASE("files are refused with a reason", "[parser][file]")
 {
     const Folder folder;
     folder.write("a.txt", "x");
-    CHECK(error_of("#fopen F \"no.txt\" read").find("cannot open 'no.txt' for reading") != std::string::npos);
-    CHECK(error_of("#fopen F \"../up.txt\" write").find("may not write") != std::string::npos);
-    CHECK(error_of("#fopen F \"/up.txt\" append").find("may not write") != std::string::npos);
-    CHECK(error_of("#fopen F \"a.txt\" read #read(F,A)").find("a.txt: expected a number, found 'x'") != std::string::npos);
-    CHECK(error_of("#fopen F \"a.txt\" read #write(F,1)").find("opened for reading") != std::string::npos);
-    CHECK(error_of("#declare F=1; #fopen F \"a.txt\" read").find("declared already") != std::string::npos);
+    CHECK(trouble_of("#fopen F \"no.txt\" read").find("cannot open 'no.txt' for reading") != std::string::npos);
+    CHECK(trouble_of("#fopen F \"../up.txt\" write").find("may not write") != std::string::npos);
+    CHECK(trouble_of("#fopen F \"/up.txt\" append").find("may not write") != std::string::npos);
+    CHECK(trouble_of("#fopen F \"a.txt\" read #read(F,A)").find("a.txt: expected a number, found 'x'") != std::string::npos);
+    CHECK(trouble_of("#fopen F \"a.txt\" read #write(F,1)").find("opened for reading") != std::string::npos);
+    CHECK(trouble_of("#declare F=1; #fopen F \"a.txt\" read").find("declared already") != std::string::npos);
     CHECK(debug_of("#fclose Nothing #debug \"on\"") == "on");
     CHECK_FALSE(fs::exists(folder.here.parent_path() / "up.txt"));
 }

@@ -1,4 +1,4 @@
-// Animations as POV-Ray 3.7.0.10 runs them. Each row is what it printed and which files it made for
+// Animations as POV-Ray 3.7.0.10 runs them. Each animation is what it printed and which files it made for
 //     povray a.pov OPTIONS +W4 +H3 -D
 // with the scene below. (Where its clock is no number, for one frame, Whittle has the initial clock: tests/.../frames.cpp.)
 #include "tests/support/run_program.h"
@@ -12,21 +12,21 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr const char* kScene =
+constexpr const char* kFrameScene =
     "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
     "#debug concat(\"f \", str(frame_number,0,0), \" \", str(initial_frame,0,0), \" \", str(final_frame,0,0), \" c \", str(clock,0,6),"
     " \" ic \", str(initial_clock,0,4), \" fc \", str(final_clock,0,4), \" cd \", str(clock_delta,0,6), \" on \", str(clock_on,0,0), \"\\n\")\n"
     "camera { location -z }\n";
 
-struct Row {
+struct Animation {
     const char* options;
     std::string printed;
     Words files;
 };
 
-const std::vector<Row>& rows()
+const std::vector<Animation>& animations()
 {
-    static const std::vector<Row> all = {
+    static const std::vector<Animation> all = {
         {"+KFF3",
          "f 1 1 3 c 0.000000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n"
          "f 2 1 3 c 0.500000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n"
@@ -123,16 +123,16 @@ std::string debug_lines(const std::string& text)
 
 TEST_CASE("frames, clocks and names of animations are POV-Ray's", "[program][animation]")
 {
-    for (const Row& row : rows()) {
-        INFO(row.options);
+    for (const Animation& animation : animations()) {
+        INFO(animation.options);
         const support::TemporaryFolder folder;
-        support::write_text(folder / "a.pov", kScene);
-        const support::Ended ended = support::run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", row.options, "+W4 +H3 -D"});
+        support::write_text(folder / "a.pov", kFrameScene);
+        const support::Ended ended = support::run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", animation.options, "+W4 +H3 -D"});
         CHECK(ended.status == 0);
-        CHECK(debug_lines(ended.err) == row.printed);
+        CHECK(debug_lines(ended.err) == animation.printed);
         Words names = folder.names();
         names.erase(std::remove(names.begin(), names.end(), "a.pov"), names.end());
-        CHECK(names == row.files);
+        CHECK(names == animation.files);
     }
 }
 

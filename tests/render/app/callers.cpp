@@ -119,7 +119,6 @@ bool says(const std::string& text, const char* pattern)
     return false;
 }
 
-bool ascii(const std::string& text) { return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }); }
 
 }  // namespace
 
@@ -152,7 +151,7 @@ TEST_CASE("each caller gets its picture, exit status 0 and the lines that it loo
             CHECK(says(ended.err, pattern));
         }
         // What all callers rely on: little text, in ASCII.
-        CHECK(ascii(ended.err));
+        CHECK(support::ascii(ended.err));
         CHECK(ended.err.size() < 16384);
         CHECK(std::count(ended.err.begin(), ended.err.end(), '\r') <= 101);
         CHECK_FALSE(says(ended.err, ".*Error:.*"));
@@ -169,7 +168,7 @@ TEST_CASE("called by its own name the program makes the same pictures", "[caller
             prepare(folder, call);
             const Ended ended = support::run_program(folder.path(), named ? WHITTLE_AS_POVRAY : WHITTLE_PROGRAM, call.arguments, kScene);
             CHECK(ended.status == 0);
-            CHECK(ascii(ended.err));
+            CHECK(support::ascii(ended.err));
             pictures[named] = call.picture ? support::text_of(folder / call.picture) : ended.out;
         }
         CHECK(pictures[0] == pictures[1]);

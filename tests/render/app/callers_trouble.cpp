@@ -15,24 +15,19 @@ using support::RunningProgram;
 using support::run_program;
 using support::write_text;
 
-constexpr const char* kScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -z }\n";
+constexpr const char* kEmptyScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -z }\n";
 
 /// Minutes, if nobody ends it.
 constexpr const char* kEndless = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\n"
                                  "light_source { <-5, 5, -5>, 1 area_light x*3, y*3, 17, 17 }\nplane { y, -1 pigment { granite } finish { reflection 0.3 } }\n"
                                  "sphere { 0, 1 pigment { rgb 1 } finish { reflection 0.5 } }\n";
 
-bool ascii(const std::string& text)
-{
-    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-}
-
 }  // namespace
 
 TEST_CASE("an error in a scene is one line with file and line number, then lines that begin with a blank", "[callers]")
 {
     const support::TemporaryFolder folder;
-    write_text(folder / "x.pov", std::string(kScene) + "shpere { 0, 1 }\n");
+    write_text(folder / "x.pov", std::string(kEmptyScene) + "shpere { 0, 1 }\n");
     const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov", "-D", "Width=1024", "Height=768"});
     CHECK(ended.status == 1);
     // The problem matcher of vscode-povray; Emacs looks for "Error:", VMD's and LeoCAD's callers for the lines at the end.
@@ -46,17 +41,17 @@ TEST_CASE("a long message is not wrapped, and a name beyond ASCII is shown in AS
 {
     const support::TemporaryFolder folder;
     const std::string name = "a_scene_whose_name_is_rather_long_\xC3\xA4\xC3\xB6\xC3\xBC_so_that_a_line_of_eighty_columns_does_not_hold_it.pov";
-    write_text(folder / name, std::string(kScene) + "#warning \"gr\xC3\xBC\xC3\x9F" "e\"\nshpere { 0, 1 }\n");
+    write_text(folder / name, std::string(kEmptyScene) + "#warning \"gr\xC3\xBC\xC3\x9F" "e\"\nshpere { 0, 1 }\n");
     const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {name, "-D"});
     CHECK(ended.status == 1);
-    CHECK(ascii(ended.err));
+    CHECK(support::ascii(ended.err));
     CHECK(std::regex_search(ended.err, std::regex("\nFile '[^'\n]{90,}' line 5: Parse Error: [^\n]+\n")));
 }
 
 TEST_CASE("options that cannot be understood end with status 1 at once, without a picture", "[callers]")
 {
     const support::TemporaryFolder folder;
-    write_text(folder / "x.pov", kScene);
+    write_text(folder / "x.pov", kEmptyScene);
     for (const char* bad : {"+ZZ", "Widht=3", "nothing.ini", "+W", "+FX", "+ER0"}) {
         INFO(bad);
         const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov", bad, "+W8", "+H6"});
@@ -101,7 +96,7 @@ TEST_CASE("a caller that ends the reading of a scene gets status 2, and its comm
 TEST_CASE("a caller that never reads what is written does not hold the render up", "[callers]")
 {
     const support::TemporaryFolder folder;
-    write_text(folder / "x.pov", kScene);
+    write_text(folder / "x.pov", kEmptyScene);
     write_text(folder / "x.pov.ini", "Input_File_Name=x.pov\nWidth=320\nHeight=240\nRender_Block_Size=4\nDisplay=true\nPause_When_Done=true\nVerbose=true\n");
     int ends[2];
     REQUIRE(pipe(ends) == 0);
@@ -129,7 +124,7 @@ TEST_CASE("the version is told on standard error, in one line that names POV-Ray
 TEST_CASE("LeoCAD watches the picture grow in a mapped file", "[callers]")
 {
     const support::TemporaryFolder folder;
-    write_text(folder / "x.pov", std::string(kScene) + "background { rgb <1, 0, 1> }\n");
+    write_text(folder / "x.pov", std::string(kEmptyScene) + "background { rgb <1, 0, 1> }\n");
     CHECK(run_program(folder.path(), WHITTLE_AS_POVRAY, {"+I\"x.pov\"", "+W20", "+H10", "+SM\"map\"", "-F"}).status == 0);
     const std::string map = support::text_of(folder / "map");
     REQUIRE(map.size() == 20 + 4 * 20 * 10);
@@ -158,7 +153,7 @@ TEST_CASE("the benchmark tells its time, and asks no key", "[callers]")
 TEST_CASE("other names of the program than povray speak Whittle's words, unless told", "[callers]")
 {
     const support::TemporaryFolder folder;
-    write_text(folder / "x.pov", kScene);
+    write_text(folder / "x.pov", kEmptyScene);
     std::filesystem::create_symlink(std::filesystem::canonical(WHITTLE_AS_POVRAY), folder / "povray-3.7");
     const auto finished = [&](const std::string& program, const std::vector<std::string>& words) {
         return run_program(folder.path(), program, words).err.find("POV-Ray finished\n") != std::string::npos;

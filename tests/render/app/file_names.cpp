@@ -14,15 +14,15 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-struct Row {
+struct NameRow {
     Words words;
     int status;
     Words files;
 };
 
-const std::vector<Row>& rows()
+const std::vector<NameRow>& name_rows()
 {
-    static const std::vector<Row> all = {
+    static const std::vector<NameRow> all = {
         {{"s.pov", "+Ox"}, 0, {"x.png"}},
         {{"s.pov", "+Ox.png"}, 0, {"x.png"}},
         {{"s.pov", "+Ox.PNG"}, 0, {"x.PNG.png"}},
@@ -105,7 +105,7 @@ Words files_of(const support::TemporaryFolder& folder)
 
 TEST_CASE("a run makes the files that POV-Ray makes", "[program][names]")
 {
-    for (const Row& row : rows()) {
+    for (const NameRow& row : name_rows()) {
         std::string said;
         for (const std::string& word : row.words) said += word + " ";
         INFO(said);

@@ -12,7 +12,7 @@ using namespace app;
 
 namespace {
 
-Settings settings_of(const std::string& text, const std::string& section = "")
+Settings ini_settings(const std::string& text, const std::string& section = "")
 {
     Settings settings;
     apply_ini_text(settings, text, section, "test.ini");
@@ -23,16 +23,16 @@ Settings settings_of(const std::string& text, const std::string& section = "")
 
 TEST_CASE("an INI file has one option a line, with comments", "[app][ini]")
 {
-    const Settings s = settings_of("; comment\nWidth = 9 ; nine\n  Height=7 # seven\n\nOutput_File_Name=\"a ; b.png\"\r\n");
+    const Settings s = ini_settings("; comment\nWidth = 9 ; nine\n  Height=7 # seven\n\nOutput_File_Name=\"a ; b.png\"\r\n");
     CHECK(s.width == 9);
     CHECK(s.height == 7);
     CHECK(s.output_file == "a ; b.png");
-    CHECK(settings_of("Width=9 Height=7").height == 600);
+    CHECK(ini_settings("Width=9 Height=7").height == 600);
 }
 
 TEST_CASE("lines of switches, lists of values", "[app][ini]")
 {
-    const Settings s = settings_of("+W9 +H7 -A\nLibrary_Path=one,\"two, three\"\nWidth=9,8\n'my scene.pov'");
+    const Settings s = ini_settings("+W9 +H7 -A\nLibrary_Path=one,\"two, three\"\nWidth=9,8\n'my scene.pov'");
     CHECK(s.width == 8);
     CHECK(s.library_path == std::vector<std::string>{"one", "two, three"});
     CHECK(s.input_file == "my scene.pov");
@@ -41,24 +41,24 @@ TEST_CASE("lines of switches, lists of values", "[app][ini]")
 TEST_CASE("a section applies only where it is asked for", "[app][ini]")
 {
     const std::string text = "Width=1\n[Small]\nWidth=2\n[large]\nWidth=3\n[small]\nHeight=5\n";
-    CHECK(settings_of(text).width == 1);
-    CHECK(settings_of(text, "small").width == 2);
-    CHECK(settings_of(text, "small").height == 5);
-    CHECK(settings_of(text, "LARGE").width == 3);
-    CHECK(settings_of(text, "other").width == 1);
+    CHECK(ini_settings(text).width == 1);
+    CHECK(ini_settings(text, "small").width == 2);
+    CHECK(ini_settings(text, "small").height == 5);
+    CHECK(ini_settings(text, "LARGE").width == 3);
+    CHECK(ini_settings(text, "other").width == 1);
 }
 
 TEST_CASE("declared strings keep their quotes until they are read", "[app][ini]")
 {
-    const Settings s = settings_of("Declare=a=2\nDeclare=b=\"two words\"");
+    const Settings s = ini_settings("Declare=a=2\nDeclare=b=\"two words\"");
     CHECK(s.declared_numbers.at("a") == 2.0);
     CHECK(s.declared_strings.at("b") == "two words");
 }
 
 TEST_CASE("an error in an INI file names file and line; an obsolete option is a remark", "[app][ini]")
 {
-    CHECK_THROWS_WITH(settings_of("Width=9\nWidht=9\n"), "test.ini:2: unknown option 'Widht'");
-    const Settings s = settings_of("Buffer_Output=on\nWidth=9");
+    CHECK_THROWS_WITH(ini_settings("Width=9\nWidht=9\n"), "test.ini:2: unknown option 'Widht'");
+    const Settings s = ini_settings("Buffer_Output=on\nWidth=9");
     CHECK(s.width == 9);
     CHECK(s.notes == std::vector<std::string>{"Buffer_Output is obsolete and has no effect"});
 }
@@ -122,7 +122,7 @@ TEST_CASE("any text is an INI file or an error that says so", "[app][ini]")
         }
         INFO("seed " << seed);
         try {
-            settings_of(text, seed % 2 ? "a" : "");
+            ini_settings(text, seed % 2 ? "a" : "");
         } catch (const OptionError& error) {
             REQUIRE(std::string(error.what()).starts_with("test.ini:"));
         }

@@ -14,11 +14,11 @@ using support::text_of;
 using support::write_text;
 using Words = std::vector<std::string>;
 
-constexpr const char* kScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#include \"part.inc\"\ncamera { location -z*4 }\nsphere { 0, Size pigment { rgb 1 } }\n";
+constexpr const char* kTwoFileScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#include \"part.inc\"\ncamera { location -z*4 }\nsphere { 0, Size pigment { rgb 1 } }\n";
 
 void make_scene(const support::TemporaryFolder& folder)
 {
-    write_text(folder / "a.pov", kScene);
+    write_text(folder / "a.pov", kTwoFileScene);
     write_text(folder / "part.inc", "#declare Size = 1;\n#warning \"from the part\"\n");
     write_text(folder / "a.ini", "Width=8\nHeight=6\nDeclare=n=3\n");
 }
@@ -150,10 +150,10 @@ TEST_CASE("a scene comes from standard input", "[program][machines]")
     const support::TemporaryFolder folder;
     make_scene(folder);
     for (const char* input : {"+I-", "+Istdin", "Input_File_Name=-"}) {
-        const Ended ended = run_program(folder.path(), WHITTLE_PROGRAM, {input, "+W8", "+H6", "+O-"}, kScene);
+        const Ended ended = run_program(folder.path(), WHITTLE_PROGRAM, {input, "+W8", "+H6", "+O-"}, kTwoFileScene);
         CHECK(ended.status == 0);
         CHECK(ended.out.starts_with("\x89PNG"));
     }
-    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, {"+I-", "+W8", "+H6"}, kScene).status == 0);
+    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, {"+I-", "+W8", "+H6"}, kTwoFileScene).status == 0);
     CHECK(std::filesystem::exists(folder / "stdin.png"));
 }

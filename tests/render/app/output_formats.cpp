@@ -13,7 +13,7 @@ using support::run_program;
 using support::text_of;
 using Words = std::vector<std::string>;
 
-constexpr const char* kScene =
+constexpr const char* kRampScene =
     "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { orthographic location <0, 0, -1> look_at 0 right x*8 up y*6 }\n"
     "plane { z, 0 pigment { gradient x color_map { [0 rgb <0.05, 0.3, 1.1>] [1 rgb <0.9, 0.1, 0.4>] } scale 9 translate -x*4.7 }\n"
     "  finish { emission 1 ambient 0 diffuse 0 } }\n";
@@ -33,7 +33,7 @@ std::string hex(std::string_view bytes)
 std::string written(const Words& options)
 {
     const support::TemporaryFolder folder;
-    support::write_text(folder / "s.pov", kScene);
+    support::write_text(folder / "s.pov", kRampScene);
     Words words{"s.pov", "+O-"};
     words.insert(words.end(), options.begin(), options.end());
     const support::Ended ended = run_program(folder.path(), WHITTLE_PROGRAM, words);
@@ -87,7 +87,7 @@ TEST_CASE("each output type makes a file of its kind and size", "[program][outpu
                            Row{"+FC", "s.tga", 4, 8}, Row{"+FJ", "s.jpg", 3, 8}, Row{"+FB", "s.bmp", 4, 8}, Row{"+FE", "s.exr", 4, 0}, Row{"+FH", "s.hdr", 3, 32}}) {
         INFO(row.type);
         const support::TemporaryFolder folder;
-        support::write_text(folder / "s.pov", kScene);
+        support::write_text(folder / "s.pov", kRampScene);
         REQUIRE(run_program(folder.path(), WHITTLE_PROGRAM, {"s.pov", row.type, "+UA", "+W16", "+H12"}).status == 0);
         const image::Picture picture = image::Files().read(folder / row.file);
         CHECK(picture.width == 16);

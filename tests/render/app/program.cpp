@@ -1,25 +1,17 @@
 #include "render/image/files.h"
 
+#include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
 
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace {
 
-std::string text_of(const std::string& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
+using support::text_of;
+using support::write_text;
 
 struct Run {
     int status;
@@ -36,8 +28,6 @@ Run run(const support::TemporaryFolder& folder, const std::string& arguments)
     return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, text_of(out), text_of(err)};
 }
 
-void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
-
 constexpr const char* kScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
                                "camera { location <0, 0, -4> look_at 0 }\nlight_source { <-5, 5, -5>, 1 }\n"
                                "sphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } }\n"
@@ -48,7 +38,7 @@ constexpr const char* kScene = "#version 3.7;\nglobal_settings { assumed_gamma 1
 TEST_CASE("a scene becomes a picture beside it", "[program]")
 {
     const support::TemporaryFolder folder;
-    write(folder / "scene.pov", kScene);
+    write_text(folder / "scene.pov", kScene);
     const Run result = run(folder, "scene.pov +W40 +H30 -D -P");
     INFO(result.err);
     REQUIRE(result.status == 0);
@@ -71,7 +61,7 @@ TEST_CASE("a scene becomes a picture beside it", "[program]")
 TEST_CASE("standard output carries the picture and nothing else", "[program]")
 {
     const support::TemporaryFolder folder;
-    write(folder / "scene.pov", kScene);
+    write_text(folder / "scene.pov", kScene);
     REQUIRE(run(folder, "scene.pov +W16 +H12 -D").status == 0);
     const Run piped = run(folder, "scene.pov +W16 +H12 -D +O-");
     REQUIRE(piped.status == 0);
@@ -81,8 +71,8 @@ TEST_CASE("standard output carries the picture and nothing else", "[program]")
 TEST_CASE("a failed run has status 1 and leaves an existing picture as it was", "[program]")
 {
     const support::TemporaryFolder folder;
-    write(folder / "scene.pov", "sphere { 0 1");
-    write(folder / "scene.png", "old");
+    write_text(folder / "scene.pov", "sphere { 0 1");
+    write_text(folder / "scene.png", "old");
     for (const char* arguments : {"scene.pov", "scene.pov +W0", "scene.pov +ZZ", "scene.pov Widht=3", "scene.pov +W8 +H8 +EC9"}) {
         const Run result = run(folder, arguments);
         INFO(arguments);
@@ -109,7 +99,7 @@ TEST_CASE("help and version go to standard output", "[program]")
 TEST_CASE("options without effect are named in one line", "[program]")
 {
     const support::TemporaryFolder folder;
-    write(folder / "scene.pov", kScene);
+    write_text(folder / "scene.pov", kScene);
     const Run result = run(folder, "scene.pov +W8 +H6 +RFO +RFI -D");
     CHECK(result.status == 0);
     CHECK_THAT(result.err, Catch::Contains("note: accepted without effect for now: Radiosity_To_File, Radiosity_From_File\n"));
@@ -118,8 +108,8 @@ TEST_CASE("options without effect are named in one line", "[program]")
 TEST_CASE("an animation writes a picture per frame and continues where it stopped", "[program]")
 {
     const support::TemporaryFolder folder;
-    write(folder / "scene.pov", kScene);
-    write(folder / "scene2.png", "there");
+    write_text(folder / "scene.pov", kScene);
+    write_text(folder / "scene2.png", "there");
     REQUIRE(run(folder, "scene.pov +W8 +H6 +KFF3 +C").status == 0);
     CHECK(folder.names() == std::vector<std::string>{"scene.pov", "scene1.png", "scene2.png", "scene3.png"});
     CHECK(text_of(folder / "scene2.png") == "there");
@@ -128,7 +118,7 @@ TEST_CASE("an animation writes a picture per frame and continues where it stoppe
 TEST_CASE("each stage can be printed", "[program]")
 {
     const support::TemporaryFolder folder;
-    write(folder / "scene.pov", kScene);
+    write_text(folder / "scene.pov", kScene);
     for (const char* stage : {"tokens", "scene", "plan"}) {
         const Run result = run(folder, std::string("scene.pov --dump=") + stage);
         INFO(stage << ": " << result.err);
@@ -143,7 +133,7 @@ TEST_CASE("each stage can be printed", "[program]")
 TEST_CASE("the same bytes for one thread and for several", "[program]")
 {
     const support::TemporaryFolder folder;
-    write(folder / "scene.pov", kScene);
+    write_text(folder / "scene.pov", kScene);
     REQUIRE(run(folder, "scene.pov +W80 +H60 +A0.1 +WT1 +Oone.png").status == 0);
     REQUIRE(run(folder, "scene.pov +W80 +H60 +A0.1 +WT4 +Ofour.png").status == 0);
     CHECK(text_of(folder / "one.png") == text_of(folder / "four.png"));
@@ -165,7 +155,7 @@ TEST_CASE("the picture stands where POV-Ray puts it", "[program]")
         for (const std::string& name : found) std::filesystem::remove(folder / name);
         return found;
     };
-    write(folder / "sub/d.pov", kScene);
+    write_text(folder / "sub/d.pov", kScene);
     using Names = std::vector<std::string>;
     CHECK(pictures("sub/d.pov") == Names{"sub/d.png"});      // beside the scene
     CHECK(pictures("+Isub/d") == Names{"sub/d.png"});

@@ -11,7 +11,7 @@ using support::Ended;
 using support::text_of;
 using support::write_text;
 
-constexpr const char* kScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -z }\n";
+constexpr const char* kEmptyScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -z }\n";
 
 /// All six commands leave a line in the file `log`.
 constexpr const char* kCommands = "Pre_Scene_Command=echo prescene %s %o %w %h >>log\nPre_Frame_Command=echo preframe %n %k %o >>log\n"
@@ -23,7 +23,7 @@ struct Outcome {
     std::string log;
 };
 
-Outcome outcome(const std::string& ini, const char* scene = kScene, const char* options = "+KFF2 --allow-commands")
+Outcome outcome(const std::string& ini, const char* scene = kEmptyScene, const char* options = "+KFF2 --allow-commands")
 {
     const support::TemporaryFolder folder;
     write_text(folder / "a.pov", scene);
@@ -48,7 +48,7 @@ TEST_CASE("commands run around the scene and each frame", "[program][commands]")
 
 TEST_CASE("commands do not run unless allowed", "[program][commands]")
 {
-    const Outcome ran = outcome("", kScene, "+KFF2");
+    const Outcome ran = outcome("", kEmptyScene, "+KFF2");
     CHECK(ran.status == 0);
     CHECK(ran.log.empty());
 }

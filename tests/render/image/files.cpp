@@ -20,7 +20,7 @@ Raster ramp(int width, int height, int channels, int bits)
     return raster;
 }
 
-std::string bytes_of(const std::string& path)
+std::string text_of(const std::string& path)
 {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream out;
@@ -62,7 +62,7 @@ TEST_CASE("the same picture gives the same bytes", "[image][files]")
     const Files files;
     files.write(folder / "one.png", ramp(64, 48, 3, 8), FileType::Png, TransferCurve::srgb());
     files.write(folder / "two.png", ramp(64, 48, 3, 8), FileType::Png, TransferCurve::srgb());
-    CHECK(bytes_of(folder / "one.png") == bytes_of(folder / "two.png"));
+    CHECK(text_of(folder / "one.png") == text_of(folder / "two.png"));
 }
 
 TEST_CASE("a PNG says which curve it was stored with", "[image][files]")
@@ -98,7 +98,7 @@ TEST_CASE("a picture that cannot be written leaves the old one and nothing else"
     std::ofstream(folder / "old.png") << "old";
     const Raster empty{0, 0, 3, 8, {}};
     CHECK_THROWS_AS(files.write(folder / "old.png", empty, FileType::Png, TransferCurve::srgb()), FileError);
-    CHECK(bytes_of(folder / "old.png") == "old");
+    CHECK(text_of(folder / "old.png") == "old");
     CHECK(folder.names() == std::vector<std::string>{"old.png"});
     CHECK_THROWS_AS(files.write(folder / "missing/new.png", ramp(4, 4, 3, 8), FileType::Png, TransferCurve::srgb()), FileError);
 }

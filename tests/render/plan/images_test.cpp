@@ -12,25 +12,25 @@
 // Pictures as patterns against what POV-Ray answered: data/images.txt, pictures by data/make_pictures.py.
 namespace {
 
-struct Row {
+struct Answer {
     std::string statement;
     glm::dvec3 at{0};
     std::vector<double> expected;
 };
 
-std::vector<Row> rows()
+std::vector<Answer> answers()
 {
     std::ifstream in(WHITTLE_TEST_DATA "/images.txt");
-    std::vector<Row> out;
+    std::vector<Answer> out;
     for (std::string line; std::getline(in, line);) {
         if (line.empty() || line[0] == '#') continue;
-        Row row;
+        Answer answer;
         const std::size_t mark = line.find(';');
-        row.statement = line.substr(0, mark);
+        answer.statement = line.substr(0, mark);
         std::istringstream rest(line.substr(mark + 1));
-        rest >> row.at.x >> row.at.y >> row.at.z;
-        for (double v = 0; rest >> v;) row.expected.push_back(v);
-        out.push_back(row);
+        rest >> answer.at.x >> answer.at.y >> answer.at.z;
+        for (double v = 0; rest >> v;) answer.expected.push_back(v);
+        out.push_back(answer);
     }
     return out;
 }
@@ -54,24 +54,24 @@ constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 }
 
 TEST_CASE("pictures answer as POV-Ray's do", "[plan][image]")
 {
-    const std::vector<Row> all = rows();
+    const std::vector<Answer> all = answers();
     REQUIRE(all.size() == 456);
-    for (const Row& row : all) {
-        INFO(row.statement << " at " << row.at.x << ' ' << row.at.y << ' ' << row.at.z);
-        const bool value = row.statement.starts_with("image_pattern");
-        const scene::Description scene = parsed(value ? row.statement + " color_map { [0 rgb 0] [1 rgb 1] }" : row.statement, kHead);
+    for (const Answer& answer : all) {
+        INFO(answer.statement << " at " << answer.at.x << ' ' << answer.at.y << ' ' << answer.at.z);
+        const bool value = answer.statement.starts_with("image_pattern");
+        const scene::Description scene = parsed(value ? answer.statement + " color_map { [0 rgb 0] [1 rgb 1] }" : answer.statement, kHead);
         texture::TextureSet set;
         std::vector<scene::Unsupported> notes;
         plan::TextureCompiler compiler(scene, 9, set, notes);
         const std::uint32_t pigment = compiler.pigment(pigment_of(scene));
         CHECK(notes.empty());
-        const scene::Color c = texture::pigment_color(set, pigment, row.at, {});
+        const scene::Color c = texture::pigment_color(set, pigment, answer.at, {});
         if (value) {
-            CHECK(texture::image_value(set.images.at(0), row.at) == Approx(row.expected.at(0)).margin(2e-7));  // told in single precision
+            CHECK(texture::image_value(set.images.at(0), answer.at) == Approx(answer.expected.at(0)).margin(2e-7));  // told in single precision
             continue;
         }
         const float got[5] = {c.red, c.green, c.blue, c.filter, c.transmit};
-        for (std::size_t k = 0; k < 5; ++k) CHECK(static_cast<double>(got[k]) == Approx(row.expected.at(k)).margin(2e-7));
+        for (std::size_t k = 0; k < 5; ++k) CHECK(static_cast<double>(got[k]) == Approx(answer.expected.at(k)).margin(2e-7));
     }
 }
 
