@@ -4,6 +4,7 @@
 #include "render/scene/description.h"
 
 #include <optional>
+#include <span>
 
 namespace parser {
 
@@ -26,6 +27,9 @@ public:
     /// A function that asks for noise, patterns or pigments, with the global settings read so far.
     virtual function::Values evaluate(const function::FunctionPtr& called, const double* arguments,
                                       const scene::Description& so_far) = 0;
+    /// The same at many points; `values` has as many.
+    virtual void evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points, std::span<function::Values> values,
+                          const scene::Description& so_far) = 0;
 };
 
 }  // namespace parser

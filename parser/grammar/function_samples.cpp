@@ -9,6 +9,7 @@ namespace parser {
 namespace {
 
 constexpr double kMost = 65535.0;
+constexpr std::size_t kMostAsked = 1u << 16;  // points at a time
 
 double number(double v) { return std::isnan(v) ? 0.0 : v; }
 
@@ -26,14 +27,25 @@ std::optional<std::vector<std::uint16_t>> sampled_levels(SceneBuilder& build, co
     const std::size_t channels = sampled_channels(*called);
     std::vector<std::uint16_t> levels;
     levels.reserve(std::size_t{columns} * rows * channels);
+    const auto add = [&](const function::Values& v) {
+        if (channels == 1) levels.push_back(wrapped(v[0]));
+        else for (const double part : {v[0], v[1], v[2], 1.0 - v[4]}) levels.push_back(cut_off(part));
+    };
+    std::vector<glm::dvec3> points;
+    std::vector<function::Values> values;
     for (std::uint32_t y = 0; y < rows; ++y)
         for (std::uint32_t x = 0; x < columns; ++x) {
-            const double at[3] = {x / (columns - 1.0), y / (rows - 1.0), 0.0};
-            const auto value = called->asks_scene ? build.evaluate(called, at) : std::optional(function::evaluate_all(*called, at, function::no_host()));
-            if (!value) return std::nullopt;
-            const function::Values& v = *value;
-            if (channels == 1) levels.push_back(wrapped(v[0]));
-            else for (const double part : {v[0], v[1], v[2], 1.0 - v[4]}) levels.push_back(cut_off(part));
+            const glm::dvec3 at{x / (columns - 1.0), y / (rows - 1.0), 0.0};
+            if (!called->asks_scene) {
+                add(function::evaluate_all(*called, &at.x, function::no_host()));
+                continue;
+            }
+            points.push_back(at);
+            if (points.size() < kMostAsked && (y + 1 < rows || x + 1 < columns)) continue;
+            values.resize(points.size());
+            if (!build.evaluate(called, points, values)) return std::nullopt;
+            std::for_each(values.begin(), values.end(), add);
+            points.clear();
         }
     return levels;
 }

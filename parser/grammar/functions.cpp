@@ -77,4 +77,11 @@ std::optional<function::Values> SceneBuilder::evaluate(const function::FunctionP
     return asked ? std::optional(asked->evaluate(called, arguments, description)) : std::nullopt;
 }
 
+bool SceneBuilder::evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points, std::span<function::Values> values)
+{
+    SceneQueries* asked = queries();
+    if (asked) asked->evaluate(called, points, values, description);
+    return asked != nullptr;
+}
+
 }  // namespace parser

@@ -35,6 +35,8 @@ public:
     std::optional<csg::Aabb> extent(const std::shared_ptr<const scene::Object>& object) override;
     std::optional<glm::dvec3> turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override;
     std::optional<function::Values> evaluate(const function::FunctionPtr& called, const double* arguments) override;
+    /// At many points; false: nobody answers.
+    bool evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points, std::span<function::Values> values);
 
     /// The texture that `#default` has made so far: one layer.
     const scene::TexturePtr& default_texture() const { return default_texture_; }

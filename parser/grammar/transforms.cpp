@@ -1,5 +1,7 @@
 #include "parser/grammar/rules.h"
 
+#include <fmt/format.h>
+
 namespace parser {
 namespace {
 
@@ -14,7 +16,7 @@ glm::dvec3 repaired_scale(TransformState& s, glm::dvec3 by)
 {
     for (int i = 0; i < 3; ++i) {
         if (by[i] != 0.0) continue;
-        s.stream().warn(s.stream().last(), std::string("scale by 0 along ") + "xyz"[i] + " changed to 1");
+        s.stream().warn(s.stream().last(), fmt::format("scale by 0 along {} changed to 1", "xyz"[i]));
         by[i] = 1.0;
     }
     return by;

@@ -187,7 +187,7 @@ int render_frame(Run& run, const Frame& frame)
         return kSuccess;
     }
     StageTimes times;
-    SceneQueries queries;
+    SceneQueries queries(settings.threads);
     parser::Options options;
     const Heeding heeding(run.cancel);  // until the picture file is in place
     const parser::Result parsed = parse_scene(run, frame, path, options, queries);

@@ -1,5 +1,8 @@
 #include "render/app/scene_queries.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 namespace app {
 namespace {
 
@@ -40,13 +43,31 @@ csg::Aabb SceneQueries::extent(const ObjectPtr& object)
     return plan::described_extent(*object);
 }
 
-function::Values SceneQueries::evaluate(const function::FunctionPtr& called, const double* arguments, const scene::Description& so_far)
+const plan::FunctionProbe& SceneQueries::function_probe(const function::FunctionPtr& called, const scene::Description& so_far)
 {
     if (so_far.global.noise_generator != noise_generator_ || functions_.size() >= kMostKept) functions_.clear();
     noise_generator_ = so_far.global.noise_generator;
     auto& kept = functions_[called];
     if (!kept) kept = std::make_unique<plan::FunctionProbe>(called, so_far);
-    return kept->evaluate(arguments);
+    return *kept;
+}
+
+function::Values SceneQueries::evaluate(const function::FunctionPtr& called, const double* arguments, const scene::Description& so_far)
+{
+    return function_probe(called, so_far).evaluate(arguments);
+}
+
+void SceneQueries::evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points, std::span<function::Values> values,
+                            const scene::Description& so_far)
+{
+    constexpr std::size_t kRun = 256;  // a granite takes microseconds
+    const plan::FunctionProbe& probe = function_probe(called, so_far);
+    tbb::task_arena arena(threads_ > 0 ? threads_ : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kRun), [&](const auto& run) {
+            for (std::size_t i = run.begin(); i < run.end(); ++i) values[i] = probe.evaluate(&points[i].x);
+        });
+    });
 }
 
 }  // namespace app

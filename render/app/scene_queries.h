@@ -11,14 +11,20 @@ namespace app {
 /// Answers the parser's questions with the renderer's own parts. Objects and functions asked once are kept compiled.
 class SceneQueries final : public parser::SceneQueries {
 public:
+    /// \param threads that answer many questions; 0: one a core
+    explicit SceneQueries(int threads) : threads_(threads) {}
     parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction) override;
     bool inside(const ObjectPtr& object, const glm::dvec3& point) override;
     glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override;
     csg::Aabb extent(const ObjectPtr& object) override;
     function::Values evaluate(const function::FunctionPtr& called, const double* arguments, const scene::Description& so_far) override;
+    void evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points, std::span<function::Values> values,
+                  const scene::Description& so_far) override;
 
 private:
+    const plan::FunctionProbe& function_probe(const function::FunctionPtr& called, const scene::Description& so_far);
     plan::ObjectProbe& probe(const ObjectPtr& object);
+    int threads_;
     std::unordered_map<ObjectPtr, std::unique_ptr<plan::ObjectProbe>> objects_;
     const scene::Object* last_ = nullptr;  ///< asked last: questions come in rows
     plan::ObjectProbe* last_probe_ = nullptr;

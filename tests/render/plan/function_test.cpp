@@ -25,6 +25,11 @@ struct Queries final : parser::SceneQueries {
     {
         return plan::FunctionProbe(called, so_far).evaluate(arguments);
     }
+    void evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points, std::span<function::Values> values,
+                  const scene::Description& so_far) override
+    {
+        for (std::size_t i = 0; i < points.size(); ++i) values[i] = evaluate(called, &points[i].x, so_far);
+    }
 };
 
 std::string debug_of(const std::string& text)
