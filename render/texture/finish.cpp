@@ -24,12 +24,7 @@ double grazing_weight(double cosine)
 
 namespace {
 
-/// c^n for a cosine, 0 where that is below 1e-13 and no picture shows it: c^n <= exp(-n (1 - c)).
-double highlight_power(double c, double n)
-{
-    constexpr double kVanishes = 30.0;
-    return n * (1.0 - c) > kVanishes ? 0.0 : std::pow(c, n);
-}
+double highlight_power(double c, double n) { return highlight_vanishes(c, n) ? 0.0 : std::pow(c, n); }
 
 }  // namespace
 
@@ -37,9 +32,7 @@ double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, con
 {
     const glm::dvec3 mirrored = d - 2.0 * glm::dot(d, n) * n;
     const double c = glm::dot(mirrored, l);
-    if (!(c > 0.0)) return 0.0;
-    // POV-Ray skips powers that would vanish anyway.
-    if (finish.phong_size >= 60.0f && c <= 0.0008) return 0.0;
+    if (phong_vanishes(finish, c)) return 0.0;
     return static_cast<double>(finish.phong) * highlight_power(c, static_cast<double>(finish.phong_size));
 }
 

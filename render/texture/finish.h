@@ -12,6 +12,16 @@ float opacity(const scene::Color& c, bool legacy);
 /// W of 7.8: 0 head-on, 1 at grazing angles; `cosine` of the angle to the normal.
 double grazing_weight(double cosine);
 
+/// c^n for a cosine is below 1e-13, and no picture shows it: c^n <= exp(-n (1 - c)).
+inline bool highlight_vanishes(double c, double n)
+{
+    constexpr double kVanishes = 30.0;
+    return n * (1.0 - c) > kVanishes;
+}
+
+/// No Phong highlight at this cosine. POV-Ray skips powers that would vanish anyway.
+inline bool phong_vanishes(const Finish& finish, double c) { return !(c > 0.0) || (finish.phong_size >= 60.0f && c <= 0.0008); }
+
 /// Phong term for one light, without the light's colour (7.7).
 double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l);
 

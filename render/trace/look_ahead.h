@@ -7,7 +7,7 @@
 
 namespace trace {
 
-/// Pigments of layered textures for the tile's hits that have `layers` and are not plain, the top layers first: one is asked
+/// Pigments of layered textures for the tile's hits that have `layers`, the top layers first: one is asked
 /// for only where those above let light through (as shade_layers has it, but for what mirrors take away).
 inline void look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, int hits, float bailout)
 {

@@ -64,6 +64,7 @@ inline constexpr std::uint32_t kLayersAhead = 8;
 /// Pigments of the layers of a hit, by layer; those that layers above hide are not filled in.
 struct LayersAhead {
     std::uint32_t texture;           ///< kNone: nothing was looked up
+    bool flat;                       ///< AheadLayers::flat
     float residual;                  ///< share of light that the layers so far let through, or more
     glm::vec3 filter;
     glm::dvec3 point;                ///< of pattern space

@@ -36,8 +36,9 @@ glm::vec3 contribution(Context& context, const HitContext& hit, const Layer& lay
     const texture::Finish& finish = layer.finish;
     const double grain =
         finish.crand > 0.0f ? static_cast<double>(finish.crand) * random_at(hit.point, layer.purpose) : 0.0;
-    glm::vec3 sum = surface_light({finish, layer.pigment, hit.state.ray.direction, layer.normal, layer.alpha}, lit.direction,
-                                  color, behind, !light.shadowless, grain);
+    const LitLayer met{finish, layer.pigment, hit.state.ray.direction, layer.normal, layer.alpha};
+    const double strength = behind || light.shadowless ? 0.0 : highlight(met, lit.direction);
+    glm::vec3 sum = surface_light(met, lit.direction, color, behind, strength, grain);
     if (finish.irid > 0.0f) sum *= film_color(context, hit, finish, layer.normal, lit.direction);
     return sum;
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-/// What one light adds where nothing shadows it any more; shared by the tile's plain hits and the general shading.
+/// What one light adds where nothing shadows it any more; shared by the tile's flat hits and the general shading.
 namespace trace {
 
 /// A layer of a finish as light meets it. Unit vectors; `direction` is the ray's.
@@ -16,9 +16,19 @@ struct LitLayer {
     double alpha;
 };
 
-/// Diffuse light and highlights toward `l` (spec 3, 7.5 to 7.8). behind: on the side that diffuse_back lights; grain: what
-/// crand takes off.
-inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const glm::vec3& color, bool behind, bool highlights,
+/// Strength of the highlights toward `l` (spec 3, 7.7).
+inline double highlight(const LitLayer& layer, const glm::dvec3& l)
+{
+    const texture::Finish& finish = layer.finish;
+    double strength = 0.0;
+    if (finish.phong > 0.0f) strength += texture::phong(finish, layer.direction, layer.normal, l);
+    if (finish.specular > 0.0f) strength += texture::specular(finish, layer.direction, layer.normal, l);
+    return strength;
+}
+
+/// Diffuse light and highlights toward `l` (spec 3, 7.5 to 7.8). behind: on the side that diffuse_back lights; strength: of
+/// the highlights; grain: what crand takes off.
+inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const glm::vec3& color, bool behind, double strength,
                                double grain)
 {
     const texture::Finish& finish = layer.finish;
@@ -31,13 +41,8 @@ inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const
         intensity -= grain;
         sum += static_cast<float>(intensity) * layer.pigment.rgb() * color;
     }
-    if (!behind && highlights && (finish.phong > 0.0f || finish.specular > 0.0f)) {
-        double strength = 0.0;
-        if (finish.phong > 0.0f) strength += texture::phong(finish, layer.direction, layer.normal, l);
-        if (finish.specular > 0.0f) strength += texture::specular(finish, layer.direction, layer.normal, l);
-        if (strength != 0.0)
-            sum += static_cast<float>(strength) * texture::highlight_color(finish, color, layer.pigment, layer.normal, l);
-    }
+    if (strength != 0.0)
+        sum += static_cast<float>(strength) * texture::highlight_color(finish, color, layer.pigment, layer.normal, l);
     return sum;
 }
 

@@ -2,6 +2,7 @@
 
 #include "csg/hit.h"
 #include "render/light/illuminate.h"
+#include "render/trace/highlight_lanes.h"
 #include "render/trace/pigment_batch.h"
 #include "render/trace/shade_lanes.h"
 #include "render/trace/surface_traits.h"
@@ -20,13 +21,25 @@ struct LightSample {
     bool shadow_known = false;   ///< `shadowed` is there
 };
 
-/// A hit of a tile on a surface of one layer, on its way through the lights.
-struct PlainHit {
-    const texture::Finish* finish = nullptr;   ///< none: not a hit, or not of such a surface
+/// A layer of a flat hit, on its way through the lights.
+struct FlatLayer {
+    const texture::Finish* finish;
     scene::Color pigment;
-    float alpha;                               ///< the layer's opacity factor
-    bool goes_on;                              ///< rays may go on from here
-    glm::vec3 glow, lit;                       ///< ambient and emission; what the lights have added so far
+    float alpha;                  ///< the layer's opacity factor
+    glm::vec3 filter;             ///< what the layers above let through
+    glm::vec3 glow, lit;          ///< ambient and emission; what the lights have added so far
+};
+
+/// A hit of a tile on a surface whose layers do not bend the normal: the lights are added for the whole tile.
+struct FlatHit {
+    std::uint16_t first, count;   ///< its layers, the top one first; none: no hit, or not of such a surface
+    bool goes_on;                 ///< rays may go on from here; it has one layer then
+};
+
+/// A flat hit that the light at hand reaches.
+struct LitHit {
+    std::uint8_t hit;
+    glm::vec3 color;
 };
 
 /// What shading keeps per thread; grows to what the scene needs and stays.
@@ -43,8 +56,11 @@ struct ShadeScratch {
     TileHits hits;                       ///< of a tile
     TileLight light;                     ///< the one at hand
     std::array<glm::vec3, csg::kTileRays> lit_colors;   ///< of the light at hand, before shadows
-    std::array<PlainHit, csg::kTileRays> plain;
-    PigmentBatch pigments;               ///< of the plain hits, then of layer after layer of the others
+    std::array<LitHit, csg::kTileRays> lit;             ///< by the light at hand
+    std::array<FlatHit, csg::kTileRays> flat;
+    std::array<FlatLayer, csg::kTileRays * kLayersAhead> flat_layers;
+    Highlights highlights;
+    PigmentBatch pigments;               ///< of the flat hits of one layer, then of layer after layer of the others
     std::array<texture::Surroundings, csg::kTileRays> around;
     std::array<LayersAhead, csg::kTileRays> layers;
     csg::CrossingTile crossings;         ///< of the shadow rays; only how they end where nothing filters

@@ -35,6 +35,12 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
     return true;
 }
 
+/// The light of its own side, without a bent normal, iridescence and grain.
+bool flat(const texture::Layer& layer, const texture::Finish& finish)
+{
+    return layer.normal == texture::kNone && finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f;
+}
+
 /// One layer without a bent normal that has no more than colour, diffuse light, highlights, mirroring and refraction.
 LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
 {
@@ -44,26 +50,29 @@ LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
     const texture::Layer& layer = set.layers[texture.first];
     const texture::Finish& finish = set.finishes[layer.finish];
     if (set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid && !texture.opaque) return {};  // it may be missing
-    if (layer.normal != texture::kNone || finish.diffuse_back != 0.0f || finish.irid != 0.0f || finish.crand != 0.0f) return {};
+    if (!flat(layer, finish)) return {};
     if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
     return {texture.first, !texture.plain};
 }
 
 /// The texture itself if it has layers with patterns, and few enough.
-std::uint32_t layers_ahead(const TextureSet& set, std::uint32_t index)
+AheadLayers layers_ahead(const TextureSet& set, std::uint32_t index)
 {
-    if (index == texture::kNone) return plan::kNone;
+    if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
-    if (texture.kind != texture::Texture::Kind::Layers || texture.count > kLayersAhead) return plan::kNone;
+    if (texture.kind != texture::Texture::Kind::Layers || texture.count > kLayersAhead) return {};
     // A bent normal may be looked at by the layer's pigment.
     const auto looks = [](const texture::Pattern& p) { return p.kind == texture::PatternKind::Slope || p.kind == texture::PatternKind::Aoi; };
     const bool any_looks = std::any_of(set.patterns.begin(), set.patterns.end(), looks);
-    bool patterned = false;
+    bool patterned = false, all_flat = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
-        patterned |= set.pigments[set.layers[i].pigment].kind != texture::Pigment::Kind::Solid;
-        if (any_looks && set.layers[i].normal != texture::kNone) return plan::kNone;
+        const texture::Layer& layer = set.layers[i];
+        const texture::Finish& finish = set.finishes[layer.finish];
+        patterned |= set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid;
+        all_flat &= flat(layer, finish) && !finish.reflects();
+        if (any_looks && layer.normal != texture::kNone) return {};
     }
-    return patterned ? index : plan::kNone;
+    return patterned ? AheadLayers{index, all_flat} : AheadLayers{};
 }
 
 }  // namespace
@@ -84,7 +93,9 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         all[i].outer_layers = layers_ahead(scene.textures, surface.texture);
         all[i].inner_layers = surface.interior_texture == plan::kNone ? all[i].outer_layers
                                                                       : layers_ahead(scene.textures, surface.interior_texture);
-        if (!surface.double_illuminate) {
+        if (surface.double_illuminate) {
+            all[i].outer_layers.flat = all[i].inner_layers.flat = false;
+        } else {
             all[i].outer = lone_layer(scene.textures, surface.texture);
             all[i].inner = surface.interior_texture == plan::kNone ? all[i].outer
                                                                    : lone_layer(scene.textures, surface.interior_texture);

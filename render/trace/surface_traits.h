@@ -13,11 +13,17 @@ struct LoneLayer {
     bool goes_on = false;        ///< it may mirror light or let it through
 };
 
+/// A texture of layers with patterns.
+struct AheadLayers {
+    std::uint32_t texture = plan::kNone;
+    bool flat = false;           ///< no layer has more than colour, diffuse light and highlights
+};
+
 struct SurfaceTraits {
     bool needs_uv = true;        ///< something of its textures looks at surface coordinates
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
     LoneLayer outer, inner;      ///< as seen from outside, and where the raw normal faces along the ray
-    std::uint32_t outer_layers = plan::kNone, inner_layers = plan::kNone;   ///< textures whose pigments a tile looks up together
+    AheadLayers outer_layers, inner_layers;   ///< textures whose pigments a tile looks up together
     glm::vec3 filter{1};         ///< steady_filter: by this (spec 3, 13.2)
 };
 

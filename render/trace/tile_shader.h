@@ -1,8 +1,8 @@
 #pragma once
 
+#include "render/trace/flat_hits.h"
 #include "render/trace/look_ahead.h"
 #include "render/trace/shade_context.h"
-#include "render/trace/shade_light.h"
 #include "render/trace/wave.h"
 
 #include <algorithm>
@@ -19,18 +19,18 @@ inline bool steady(const light::Light& light)
     return light.kind == light::Light::Kind::Point && !light.parallel && !light.area && !(light.fade_power > 0.0);
 }
 
-/// One tile of rays on its way to colours. Hits of surfaces with one layer go through the lights together and are done
-/// then, but for the rays that go on from them; the others find their first shadow rays answered and are shaded one by one.
+/// One tile of rays on its way to colours. Flat hits go through the lights together and are done then, but for the rays that
+/// go on from them; the others find their first shadow rays answered and are shaded one by one.
 class TileShader {
 public:
     /// waiting: what the rays inherit; none for camera rays, which share `camera`.
     TileShader(Context& context, const RayTile& rays, const HitTile& hits, const RayState& camera, const WaitingRay* waiting)
-        : context_(context), scratch_(context.scratch.shade), rays_(rays), hits_(hits), camera_(camera), waiting_(waiting),
+        : context_(context), scratch_(context.scratch.shade), flat_(context), rays_(rays), hits_(hits), camera_(camera), waiting_(waiting),
           lights_(context.scene.lights.lights.size()), shadows_(context.scene.settings.quality >= 4)
     {
     }
 
-    /// Details and what is to be done with each hit; true if some need LightSamples.
+    /// Details and what is to be done with each hit; true if some are not flat and need LightSamples.
     bool prepare()
     {
         const auto& lights = context_.scene.lights.lights;
@@ -38,12 +38,12 @@ public:
         const bool small = settings.quality >= 2 &&
                            std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.by_points(); });
         const bool go_on = settings.quality >= 8 && settings.adc_bailout < 1.0 && !scratch_.wave.full();
-        bool general = false;
+        bool ahead = false;
         PigmentBatch& pigments = scratch_.pigments;
         pigments.clear();
         for (int i = 0; i < rays_.count; ++i) {
             const auto k = static_cast<std::size_t>(i);
-            scratch_.plain[k].finish = nullptr;
+            flat_.none(k);
             scratch_.layers[k].texture = plan::kNone;
             const Hit hit = hits_.at(i);
             if (!hit.found()) {
@@ -51,29 +51,30 @@ public:
                 continue;
             }
             const csg::Ray ray = rays_.ray(i);
-            HitDetails& at = details(i) = hit_details(context_, ray, hit);
+            // Made in place: a copy of what was just written in smaller pieces waits for all of them.
+            const HitDetails& at = *new (&details(i)) HitDetails(hit_details(context_, ray, hit));
             const bool from_inside = glm::dot(at.normal, ray.direction) > 0.0;
             scratch_.hits.set(k, at.point, from_inside ? -at.normal : at.normal);
             const SurfaceTraits& traits = scratch_.traits.surfaces[hit.surface];
             const LoneLayer& layer = from_inside ? traits.inner : traits.outer;
             if (small && layer.index != plan::kNone && (go_on || !layer.goes_on)) {
-                begin_plain(i, layer, hit);
+                begin_lone(i, layer, hit);
             } else {
-                general = true;
-                begin_layers(i, hit, from_inside ? traits.inner_layers : traits.outer_layers);
+                general_ = ahead = true;
+                begin_layers(i, hit, from_inside ? traits.inner_layers : traits.outer_layers, small);
             }
         }
-        pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { color_plain(k, c); });
-        if (general) look_ahead(scratch_, context_.scene.textures, rays_.count, static_cast<float>(settings.adc_bailout));
+        pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { flat_.color(k, c); });
+        if (ahead) finish_layers();
         for (int i = rays_.count; i % csg::kTileSide != 0; ++i)
             scratch_.hits.set(static_cast<std::size_t>(i), glm::dvec3(0), glm::dvec3(0));
-        return general;
+        return general_;
     }
 
     /// Where the tile's LightSamples start in the scratch stack.
     void use_samples(std::size_t base) { base_ = base; }
 
-    /// One light for the whole tile: it is added to plain hits, and waits in the LightSamples of the others.
+    /// One light for the whole tile: it is added to flat hits, and waits in the LightSamples of the others.
     void light(std::size_t which)
     {
         const light::Light& light = context_.scene.lights.lights[which];
@@ -100,18 +101,18 @@ public:
             if (!(scratch_.light.distance[k] < kFarLight)) beam.common_origin = false;
         }
         for (int i = 0; i < rays_.count; ++i)
-            if (asks_for_light(i)) ask(light, which, i, shadows);
-        if (beam.count != 0) answer(light, which);
+            if (asks_for_light(i)) ask(which, i, shadows, light.location);
+        if (beam.count != 0) answer(which);
+        flat_.add(light, rays_);
     }
 
     void color(int i)
     {
         const Hit hit = hits_.at(i);
         const auto k = static_cast<std::size_t>(i);
-        const PlainHit& plain = scratch_.plain[k];
-        const bool done = plain.finish != nullptr && !plain.goes_on;
+        const bool done = flat_.done(k);
         if (done && !foggy(context_)) {
-            give(i, scene::Color::of(plain.glow + plain.lit));
+            give(i, scene::Color::of(flat_.sum(k)));
             return;
         }
         RayState own;
@@ -123,10 +124,11 @@ public:
         if (!hit.found()) {
             give(i, through_air(context_, state, csg::kInfinity, sky_color(context_, state)));
         } else if (done) {
-            give(i, through_air(context_, state, hit.t, scene::Color::of(plain.glow + plain.lit)));
-        } else if (plain.finish != nullptr) {
+            give(i, through_air(context_, state, hit.t, scene::Color::of(flat_.sum(k))));
+        } else if (flat_.holds(k)) {
+            const FlatLayer& layer = flat_.top(k);
             const HitPlace place{state, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), hit.t, level(i)};
-            add_branch(context_, place, *plain.finish, plain.pigment, plain.glow + plain.lit, place_of(i), reach(i) + hit.t);
+            add_branch(context_, place, *layer.finish, layer.pigment, layer.glow + layer.lit, place_of(i), reach(i) + hit.t);
         } else {
             give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), level(i), first_light(i), &scratch_.layers[k])));
         }
@@ -143,34 +145,45 @@ private:
     std::size_t first_light(int i) const { return base_ + static_cast<std::size_t>(i) * lights_; }
     LightSample& sample(int i, std::size_t which) { return scratch_.lights[first_light(i) + which]; }
 
-    void begin_plain(int i, const LoneLayer& lone, const Hit& hit)
+    void begin_lone(int i, const LoneLayer& lone, const Hit& hit)
     {
         const auto k = static_cast<std::size_t>(i);
         const auto& set = context_.scene.textures;
-        const texture::Layer& layer = set.layers[lone.index];
-        PlainHit& plain = scratch_.plain[k];
-        plain.finish = &set.finishes[layer.finish];
-        plain.goes_on = lone.goes_on;
-        const texture::Pigment& pigment = set.pigments[layer.pigment];
-        if (pigment.kind == texture::Pigment::Kind::Solid) return color_plain(k, pigment.color);
+        flat_.begin(k, lone);
+        const std::uint32_t index = set.layers[lone.index].pigment;
+        const texture::Pigment& pigment = set.pigments[index];
+        if (pigment.kind == texture::Pigment::Kind::Solid) return flat_.color(k, pigment.color);
         surround(i);
-        scratch_.pigments.ask(k, layer.pigment, pattern_point(i, hit), scratch_.around[k]);
+        scratch_.pigments.ask(k, index, pattern_point(i, hit), scratch_.around[k]);
     }
 
-    void color_plain(std::size_t k, const scene::Color& c)
+    /// Pigments of the layers, top down; hits whose layers hide what is behind them are flat then.
+    void finish_layers()
     {
-        PlainHit& plain = scratch_.plain[k];
-        plain.pigment = c;
-        plain.alpha = plain.goes_on ? texture::opacity(c, context_.scene.textures.legacy_opacity) : 1.0f;
-        plain.glow = c.rgb() * (plain.finish->ambient + plain.finish->emission) * plain.alpha;
-        plain.lit = glm::vec3(0);
+        const auto& set = context_.scene.textures;
+        const auto bailout = static_cast<float>(context_.scene.settings.adc_bailout);
+        look_ahead(scratch_, set, rays_.count, bailout);
+        general_ = false;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(rays_.count); ++k) {
+            if (flat_.holds(k) || !hits_.at(static_cast<int>(k)).found()) continue;
+            const LayersAhead& layers = scratch_.layers[k];
+            if (layers.texture != plan::kNone && layers.flat && !(layers.residual > bailout))
+                flat_.begin(k, set.textures[layers.texture], layers.colors);
+            else
+                general_ = true;
+        }
     }
 
     void surround(int i)
     {
         const auto k = static_cast<std::size_t>(i);
         const HitDetails& at = details(i);
-        scratch_.around[k] = {at.point, scratch_.hits.normal(k), rays_.ray(i).direction, at.uv, true};
+        texture::Surroundings& around = scratch_.around[k];   // member by member, as the details
+        around.point = at.point;
+        around.normal = scratch_.hits.normal(k);
+        around.direction = rays_.ray(i).direction;
+        around.uv = at.uv;
+        around.surface = true;
     }
 
     glm::dvec3 pattern_point(int i, const Hit& hit)
@@ -179,11 +192,12 @@ private:
         return context_.scene.surfaces[hit.surface].uv_mapping ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point;
     }
 
-    void begin_layers(int i, const Hit& hit, std::uint32_t texture)
+    void begin_layers(int i, const Hit& hit, const AheadLayers& of, bool small)
     {
-        if (texture == plan::kNone) return;
+        if (of.texture == plan::kNone) return;
         LayersAhead& layers = scratch_.layers[static_cast<std::size_t>(i)];
-        layers.texture = texture;
+        layers.texture = of.texture;
+        layers.flat = of.flat && small;
         layers.residual = 1.0f;
         layers.filter = glm::vec3(1);
         layers.point = pattern_point(i, hit);
@@ -192,8 +206,7 @@ private:
 
     bool asks_for_light(int i) const
     {
-        const texture::Finish* finish = scratch_.plain[static_cast<std::size_t>(i)].finish;
-        if (finish != nullptr) return finish->lit();
+        if (flat_.holds(static_cast<std::size_t>(i))) return flat_.lit(static_cast<std::size_t>(i));
         const Hit hit = hits_.at(i);
         if (!hit.found()) return false;
         const std::uint32_t texture = context_.scene.surfaces[hit.surface].texture;
@@ -201,14 +214,13 @@ private:
     }
 
     /// Adds the light at once where nothing can shadow it; a shadow ray otherwise.
-    void ask(const light::Light& light, std::size_t which, int i, bool shadows)
+    void ask(std::size_t which, int i, bool shadows, const glm::dvec3& lamp)
     {
         const auto k = static_cast<std::size_t>(i);
-        const bool plain = scratch_.plain[k].finish != nullptr;
         const glm::dvec3 direction = scratch_.light.direction(k);
         const double distance = scratch_.light.distance[k], end = distance - kShadowTolerance;
         const glm::vec3& color = scratch_.lit_colors[k];
-        if (!plain) {
+        if (!flat_.holds(k)) {
             LightSample& s = sample(i, which);
             s.lit = {direction, distance, color};
             s.illuminated = true;
@@ -217,12 +229,12 @@ private:
         if (glm::dot(scratch_.hits.normal(k), direction) < kNearlyZero) return;
         if (color == glm::vec3(0)) return;
         if (!shadows || end <= kShadowTolerance) {
-            if (plain) add(light, k, color);
+            if (flat_.holds(k)) flat_.light(k, color);
             return;
         }
         RayTile& beam = scratch_.rays;
         const auto ray = static_cast<std::size_t>(beam.count++);
-        const glm::dvec3 origin = beam.common_origin ? light.location : scratch_.hits.point(k);
+        const glm::dvec3 origin = beam.common_origin ? lamp : scratch_.hits.point(k);
         const glm::dvec3 along = beam.common_origin ? -direction : direction;
         beam.ox[ray] = origin.x;
         beam.oy[ray] = origin.y;
@@ -235,7 +247,7 @@ private:
         scratch_.lane[ray] = static_cast<std::uint8_t>(i);
     }
 
-    void answer(const light::Light& light, std::size_t which)
+    void answer(std::size_t which)
     {
         const RayTile& beam = scratch_.rays;
         csg::CrossingTile& met = scratch_.crossings;
@@ -246,13 +258,12 @@ private:
             context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
         for (std::size_t ray = 0; ray < static_cast<std::size_t>(beam.count); ++ray) {
             const std::size_t k = scratch_.lane[ray];
-            const bool plain = scratch_.plain[k].finish != nullptr;
-            if (plain && met.ending[ray] == Shadow::Blocked) continue;
+            if (flat_.holds(k) && met.ending[ray] == Shadow::Blocked) continue;
             const glm::vec3 color = met.ending[ray] == Shadow::Clear     ? scratch_.lit_colors[k]
                                     : met.ending[ray] == Shadow::Blocked ? glm::vec3(0)
                                                                          : filtered(ray, k);
-            if (plain) {
-                add(light, k, color);
+            if (flat_.holds(k)) {
+                flat_.light(k, color);
             } else {
                 LightSample& s = sample(static_cast<int>(k), which);
                 s.shadowed = color;
@@ -271,23 +282,16 @@ private:
                              scratch_.crossings.hits[ray].data(), count);
     }
 
-    void add(const light::Light& light, std::size_t k, const glm::vec3& color)
-    {
-        if (!(std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)) return;
-        PlainHit& plain = scratch_.plain[k];
-        const glm::dvec3 d{rays_.dx[k], rays_.dy[k], rays_.dz[k]}, n = scratch_.hits.normal(k);
-        plain.lit += surface_light({*plain.finish, plain.pigment, d, n, static_cast<double>(plain.alpha)}, scratch_.light.direction(k), color, false,
-                                   !light.shadowless, 0.0);
-    }
-
     Context& context_;
     ShadeScratch& scratch_;
+    FlatHits flat_;
     const RayTile& rays_;
     const HitTile& hits_;
     const RayState& camera_;
     const WaitingRay* waiting_;
     std::size_t lights_, base_ = 0;
     bool shadows_;
+    bool general_ = false;   ///< some hits are not flat
 };
 
 }  // namespace trace

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "render/texture/finish.h"
+#include "render/trace/pigment_batch.h"
+#include "render/trace/shade_lanes.h"
+
+#include <cstdint>
+
+/// Highlights of a tile's hits under one light, in vector lanes. Compiled once per instruction set. The cosines have the bits of
+/// texture::phong and texture::specular, the powers are within 1e-13 of theirs (tests/render/trace/highlight_test.cpp).
+namespace trace {
+
+/// c^n of each pair, 0 <= c <= 1; a multiple of csg::lanes::kDoubles, aligned.
+inline void powers(const double* c, const double* n, std::size_t count, double* out)
+{
+    using csg::lanes::Double;
+    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles)
+        xsimd::pow(Double::load_aligned(c + i), Double::load_aligned(n + i)).store_aligned(out + i);
+}
+
+/// Asked for hit after hit and layer after layer, answered in the same order after run().
+class Highlights {
+public:
+    /// The cosines that highlights are powers of, for hits 0 <= i < count: of the halfway vector and of the mirrored ray.
+    void cosines(const csg::RayTile& rays, const TileHits& hits, const TileLight& light, int count)
+    {
+        using csg::lanes::Double;
+        asked_ = powers_ = told_ = next_power_ = 0;
+        for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+            const auto at = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
+            const Double dx = at(rays.dx), dy = at(rays.dy), dz = at(rays.dz), nx = at(hits.nx), ny = at(hits.ny), nz = at(hits.nz),
+                         lx = at(light.x), ly = at(light.y), lz = at(light.z);
+            const Double hx = lx - dx, hy = ly - dy, hz = lz - dz;
+            ((hx * nx + hy * ny + hz * nz) / xsimd::sqrt(hx * hx + hy * hy + hz * hz)).store_aligned(specular_.data() + i);
+            const Double twice = Double(2.0) * (dx * nx + dy * ny + dz * nz);
+            const Double mx = dx - twice * nx, my = dy - twice * ny, mz = dz - twice * nz;
+            (mx * lx + my * ly + mz * lz).store_aligned(phong_.data() + i);
+        }
+    }
+
+    /// The finish of one more layer, at hit k.
+    void ask(std::size_t k, const texture::Finish& finish)
+    {
+        std::uint8_t count = 0;
+        if (finish.phong > 0.0f && !texture::phong_vanishes(finish, phong_[k])) count += add(phong_[k], finish.phong_size, finish.phong);
+        if (finish.specular > 0.0f && specular_[k] > 0.0) count += add(specular_[k], finish.specular_exponent, finish.specular);
+        of_layer_[asked_++] = count;
+    }
+
+    void run()
+    {
+        for (std::size_t i = powers_; i % csg::lanes::kDoubles != 0; ++i) base_[i] = exponent_[i] = 1.0;
+        powers(base_.data(), exponent_.data(), powers_, base_.data());
+    }
+
+    /// Strength of the next layer's highlight.
+    double next()
+    {
+        double strength = 0.0;
+        for (std::uint8_t i = of_layer_[told_++]; i > 0; --i, ++next_power_) strength += amount_[next_power_] * base_[next_power_];
+        return strength;
+    }
+
+private:
+    static constexpr std::size_t kMost = csg::kTileRays * kLayersAhead;
+
+    std::uint8_t add(double cosine, float exponent, float amount)
+    {
+        const auto n = static_cast<double>(exponent);
+        if (texture::highlight_vanishes(cosine, n)) return 0;
+        base_[powers_] = cosine;
+        exponent_[powers_] = n;
+        amount_[powers_++] = static_cast<double>(amount);
+        return 1;
+    }
+
+    alignas(64) TileLanes specular_, phong_;
+    alignas(64) std::array<double, 2 * kMost> base_, exponent_;
+    std::array<double, 2 * kMost> amount_;
+    std::array<std::uint8_t, kMost> of_layer_;
+    std::size_t asked_ = 0, powers_ = 0, told_ = 0, next_power_ = 0;
+};
+
+}  // namespace trace
