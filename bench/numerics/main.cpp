@@ -1,5 +1,6 @@
 #include "bench/numerics/csg_checks.h"
 #include "bench/numerics/measure.h"
+#include "bench/numerics/oracle.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,8 @@ int main(int count, char** words)
             check = true;
         } else if (word == "--untimed") {
             timed = false;
+        } else if (word == "--slow") {
+            numerics::plain_judge = true;
         } else if (option != options.end() && i + 1 < count) {
             option->second = words[++i];
         } else {

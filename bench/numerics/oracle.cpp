@@ -1,5 +1,7 @@
 #include "bench/numerics/oracle.h"
 
+#include "bench/numerics/isolation.h"
+
 namespace numerics {
 namespace {
 
@@ -13,6 +15,54 @@ Parts between(const glm::dvec3& lower, const glm::dvec3& upper, const Point& p)
 {
     return {QuadPolynomial(lower.x) - p.x, p.x - QuadPolynomial(upper.x), QuadPolynomial(lower.y) - p.y,
             p.y - QuadPolynomial(upper.y), QuadPolynomial(lower.z) - p.z, p.z - QuadPolynomial(upper.z)};
+}
+
+/// (a + b t)^n by the binomial theorem: all terms of a coefficient have one sign, so it has n + 3 roundings of 113 bits.
+QuadPolynomial power(const QuadPolynomial& p, int n)
+{
+    const auto count = static_cast<std::size_t>(n) + 1;
+    const Quad a = p.c[0], b = p.c.size() > 1 ? p.c[1] : Quad(0);
+    QuadPolynomial made;
+    made.c.assign(count, 1);
+    Quad rising = 1, binomial = 1;   // b^k; n over k, whole and below 2^113
+    for (std::size_t k = 0; k < count; ++k) {
+        made.c[k] = binomial * rising;
+        rising *= b;
+        binomial = binomial * static_cast<Quad>(n - static_cast<int>(k)) / static_cast<Quad>(k + 1);
+    }
+    Quad falling = 1;                // a^(n - k)
+    for (std::size_t k = count; k-- > 0; falling *= a) made.c[k] *= falling;
+    return made;
+}
+
+/// Powers 0 to n by repeated multiplication, or where first asked for.
+class Powers {
+public:
+    Powers(const QuadPolynomial& base, int n) : base_(base), made_(static_cast<std::size_t>(n) + 1, QuadPolynomial(0)), known_(made_.size())
+    {
+        if (!plain_judge) return;
+        made_[0] = QuadPolynomial(1);
+        for (std::size_t i = 1; i < made_.size(); ++i) made_[i] = made_[i - 1] * base;
+        known_.assign(made_.size(), true);
+    }
+    const QuadPolynomial& operator()(int n)
+    {
+        const auto i = static_cast<std::size_t>(n);
+        if (!known_[i]) made_[i] = power(base_, n), known_[i] = true;
+        return made_[i];
+    }
+
+private:
+    const QuadPolynomial& base_;
+    std::vector<QuadPolynomial> made_;
+    std::vector<bool> known_;
+};
+
+std::vector<Quad> changes_of(const QuadPolynomial& p, Quad low, Quad high)
+{
+    if (!plain_judge)
+        if (auto found = isolated_sign_changes(p, low, high)) return std::move(*found);
+    return sign_changes(p, low, high);
 }
 
 }  // namespace
@@ -77,20 +127,14 @@ Parts parts_of(const csg::Polynomial& s, const Point& world)
 {
     const Point p = local(s.frame, world);
     const int n = s.shape->degree();
-    std::vector<QuadPolynomial> x(1, 1), y(1, 1), z(1, 1);
-    for (int i = 0; i < n; ++i) {
-        x.push_back(x.back() * p.x);
-        y.push_back(y.back() * p.y);
-        z.push_back(z.back() * p.z);
-    }
+    Powers x(p.x, n), y(p.y, n), z(p.z, n);
     QuadPolynomial sum;
     std::size_t next = 0;
     for (int i = n; i >= 0; --i)
         for (int j = n - i; j >= 0; --j)
             for (int k = n - i - j; k >= 0; --k) {
                 const double c = s.shape->coefficients()[next++];
-                const auto at = [](const std::vector<QuadPolynomial>& v, int power) { return v[static_cast<std::size_t>(power)]; };
-                if (c != 0.0) sum = sum + QuadPolynomial(c) * at(x, i) * at(y, j) * at(z, k);
+                if (c != 0.0) sum = sum + QuadPolynomial(c) * x(i) * y(j) * z(k);
             }
     return {sum};
 }
@@ -104,7 +148,7 @@ std::vector<Quad> crossings(const Parts& parts, Quad low, Quad high)
 {
     std::vector<Quad> ends;
     for (const QuadPolynomial& p : parts)
-        for (const Quad t : sign_changes(p, low, high)) ends.push_back(t);
+        for (const Quad t : changes_of(p, low, high)) ends.push_back(t);
     std::sort(ends.begin(), ends.end());
     std::vector<Quad> found;
     bool was = inside(parts, low);

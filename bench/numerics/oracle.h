@@ -31,6 +31,10 @@ Parts parts_of(const csg::Torus&, const Point&);
 Parts parts_of(const csg::Quadric&, const Point&);
 Parts parts_of(const csg::Polynomial&, const Point&);
 
+/// Every judgement takes the slow and plain way: recursion over turns, repeated multiplication, definitions alone.
+/// Set once, before anything is asked; the two ways are compared by it (docs/numerics.md).
+inline bool plain_judge = false;
+
 /// Parameters in [low, high] where the ray goes in or out, ascending.
 std::vector<Quad> crossings(const Parts& parts, Quad low, Quad high);
 bool inside(const Parts& parts, Quad t);

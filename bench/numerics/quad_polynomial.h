@@ -48,7 +48,25 @@ struct QuadPolynomial {
     friend QuadPolynomial operator-(const QuadPolynomial& a, const QuadPolynomial& b) { return a + QuadPolynomial(-1) * b; }
 };
 
-/// Where p changes sign in [low, high], ascending: between the turns, by bisection and Newton to the last bits.
+/// The root of p between a and b, where its signs differ: bisection and Newton to the last bits.
+inline Quad halved_in(const QuadPolynomial& p, const QuadPolynomial& slope, Quad a, Quad b)
+{
+    const bool rises = p(b) > 0;
+    Quad t = (a + b) / 2;
+    for (int step = 0; step < 300 && a < b; ++step) {
+        const Quad value = p(t);
+        if (value == 0) break;
+        ((value > 0) == rises ? b : a) = t;
+        const Quad steepness = slope(t);
+        Quad next = steepness != 0 ? t - value / steepness : a;
+        if (!(next > a && next < b) || step % 3 == 2) next = (a + b) / 2;
+        if (next == t || next <= a || next >= b) break;
+        t = next;
+    }
+    return t;
+}
+
+/// Where p changes sign in [low, high], ascending: between the turns.
 inline std::vector<Quad> sign_changes(const QuadPolynomial& p, Quad low, Quad high)
 {
     std::size_t degree = p.c.size() - 1;
@@ -63,23 +81,8 @@ inline std::vector<Quad> sign_changes(const QuadPolynomial& p, Quad low, Quad hi
     ends.push_back(high);
     const QuadPolynomial slope = p.derivative();
     std::vector<Quad> roots;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        Quad a = ends[i], b = ends[i + 1];
-        const bool rises = p(b) > 0;
-        if ((p(a) > 0) == rises) continue;
-        Quad t = (a + b) / 2;
-        for (int step = 0; step < 300 && a < b; ++step) {
-            const Quad value = p(t);
-            if (value == 0) break;
-            ((value > 0) == rises ? b : a) = t;
-            const Quad steepness = slope(t);
-            Quad next = steepness != 0 ? t - value / steepness : a;
-            if (!(next > a && next < b) || step % 3 == 2) next = (a + b) / 2;
-            if (next == t || next <= a || next >= b) break;
-            t = next;
-        }
-        roots.push_back(t);
-    }
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        if ((p(ends[i]) > 0) != (p(ends[i + 1]) > 0)) roots.push_back(halved_in(p, slope, ends[i], ends[i + 1]));
     return roots;
 }
 
