@@ -24,37 +24,75 @@ WidePoint at(const Course& c, Wide s)
     return {c.from.x + s * c.way.x, c.from.y + s * c.way.y, c.from.z + s * c.way.z};
 }
 
-/// Halves until the last bit.
-Wide closed_in(const Form& form, const Course& course, Wide a, Wide b, bool at_b)
+/// Halves until the last bit, or until `fine`.
+Wide closed_in(const Form& form, const Course& course, Wide a, Wide b, bool at_b, Wide fine)
 {
-    for (int i = 0; i < 90; ++i) {
+    for (int i = 0; i < 90 && b - a > fine; ++i) {
         const Wide middle = (a + b) / 2;
         if (middle == a || middle == b) break;
-        (form.holds(at(course, middle)) == at_b ? b : a) = middle;
+        (held(form, at(course, middle)) == at_b ? b : a) = middle;
     }
     return (a + b) / 2;
 }
 
-std::vector<Wide> looks(const Form& form, const Course& c, double low, double high, const std::vector<double>& told)
+/// A place of a ray that the definition is asked at.
+struct Place {
+    Wide s;
+    bool told;
+};
+
+/// The change between two places. What was told is most likely near to it: steps that grow from there enclose it sooner.
+Wide change_between(const Form& form, const Course& course, const Place& from, const Place& to, bool at_to, Wide reach)
 {
-    std::vector<Wide> all{low - static_cast<Wide>(c.start), high - static_cast<Wide>(c.start)};
+    if (plain_judge) return closed_in(form, course, from.s, to.s, at_to, 0);
+    // Far below the last bit of a double of the ray's length, which is what errors are counted in.
+    const Wide fine = std::ldexp(reach, -62);
+    Wide a = from.s, b = to.s;
+    const bool forwards = from.told;
+    for (Wide step = 16 * fine; (from.told || to.told) && step < b - a; step *= 16) {
+        const Wide next = forwards ? from.s + step : to.s - step;
+        if (!(next > a && next < b)) break;
+        const bool is = held(form, at(course, next));
+        (is == at_to ? b : a) = next;
+        if ((is == at_to) == forwards) break;
+    }
+    return closed_in(form, course, a, b, at_to, fine);
+}
+
+std::vector<Place> looks(const Form& form, const Course& c, double low, double high, const std::vector<double>& told)
+{
+    std::vector<Place> all;
+    all.reserve(static_cast<std::size_t>(form.looks) + 2 * told.size() + 3);
+    const Wide from = low - static_cast<Wide>(c.start), to = high - static_cast<Wide>(c.start);
     const Wide a = c.way.x * c.way.x + c.way.y * c.way.y + c.way.z * c.way.z;
     const Wide room = static_cast<Wide>(form.reach) * form.reach - (c.from.x * c.from.x + c.from.y * c.from.y + c.from.z * c.from.z);
+    const auto add = [&](Wide s, bool is_told) {
+        if (s >= from && s <= to) all.push_back({s, is_told});
+    };
     if (room > 0) {
         const Wide half = std::sqrt(room / a);
-        for (int i = 0; i <= form.looks; ++i) all.push_back(half * (2 * static_cast<Wide>(i) / form.looks - 1));
+        for (int i = 0; i <= form.looks; ++i) add(half * (2 * static_cast<Wide>(i) / form.looks - 1), false);
     }
+    const auto even = static_cast<std::ptrdiff_t>(all.size());
+    const auto before = [](const Place& one, const Place& other) { return one.s < other.s; };
+    add(from, false);
+    add(to, false);
     for (std::size_t i = 0; i < told.size(); ++i) {
         if (!(told[i] > low && told[i] < high)) continue;
-        all.push_back(told[i] - static_cast<Wide>(c.start));
-        if (i + 1 < told.size() && told[i + 1] < high) all.push_back((static_cast<Wide>(told[i]) + told[i + 1]) / 2 - c.start);
+        add(told[i] - static_cast<Wide>(c.start), true);
+        if (i + 1 < told.size() && told[i + 1] < high) add((static_cast<Wide>(told[i]) + told[i + 1]) / 2 - c.start, false);
     }
-    std::erase_if(all, [&, from = all[0], to = all[1]](Wide s) { return s < from || s > to; });
-    std::sort(all.begin(), all.end());
+    std::sort(all.begin() + even, all.end(), before);
+    std::inplace_merge(all.begin(), all.begin() + even, all.end(), before);
     return all;
 }
 
 }  // namespace
+
+bool held(const Form& form, const WidePoint& p)
+{
+    return form.quick && !plain_judge ? form.quick(p) : form.holds(p);
+}
 
 std::vector<Quad> crossings(const Form& form, const csg::Transform& frame, const csg::Ray& ray, double low, double high,
                             const std::vector<double>& told)
@@ -72,11 +110,12 @@ std::vector<Quad> crossings(const Form& form, const csg::Transform& frame, const
         if (form.first_only && found.size() > 1) found.erase(found.begin() + 1, found.end());
         return found;
     }
-    const std::vector<Wide> places = looks(form, course, low, high, told);
-    bool was = form.holds(at(course, places.front()));
+    const std::vector<Place> places = looks(form, course, low, high, told);
+    const Wide reach = std::max(std::abs(low), std::abs(high));
+    bool was = held(form, at(course, places.front().s));
     for (std::size_t i = 1; i < places.size(); ++i) {
-        const bool is = form.holds(at(course, places[i]));
-        if (is != was) found.push_back(static_cast<Quad>(closed_in(form, course, places[i - 1], places[i], is)) + start);
+        const bool is = held(form, at(course, places[i].s));
+        if (is != was) found.push_back(static_cast<Quad>(change_between(form, course, places[i - 1], places[i], is, reach)) + start);
         was = is;
     }
     return found;
@@ -84,14 +123,14 @@ std::vector<Quad> crossings(const Form& form, const csg::Transform& frame, const
 
 bool holds(const Form& form, const csg::Transform& frame, const glm::dvec3& p)
 {
-    return form.holds && form.holds(coefficient(local(frame, along({p, glm::dvec3(0.0)}, 0.0)), 0));
+    return form.holds && held(form, coefficient(local(frame, along({p, glm::dvec3(0.0)}, 0.0)), 0));
 }
 
 const std::vector<Form>& forms()
 {
     static const std::vector<Form> all = [] {
         std::vector<Form> made = field_forms();
-        for (auto* const more : {&outline_forms, &surface_forms})
+        for (auto* const more : {&sweep_forms, &outline_forms, &surface_forms})
             for (Form& form : more()) made.push_back(std::move(form));
         return made;
     }();

@@ -23,8 +23,10 @@ struct Form {
     std::function<csg::Solid(const csg::Transform& frame, double scale)> make;
     /// Of a solid: whether it holds a point.
     std::function<bool(const WidePoint&)> holds = {};
-    /// Of a surface: all s where from + s way meets it, in any order.
+    /// Of a surface: all s where from + s way meets it, in any order. Neither: a triangle.
     std::function<std::vector<Wide>(const WidePoint& from, const WidePoint& way)> meets = {};
+    /// The same verdict sooner: bounds and doubles decide what they surely can, the definition the rest. None: `holds` itself.
+    std::function<bool(const WidePoint&)> quick = {};
     double reach = 2.0;        ///< it lies within this distance of the origin
     double bar = 1e-11;        ///< the worst error that a hit may show, of the larger of distance and size
     double band = 1e-6;        ///< shorter chords, of the size, may come or go
@@ -42,8 +44,12 @@ std::vector<__float128> crossings(const Form& form, const csg::Transform& frame,
                                   const std::vector<double>& told);
 bool holds(const Form& form, const csg::Transform& frame, const glm::dvec3& p);
 
+/// The verdict of `quick` where there is one and it is wanted.
+bool held(const Form& form, const WidePoint& p);
+
 std::vector<Form> surface_forms();
 std::vector<Form> outline_forms();
 std::vector<Form> field_forms();
+std::vector<Form> sweep_forms();
 
 }  // namespace numerics

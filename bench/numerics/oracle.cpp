@@ -2,6 +2,8 @@
 
 #include "bench/numerics/isolation.h"
 
+#include <array>
+
 namespace numerics {
 namespace {
 
@@ -159,6 +161,24 @@ std::vector<Quad> crossings(const Parts& parts, Quad low, Quad high)
         was = is;
     }
     return found;
+}
+
+std::vector<Quad> crossings(const csg::Triangle& triangle, const csg::Ray& ray, Quad low, Quad high)
+{
+    using Vector = std::array<Quad, 3>;
+    const auto wide = [](const glm::dvec3& v) { return Vector{v.x, v.y, v.z}; };
+    const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const auto cross = [](const Vector& a, const Vector& b) {
+        return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto sum = [](const Vector& a, const Vector& b, Quad sign) { return Vector{a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]}; };
+    const Vector way = wide(ray.direction), a = sum(wide(triangle.corner), wide(ray.origin), -1);
+    const Vector b = sum(a, wide(triangle.edge1), 1), c = sum(a, wide(triangle.edge2), 1);
+    const Quad u = dot(way, cross(a, b)), v = dot(way, cross(b, c)), w = dot(way, cross(c, a));
+    if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) || u + v + w == 0) return {};
+    const Vector n = cross(wide(triangle.edge1), wide(triangle.edge2));
+    const Quad t = dot(a, n) / dot(way, n);
+    return t >= low && t <= high ? std::vector<Quad>{t} : std::vector<Quad>{};
 }
 
 }  // namespace numerics

@@ -38,5 +38,7 @@ inline bool plain_judge = false;
 /// Parameters in [low, high] where the ray goes in or out, ascending.
 std::vector<Quad> crossings(const Parts& parts, Quad low, Quad high);
 bool inside(const Parts& parts, Quad t);
+/// A triangle lies in world space, so it is judged as stored: by the signs of the ray's volumes with its edges.
+std::vector<Quad> crossings(const csg::Triangle& triangle, const csg::Ray& ray, Quad low, Quad high);
 
 }  // namespace numerics

@@ -16,25 +16,34 @@ struct WideCubic {
     Wide operator()(Wide w) const { return ((a * w + b) * w + c) * w + d; }
 };
 
+/// The ends of a cubic's stretches without a turn in [0, 1], ascending.
+struct Stretches {
+    Wide ends[4] = {0, 1, 1, 1};
+    int count = 1;
+
+    explicit Stretches(const WideCubic& p)
+    {
+        const Wide a = 3 * p.a, b = 2 * p.b, room = b * b - 4 * a * p.c;
+        Wide turns[2] = {-1, -1};
+        if (a == 0) turns[0] = b != 0 ? -p.c / b : -1;
+        else if (room > 0) {
+            const Wide q = -(b + std::copysign(std::sqrt(room), b)) / 2;
+            turns[0] = std::min(q / a, q != 0 ? p.c / q : Wide(-1));
+            turns[1] = std::max(q / a, q != 0 ? p.c / q : Wide(-1));
+        }
+        for (const Wide t : turns)
+            if (t > 0 && t < 1) ends[count++] = t;
+        ends[count] = 1;
+    }
+};
+
 /// f(w) for each w in [0, 1] where the cubic changes sign: between its turns.
 template <class F>
 void each_change(const WideCubic& p, F&& f)
 {
-    Wide ends[4] = {0, 1, 1, 1};
-    int count = 1;
-    const Wide a = 3 * p.a, b = 2 * p.b, room = b * b - 4 * a * p.c;
-    Wide turns[2] = {-1, -1};
-    if (a == 0) turns[0] = b != 0 ? -p.c / b : -1;
-    else if (room > 0) {
-        const Wide q = -(b + std::copysign(std::sqrt(room), b)) / 2;
-        turns[0] = std::min(q / a, q != 0 ? p.c / q : Wide(-1));
-        turns[1] = std::max(q / a, q != 0 ? p.c / q : Wide(-1));
-    }
-    for (const Wide t : turns)
-        if (t > 0 && t < 1) ends[count++] = t;
-    ends[count] = 1;
-    for (int i = 0; i < count; ++i) {
-        Wide lo = ends[i], hi = ends[i + 1];
+    const Stretches s(p);
+    for (int i = 0; i < s.count; ++i) {
+        Wide lo = s.ends[i], hi = s.ends[i + 1];
         const bool rises = p(hi) > 0;
         if ((p(lo) > 0) == rises) continue;
         for (int k = 0; k < 66; ++k) ((p((lo + hi) / 2) > 0) == rises ? hi : lo) = (lo + hi) / 2;
@@ -53,6 +62,75 @@ bool odd(const Outline& outline, Wide x, Wide y)
     return is;
 }
 
+/// The same answers as `odd`, from what a piece's box already tells and halving only until the side is certain.
+class QuickOutline {
+public:
+    explicit QuickOutline(const Outline& outline)
+    {
+        for (const OutlinePiece& p : outline) pieces_.emplace_back(p);
+    }
+
+    bool odd(Wide x, Wide y) const
+    {
+        const auto near_x = static_cast<double>(x), near_y = static_cast<double>(y);
+        bool is = false;
+        for (const Piece& p : pieces_) {
+            if (near_y < p.low_y || near_y > p.high_y || near_x > p.high_x) continue;
+            if (near_x < p.low_x) is ^= (p.y.d - y > 0) != (p.y.a + p.y.b + p.y.c + (p.y.d - y) > 0);
+            else is ^= p.odd(x, y);
+        }
+        return is;
+    }
+
+private:
+    /// Far above the roundings of doubles and of `Wide` for outlines of size 1.
+    static constexpr double kMargin = 1e-12;
+
+    struct Piece {
+        WideCubic x, y;
+        Stretches stretches;
+        Wide steepest;                          ///< |dx/dw| is nowhere more
+        double low_x, high_x, low_y, high_y;    ///< holds the piece, with the margin
+
+        explicit Piece(const OutlinePiece& p)
+            : x{p.a.x, p.b.x, p.c.x, p.d.x}, y{p.a.y, p.b.y, p.c.y, p.d.y}, stretches(y), steepest(3 * std::abs(x.a) + 2 * std::abs(x.b) + std::abs(x.c))
+        {
+            const auto range = [](const WideCubic& c, double& low, double& high) {
+                const Stretches s(c);
+                Wide least = c(0), most = c(0);
+                for (int i = 1; i <= s.count; ++i) least = std::min(least, c(s.ends[i])), most = std::max(most, c(s.ends[i]));
+                low = static_cast<double>(least) - kMargin;
+                high = static_cast<double>(most) + kMargin;
+            };
+            range(x, low_x, high_x);
+            range(y, low_y, high_y);
+        }
+
+        bool odd(Wide at_x, Wide at_y) const
+        {
+            const WideCubic level{y.a, y.b, y.c, y.d - at_y};
+            bool is = false;
+            for (int i = 0; i < stretches.count; ++i) {
+                const bool rises = level(stretches.ends[i + 1]) > 0;
+                if ((level(stretches.ends[i]) > 0) != rises) is ^= beyond(level, rises, at_x, stretches.ends[i], stretches.ends[i + 1]);
+            }
+            return is;
+        }
+
+        /// Whether the change of `level` between lo and hi lies at more than at_x.
+        bool beyond(const WideCubic& level, bool rises, Wide at_x, Wide lo, Wide hi) const
+        {
+            for (int k = 0; k < 66; ++k) {
+                const Wide middle = (lo + hi) / 2, gap = x(middle) - at_x;
+                if (std::abs(gap) > steepest * (hi - lo) / 2 + kMargin) return gap > 0;
+                ((level(middle) > 0) == rises ? hi : lo) = middle;
+            }
+            return x((lo + hi) / 2) > at_x;
+        }
+    };
+    std::vector<Piece> pieces_;
+};
+
 Outline spline(const std::vector<glm::dvec2>& points)
 {
     Outline curve;
@@ -70,7 +148,8 @@ Form extrusion(const std::string& name, const Outline& outline)
     const auto shape = std::make_shared<csg::OutlineShape>(outline);
     return {.name = name,
             .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Extrusion{shape, -0.5, 0.5, false, false, frame}); },
-            .holds = [outline](const WidePoint& p) { return p.z >= -0.5 && p.z <= 0.5 && odd(outline, p.x, p.y); }};
+            .holds = [outline](const WidePoint& p) { return p.z >= -0.5 && p.z <= 0.5 && odd(outline, p.x, p.y); },
+            .quick = [quick = QuickOutline(outline)](const WidePoint& p) { return p.z >= -0.5 && p.z <= 0.5 && quick.odd(p.x, p.y); }};
 }
 
 const std::vector<glm::dvec2> kRing{{1, 0}, {0.3, 0.9}, {-0.8, 0.7}, {-0.6, -0.6}, {0.2, -0.3}, {0.4, -1}, {1, 0}, {0.3, 0.9}, {-0.8, 0.7}};
@@ -99,7 +178,8 @@ Form conic_prism_form()
     const auto shape = csg::make_freeform<csg::ConicPrism>(std::make_shared<csg::OutlineShape>(outline), 0.2, 1.0, false, kReach);
     return {.name = "conic_prism",
             .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Freeform{shape, frame * Transform::translate({0, -0.6, 0})}); },
-            .holds = [outline](const WidePoint& p) { return p.y >= 0.2 && p.y <= 1.0 && odd(outline, p.x / p.y, p.z / p.y); }};
+            .holds = [outline](const WidePoint& p) { return p.y >= 0.2 && p.y <= 1.0 && odd(outline, p.x / p.y, p.z / p.y); },
+            .quick = [quick = QuickOutline(outline)](const WidePoint& p) { return p.y >= 0.2 && p.y <= 1.0 && quick.odd(p.x / p.y, p.z / p.y); }};
 }
 
 Form lathe_form()
@@ -108,7 +188,8 @@ Form lathe_form()
     const auto shape = csg::make_freeform<csg::Lathe>(vase, csg::Aabb{}, 0.0);
     return {.name = "lathe",
             .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Freeform{shape, frame}); },
-            .holds = [vase](const WidePoint& p) { return odd(vase, rho(p), p.y); }};
+            .holds = [vase](const WidePoint& p) { return odd(vase, rho(p), p.y); },
+            .quick = [quick = QuickOutline(vase)](const WidePoint& p) { return quick.odd(rho(p), p.y); }};
 }
 
 Form sor_form()

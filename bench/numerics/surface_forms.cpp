@@ -148,8 +148,25 @@ Form disc_form()
             .bar = 1e-13};
 }
 
+/// Kept in world space: what its corners are rounded to there is what is judged, by `crossings` of a triangle.
+Form triangle_form(const std::string& name, bool smooth)
+{
+    return {.name = name,
+            .make = [smooth](const Transform& frame, double) {
+                const std::array<glm::dvec3, 3> corners{frame.point({-1, -0.7, 0.3}), frame.point({0.9, -0.5, -0.4}), frame.point({-0.2, 1, 0.1})};
+                if (!smooth) return csg::Solid(csg::Triangle::make(corners));
+                const glm::dvec3 flat = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+                return csg::Solid(csg::Triangle::make(corners, {glm::normalize(flat + glm::dvec3(0.2, 0, 0)), glm::normalize(flat + glm::dvec3(0, 0.2, 0)),
+                                                                glm::normalize(flat + glm::dvec3(0, -0.1, 0.1))}));
+            },
+            .bar = 1e-13};
+}
+
 }  // namespace
 
-std::vector<Form> surface_forms() { return {disc_form(), polygon_form(), mesh_form(), patch_form()}; }
+std::vector<Form> surface_forms()
+{
+    return {disc_form(), triangle_form("triangle", false), triangle_form("smooth_triangle", true), polygon_form(), mesh_form(), patch_form()};
+}
 
 }  // namespace numerics
