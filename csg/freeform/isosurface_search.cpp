@@ -8,6 +8,9 @@ namespace {
 
 constexpr int kParts = 8;
 constexpr double kLeastPart = 0x1p-40;    // of a ray's way through the container is told apart
+// Sizes of the container; from there on points rounded twice are off by more than 1e-11 of it, and farther out a shallow
+// crossing falls apart into many.
+constexpr double kFar = 1e5;
 constexpr double kRoom = 4 * 0x1p-52;     // relative error of a point of the ray, generously
 
 /// Sides of the boxes between t[k] and t[k + 1], with room for rounding.
@@ -21,7 +24,25 @@ void sides(double origin, double direction, double from, double step, EightRange
     }
 }
 
+/// Whether the ray begins more than kFar sizes from the container.
+bool is_far(const Container& container, const Ray& ray)
+{
+    const Aabb box = container.bounds();
+    const glm::dvec3 size = box.upper - box.lower, away = ray.origin - 0.5 * (box.lower + box.upper);
+    return glm::dot(away, away) > kFar * kFar * glm::dot(size, size);
+}
+
 }  // namespace
+
+IsosurfaceSearch::IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, double to)
+    : terms_(terms), ray_(ray), to_(to), speed_(std::sqrt(glm::dot(ray.direction, ray.direction))), gradient_(terms.max_gradient), far_(is_far(terms.container, ray))
+{
+}
+
+glm::dvec3 IsosurfaceSearch::near_point(double t) const
+{
+    return {std::fma(t, ray_.direction.x, ray_.origin.x), std::fma(t, ray_.direction.y, ray_.origin.y), std::fma(t, ray_.direction.z, ray_.origin.z)};
+}
 
 void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const
 {
@@ -31,6 +52,11 @@ void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const
         p.y.v[k] = ray_.origin.y + t.v[k] * ray_.direction.y;
         p.z.v[k] = ray_.origin.z + t.v[k] * ray_.direction.z;
     }
+    if (far_)
+        for (int k = 0; k < kParts; ++k) {
+            const glm::dvec3 near = near_point(t.v[k]);
+            p.x.v[k] = near.x, p.y.v[k] = near.y, p.z.v[k] = near.z;
+        }
     terms_.field->values(p, f);
     for (double& v : f.v) v = sign * (v - terms_.threshold);
 }
@@ -95,12 +121,13 @@ bool IsosurfaceSearch::bisect(const Sample& left, const Sample& right, double si
         const double slope = std::abs(right.f - left.f) / world;
         if (gradient_ < slope * terms_.growth.y) gradient_ = slope * terms_.growth.y * terms_.growth.y;
     }
-    if (length < accuracy_) {
+    const double t = left.t + 0.5 * length;
+    // From far off no number may lie between, however long the accuracy.
+    if (length < accuracy_ || t == left.t || t == right.t) {
         found = right.t;
         return right.f < 0.0;
     }
     if (!(left.f + right.f - gradient_ * world < 0.0)) return false;
-    const double t = left.t + 0.5 * length;
     const Sample middle{t, sign * value(t)};
     return bisect(left, middle, sign, found) || bisect(middle, right, sign, found);
 }

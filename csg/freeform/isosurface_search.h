@@ -10,13 +10,10 @@ namespace csg {
 class IsosurfaceSearch {
 public:
     /// Nothing beyond `to` matters.
-    IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, double to)
-        : terms_(terms), ray_(ray), to_(to), speed_(std::sqrt(glm::dot(ray.direction, ray.direction))), gradient_(terms.max_gradient)
-    {
-    }
+    IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, double to);
 
     /// The field above the threshold.
-    double value(double t) const { return terms_.field->value(ray_.at(t)) - terms_.threshold; }
+    double value(double t) const { return terms_.field->value(far_ ? near_point(t) : ray_.at(t)) - terms_.threshold; }
 
     /// Where sign * value first falls below 0 between `from` and `end`, as POV-Ray tells it: the farther end of the interval,
     /// shorter than the accuracy, that halving leads to.
@@ -36,10 +33,13 @@ private:
     bool in_leaves(const Grid& grid, std::int64_t first, double sign, double& found) const;
     bool bisect(const Sample& left, const Sample& right, double sign, double& found);
     void sample(const Eight& t, double sign, Eight& f) const;
+    /// With one rounding of where it is, whatever the ray comes from.
+    glm::dvec3 near_point(double t) const;
 
     const IsosurfaceTerms& terms_;
     const Ray& ray_;
     double to_, speed_, gradient_;
+    bool far_;                  ///< the ray begins so far off that its points need near_point()
     double accuracy_ = 0.0;     ///< no interval is parted that is shorter
 };
 

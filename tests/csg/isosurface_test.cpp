@@ -133,6 +133,31 @@ TEST_CASE("ranges find what a gradient misses", "[csg][isosurface]")
     CHECK(missed > 100);
 }
 
+TEST_CASE("a ball has one span however far the ray begins", "[csg][isosurface]")
+{
+    // From 6e9 away a parameter's last digit is 1e-6: rounded points made dozens of crossings of a shallow one.
+    for (const bool ranged : {true, false}) {
+        IsosurfaceTerms terms;
+        terms.field = std::make_shared<Shell>(1.0, ranged);   // |r^2 - 1| - 1: r^2 < 2, but for the point r = 0
+        terms.accuracy = 1e-7;
+        terms.max_gradient = 4.0;
+        terms.container = Container::box(glm::dvec3(-1.6), glm::dvec3(1.6));
+        const Isosurface surface(terms);
+        Rng rng(5);
+        int shallow = 0;
+        for (int i = 0; i < 20000; ++i) {
+            // Passes just below the surface.
+            const glm::dvec3 way = rng.direction(), side = glm::normalize(glm::cross(way, rng.direction()));
+            const Ray ray{std::sqrt(2.0) * (1.0 - rng.uniform(0.0, 1e-3)) * side - 6e9 * way, way};
+            const std::vector<End> met = ends(surface, ray);
+            INFO("ranged " << ranged << ", ray " << i);
+            REQUIRE(met.size() <= 2);
+            shallow += met.size() == 2 ? 1 : 0;
+        }
+        CHECK(shallow > 9000);
+    }
+}
+
 TEST_CASE("walls are drawn as POV-Ray draws them", "[csg][isosurface]")
 {
     IsosurfaceTerms terms = shell(2.5, true);     // the container lies inside: nothing but walls
