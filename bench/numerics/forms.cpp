@@ -126,6 +126,18 @@ bool holds(const Form& form, const csg::Transform& frame, const glm::dvec3& p)
     return form.holds && held(form, coefficient(local(frame, along({p, glm::dvec3(0.0)}, 0.0)), 0));
 }
 
+bool blurred(const Form& form, const csg::Transform& frame, const glm::dvec3& p)
+{
+    if (!(form.blur > 0.0)) return false;
+    const WidePoint q = coefficient(local(frame, along({p, glm::dvec3(0.0)}, 0.0)), 0);
+    // A plane nearer than the blur is crossed along one of the axes, which leaves it by 1/sqrt(3) of the way or more.
+    const Wide way = 1.75L * form.blur;
+    const bool is = held(form, q);
+    for (const Wide step : {-way, way})
+        if (held(form, {q.x + step, q.y, q.z}) != is || held(form, {q.x, q.y + step, q.z}) != is || held(form, {q.x, q.y, q.z + step}) != is) return true;
+    return false;
+}
+
 const std::vector<Form>& forms()
 {
     static const std::vector<Form> all = [] {

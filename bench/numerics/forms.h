@@ -31,6 +31,7 @@ struct Form {
     double bar = 1e-11;        ///< the worst error that a hit may show, of the larger of distance and size
     double band = 1e-6;        ///< shorter chords, of the size, may come or go
     int looks = 400;           ///< places on a ray that the definition is asked at, before crossings are closed in on
+    double blur = 0.0;         ///< points nearer to the surface, in the form's own lengths, may be sorted either way by POV-Ray's rules
     bool first_only = false;   ///< no more is told than the nearest
     bool by_rules = false;     ///< POV-Ray's steps and shifts are kept on purpose: told, but held to no bar
 };
@@ -43,6 +44,8 @@ const Form* form_of(const std::string& name);
 std::vector<__float128> crossings(const Form& form, const csg::Transform& frame, const csg::Ray& ray, double low, double high,
                                   const std::vector<double>& told);
 bool holds(const Form& form, const csg::Transform& frame, const glm::dvec3& p);
+/// Whether a point lies within the form's blur of where that changes.
+bool blurred(const Form& form, const csg::Transform& frame, const glm::dvec3& p);
 
 /// The verdict of `quick` where there is one and it is wanted.
 bool held(const Form& form, const WidePoint& p);

@@ -184,7 +184,7 @@ private:
         const bool held = std::visit([&](const auto& s) { return s.contains(p); }, case_.solid);
         if (case_.form && !case_.form->holds) return;
         const bool is = case_.form ? holds(*case_.form, frame_of(case_.solid), p) : inside(parts(case_.solid, {p, glm::dvec3(0.0)}), 0);
-        row_.disagree += held != is ? 1 : 0;
+        if (held != is && !(case_.form && blurred(*case_.form, frame_of(case_.solid), p))) ++row_.disagree;
     }
 
     void first(const Ray& ray, const std::vector<Quad>& truth, Asked& asked) const

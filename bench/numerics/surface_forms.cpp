@@ -78,7 +78,8 @@ Form mesh_form()
                 return before % 2 == 1;
             },
             .meets = [triangles](const WidePoint& from, const WidePoint& way) { return met(triangles, from, way); },
-            .bar = 1e-13};
+            .bar = 1e-13,
+            .blur = 1e-6};   // nearer walls are not counted (spec 5b, 3.6)
 }
 
 Form patch_form()
