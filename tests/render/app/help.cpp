@@ -15,6 +15,8 @@ using namespace app;
 
 namespace {
 
+using Words = std::vector<std::string>;
+
 /// The word stands in the text with nothing of a name before or behind it.
 bool has_name(const std::string& text, const std::string& name)
 {
@@ -104,7 +106,6 @@ TEST_CASE("each of Whittle's own options is understood as the texts show it", "[
 
 TEST_CASE("bash completes options, their values, switches, keywords and scenes", "[app][help]")
 {
-    using Words = std::vector<std::string>;
     CHECK(offered("whittle --qu") == Words{"--quiet"});
     CHECK(offered("whittle x.pov --dump=s") == Words{"scene"});  // '=' begins a new word for bash
     CHECK(offered("whittle sc") == Words{"scene.pov"});

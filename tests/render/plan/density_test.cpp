@@ -20,7 +20,7 @@ void write_big_endian(std::ofstream& out, std::uint64_t value, int bytes)
 void write_density(const std::string& path, int bytes)
 {
     std::ofstream out(path, std::ios::binary);
-    for (const std::uint64_t size : {3, 4, 5}) write_big_endian(out, size, 2);
+    for (const std::uint64_t size : {3u, 4u, 5u}) write_big_endian(out, size, 2);
     for (unsigned z = 0; z < 5; ++z)
         for (unsigned y = 0; y < 4; ++y)
             for (unsigned x = 0; x < 3; ++x)
