@@ -30,19 +30,15 @@ double highlight_power(double c, double n) { return highlight_vanishes(c, n) ? 0
 
 double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
 {
-    const glm::dvec3 mirrored = d - 2.0 * glm::dot(d, n) * n;
-    const double c = glm::dot(mirrored, l);
+    const double c = phong_cosine(d, n, l);
     if (phong_vanishes(finish, c)) return 0.0;
     return static_cast<double>(finish.phong) * highlight_power(c, static_cast<double>(finish.phong_size));
 }
 
 double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
 {
-    const glm::dvec3 half = l - d;
-    const double length = glm::length(half);
-    if (!(length > 0.0)) return 0.0;
-    const double c = glm::dot(half, n) / length;
-    if (!(c > 0.0)) return 0.0;
+    const double c = specular_cosine(d, n, l);
+    if (!(c > 0.0)) return 0.0;  // nor for a light behind the surface that the ray comes from: no number
     return static_cast<double>(finish.specular) * highlight_power(c, static_cast<double>(finish.specular_exponent));
 }
 

@@ -22,6 +22,18 @@ inline bool highlight_vanishes(double c, double n)
 /// No Phong highlight at this cosine. POV-Ray skips powers that would vanish anyway.
 inline bool phong_vanishes(const Finish& finish, double c) { return !(c > 0.0) || (finish.phong_size >= 60.0f && c <= 0.0008); }
 
+/// Cosines that the highlights are powers of: of the mirrored ray to the light, and of the halfway vector to the normal.
+inline double phong_cosine(const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
+{
+    const glm::dvec3 mirrored = d - 2.0 * glm::dot(d, n) * n;
+    return glm::dot(mirrored, l);
+}
+inline double specular_cosine(const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
+{
+    const glm::dvec3 half = l - d;
+    return glm::dot(half, n) / glm::length(half);
+}
+
 /// Phong term for one light, without the light's colour (7.7).
 double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l);
 

@@ -2,6 +2,7 @@
 #include "render/texture/evaluate.h"
 #include "render/texture/nearest_cells.h"
 #include "render/texture/noise.h"
+#include "render/texture/normal_height.h"
 #include "render/texture/quilt.h"
 
 #include <algorithm>
@@ -18,27 +19,12 @@ glm::dvec3 unit_unless(bool keep_length, const glm::dvec3& n) { return keep_leng
 glm::dvec3 into(const Affine& t, const glm::dvec3& n) { return t.normal_into * n; }
 glm::dvec3 out_of(const Affine& t, const glm::dvec3& n) { return glm::transpose(t.linear) * n; }
 
-/// Height at v of a slope_map: cubic with the given slopes, flat outside the keys (spec 4, 15.6).
-double slope_height(const TextureSet& set, const Normal& normal, double v)
-{
-    const Blend b = blend_at(set, normal.first, normal.count, v);
-    const glm::dvec2 lower = set.slopes[b.lower], upper = set.slopes[b.upper];
-    if (b.lower == b.upper) return lower.x;
-    const double t = b.share, h0 = lower.x, s0 = lower.y, h1 = upper.x, s1 = upper.y;
-    return t * t * t * (s0 + s1 + 2.0 * (h0 - h1)) - t * t * (2.0 * s0 + s1 + 3.0 * (h0 - h1)) + t * s0 + h0;
-}
-
 glm::dvec3 by_height(const TextureSet& set, const Normal& normal, const Pattern& pattern, const glm::dvec3& n,
                      const glm::dvec3& p, const Surroundings& around)
 {
-    // A tetrahedron about the point; nine digits as POV-Ray has them.
-    static const std::array<glm::dvec3, 4> kCorner{glm::dvec3{0.942809041, -0.333333333, 0},
-                                                   {-0.471404521, -0.333333333, 0.816496581},
-                                                   {-0.471404521, -0.333333333, -0.816496581},
-                                                   {0, 1, 0}};
-    const double strength = -5.0 * normal.amount * 0.02 / normal.accuracy;
+    const double strength = height_strength(normal);
     glm::dvec3 out = n;
-    for (const glm::dvec3& corner : kCorner) {
+    for (const glm::dvec3& corner : kHeightCorners) {
         const double v = pattern_value(set, pattern, p + normal.accuracy * corner, around);
         out += strength * (normal.map == Normal::Map::Slopes ? slope_height(set, normal, v) : v) * corner;
     }

@@ -41,10 +41,13 @@ public:
     /// The finish of one more layer, at hit k.
     void ask(std::size_t k, const texture::Finish& finish)
     {
-        std::uint8_t count = 0;
-        if (finish.phong > 0.0f && !texture::phong_vanishes(finish, phong_[k])) count += add(phong_[k], finish.phong_size, finish.phong);
-        if (finish.specular > 0.0f && specular_[k] > 0.0) count += add(specular_[k], finish.specular_exponent, finish.specular);
-        of_layer_[asked_++] = count;
+        ask(finish, [&] { return phong_[k]; }, [&] { return specular_[k]; });
+    }
+
+    /// The same of a layer with a normal of its own.
+    void ask(const texture::Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
+    {
+        ask(finish, [&] { return texture::phong_cosine(d, n, l); }, [&] { return texture::specular_cosine(d, n, l); });
     }
 
     void run()
@@ -62,6 +65,21 @@ public:
     }
 
 private:
+    template <class Phong, class Specular>
+    void ask(const texture::Finish& finish, Phong&& phong, Specular&& specular)
+    {
+        std::uint8_t count = 0;
+        if (finish.phong > 0.0f) {
+            const double c = phong();
+            if (!texture::phong_vanishes(finish, c)) count += add(c, finish.phong_size, finish.phong);
+        }
+        if (finish.specular > 0.0f) {
+            const double c = specular();
+            if (c > 0.0) count += add(c, finish.specular_exponent, finish.specular);
+        }
+        of_layer_[asked_++] = count;
+    }
+
     static constexpr std::size_t kMost = csg::kTileRays * kLayersAhead;
 
     std::uint8_t add(double cosine, float exponent, float amount)

@@ -19,7 +19,7 @@ inline void look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, in
             const texture::Texture& texture = set.textures[layers.texture];
             most = std::max(most, texture.count);
             if (texture.count < depth || !(layers.residual > bailout)) continue;
-            scratch.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, layers.point, scratch.around[k]);
+            scratch.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, scratch.points[k], scratch.around[k]);
         }
         scratch.pigments.run(set, [&](std::size_t k, const scene::Color& c) {
             LayersAhead& layers = scratch.layers[k];

@@ -67,7 +67,6 @@ struct LayersAhead {
     bool flat;                       ///< AheadLayers::flat
     float residual;                  ///< share of light that the layers so far let through, or more
     glm::vec3 filter;
-    glm::dvec3 point;                ///< of pattern space
     std::array<scene::Color, kLayersAhead> colors;
 };
 

@@ -28,12 +28,21 @@ struct FlatLayer {
     float alpha;                  ///< the layer's opacity factor
     glm::vec3 filter;             ///< what the layers above let through
     glm::vec3 glow, lit;          ///< ambient and emission; what the lights have added so far
+    glm::dvec3 normal;            ///< where the hit is bent
 };
 
-/// A hit of a tile on a surface whose layers do not bend the normal: the lights are added for the whole tile.
+/// A hit of a tile on a surface of colours, diffuse light and highlights: the lights are added for the whole tile.
 struct FlatHit {
     std::uint16_t first, count;   ///< its layers, the top one first; none: no hit, or not of such a surface
     bool goes_on;                 ///< rays may go on from here; it has one layer then
+    bool bent;                    ///< some layer has a normal of its own
+};
+
+/// A layer of a flat hit whose normal is still to be bent.
+struct Bend {
+    std::uint32_t normal;
+    std::uint16_t layer;
+    std::uint8_t hit;
 };
 
 /// A flat hit that the light at hand reaches.
@@ -59,6 +68,8 @@ struct ShadeScratch {
     std::array<LitHit, csg::kTileRays> lit;             ///< by the light at hand
     std::array<FlatHit, csg::kTileRays> flat;
     std::array<FlatLayer, csg::kTileRays * kLayersAhead> flat_layers;
+    std::array<Bend, csg::kTileRays * kLayersAhead> bends;
+    std::array<glm::dvec3, csg::kTileRays> points;       ///< of pattern space
     Highlights highlights;
     PigmentBatch pigments;               ///< of the flat hits of one layer, then of layer after layer of the others
     std::array<texture::Surroundings, csg::kTileRays> around;

@@ -35,13 +35,17 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
     return true;
 }
 
-/// The light of its own side, without a bent normal, iridescence and grain.
-bool flat(const texture::Layer& layer, const texture::Finish& finish)
+/// Some pattern depends on the normal as other layers have bent it.
+bool any_looks(const TextureSet& set)
 {
-    return layer.normal == texture::kNone && finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f;
+    const auto looks = [](const texture::Pattern& p) { return p.kind == texture::PatternKind::Slope || p.kind == texture::PatternKind::Aoi; };
+    return std::any_of(set.patterns.begin(), set.patterns.end(), looks);
 }
 
-/// One layer without a bent normal that has no more than colour, diffuse light, highlights, mirroring and refraction.
+/// The light of its own side, without iridescence and grain.
+bool flat(const texture::Finish& finish) { return finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f; }
+
+/// One layer that has no more than colour, diffuse light, highlights and either a bent normal or mirroring and refraction.
 LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
 {
     if (index == texture::kNone) return {};
@@ -50,7 +54,8 @@ LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
     const texture::Layer& layer = set.layers[texture.first];
     const texture::Finish& finish = set.finishes[layer.finish];
     if (set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid && !texture.opaque) return {};  // it may be missing
-    if (!flat(layer, finish)) return {};
+    if (!flat(finish)) return {};
+    if (layer.normal != texture::kNone) return texture.opaque && !finish.reflects() && !any_looks(set) ? LoneLayer{texture.first, false} : LoneLayer{};
     if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
     return {texture.first, !texture.plain};
 }
@@ -61,16 +66,14 @@ AheadLayers layers_ahead(const TextureSet& set, std::uint32_t index)
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
     if (texture.kind != texture::Texture::Kind::Layers || texture.count > kLayersAhead) return {};
-    // A bent normal may be looked at by the layer's pigment.
-    const auto looks = [](const texture::Pattern& p) { return p.kind == texture::PatternKind::Slope || p.kind == texture::PatternKind::Aoi; };
-    const bool any_looks = std::any_of(set.patterns.begin(), set.patterns.end(), looks);
+    const bool looks = any_looks(set);
     bool patterned = false, all_flat = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
         const texture::Layer& layer = set.layers[i];
         const texture::Finish& finish = set.finishes[layer.finish];
         patterned |= set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid;
-        all_flat &= flat(layer, finish) && !finish.reflects();
-        if (any_looks && layer.normal != texture::kNone) return {};
+        all_flat &= flat(finish) && !finish.reflects();
+        if (looks && layer.normal != texture::kNone) return {};
     }
     return patterned ? AheadLayers{index, all_flat} : AheadLayers{};
 }

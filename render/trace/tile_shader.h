@@ -66,6 +66,7 @@ public:
         }
         pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { flat_.color(k, c); });
         if (ahead) finish_layers();
+        flat_.bend();
         for (int i = rays_.count; i % csg::kTileSide != 0; ++i)
             scratch_.hits.set(static_cast<std::size_t>(i), glm::dvec3(0), glm::dvec3(0));
         return general_;
@@ -152,9 +153,11 @@ private:
         flat_.begin(k, lone);
         const std::uint32_t index = set.layers[lone.index].pigment;
         const texture::Pigment& pigment = set.pigments[index];
-        if (pigment.kind == texture::Pigment::Kind::Solid) return flat_.color(k, pigment.color);
-        surround(i);
-        scratch_.pigments.ask(k, index, pattern_point(i, hit), scratch_.around[k]);
+        const bool solid = pigment.kind == texture::Pigment::Kind::Solid;
+        if (solid) flat_.color(k, pigment.color);
+        if (solid && !flat_.bent(k)) return;
+        surround(i, hit);
+        if (!solid) scratch_.pigments.ask(k, index, scratch_.points[k], scratch_.around[k]);
     }
 
     /// Pigments of the layers, top down; hits whose layers hide what is behind them are flat then.
@@ -174,22 +177,18 @@ private:
         }
     }
 
-    void surround(int i)
+    /// The hit as patterns see it.
+    void surround(int i, const Hit& hit)
     {
         const auto k = static_cast<std::size_t>(i);
         const HitDetails& at = details(i);
+        scratch_.points[k] = context_.scene.surfaces[hit.surface].uv_mapping ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point;
         texture::Surroundings& around = scratch_.around[k];   // member by member, as the details
         around.point = at.point;
         around.normal = scratch_.hits.normal(k);
         around.direction = rays_.ray(i).direction;
         around.uv = at.uv;
         around.surface = true;
-    }
-
-    glm::dvec3 pattern_point(int i, const Hit& hit)
-    {
-        const HitDetails& at = details(i);
-        return context_.scene.surfaces[hit.surface].uv_mapping ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point;
     }
 
     void begin_layers(int i, const Hit& hit, const AheadLayers& of, bool small)
@@ -200,8 +199,7 @@ private:
         layers.flat = of.flat && small;
         layers.residual = 1.0f;
         layers.filter = glm::vec3(1);
-        layers.point = pattern_point(i, hit);
-        surround(i);
+        surround(i, hit);
     }
 
     bool asks_for_light(int i) const
@@ -225,8 +223,8 @@ private:
             s.lit = {direction, distance, color};
             s.illuminated = true;
         }
-        // Bent normals may face a light that the surface turns away from: rare, asked for one by one.
-        if (glm::dot(scratch_.hits.normal(k), direction) < kNearlyZero) return;
+        // Other hits' bent normals may face a light that the surface turns away from: rare, asked for one by one.
+        if (flat_.holds(k) ? !flat_.faces(k, direction) : glm::dot(scratch_.hits.normal(k), direction) < kNearlyZero) return;
         if (color == glm::vec3(0)) return;
         if (!shadows || end <= kShadowTolerance) {
             if (flat_.holds(k)) flat_.light(k, color);

@@ -244,3 +244,45 @@ TEST_CASE("pattern values of many points have the bits of each point alone", "[t
         }
     }
 }
+
+TEST_CASE("normals of many points have the bits of each bent alone", "[texture][normal]")
+{
+    using Map = Normal::Map;
+    for (std::uint32_t seed = 0; seed < 6000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        TextureSet set;
+        Normal normal;
+        normal.map = std::array{Map::None, Map::None, Map::Slopes, Map::Average}[static_cast<std::size_t>(rng.below(4))];
+        normal.amount = rng.uniform(-1.0, 1.0);
+        normal.no_bump_scale = rng.flip();
+        normal.count = 1 + static_cast<std::uint32_t>(rng.below(3));
+        if (normal.map == Map::Average) set.normals.push_back({Map::None, 0, 0.3});  // of its own, bent by the first pattern
+        for (std::uint32_t i = 0; i < normal.count; ++i) {
+            set.keys.push_back((float(i) + 0.5f) / float(normal.count));
+            set.slopes.emplace_back(rng.uniform(0.0, 1.0), rng.uniform(-1.0, 1.0));
+            set.children.push_back(0);
+        }
+        Pattern pattern = random_pattern(rng, set);
+        using K = PatternKind;
+        if (rng.flip()) pattern.kind = std::array{K::Bumps, K::Dents, K::Wrinkles, K::Quilted, K::Facets}[static_cast<std::size_t>(rng.below(5))];
+        if (pattern.kind == K::Facets || pattern.kind == K::Quilted) pattern.numbers = {rng.uniform(0.1, 1.0), rng.uniform(0.1, 1.0), 2.0};
+        set.patterns.push_back(pattern);
+        set.normals.push_back(normal);
+        const auto index = static_cast<std::uint32_t>(set.normals.size() - 1);
+        set.normals.back().pattern = set.normals.front().pattern = 0;
+        const Points p = random_points(rng);
+        const Surroundings none;
+        Around around;
+        around.fill(&none);
+        Normals many;
+        for (std::size_t i = 0; i < p.size(); ++i) many[i] = glm::normalize(rng.vector(1.0));
+        const Normals before = many;
+        perturb_points(set, index, p, around, many);
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            Surroundings own = none;
+            const glm::dvec3 one = perturb(set, index, before[i], p.at(i), own);
+            for (int k = 0; k < 3; ++k) REQUIRE((bits(many[i][k]) == bits(one[k]) || (one[k] != one[k] && many[i][k] != many[i][k])));
+        }
+    }
+}
