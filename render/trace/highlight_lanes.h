@@ -10,12 +10,14 @@
 /// texture::phong and texture::specular, the powers are within 1e-13 of theirs (tests/render/trace/highlight_test.cpp).
 namespace trace {
 
+/// ln 2; the high part times an exponent is exact.
+inline constexpr double kLn2High = 0x1.62e42fefa38p-1, kLn2Low = 0x1.ef35793c7673p-45;
+
 /// ln c of positive numbers by 2 artanh((c - 1) / (c + 1)). Sums and products alone, not xsimd's fused ones: the same bits
 /// for every instruction set.
 inline csg::lanes::Double logarithm(const csg::lanes::Double& c)
 {
     using csg::lanes::Double;
-    constexpr double kLn2High = 0x1.62e42fefa38p-1, kLn2Low = 0x1.ef35793c7673p-45;   // the high part times an exponent is exact
     xsimd::batch<std::int64_t> exponent;
     const Double half = xsimd::frexp(c, exponent);                                     // in [0.5, 1)
     const auto low = half < Double(0x1.6a09e667f3bcdp-1);
@@ -30,7 +32,6 @@ inline csg::lanes::Double logarithm(const csg::lanes::Double& c)
 inline csg::lanes::Double exponential(const csg::lanes::Double& y)
 {
     using csg::lanes::Double;
-    constexpr double kLn2High = 0x1.62e42fefa38p-1, kLn2Low = 0x1.ef35793c7673p-45;
     const Double k = xsimd::nearbyint(y * 0x1.71547652b82fep0);
     const Double r = (y - k * kLn2High) - k * kLn2Low;
     Double sum(1.0 / 6227020800.0);   // 1 / 13!

@@ -46,7 +46,8 @@ bool any_looks(const TextureSet& set)
 bool flat(const texture::Finish& finish) { return finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f; }
 
 /// One layer that has no more than colour, diffuse light, highlights and either a bent normal or mirroring and refraction.
-LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
+/// looks: some pattern does at bent normals.
+LoneLayer lone_layer(const TextureSet& set, std::uint32_t index, bool looks)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
@@ -55,18 +56,17 @@ LoneLayer lone_layer(const TextureSet& set, std::uint32_t index)
     const texture::Finish& finish = set.finishes[layer.finish];
     if (set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid && !texture.opaque) return {};  // it may be missing
     if (!flat(finish)) return {};
-    if (layer.normal != texture::kNone) return texture.opaque && !finish.reflects() && !any_looks(set) ? LoneLayer{texture.first, false} : LoneLayer{};
+    if (layer.normal != texture::kNone) return texture.opaque && !finish.reflects() && !looks ? LoneLayer{texture.first, false} : LoneLayer{};
     if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
     return {texture.first, !texture.plain};
 }
 
 /// The texture itself if it has layers with patterns, and few enough.
-AheadLayers layers_ahead(const TextureSet& set, std::uint32_t index)
+AheadLayers layers_ahead(const TextureSet& set, std::uint32_t index, bool looks)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
     if (texture.kind != texture::Texture::Kind::Layers || texture.count > kLayersAhead) return {};
-    const bool looks = any_looks(set);
     bool patterned = false, all_flat = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
         const texture::Layer& layer = set.layers[i];
@@ -83,7 +83,7 @@ AheadLayers layers_ahead(const TextureSet& set, std::uint32_t index)
 SceneTraits scene_traits(const plan::CompiledScene& scene)
 {
     SceneTraits traits;
-    const bool uv = any_uv(scene.textures);
+    const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures);
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
     for (const plan::Interior& interior : scene.interiors) traits.fades |= interior.fade_distance != 0.0f;
@@ -93,15 +93,15 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         traits.filters |= !surface.opaque && !surface.no_shadow;
         all[i].needs_uv = uv || surface.uv_mapping;
         if (surface.blends()) continue;
-        all[i].outer_layers = layers_ahead(scene.textures, surface.texture);
+        all[i].outer_layers = layers_ahead(scene.textures, surface.texture, looks);
         all[i].inner_layers = surface.interior_texture == plan::kNone ? all[i].outer_layers
-                                                                      : layers_ahead(scene.textures, surface.interior_texture);
+                                                                      : layers_ahead(scene.textures, surface.interior_texture, looks);
         if (surface.double_illuminate) {
             all[i].outer_layers.flat = all[i].inner_layers.flat = false;
         } else {
-            all[i].outer = lone_layer(scene.textures, surface.texture);
+            all[i].outer = lone_layer(scene.textures, surface.texture, looks);
             all[i].inner = surface.interior_texture == plan::kNone ? all[i].outer
-                                                                   : lone_layer(scene.textures, surface.interior_texture);
+                                                                   : lone_layer(scene.textures, surface.interior_texture, looks);
         }
         const bool focused =
             surface.interior != plan::kNone && scene.interiors[surface.interior].caustics_power != 0.0f;
