@@ -11,11 +11,37 @@ PolynomialShape::PolynomialShape(int degree, std::vector<double> coefficients)
         coefficients_.size() != static_cast<std::size_t>((degree + 1) * (degree + 2) * (degree + 3) / 6))
         throw std::invalid_argument("a polynomial with the wrong number of coefficients");
     std::size_t next = 0;
+    for (int i = degree; i >= 0 && degree > kLow; --i)
+        for (int j = degree - i; j >= 0; --j)
+            for (int k = degree - i - j; k >= 0; --k, ++next)
+                if (const double c = coefficients_[next]; c != 0.0)
+                    terms_.push_back({c, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k)});
+    next = 0;
     for (int i = degree; i >= 0; --i)
         for (int j = degree - i; j >= 0; --j) {
             leading_size_ += std::abs(coefficients_[next]);   // of x^i y^j z^(degree - i - j)
             next += static_cast<std::size_t>(degree - i - j + 1);
         }
+}
+
+double PolynomialShape::nearer(const glm::dvec3& o, const glm::dvec3& d, double t) const
+{
+    constexpr double kMost = 1e-6;   // a longer step is none of rounding
+    const glm::dvec3 p = o + t * d;
+    double power[3][kMostDegree + 2];   // power[axis][n + 1] = p^n; p^-1 is never used but with a factor of 0
+    for (int axis = 0; axis < 3; ++axis) {
+        power[axis][0] = 0.0;
+        power[axis][1] = 1.0;
+        for (int n = 1; n <= degree_; ++n) power[axis][n + 1] = power[axis][n] * p[axis];
+    }
+    double value = 0.0, slope = 0.0;
+    for (const Term& term : terms_) {
+        const double *x = power[0] + term.i, *y = power[1] + term.j, *z = power[2] + term.k;
+        value += term.c * x[1] * y[1] * z[1];
+        slope += term.c * (term.i * x[0] * y[1] * z[1] * d.x + term.j * x[1] * y[0] * z[1] * d.y + term.k * x[1] * y[1] * z[0] * d.z);
+    }
+    const double step = value / slope;
+    return std::abs(step) < kMost * (1.0 + std::abs(t)) ? t - step : t;
 }
 
 int PolynomialShape::sure_degree(const glm::dvec3& o, const glm::dvec3& d, const Along& c) const

@@ -36,6 +36,10 @@ public:
         }
     }
 
+    /// A root of along()'s, one step of Newton's nearer: asked at the point itself, where no powers of t cancel each other. Such
+    /// coefficients of degree 35 leave 1e-10, the point 1e-15. Low degrees lose too little to be worth it.
+    double polished(const glm::dvec3& o, const glm::dvec3& d, double t) const { return degree_ > kLow ? nearer(o, d, t) : t; }
+
     /// What is left of the degree where leading coefficients found by along() are nothing but rounding: such a one would
     /// put a root anywhere.
     int degree_along(const glm::dvec3& o, const glm::dvec3& d, const Along& c) const
@@ -48,6 +52,14 @@ private:
     /// Above what rounding adds to a coefficient, in parts of the sum of its terms' sizes: some 4 roundings a power.
     double rounding() const { return 4 * degree_ * 0x1p-53; }
 
+    /// c x^i y^j z^k
+    struct Term {
+        double c;
+        std::uint8_t i, j, k;
+    };
+    static constexpr int kLow = 4;
+
+    double nearer(const glm::dvec3& o, const glm::dvec3& d, double t) const;
     int sure_degree(const glm::dvec3& o, const glm::dvec3& d, const Along& c) const;
 
     template <int degree>
@@ -110,6 +122,7 @@ private:
 
     int degree_;
     std::vector<double> coefficients_;
+    std::vector<Term> terms_;      ///< those that are not 0, above degree kLow
     double leading_size_ = 0.0;    ///< sum of the sizes of the coefficients of the highest degree
 };
 

@@ -59,7 +59,8 @@ Form blob_form()
                     if (q < 1) sum += c.strength * (1 - q) * (1 - q);
                 }
                 return sum >= 0;
-            }};
+            },
+            .blur = 2e-6};   // POV-Ray's inside reaches 1e-6 of the field below its threshold (spec 5a, 2.4), which rises by 0.5 a length or more
 }
 
 /// x^2 + y^2 + z^2 + 0.5 x y - 1 with its ranges by the rules of intervals.

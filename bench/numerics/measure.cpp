@@ -2,6 +2,7 @@
 
 #include "bench/numerics/oracle.h"
 #include "csg/front.h"
+#include "csg/tolerance.h"
 
 #include <algorithm>
 #include <chrono>
@@ -85,7 +86,8 @@ glm::dvec3 facing(const csg::Solid& solid, const glm::dvec3& p, std::uint32_t fa
 /// What one ray adds to a row.
 class Judge {
 public:
-    Judge(const Case& given, Row& row, std::vector<double>& errors) : case_(given), answers_(given), band_(band_of(row.solid)), row_(row), errors_(errors), reach_(glm::max(given.distance, given.size)) {}
+    Judge(const Case& given, Row& row, std::vector<double>& errors) : case_(given), answers_(given), band_(band_of(row.solid)), row_(row), errors_(errors), reach_(glm::max(given.distance, given.size)),
+          tolerance_(csg::Tolerance::of_scene(given.distance + given.size)) {}
 
     void ray(const Ray& ray, csg_test::Rng& rng, Asked* asked)
     {
@@ -157,11 +159,11 @@ private:
         }
         row_.worst = glm::max(row_.worst, relative);
         errors_.push_back(relative);
-        if (row_.hits % 4 == 0) spawned({p, ray.direction - 2.0 * glm::dot(ray.direction, n) * n});
+        if (row_.hits % 4 == 0) spawned({p, ray.direction - 2.0 * glm::dot(ray.direction, n) * n}, tolerance_.hit_from(p, t));
     }
 
     /// Leaves a hit as a mirror does: where does it meet its own start again?
-    void spawned(const Ray& ray)
+    void spawned(const Ray& ray, double tolerance)
     {
         ++spawns_;
         double own = csg::kInfinity;
@@ -169,9 +171,9 @@ private:
         for (const double t : ends) own = glm::min(own, std::abs(t));
         if (!(own < kFarStart * case_.size)) return;
         row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
-        acne_ += own > kSpawned ? 1 : 0;
+        acne_ += own > tolerance ? 1 : 0;
         const double behind = glm::max(2.0 * own, (case_.form ? 2.0 * case_.form->bar : 1e-12) * case_.size);
-        for (const Quad t : truth_of(ray, behind, 20.0 * case_.size, 0.0, ends)) lost_ += t < kSpawned ? 1 : 0;
+        for (const Quad t : truth_of(ray, behind, 20.0 * case_.size, 0.0, ends)) lost_ += t < tolerance ? 1 : 0;
         row_.acne = 1e6 * static_cast<double>(acne_) / static_cast<double>(spawns_);
         row_.lost = 1e6 * static_cast<double>(lost_) / static_cast<double>(spawns_);
     }
@@ -192,7 +194,7 @@ private:
         asked.ray = ray;
         for (std::size_t i = 0; i < truth.size(); ++i) {
             const auto t = static_cast<double>(truth[i]);
-            if (t < kSpawned) continue;
+            if (t < csg::Tolerance{}.hit) continue;
             if (!asked.hit) asked.t = t;
             asked.hit = true;
             if (i + 1 < truth.size() && static_cast<double>(truth[i + 1]) - t < 0.02 * case_.size) asked.clear = false;
@@ -205,6 +207,7 @@ private:
     Row& row_;
     std::vector<double>& errors_;
     const double reach_;
+    const csg::Tolerance tolerance_;   ///< of a scene with nothing else in it
     long spawns_ = 0, acne_ = 0, lost_ = 0;
 };
 

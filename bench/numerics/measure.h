@@ -9,8 +9,6 @@ namespace numerics {
 
 /// Errors count against the bar where the cosine of incidence is at least this; below it they are told apart.
 inline constexpr double kClear = 0.01;
-/// The renderer's: nearer crossings of a spawned ray do not count.
-inline constexpr double kSpawned = 1e-4;
 
 /// A test of the judge itself: of each seven rays one loses one of the ends told, another gains one. Set once, before measuring.
 inline bool spoiled = false;

@@ -14,13 +14,14 @@ class AxisRay {
 public:
     explicit AxisRay(const Ray& ray)
     {
-        const glm::dvec3 &o = ray.origin, &d = ray.direction;
+        const glm::dvec3& d = ray.direction;
         length_ = std::sqrt(glm::dot(d, d));
-        const glm::dvec3 e = d / length_;
-        up_ = e.y;
+        const glm::dvec3 e = way_ = d / length_;
+        // From a far camera the numbers below would lose what decides about a tangent. fma() moves the start here with one rounding.
+        start_ = -glm::dot(ray.origin, e) / length_;
+        const glm::dvec3 o = origin_ = {std::fma(start_, d.x, ray.origin.x), std::fma(start_, d.y, ray.origin.y), std::fma(start_, d.z, ray.origin.z)};
         rise = std::abs(e.y);
         run = std::sqrt(e.x * e.x + e.z * e.z);
-        origin_y_ = o.y;
         if (run > kUpright) {
             nearest = std::abs(o.x * e.z - o.z * e.x) / run;
             shift_ = -(o.x * e.x + o.z * e.z) / (run * run);
@@ -40,7 +41,7 @@ public:
     bool valid() const { return length_ > 0.0 && length_ < kInfinity && nearest < kInfinity && std::abs(foot) < kInfinity; }
     /// It stays at one height: at most 2^-460 of it is upward, too little to be squared.
     bool level() const { return !(rise > kLevel); }
-    bool rising() const { return up_ > 0.0; }
+    bool rising() const { return way_.y > 0.0; }
 
     /// Of the circle of radius r (may be negative) at foot + above.
     double beyond(double r, double above) const
@@ -63,24 +64,39 @@ public:
         // Near the ray's own nearest point the radius says little, the height still does.
         if (rise > run || room < rise * rise * (room + nearest2_)) return at_height(y);
         const double along = std::sqrt(glm::max(room, 0.0)) / run;
-        return (shift_ + ((side < 0.0) == (up_ < 0.0) ? along : -along)) / length_;
+        return start_ + (shift_ + ((side < 0.0) == (way_.y < 0.0) ? along : -along)) / length_;
     }
     /// Ray parameter at height y; not of level rays.
-    double at_height(double y) const { return (y - origin_y_) / up_ / length_; }
+    double at_height(double y) const { return start_ + (y - origin_.y) / way_.y / length_; }
+    /// One step of Newton's from t and the place of a profile that it was found by, for both: the crossing of ray and profile.
+    /// Tangents, where the step would be rounding alone, stay.
+    double polished(double t, const glm::dvec2& place, const glm::dvec2& slope) const
+    {
+        const double s = (t - start_) * length_;
+        const glm::dvec3 p = origin_ + s * way_;
+        const double square = p.x * p.x + p.z * p.z - place.x * place.x, height = p.y - place.y;
+        const double turn = (p.x * way_.x + p.z * way_.z) * slope.y, climb = place.x * slope.x * way_.y, determinant = turn - climb;
+        if (!(std::abs(determinant) > kTangent * (std::abs(turn) + std::abs(climb)))) return t;
+        const double step = (place.x * slope.x * height - 0.5 * slope.y * square) / determinant;
+        return std::abs(step) < kPolish * (std::abs(s) + std::abs(place.x)) ? t + step / length_ : t;
+    }
     /// Ray parameters within radius r of the axis; false: none.
     bool within(double r, double& from, double& to) const
     {
         if (!(r > nearest)) return false;
         const double half = std::sqrt((r - nearest) * (r + nearest)) / run;
-        from = (shift_ - half) / length_;
-        to = (shift_ + half) / length_;
+        from = start_ + (shift_ - half) / length_;
+        to = start_ + (shift_ + half) / length_;
         return true;
     }
 
 private:
+    static constexpr double kPolish = 1e-6;    // of the lengths: longer steps are none of rounding
+    static constexpr double kTangent = 1e-4;   // of the determinant's terms
     static constexpr double kUpright = 1e-100, kLevel = 0x1p-460;
 
-    double length_ = 0.0, shift_ = 0.0, origin_y_ = 0.0, up_ = 0.0, nearest2_ = 0.0;
+    glm::dvec3 origin_, way_;   // near the frame's origin; of unit length
+    double length_ = 0.0, start_ = 0.0, shift_ = 0.0, nearest2_ = 0.0;
 };
 
 /// Share of a full turn of a point about the y axis, 0 at x, 0.25 at z; 0 on the axis (spec 5b, 7.5). `widest`: largest

@@ -107,7 +107,7 @@ private:
     void add_at(const Arc& arc, double w, double side)
     {
         const glm::dvec2 p = arc.at(w);
-        add(ray_.at(p.x, p.y, side), face_);
+        add(ray_.polished(ray_.at(p.x, p.y, side), p, arc.slope(w)), face_);
     }
 
     void meet_arc(std::uint32_t index)

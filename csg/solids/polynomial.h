@@ -41,6 +41,7 @@ struct Polynomial {
         bool inside = degree % 2 == 0 ? last <= 0.0 : last > 0.0;   // where t goes to minus infinity
         double in = -kInfinity;
         for (int i = 0; i < count; ++i) {
+            roots[i] = glm::max(shape->polished(p, d, roots[i]), i > 0 ? roots[i - 1] : -kInfinity);
             const double t = (shift + roots[i]) / length;
             if (inside) f(in, 0u, t, 0u);
             else in = t;

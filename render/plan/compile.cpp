@@ -20,6 +20,16 @@ Settings settings(const scene::Description& description, const Options& options)
     return s;
 }
 
+/// What has no end has no size either.
+csg::Tolerance tolerance(const CompiledScene& scene)
+{
+    csg::Aabb seen = scene.geometry.bvh.bounds;
+    if (!seen.finite()) return {};
+    seen.include(scene.camera.location);
+    const glm::dvec3 edges = seen.upper - seen.lower;
+    return csg::Tolerance::of_scene(glm::max(edges.x, glm::max(edges.y, edges.z)));
+}
+
 /// Interiors of the objects that hold the eye (spec 2, 4.11).
 void find_camera_interiors(CompiledScene& scene)
 {
@@ -50,6 +60,7 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     out.sky = compile_sky(description, textures, options.alpha);
     out.fogs = compile_fogs(description);
     geometry.finish();
+    out.tolerance = tolerance(out);
     find_camera_interiors(out);
     for (const scene::Unsupported& note : notes) out.decisions.push_back({note.what, "not rendered yet", note.source});
     return out;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/tolerance.h"
 #include "csg/world.h"
 #include "csg/world_data.h"
 #include "render/light/light_set.h"
@@ -62,6 +63,7 @@ struct Settings {
 
 /// Everything a render needs; immutable, shared by all threads.
 struct CompiledScene {
+    csg::Tolerance tolerance;
     csg::WorldData geometry;               ///< ask through world()
     std::vector<Surface> surfaces;         ///< by csg::SurfaceId
     std::vector<std::uint32_t> part_textures;  ///< see Surface::first_part

@@ -66,7 +66,9 @@ glm::vec3 point_shadow(Context& context, const HitContext& hit, const light::Lig
         if (depth < 0.0 || depth >= lit.distance) return glm::vec3(0);
         lit.distance = depth;
     }
-    return light.shadowless ? color : filtered_light(context, hit.point, hit.state.interiors, lit, color);
+    if (light.shadowless) return color;
+    const double tolerance = context.scene.tolerance.shadow_from(hit.point, hit.distance);
+    return filtered_light(context, hit.point, tolerance, hit.state.interiors, lit, color);
 }
 
 glm::vec3 area_shadow(Context& context, const HitContext& hit, const light::Light& light,

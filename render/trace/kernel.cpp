@@ -27,7 +27,7 @@ public:
         rays_.ox.fill(scene.camera.location.x);
         rays_.oy.fill(scene.camera.location.y);
         rays_.oz.fill(scene.camera.location.z);
-        rays_.t_min.fill(kCameraMinDistance);
+        rays_.t_min.fill(scene.tolerance.hit);
         rays_.t_max.fill(camera_.max_distance() > 0.0 ? camera_.max_distance() : csg::kInfinity);
     }
 
@@ -194,9 +194,6 @@ private:
         world_.nearest(rays_, bit(plan::RayKind::Image), scratch_.geometry, hits_);
         shade_tile(scene_, rays_, hits_, colors_, scratch_);
     }
-
-    /// POV-Ray ignores what is nearer than this (spec 3, 3.1).
-    static constexpr double kCameraMinDistance = 1e-4;
 
     const plan::CompiledScene& scene_;
     csg::World world_;

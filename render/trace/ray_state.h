@@ -40,6 +40,7 @@ private:
 /// One ray with what it inherits.
 struct RayState {
     csg::Ray ray;
+    double start = 0;                ///< nearer crossings do not count (csg::Tolerance)
     float weight = 1;                ///< share of the pixel; below adc_bailout the ray is not traced
     int level = 0;                   ///< levels in use before this ray
     plan::RayKind kind = plan::RayKind::Image;

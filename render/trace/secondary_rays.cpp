@@ -38,6 +38,8 @@ Crossing cross(const Context& context, const InteriorList& list, std::uint32_t o
     return {ior(last) / ior(own), dispersion(last) / dispersion(own)};
 }
 
+double start_of(const Context& context, const HitPlace& hit) { return context.scene.tolerance.hit_from(hit.point, hit.distance); }
+
 }  // namespace
 
 glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow)
@@ -67,7 +69,7 @@ double fresnel_index(const Context& context, const HitPlace& hit)
     return list.size() == 1 ? 1.0 / own : outer / own;
 }
 
-RayState mirrored(const HitPlace& hit, const glm::dvec3& normal, float weight)
+RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight)
 {
     const glm::dvec3& d = hit.state.ray.direction;
     glm::dvec3 r = d - 2.0 * glm::dot(d, normal) * normal;
@@ -79,13 +81,13 @@ RayState mirrored(const HitPlace& hit, const glm::dvec3& normal, float weight)
         else
             r -= 2.0 * out * hit.normal;
     }
-    return {{hit.point, glm::normalize(r)}, weight, hit.level, plan::RayKind::Reflection, hit.state.interiors};
+    return {{hit.point, glm::normalize(r)}, start_of(context, hit), weight, hit.level, plan::RayKind::Reflection, hit.state.interiors};
 }
 
 scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3& normal, float weight,
                        glm::dvec3& direction)
 {
-    const RayState next = mirrored(hit, normal, weight);
+    const RayState next = mirrored(context, hit, normal, weight);
     direction = next.ray.direction;
     ++context.scratch.counts.reflected;
     return trace_ray(context, next, false);
@@ -103,6 +105,7 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
     out.total = false;
     const Crossing crossing = cross(context, hit.state.interiors, hit.surface.interior, out.ray.interiors);
     out.ray.ray = {hit.point, d};
+    out.ray.start = start_of(context, hit);
     out.ray.weight = weight;
     out.ray.level = hit.level;
     out.ray.kind = hit.state.kind;
@@ -114,7 +117,7 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
     const double k = 1.0 + r * r * (c * c - 1.0);
     if (k < 0.0) {
         out.total = true;
-        out.ray = mirrored(hit, top_normal, weight);
+        out.ray = mirrored(context, hit, top_normal, weight);
     } else {
         // A unit vector already, up to rounding; World wants unit directions, so it is made exact.
         out.ray.ray.direction = glm::normalize(r * d + (r * c - std::sqrt(k)) * n);

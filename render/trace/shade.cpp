@@ -36,14 +36,14 @@ void trace_waiting(Context& context, const WaitingRay* waiting, int count)
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         const csg::Ray& ray = waiting[i].state.ray;
         if (rays.common_origin)
-            rays.set(i, {origin, ray.direction}, waiting[i].reach + kMinDistance, csg::kInfinity);
+            rays.set(i, {origin, ray.direction}, waiting[i].reach + waiting[i].state.start, csg::kInfinity);
         else
-            rays.set(i, ray, kMinDistance, csg::kInfinity);
+            rays.set(i, ray, waiting[i].state.start, csg::kInfinity);
     }
     context.world.nearest(rays, kind, context.scratch.geometry, hits);
     if (!rays.common_origin) return;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        rays.set(i, waiting[i].state.ray, kMinDistance, csg::kInfinity);
+        rays.set(i, waiting[i].state.ray, waiting[i].state.start, csg::kInfinity);
         hits.t[i] -= waiting[i].reach;
     }
 }

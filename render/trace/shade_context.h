@@ -13,8 +13,6 @@
 /// Inside of shading: the state of one ray and of one hit, and the steps that call each other in recursion.
 namespace trace {
 
-inline constexpr double kMinDistance = 1e-4;        ///< nearer hits of camera and secondary rays do not count (spec 3, 3.1)
-inline constexpr double kShadowTolerance = 1e-3;    ///< the same for shadow rays, at both ends
 inline constexpr double kNearlyZero = 1e-10;        ///< light and index differences below it count as none
 inline constexpr float kDark = 1e-10f;              ///< kNearlyZero for colours
 
@@ -82,12 +80,13 @@ glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish&
                        const glm::dvec3& normal, double alpha);
 
 /// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
-glm::vec3 filtered_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
+/// `tolerance`: of shadow rays from this point.
+glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
                          const light::Illumination& lit, glm::vec3 color);
 
 /// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point or
 /// from the light; they are turned round in place.
-glm::vec3 crossed_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
+glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
                         const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count);
 
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
@@ -105,7 +104,7 @@ struct Onward {
 bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Onward& out);
 
 /// The ray mirrored about `normal` (spec 3, section 10).
-RayState mirrored(const HitPlace& hit, const glm::dvec3& normal, float weight);
+RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight);
 
 /// A mirrored colour as the finish wants it (spec 3, 10.3).
 glm::vec3 raised(const scene::Color& c, float exponent);

@@ -147,7 +147,7 @@ scene::Color trace_ray(Context& context, const RayState& state, bool straight)
     const plan::Settings& settings = context.scene.settings;
     if (state.level >= settings.max_trace_level || static_cast<double>(state.weight) < settings.adc_bailout) return {};
     const int level = straight ? state.level : state.level + 1;
-    const Hit hit = context.world.nearest(state.ray, kMinDistance, csg::kInfinity, bit(state.kind),
+    const Hit hit = context.world.nearest(state.ray, state.start, csg::kInfinity, bit(state.kind),
                                           context.scratch.geometry);
     scene::Color color;
     if (hit.found()) {

@@ -95,13 +95,13 @@ glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit
 namespace {
 
 /// Light past crossings at their distances from the point, nearest first.
-glm::vec3 past_crossings(Context& context, RayState& ray, glm::vec3 color, const Hit* first, const Hit* last)
+glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3 color, const Hit* first, const Hit* last)
 {
     const SceneTraits& traits = context.scratch.shade.traits;
     double before = 0.0;
     for (; first != last; ++first) {
         const Hit& crossing = *first;
-        if (crossing.t - before <= kShadowTolerance) continue;  // the next ray would not see it
+        if (crossing.t - before <= tolerance) continue;  // the next ray would not see it
         const SurfaceTraits& surface = traits.surfaces[crossing.surface];
         color *= surface.steady_filter
                      ? surface.filter
@@ -125,22 +125,22 @@ glm::vec3 past_crossings(Context& context, RayState& ray, glm::vec3 color, const
 
 }  // namespace
 
-glm::vec3 filtered_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
+glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
                          const light::Illumination& lit, glm::vec3 color)
 {
-    const double end = lit.distance - kShadowTolerance;
-    if (end <= kShadowTolerance) return color;
+    const double end = lit.distance - tolerance;
+    if (end <= tolerance) return color;
     ++context.scratch.counts.shadow;
-    RayState ray{{point, lit.direction}, 1.0f, 0, plan::RayKind::Shadow, interiors};
+    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
     auto& crossings = context.scratch.crossings;
     const Shadow met =
-        context.world.shadow_crossings(ray.ray, kShadowTolerance, end, context.scratch.geometry, crossings);
+        context.world.shadow_crossings(ray.ray, tolerance, end, context.scratch.geometry, crossings);
     if (met == Shadow::Clear) return color;
     if (met == Shadow::Blocked) return glm::vec3(0.0f);
-    return past_crossings(context, ray, color, crossings.data(), crossings.data() + crossings.size());
+    return past_crossings(context, ray, tolerance, color, crossings.data(), crossings.data() + crossings.size());
 }
 
-glm::vec3 crossed_light(Context& context, const glm::dvec3& point, const InteriorList& interiors,
+glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
                         const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count)
 {
     Hit* const end = crossings + count;
@@ -154,8 +154,8 @@ glm::vec3 crossed_light(Context& context, const glm::dvec3& point, const Interio
         }
         for (Hit* h = crossings; h != end; ++h) h->t = lit.distance - h->t;
     }
-    RayState ray{{point, lit.direction}, 1.0f, 0, plan::RayKind::Shadow, interiors};
-    return past_crossings(context, ray, lit.color, crossings, end);
+    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
+    return past_crossings(context, ray, tolerance, lit.color, crossings, end);
 }
 
 }  // namespace trace

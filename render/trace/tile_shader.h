@@ -10,8 +10,8 @@
 /// Shading of one tile's hits. Compiled once per instruction set.
 namespace trace {
 
-/// Beyond this distance a shadow ray starts at the hit: from a far light, t would lose digits against the tolerance.
-inline constexpr double kFarLight = 1e5;
+/// Beyond so many tolerances, 1e5 as a rule, a shadow ray starts at the hit: from a far light, t would lose digits against one.
+inline constexpr double kFarLight = 1e8;
 
 /// Lit from one point with one colour everywhere: its directions are found in vector lanes.
 inline bool steady(const light::Light& light)
@@ -99,7 +99,7 @@ public:
                 scratch_.light.distance[k] = lit.distance;
                 scratch_.lit_colors[k] = lit.color;
             }
-            if (!(scratch_.light.distance[k] < kFarLight)) beam.common_origin = false;
+            if (!(scratch_.light.distance[k] < kFarLight * context_.scene.tolerance.shadow)) beam.common_origin = false;
         }
         for (int i = 0; i < rays_.count; ++i)
             if (asks_for_light(i)) ask(which, i, shadows, light.location);
@@ -211,12 +211,14 @@ private:
         return texture != plan::kNone && context_.scene.textures.textures[texture].lit;
     }
 
+    double shadow_tolerance(std::size_t k) const { return context_.scene.tolerance.shadow_from(scratch_.hits.point(k), hits_.t[k]); }
+
     /// Adds the light at once where nothing can shadow it; a shadow ray otherwise.
     void ask(std::size_t which, int i, bool shadows, const glm::dvec3& lamp)
     {
         const auto k = static_cast<std::size_t>(i);
         const glm::dvec3 direction = scratch_.light.direction(k);
-        const double distance = scratch_.light.distance[k], end = distance - kShadowTolerance;
+        const double distance = scratch_.light.distance[k], tolerance = shadow_tolerance(k), end = distance - tolerance;
         const glm::vec3& color = scratch_.lit_colors[k];
         if (!flat_.holds(k)) {
             LightSample& s = sample(i, which);
@@ -226,7 +228,7 @@ private:
         // Other hits' bent normals may face a light that the surface turns away from: rare, asked for one by one.
         if (flat_.holds(k) ? !flat_.faces(k, direction) : glm::dot(scratch_.hits.normal(k), direction) < kNearlyZero) return;
         if (color == glm::vec3(0)) return;
-        if (!shadows || end <= kShadowTolerance) {
+        if (!shadows || end <= tolerance) {
             if (flat_.holds(k)) flat_.light(k, color);
             return;
         }
@@ -240,7 +242,7 @@ private:
         beam.dx[ray] = along.x;
         beam.dy[ray] = along.y;
         beam.dz[ray] = along.z;
-        beam.t_min[ray] = kShadowTolerance;
+        beam.t_min[ray] = tolerance;
         beam.t_max[ray] = end;
         scratch_.lane[ray] = static_cast<std::uint8_t>(i);
     }
@@ -275,8 +277,8 @@ private:
     {
         const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
         const std::uint8_t count = scratch_.crossings.count[ray];
-        if (count == csg::CrossingTile::kTooMany) return filtered_light(context_, scratch_.hits.point(k), interiors(k), lit, lit.color);
-        return crossed_light(context_, scratch_.hits.point(k), interiors(k), lit, scratch_.rays.common_origin,
+        if (count == csg::CrossingTile::kTooMany) return filtered_light(context_, scratch_.hits.point(k), shadow_tolerance(k), interiors(k), lit, lit.color);
+        return crossed_light(context_, scratch_.hits.point(k), shadow_tolerance(k), interiors(k), lit, scratch_.rays.common_origin,
                              scratch_.crossings.hits[ray].data(), count);
     }
 

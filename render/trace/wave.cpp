@@ -95,7 +95,7 @@ void add_branch(Context& context, const HitPlace& hit, const texture::Finish& fi
     // Total reflection has already sent the mirrored ray.
     if (!black(branch.reflectivity) && !branch.total) {
         ++context.scratch.counts.reflected;
-        branch.mirror = wait(context, wave.mirrors, mirrored(hit, hit.normal, mirror_weight), false, reach);
+        branch.mirror = wait(context, wave.mirrors, mirrored(context, hit, hit.normal, mirror_weight), false, reach);
     }
     if (foggy(context)) {
         branch.air = static_cast<std::uint32_t>(wave.airs.size());

@@ -162,6 +162,33 @@ TEST_CASE("a lathe from far away", "[csg][revolution]")
     CHECK(hits > 500);
 }
 
+TEST_CASE("a lathe and a turned outline tell a ray from 6e9 away what they tell it from beside them", "[csg][revolution]")
+{
+    const Freeform vase = lathe(spline({{0, -0.3}, {0, 0}, {1, 0.2}, {0.3, 0.9}, {0.9, 1.6}, {0, 2}, {-1, 2}}));
+    const Freeform urn{make_freeform<Sor>(std::vector<glm::dvec2>{{0.2, -0.3}, {0.5, 0}, {0.9, 0.6}, {0.3, 1.3}, {0.6, 2}, {0.2, 2.4}}, false), {}};
+    int compared = 0;
+    for (const Freeform* solid : {&vase, &urn})
+        for (std::uint32_t seed = 0; seed < share(4000); ++seed) {
+            INFO("seed " << seed);
+            Rng rng(seed);
+            const glm::dvec3 p{rng.uniform(-1.0, 1.0), rng.uniform(0.0, 2.0), rng.uniform(-1.0, 1.0)}, d = rng.direction();
+            const Ray far{p - 6e9 * d, d};
+            // Where it really is: doubles from there are 1e-6 apart, and chords of 1e-3 lie within a tenth of that of a tangent.
+            Ray beside = far;
+            for (int k = 0; k < 3; ++k) beside.origin[k] = static_cast<double>(far.origin[k] + 6e9L * d[k]);
+            FixedSpans<16> from_far, from_beside;
+            solid->intersect(far, from_far);
+            solid->intersect(beside, from_beside);
+            double shortest = kInfinity;
+            for (const Span& span : from_beside) shortest = std::min(shortest, span.out.t - span.in.t);
+            if (shortest < 1e-5) continue;
+            ++compared;
+            REQUIRE(from_far.size() == from_beside.size());
+            for (std::uint32_t i = 0; i < from_far.size(); ++i) REQUIRE(std::abs(from_far[i].in.t - 6e9 - from_beside[i].in.t) < 2e-6);  // two places of 6e9
+        }
+    CHECK(compared > 4000);
+}
+
 TEST_CASE("a negative radius is touched, not entered", "[csg][revolution]")
 {
     const Freeform solid = lathe(polyline({{-0.5, 0}, {0.5, 1}, {0, 1}}));

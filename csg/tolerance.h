@@ -1,0 +1,34 @@
+#pragma once
+
+#include "csg/types.h"
+
+/// How far from its start a ray looks before what it meets counts: nearer crossings are the surface that it starts on.
+namespace csg {
+
+struct Tolerance {
+    double hit = 1e-4;      ///< of camera and secondary rays (spec 3, 3.1)
+    double shadow = 1e-3;   ///< of shadow rays, at both ends
+
+    /// Of a start that a ray of this `length` reached: POV-Ray's, unless the digits of the numbers are coarser. No solid of the
+    /// laboratory but isosurface and julia, which are told how exact to be, meets its own start beyond 2e-13 of them
+    /// (docs/numerics.md), so this begins at 5e8.
+    double hit_from(const glm::dvec3& start, double length) const { return glm::max(hit, coarse(start, length)); }
+    double shadow_from(const glm::dvec3& start, double length) const { return glm::max(shadow, coarse(start, length)); }
+
+    /// For a scene whose finite objects and camera lie within `extent` of each other: smaller in proportion where that is less
+    /// than 1, so that a scene looks the same at any scale. POV-Ray's own are absolute, and such a scene loses shadows there.
+    static Tolerance of_scene(double extent)
+    {
+        const Tolerance usual;
+        return extent < 1.0 ? Tolerance{usual.hit * extent, usual.shadow * extent} : usual;
+    }
+
+private:
+    static constexpr double kCoarse = 2e-13;
+    static double coarse(const glm::dvec3& p, double length)
+    {
+        return kCoarse * glm::max(glm::max(glm::abs(p.x), glm::abs(p.y)), glm::max(glm::abs(p.z), length));
+    }
+};
+
+}  // namespace csg
