@@ -3,6 +3,7 @@
 #include "csg/freeform/julia_functions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace csg {
 namespace {
@@ -19,6 +20,18 @@ glm::dvec3 growth(const glm::dvec4& v, const glm::dvec4& n)
 {
     return {v.x * n.x + v.y * n.y + v.z * n.z + v.w * n.w, -v.y * n.x + v.x * n.y - v.w * n.z + v.z * n.w,
             -v.z * n.x - v.w * n.y + v.x * n.z + v.y * n.w};
+}
+
+/// From far away the steps would be shorter than the last digit of the parameter: such a ray is taken from beside the set, to
+/// which fma() moves it with one rounding. How far along it that is.
+double move_near(double radius, Ray& ray)
+{
+    constexpr double kManyRadii = 1e5;   // of the radius: 1e-11 of it is left
+    if (!(glm::dot(ray.origin, ray.origin) > kManyRadii * kManyRadii * radius * radius)) return 0.0;
+    const double t = -glm::dot(ray.origin, ray.direction);
+    if (!(std::abs(t) < kInfinity)) return 0.0;
+    for (int k = 0; k < 3; ++k) ray.origin[k] = std::fma(t, ray.direction[k], ray.origin[k]);
+    return t;
 }
 
 }  // namespace
@@ -110,19 +123,20 @@ void Julia::meet(const Ray& ray, RayRecord& out) const
 {
     double length = std::sqrt(glm::dot(ray.direction, ray.direction));
     if (std::abs(length - 1.0) < kUnit) length = 1.0;
-    const Ray unit{ray.origin, ray.direction / length};
+    Ray unit{ray.origin, ray.direction / length};
+    const double start = move_near(radius_, unit);
     // Whether a ray that comes in on the set finds it there is a matter of the last bit: this is POV-Ray's formula.
     const double foot = -glm::dot(unit.origin, unit.direction), rest = foot * foot - (glm::dot(unit.origin, unit.origin) - radius_ * radius_);
     const Interval ball{foot - std::sqrt(rest), foot + std::sqrt(rest)};
-    if (!(rest > 0.0) || ball.exit < kNearest || ball.exit < out.from * length) return;
-    const double end = std::min(ball.exit, out.to * length);
-    double t = std::max(ball.entry, kNearest);
+    if (!(rest > 0.0) || ball.exit < kNearest - start || ball.exit < out.from * length - start) return;
+    const double end = std::min(ball.exit, out.to * length - start);
+    double t = std::max(ball.entry, kNearest - start);
     March at = look(unit.at(t), unit.direction);
     if (at.inside) {
         t += 2.0 * kNearest;
         at = look(unit.at(t), unit.direction);
     }
-    if (at.inside && !out.enter(ball.entry / length, kUndrawnFace)) return;
+    if (at.inside && !out.enter((start + ball.entry) / length, kUndrawnFace)) return;
     while (true) {
         double step = std::max(at.step, step_);
         if (!(step < kInfinity) || !(t + step <= end)) break;
@@ -134,7 +148,7 @@ void Julia::meet(const Ray& ray, RayRecord& out) const
                 step *= 0.5;
                 if (stays(unit.at(same + step)) == at.inside) same += step;
             }
-            if (!(at.inside ? out.leave(same / length, 0) : out.enter((same + step) / length, 0))) return;
+            if (!(at.inside ? out.leave((start + same) / length, 0) : out.enter((start + same + step) / length, 0))) return;
             if (out.first_only) return;   // POV-Ray looks no farther, though the crossing may be too near to count
             t = behind;
         } else {
@@ -142,7 +156,7 @@ void Julia::meet(const Ray& ray, RayRecord& out) const
         }
         at = next;
     }
-    if (at.inside) out.leave(ball.exit / length, kUndrawnFace);
+    if (at.inside) out.leave((start + ball.exit) / length, kUndrawnFace);
 }
 
 bool Julia::contains(const glm::dvec3& p) const { return stays(p); }

@@ -102,6 +102,34 @@ TEST_CASE("a ray's crossings part inside from outside", "[csg][julia]")
     }
 }
 
+TEST_CASE("a julia set is met from 6e9 away where it is met from beside it", "[csg][julia]")
+{
+    const Julia set(terms(Function::Square));
+    const auto first = [&](const Ray& ray) {
+        double t = kInfinity;
+        RayRecord record(0.0, kInfinity, false);
+        set.meet(ray, record);
+        record.each_span([&](double in, std::uint32_t, double, std::uint32_t) { t = std::min(t, in); });
+        return t;
+    };
+    int hits = 0, strays = 0;
+    for (std::uint32_t seed = 0; seed < 500; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const glm::dvec3 d = rng.direction();
+        const Ray far{0.7 * rng.point(1.0) - 6e9 * d, d};
+        Ray beside = far;
+        for (int k = 0; k < 3; ++k) beside.origin[k] = static_cast<double>(far.origin[k] + (6e9L - 6.0L) * d[k]);
+        const double t = first(far), near = first(beside);
+        hits += near < kInfinity;
+        // A chord shorter than a step is met or not by where the steps fall.
+        if ((t < kInfinity) != (near < kInfinity)) ++strays;
+        else if (t < kInfinity && std::abs(t - 6e9 + 6.0 - near) > 2e-6) ++strays;   // two places of 6e9
+    }
+    CHECK(hits > 200);
+    CHECK(strays == 0);
+}
+
 TEST_CASE("a julia set survives numbers that are none", "[csg][julia]")
 {
     for (const double bad : {std::nan(""), kInfinity, -kInfinity, 0.0, 1e300})
