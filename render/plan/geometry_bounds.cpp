@@ -3,6 +3,8 @@
 #include "render/plan/geometry.h"
 #include "render/plan/solids.h"
 
+#include <algorithm>
+
 namespace plan {
 namespace {
 
@@ -20,6 +22,20 @@ bool keeps_bounds(const scene::Object& object, const csg::Aabb& drawn)
         std::holds_alternative<scene::Extrusion>(object.shape))
         return true;
     return std::holds_alternative<scene::Quadric>(object.shape) && !drawn.finite();
+}
+
+bool has_disc(const scene::Object& object)
+{
+    const auto* csg = std::get_if<scene::Csg>(&object.shape);
+    return csg ? std::any_of(csg->operands->begin(), csg->operands->end(), has_disc) : std::holds_alternative<scene::Disc>(object.shape);
+}
+
+/// Whether a half-space with the flat box of a disc takes part in an intersection: POV-Ray shows only what its rays meet of the
+/// solid on their way through that box.
+bool cut_by_disc(const scene::Object& object)
+{
+    const auto* csg = std::get_if<scene::Csg>(&object.shape);
+    return csg != nullptr && !object.inverse && (csg->op == scene::CsgOp::Intersection || csg->op == scene::CsgOp::Difference) && has_disc(object);
 }
 
 bool holds(const csg::Aabb& box, const csg::Aabb& drawn)
@@ -61,6 +77,11 @@ void GeometryCompiler::add_gate(const scene::Object& object, const Inherited& ow
         moved.transform_by(parent);
         const csg::Aabb box = described_extent(moved);
         if (glm::all(glm::lessThan(glm::max(glm::abs(box.lower), glm::abs(box.upper)), glm::dvec3(kUnbounded)))) gate.box = gate.box.intersected(box);
+    }
+    if (cut_by_disc(object)) {
+        scene::Object moved = object;
+        moved.transform_by(parent);
+        gate.box = gate.box.intersected(described_extent(moved));
     }
     if (std::holds_alternative<scene::Quadric>(object.shape) && gate.box.finite()) {
         // What the clips' boxes leave of an endless quadric.
