@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// A tile's hits on surfaces of colours, diffuse light and highlights: all of them go through a light together. Compiled once
-/// per instruction set.
+/// A tile's hits on surfaces of colours, diffuse light and highlights: all of them go through a light together, a hit a lane. The
+/// operations are those of surface_light() in the same order. Compiled once per instruction set.
 namespace trace {
 
 class FlatHits {
@@ -18,39 +18,49 @@ public:
     {
     }
 
-
-    /// Hit k is none, or not yet.
-    void none(std::size_t k) { scratch_.flat[k].count = 0; }
-    bool holds(std::size_t k) const { return scratch_.flat[k].count != 0; }
+    bool holds(std::size_t k) const { return has(holds_, k); }
     /// It has its colour once the lights are through.
-    bool done(std::size_t k) const { return holds(k) && !scratch_.flat[k].goes_on; }
-    bool bent(std::size_t k) const { return scratch_.flat[k].bent; }
-    const FlatLayer& top(std::size_t k) const { return scratch_.flat_layers[scratch_.flat[k].first]; }
+    bool done(std::size_t k) const { return has(holds_ & ~goes_on_, k); }
+    bool bent(std::size_t k) const { return has(bent_, k); }
+    HitMask all() const { return holds_; }
+    HitMask all_bent() const { return bent_; }
+    /// Those that light changes.
+    HitMask lit() const { return lit_; }
+
+    const texture::Finish& top_finish(std::size_t k) const { return *scratch_.flat[0].finish[k]; }
+    const scene::Color& top_pigment(std::size_t k) const { return scratch_.top_pigments[k]; }
 
     /// A hit of one layer; its pigment comes by color().
     void begin(std::size_t k, const LoneLayer& lone)
     {
-        scratch_.flat[k] = {layers_, 0, lone.goes_on, false};
-        add_layer(k, set_.layers[lone.index]);
+        const HitMask bit = HitMask{1} << k;
+        holds_ |= bit;
+        if (lone.goes_on) goes_on_ |= bit;
+        const texture::Layer& layer = set_.layers[lone.index];
+        if (set_.finishes[layer.finish].lit()) lit_ |= bit;
+        add_layer(0, k, layer);
     }
 
     void color(std::size_t k, const scene::Color& c)
     {
-        const FlatHit& flat = scratch_.flat[k];
-        color(scratch_.flat_layers[flat.first], c, flat.goes_on ? texture::opacity(c, set_.legacy_opacity) : 1.0f);
+        const bool goes_on = has(goes_on_, k);
+        if (goes_on) scratch_.top_pigments[k] = c;
+        color(scratch_.flat[0], k, c, goes_on ? texture::opacity(c, set_.legacy_opacity) : 1.0f);
     }
 
     /// A hit whose layers' pigments are known; they let nothing through to what is behind.
     void begin(std::size_t k, const texture::Texture& texture, const std::array<scene::Color, kLayersAhead>& colors)
     {
-        scratch_.flat[k] = {layers_, 0, false, false};
+        holds_ |= HitMask{1} << k;
+        lit_ |= HitMask{1} << k;
         glm::vec3 filter(1);
         float residual = 1.0f;
-        for (std::uint32_t i = texture.count; i-- > 0 && residual > bailout_;) {
-            FlatLayer& layer = add_layer(k, set_.layers[texture.first + i]);
+        std::size_t depth = 0;
+        for (std::uint32_t i = texture.count; i-- > 0 && residual > bailout_; ++depth) {
+            FlatDepth& at = add_layer(depth, k, set_.layers[texture.first + i]);
             const scene::Color& c = colors[i];
-            color(layer, c, texture.plain ? 1.0f : texture::opacity(c, set_.legacy_opacity));
-            layer.filter = filter;
+            color(at, k, c, texture.plain ? 1.0f : texture::opacity(c, set_.legacy_opacity));
+            at.filter.set(k, filter);
             filter *= c.filter * c.rgb() + c.transmit;
             residual = std::min(1.0f, std::abs(scene::grey(filter)));
         }
@@ -59,15 +69,22 @@ public:
     /// Bends the normals of the layers that have some; their places and surroundings are known.
     void bend()
     {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            FlatDepth& at = scratch_.flat[depth];
+            if (at.bent == 0) continue;
+            at.nx = scratch_.hits.nx;
+            at.ny = scratch_.hits.ny;
+            at.nz = scratch_.hits.nz;
+        }
         while (bends_ != 0) {
             const std::uint32_t normal = scratch_.bends[0].normal;
             texture::Points points;
             texture::Around around;
             texture::Normals bent;
-            std::array<std::uint16_t, csg::kTileRays> owner;
+            std::array<Bend, csg::kTileRays> owner;
             std::size_t left = 0;
             for (std::size_t i = 0; i < bends_; ++i) {
-                const Bend& b = scratch_.bends[i];
+                const Bend b = scratch_.bends[i];
                 const std::size_t at = points.size();
                 if (b.normal != normal || at == csg::kTileRays) {
                     scratch_.bends[left++] = b;
@@ -75,114 +92,183 @@ public:
                 }
                 around[at] = &scratch_.around[b.hit];
                 bent[at] = scratch_.hits.normal(b.hit);
-                owner[at] = b.layer;
+                owner[at] = b;
                 points.add(scratch_.points[b.hit]);
             }
             bends_ = left;
             points.pad();
             texture::perturb_points(set_, normal, points, around, bent);
-            for (std::size_t i = 0; i < points.size(); ++i) scratch_.flat_layers[owner[i]].normal = glm::normalize(bent[i]);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                FlatDepth& at = scratch_.flat[owner[i].depth];
+                const glm::dvec3 n = glm::normalize(bent[i]);
+                at.nx[owner[i].hit] = n.x;
+                at.ny[owner[i].hit] = n.y;
+                at.nz[owner[i].hit] = n.z;
+            }
         }
     }
 
-    /// Some layer faces the direction.
+    /// Some layer of a bent hit faces the direction.
     bool faces(std::size_t k, const glm::dvec3& direction) const
     {
-        const FlatHit& flat = scratch_.flat[k];
-        if (!flat.bent) return !(glm::dot(scratch_.hits.normal(k), direction) < kNearlyZero);
-        const auto first = scratch_.flat_layers.begin() + flat.first;
-        return std::any_of(first, first + flat.count, [&](const FlatLayer& layer) { return !(glm::dot(layer.normal, direction) < kNearlyZero); });
-    }
-
-    bool lit(std::size_t k) const
-    {
-        const FlatHit& flat = scratch_.flat[k];
-        return flat.count > 1 || scratch_.flat_layers[flat.first].finish->lit();
+        for (std::size_t depth = 0; depth < depths_ && has(scratch_.flat[depth].holds, k); ++depth) {
+            const FlatDepth& at = scratch_.flat[depth];
+            const glm::dvec3 n = at.bent != 0 ? at.normal(k) : scratch_.hits.normal(k);
+            if (!(glm::dot(n, direction) < kNearlyZero)) return true;
+        }
+        return false;
     }
 
     /// The light at hand reaches hit k.
     void light(std::size_t k, const glm::vec3& color)
     {
-        if (std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)
-            scratch_.lit[lit_++] = {static_cast<std::uint8_t>(k), color};
+        if (!(std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)) return;
+        reached_ |= HitMask{1} << k;
+        scratch_.reaching.set(k, color);
     }
 
     /// Adds what the light at hand gives to the hits that it reaches; it is over then.
     void add(const light::Light& light, const csg::RayTile& rays)
     {
-        const bool highlights = glints_ && !light.shadowless && lit_ != 0;
-        if (highlights) {
-            scratch_.highlights.cosines(rays, scratch_.hits, scratch_.light, rays.count);
-            for_lit([&](const LitHit& lit, FlatLayer& layer, bool bent) {
-                const std::size_t k = lit.hit;
-                if (!bent) return scratch_.highlights.ask(k, *layer.finish);
-                scratch_.highlights.ask(*layer.finish, {rays.dx[k], rays.dy[k], rays.dz[k]}, layer.normal, scratch_.light.direction(k));
-            });
-            scratch_.highlights.run();
-        }
-        for_lit([&](const LitHit& lit, FlatLayer& layer, bool bent) {
-            const std::size_t k = lit.hit;
-            const glm::dvec3 d{rays.dx[k], rays.dy[k], rays.dz[k]}, n = bent ? layer.normal : scratch_.hits.normal(k);
-            layer.lit += surface_light({*layer.finish, layer.pigment, d, n, static_cast<double>(layer.alpha)}, scratch_.light.direction(k), lit.color,
-                                       false, highlights ? scratch_.highlights.next() : 0.0, 0.0);
-        });
-        lit_ = 0;
+        for (std::size_t depth = 0; depth < depths_ && reached_ != 0; ++depth) add(scratch_.flat[depth], light, rays);
+        reached_ = 0;
     }
 
-    /// Light of all layers as the viewer sees it.
-    glm::vec3 sum(std::size_t k) const
+    /// Light of all layers as the viewer sees it, for sum(k).
+    void finish()
     {
-        const FlatHit& flat = scratch_.flat[k];
-        const FlatLayer* layer = &scratch_.flat_layers[flat.first];
-        if (flat.count == 1) return layer->glow + layer->lit;
-        glm::vec3 sum(0);
-        for (const FlatLayer* end = layer + flat.count; layer != end; ++layer) sum += layer->filter * (layer->glow + layer->lit);
-        return sum;
+        if (depths_ == 0) return;
+        TileColors& sums = scratch_.sums;
+        const auto each = [&](TileFloats TileColors::*channel) {
+            float* sum = (sums.*channel).data();
+            for (std::size_t depth = 0; depth < depths_; ++depth) {
+                const FlatDepth& at = scratch_.flat[depth];
+                const Lanes here(at.holds);
+                const float *glow = (at.glow.*channel).data(), *gained = (at.gained.*channel).data(), *filter = (at.filter.*channel).data();
+                if (depth == 0) {
+                    for (std::size_t k = 0; k < csg::kTileRays; ++k) sum[k] = glow[k] + gained[k];
+                    continue;
+                }
+                // The top layer's filter is 1.
+                for (std::size_t k = 0; k < csg::kTileRays; ++k) sum[k] += here[k] != 0 ? filter[k] * (glow[k] + gained[k]) : 0.0f;
+            }
+        };
+        each(&TileColors::red);
+        each(&TileColors::green);
+        each(&TileColors::blue);
     }
+    glm::vec3 sum(std::size_t k) const { return scratch_.sums[k]; }
 
 private:
-    FlatLayer& add_layer(std::size_t k, const texture::Layer& of)
-    {
-        FlatLayer& layer = scratch_.flat_layers[layers_++];
-        ++scratch_.flat[k].count;
-        layer.finish = &set_.finishes[of.finish];
-        layer.normal = scratch_.hits.normal(k);
-        if (of.normal != texture::kNone && bends_normals_) {
-            scratch_.flat[k].bent = true;
-            scratch_.bends[bends_++] = {of.normal, static_cast<std::uint16_t>(layers_ - 1), static_cast<std::uint8_t>(k)};
-        }
-        glints_ |= layer.finish->phong > 0.0f || layer.finish->specular > 0.0f;
-        return layer;
-    }
+    /// A mask as a number a lane, 0 or 1: what loops over all hits choose by without a branch.
+    struct Lanes {
+        alignas(64) std::array<std::uint32_t, csg::kTileRays> of;
 
-    static void color(FlatLayer& layer, const scene::Color& c, float alpha)
-    {
-        layer.pigment = c;
-        layer.alpha = alpha;
-        layer.glow = c.rgb() * (layer.finish->ambient + layer.finish->emission) * alpha;
-        layer.lit = glm::vec3(0);
-    }
-
-    template <class Visit>
-    void for_lit(Visit&& visit)
-    {
-        for (std::size_t i = 0; i < lit_; ++i) {
-            const LitHit& lit = scratch_.lit[i];
-            const FlatHit& flat = scratch_.flat[lit.hit];
-            for (std::size_t l = flat.first; l < std::size_t{flat.first} + flat.count; ++l) {
-                FlatLayer& layer = scratch_.flat_layers[l];
-                if (!flat.bent || !(glm::dot(layer.normal, scratch_.light.direction(lit.hit)) < kNearlyZero)) visit(lit, layer, flat.bent);
+        explicit Lanes(HitMask mask)
+        {
+            const auto low = static_cast<std::uint32_t>(mask), high = static_cast<std::uint32_t>(mask >> 32);
+            for (std::uint32_t k = 0; k < 32; ++k) {
+                of[k] = low >> k & 1u;
+                of[k + 32] = high >> k & 1u;
             }
         }
+        std::uint32_t operator[](std::size_t k) const { return of[k]; }
+    };
+
+    static bool has(HitMask mask, std::size_t k) { return (mask >> k & 1) != 0; }
+
+    FlatDepth& add_layer(std::size_t depth, std::size_t k, const texture::Layer& of)
+    {
+        FlatDepth& at = scratch_.flat[depth];
+        if (depth == depths_) {
+            ++depths_;
+            at.holds = at.bent = at.lit = at.shiny = at.raised = at.tinted = 0;
+            at.gained.fill(0.0f);
+        }
+        const HitMask bit = HitMask{1} << k;
+        const texture::Finish& finish = set_.finishes[of.finish];
+        at.holds |= bit;
+        at.finish[k] = &finish;
+        if (finish.diffuse > 0.0f) at.lit |= bit;
+        if (finish.phong > 0.0f || finish.specular > 0.0f) at.shiny |= bit;
+        if (finish.brilliance != 1.0f) at.raised |= bit;
+        if (finish.metallic > 0.0f) at.tinted |= bit;
+        if (of.normal != texture::kNone && bends_normals_) {
+            at.bent |= bit;
+            bent_ |= bit;
+            scratch_.bends[bends_++] = {of.normal, static_cast<std::uint8_t>(depth), static_cast<std::uint8_t>(k)};
+        }
+        return at;
+    }
+
+    static void color(FlatDepth& at, std::size_t k, const scene::Color& c, float alpha)
+    {
+        const texture::Finish& finish = *at.finish[k];
+        at.pigment.set(k, c.rgb());
+        at.glow.set(k, c.rgb() * (finish.ambient + finish.emission) * alpha);
+        at.diffuse[k] = static_cast<double>(finish.diffuse) * static_cast<double>(alpha);
+    }
+
+    void add(FlatDepth& at, const light::Light& light, const csg::RayTile& rays)
+    {
+        using csg::lanes::Double;
+        HitMask on = at.holds & reached_;
+        if (on == 0) return;
+        const bool bent = at.bent != 0;
+        const double* n[3] = {bent ? at.nx.data() : scratch_.hits.nx.data(), bent ? at.ny.data() : scratch_.hits.ny.data(),
+                              bent ? at.nz.data() : scratch_.hits.nz.data()};
+        alignas(64) TileLanes intensity{};
+        HitMask away = 0;
+        for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+            const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
+            const Double facing = get(n[0]) * get(scratch_.light.x.data()) + get(n[1]) * get(scratch_.light.y.data()) + get(n[2]) * get(scratch_.light.z.data());
+            away |= HitMask{csg::lanes::mask(facing < Double(kNearlyZero))} << i;
+            xsimd::abs(facing).store_aligned(intensity.data() + i);
+        }
+        on &= ~(away & bent_);
+        for_each_hit(on & at.raised, [&](std::size_t k) { intensity[k] = std::pow(intensity[k], static_cast<double>(at.finish[k]->brilliance)); });
+        const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
+        TileFloats diffuse, strength{};
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]);
+        if (shiny != 0) find_highlights(at, shiny, rays, n, strength);
+        const HitMask tinted = at.tinted & shiny, plain = on & ~tinted;
+        const Lanes gains(plain), has_diffuse(at.lit);
+        const auto gain = [&](TileFloats TileColors::*channel) {
+            const float *pigment = (at.pigment.*channel).data(), *color = (scratch_.reaching.*channel).data();
+            float* gained = (at.gained.*channel).data();
+            for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+                const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
+                const float light_here = from_diffuse + (strength[k] != 0.0f ? strength[k] * color[k] : 0.0f);
+                gained[k] = gains[k] != 0 ? gained[k] + light_here : gained[k];
+            }
+        };
+        gain(&TileColors::red);
+        gain(&TileColors::green);
+        gain(&TileColors::blue);
+        for_each_hit(tinted, [&](std::size_t k) {
+            const glm::vec3 color = scratch_.reaching[k], rgb = at.pigment[k];
+            glm::vec3 sum = has(at.lit, k) ? diffuse[k] * rgb * color : glm::vec3(0);
+            const glm::dvec3 normal{n[0][k], n[1][k], n[2][k]};
+            if (strength[k] != 0.0f) sum += strength[k] * texture::highlight_color(*at.finish[k], color, scene::Color::of(rgb), normal, scratch_.light.direction(k));
+            at.gained.set(k, at.gained[k] + sum);
+        });
+    }
+
+    void find_highlights(const FlatDepth& at, HitMask shiny, const csg::RayTile& rays, const double* const (&n)[3], TileFloats& strength)
+    {
+        Highlights& highlights = scratch_.highlights;
+        highlights.cosines(rays, n, scratch_.light, rays.count);
+        for_each_hit(shiny, [&](std::size_t k) { highlights.ask(k, *at.finish[k]); });
+        highlights.run();
+        for_each_hit(shiny, [&](std::size_t k) { strength[k] = static_cast<float>(highlights.next()); });
     }
 
     const texture::TextureSet& set_;
     ShadeScratch& scratch_;
     const float bailout_;
     const bool bends_normals_;
-    std::size_t lit_ = 0, bends_ = 0;
-    std::uint16_t layers_ = 0;
-    bool glints_ = false;    ///< some layer has highlights
+    HitMask holds_ = 0, goes_on_ = 0, bent_ = 0, lit_ = 0, reached_ = 0;
+    std::size_t depths_ = 0, bends_ = 0;
 };
 
 }  // namespace trace

@@ -51,17 +51,18 @@ inline void powers(const double* c, const double* n, std::size_t count, double* 
         exponential(xsimd::max(Double::load_aligned(n + i) * logarithm(Double::load_aligned(c + i)), Double(-700.0))).store_aligned(out + i);
 }
 
-/// Asked for hit after hit and layer after layer, answered in the same order after run().
+/// Asked for hit after hit, answered in the same order after run().
 class Highlights {
 public:
-    /// The cosines that highlights are powers of, for hits 0 <= i < count: of the halfway vector and of the mirrored ray.
-    void cosines(const csg::RayTile& rays, const TileHits& hits, const TileLight& light, int count)
+    /// The cosines that highlights are powers of, for hits 0 <= i < count: of the halfway vector and of the mirrored ray. n: x, y
+    /// and z of the normals.
+    void cosines(const csg::RayTile& rays, const double* const (&n)[3], const TileLight& light, int count)
     {
         using csg::lanes::Double;
         asked_ = powers_ = told_ = next_power_ = 0;
         for (int i = 0; i < count; i += csg::lanes::kDoubles) {
             const auto at = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
-            const Double dx = at(rays.dx), dy = at(rays.dy), dz = at(rays.dz), nx = at(hits.nx), ny = at(hits.ny), nz = at(hits.nz),
+            const Double dx = at(rays.dx), dy = at(rays.dy), dz = at(rays.dz), nx = Double::load_aligned(n[0] + i), ny = Double::load_aligned(n[1] + i), nz = Double::load_aligned(n[2] + i),
                          lx = at(light.x), ly = at(light.y), lz = at(light.z);
             const Double hx = lx - dx, hy = ly - dy, hz = lz - dz;
             ((hx * nx + hy * ny + hz * nz) / xsimd::sqrt(hx * hx + hy * hy + hz * hz)).store_aligned(specular_.data() + i);
@@ -71,16 +72,13 @@ public:
         }
     }
 
-    /// The finish of one more layer, at hit k.
+    /// The finish at hit k.
     void ask(std::size_t k, const texture::Finish& finish)
     {
-        ask(finish, [&] { return phong_[k]; }, [&] { return specular_[k]; });
-    }
-
-    /// The same of a layer with a normal of its own.
-    void ask(const texture::Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
-    {
-        ask(finish, [&] { return texture::phong_cosine(d, n, l); }, [&] { return texture::specular_cosine(d, n, l); });
+        std::uint8_t count = 0;
+        if (finish.phong > 0.0f && !texture::phong_vanishes(finish, phong_[k])) count += add(phong_[k], finish.phong_size, finish.phong);
+        if (finish.specular > 0.0f && specular_[k] > 0.0) count += add(specular_[k], finish.specular_exponent, finish.specular);
+        of_hit_[asked_++] = count;
     }
 
     void run()
@@ -89,31 +87,16 @@ public:
         powers(base_.data(), exponent_.data(), powers_, base_.data());
     }
 
-    /// Strength of the next layer's highlight.
+    /// Strength of the next hit's highlight.
     double next()
     {
         double strength = 0.0;
-        for (std::uint8_t i = of_layer_[told_++]; i > 0; --i, ++next_power_) strength += amount_[next_power_] * base_[next_power_];
+        for (std::uint8_t i = of_hit_[told_++]; i > 0; --i, ++next_power_) strength += amount_[next_power_] * base_[next_power_];
         return strength;
     }
 
 private:
-    template <class Phong, class Specular>
-    void ask(const texture::Finish& finish, Phong&& phong, Specular&& specular)
-    {
-        std::uint8_t count = 0;
-        if (finish.phong > 0.0f) {
-            const double c = phong();
-            if (!texture::phong_vanishes(finish, c)) count += add(c, finish.phong_size, finish.phong);
-        }
-        if (finish.specular > 0.0f) {
-            const double c = specular();
-            if (c > 0.0) count += add(c, finish.specular_exponent, finish.specular);
-        }
-        of_layer_[asked_++] = count;
-    }
-
-    static constexpr std::size_t kMost = csg::kTileRays * kLayersAhead;
+    static constexpr std::size_t kMost = csg::kTileRays;
 
     std::uint8_t add(double cosine, float exponent, float amount)
     {
@@ -128,7 +111,7 @@ private:
     alignas(64) TileLanes specular_, phong_;
     alignas(64) std::array<double, 2 * kMost> base_, exponent_;
     std::array<double, 2 * kMost> amount_;
-    std::array<std::uint8_t, kMost> of_layer_;
+    std::array<std::uint8_t, kMost> of_hit_;
     std::size_t asked_ = 0, powers_ = 0, told_ = 0, next_power_ = 0;
 };
 

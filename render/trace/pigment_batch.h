@@ -10,49 +10,60 @@ namespace trace {
 /// Pigments that some hits of a tile ask for: those of one pigment are evaluated together.
 class PigmentBatch {
 public:
-    void clear() { count_ = 0; }
+    void clear() { count_ = 0, points_.count = 0; }
 
     /// Hit k of the tile (each at most once) asks for the pigment at p of pattern space; `around` stays until run().
     void ask(std::size_t k, std::uint32_t pigment, const glm::dvec3& p, const texture::Surroundings& around)
     {
-        asked_[count_++] = {pigment, static_cast<std::uint8_t>(k), &around, p};
+        if (points_.count == 0) pigment_ = pigment;
+        if (pigment == pigment_) add(static_cast<std::uint8_t>(k), p, around);
+        else asked_[count_++] = {pigment, static_cast<std::uint8_t>(k), &around, p};
     }
 
     /// Calls give(k, colour) for every question, in groups by pigment.
     template <class Give>
     void run(const texture::TextureSet& set, Give&& give)
     {
-        while (count_ != 0) {
-            const std::uint32_t pigment = asked_[0].pigment;
-            std::size_t left = 0;
-            points_.count = 0;
-            for (std::size_t i = 0; i < count_; ++i) {
-                const Question q = asked_[i];
-                if (q.pigment != pigment) {
-                    asked_[left++] = q;
-                    continue;
-                }
-                owner_[points_.size()] = q.hit;
-                around_[points_.size()] = q.around;
-                points_.add(q.point);
-            }
-            count_ = left;
+        while (points_.count != 0) {
             points_.pad();
-            texture::pigment_colors(set, pigment, points_, around_, colors_.data());
+            texture::pigment_colors(set, pigment_, points_, around_, colors_.data());
             for (std::size_t i = 0; i < points_.size(); ++i) give(owner_[i], colors_[i]);
+            take_next();
         }
     }
 
 private:
+    void add(std::uint8_t hit, const glm::dvec3& p, const texture::Surroundings& around)
+    {
+        owner_[points_.size()] = hit;
+        around_[points_.size()] = &around;
+        points_.add(p);
+    }
+
+    /// The questions for the next pigment, if there are any.
+    void take_next()
+    {
+        points_.count = 0;
+        pigment_ = count_ != 0 ? asked_[0].pigment : 0;
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Question q = asked_[i];
+            if (q.pigment == pigment_) add(q.hit, q.point, *q.around);
+            else asked_[left++] = q;
+        }
+        count_ = left;
+    }
+
     struct Question {
         std::uint32_t pigment;
         std::uint8_t hit;
         const texture::Surroundings* around;
         glm::dvec3 point;
     };
-    std::array<Question, csg::kTileRays> asked_;
+    std::array<Question, csg::kTileRays> asked_;   ///< for other pigments than the first one
     std::size_t count_ = 0;
-    texture::Points points_;
+    std::uint32_t pigment_ = 0;
+    texture::Points points_;                       ///< that ask for it
     texture::Around around_;
     std::array<std::uint8_t, csg::kTileRays> owner_;
     std::array<scene::Color, csg::kTileRays> colors_;

@@ -18,6 +18,7 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
         tile.use_samples(base);
     }
     for (std::size_t i = 0; i < lights; ++i) tile.light(i);
+    tile.finish();
     for (int i = 0; i < rays.count; ++i) tile.color(i);
     stack.resize(base);
     wave.end_tile(first);

@@ -2,6 +2,7 @@
 
 #include "csg/hit.h"
 #include "render/light/illuminate.h"
+#include "render/trace/flat_layers.h"
 #include "render/trace/highlight_lanes.h"
 #include "render/trace/pigment_batch.h"
 #include "render/trace/shade_lanes.h"
@@ -21,34 +22,10 @@ struct LightSample {
     bool shadow_known = false;   ///< `shadowed` is there
 };
 
-/// A layer of a flat hit, on its way through the lights.
-struct FlatLayer {
-    const texture::Finish* finish;
-    scene::Color pigment;
-    float alpha;                  ///< the layer's opacity factor
-    glm::vec3 filter;             ///< what the layers above let through
-    glm::vec3 glow, lit;          ///< ambient and emission; what the lights have added so far
-    glm::dvec3 normal;            ///< where the hit is bent
-};
-
-/// A hit of a tile on a surface of colours, diffuse light and highlights: the lights are added for the whole tile.
-struct FlatHit {
-    std::uint16_t first, count;   ///< its layers, the top one first; none: no hit, or not of such a surface
-    bool goes_on;                 ///< rays may go on from here; it has one layer then
-    bool bent;                    ///< some layer has a normal of its own
-};
-
 /// A layer of a flat hit whose normal is still to be bent.
 struct Bend {
     std::uint32_t normal;
-    std::uint16_t layer;
-    std::uint8_t hit;
-};
-
-/// A flat hit that the light at hand reaches.
-struct LitHit {
-    std::uint8_t hit;
-    glm::vec3 color;
+    std::uint8_t depth, hit;
 };
 
 /// What shading keeps per thread; grows to what the scene needs and stays.
@@ -65,9 +42,10 @@ struct ShadeScratch {
     TileHits hits;                       ///< of a tile
     TileLight light;                     ///< the one at hand
     std::array<glm::vec3, csg::kTileRays> lit_colors;   ///< of the light at hand, before shadows
-    std::array<LitHit, csg::kTileRays> lit;             ///< by the light at hand
-    std::array<FlatHit, csg::kTileRays> flat;
-    std::array<FlatLayer, csg::kTileRays * kLayersAhead> flat_layers;
+    TileColors reaching;                 ///< colours of the light at hand where it reaches flat hits
+    std::array<FlatDepth, kLayersAhead> flat;           ///< hits that go through the lights together
+    std::array<scene::Color, csg::kTileRays> top_pigments;   ///< of flat hits that rays go on from
+    TileColors sums;                     ///< of flat hits, when the lights are through
     std::array<Bend, csg::kTileRays * kLayersAhead> bends;
     std::array<glm::dvec3, csg::kTileRays> points;       ///< of pattern space
     Highlights highlights;

@@ -43,7 +43,6 @@ public:
         pigments.clear();
         for (int i = 0; i < rays_.count; ++i) {
             const auto k = static_cast<std::size_t>(i);
-            flat_.none(k);
             scratch_.layers[k].texture = plan::kNone;
             const Hit hit = hits_.at(i);
             if (!hit.found()) {
@@ -66,9 +65,12 @@ public:
         }
         pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { flat_.color(k, c); });
         if (ahead) finish_layers();
-        flat_.bend();
         for (int i = rays_.count; i % csg::kTileSide != 0; ++i)
             scratch_.hits.set(static_cast<std::size_t>(i), glm::dvec3(0), glm::dvec3(0));
+        flat_.bend();
+        asks_ = flat_.lit();
+        for (int i = 0; general_ && i < rays_.count; ++i)
+            if (asks_for_light(i)) asks_ |= HitMask{1} << i;
         return general_;
     }
 
@@ -86,9 +88,7 @@ public:
         RayTile& beam = scratch_.rays;
         beam.count = 0;
         beam.common_origin = light.from_one_point() && !scratch_.traits.beside;
-        for (int i = 0; i < rays_.count; ++i) {
-            if (!asks_for_light(i)) continue;
-            const auto k = static_cast<std::size_t>(i);
+        for_each_hit(asks_, [&](std::size_t k) {
             if (one_color) {
                 scratch_.lit_colors[k] = light.color;
             } else {
@@ -100,12 +100,15 @@ public:
                 scratch_.lit_colors[k] = lit.color;
             }
             if (!(scratch_.light.distance[k] < kFarLight * context_.scene.tolerance.shadow)) beam.common_origin = false;
-        }
-        for (int i = 0; i < rays_.count; ++i)
-            if (asks_for_light(i)) ask(which, i, shadows, light.location);
+        });
+        const HitMask toward = facing();
+        for_each_hit(asks_, [&](std::size_t k) { ask(which, k, (toward >> k & 1) != 0, shadows, light.location); });
         if (beam.count != 0) answer(which);
         flat_.add(light, rays_);
     }
+
+    /// All lights are through.
+    void finish() { flat_.finish(); }
 
     void color(int i)
     {
@@ -127,9 +130,8 @@ public:
         } else if (done) {
             give(i, through_air(context_, state, hit.t, scene::Color::of(flat_.sum(k))));
         } else if (flat_.holds(k)) {
-            const FlatLayer& layer = flat_.top(k);
             const HitPlace place{state, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), hit.t, level(i)};
-            add_branch(context_, place, *layer.finish, layer.pigment, layer.glow + layer.lit, place_of(i), reach(i) + hit.t);
+            add_branch(context_, place, flat_.top_finish(k), flat_.top_pigment(k), flat_.sum(k), place_of(i), reach(i) + hit.t);
         } else {
             give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), level(i), first_light(i), &scratch_.layers[k])));
         }
@@ -202,31 +204,50 @@ private:
         surround(i, hit);
     }
 
+    /// Of a hit that is not flat.
     bool asks_for_light(int i) const
     {
-        if (flat_.holds(static_cast<std::size_t>(i))) return flat_.lit(static_cast<std::size_t>(i));
+        if (flat_.holds(static_cast<std::size_t>(i))) return false;
         const Hit hit = hits_.at(i);
         if (!hit.found()) return false;
         const std::uint32_t texture = context_.scene.surfaces[hit.surface].texture;
         return texture != plan::kNone && context_.scene.textures.textures[texture].lit;
     }
 
+    /// Hits that face the light at hand. Others' bent normals may face a light that the surface turns away from: rare, asked
+    /// for one by one.
+    HitMask facing() const
+    {
+        using csg::lanes::Double;
+        HitMask away = 0;
+        for (int i = 0; i < rays_.count; i += csg::lanes::kDoubles) {
+            const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
+            const Double cosine = get(scratch_.hits.nx) * get(scratch_.light.x) + get(scratch_.hits.ny) * get(scratch_.light.y) +
+                                  get(scratch_.hits.nz) * get(scratch_.light.z);
+            away |= HitMask{csg::lanes::mask(cosine < Double(kNearlyZero))} << i;
+        }
+        HitMask toward = ~away;
+        for_each_hit(flat_.all_bent(), [&](std::size_t k) {
+            const HitMask bit = HitMask{1} << k;
+            toward = flat_.faces(k, scratch_.light.direction(k)) ? toward | bit : toward & ~bit;
+        });
+        return toward;
+    }
+
     double shadow_tolerance(std::size_t k) const { return context_.scene.tolerance.shadow_from(scratch_.hits.point(k), hits_.t[k]); }
 
     /// Adds the light at once where nothing can shadow it; a shadow ray otherwise.
-    void ask(std::size_t which, int i, bool shadows, const glm::dvec3& lamp)
+    void ask(std::size_t which, std::size_t k, bool toward, bool shadows, const glm::dvec3& lamp)
     {
-        const auto k = static_cast<std::size_t>(i);
         const glm::dvec3 direction = scratch_.light.direction(k);
         const double distance = scratch_.light.distance[k], tolerance = shadow_tolerance(k), end = distance - tolerance;
         const glm::vec3& color = scratch_.lit_colors[k];
         if (!flat_.holds(k)) {
-            LightSample& s = sample(i, which);
+            LightSample& s = sample(static_cast<int>(k), which);
             s.lit = {direction, distance, color};
             s.illuminated = true;
         }
-        // Other hits' bent normals may face a light that the surface turns away from: rare, asked for one by one.
-        if (flat_.holds(k) ? !flat_.faces(k, direction) : glm::dot(scratch_.hits.normal(k), direction) < kNearlyZero) return;
+        if (!toward) return;
         if (color == glm::vec3(0)) return;
         if (!shadows || end <= tolerance) {
             if (flat_.holds(k)) flat_.light(k, color);
@@ -244,7 +265,7 @@ private:
         beam.dz[ray] = along.z;
         beam.t_min[ray] = tolerance;
         beam.t_max[ray] = end;
-        scratch_.lane[ray] = static_cast<std::uint8_t>(i);
+        scratch_.lane[ray] = static_cast<std::uint8_t>(k);
     }
 
     void answer(std::size_t which)
@@ -292,6 +313,7 @@ private:
     std::size_t lights_, base_ = 0;
     bool shadows_;
     bool general_ = false;   ///< some hits are not flat
+    HitMask asks_ = 0;       ///< hits that light changes
 };
 
 }  // namespace trace

@@ -63,12 +63,12 @@ TEST_CASE("highlights of a tile are those of its hits alone", "[trace][highlight
             const glm::dvec3 l = unit(random);
             light->x[k] = l.x, light->y[k] = l.y, light->z[k] = l.z;
         }
-        highlights->cosines(*rays, *hits, *light, rays->count);
-        for (std::size_t k = 0; k < count; ++k)
-            for (const texture::Finish& finish : finishes) highlights->ask(k, finish);
-        highlights->run();
-        for (std::size_t k = 0; k < count; ++k)
-            for (const texture::Finish& finish : finishes) {
+        const double* const normals[3] = {hits->nx.data(), hits->ny.data(), hits->nz.data()};
+        for (const texture::Finish& finish : finishes) {
+            highlights->cosines(*rays, normals, *light, rays->count);
+            for (std::size_t k = 0; k < count; ++k) highlights->ask(k, finish);
+            highlights->run();
+            for (std::size_t k = 0; k < count; ++k) {
                 const glm::dvec3 d = rays->ray(static_cast<int>(k)).direction, n = hits->normal(k), l = light->direction(k);
                 double alone = 0.0;
                 if (finish.phong > 0.0f) alone += texture::phong(finish, d, n, l);
@@ -76,6 +76,7 @@ TEST_CASE("highlights of a tile are those of its hits alone", "[trace][highlight
                 CHECK(highlights->next() == Approx(alone).epsilon(1e-12).margin(1e-300));
                 met += alone > 1e-6 ? 1 : 0;
             }
+        }
     }
     CHECK(met > 2000);
 }
