@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""How cost grows with the number of primitives: unions, meshes and differences of ten to a million.
+"""How cost grows with the number of primitives: unions, copies of an object, meshes and differences of ten to a million.
 
-usage: bench/large.py [union mesh difference] [--most N] [--runs 1] [--threads 1] [--csv FILE] [--whittle CMD] [--povray CMD] [--check]
+usage: bench/large.py [union copies mesh difference] [--most N] [--runs 1] [--threads 1] [--csv FILE] [--whittle CMD] [--povray CMD] [--check]
 
 Makes each scene in a temporary folder, renders it with both programs (--povray '' leaves POV-Ray out) and prints the seconds of
 parsing, building (plan) and tracing, bytes a primitive above the smallest scene of its kind, and nanoseconds a pixel. `build`
@@ -20,7 +20,7 @@ import tempfile
 from speed import HERE, POVRAY_TRACE, WHITTLE_TRACE, Failure, agreement, rendered, seconds
 
 SIZE = (640, 480)   # fewer pixels and most of 10^5 balls are smaller than one: tiles of rays lose their coherence
-NUMBERS = {"union": [10**3, 10**4, 10**5], "mesh": [10**4, 10**5, 10**6], "difference": [10, 10**2, 10**3]}
+NUMBERS = {"union": [10**3, 10**4, 10**5], "copies": [10**3, 10**4, 10**5], "mesh": [10**4, 10**5, 10**6], "difference": [10, 10**2, 10**3]}
 WHITTLE_PARSE = re.compile(r"\bparse ([0-9.]+) s\b")
 WHITTLE_PLAN = re.compile(r"\bplan ([0-9.]+) s\b")
 POVRAY_PARSE = re.compile(r"Parse Time:.*?\(([0-9.]+) seconds\)")
@@ -42,6 +42,20 @@ def union(n):
   #end
   pigment {{ rgb <0.9, 0.7, 0.4> }}
 }}
+"""
+
+
+def copies(n):
+    """A declared object of 51 solids, shown n times in a cube."""
+    return HEAD + f"""#declare Thing = difference {{
+  union {{ #for (I, 0, 48) sphere {{ <sin(I), cos(I), I/24 - 1>, 0.4 }} #end }}
+  box {{ -0.5, 0.5 }}
+  sphere {{ z, 0.3 }}
+  pigment {{ rgb <0.9, 0.6, 0.4> }}
+}}
+#for (I, 1, {n})
+  object {{ Thing rotate 40*I*<1, 2, 3> scale {0.6 / n ** (1 / 3):.6g} translate 2*<mod(I*0.7548776662, 1), mod(I*0.5698402910, 1), mod(I*0.3247179572, 1)> - 1 }}
+#end
 """
 
 
@@ -75,7 +89,7 @@ def difference(n):
 """
 
 
-MAKERS = {"union": union, "mesh": mesh, "difference": difference}
+MAKERS = {"union": union, "copies": copies, "mesh": mesh, "difference": difference}
 
 
 def measure(options, kind, n, folder):

@@ -14,9 +14,13 @@ struct Hit {
     SurfaceId surface = kNoSurface;
     std::uint32_t part = 0;         ///< solid (kind and index, packed as World likes): what details() needs
     std::uint32_t face = 0;         ///< box side, cylinder cap, triangle of a mesh, ...
-    bool inverted = false;          ///< subtracted or inverse: the raw normal is negated
+    bool inverted : 1 = false;      ///< subtracted or inverse: the raw normal is negated
+    std::uint32_t instance : 31 = kNoInstance;   ///< the part is one of this instance's world (csg/world_data.h)
+    static constexpr std::uint32_t kNoInstance = 0x7fffffffu;
     bool found() const { return surface != kNoSurface; }
 };
+
+static_assert(sizeof(Hit) == 24, "many are kept");
 
 /// Computed for the winner alone.
 struct HitDetails {
@@ -59,12 +63,14 @@ struct alignas(64) RayTile {
 struct alignas(64) HitTile {
     std::array<double, kTileRays> t;
     std::array<SurfaceId, kTileRays> surface;
-    std::array<std::uint32_t, kTileRays> part, face;
+    std::array<std::uint32_t, kTileRays> part, face, instance;
     std::array<std::uint8_t, kTileRays> inverted;
     Hit at(int i) const
     {
         const auto k = static_cast<std::size_t>(i);
-        return {t[k], surface[k], part[k], face[k], inverted[k] != 0};
+        Hit h{t[k], surface[k], part[k], face[k], inverted[k] != 0};
+        h.instance = instance[k] & Hit::kNoInstance;
+        return h;
     }
     void set(int i, const Hit& h)
     {
@@ -73,6 +79,7 @@ struct alignas(64) HitTile {
         surface[k] = h.surface;
         part[k] = h.part;
         face[k] = h.face;
+        instance[k] = h.instance;
         inverted[k] = h.inverted ? 1 : 0;
     }
 };

@@ -79,6 +79,8 @@ public:
 
     /// A list of hits to be filled by whoever asks; kept for its memory.
     std::vector<Hit>& hits() { return hits_; }
+    /// Another, for what instances are asked for meanwhile.
+    std::vector<Hit>& instance_hits() { return instance_hits_; }
 
     /// Keeps a crossing unless it is there already: terms share solids.
     void add_once(const Crossing& c)
@@ -107,7 +109,7 @@ private:
     std::unique_ptr<Crossing[]> crossings_;
     std::unique_ptr<Record[]> records_;
     std::unique_ptr<FlatPiece[]> pieces_;
-    std::vector<Hit> hits_;
+    std::vector<Hit> hits_, instance_hits_;
     std::vector<FlatCandidate> candidates_;
     std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;
     std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;

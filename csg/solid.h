@@ -140,14 +140,14 @@ inline glm::dvec3 normal_at(const SolidStore& store, PartId part, std::uint32_t 
     return inverted ? -n : n;
 }
 
-/// Surface coordinates; (x, y) of the world point for kinds that have none of their own (spec 5a, 6).
-inline glm::dvec2 uv_at(const SolidStore& store, PartId part, std::uint32_t face, const glm::dvec3& p)
+/// Surface coordinates at p; (x, y) of the point in the scene for kinds that have none of their own (spec 5a, 6).
+inline glm::dvec2 uv_at(const SolidStore& store, PartId part, std::uint32_t face, const glm::dvec3& p, const glm::dvec3& in_scene)
 {
     return with_solid(store, part, [&](const auto& solid) {
         if constexpr (requires { solid.uv(p, face); })
             return solid.uv(p, face);
         else
-            return glm::dvec2(p);
+            return glm::dvec2(in_scene);
     });
 }
 

@@ -118,7 +118,64 @@ void crossings_of_cluster(const World& world, const WorldData& data, const RayTi
     }
 }
 
+/// As its own world knows it, at the start of the ray.
+Hit alone(const Hit& hit)
+{
+    Hit own = hit;
+    own.t = 0.0;
+    own.instance = Hit::kNoInstance;
+    return own;
+}
+
+/// A ray in an instance's space; directions there have unit length.
+struct LocalRay {
+    Ray ray;
+    double length;   ///< of what a length of 1 here is there
+
+    LocalRay(const Instance& one, const Ray& given) : ray(local_ray(one.frame, given)), length(std::sqrt(glm::dot(ray.direction, ray.direction)))
+    {
+        ray.direction /= length;
+    }
+};
+
+/// A hit of an instance's world as one of ours.
+Hit here(const WorldData& world, const WorldItem& item, const LocalRay& local, Hit hit, double t_min, double t_max)
+{
+    hit.t = glm::clamp(hit.t / local.length, t_min, t_max);
+    hit.surface = world.instance_surfaces[world.instances[item.instance].first_surface + hit.surface];
+    hit.instance = item.instance & Hit::kNoInstance;
+    return hit;
+}
+
 }  // namespace
+
+Hit instance_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max, Scratch& scratch)
+{
+    const Instance& one = world.instances[item.instance];
+    const LocalRay local(one, ray);
+    const Hit hit = World(*one.world).nearest(local.ray, t_min * local.length, t_max * local.length, 0xff, scratch);
+    return hit.found() ? here(world, item, local, hit, t_min, t_max) : hit;
+}
+
+void instance_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max, Scratch& scratch,
+                        std::vector<Hit>& out)
+{
+    const Instance& one = world.instances[item.instance];
+    const LocalRay local(one, ray);
+    const double from = t_min * local.length, to = t_max * local.length;
+    const RaySlabs slabs(local.ray);
+    const auto keep = [&](const Hit& hit) { out.push_back(here(world, item, local, hit, t_min, t_max)); };
+    const auto each = [&](std::uint32_t i) { item_crossings(*one.world, one.world->items[i], local.ray, from, to, scratch, &slabs, keep); };
+    const auto ball = [&](std::uint32_t i, double near, double far) {
+        const PartId solid = one.world->items[i].solid;
+        for (const double t : {near, far})
+            if (t >= from && t <= to) keep({t, one.world->store.surface(solid), solid, 0, false});
+    };
+    traverse(one.world->bvh, slabs, from, to, 0xff, [&](ChildWord leaf) {
+        open_block(*one.world, leaf, local.ray, each, ball);
+        return to;
+    });
+}
 
 Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
 {
@@ -148,8 +205,17 @@ HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
 {
     HitDetails out;
     out.point = ray.at(hit.t);
+    if (hit.instance != Hit::kNoInstance) {
+        const Instance& one = data_->instances[hit.instance];
+        const glm::dvec3 p = one.frame.inverse_point(out.point);
+        const HitDetails local = World(*one.world).details({p, glm::dvec3(0.0)}, alone(hit), false);
+        out.normal = unit_or_x(one.frame.normal(local.normal));
+        out.weights = local.weights;
+        if (with_uv) out.uv = uv_at(one.world->store, hit.part, hit.face, p, out.point);
+        return out;
+    }
     out.normal = normal_at(data_->store, hit.part, hit.face, hit.inverted, out.point);
-    if (with_uv) out.uv = uv_at(data_->store, hit.part, hit.face, out.point);
+    if (with_uv) out.uv = uv_at(data_->store, hit.part, hit.face, out.point, out.point);
     if (kind_of(hit.part) == SolidKind::Mesh) {
         const Mesh& mesh = data_->store.all<Mesh>()[index_of(hit.part)];
         if (mesh.blends) out.weights = glm::vec3(mesh.weights(out.point, hit.face));
@@ -159,6 +225,10 @@ HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
 
 void World::shares(const Hit& hit, const glm::dvec3& point, std::vector<Share>& out) const
 {
+    if (hit.instance != Hit::kNoInstance) {
+        const Instance& one = data_->instances[hit.instance];
+        return World(*one.world).shares(alone(hit), one.frame.inverse_point(point), out);
+    }
     if (kind_of(hit.part) == SolidKind::Freeform) data_->store.all<Freeform>()[index_of(hit.part)].shares(point, out);
 }
 
@@ -180,6 +250,13 @@ void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out)
 {
     out.clear();
     for (const WorldItem& item : data_->items) {
+        if (item.instance != Hit::kNoInstance) {
+            const Instance& one = data_->instances[item.instance];
+            std::vector<std::uint32_t> within;
+            World(*one.world).containing(one.frame.inverse_point(point), within);
+            if (!within.empty() && (out.empty() || out.back() != item.object)) out.push_back(item.object);
+            continue;
+        }
         const bool inside = item.solid == kNoPart
                                 ? contains(data_->programs[item.program], data_->store, point)
                                 : with_solid(data_->store, item.solid, [&](const auto& solid) {

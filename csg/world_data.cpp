@@ -11,6 +11,10 @@ namespace {
 /// A box around what the item draws.
 Aabb drawn_bounds(const WorldData& world, const WorldItem& item)
 {
+    if (item.instance != Hit::kNoInstance) {
+        const Instance& one = world.instances[item.instance];
+        return transformed_box(one.frame, one.world->bvh.bounds);
+    }
     if (item.solid == kNoPart) return lens_bounds(world.programs[item.program], world.store);
     if (kind_of(item.solid) == SolidKind::Disc) return world.store.all<Disc>()[index_of(item.solid)].drawn_bounds();
     if (kind_of(item.solid) == SolidKind::Mesh) return world.store.all<Mesh>()[index_of(item.solid)].drawn_bounds();
@@ -20,7 +24,7 @@ Aabb drawn_bounds(const WorldData& world, const WorldItem& item)
 
 LeafKind leaf_kind(const WorldItem& item)
 {
-    if (item.solid == kNoPart || item.inverted) return LeafKind::Item;
+    if (item.solid == kNoPart || item.inverted) return LeafKind::Item;   // of an instance too
     switch (kind_of(item.solid)) {
         case SolidKind::Sphere: return LeafKind::Spheres;
         case SolidKind::Triangle: return LeafKind::Triangles;
@@ -38,6 +42,12 @@ bool all_opaque(const WorldData& world, const WorldItem& item)
         const auto& surfaces = world.store.all<Mesh>()[index_of(part)].surfaces;
         return std::all_of(surfaces.begin(), surfaces.end(), stops);
     };
+    if (item.instance != Hit::kNoInstance) {
+        const Instance& one = world.instances[item.instance];
+        const auto first = world.instance_surfaces.begin() + one.first_surface;
+        return std::all_of(first, first + static_cast<std::ptrdiff_t>(one.world->surface_opaque.size()),
+                           [&](SurfaceId surface) { return world.surface_opaque[surface] != 0; });
+    }
     if (item.solid != kNoPart) return opaque(item.solid);
     for (const Node& node : world.programs[item.program].nodes)
         if (node.op == Op::Leaf && !opaque(node.solid)) return false;
@@ -87,6 +97,14 @@ void WorldData::add_program(Program program, std::uint32_t object, std::uint8_t 
     programs.push_back(std::move(program));
 }
 
+void WorldData::add_instance(std::shared_ptr<const WorldData> shared, const Transform& frame, const std::vector<SurfaceId>& surfaces,
+                             std::uint32_t object, std::uint8_t visible)
+{
+    items.push_back({.object = object, .visible = visible, .instance = static_cast<std::uint32_t>(instances.size())});
+    instances.push_back({std::move(shared), frame, static_cast<std::uint32_t>(instance_surfaces.size())});
+    instance_surfaces.insert(instance_surfaces.end(), surfaces.begin(), surfaces.end());
+}
+
 void WorldData::gate_last(Gate gate)
 {
     items.back().gate = static_cast<std::uint32_t>(gates.size());
@@ -99,7 +117,7 @@ void WorldData::finish()
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         WorldItem& item = items[i];
         item.all_opaque = all_opaque(*this, item);
-        item.simple = item.solid == kNoPart && item.gate == WorldItem::kNoGate && programs[item.program].flat.simple();
+        item.simple = item.solid == kNoPart && item.instance == Hit::kNoInstance && item.gate == WorldItem::kNoGate && programs[item.program].flat.simple();
         item.plain = item.simple && programs[item.program].flat.terms[0].plain();
         visible_everywhere &= item.visible;
         const Aabb box = drawn_bounds(*this, item);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "csg/bvh.h"
+#include "csg/hit.h"
 #include "csg/program.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace csg {
@@ -19,6 +21,7 @@ struct WorldItem {
     bool simple = false;              ///< a program whose flat form suits vector lanes
     bool plain = false;               ///< and has nothing cut from it
     std::uint32_t gate = kNoGate;     ///< index into WorldData::gates
+    std::uint32_t instance = Hit::kNoInstance;   ///< an instance, and neither solid nor program
 
     static constexpr std::uint32_t kNoGate = 0xffffffffu;
 };
@@ -28,6 +31,15 @@ struct WorldItem {
 struct Gate {
     Aabb box = Aabb::everything();
     std::vector<std::uint32_t> programs;   ///< each of them
+};
+
+struct WorldData;
+
+/// One of many copies of an object: a world of its own that all of them share, whose rays are moved into its space.
+struct Instance {
+    std::shared_ptr<const WorldData> world;   ///< finished, bounded, seen by every kind of ray
+    Transform frame;                          ///< from its space to ours
+    std::uint32_t first_surface = 0;          ///< its surface s is WorldData::instance_surfaces[first_surface + s] here
 };
 
 /// Eight balls in lanes; an empty place has radius -1.
@@ -43,6 +55,8 @@ struct WorldData {
     std::vector<Program> programs;
     std::vector<WorldItem> items;
     std::vector<Gate> gates;
+    std::vector<Instance> instances;
+    std::vector<SurfaceId> instance_surfaces;
     std::vector<std::uint32_t> unbounded;      ///< items outside the hierarchy
     Bvh bvh;
     std::vector<SphereBlock> spheres;          ///< by leaf block
@@ -53,6 +67,9 @@ struct WorldData {
     void add_solid(PartId solid, bool inverted, std::uint32_t object, std::uint8_t visible);
     /// A CSG object.
     void add_program(Program program, std::uint32_t object, std::uint8_t visible);
+    /// A copy of a shared world, whose surfaces are `surfaces` here.
+    void add_instance(std::shared_ptr<const WorldData> shared, const Transform& frame, const std::vector<SurfaceId>& surfaces,
+                      std::uint32_t object, std::uint8_t visible);
     /// Puts a gate before the item that was added last.
     void gate_last(Gate gate);
     /// Builds the hierarchy. surface_opaque must be set.

@@ -117,12 +117,18 @@ inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray
     return true;
 }
 
+/// The same two questions of an instance (world.cpp).
+Hit instance_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max, Scratch& scratch);
+void instance_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max, Scratch& scratch,
+                        std::vector<Hit>& out);
+
 /// The nearest crossing of an item in [t_min, t_max]; at equal t the last generated (spec 5a, 2.1). `slabs` of the ray, if
 /// they are known.
 inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
                         Scratch& scratch, const RaySlabs* slabs = nullptr)
 {
     if (!passes(world, item, ray, t_min, scratch)) return {};
+    if (item.instance != Hit::kNoInstance) return instance_nearest(world, item, ray, t_min, t_max, scratch);
     if (item.solid == kNoPart) {
         const Crossing c = nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs);
         if (c.part == kNoPart || !(c.t <= t_max)) return {};
@@ -155,6 +161,13 @@ inline void item_crossings(const WorldData& world, const WorldItem& item, const 
                            Scratch& scratch, const RaySlabs* slabs, F&& f)
 {
     if (!passes(world, item, ray, t_min, scratch)) return;
+    if (item.instance != Hit::kNoInstance) {
+        std::vector<Hit>& hits = scratch.instance_hits();   // instances hold none
+        hits.clear();
+        instance_crossings(world, item, ray, t_min, t_max, scratch, hits);
+        for (const Hit& hit : hits) f(hit);
+        return;
+    }
     if (item.solid == kNoPart) {
         each_crossing(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs,
                       [&](const Crossing& c) { f(hit_of(world.store, c)); });

@@ -64,7 +64,8 @@ std::string dump(const CompiledScene& scene)
                                    world.unbounded.size(), world.bvh.nodes.size(), world.bvh.depth);
     for (const csg::WorldItem& item : world.items) {
         text += fmt::format("  object {}: ", item.object);
-        if (item.solid != csg::kNoPart) text += leaf(world.store, item.solid, item.inverted) + "\n";
+        if (item.instance != csg::Hit::kNoInstance) text += fmt::format("instance {}\n", item.instance);
+        else if (item.solid != csg::kNoPart) text += leaf(world.store, item.solid, item.inverted) + "\n";
         else program(world.store, world.programs[item.program], text);
     }
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {

@@ -76,6 +76,7 @@ void GeometryCompiler::finish()
     };
     tell(split_unions_, "unions split into their operands", "nothing at top level needs them as one object");
     tell(empty_programs_, "objects left out", "bounds of their operands leave nothing to draw");
+    tell(out_.geometry.instances.size(), "copies of objects kept as such", "others before them show the same parts");
     tell(bounds_, "bounded_by left out", "the hierarchy bounds every object itself");
     tell(gates_, "bounded_by kept", "they are smaller than what they bound");
 }
@@ -105,6 +106,7 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
     if (!object.bounded_by.empty() && !object.bounded_by_clip) ++bounds_;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     const bool whole = !object.clipped_by.empty() || (!object.bounded_by.empty() && !options_.split_unions) || object.inverse;
+    if (csg != nullptr && add_instance(object, own)) return;
     if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !whole) {
         ++split_unions_;
         for (const scene::Object& operand : *csg->operands) add_top(operand, own);
@@ -113,11 +115,17 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
     add_alone(object, own);
 }
 
+std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const Inherited& own)
+{
+    if (sharing_ != nullptr) return 0;
+    out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source});
+    return static_cast<std::uint32_t>(out_.objects.size() - 1);
+}
+
 void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& own)
 {
-    object_ = static_cast<std::uint32_t>(out_.objects.size());
-    out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source});
-    csg::WorldData& world = out_.geometry;
+    object_ = add_object(object, own);
+    csg::WorldData& world = *world_;
     const bool clipped = !clips_of(object).empty();
     if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh != nullptr && !clipped) {
         const csg::PartId part = mesh_part(*mesh, own);
@@ -156,7 +164,7 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
         made = csg::Tree::leaf(mesh_part(*mesh, own));
     } else {
         const csg::SurfaceId id = clipping_ ? csg::kNoSurface : shape_surface(object, own);
-        made = csg::Tree::leaf(out_.geometry.store.add(solid(object, own), id));
+        made = csg::Tree::leaf(world_->store.add(solid(object, own), id));
     }
     made.inverse = object.inverse;
     // Clips stand in the space of the parent.
@@ -237,6 +245,7 @@ csg::SurfaceId GeometryCompiler::shape_surface(const scene::Object& object, cons
 csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
                                          const std::vector<std::uint32_t>& parts)
 {
+    if (sharing_ != nullptr) return shared_surface(own, corners, !parts.empty());
     const scene::TexturePtr& texture = own.texture ? own.texture : default_texture_;
     Surface s;
     s.texture = textures_.texture(texture);
@@ -284,7 +293,7 @@ std::uint32_t GeometryCompiler::interior(const Inherited& own, const scene::Text
 /// The texture in world space; equal for equal transformations, so that copies share it.
 scene::TexturePtr GeometryCompiler::moved(const scene::TexturePtr& texture, const csg::Transform& to_world)
 {
-    if (!texture || to_world.identity()) return texture;
+    if (!texture || to_world.identity() || alike_everywhere(*texture)) return texture;
     std::vector<Moved>& known = moved_[texture.get()];
     for (const Moved& m : known)
         if (same(m.by, to_world)) return m.to;

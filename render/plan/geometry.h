@@ -19,6 +19,9 @@ bool mesh_is_solid(const scene::MeshData& mesh);
 /// Whether an untextured operand of a difference or intersection with cutaway_textures shows what is cut (spec 5a, 8.3).
 bool takes_cut_texture(const scene::Object& operand, bool subtracted);
 
+/// Nothing in it depends on the place.
+bool alike_everywhere(const scene::Texture& texture);
+
 /// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its parents
 /// (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays together.
 class GeometryCompiler {
@@ -45,6 +48,8 @@ private:
     void add_top(const scene::Object& object, const Inherited& above);
     void add_gate(const scene::Object& object, const Inherited& own);
     void add_alone(const scene::Object& object, const Inherited& own);
+    std::uint32_t add_object(const scene::Object& object, const Inherited& own);
+    bool add_instance(const scene::Object& object, const Inherited& own);
     csg::Tree tree(const scene::Object& object, const Inherited& own);
     csg::Solid solid(const scene::Object& object, const Inherited& own);
     csg::Tree csg_tree(const scene::Csg& csg, const Inherited& own);
@@ -75,6 +80,22 @@ private:
     scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
     std::uint8_t visible(const Inherited& own) const;
 
+    /// A surface of a shared object, in that object's space.
+    struct SharedSurface {
+        Inherited own;
+        std::array<scene::TexturePtr, 2> corners;
+    };
+    /// An object that many statements show.
+    struct Shared {
+        std::size_t shown = 0;                            ///< so often so far
+        std::shared_ptr<const std::vector<scene::Object>> operands;   ///< keeps the address that it is known by
+        std::shared_ptr<const csg::WorldData> world;      ///< null: not made yet
+        std::vector<SharedSurface> surfaces;              ///< by the world's SurfaceId
+        bool fails = false;                               ///< it cannot be shared
+    };
+    void make_shared_world(const scene::Object& object, Shared& shared);
+    csg::SurfaceId shared_surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners, bool has_parts);
+
     const scene::Description& description_;
     const Options& options_;
     TextureCompiler& textures_;
@@ -82,6 +103,9 @@ private:
     InteriorCompiler interiors_;
     FieldLinker fields_;
 
+    csg::WorldData* world_ = &out_.geometry;     ///< where solids and items go
+    Shared* sharing_ = nullptr;                  ///< the shared object at hand, whose surfaces are only noted
+    std::map<std::pair<const void*, int>, Shared> shared_;   ///< by operands and operation
     scene::TexturePtr default_texture_;          ///< of the statement at hand
     std::uint32_t object_ = 0;                   ///< Surface::object at hand
     bool clipping_ = false;                      ///< inside a clip: nothing is drawn, no surface is made

@@ -50,7 +50,7 @@ bool holds(const csg::Aabb& box, const csg::Aabb& drawn)
 /// `bounded_by` of the item that was added last, and the box that clips leave it: they decide which rays are told of it.
 void GeometryCompiler::add_gate(const scene::Object& object, const Inherited& own)
 {
-    csg::WorldData& world = out_.geometry;
+    csg::WorldData& world = *world_;
     const csg::WorldItem& item = world.items.back();
     const csg::Aabb drawn = item.solid == csg::kNoPart
                                 ? world.programs[item.program].bounds

@@ -56,7 +56,7 @@ csg::PartId GeometryCompiler::mesh_part(const scene::Mesh& mesh, const Inherited
         made.blends = made.blends || corners[0] != corners[1] || corners[0] != corners[2];
         made.surfaces.push_back(clipping_ ? csg::kNoSurface : mesh_surface(corners, own));
     }
-    return out_.geometry.store.add(made, made.surfaces.empty() ? csg::kNoSurface : made.surfaces.front());
+    return world_->store.add(made, made.surfaces.empty() ? csg::kNoSurface : made.surfaces.front());
 }
 
 csg::SurfaceId GeometryCompiler::mesh_surface(const std::array<scene::TexturePtr, 3>& corners, const Inherited& own)

@@ -1,0 +1,90 @@
+#include "csg/scratch.h"
+#include "parser/parse.h"
+#include "render/plan/compiled_scene.h"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+// Copies that share their parts beside the same copies compiled each for itself.
+namespace {
+
+/// Copies of two objects, turned and stretched. `apart`: each a statement of its own.
+std::string text_of(int copies, bool apart)
+{
+    const std::string tall = R"( difference { union { cylinder { -y, y, 0.4 } torus { 0.5, 0.1 } box { <-0.2, 0, -1>, <0.2, 0.3, 1> } }
+        sphere { y, 0.35 } sphere { -y, 0.3 } sphere { x/2, 0.2 } sphere { -x/2, 0.2 } box { -0.1, 0.1 } pigment { rgb x } }
+    )";
+    const std::string loose = R"( union { sphere { 0, 0.3 } sphere { x, 0.2 } sphere { y, 0.2 } sphere { z, 0.2 } sphere { -x, 0.1 }
+        box { -0.2, -0.1 pigment { rgbt 0.5 } } cone { -y, 0.3, -0.5*y, 0 } mesh { triangle { x, y, z } pigment { rgb z } } pigment { rgbt 0.7 } }
+    )";
+    const auto declared = [&](const std::string& name, const std::string& body) {
+        return apart ? "#macro " + name + "() " + body + " #end\n" : "#declare " + name + " =" + body;
+    };
+    const std::string call = apart ? "()" : "";
+    return "#version 3.7; camera { location -40*z }\n" + declared("Tall", tall) + declared("Loose", loose) +
+           "#for (I, 0, " + std::to_string(copies - 1) + ") object { #if (mod(I, 2)) Tall" + call + " #else Loose" + call +
+           " #end rotate <31*I, 17*I, 5*I> scale <1 + 0.3*sin(I), 1, 0.7> translate <mod(I, 30), mod(int(I/30), 30), int(I/900)>*1.5 - 20 } #end\n";
+}
+
+plan::CompiledScene compiled(int copies, bool apart)
+{
+    return plan::compile(parser::parse_text(text_of(copies, apart), "test.pov", {}).scene, {});
+}
+
+}  // namespace
+
+TEST_CASE("copies beyond the first share the parts of an object", "[plan][instances]")
+{
+    const plan::CompiledScene few = compiled(1000, false), many = compiled(2000, false);
+    CHECK(few.geometry.instances.size() == 1000 - 2 * 256);
+    CHECK(many.geometry.instances.size() == 2000 - 2 * 256);
+    CHECK(many.geometry.programs.size() == few.geometry.programs.size());
+    CHECK(many.geometry.store.all<csg::Sphere>().size() == few.geometry.store.all<csg::Sphere>().size());
+    CHECK(compiled(1000, true).geometry.instances.empty());
+}
+
+TEST_CASE("rays meet copies that share their parts where they meet copies that do not", "[plan][instances]")
+{
+    const plan::CompiledScene shared = compiled(1500, false), apart = compiled(1500, true);
+    const csg::World one = shared.world(), other = apart.world();
+    csg::Scratch scratch;
+    std::mt19937 random(5);
+    std::normal_distribution<double> any;
+    const auto direction = [&] { return glm::normalize(glm::dvec3(any(random), any(random), any(random))); };
+    int hits = 0, filtered = 0, held = 0;
+    for (int k = 0; k < 4000; ++k) {
+        INFO("ray " << k);
+        const glm::dvec3 aim = glm::dvec3(random() % 30u, random() % 30u, random() % 2u) * 1.5 - 20.0 + 0.5 * direction();
+        const csg::Ray ray{aim - 60.0 * direction(), {}};
+        const csg::Ray at{ray.origin, glm::normalize(aim - ray.origin)};
+        const csg::Hit a = one.nearest(at, 1e-4, csg::kInfinity, 1, scratch), b = other.nearest(at, 1e-4, csg::kInfinity, 1, scratch);
+        REQUIRE(a.found() == b.found());
+        if (a.found()) {
+            ++hits;
+            REQUIRE(std::abs(a.t - b.t) < 1e-9);
+            const csg::HitDetails p = one.details(at, a), q = other.details(at, b);
+            REQUIRE(glm::length(p.normal - q.normal) < 1e-6);
+            REQUIRE(glm::length(p.uv - q.uv) < 1e-6);
+            const plan::Surface &s = shared.surfaces[a.surface], &t = apart.surfaces[b.surface];
+            REQUIRE(s.opaque == t.opaque);
+        }
+        std::vector<csg::Hit> met, beside;
+        const csg::Shadow shadow = one.shadow_crossings(at, 1e-3, 200.0, scratch, met);
+        REQUIRE(shadow == other.shadow_crossings(at, 1e-3, 200.0, scratch, beside));
+        REQUIRE(one.shadow(at, 1e-3, 200.0, scratch) == shadow);
+        if (shadow == csg::Shadow::Filtered) {
+            ++filtered;
+            REQUIRE(met.size() == beside.size());
+            for (std::size_t i = 0; i < met.size(); ++i) REQUIRE(std::abs(met[i].t - beside[i].t) < 1e-9);
+        }
+        std::vector<std::uint32_t> in, within;
+        one.containing(aim, in);
+        other.containing(aim, within);
+        REQUIRE(in.empty() == within.empty());
+        held += in.empty() ? 0 : 1;
+    }
+    CHECK(hits > 2000);
+    CHECK(filtered > 50);
+    CHECK(held > 200);
+}
