@@ -45,6 +45,7 @@ struct RayState {
     int level = 0;                   ///< levels in use before this ray
     plan::RayKind kind = plan::RayKind::Image;
     InteriorList interiors;
+    float wavelength = 0;            ///< nm; 0: white
 };
 
 }  // namespace trace

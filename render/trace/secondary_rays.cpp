@@ -1,5 +1,6 @@
 #include "render/texture/finish.h"
 #include "render/texture/noise.h"
+#include "render/trace/dispersion.h"
 #include "render/trace/shade_context.h"
 
 #include <cmath>
@@ -10,6 +11,7 @@ namespace {
 /// How an interface turns a ray (spec 3, 8.2): incoming over outgoing.
 struct Crossing {
     double ratio = 1, dispersion = 1;
+    int samples = 0;                 ///< of the spectrum, where there is dispersion
 };
 
 /// `out`: what the ray is inside of afterwards.
@@ -18,24 +20,37 @@ Crossing cross(const Context& context, const InteriorList& list, std::uint32_t o
     const auto& interiors = context.scene.interiors;
     const auto ior = [&](std::uint32_t i) { return static_cast<double>(interiors[i].ior); };
     const auto dispersion = [&](std::uint32_t i) { return static_cast<double>(interiors[i].dispersion); };
+    const int samples = interiors[own].dispersion_samples;
     out = list;
     if (list.empty()) {
         out.append(own);
-        return {1.0 / ior(own), 1.0 / dispersion(own)};
+        return {1.0 / ior(own), 1.0 / dispersion(own), samples};
     }
     const std::uint32_t last = list.last();
     if (last == own) {
         // Leaving the body entered last; remove_first would take an earlier entry of the same body.
         out.remove_last();
-        if (out.empty()) return {ior(own), dispersion(own)};
-        return {ior(own) / ior(out.last()), dispersion(own) / dispersion(out.last())};
+        if (out.empty()) return {ior(own), dispersion(own), samples};
+        return {ior(own) / ior(out.last()), dispersion(own) / dispersion(out.last()), std::max(samples, interiors[out.last()].dispersion_samples)};
     }
     if (list.holds(own)) {
         out.remove_first(own);
         return {};
     }
     out.append(own);
-    return {ior(last) / ior(own), dispersion(last) / dispersion(own)};
+    return {ior(last) / ior(own), dispersion(last) / dispersion(own), samples};
+}
+
+/// Whether a ray is bent rather than mirrored within, and then where.
+bool refract(const glm::dvec3& d, const glm::dvec3& normal, double ratio, glm::dvec3& out)
+{
+    const double facing = glm::dot(d, normal);
+    const glm::dvec3 n = facing <= 0.0 ? normal : -normal;
+    const double c = std::abs(facing), k = 1.0 + ratio * ratio * (c * c - 1.0);
+    if (k < 0.0) return false;
+    // A unit vector already, up to rounding; World wants unit directions, so it is made exact.
+    out = glm::normalize(ratio * d + (ratio * c - std::sqrt(k)) * n);
+    return true;
 }
 
 double start_of(const Context& context, const HitPlace& hit) { return context.scene.tolerance.hit_from(hit.point, hit.distance); }
@@ -81,7 +96,7 @@ RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3&
         else
             r -= 2.0 * out * hit.normal;
     }
-    return {{hit.point, glm::normalize(r)}, start_of(context, hit), weight, hit.level, plan::RayKind::Reflection, hit.state.interiors};
+    return {{hit.point, glm::normalize(r)}, start_of(context, hit), weight, hit.level, plan::RayKind::Reflection, hit.state.interiors, hit.state.wavelength};
 }
 
 scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3& normal, float weight,
@@ -109,20 +124,39 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
     out.ray.weight = weight;
     out.ray.level = hit.level;
     out.ray.kind = hit.state.kind;
+    out.ray.wavelength = hit.state.wavelength;
     if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) return true;
     out.straight = false;
-    const double facing = glm::dot(d, top_normal);
-    const glm::dvec3 n = facing <= 0.0 ? top_normal : -top_normal;
-    const double r = crossing.ratio, c = std::abs(facing);
-    const double k = 1.0 + r * r * (c * c - 1.0);
-    if (k < 0.0) {
-        out.total = true;
-        out.ray = mirrored(context, hit, top_normal, weight);
-    } else {
-        // A unit vector already, up to rounding; World wants unit directions, so it is made exact.
-        out.ray.ray.direction = glm::normalize(r * d + (r * c - std::sqrt(k)) * n);
+    out.ratio = crossing.ratio;
+    out.dispersion = crossing.dispersion;
+    const bool disperses = std::abs(crossing.dispersion - 1.0) >= kNearlyZero;
+    if (disperses && !(hit.state.wavelength > 0.0f)) {
+        out.samples = crossing.samples;
+        return true;
     }
+    const double ratio = disperses ? ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength) : crossing.ratio;
+    if (refract(d, top_normal, ratio, out.ray.ray.direction)) return true;
+    out.total = true;
+    out.ray = mirrored(context, hit, top_normal, weight);
     return true;
+}
+
+scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const Onward& onward)
+{
+    glm::vec3 sum(0);
+    for (int i = 0; i < onward.samples; ++i) {
+        RayState ray = onward.ray;
+        const float nm = wavelength(i, onward.samples);
+        if (refract(hit.state.ray.direction, top_normal, ratio_at(onward.ratio, onward.dispersion, nm), ray.ray.direction)) {
+            ++context.scratch.counts.refracted;
+            ray.wavelength = nm;
+        } else {
+            ray = mirrored(context, hit, top_normal, onward.ray.weight);
+            ++context.scratch.counts.reflected;
+        }
+        sum += trace_ray(context, ray, false).rgb() * hue(nm, onward.samples);
+    }
+    return scene::Color::of(sum / static_cast<float>(onward.samples));
 }
 
 scene::Color transmitted(Context& context, const HitContext& hit, const glm::dvec3& top_normal, float weight,
@@ -131,6 +165,7 @@ scene::Color transmitted(Context& context, const HitContext& hit, const glm::dve
     total = false;
     Onward next;
     if (!onward(context, hit, top_normal, weight, next)) return {};
+    if (next.samples > 0) return scene::Color::of(dispersed(context, hit, top_normal, next).rgb() * next.fade);
     total = next.total;
     ++(total ? context.scratch.counts.reflected : context.scratch.counts.refracted);
     const scene::Color seen = trace_ray(context, next.ray, next.straight);

@@ -98,10 +98,15 @@ struct Onward {
     glm::vec3 fade{1};
     bool straight = true;            ///< unbent: uses no level
     bool total = false;              ///< total internal reflection: `ray` is the mirrored one
+    int samples = 0;                 ///< of the spectrum: `ray` has no direction yet, dispersed() finds one for each
+    double ratio = 1, dispersion = 1;   ///< how the interface bends light of 555 nm, and others (8.5)
 };
 
 /// False where nothing is behind the surface: it has no interior.
 bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Onward& out);
+
+/// The mean of what rays of all wavelengths see beyond a surface; its `samples` are not 0 (spec 3, 8.5).
+scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const Onward& onward);
 
 /// The ray mirrored about `normal` (spec 3, section 10).
 RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight);

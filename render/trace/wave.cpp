@@ -32,6 +32,13 @@ void go_through(Context& context, const HitPlace& hit, Branch& branch, double re
     Onward next;
     if (!onward(context, hit, hit.normal, hit.state.weight * largest(glm::abs(branch.filter)), next)) return;
     Wave& wave = context.scratch.shade.wave;
+    if (next.samples > 0) {
+        branch.fade = next.fade;
+        const scene::Color seen = dispersed(context, hit, hit.normal, next);   // by recursion: few rays are dispersed
+        branch.through = static_cast<Place>(wave.colors.size());
+        wave.colors.push_back(seen);
+        return;
+    }
     branch.total = next.total;
     branch.fade = next.fade;
     ++(next.total ? context.scratch.counts.reflected : context.scratch.counts.refracted);

@@ -6,7 +6,7 @@ usage: contact_sheet.py WHITTLE [--every N] [--sheet PICTURE] [--work DIR] [--po
 
 The names are read from the include files of the installed POV-Ray; nothing of them is kept. A tile matches when 99 % of
 its pixels are within 3/255 in every channel. Where a finish has crand, whose grain POV-Ray draws from a stream that depends
-on the order of pixels, 99 % within 16/255 and means within 1/255 are asked for; those of EXCEPTIONS need not match.
+on the order of pixels, 99 % within 16/255 and means within 1/255 are asked for.
 --every takes each Nth name alone. --sheet writes a picture of all tiles (needs Pillow): the left half of each by POV-Ray,
 the right half by Whittle.
 Exit status: 0 all match, 1 some do not, 77 there is no POV-Ray of the right version or no include files.
@@ -24,12 +24,6 @@ TILE, COLUMNS, ROWS = 64, 6, 5
 KINDS = ("texture", "pigment", "normal", "finish", "material", "interior", "sky_sphere")
 WITHIN, SHARE = 3, 0.99
 GRAIN_WITHIN, GRAIN_MEAN = 16, 1.0
-
-# Name: why its tile may differ.
-EXCEPTIONS = {
-    "I_Glass_Dispersion1": "dispersion is not drawn yet",
-    "I_Glass_Dispersion2": "dispersion is not drawn yet",
-}
 
 HEAD = """#version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
@@ -210,16 +204,14 @@ def main():
         jobs = [(i, group, folder.resolve(), [options.povray], whittle) for i, group in enumerate(pictures(names))]
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             results = [result for group in pool.map(compare_group, jobs) for result in group]
-    bad = excepted = 0
+    bad = 0
     for (file, name, kind, _), share, _, _, trouble in results:
         if share is not None and share >= SHARE:
             continue
-        cause = EXCEPTIONS.get(name)
-        bad += cause is None
-        excepted += cause is not None
+        bad += 1
         told = trouble if share is None else f"{100 * share:.2f} %"
-        print(f"{file}: {kind} {name}: {told}" + (f" (excepted: {cause})" if cause else ""))
-    print(f"{len(results) - bad - excepted} of {len(results)} tiles match, {excepted} are excepted")
+        print(f"{file}: {kind} {name}: {told}")
+    print(f"{len(results) - bad} of {len(results)} tiles match")
     if options.sheet:
         write_sheet(options.sheet, results)
     return 1 if bad else 0
