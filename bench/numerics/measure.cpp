@@ -166,12 +166,22 @@ private:
     void spawned(const Ray& ray, double tolerance)
     {
         ++spawns_;
-        double own = csg::kInfinity;
+        double own = csg::kInfinity, beyond = csg::kInfinity;   // the nearest; of those ahead, beyond the tolerance
         const std::vector<double> ends = answers_(ray);
-        for (const double t : ends) own = glm::min(own, std::abs(t));
-        if (!(own < kFarStart * case_.size)) return;
-        row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
-        acne_ += own > tolerance ? 1 : 0;
+        for (const double t : ends) {
+            own = glm::min(own, std::abs(t));
+            if (t > tolerance) beyond = glm::min(beyond, t);
+        }
+        if (beyond < kFarStart * case_.size) {
+            // Where the start itself is not told it may be another crossing, which the oracle tells beside the start.
+            bool start = false, there = false;
+            for (const Quad t : truth_of(ray, -tolerance, 2.0 * beyond, 0.0, ends)) {
+                start = start || t <= tolerance;
+                there = there || t >= 0.5 * beyond;
+            }
+            acne_ += start && there ? 0 : 1;
+        }
+        if (own < kFarStart * case_.size) row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
         const double behind = glm::max(2.0 * own, (case_.form ? 2.0 * case_.form->bar : 1e-12) * case_.size);
         for (const Quad t : truth_of(ray, behind, 20.0 * case_.size, 0.0, ends)) lost_ += t < tolerance ? 1 : 0;
         row_.acne = 1e6 * static_cast<double>(acne_) / static_cast<double>(spawns_);

@@ -9,12 +9,12 @@ namespace csg {
 /// Whether a linear map keeps balls balls; `factor` then tells by how much they grow.
 inline bool keeps_balls(const glm::dmat3& m, double& factor)
 {
-    constexpr double kSlack = 1e-12;  // relative, squared lengths: a few roundings of products of rotations
+    constexpr double kFewRoundings = 1e-12;  // relative, squared lengths: a few roundings of products of rotations
     const glm::dmat3 square = glm::transpose(m) * m;
     factor = std::sqrt(square[0][0]);
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k)
-            if (!(std::abs(square[i][k] - (i == k ? square[0][0] : 0.0)) <= kSlack * square[0][0])) return false;
+            if (!(std::abs(square[i][k] - (i == k ? square[0][0] : 0.0)) <= kFewRoundings * square[0][0])) return false;
     return true;
 }
 
