@@ -168,7 +168,7 @@ TEST_CASE("a lathe and a turned outline tell a ray from 6e9 away what they tell 
     const Freeform urn{make_freeform<Sor>(std::vector<glm::dvec2>{{0.2, -0.3}, {0.5, 0}, {0.9, 0.6}, {0.3, 1.3}, {0.6, 2}, {0.2, 2.4}}, false), {}};
     int compared = 0;
     for (const Freeform* solid : {&vase, &urn})
-        for (std::uint32_t seed = 0; seed < share(4000); ++seed) {
+        for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(4000)); ++seed) {
             INFO("seed " << seed);
             Rng rng(seed);
             const glm::dvec3 p{rng.uniform(-1.0, 1.0), rng.uniform(0.0, 2.0), rng.uniform(-1.0, 1.0)}, d = rng.direction();
@@ -186,7 +186,7 @@ TEST_CASE("a lathe and a turned outline tell a ray from 6e9 away what they tell 
             REQUIRE(from_far.size() == from_beside.size());
             for (std::uint32_t i = 0; i < from_far.size(); ++i) REQUIRE(std::abs(from_far[i].in.t - 6e9 - from_beside[i].in.t) < 2e-6);  // two places of 6e9
         }
-    CHECK(compared > 4000);
+    CHECK(compared > share(4000));
 }
 
 TEST_CASE("a negative radius is touched, not entered", "[csg][revolution]")

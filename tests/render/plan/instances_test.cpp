@@ -36,26 +36,26 @@ plan::CompiledScene compiled(int copies, bool apart)
 
 TEST_CASE("copies beyond the first share the parts of an object", "[plan][instances]")
 {
-    const plan::CompiledScene few = compiled(1000, false), many = compiled(2000, false);
-    CHECK(few.geometry.instances.size() == 1000 - 2 * 256);
-    CHECK(many.geometry.instances.size() == 2000 - 2 * 256);
+    const plan::CompiledScene few = compiled(600, false), many = compiled(900, false);
+    CHECK(few.geometry.instances.size() == 600 - 2 * 256);
+    CHECK(many.geometry.instances.size() == 900 - 2 * 256);
     CHECK(many.geometry.programs.size() == few.geometry.programs.size());
     CHECK(many.geometry.store.all<csg::Sphere>().size() == few.geometry.store.all<csg::Sphere>().size());
-    CHECK(compiled(1000, true).geometry.instances.empty());
+    CHECK(compiled(600, true).geometry.instances.empty());
 }
 
 TEST_CASE("rays meet copies that share their parts where they meet copies that do not", "[plan][instances]")
 {
-    const plan::CompiledScene shared = compiled(1500, false), apart = compiled(1500, true);
+    const plan::CompiledScene shared = compiled(700, false), apart = compiled(700, true);
     const csg::World one = shared.world(), other = apart.world();
     csg::Scratch scratch;
     std::mt19937 random(5);
     std::normal_distribution<double> any;
     const auto direction = [&] { return glm::normalize(glm::dvec3(any(random), any(random), any(random))); };
     int hits = 0, filtered = 0, held = 0;
-    for (int k = 0; k < 4000; ++k) {
+    for (int k = 0; k < 2000; ++k) {
         INFO("ray " << k);
-        const glm::dvec3 aim = glm::dvec3(random() % 30u, random() % 30u, random() % 2u) * 1.5 - 20.0 + 0.5 * direction();
+        const glm::dvec3 aim = glm::dvec3(random() % 30u, random() % 24u, 0) * 1.5 - 20.0 + 0.5 * direction();
         const csg::Ray ray{aim - 60.0 * direction(), {}};
         const csg::Ray at{ray.origin, glm::normalize(aim - ray.origin)};
         const csg::Hit a = one.nearest(at, 1e-4, csg::kInfinity, 1, scratch), b = other.nearest(at, 1e-4, csg::kInfinity, 1, scratch);
@@ -84,7 +84,7 @@ TEST_CASE("rays meet copies that share their parts where they meet copies that d
         REQUIRE(in.empty() == within.empty());
         held += in.empty() ? 0 : 1;
     }
-    CHECK(hits > 2000);
-    CHECK(filtered > 50);
-    CHECK(held > 200);
+    CHECK(hits > 1000);
+    CHECK(filtered > 20);
+    CHECK(held > 100);
 }
