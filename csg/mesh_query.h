@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/fused_at.h"
 #include "csg/mesh_shape.h"
 #include "csg/traverse.h"
 
@@ -116,7 +117,7 @@ inline double move_near(const Aabb& box, Ray& ray)
     if (!(glm::dot(away, away) > kFar * kFar * glm::dot(size, size))) return 0.0;
     const double t = -glm::dot(away, ray.direction) / glm::dot(ray.direction, ray.direction);
     if (!(std::abs(t) < kInfinity)) return 0.0;
-    for (int k = 0; k < 3; ++k) ray.origin[k] = std::fma(t, ray.direction[k], ray.origin[k]);
+    ray.origin = fused_at(ray, t);
     return t;
 }
 

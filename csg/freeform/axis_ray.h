@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/fused_at.h"
 #include "csg/solids/common.h"
 
 #include <cmath>
@@ -17,9 +18,9 @@ public:
         const glm::dvec3& d = ray.direction;
         length_ = std::sqrt(glm::dot(d, d));
         const glm::dvec3 e = way_ = d / length_;
-        // From a far camera the numbers below would lose what decides about a tangent. fma() moves the start here with one rounding.
+        // From a far camera the numbers below would lose what decides about a tangent: the start is moved here with one rounding.
         start_ = -glm::dot(ray.origin, e) / length_;
-        const glm::dvec3 o = origin_ = {std::fma(start_, d.x, ray.origin.x), std::fma(start_, d.y, ray.origin.y), std::fma(start_, d.z, ray.origin.z)};
+        const glm::dvec3 o = origin_ = fused_at(ray, start_);
         rise = std::abs(e.y);
         run = std::sqrt(e.x * e.x + e.z * e.z);
         if (run > kUpright) {

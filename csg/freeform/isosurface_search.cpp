@@ -1,5 +1,7 @@
 #include "csg/freeform/isosurface_search.h"
 
+#include "csg/fused_at.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +43,7 @@ IsosurfaceSearch::IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray,
 
 glm::dvec3 IsosurfaceSearch::near_point(double t) const
 {
-    return {std::fma(t, ray_.direction.x, ray_.origin.x), std::fma(t, ray_.direction.y, ray_.origin.y), std::fma(t, ray_.direction.z, ray_.origin.z)};
+    return fused_at(ray_, t);
 }
 
 void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const

@@ -1,6 +1,7 @@
 #include "csg/freeform/julia.h"
 
 #include "csg/freeform/julia_functions.h"
+#include "csg/fused_at.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +24,14 @@ glm::dvec3 growth(const glm::dvec4& v, const glm::dvec4& n)
 }
 
 /// From far away the steps would be shorter than the last digit of the parameter: such a ray is taken from beside the set, to
-/// which fma() moves it with one rounding. How far along it that is.
+/// which it is moved with one rounding. How far along it that is.
 double move_near(double radius, Ray& ray)
 {
     constexpr double kManyRadii = 1e5;   // of the radius: 1e-11 of it is left
     if (!(glm::dot(ray.origin, ray.origin) > kManyRadii * kManyRadii * radius * radius)) return 0.0;
     const double t = -glm::dot(ray.origin, ray.direction);
     if (!(std::abs(t) < kInfinity)) return 0.0;
-    for (int k = 0; k < 3; ++k) ray.origin[k] = std::fma(t, ray.direction[k], ray.origin[k]);
+    ray.origin = fused_at(ray, t);
     return t;
 }
 

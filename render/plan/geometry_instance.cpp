@@ -22,6 +22,16 @@ bool enough(const scene::Csg& csg, std::size_t& left)
     return false;
 }
 
+/// Whether some solid looks at the scene's own axes or lengths: an inside_vector does not turn with its mesh, and what tells
+/// crossings beside its surface does so by a length of the scene.
+bool tied_to_scene(const csg::SolidStore& store)
+{
+    const auto& meshes = store.all<csg::Mesh>();
+    const auto& freeforms = store.all<csg::Freeform>();
+    return std::any_of(meshes.begin(), meshes.end(), [](const csg::Mesh& mesh) { return mesh.solid(); }) ||
+           std::any_of(freeforms.begin(), freeforms.end(), [](const csg::Freeform& solid) { return solid.beside(); });
+}
+
 /// A texture that is moved to the same place once for an instance, however many surfaces show it.
 class TexturesOfInstance {
 public:
@@ -100,7 +110,8 @@ void GeometryCompiler::make_shared_world(const scene::Object& object, Shared& sh
     world_ = outside;
     world->surface_opaque.assign(shared.surfaces.size(), 1);
     world->finish();
-    shared.fails = shared.fails || !world->unbounded.empty() || !world->bvh.bounds.finite() || world->visible_everywhere != visible({});
+    shared.fails = shared.fails || !world->unbounded.empty() || !world->bvh.bounds.finite() || world->visible_everywhere != visible({}) ||
+                   tied_to_scene(world->store);
     if (!shared.fails) shared.world = std::move(world);
 }
 

@@ -44,6 +44,22 @@ TEST_CASE("copies beyond the first share the parts of an object", "[plan][instan
     CHECK(compiled(600, true).geometry.instances.empty());
 }
 
+TEST_CASE("what looks at the scene's own axes or lengths is not shared", "[plan][instances]")
+{
+    const auto copies = [](const std::string& part) {
+        std::string body = "union { " + part;
+        for (int k = 0; k < 8; ++k) body += " sphere { " + std::to_string(k) + "*y, 0.1 }";
+        return plan::compile(parser::parse_text("#version 3.7; #declare T = " + body + " }\n#for (I, 0, 299) object { T rotate 90*z scale 3 translate 20*I*x } #end",
+                                                "test.pov", {}).scene, {});
+    };
+    // A cube that is closed along x alone: turned, it holds what its inside_vector, which does not turn, says.
+    const std::string open = R"(mesh { triangle { <-1, -1, -1>, <-1, 1, -1>, <-1, 1, 1> } triangle { <-1, -1, -1>, <-1, 1, 1>, <-1, -1, 1> }
+        triangle { <1, -1, -1>, <1, 1, -1>, <1, 1, 1> } triangle { <1, -1, -1>, <1, 1, 1>, <1, -1, 1> } inside_vector x })";
+    CHECK(copies("sphere { 0, 0.2 }").geometry.instances.size() == 300 - 256);
+    CHECK(copies(open).geometry.instances.empty());
+    CHECK(copies("parametric { function { u } function { v } function { u*v } <0, 0>, <1, 1> contained_by { sphere { 0, 2 } } }").geometry.instances.empty());
+}
+
 TEST_CASE("rays meet copies that share their parts where they meet copies that do not", "[plan][instances]")
 {
     const plan::CompiledScene shared = compiled(700, false), apart = compiled(700, true);
