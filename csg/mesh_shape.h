@@ -50,6 +50,8 @@ public:
     const std::vector<std::array<glm::dvec3, 2>>& open_edges() const { return open_edges_; }
     std::size_t bytes() const;
 
+    /// Some face is lit by its corners' normals.
+    bool smooth() const { return !normals_.empty(); }
     /// The surface of a face.
     std::uint32_t slot(std::uint32_t face) const { return slots_.empty() ? 0 : slots_[declared(face)]; }
     /// Normal at a point of the face, in the space of the mesh, on the side of (c2 - c0) x (c1 - c0); not normalised.

@@ -23,6 +23,14 @@ struct Tolerance {
         return extent < 1.0 ? Tolerance{usual.hit * extent, usual.shadow * extent} : usual;
     }
 
+    /// Beyond this a ray meets no more of its own start: rounding moved that off the surface, and the flatter the ray leaves the longer
+    /// it is on its way back. `incidence`: cosine of its angle with the normal.
+    static double own(const glm::dvec3& start, double length, double incidence)
+    {
+        constexpr double kFlattest = 1e-6;   // there a curved surface is left anyway: sqrt(2 * kCoarse) of its radius
+        return coarse(start, length) / glm::max(glm::abs(incidence), kFlattest);
+    }
+
 private:
     static constexpr double kCoarse = 2e-13;
     static double coarse(const glm::dvec3& p, double length)

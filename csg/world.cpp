@@ -1,5 +1,6 @@
 #include "csg/world.h"
 
+#include "csg/own_start.h"
 #include "csg/tile_clusters.h"
 #include "csg/tile_crossings.h"
 #include "csg/traverse.h"
@@ -221,6 +222,18 @@ HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
         if (mesh.blends) out.weights = glm::vec3(mesh.weights(out.point, hit.face));
     }
     return out;
+}
+
+double World::start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const
+{
+    if (hit.instance != Hit::kNoInstance) {
+        const Instance& one = data_->instances[hit.instance];
+        const LocalRay local(one, ray);
+        Hit own = alone(hit);
+        own.t = hit.t * local.length;
+        return World(*one.world).start(local.ray, own, incidence, inward, usual * local.length) / local.length;
+    }
+    return with_solid(data_->store, hit.part, [&](const auto& solid) { return own_start(solid, ray, hit.t, incidence, inward, usual); });
 }
 
 void World::shares(const Hit& hit, const glm::dvec3& point, std::vector<Share>& out) const

@@ -23,6 +23,8 @@ public:
 
     /// Point and normal of a hit of that ray; uv where asked for.
     HitDetails details(const Ray& ray, const Hit& hit, bool with_uv = true) const;
+    /// Where a ray that leaves a hit begins to look: csg/own_start.h.
+    double start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const;
     /// Appends the shares of the parts of the shape that was hit (Freeform::shares).
     void shares(const Hit& hit, const glm::dvec3& point, std::vector<Share>& out) const;
 

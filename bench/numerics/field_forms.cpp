@@ -90,7 +90,7 @@ public:
     bool ranged() const override { return true; }
 };
 
-constexpr double kAccuracy = 1e-7;
+constexpr double kAccuracy = 1e-7, kParts = 1e-4;
 
 Form isosurface_form()
 {
@@ -99,7 +99,7 @@ Form isosurface_form()
             .make = [](const Transform& frame, double scale) {
                 csg::IsosurfaceTerms terms;
                 terms.field = std::make_shared<Saddle>();
-                terms.accuracy = kAccuracy * scale;
+                terms.accuracy = kAccuracy * glm::min(scale, 1.0);
                 terms.max_gradient = 5.0;
                 terms.max_trace = 10;
                 terms.container = csg::Container::box(glm::dvec3(-1.6), glm::dvec3(1.6));
@@ -134,19 +134,26 @@ Form parametric_form()
     terms.upper = {2.0 * 3.14159265358979, 3.14159265358979};
     terms.max_gradient = 1.5;
     terms.container = csg::Container::sphere(glm::dvec3(0.0), 1.2);
-    terms.accuracy = 1e-4;
-    csg::Parametric surface(terms);
-    surface.prepare();
-    const auto shape = csg::make_freeform<csg::Parametric>(surface);
+    // The accuracy is a length of the world too: a setting of the scene, as the isosurface's.
+    const auto make = [terms](const Transform& frame, double scale) mutable {
+        terms.accuracy = kParts * glm::min(scale, 1.0);
+        csg::Parametric surface(terms);
+        surface.prepare();
+        return csg::Solid(csg::Freeform{csg::make_freeform<csg::Parametric>(surface), frame});
+    };
     return {.name = "parametric",
-            .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Freeform{shape, frame}); },
+            .make = make,
             .meets = [](const WidePoint& from, const WidePoint& way) -> std::vector<Wide> {
                 const Wide a = way.x * way.x + way.y * way.y + way.z * way.z, b = from.x * way.x + from.y * way.y + from.z * way.z;
                 const Wide room = b * b - a * (from.x * from.x + from.y * from.y + from.z * from.z - 1);
                 if (room <= 0) return {};
                 return {(-b - std::sqrt(room)) / a, (-b + std::sqrt(room)) / a};
             },
-            .bar = 1e-3, .first_only = true, .by_rules = true};
+            .slope = [](const WidePoint& p) { return p; },
+            // A hit is told where the ray enters what z spans in a part (spec 5b, 14.2); the parts are as large as the accuracy, and the ray
+            // comes as near to the surface.
+            .spread = [](const glm::dvec3& way, const glm::dvec3& normal) { return 1.0 / glm::min(std::abs(way.z), std::abs(glm::dot(way, normal))); },
+            .bar = 1e-3, .band = 0.1, .first_only = true};
 }
 
 Form julia_form()
@@ -155,19 +162,28 @@ Form julia_form()
     terms.constant = {-0.2, 0.6, 0.2, 0.2};
     terms.iterations = 5;
     terms.precision = 100.0;
-    const Wide size = std::sqrt(0.48L), reach = 1 + size + 1e-6L;
+    // The orbit begins at p; asked before each of its five maps is made (spec 5b, 12.2).
+    const Wide size = std::sqrt(0.48L), reach = 1 + size + 1e-7L, escape = reach * reach + 1e-7L;
+    const auto last = [escape](const WidePoint& p, bool all) {
+        Wide x = p.x, y = p.y, z = p.z, w = 0, square = 0;
+        for (int k = 0;; ++k) {
+            square = x * x + y * y + z * z + w * w;
+            if (k == 4 || (!all && square > escape)) return square;
+            const Wide real = x * x - y * y - z * z - w * w;
+            y = 2 * x * y + 0.6L, z = 2 * x * z + 0.2L, w = 2 * x * w + 0.2L, x = real - 0.2L;
+        }
+    };
     return {.name = "julia",
             .make = freeform<csg::Julia>(terms),
-            .holds = [reach](const WidePoint& p) {
-                Wide x = p.x, y = p.y, z = p.z, w = 0;
-                for (int k = 0; k < 5; ++k) {
-                    if (x * x + y * y + z * z + w * w > reach * reach) return false;
-                    const Wide real = x * x - y * y - z * z - w * w;
-                    y = 2 * x * y + 0.6L, z = 2 * x * z + 0.2L, w = 2 * x * w + 0.2L, x = real - 0.2L;
-                }
-                return true;
+            .holds = [last, escape](const WidePoint& p) { return last(p, false) <= escape; },
+            // It is lit by the slope after a map more.
+            .slope = [last](const WidePoint& p) -> WidePoint {
+                const Wide h = 1e-6L;
+                return {last({p.x + h, p.y, p.z}, true) - last({p.x - h, p.y, p.z}, true), last({p.x, p.y + h, p.z}, true) - last({p.x, p.y - h, p.z}, true),
+                        last({p.x, p.y, p.z + h}, true) - last({p.x, p.y, p.z - h}, true)};
             },
-            .bar = 1e-6, .by_rules = true};
+            // What is thinner than ten of its steps, 1 / precision, may be stepped over: they follow POV-Ray's estimate of the distance.
+            .bar = 1e-7, .band = 0.1};
 }
 
 Form height_field_form()

@@ -107,7 +107,6 @@ std::vector<Quad> crossings(const Form& form, const csg::Transform& frame, const
             if (t >= low && t <= high) found.push_back(t);
         }
         std::sort(found.begin(), found.end());
-        if (form.first_only && found.size() > 1) found.erase(found.begin() + 1, found.end());
         return found;
     }
     const std::vector<Place> places = looks(form, course, low, high, told);
@@ -136,6 +135,12 @@ bool blurred(const Form& form, const csg::Transform& frame, const glm::dvec3& p)
     for (const Wide step : {-way, way})
         if (held(form, {q.x + step, q.y, q.z}) != is || held(form, {q.x, q.y + step, q.z}) != is || held(form, {q.x, q.y, q.z + step}) != is) return true;
     return false;
+}
+
+glm::dvec3 slope(const Form& form, const csg::Transform& frame, const glm::dvec3& p)
+{
+    const WidePoint n = form.slope(coefficient(local(frame, along({p, glm::dvec3(0.0)}, 0.0)), 0));
+    return glm::normalize(frame.normal(glm::normalize(glm::dvec3(n.x, n.y, n.z))));
 }
 
 const std::vector<Form>& forms()

@@ -27,13 +27,17 @@ struct Form {
     std::function<std::vector<Wide>(const WidePoint& from, const WidePoint& way)> meets = {};
     /// The same verdict sooner: bounds and doubles decide what they surely can, the definition the rest. None: `holds` itself.
     std::function<bool(const WidePoint&)> quick = {};
+    /// Where the normal that it is lit by is not its surface's: where that points.
+    std::function<WidePoint(const WidePoint&)> slope = {};
+    /// Of one that is told where a ray enters a small box about a point of the surface: how much of the ray's way, the parameter, that
+    /// may be off for a unit of the box.
+    std::function<double(const glm::dvec3& way, const glm::dvec3& normal)> spread = {};
     double reach = 2.0;        ///< it lies within this distance of the origin
     double bar = 1e-11;        ///< the worst error that a hit may show, of the larger of distance and size
     double band = 1e-6;        ///< shorter chords, of the size, may come or go
     int looks = 400;           ///< places on a ray that the definition is asked at, before crossings are closed in on
     double blur = 0.0;         ///< points nearer to the surface, in the form's own lengths, may be sorted either way by POV-Ray's rules
     bool first_only = false;   ///< no more is told than the nearest
-    bool by_rules = false;     ///< POV-Ray's steps and shifts are kept on purpose: told, but held to no bar
 };
 
 const std::vector<Form>& forms();
@@ -46,6 +50,9 @@ std::vector<__float128> crossings(const Form& form, const csg::Transform& frame,
 bool holds(const Form& form, const csg::Transform& frame, const glm::dvec3& p);
 /// Whether a point lies within the form's blur of where that changes.
 bool blurred(const Form& form, const csg::Transform& frame, const glm::dvec3& p);
+
+/// The direction of the surface's own normal at p; the form has a `slope`.
+glm::dvec3 slope(const Form& form, const csg::Transform& frame, const glm::dvec3& p);
 
 /// The verdict of `quick` where there is one and it is wanted.
 bool held(const Form& form, const WidePoint& p);

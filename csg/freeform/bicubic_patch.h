@@ -39,6 +39,7 @@ public:
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const { return world_gradient({}, p, face); }
     /// In the world, not normalised: blended there between the corners'.
     glm::dvec3 world_gradient(const Transform& frame, const glm::dvec3& p, std::uint32_t face) const;
+    bool blends_normals() const { return true; }
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
     Aabb bounds() const { return mesh_->bounds(); }
     Aabb extent() const;

@@ -34,6 +34,7 @@ public:
     Aabb drawn_bounds() const { return extent(); }
     Aabb extent() const;
     std::size_t bytes() const;
+    bool blends_normals() const { return grid_.smooth; }
 
     static constexpr bool kSurface = false, kClosed = false, kInverseClosed = true;
 

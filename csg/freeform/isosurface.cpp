@@ -8,6 +8,7 @@ namespace csg {
 namespace {
 
 constexpr std::uint32_t kField = 7;         // face of the field's own crossings; below it the container's
+constexpr double kLeastStep = 1e-9;         // of the container: of shorter ones rounding leaves less than 6 digits
 constexpr double kOnBall = 1e-10;           // a crossing as near to the ball has the ball's normal (spec 5b, 13.4)
 
 }  // namespace
@@ -20,10 +21,10 @@ struct Isosurface::Start {
 
 Isosurface::Start Isosurface::start(const IsosurfaceSearch& search, double entry) const
 {
-    const double near = 4.0 * terms_.accuracy * terms_.max_gradient, beyond = 5.0 * terms_.accuracy;
+    const double accuracy = search.accuracy(), near = 4.0 * accuracy * terms_.max_gradient, beyond = 5.0 * accuracy;
     Start out{.t = std::max(entry, 0.0)};
     const double here = search.value(out.t);
-    if (out.t > terms_.accuracy) {
+    if (out.t > accuracy) {
         out.inside = here < 0.0;
         out.wall = out.inside && !terms_.open;
     } else if (terms_.open ? std::abs(here) < near : here < near) {
@@ -39,20 +40,21 @@ void Isosurface::meet(const Ray& ray, RayRecord& out) const
 {
     Interval way;
     if (!terms_.container.interval(ray, way) || way.exit < std::max(out.from, 0.0) || way.entry > out.to) return;
-    IsosurfaceSearch search(terms_, ray, out.to);
+    IsosurfaceSearch search(terms_, ray, way, out.to);
+    const double accuracy = search.accuracy();
     const Start begin = start(search, way.entry);
-    if (way.exit - begin.t < terms_.accuracy) return;
+    if (way.exit - begin.t < accuracy) return;
     int left = terms_.max_trace - (begin.wall ? 1 : 0);
     bool inside = begin.inside;
     if (inside && !out.enter(way.entry, begin.wall ? way.entry_face : kUndrawnFace)) return;
     // The wall is drawn where a ray goes out only if it began inside.
-    const bool wall = !terms_.open && std::max(way.entry, 0.0) <= terms_.accuracy && search.value(way.exit) < 0.0;
+    const bool wall = !terms_.open && std::max(way.entry, 0.0) <= accuracy && search.value(way.exit) < 0.0;
     double t = 0.0, from = begin.t;
-    while (way.exit - from >= terms_.accuracy && search.first(from, way.exit, inside ? -1.0 : 1.0, t)) {
+    while (way.exit - from >= accuracy && search.first(from, way.exit, inside ? -1.0 : 1.0, t)) {
         const std::uint32_t face = left > 0 ? kField : kUndrawnFace;
         if (!(inside ? out.leave(t, face) : out.enter(t, face))) return;
         inside = !inside;
-        from = t + 5.0 * terms_.accuracy;
+        from = t + 5.0 * accuracy;
         if (--left > 0 || !out.first_only) continue;
         if (wall) out.touch(way.exit, way.exit_face);
         return;
@@ -65,7 +67,8 @@ glm::dvec3 Isosurface::gradient(const glm::dvec3& p, std::uint32_t face) const
     const Container& c = terms_.container;
     if (face < kField) return c.normal(p, face);
     if (c.ball && std::abs(std::sqrt(glm::dot(p - c.center, p - c.center)) - c.radius) < kOnBall) return p - c.center;
-    const double step = terms_.accuracy, here = terms_.field->value(p);
+    const glm::dvec3 size = c.bounds().upper - c.bounds().lower;
+    const double step = std::max(terms_.accuracy, kLeastStep * glm::max(glm::max(size.x, size.y), size.z)), here = terms_.field->value(p);
     return {terms_.field->value({p.x + step, p.y, p.z}) - here, terms_.field->value({p.x, p.y + step, p.z}) - here,
             terms_.field->value({p.x, p.y, p.z + step}) - here};
 }

@@ -36,8 +36,9 @@ bool is_far(const Container& container, const Ray& ray)
 
 }  // namespace
 
-IsosurfaceSearch::IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, double to)
-    : terms_(terms), ray_(ray), to_(to), speed_(std::sqrt(glm::dot(ray.direction, ray.direction))), gradient_(terms.max_gradient), far_(is_far(terms.container, ray))
+IsosurfaceSearch::IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, const Interval& way, double to)
+    : terms_(terms), ray_(ray), to_(to), speed_(std::sqrt(glm::dot(ray.direction, ray.direction))), gradient_(terms.max_gradient),
+      accuracy_(std::max(terms.accuracy, (way.exit - way.entry) * kLeastPart)), far_(is_far(terms.container, ray))
 {
 }
 
@@ -65,7 +66,6 @@ void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const
 
 bool IsosurfaceSearch::first(double from, double end, double sign, double& found)
 {
-    accuracy_ = std::max(terms_.accuracy, (end - from) * kLeastPart);
     if (terms_.field->ranged()) {
         int halvings = 0;
         for (double length = end - from; length >= accuracy_; length *= 0.5) ++halvings;

@@ -9,8 +9,11 @@ namespace csg {
 /// One ray through the field of an isosurface.
 class IsosurfaceSearch {
 public:
-    /// Nothing beyond `to` matters.
-    IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, double to);
+    /// Of a ray that is within the container along `way`. Nothing beyond `to` matters.
+    IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, const Interval& way, double to);
+
+    /// No interval is parted that is shorter: the scene's, unless the way is so long that numbers are coarser.
+    double accuracy() const { return accuracy_; }
 
     /// The field above the threshold.
     double value(double t) const { return terms_.field->value(far_ ? near_point(t) : ray_.at(t)) - terms_.threshold; }
@@ -38,9 +41,8 @@ private:
 
     const IsosurfaceTerms& terms_;
     const Ray& ray_;
-    double to_, speed_, gradient_;
+    double to_, speed_, gradient_, accuracy_;
     bool far_;                  ///< the ray begins so far off that its points need near_point()
-    double accuracy_ = 0.0;     ///< no interval is parted that is shorter
 };
 
 }  // namespace csg

@@ -12,6 +12,9 @@ namespace {
 using Function = JuliaTerms::Function;
 
 constexpr double kNearest = 1e-7;         // depth of the first look and of a crossing's last interval, local (spec 5b, 12.2)
+// Of a set so large that kNearest is more than this in the world, a crossing is closed in on as far, or until the digits end: else
+// rays would meet their own start.
+constexpr double kFinest = 1e-5, kLeast = 1e-15;
 constexpr double kUnit = 1e-15;           // a direction whose length is as near to 1 is taken as it is
 constexpr double kQuaternionReach = 2.0, kHyperReach = 4.0;
 constexpr double kLeastSlope = -1e-8, kLeastGuess = 1.0, kMostGuess = 30.0;
@@ -130,7 +133,7 @@ void Julia::meet(const Ray& ray, RayRecord& out) const
     const double foot = -glm::dot(unit.origin, unit.direction), rest = foot * foot - (glm::dot(unit.origin, unit.origin) - radius_ * radius_);
     const Interval ball{foot - std::sqrt(rest), foot + std::sqrt(rest)};
     if (!(rest > 0.0) || ball.exit < kNearest - start || ball.exit < out.from * length - start) return;
-    const double end = std::min(ball.exit, out.to * length - start);
+    const double end = std::min(ball.exit, out.to * length - start), nearest = glm::clamp(kFinest * length, kLeast, kNearest);
     double t = std::max(ball.entry, kNearest - start);
     March at = look(unit.at(t), unit.direction);
     if (at.inside) {
@@ -145,7 +148,7 @@ void Julia::meet(const Ray& ray, RayRecord& out) const
         if (next.inside != at.inside) {
             double same = t;      // still as it was
             const double behind = t + step;
-            while (step > kNearest) {
+            while (step > nearest) {
                 step *= 0.5;
                 if (stays(unit.at(same + step)) == at.inside) same += step;
             }

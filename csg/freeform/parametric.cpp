@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kKnownLevels = 14;
 constexpr std::uint32_t kLastSplit = 0x40000000u;   // parts from here on are not parted: their number fits 32 bits
-constexpr double kParallel = 1e-10;
+constexpr double kParallel = 1e-10;                 // of a surface larger than the world, of the ray's length there
 
 }  // namespace
 
@@ -89,7 +89,7 @@ void Parametric::prepare()
 
 struct Parametric::Search {
     glm::dvec3 origin, direction;
-    double first, last, best;
+    double first, last, best, parallel;
     std::uint32_t found = 0;
 
     /// What the coordinates so far leave of the ray; longest: of their ranges along it; entry: where the last of them begins.
@@ -99,7 +99,7 @@ struct Parametric::Search {
     /// Takes in coordinate k. False: the part need not be looked into.
     bool narrow(int k, const Range& side, Along& along) const
     {
-        if (std::abs(direction[k]) < kParallel) return origin[k] >= side.low && origin[k] <= side.high;
+        if (std::abs(direction[k]) < parallel) return origin[k] >= side.low && origin[k] <= side.high;
         double a = (side.low - origin[k]) / direction[k], b = (side.high - origin[k]) / direction[k];
         if (a > b) std::swap(a, b);
         if (!(b >= first && a <= last && a <= best && a <= along.high && b >= along.low)) return false;
@@ -120,7 +120,7 @@ void Parametric::meet(const Ray& ray, RayRecord& out) const
     if (first == way.exit) first = 0.0;
     first += 4.0 * terms_.accuracy;
     if (!(first <= way.exit) || way.entry > out.to) return;
-    Search search{ray.origin, ray.direction, first, way.exit, kInfinity};
+    Search search{ray.origin, ray.direction, first, way.exit, kInfinity, kParallel * glm::min(1.0, glm::length(ray.direction))};
     struct Waiting {
         Part part;
         Ranges box;

@@ -28,6 +28,10 @@ struct Freeform {
     /// Crossings are told beside the surface, or the way there matters: a ray to a point of it must
     /// begin there.
     bool beside() const;
+    /// Smooth where it is not made pointed on purpose: next to nothing of it lies near where a ray leaves it, and asking for that takes long.
+    bool round() const;
+    /// Its normals may be blended between corners: not those of the surface.
+    bool blends_normals() const;
     /// Some of it may be drawn that bounds nothing: what a lathe has at a negative radius.
     bool touches() const;
     bool closed() const;

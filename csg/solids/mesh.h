@@ -20,6 +20,8 @@ struct Mesh {
     /// make no list.
     static constexpr std::uint32_t kMostCrossings = 4096;
 
+    /// normal() may be another than the surface's.
+    bool blends_normals() const { return shape->smooth(); }
     bool solid() const { return inside_vector != glm::dvec3(0.0); }
     /// At most so many faces (and walls) met along a ray.
     std::uint32_t most_crossings() const;

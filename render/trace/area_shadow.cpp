@@ -67,7 +67,7 @@ glm::vec3 point_shadow(Context& context, const HitContext& hit, const light::Lig
         lit.distance = depth;
     }
     if (light.shadowless) return color;
-    const double tolerance = context.scene.tolerance.shadow_from(hit.point, hit.distance);
+    const double tolerance = context.scene.tolerance.shadow_from(hit.point, hit.met.t);
     return filtered_light(context, hit.point, tolerance, hit.state.interiors, lit, color);
 }
 

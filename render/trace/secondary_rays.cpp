@@ -53,7 +53,13 @@ bool refract(const glm::dvec3& d, const glm::dvec3& normal, double ratio, glm::d
     return true;
 }
 
-double start_of(const Context& context, const HitPlace& hit) { return context.scene.tolerance.hit_from(hit.point, hit.distance); }
+/// Where a ray that leaves a hit begins to look.
+double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& direction)
+{
+    const double incidence = glm::dot(hit.normal, direction);
+    const bool inward = (incidence > 0.0) == (hit.from_inside != hit.met.inverted);
+    return context.world.start({hit.point, direction}, hit.met, incidence, inward, context.scene.tolerance.hit_from(hit.point, hit.met.t));
+}
 
 }  // namespace
 
@@ -96,7 +102,8 @@ RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3&
         else
             r -= 2.0 * out * hit.normal;
     }
-    return {{hit.point, glm::normalize(r)}, start_of(context, hit), weight, hit.level, plan::RayKind::Reflection, hit.state.interiors, hit.state.wavelength};
+    r = glm::normalize(r);
+    return {{hit.point, r}, start_of(context, hit, r), weight, hit.level, plan::RayKind::Reflection, hit.state.interiors, hit.state.wavelength};
 }
 
 scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3& normal, float weight,
@@ -114,18 +121,20 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
     const plan::Interior& interior = context.scene.interiors[hit.surface.interior];
     const glm::dvec3& d = hit.state.ray.direction;
     out.fade = glm::vec3(interior.transmission);
-    if (hit.state.interiors.holds(hit.surface.interior)) out.fade *= interior_fade(interior, hit.distance, false);
+    if (hit.state.interiors.holds(hit.surface.interior)) out.fade *= interior_fade(interior, hit.met.t, false);
 
     out.straight = true;
     out.total = false;
     const Crossing crossing = cross(context, hit.state.interiors, hit.surface.interior, out.ray.interiors);
     out.ray.ray = {hit.point, d};
-    out.ray.start = start_of(context, hit);
     out.ray.weight = weight;
     out.ray.level = hit.level;
     out.ray.kind = hit.state.kind;
     out.ray.wavelength = hit.state.wavelength;
-    if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) return true;
+    if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) {
+        out.ray.start = start_of(context, hit, d);
+        return true;
+    }
     out.straight = false;
     out.ratio = crossing.ratio;
     out.dispersion = crossing.dispersion;
@@ -135,7 +144,10 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
         return true;
     }
     const double ratio = disperses ? ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength) : crossing.ratio;
-    if (refract(d, top_normal, ratio, out.ray.ray.direction)) return true;
+    if (refract(d, top_normal, ratio, out.ray.ray.direction)) {
+        out.ray.start = start_of(context, hit, out.ray.ray.direction);
+        return true;
+    }
     out.total = true;
     out.ray = mirrored(context, hit, top_normal, weight);
     return true;
@@ -149,6 +161,7 @@ scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& 
         const float nm = wavelength(i, onward.samples);
         if (refract(hit.state.ray.direction, top_normal, ratio_at(onward.ratio, onward.dispersion, nm), ray.ray.direction)) {
             ++context.scratch.counts.refracted;
+            ray.start = start_of(context, hit, ray.ray.direction);
             ray.wavelength = nm;
         } else {
             ray = mirrored(context, hit, top_normal, onward.ray.weight);

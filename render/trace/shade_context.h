@@ -35,11 +35,12 @@ inline HitDetails hit_details(const Context& context, const csg::Ray& ray, const
 /// Where a ray met a surface: all that the rays that go on from there depend on.
 struct HitPlace {
     const RayState& state;
+    const Hit& met;
     const plan::Surface& surface;
     glm::dvec3 point;
     glm::dvec3 normal;               ///< N0: raw, unit, faces the viewer
-    double distance;                 ///< from the ray's origin
     int level;                       ///< levels in use including this ray's
+    bool from_inside;                ///< the normal had to be turned
 };
 
 /// A hit being shaded.

@@ -128,7 +128,7 @@ scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, 
     const std::uint32_t texture =
         from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture : surface.texture;
     if (texture == plan::kNone) return {};
-    HitContext at{{state, surface, details.point, from_inside ? -details.normal : details.normal, hit.t, level}, first_light, {}};
+    HitContext at{{state, hit, surface, details.point, from_inside ? -details.normal : details.normal, level, from_inside}, first_light, {}};
     at.around = {details.point, at.normal, state.ray.direction, details.uv, true};
     const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
     if (surface.part_count != 0) return part_blend(context, at, hit, p);

@@ -130,7 +130,8 @@ public:
         } else if (done) {
             give(i, through_air(context_, state, hit.t, scene::Color::of(flat_.sum(k))));
         } else if (flat_.holds(k)) {
-            const HitPlace place{state, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), hit.t, level(i)};
+            const HitPlace place{state, hit, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), level(i),
+                                 glm::dot(details(i).normal, state.ray.direction) > 0.0};
             add_branch(context_, place, flat_.top_finish(k), flat_.top_pigment(k), flat_.sum(k), place_of(i), reach(i) + hit.t);
         } else {
             give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), level(i), first_light(i), &scratch_.layers[k])));

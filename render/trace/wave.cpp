@@ -106,7 +106,7 @@ void add_branch(Context& context, const HitPlace& hit, const texture::Finish& fi
     }
     if (foggy(context)) {
         branch.air = static_cast<std::uint32_t>(wave.airs.size());
-        wave.airs.push_back({hit.state, hit.distance});
+        wave.airs.push_back({hit.state, hit.met.t});
     }
     wave.branches.push_back(branch);
 }

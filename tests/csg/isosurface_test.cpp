@@ -158,6 +158,43 @@ TEST_CASE("a ball has one span however far the ray begins", "[csg][isosurface]")
     }
 }
 
+TEST_CASE("an accuracy below the numbers' own leaves a normal", "[csg][isosurface]")
+{
+    IsosurfaceTerms terms = shell(0.01, true);
+    Rng rng(6);
+    for (const double accuracy : {1e-3, 1e-6, 1e-12, 1e-16, 1e-20}) {
+        terms.accuracy = accuracy;
+        const Isosurface surface(terms);
+        for (int i = 0; i < 100; ++i) {
+            const glm::dvec3 n = rng.direction(), g = surface.gradient(std::sqrt(1.01) * n, 7);
+            INFO("accuracy " << accuracy);
+            CHECK(glm::dot(glm::normalize(g), n) > 1.0 - 1e-5);
+        }
+    }
+}
+
+TEST_CASE("a way through the container much longer than the accuracy ends where numbers do", "[csg][isosurface]")
+{
+    // An isosurface 1e9 wide: its hits lie up to 1e-12 of the way behind it, and what a mirrored ray skips follows that.
+    IsosurfaceTerms terms = shell(1.0, true);
+    terms.accuracy = 1e-7;
+    const Isosurface surface(terms);
+    Rng rng(8);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 d = rng.direction();
+        const Ray ray{rng.point(1.0) - 6.0 * d, d / 1e9};
+        for (const End& end : ends(surface, ray)) {
+            const glm::dvec3 p = ray.at(end.t), n = glm::normalize(p);
+            if (end.face != 7 || glm::dot(d, n) > -0.05) continue;
+            ++hits;
+            const Ray mirrored{p, (d - 2.0 * glm::dot(d, n) * n) / 1e9};
+            for (const End& own : ends(surface, mirrored)) CHECK_FALSE((own.t > 0.0 && own.t < 1e3));
+        }
+    }
+    CHECK(hits > 500);
+}
+
 TEST_CASE("walls are drawn as POV-Ray draws them", "[csg][isosurface]")
 {
     IsosurfaceTerms terms = shell(2.5, true);     // the container lies inside: nothing but walls

@@ -130,6 +130,27 @@ TEST_CASE("a julia set is met from 6e9 away where it is met from beside it", "[c
     CHECK(strays == 0);
 }
 
+TEST_CASE("a large julia set is met within 1e-5 of the world's unit", "[csg][julia]")
+{
+    // POV-Ray's 1e-7 of the set's own unit would be 0.1 in the world, and a mirrored ray would meet its own start.
+    constexpr double kScale = 1e6;
+    const Julia set(terms(Function::Square));
+    Rng rng(3);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 d = rng.direction();
+        const Ray ray{0.7 * rng.point(1.0) - 6.0 * d, d / kScale};   // a unit of t is one of the world
+        RayRecord record(0.0, kInfinity, true);
+        set.meet(ray, record);
+        record.each_span([&](double t, std::uint32_t face, double, std::uint32_t) {
+            if (face == kUndrawnFace) return;
+            ++hits;
+            CHECK(set.contains(ray.at(t - 2e-5)) != set.contains(ray.at(t + 2e-5)));
+        });
+    }
+    CHECK(hits > 500);
+}
+
 TEST_CASE("a julia set survives numbers that are none", "[csg][julia]")
 {
     for (const double bad : {std::nan(""), kInfinity, -kInfinity, 0.0, 1e300})
