@@ -1,8 +1,12 @@
+#include "render/image/level_table.h"
 #include "render/image/quantise.h"
 
 #include <catch2/catch.hpp>
 
+#include <bit>
+#include <cmath>
 #include <limits>
+#include <random>
 
 using namespace image;
 
@@ -36,6 +40,36 @@ TEST_CASE("what is no number or out of range is clamped", "[image][quantise]")
     CHECK(encoded(one_pixel(-0.1f, 1.2f, 1.0f), TransferCurve::power(2.2f), 16) == Samples{0, 65535, 65535});
     // background{rgb<I,-I,.5>} with I infinite
     CHECK(encoded(one_pixel(kInfinite, -kInfinite, 0.5f), TransferCurve::srgb()) == Samples{255, 0, 188});
+}
+
+TEST_CASE("a table of levels rounds as the curves do", "[image][quantise]")
+{
+    const TransferCurve linear = TransferCurve::linear(), srgb = TransferCurve::srgb(), power = TransferCurve::power(2.2f), steep = TransferCurve::power(0.4f);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> spread(-30.0f, 3.0f);
+    for (const auto& [working, file] : {std::pair{linear, srgb}, {linear, power}, {linear, linear}, {power, power}, {srgb, linear}, {power, srgb}, {steep, srgb}, {linear, steep}})
+        for (const int bits : {5, 7, 8}) {
+            const Transcoder curve(working, file);
+            const LevelTable table(curve, bits);
+            int differ = 0, levels = 0;
+            const auto compare = [&](float x) { differ += table(x) != quantised(curve.to_file(x), bits); };
+            for (const float x : {0.0f, -0.0f, -1.0f, 1.0f, 1.5f, 1e30f, 1e-40f, kInfinite, -kInfinite, kNotANumber}) compare(x);
+            for (int i = 0; i < 20000; ++i) compare(std::exp2(spread(random)));
+            // On both sides of where a level begins.
+            for (int level = 1; level < 1 << bits; ++level) {
+                float low = 0.0f, high = 4.0f;
+                while (std::nextafter(low, high) < high) {
+                    const float middle = low + 0.5f * (high - low);
+                    (table(middle) >= level ? high : low) = middle;
+                }
+                levels += table(high) == level;
+                const std::uint32_t at = std::bit_cast<std::uint32_t>(high);
+                for (std::uint32_t k = at > 40 ? at - 40 : 0; k < at + 40; ++k) compare(std::bit_cast<float>(k));
+            }
+            INFO("working " << static_cast<int>(working.kind) << ' ' << working.gamma << " file " << static_cast<int>(file.kind) << ' ' << file.gamma << " bits " << bits);
+            CHECK(differ == 0);
+            CHECK(levels == (1 << bits) - 1);
+        }
 }
 
 TEST_CASE("the depth is 5 to 16 bits", "[image][quantise]")
