@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/image/page_allocator.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,7 +13,7 @@ namespace image {
 /// weighted by their opacity: a clear pixel in front of nothing is 0, 0, 0, 1.
 struct Image {
     int width = 0, height = 0;
-    std::vector<float> pixels;  ///< 4 * width * height
+    std::vector<float, PageAllocator<float>> pixels;   ///< 4 * width * height
     float* at(int x, int y) { return &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
     const float* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
