@@ -18,14 +18,16 @@ inline bool blends_normals(const T& solid)
 
 /// Whether it is soon known that a ray that begins on the solid meets no more of it before `usual`.
 template <class T>
-inline bool leaves(const T& solid, const Ray& ray, bool inward, double usual)
+inline bool leaves(const T& solid, const Ray& ray, bool inward, double own, double usual)
 {
     if constexpr (std::is_same_v<T, Plane> || std::is_same_v<T, Disc> || std::is_same_v<T, Triangle>) return true;   // met once
     if constexpr (std::is_same_v<T, Sphere> || std::is_same_v<T, Ellipsoid> || std::is_same_v<T, Box> || std::is_same_v<T, OrientedBox> || std::is_same_v<T, Cylinder>)
         if (!inward) return true;
     if constexpr (std::is_same_v<T, Mesh>) return false;   // to be within takes a ray
-    if constexpr (std::is_same_v<T, Freeform>)
+    if constexpr (std::is_same_v<T, Freeform>) {
         if (solid.surface()) return false;
+        inward = solid.contains(ray.at(own));   // at an edge the normal may be that of another wall
+    }
     // Of a solid that may be met again and again walls and gaps both thinner than that go unseen.
     return solid.contains(ray.at(usual)) == inward;
 }
@@ -49,10 +51,9 @@ inline double own_start(const T& solid, const Ray& ray, double length, double in
     constexpr double kUnbounded = 1e-3;   // of `usual` is left to an unbounded solid's own start
     if constexpr (std::is_same_v<T, Freeform>)
         if (solid.beside() || solid.round()) return usual;
-    if (leaves(solid, ray, inward, usual)) return usual;
     if (blends_normals(solid)) incidence = 0.0;
     double own = Tolerance::own(ray.origin, length, incidence);
-    if (!(own < usual)) return usual;
+    if (!(own < usual) || leaves(solid, ray, inward, own, usual)) return usual;
     const auto nearest = [&] {
         double t = usual;
         solid_crossings(solid, ray, own, usual, false, [&](double crossing, std::uint32_t) { t = glm::min(t, crossing); });

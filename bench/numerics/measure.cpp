@@ -198,12 +198,12 @@ private:
         errors_.push_back(relative);
         if (row_.hits % 4 == 0) {
             const Ray next{p, ray.direction - 2.0 * glm::dot(ray.direction, n) * n};
-            spawned(next, std::visit([&](const auto& solid) { return csg::own_start(solid, next, t, incidence, glm::dot(n, ray.direction) > 0.0, tolerance_.hit_from(p, t)); }, case_.solid));
+            spawned(next, std::visit([&](const auto& solid) { return csg::own_start(solid, next, t, incidence, glm::dot(n, ray.direction) > 0.0, tolerance_.hit_from(p, t)); }, case_.solid), incidence);
         }
     }
 
     /// Leaves a hit as a mirror does: where does it meet its own start again?
-    void spawned(const Ray& ray, double tolerance)
+    void spawned(const Ray& ray, double tolerance, double incidence)
     {
         ++spawns_;
         double own = csg::kInfinity, beyond = csg::kInfinity;   // the nearest; of those ahead, beyond the tolerance
@@ -227,7 +227,8 @@ private:
             acne_ += start && there ? 0 : 1;
         }
         if (own < kFarStart * case_.size) row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
-        const double behind = glm::max(2.0 * own, (case_.form ? 2.0 * case_.form->bar : 1e-12) * case_.size);
+        // A hit's error puts the start beside the surface, which the ray is the longer on its way back to the flatter it leaves.
+        const double behind = glm::max(2.0 * own, (case_.form ? 2.0 * case_.form->bar : 1e-12) * case_.size / incidence);
         for (const Quad t : truth_of(ray, behind, 20.0 * case_.size, 0.0, ends)) lost_ += t < tolerance && !undrawn(t, ends, faces) ? 1 : 0;
         row_.acne = 1e6 * static_cast<double>(acne_) / static_cast<double>(spawns_);
         row_.lost = 1e6 * static_cast<double>(lost_) / static_cast<double>(spawns_);
