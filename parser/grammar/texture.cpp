@@ -126,7 +126,7 @@ void read_head(TextureState& s)
     close_list(s.build, list);
 }
 
-/// no_bump_scale of a whole texture reaches all normals in it.
+/// no_bump_scale of a whole texture reaches all normals in it and the patterns on the way to them.
 void keep_bump_size(scene::Texture& texture)
 {
     if (auto* layers = std::get_if<Layers>(&texture.kind)) {
@@ -134,7 +134,9 @@ void keep_bump_size(scene::Texture& texture)
             if (layer.normal) layer.normal->no_bump_scale = true;
         return;
     }
-    for (auto& entry : std::get<scene::PatternedTexture>(texture.kind).map) {
+    auto& patterned = std::get<scene::PatternedTexture>(texture.kind);
+    patterned.no_bump_scale = true;
+    for (auto& entry : patterned.map) {
         const auto copy = std::make_shared<scene::Texture>(*entry.value);
         keep_bump_size(*copy);
         entry.value = copy;

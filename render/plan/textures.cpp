@@ -232,6 +232,7 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     texture::Texture out;
     out.kind = Kind::Map;
     out.opaque = false;  // never classified opaque (spec 3, 13.2)
+    out.no_bump_scale = description.no_bump_scale;
     out.pattern = pattern(description.pattern);
     out.count = size_of(description.map.size());
     if (out.count == 0) return texture::kNone;

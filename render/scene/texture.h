@@ -131,6 +131,7 @@ using TexturePtr = std::shared_ptr<const Texture>;
 struct PatternedTexture {
     Pattern pattern;
     std::vector<MapEntry<TexturePtr>> map;
+    bool no_bump_scale = false;        ///< its transformations leave the length of normals alone
 };
 
 /// Layers in the order written: the last is the top. Exactly one of the two kinds.

@@ -54,6 +54,7 @@ struct Texture {
     bool opaque = true;                    ///< spec 3, 13.2: stops light outright
     bool plain = false;                    ///< one layer that can neither let light through nor reflect, no normal: the small kernel
     bool lit = true;                       ///< some layer asks for light sources
+    bool no_bump_scale = false;            ///< its pattern's transformations leave the length of normals within alone
     std::uint32_t pattern = kNone;
     std::uint32_t first = 0, count = 0;    ///< layers, or keys and children
 };

@@ -47,7 +47,7 @@ struct HitPlace {
 struct HitContext : HitPlace {
     std::size_t lights;              ///< where this hit's LightSamples start in the scratch stack
     texture::Surroundings around;
-    std::array<std::uint32_t, 8> enclosing{};  ///< patterns of the texture maps around, outside in
+    std::array<std::uint32_t, 16> enclosing{}; ///< the texture maps that normals are carried through, the first one first
     std::size_t enclosing_count = 0;
     const LayersAhead* ahead = nullptr;   ///< pigments of the texture's layers, where they are known already
 };

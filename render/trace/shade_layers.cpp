@@ -17,18 +17,20 @@ struct Mirror {
     const texture::Finish* finish;
 };
 
-/// The layer's normal, bent by the layer and carried through the patterns around it (spec 3, section 4).
+/// The layer's normal, bent by the layer and carried through the patterns around it (spec 3, section 4). Of unit length, but within
+/// texture maps with no_bump_scale: there it is as long as their transformations make it, and lit so.
 glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal, const glm::dvec3& p)
 {
     if (normal == texture::kNone || context.scene.settings.quality < 8) return hit.normal;
     const auto& set = context.scene.textures;
     glm::dvec3 n = hit.normal;
+    const auto around = [&](std::size_t i) -> const texture::Texture& { return set.textures[hit.enclosing[i]]; };
     for (std::size_t i = 0; i < hit.enclosing_count; ++i)
-        n = texture::normal_into(set, set.patterns[hit.enclosing[i]], n, false);
-    n = texture::perturb(set, normal, n, p, hit.around);
+        n = texture::normal_into(set, set.patterns[around(i).pattern], n, around(i).no_bump_scale);
+    n = glm::normalize(texture::perturb(set, normal, n, p, hit.around));
     for (std::size_t i = hit.enclosing_count; i-- > 0;)
-        n = texture::normal_out_of(set, set.patterns[hit.enclosing[i]], n, false);
-    return glm::normalize(n);
+        n = texture::normal_out_of(set, set.patterns[around(i).pattern], n, around(i).no_bump_scale);
+    return n;
 }
 
 glm::vec3 mirrored_light(Context& context, const HitContext& hit, const Mirror& mirror)

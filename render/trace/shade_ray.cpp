@@ -57,6 +57,7 @@ scene::Color corner_blend(Context& context, HitContext& hit, const glm::vec3& we
     for (std::size_t k = 0; k < 3; ++k) {
         const float w = weights[static_cast<int>(k)];
         if (static_cast<double>(w) < context.scene.settings.adc_bailout) continue;
+        hit.enclosing_count = 0;
         const scene::Color c = shade_texture(context, hit, textures[k], p);
         sum = {sum.red + w * c.red, sum.green + w * c.green, sum.blue + w * c.blue, sum.filter + w * c.filter,
                sum.transmit + w * c.transmit};
@@ -75,6 +76,7 @@ scene::Color part_blend(Context& context, HitContext& hit, const Hit& where, con
         const csg::Share share = shares[k];
         if (static_cast<double>(share.weight) < context.scene.settings.adc_bailout) continue;
         const float w = share.weight;
+        hit.enclosing_count = 0;
         const scene::Color c = shade_texture(context, hit, context.scene.part_textures[hit.surface.first_part + share.part], p);
         sum = {sum.red + w * c.red, sum.green + w * c.green, sum.blue + w * c.blue, sum.filter + w * c.filter,
                sum.transmit + w * c.transmit};
@@ -101,8 +103,8 @@ scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t inde
     }
     const texture::Pattern& pattern = set.patterns[texture.pattern];
     const glm::dvec3 q = texture::warp_point(set, pattern, p);
-    const bool nested = hit.enclosing_count < hit.enclosing.size();
-    if (nested) hit.enclosing[hit.enclosing_count++] = texture.pattern;
+    // It stays there: normals of neighbours that are looked at later go through its transformations too, as in POV-Ray.
+    if (hit.enclosing_count < hit.enclosing.size()) hit.enclosing[hit.enclosing_count++] = index;
     scene::Color c;
     if (texture.kind == texture::Texture::Kind::Average) {
         c = average(context, hit, texture, q);
@@ -116,7 +118,6 @@ scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t inde
         if (blend.lower != blend.upper)
             c = mixed(shade_texture(context, hit, set.children[blend.lower], q), c, blend.share);
     }
-    if (nested) --hit.enclosing_count;
     return c;
 }
 
