@@ -216,7 +216,7 @@ private:
         if (beyond < kFarStart * case_.size) {
             // Where the start itself is not told it may be another crossing, which the oracle tells beside the start; that lies as
             // far off as the solid's hits may be.
-            const double off = glm::max(tolerance, (case_.form ? 2.0 * case_.form->bar : 0.0) * case_.size);
+            const double off = glm::max(tolerance, (case_.form ? 2.0 * case_.form->bar : 0.0) * case_.size / incidence);
             bool start = false, there = false;
             std::vector<double> places = ends;
             places.insert(std::upper_bound(places.begin(), places.end(), 0.0), 0.0);
@@ -229,7 +229,11 @@ private:
         if (own < kFarStart * case_.size) row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
         // A hit's error puts the start beside the surface, which the ray is the longer on its way back to the flatter it leaves.
         const double behind = glm::max(2.0 * own, (case_.form ? 2.0 * case_.form->bar : 1e-12) * case_.size / incidence);
-        for (const Quad t : truth_of(ray, behind, 20.0 * case_.size, 0.0, ends)) lost_ += t < tolerance && !undrawn(t, ends, faces) ? 1 : 0;
+        // The oracle's own start is the nearest of its crossings: flatter than a blended normal tells it may be farther off than that.
+        const std::vector<Quad> truth = truth_of(ray, -tolerance, 20.0 * case_.size, 0.0, ends);
+        const auto size = [](Quad t) { return t < 0 ? -t : t; };
+        const auto start = std::min_element(truth.begin(), truth.end(), [&](Quad a, Quad b) { return size(a) < size(b); });
+        for (auto t = truth.begin(); t != truth.end(); ++t) lost_ += t != start && *t > behind && *t < tolerance && !undrawn(*t, ends, faces) ? 1 : 0;
         row_.acne = 1e6 * static_cast<double>(acne_) / static_cast<double>(spawns_);
         row_.lost = 1e6 * static_cast<double>(lost_) / static_cast<double>(spawns_);
     }
