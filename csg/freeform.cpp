@@ -26,7 +26,10 @@ bool Freeform::beside() const
     return std::visit([](const auto& kind) { return requires { std::decay_t<decltype(kind)>::kBeside; }; }, shape->kind);
 }
 
-bool Freeform::round() const { return std::holds_alternative<Lathe>(shape->kind) || std::holds_alternative<Blob>(shape->kind) || std::holds_alternative<SphereSweep>(shape->kind); }
+bool Freeform::round() const
+{
+    return std::visit([](const auto& kind) { return requires { std::decay_t<decltype(kind)>::kRound; }; }, shape->kind);
+}
 
 bool Freeform::blends_normals() const
 {

@@ -32,6 +32,7 @@ public:
     Aabb bounds() const { return box_; }
     Aabb extent() const { return extent_; }
 
+    static constexpr bool kRound = true;    ///< not asked for its own crossings beside a start (Freeform::round)
     static constexpr bool kSurface = false, kClosed = true, kInverseClosed = false;
 
 private:

@@ -26,6 +26,7 @@ public:
     /// Whether rays may touch it where they neither enter nor leave.
     bool touches() const { return negative_; }
 
+    static constexpr bool kRound = true;    ///< not asked for its own crossings beside a start (Freeform::round)
     static constexpr bool kSurface = false;
     static constexpr bool kClosed = true, kInverseClosed = false;
 

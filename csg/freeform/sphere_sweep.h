@@ -35,6 +35,7 @@ public:
     /// POV-Ray's after a transformation: around the balls as they were written, moved; twice as large for Spline::Cubic.
     Aabb extent(const Transform& moved) const;
 
+    static constexpr bool kRound = true;    ///< not asked for its own crossings beside a start (Freeform::round)
     static constexpr bool kSurface = false, kClosed = true, kInverseClosed = false;
 
 private:
