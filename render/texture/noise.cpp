@@ -30,7 +30,11 @@ template <int Rows> void lattice_sums(const glm::dvec3& p, double (&sums)[Rows])
     const Cell x = cell(p.x), y = cell(p.y), z = cell(p.z);
     const double* rows[8];
     corner_rows(x.index, y.index, z.index, kNoiseTables.lattice.data(), rows);
-    row_sums<Rows>({x.fraction, y.fraction, z.fraction, smooth(x.fraction), smooth(y.fraction), smooth(z.fraction)}, rows, sums);
+    double shares[8];
+    corner_shares(smooth(x.fraction), smooth(y.fraction), smooth(z.fraction), [&](int c, double share) { shares[c] = share; });
+    Row totals[Rows];
+    row_sums<Rows, 1>(Row::of(0.5, x.fraction, y.fraction, z.fraction), shares, rows, totals);
+    for (int r = 0; r < Rows; ++r) sums[r] = totals[r].total();
 }
 
 struct GradientCell {

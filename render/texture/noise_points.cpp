@@ -58,40 +58,40 @@ void shared_cell(const Axis& x, const Axis& y, const Axis& z, const double* latt
 {
     const double* rows[8];
     corner_rows(x.index[0], y.index[0], z.index[0], lattice, rows);
-    const Double one(1.0), sx = x.weight, sy = y.weight, sz = z.weight, tx = one - sx, ty = one - sy, tz = one - sz;
-    for (int r = 0; r < Rows; ++r) {
-        const auto part = [&](std::size_t k, const auto& factor) {
-            const std::size_t e = 4 * static_cast<std::size_t>(r) + k;
-            const auto corner = [&](int c) { return factor(c) * Double(rows[c][e]); };
-            const Double low = (corner(0) * tx + corner(1) * sx) * ty + (corner(2) * tx + corner(3) * sx) * sy;
-            const Double high = (corner(4) * tx + corner(5) * sx) * ty + (corner(6) * tx + corner(7) * sx) * sy;
-            return low * tz + high * sz;
-        };
-        const Double fx = x.fraction, fy = y.fraction, fz = z.fraction, gx = fx - one, gy = fy - one, gz = fz - one, half(0.5);
-        const Double p0 = part(0, [&](int) { return half; }), p1 = part(1, [&](int c) { return (c & 1) != 0 ? gx : fx; });
-        const Double p2 = part(2, [&](int c) { return (c & 2) != 0 ? gy : fy; }), p3 = part(3, [&](int c) { return (c & 4) != 0 ? gz : fz; });
-        ((p0 + p1) + (p2 + p3)).store_aligned(out[r]);
-    }
+    Double shares[8], sums[4][Rows];
+    corner_shares(x.weight, y.weight, z.weight, [&](int c, const Double& share) { shares[c] = share; });
+    const auto part = [&](std::size_t k, const auto& factor) {
+        Double v[8];
+        for (int c = 0; c < 8; ++c) v[c] = factor(c) * shares[c];
+        for (std::size_t r = 0; r < Rows; ++r) sums[k][r] = corner_sum([&](int c) { return v[c] * Double(rows[c][4 * r + k]); });
+    };
+    const Double one(1.0), half(0.5), fx = x.fraction, fy = y.fraction, fz = z.fraction, gx = fx - one, gy = fy - one, gz = fz - one;
+    part(0, [&](int) { return half; });
+    part(1, [&](int c) { return (c & 1) != 0 ? gx : fx; });
+    part(2, [&](int c) { return (c & 2) != 0 ? gy : fy; });
+    part(3, [&](int c) { return (c & 4) != 0 ? gz : fz; });
+    for (int r = 0; r < Rows; ++r) ((sums[0][r] + sums[1][r]) + (sums[2][r] + sums[3][r])).store_aligned(out[r]);
 }
 
 /// Each point in its own cell: parts in lanes.
 template <int Rows>
 void own_cells(const Axis& x, const Axis& y, const Axis& z, std::size_t count, const double* lattice, double* const (&out)[Rows])
 {
-    alignas(64) double f[6][kLanes];
+    alignas(64) double f[3][kLanes], shares[8][kLanes];
     x.fraction.store_aligned(f[0]);
     y.fraction.store_aligned(f[1]);
     z.fraction.store_aligned(f[2]);
-    x.weight.store_aligned(f[3]);
-    y.weight.store_aligned(f[4]);
-    z.weight.store_aligned(f[5]);
+    corner_shares(x.weight, y.weight, z.weight, [&](int c, const Double& share) { share.store_aligned(shares[c]); });
+    Row sums[Rows][kLanes];
     for (std::size_t i = 0; i < count; ++i) {
         const double* rows[8];
         corner_rows(x.index[i], y.index[i], z.index[i], lattice, rows);
-        double sums[Rows];
-        row_sums<Rows>({f[0][i], f[1][i], f[2][i], f[3][i], f[4][i], f[5][i]}, rows, sums);
-        for (int r = 0; r < Rows; ++r) out[r][i] = sums[r];
+        Row s[Rows];
+        row_sums<Rows, kLanes>(Row::of(0.5, f[0][i], f[1][i], f[2][i]), shares[0] + i, rows, s);
+        for (int r = 0; r < Rows; ++r) sums[r][i] = s[r];
     }
+    for (int r = 0; r < Rows; ++r)
+        for (std::size_t i = 0; i < kLanes; i += Row::kAtOnce) Row::store_totals(sums[r] + i, out[r] + i);
 }
 
 /// `Rows` sums of every point; `first`: of the rows, 0 to 2.

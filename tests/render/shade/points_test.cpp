@@ -43,37 +43,67 @@ Points random_points(Rng& rng)
     return p;
 }
 
+/// A point's cell, and a row of the lattice for each corner (bit 0 of its number: along x).
+struct PlainCell {
+    glm::dvec3 fraction;
+    std::array<std::size_t, 8> rows;
+
+    explicit PlainCell(const glm::dvec3& p)
+    {
+        const auto& t = kNoiseTables;
+        std::array<std::size_t, 3> index;
+        for (int k = 0; k < 3; ++k) {
+            const double moved = p[k] >= 0 ? p[k] : p[k] - (1.0 - 1e-10);
+            const int whole = moved >= -2147483648.0 && moved < 2147483648.0 ? static_cast<int>(moved) : INT32_MIN;
+            index[static_cast<std::size_t>(k)] = (static_cast<std::uint32_t>(whole) + 10000u) & 4095u;
+            fraction[k] = p[k] - whole;
+        }
+        for (std::size_t c = 0; c < 8; ++c) {
+            const std::size_t h = t.hash[t.hash[(index[0] + (c & 1)) & 4095] ^ ((index[1] + ((c >> 1) & 1)) & 4095)];
+            rows[c] = t.hash[h ^ ((index[2] + (c >> 2)) & 4095)] & 255u;
+        }
+    }
+};
+
 /// The formula of spec 4, 2.2 to 2.5, corner by corner in plain numbers; the order of sums is the one lattice.h names.
 std::array<double, 3> plain_lattice(const glm::dvec3& p)
 {
-    const auto& t = kNoiseTables;
-    std::array<std::size_t, 3> index;
-    glm::dvec3 f, s;
-    for (int k = 0; k < 3; ++k) {
-        const double moved = p[k] >= 0 ? p[k] : p[k] - (1.0 - 1e-10);
-        const int whole = moved >= -2147483648.0 && moved < 2147483648.0 ? static_cast<int>(moved) : INT32_MIN;
-        index[static_cast<std::size_t>(k)] = (static_cast<std::uint32_t>(whole) + 10000u) & 4095u;
-        f[k] = p[k] - whole;
-        s[k] = f[k] * f[k] * (3.0 - 2.0 * f[k]);
-    }
+    const PlainCell cell(p);
+    const glm::dvec3 f = cell.fraction, s = f * f * (3.0 - 2.0 * f);
     std::array<double, 3> sums;
     for (std::size_t r = 0; r < 3; ++r) {
         double part[4];
         for (std::size_t e = 0; e < 4; ++e) {
-            double corner[8];
-            for (std::size_t c = 0; c < 8; ++c) {
-                const std::size_t d[3] = {c & 1, (c >> 1) & 1, c >> 2};
-                const std::size_t h = t.hash[t.hash[(index[0] + d[0]) & 4095] ^ ((index[1] + d[1]) & 4095)];
-                const std::size_t row = t.hash[h ^ ((index[2] + d[2]) & 4095)] & 255u;
-                const double factor = e == 0 ? 0.5 : f[static_cast<int>(e) - 1] - static_cast<double>(d[e - 1]);
-                corner[c] = factor * t.lattice[row + 4 * r + e];
-            }
-            const auto join = [](double a, double b, double w) { return a * (1 - w) + b * w; };
-            const double low = join(join(corner[0], corner[1], s.x), join(corner[2], corner[3], s.x), s.y);
-            const double high = join(join(corner[4], corner[5], s.x), join(corner[6], corner[7], s.x), s.y);
-            part[e] = join(low, high, s.z);
+            const auto corner = [&](std::size_t c) {
+                const bool high[3] = {(c & 1) != 0, (c & 2) != 0, (c & 4) != 0};
+                const double factor = e == 0 ? 0.5 : f[static_cast<int>(e) - 1] - (high[e - 1] ? 1.0 : 0.0);
+                const double share = (high[0] ? s.x : 1 - s.x) * (high[1] ? s.y : 1 - s.y) * (high[2] ? s.z : 1 - s.z);
+                return factor * share * kNoiseTables.lattice[cell.rows[c] + 4 * r + e];
+            };
+            part[e] = ((corner(0) + corner(1)) + (corner(2) + corner(3))) + ((corner(4) + corner(5)) + (corner(6) + corner(7)));
         }
         sums[r] = (part[0] + part[1]) + (part[2] + part[3]);
+    }
+    return sums;
+}
+
+/// The same formula as the spec has it, joined along x, y and z, in 64 bits of mantissa.
+std::array<long double, 3> precise_lattice(const glm::dvec3& p)
+{
+    const PlainCell cell(p);
+    std::array<long double, 3> sums;
+    for (std::size_t r = 0; r < 3; ++r) {
+        long double corner[8];
+        for (std::size_t c = 0; c < 8; ++c) {
+            const double* row = kNoiseTables.lattice.data() + cell.rows[c] + 4 * r;
+            corner[c] = 0.5L * row[0];
+            for (int k = 0; k < 3; ++k) corner[c] += (static_cast<long double>(cell.fraction[k]) - ((c >> k) & 1)) * row[1 + k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            const long double f = cell.fraction[k], s = f * f * (3 - 2 * f);
+            for (std::size_t c = 0; c < std::size_t{4} >> k; ++c) corner[c] = corner[2 * c] * (1 - s) + corner[2 * c + 1] * s;
+        }
+        sums[r] = corner[0];
     }
     return sums;
 }
@@ -162,6 +192,19 @@ TEST_CASE("noise in lanes has the bits of the plain sum over corners", "[texture
             }
         }
     }
+}
+
+TEST_CASE("vector noise is the formula's to the last bits", "[texture][noise]")
+{
+    double worst = 0.0;
+    for (std::uint32_t seed = 0; seed < 200000; ++seed) {
+        Rng rng(seed);
+        const glm::dvec3 p = rng.vector(1000.0), n = vector_noise(p);
+        const auto precise = precise_lattice(p);
+        for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, static_cast<double>(std::abs(precise[k] - n[static_cast<int>(k)])));
+    }
+    INFO("largest error " << worst);
+    CHECK(worst < 5e-16);  // measured: 3.97e-16
 }
 
 TEST_CASE("the nearest of scattered points are those of a search through all cells", "[texture][crackle]")
