@@ -84,6 +84,27 @@ struct alignas(64) HitTile {
     }
 };
 
+/// Points and normals of a tile's hits as arrays.
+struct alignas(64) PlaceTile {
+    alignas(64) std::array<double, kTileRays> x, y, z, nx, ny, nz;
+
+    glm::dvec3 point(std::size_t k) const { return {x[k], y[k], z[k]}; }
+    glm::dvec3 normal(std::size_t k) const { return {nx[k], ny[k], nz[k]}; }
+    void set_normal(std::size_t k, const glm::dvec3& n)
+    {
+        nx[k] = n.x;
+        ny[k] = n.y;
+        nz[k] = n.z;
+    }
+    void set(std::size_t k, const glm::dvec3& p, const glm::dvec3& n)
+    {
+        x[k] = p.x;
+        y[k] = p.y;
+        z[k] = p.z;
+        set_normal(k, n);
+    }
+};
+
 /// What a shadow ray met.
 enum class Shadow : std::uint8_t { Clear, Blocked, Filtered };  ///< Filtered: crosses only transparent surfaces
 

@@ -31,8 +31,9 @@ struct Tolerance {
         return coarse(start, length) / glm::max(glm::abs(incidence), kFlattest);
     }
 
+    static constexpr double kCoarse = 2e-13;   ///< digits that numbers have, with those that solids lose
+
 private:
-    static constexpr double kCoarse = 2e-13;
     static double coarse(const glm::dvec3& p, double length)
     {
         return kCoarse * glm::max(glm::max(glm::abs(p.x), glm::abs(p.y)), glm::max(glm::abs(p.z), length));

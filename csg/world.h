@@ -23,6 +23,8 @@ public:
 
     /// Point and normal of a hit of that ray; uv where asked for.
     HitDetails details(const Ray& ray, const Hit& hit, bool with_uv = true) const;
+    /// The same of the hits of a tile that `which` names (bit k: hit k), without uv; others' places are anything.
+    void places(const RayTile& rays, const HitTile& hits, std::uint64_t which, PlaceTile& out) const;
     /// Where a ray that leaves a hit begins to look: csg/own_start.h.
     double start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const;
     /// Appends the shares of the parts of the shape that was hit (Freeform::shares).

@@ -30,15 +30,14 @@ public:
     const texture::Finish& top_finish(std::size_t k) const { return *scratch_.flat[0].finish[k]; }
     const scene::Color& top_pigment(std::size_t k) const { return scratch_.top_pigments[k]; }
 
-    /// A hit of one layer; its pigment comes by color().
-    void begin(std::size_t k, const LoneLayer& lone)
+    /// Hits of one layer; their pigments come by color().
+    void begin(HitMask hits, const LoneLayer& lone)
     {
-        const HitMask bit = HitMask{1} << k;
-        holds_ |= bit;
-        if (lone.goes_on) goes_on_ |= bit;
+        holds_ |= hits;
+        if (lone.goes_on) goes_on_ |= hits;
         const texture::Layer& layer = set_.layers[lone.index];
-        if (set_.finishes[layer.finish].lit()) lit_ |= bit;
-        add_layer(0, k, layer);
+        if (set_.finishes[layer.finish].lit()) lit_ |= hits;
+        add_layer(0, hits, layer);
     }
 
     void color(std::size_t k, const scene::Color& c)
@@ -57,7 +56,7 @@ public:
         float residual = 1.0f;
         std::size_t depth = 0;
         for (std::uint32_t i = texture.count; i-- > 0 && residual > bailout_; ++depth) {
-            FlatDepth& at = add_layer(depth, k, set_.layers[texture.first + i]);
+            FlatDepth& at = add_layer(depth, HitMask{1} << k, set_.layers[texture.first + i]);
             const scene::Color& c = colors[i];
             color(at, k, c, texture.plain ? 1.0f : texture::opacity(c, set_.legacy_opacity));
             at.filter.set(k, filter);
@@ -93,7 +92,7 @@ public:
                 around[at] = &scratch_.around[b.hit];
                 bent[at] = scratch_.hits.normal(b.hit);
                 owner[at] = b;
-                points.add(scratch_.points[b.hit]);
+                points.add(scratch_.points.at(b.hit));
             }
             bends_ = left;
             points.pad();
@@ -119,12 +118,27 @@ public:
         return false;
     }
 
-    /// The light at hand reaches hit k.
+    /// The colour of the light at hand, of all hits or of one.
+    void begin_light(const glm::vec3& color)
+    {
+        scratch_.reaching.red.fill(color.x);
+        scratch_.reaching.green.fill(color.y);
+        scratch_.reaching.blue.fill(color.z);
+        dark_ = dark(color) ? ~HitMask{0} : 0;
+    }
+    void begin_light(std::size_t k, const glm::vec3& color)
+    {
+        scratch_.reaching.set(k, color);
+        dark_ = dark(color) ? dark_ | HitMask{1} << k : dark_ & ~(HitMask{1} << k);
+    }
+
+    /// It reaches these hits.
+    void light(HitMask hits) { reached_ |= hits & ~dark_; }
+    /// It reaches hit k with another colour.
     void light(std::size_t k, const glm::vec3& color)
     {
-        if (!(std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)) return;
-        reached_ |= HitMask{1} << k;
-        scratch_.reaching.set(k, color);
+        begin_light(k, color);
+        light(HitMask{1} << k);
     }
 
     /// Adds what the light at hand gives to the hits that it reaches; it is over then.
@@ -175,9 +189,9 @@ private:
         std::uint32_t operator[](std::size_t k) const { return of[k]; }
     };
 
-    static bool has(HitMask mask, std::size_t k) { return (mask >> k & 1) != 0; }
+    static bool dark(const glm::vec3& c) { return !(std::abs(c.x) > kDark || std::abs(c.y) > kDark || std::abs(c.z) > kDark); }
 
-    FlatDepth& add_layer(std::size_t depth, std::size_t k, const texture::Layer& of)
+    FlatDepth& add_layer(std::size_t depth, HitMask hits, const texture::Layer& of)
     {
         FlatDepth& at = scratch_.flat[depth];
         if (depth == depths_) {
@@ -185,18 +199,17 @@ private:
             at.holds = at.bent = at.lit = at.shiny = at.raised = at.tinted = 0;
             at.gained.fill(0.0f);
         }
-        const HitMask bit = HitMask{1} << k;
         const texture::Finish& finish = set_.finishes[of.finish];
-        at.holds |= bit;
-        at.finish[k] = &finish;
-        if (finish.diffuse > 0.0f) at.lit |= bit;
-        if (finish.phong > 0.0f || finish.specular > 0.0f) at.shiny |= bit;
-        if (finish.brilliance != 1.0f) at.raised |= bit;
-        if (finish.metallic > 0.0f) at.tinted |= bit;
+        at.holds |= hits;
+        for_each_hit(hits, [&](std::size_t k) { at.finish[k] = &finish; });
+        if (finish.diffuse > 0.0f) at.lit |= hits;
+        if (finish.phong > 0.0f || finish.specular > 0.0f) at.shiny |= hits;
+        if (finish.brilliance != 1.0f) at.raised |= hits;
+        if (finish.metallic > 0.0f) at.tinted |= hits;
         if (of.normal != texture::kNone && bends_normals_) {
-            at.bent |= bit;
-            bent_ |= bit;
-            scratch_.bends[bends_++] = {of.normal, static_cast<std::uint8_t>(depth), static_cast<std::uint8_t>(k)};
+            at.bent |= hits;
+            bent_ |= hits;
+            for_each_hit(hits, [&](std::size_t k) { scratch_.bends[bends_++] = {of.normal, static_cast<std::uint8_t>(depth), static_cast<std::uint8_t>(k)}; });
         }
         return at;
     }
@@ -267,7 +280,7 @@ private:
     ShadeScratch& scratch_;
     const float bailout_;
     const bool bends_normals_;
-    HitMask holds_ = 0, goes_on_ = 0, bent_ = 0, lit_ = 0, reached_ = 0;
+    HitMask holds_ = 0, goes_on_ = 0, bent_ = 0, lit_ = 0, reached_ = 0, dark_ = 0;
     std::size_t depths_ = 0, bends_ = 0;
 };
 

@@ -7,20 +7,19 @@
 
 namespace trace {
 
-/// Pigments of layered textures for the tile's hits that have `layers`, the top layers first: one is asked
+/// Pigments of layered textures for `hits` of the tile, whose `layers` are begun, the top layers first: one is asked
 /// for only where those above let light through (as shade_layers has it, but for what mirrors take away).
-inline void look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, int hits, float bailout)
+inline void look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, HitMask hits, float bailout)
 {
     std::uint32_t most = 1;
     for (std::uint32_t depth = 1; depth <= most; ++depth) {
-        for (std::size_t k = 0; k < static_cast<std::size_t>(hits); ++k) {
+        for_each_hit(hits, [&](std::size_t k) {
             const LayersAhead& layers = scratch.layers[k];
-            if (layers.texture == plan::kNone) continue;
             const texture::Texture& texture = set.textures[layers.texture];
             most = std::max(most, texture.count);
-            if (texture.count < depth || !(layers.residual > bailout)) continue;
-            scratch.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, scratch.points[k], scratch.around[k]);
-        }
+            if (texture.count < depth || !(layers.residual > bailout)) return;
+            scratch.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, scratch.points.at(k), scratch.around[k]);
+        });
         scratch.pigments.run(set, [&](std::size_t k, const scene::Color& c) {
             LayersAhead& layers = scratch.layers[k];
             layers.colors[set.textures[layers.texture].count - depth] = c;

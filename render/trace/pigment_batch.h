@@ -2,6 +2,7 @@
 
 #include "csg/hit.h"
 #include "render/texture/evaluate_points.h"
+#include "render/trace/flat_layers.h"
 
 #include <array>
 
@@ -18,6 +19,12 @@ public:
         if (points_.count == 0) pigment_ = pigment;
         if (pigment == pigment_) add(static_cast<std::uint8_t>(k), p, around);
         else asked_[count_++] = {pigment, static_cast<std::uint8_t>(k), &around, p};
+    }
+
+    /// Hits of a tile ask for the same pigment, at their places among `points`.
+    void ask(HitMask hits, std::uint32_t pigment, const texture::Points& points, const std::array<texture::Surroundings, csg::kTileRays>& around)
+    {
+        for_each_hit(hits, [&](std::size_t k) { ask(k, pigment, points.at(k), around[k]); });
     }
 
     /// Calls give(k, colour) for every question, in groups by pigment.
@@ -74,7 +81,7 @@ inline constexpr std::uint32_t kLayersAhead = 8;
 
 /// Pigments of the layers of a hit, by layer; those that layers above hide are not filled in.
 struct LayersAhead {
-    std::uint32_t texture;           ///< kNone: nothing was looked up
+    std::uint32_t texture;
     bool flat;                       ///< AheadLayers::flat
     float residual;                  ///< share of light that the layers so far let through, or more
     glm::vec3 filter;

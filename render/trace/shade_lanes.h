@@ -13,21 +13,7 @@ namespace trace {
 using TileLanes = std::array<double, csg::kTileRays>;
 
 /// Points, and normals that face the viewer. Places without a hit are zero.
-struct alignas(64) TileHits {
-    alignas(64) TileLanes x, y, z, nx, ny, nz;
-
-    glm::dvec3 point(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    glm::dvec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
-    void set(std::size_t i, const glm::dvec3& p, const glm::dvec3& n)
-    {
-        x[i] = p.x;
-        y[i] = p.y;
-        z[i] = p.z;
-        nx[i] = n.x;
-        ny[i] = n.y;
-        nz[i] = n.z;
-    }
-};
+using TileHits = csg::PlaceTile;
 
 /// Directions (unit) and distances from the hits to a light.
 struct alignas(64) TileLight {

@@ -28,6 +28,11 @@ struct Bend {
     std::uint8_t depth, hit;
 };
 
+/// Where the shadow rays of a tile's hits to the light at hand begin and end.
+struct alignas(64) ShadowEnds {
+    alignas(64) TileLanes from, to;
+};
+
 /// What shading keeps per thread; grows to what the scene needs and stays.
 struct ShadeScratch {
     SceneTraits traits;                  ///< filled by the first tile
@@ -41,13 +46,14 @@ struct ShadeScratch {
     csg::HitTile onward_hits;
     TileHits hits;                       ///< of a tile
     TileLight light;                     ///< the one at hand
+    ShadowEnds shadow_ends;              ///< the same
     std::array<glm::vec3, csg::kTileRays> lit_colors;   ///< of the light at hand, before shadows
     TileColors reaching;                 ///< colours of the light at hand where it reaches flat hits
     std::array<FlatDepth, kLayersAhead> flat;           ///< hits that go through the lights together
     std::array<scene::Color, csg::kTileRays> top_pigments;   ///< of flat hits that rays go on from
     TileColors sums;                     ///< of flat hits, when the lights are through
     std::array<Bend, csg::kTileRays * kLayersAhead> bends;
-    std::array<glm::dvec3, csg::kTileRays> points;       ///< of pattern space
+    texture::Points points;              ///< of pattern space, by hit
     Highlights highlights;
     PigmentBatch pigments;               ///< of the flat hits of one layer, then of layer after layer of the others
     std::array<texture::Surroundings, csg::kTileRays> around;

@@ -84,6 +84,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
 {
     SceneTraits traits;
     const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures);
+    traits.looked_around = uv || looks;
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
     for (const plan::Interior& interior : scene.interiors) traits.fades |= interior.fade_distance != 0.0f;
@@ -92,6 +93,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         const plan::Surface& surface = scene.surfaces[i];
         traits.filters |= !surface.opaque && !surface.no_shadow;
         all[i].needs_uv = uv || surface.uv_mapping;
+        all[i].batched = !all[i].needs_uv && !surface.blends();
+        traits.all_batched &= all[i].batched;
         if (surface.blends()) continue;
         all[i].outer_layers = layers_ahead(scene.textures, surface.texture, looks);
         all[i].inner_layers = surface.interior_texture == plan::kNone ? all[i].outer_layers

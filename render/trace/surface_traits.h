@@ -21,6 +21,7 @@ struct AheadLayers {
 
 struct SurfaceTraits {
     bool needs_uv = true;        ///< something of its textures looks at surface coordinates
+    bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
     LoneLayer outer, inner;      ///< as seen from outside, and where the raw normal faces along the ray
     AheadLayers outer_layers, inner_layers;   ///< textures whose pigments a tile looks up together
@@ -29,6 +30,8 @@ struct SurfaceTraits {
 
 struct SceneTraits {
     std::vector<SurfaceTraits> surfaces;   ///< by csg::SurfaceId
+    bool all_batched = true;
+    bool looked_around = false;            ///< some texture asks for more than the point (texture::Surroundings)
     bool filters = false;                  ///< some surface lets a shadow ray through
     bool fades = false;                    ///< light fades inside some interior
     bool beside = false;                   ///< some solid tells crossings beside its surface (csg/solids/freeform.h)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "csg/lane_equal.h"
+#include "csg/tolerance.h"
 #include "render/trace/flat_hits.h"
 #include "render/trace/look_ahead.h"
 #include "render/trace/shade_context.h"
@@ -30,47 +32,30 @@ public:
     {
     }
 
-    /// Details and what is to be done with each hit; true if some are not flat and need LightSamples.
+    /// Places and what is to be done with each hit; true if some are not flat and need LightSamples.
     bool prepare()
     {
         const auto& lights = context_.scene.lights.lights;
         const plan::Settings& settings = context_.scene.settings;
-        const bool small = settings.quality >= 2 &&
-                           std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.by_points(); });
-        const bool go_on = settings.quality >= 8 && settings.adc_bailout < 1.0 && !scratch_.wave.full();
-        bool ahead = false;
-        PigmentBatch& pigments = scratch_.pigments;
-        pigments.clear();
-        for (int i = 0; i < rays_.count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            scratch_.layers[k].texture = plan::kNone;
-            const Hit hit = hits_.at(i);
-            if (!hit.found()) {
-                scratch_.hits.set(k, glm::dvec3(0), glm::dvec3(0));
-                continue;
-            }
-            const csg::Ray ray = rays_.ray(i);
-            // Made in place: a copy of what was just written in smaller pieces waits for all of them.
-            const HitDetails& at = *new (&details(i)) HitDetails(hit_details(context_, ray, hit));
-            const bool from_inside = glm::dot(at.normal, ray.direction) > 0.0;
-            scratch_.hits.set(k, at.point, from_inside ? -at.normal : at.normal);
-            const SurfaceTraits& traits = scratch_.traits.surfaces[hit.surface];
-            const LoneLayer& layer = from_inside ? traits.inner : traits.outer;
-            if (small && layer.index != plan::kNone && (go_on || !layer.goes_on)) {
-                begin_lone(i, layer, hit);
-            } else {
-                general_ = ahead = true;
-                begin_layers(i, hit, from_inside ? traits.inner_layers : traits.outer_layers, small);
-            }
+        small_ = settings.quality >= 2 && std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.by_points(); });
+        go_on_ = settings.quality >= 8 && settings.adc_bailout < 1.0 && !scratch_.wave.full();
+        find_places();
+        scratch_.pigments.clear();
+        for (HitMask left = found_; left != 0;) {
+            const csg::SurfaceId surface = hits_.surface[first_hit(left)];
+            const HitMask group = left & csg::lanes::equal(hits_.surface, surface);
+            const SurfaceTraits& traits = scratch_.traits.surfaces[surface];
+            begin(group & ~inside_, surface, traits.outer, traits.outer_layers);
+            begin(group & inside_, surface, traits.inner, traits.inner_layers);
+            left &= ~group;
         }
-        pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { flat_.color(k, c); });
-        if (ahead) finish_layers();
-        for (int i = rays_.count; i % csg::kTileSide != 0; ++i)
-            scratch_.hits.set(static_cast<std::size_t>(i), glm::dvec3(0), glm::dvec3(0));
+        scratch_.pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { flat_.color(k, c); });
+        if (general_) finish_layers();
         flat_.bend();
         asks_ = flat_.lit();
-        for (int i = 0; general_ && i < rays_.count; ++i)
-            if (asks_for_light(i)) asks_ |= HitMask{1} << i;
+        if (general_) for_each_hit(found_ & ~flat_.all(), [this](std::size_t k) {
+            if (lit(k)) asks_ |= HitMask{1} << k;
+        });
         return general_;
     }
 
@@ -81,29 +66,22 @@ public:
     void light(std::size_t which)
     {
         const light::Light& light = context_.scene.lights.lights[which];
-        if (light.by_points()) return;
-        const bool one_color = steady(light);
-        if (one_color) toward_point(light, scratch_.hits, rays_.count, scratch_.light);
-        const bool shadows = shadows_ && !light.shadowless;
-        RayTile& beam = scratch_.rays;
-        beam.count = 0;
-        beam.common_origin = light.from_one_point() && !scratch_.traits.beside;
-        for_each_hit(asks_, [&](std::size_t k) {
-            if (one_color) {
-                scratch_.lit_colors[k] = light.color;
-            } else {
-                const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
-                scratch_.light.x[k] = lit.direction.x;
-                scratch_.light.y[k] = lit.direction.y;
-                scratch_.light.z[k] = lit.direction.z;
-                scratch_.light.distance[k] = lit.distance;
-                scratch_.lit_colors[k] = lit.color;
-            }
-            if (!(scratch_.light.distance[k] < kFarLight * context_.scene.tolerance.shadow)) beam.common_origin = false;
+        if (light.by_points() || asks_ == 0) return;
+        const HitMask colored = steady(light) ? illuminate_from_point(light) : illuminate_each(light);
+        for_each_hit(asks_ & ~flat_.all(), [&](std::size_t k) {
+            LightSample& s = sample(static_cast<int>(k), which);
+            s.lit = {scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
+            s.illuminated = true;
         });
-        const HitMask toward = facing();
-        for_each_hit(asks_, [&](std::size_t k) { ask(which, k, (toward >> k & 1) != 0, shadows, light.location); });
-        if (beam.count != 0) answer(which);
+        HitMask asking = asks_ & colored & facing();
+        if (shadows_ && !light.shadowless) {
+            const HitMask near = find_shadow_ends();
+            flat_.light(asking & near & flat_.all());
+            asking &= ~near;
+            if (asking != 0) answer(which, ask(asking, light));
+        } else {
+            flat_.light(asking & flat_.all());
+        }
         flat_.add(light, rays_);
     }
 
@@ -112,13 +90,13 @@ public:
 
     void color(int i)
     {
-        const Hit hit = hits_.at(i);
         const auto k = static_cast<std::size_t>(i);
         const bool done = flat_.done(k);
         if (done && !foggy(context_)) {
             give(i, scene::Color::of(flat_.sum(k)));
             return;
         }
+        const Hit hit = hits_.at(i);
         RayState own;
         if (waiting_ == nullptr) {
             own = camera_;
@@ -130,11 +108,10 @@ public:
         } else if (done) {
             give(i, through_air(context_, state, hit.t, scene::Color::of(flat_.sum(k))));
         } else if (flat_.holds(k)) {
-            const HitPlace place{state, hit, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), level(i),
-                                 glm::dot(details(i).normal, state.ray.direction) > 0.0};
+            const HitPlace place{state, hit, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), level(i), has(inside_, k)};
             add_branch(context_, place, flat_.top_finish(k), flat_.top_pigment(k), flat_.sum(k), place_of(i), reach(i) + hit.t);
         } else {
-            give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(i), level(i), first_light(i), &scratch_.layers[k])));
+            give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(k), level(i), first_light(i), has(ahead_, k) ? &scratch_.layers[k] : nullptr)));
         }
     }
 
@@ -145,22 +122,86 @@ private:
     const InteriorList& interiors(std::size_t k) const { return (waiting_ == nullptr ? camera_ : waiting_[k].state).interiors; }
     void give(int i, const scene::Color& c) { scratch_.wave.colors[place_of(i)] = c; }
 
-    HitDetails& details(int i) { return scratch_.details[static_cast<std::size_t>(i)]; }
     std::size_t first_light(int i) const { return base_ + static_cast<std::size_t>(i) * lights_; }
     LightSample& sample(int i, std::size_t which) { return scratch_.lights[first_light(i) + which]; }
 
-    void begin_lone(int i, const LoneLayer& lone, const Hit& hit)
+    /// Points and normals that face the viewer.
+    void find_places()
     {
-        const auto k = static_cast<std::size_t>(i);
+        TileHits& places = scratch_.hits;
+        const HitMask all = first_hits(rays_.count);
+        found_ = all & ~csg::lanes::equal(hits_.surface, csg::kNoSurface);
+        batched_ = found_;
+        if (!scratch_.traits.all_batched)
+            for_each_hit(found_, [&](std::size_t k) {
+                if (!scratch_.traits.surfaces[hits_.surface[k]].batched) batched_ &= ~(HitMask{1} << k);
+            });
+        context_.world.places(rays_, hits_, batched_, places);
+        for_each_hit(found_ & ~batched_, [&](std::size_t k) {
+            // Made in place: a copy of what was just written in smaller pieces waits for all of them.
+            const auto i = static_cast<int>(k);
+            const HitDetails& at = *new (&scratch_.details[k]) HitDetails(hit_details(context_, rays_.ray(i), hits_.at(i)));
+            places.set(k, at.point, at.normal);
+        });
+        const HitMask lanes = first_hits((rays_.count + csg::kTileSide - 1) / csg::kTileSide * csg::kTileSide);
+        for_each_hit(lanes & ~found_, [&](std::size_t k) { places.set(k, glm::dvec3(0), glm::dvec3(0)); });
+        inside_ = found_ & turn_to_viewer();
+    }
+
+    /// Turns normals that face along their rays; which.
+    HitMask turn_to_viewer()
+    {
+        using csg::lanes::Double;
+        TileHits& places = scratch_.hits;
+        HitMask turned = 0;
+        for (int i = 0; i < rays_.count; i += csg::lanes::kDoubles) {
+            const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
+            const Double x = get(places.nx), y = get(places.ny), z = get(places.nz);
+            const auto away = x * get(rays_.dx) + y * get(rays_.dy) + z * get(rays_.dz) > Double(0.0);
+            const HitMask bits = csg::lanes::mask(away);
+            if (bits == 0) continue;
+            turned |= bits << i;
+            xsimd::select(away, -x, x).store_aligned(places.nx.data() + i);
+            xsimd::select(away, -y, y).store_aligned(places.ny.data() + i);
+            xsimd::select(away, -z, z).store_aligned(places.nz.data() + i);
+        }
+        return turned;
+    }
+
+    /// What World::details says of hit k.
+    const HitDetails& details(std::size_t k)
+    {
+        HitDetails& at = scratch_.details[k];
+        if (has(batched_, k)) {
+            const glm::dvec3 n = scratch_.hits.normal(k);
+            at = {scratch_.hits.point(k), has(inside_, k) ? -n : n};
+        }
+        return at;
+    }
+
+    /// Hits on one side of a surface.
+    void begin(HitMask group, csg::SurfaceId surface, const LoneLayer& lone, const AheadLayers& layers)
+    {
+        if (group == 0) return;
+        if (small_ && lone.index != plan::kNone && (go_on_ || !lone.goes_on)) {
+            begin_lone(group, surface, lone);
+            return;
+        }
+        general_ = true;
+        if (layers.texture != plan::kNone) begin_layers(group, surface, layers);
+    }
+
+    void begin_lone(HitMask group, csg::SurfaceId surface, const LoneLayer& lone)
+    {
         const auto& set = context_.scene.textures;
-        flat_.begin(k, lone);
+        flat_.begin(group, lone);
         const std::uint32_t index = set.layers[lone.index].pigment;
         const texture::Pigment& pigment = set.pigments[index];
         const bool solid = pigment.kind == texture::Pigment::Kind::Solid;
-        if (solid) flat_.color(k, pigment.color);
-        if (solid && !flat_.bent(k)) return;
-        surround(i, hit);
-        if (!solid) scratch_.pigments.ask(k, index, scratch_.points[k], scratch_.around[k]);
+        if (solid) for_each_hit(group, [&](std::size_t k) { flat_.color(k, pigment.color); });
+        if (solid && !flat_.bent(first_hit(group))) return;
+        surround(group, surface);
+        if (!solid) scratch_.pigments.ask(group, index, scratch_.points, scratch_.around);
     }
 
     /// Pigments of the layers, top down; hits whose layers hide what is behind them are flat then.
@@ -168,51 +209,75 @@ private:
     {
         const auto& set = context_.scene.textures;
         const auto bailout = static_cast<float>(context_.scene.settings.adc_bailout);
-        look_ahead(scratch_, set, rays_.count, bailout);
-        general_ = false;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(rays_.count); ++k) {
-            if (flat_.holds(k) || !hits_.at(static_cast<int>(k)).found()) continue;
+        look_ahead(scratch_, set, ahead_, bailout);
+        for_each_hit(ahead_, [&](std::size_t k) {
             const LayersAhead& layers = scratch_.layers[k];
-            if (layers.texture != plan::kNone && layers.flat && !(layers.residual > bailout))
-                flat_.begin(k, set.textures[layers.texture], layers.colors);
-            else
-                general_ = true;
-        }
+            if (layers.flat && !(layers.residual > bailout)) flat_.begin(k, set.textures[layers.texture], layers.colors);
+        });
+        general_ = (found_ & ~flat_.all()) != 0;
     }
 
-    /// The hit as patterns see it.
-    void surround(int i, const Hit& hit)
+    /// The hits as patterns see them.
+    void surround(HitMask group, csg::SurfaceId surface)
     {
-        const auto k = static_cast<std::size_t>(i);
-        const HitDetails& at = details(i);
-        scratch_.points[k] = context_.scene.surfaces[hit.surface].uv_mapping ? glm::dvec3(at.uv.x, at.uv.y, 0.0) : at.point;
-        texture::Surroundings& around = scratch_.around[k];   // member by member, as the details
-        around.point = at.point;
-        around.normal = scratch_.hits.normal(k);
-        around.direction = rays_.ray(i).direction;
-        around.uv = at.uv;
-        around.surface = true;
+        const TileHits& places = scratch_.hits;
+        const bool uv = context_.scene.surfaces[surface].uv_mapping;
+        for_each_hit(group, [&](std::size_t k) { scratch_.points.set(k, uv ? glm::dvec3(scratch_.details[k].uv, 0.0) : places.point(k)); });
+        if (!scratch_.traits.looked_around) return;
+        for_each_hit(group, [&](std::size_t k) {
+            texture::Surroundings& around = scratch_.around[k];   // member by member, as the details
+            around.point = places.point(k);
+            around.normal = places.normal(k);
+            around.direction = rays_.ray(static_cast<int>(k)).direction;
+            around.uv = has(batched_, k) ? glm::dvec2(0) : scratch_.details[k].uv;
+            around.surface = true;
+        });
     }
 
-    void begin_layers(int i, const Hit& hit, const AheadLayers& of, bool small)
+    void begin_layers(HitMask group, csg::SurfaceId surface, const AheadLayers& of)
     {
-        if (of.texture == plan::kNone) return;
-        LayersAhead& layers = scratch_.layers[static_cast<std::size_t>(i)];
-        layers.texture = of.texture;
-        layers.flat = of.flat && small;
-        layers.residual = 1.0f;
-        layers.filter = glm::vec3(1);
-        surround(i, hit);
+        ahead_ |= group;
+        for_each_hit(group, [&](std::size_t k) {
+            LayersAhead& layers = scratch_.layers[k];
+            layers.texture = of.texture;
+            layers.flat = of.flat && small_;
+            layers.residual = 1.0f;
+            layers.filter = glm::vec3(1);
+        });
+        surround(group, surface);
     }
 
-    /// Of a hit that is not flat.
-    bool asks_for_light(int i) const
+    /// Some texture of the hit is lit.
+    bool lit(std::size_t k) const
     {
-        if (flat_.holds(static_cast<std::size_t>(i))) return false;
-        const Hit hit = hits_.at(i);
-        if (!hit.found()) return false;
-        const std::uint32_t texture = context_.scene.surfaces[hit.surface].texture;
+        const std::uint32_t texture = context_.scene.surfaces[hits_.surface[k]].texture;
         return texture != plan::kNone && context_.scene.textures.textures[texture].lit;
+    }
+
+    /// Directions, distances and colours of a light at one point; the hits where it has a colour.
+    HitMask illuminate_from_point(const light::Light& light)
+    {
+        toward_point(light, scratch_.hits, rays_.count, scratch_.light);
+        scratch_.lit_colors.fill(light.color);
+        flat_.begin_light(light.color);
+        return light.color == glm::vec3(0) ? 0 : ~HitMask{0};
+    }
+
+    /// The same of any light.
+    HitMask illuminate_each(const light::Light& light)
+    {
+        HitMask colored = 0;
+        for_each_hit(asks_, [&](std::size_t k) {
+            const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
+            scratch_.light.x[k] = lit.direction.x;
+            scratch_.light.y[k] = lit.direction.y;
+            scratch_.light.z[k] = lit.direction.z;
+            scratch_.light.distance[k] = lit.distance;
+            scratch_.lit_colors[k] = lit.color;
+            flat_.begin_light(k, lit.color);
+            if (lit.color != glm::vec3(0)) colored |= HitMask{1} << k;
+        });
+        return colored;
     }
 
     /// Hits that face the light at hand. Others' bent normals may face a light that the surface turns away from: rare, asked
@@ -235,41 +300,74 @@ private:
         return toward;
     }
 
-    double shadow_tolerance(std::size_t k) const { return context_.scene.tolerance.shadow_from(scratch_.hits.point(k), hits_.t[k]); }
-
-    /// Adds the light at once where nothing can shadow it; a shadow ray otherwise.
-    void ask(std::size_t which, std::size_t k, bool toward, bool shadows, const glm::dvec3& lamp)
+    /// Where shadow rays begin and end; hits too near to the light for one.
+    HitMask find_shadow_ends()
     {
-        const glm::dvec3 direction = scratch_.light.direction(k);
-        const double distance = scratch_.light.distance[k], tolerance = shadow_tolerance(k), end = distance - tolerance;
-        const glm::vec3& color = scratch_.lit_colors[k];
-        if (!flat_.holds(k)) {
-            LightSample& s = sample(static_cast<int>(k), which);
-            s.lit = {direction, distance, color};
-            s.illuminated = true;
+        using csg::lanes::Double;
+        ShadowEnds& ends = scratch_.shadow_ends;
+        const Double least(context_.scene.tolerance.shadow), share(csg::Tolerance::kCoarse);
+        HitMask near = 0;
+        for (int i = 0; i < rays_.count; i += csg::lanes::kDoubles) {
+            const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
+            const TileHits& at = scratch_.hits;
+            const Double largest = xsimd::max(xsimd::max(xsimd::abs(get(at.x)), xsimd::abs(get(at.y))), xsimd::max(xsimd::abs(get(at.z)), get(hits_.t)));
+            const Double from = xsimd::max(least, share * largest), to = get(scratch_.light.distance) - from;
+            near |= HitMask{csg::lanes::mask(to <= from)} << i;
+            from.store_aligned(ends.from.data() + i);
+            to.store_aligned(ends.to.data() + i);
         }
-        if (!toward) return;
-        if (color == glm::vec3(0)) return;
-        if (!shadows || end <= tolerance) {
-            if (flat_.holds(k)) flat_.light(k, color);
-            return;
-        }
-        RayTile& beam = scratch_.rays;
-        const auto ray = static_cast<std::size_t>(beam.count++);
-        const glm::dvec3 origin = beam.common_origin ? lamp : scratch_.hits.point(k);
-        const glm::dvec3 along = beam.common_origin ? -direction : direction;
-        beam.ox[ray] = origin.x;
-        beam.oy[ray] = origin.y;
-        beam.oz[ray] = origin.z;
-        beam.dx[ray] = along.x;
-        beam.dy[ray] = along.y;
-        beam.dz[ray] = along.z;
-        beam.t_min[ray] = tolerance;
-        beam.t_max[ray] = end;
-        scratch_.lane[ray] = static_cast<std::uint8_t>(k);
+        return near;
     }
 
-    void answer(std::size_t which)
+    /// A shadow ray for each of these hits, from the light where all of it is in one point. Whether ray i is hit i's.
+    bool ask(HitMask asking, const light::Light& light)
+    {
+        RayTile& beam = scratch_.rays;
+        const TileLight& toward = scratch_.light;
+        const ShadowEnds& ends = scratch_.shadow_ends;
+        beam.count = std::popcount(asking);
+        beam.common_origin = light.from_one_point() && !scratch_.traits.beside && !far(light);
+        const bool from_light = beam.common_origin;
+        if (asking == first_hits(beam.count)) {
+            const auto count = static_cast<std::size_t>(beam.count);
+            beam.t_min = ends.from;
+            beam.t_max = ends.to;
+            const auto put = [&](TileLanes& origin, TileLanes& direction, const TileLanes& point, double lamp, const TileLanes& to_light) {
+                if (from_light) {
+                    std::fill_n(origin.begin(), count, lamp);
+                    for (std::size_t i = 0; i < count; ++i) direction[i] = -to_light[i];
+                } else {
+                    origin = point;
+                    direction = to_light;
+                }
+            };
+            put(beam.ox, beam.dx, scratch_.hits.x, light.location.x, toward.x);
+            put(beam.oy, beam.dy, scratch_.hits.y, light.location.y, toward.y);
+            put(beam.oz, beam.dz, scratch_.hits.z, light.location.z, toward.z);
+            return true;
+        }
+        std::size_t ray = 0;
+        for_each_hit(asking, [&](std::size_t k) {
+            const glm::dvec3 direction = toward.direction(k);
+            beam.set(ray, {from_light ? light.location : scratch_.hits.point(k), from_light ? -direction : direction}, ends.from[k], ends.to[k]);
+            scratch_.lane[ray++] = static_cast<std::uint8_t>(k);
+        });
+        return false;
+    }
+
+    /// Some hit is so far away that the light's own numbers lose digits beside its distance.
+    bool far(const light::Light&) const
+    {
+        using csg::lanes::Double;
+        const Double most(kFarLight * context_.scene.tolerance.shadow);
+        HitMask near = 0;
+        for (int i = 0; i < rays_.count; i += csg::lanes::kDoubles)
+            near |= HitMask{csg::lanes::mask(Double::load_aligned(scratch_.light.distance.data() + i) < most)} << i;
+        return (asks_ & ~near) != 0;
+    }
+
+    /// What the shadow rays tell. `in_order`: ray i is hit i's.
+    void answer(std::size_t which, bool in_order)
     {
         const RayTile& beam = scratch_.rays;
         csg::CrossingTile& met = scratch_.crossings;
@@ -278,20 +376,37 @@ private:
             context_.world.shadow_crossings(beam, context_.scratch.geometry, met);
         else
             context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
-        for (std::size_t ray = 0; ray < static_cast<std::size_t>(beam.count); ++ray) {
-            const std::size_t k = scratch_.lane[ray];
-            if (flat_.holds(k) && met.ending[ray] == Shadow::Blocked) continue;
-            const glm::vec3 color = met.ending[ray] == Shadow::Clear     ? scratch_.lit_colors[k]
-                                    : met.ending[ray] == Shadow::Blocked ? glm::vec3(0)
-                                                                         : filtered(ray, k);
-            if (flat_.holds(k)) {
-                flat_.light(k, color);
-            } else {
-                LightSample& s = sample(static_cast<int>(k), which);
-                s.shadowed = color;
-                s.shadow_known = true;
-            }
+        const auto hit_of = [&](std::size_t ray) { return in_order ? ray : scratch_.lane[ray]; };
+        const HitMask rays = first_hits(beam.count), clear = rays & equal(met.ending, Shadow::Clear), blocked = rays & equal(met.ending, Shadow::Blocked);
+        HitMask reached = clear;
+        if (!in_order) {
+            reached = 0;
+            for_each_hit(clear, [&](std::size_t ray) { reached |= HitMask{1} << hit_of(ray); });
         }
+        flat_.light(reached & flat_.all());
+        for_each_hit(rays & ~clear & ~blocked, [&](std::size_t ray) {
+            const std::size_t k = hit_of(ray);
+            const glm::vec3 color = filtered(ray, k);
+            if (flat_.holds(k)) flat_.light(k, color);
+            else know(k, which, color);
+        });
+        if (!general_) return;
+        for_each_hit(clear | blocked, [&](std::size_t ray) {
+            const std::size_t k = hit_of(ray);
+            if (!flat_.holds(k)) know(k, which, has(clear, ray) ? scratch_.lit_colors[k] : glm::vec3(0));
+        });
+    }
+
+    static HitMask equal(const std::array<Shadow, csg::kTileRays>& endings, Shadow to)
+    {
+        return csg::lanes::equal(reinterpret_cast<const std::uint8_t*>(endings.data()), static_cast<std::uint8_t>(to));
+    }
+
+    void know(std::size_t k, std::size_t which, const glm::vec3& shadowed)
+    {
+        LightSample& s = sample(static_cast<int>(k), which);
+        s.shadowed = shadowed;
+        s.shadow_known = true;
     }
 
     /// The light at hand past what a shadow ray crosses.
@@ -299,8 +414,8 @@ private:
     {
         const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
         const std::uint8_t count = scratch_.crossings.count[ray];
-        if (count == csg::CrossingTile::kTooMany) return filtered_light(context_, scratch_.hits.point(k), shadow_tolerance(k), interiors(k), lit, lit.color);
-        return crossed_light(context_, scratch_.hits.point(k), shadow_tolerance(k), interiors(k), lit, scratch_.rays.common_origin,
+        if (count == csg::CrossingTile::kTooMany) return filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], interiors(k), lit, lit.color);
+        return crossed_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], interiors(k), lit, scratch_.rays.common_origin,
                              scratch_.crossings.hits[ray].data(), count);
     }
 
@@ -312,8 +427,10 @@ private:
     const RayState& camera_;
     const WaitingRay* waiting_;
     std::size_t lights_, base_ = 0;
-    bool shadows_;
+    bool shadows_, small_ = false, go_on_ = false;
     bool general_ = false;   ///< some hits are not flat
+    HitMask found_ = 0, batched_ = 0, inside_ = 0;   ///< hits; of them, those without details of their own; those whose normal was turned
+    HitMask ahead_ = 0;      ///< hits that have LayersAhead
     HitMask asks_ = 0;       ///< hits that light changes
 };
 
