@@ -13,9 +13,9 @@ float opacity(const scene::Color& c, bool legacy);
 double grazing_weight(double cosine);
 
 /// c^n for a cosine is below 1e-13, and no picture shows it: c^n <= exp(-n (1 - c)).
+inline constexpr double kVanishes = 30.0;
 inline bool highlight_vanishes(double c, double n)
 {
-    constexpr double kVanishes = 30.0;
     return n * (1.0 - c) > kVanishes;
 }
 

@@ -200,10 +200,19 @@ private:
             at.gained.fill(0.0f);
         }
         const texture::Finish& finish = set_.finishes[of.finish];
+        const bool shiny = finish.phong > 0.0f || finish.specular > 0.0f;
+        if (at.holds == 0) {   // places that other hits take are written again
+            at.finish.fill(&finish);
+            if (shiny) at.shine.fill(finish);
+        } else {
+            for_each_hit(hits, [&](std::size_t k) {
+                at.finish[k] = &finish;
+                if (shiny) at.shine.set(k, finish);
+            });
+        }
         at.holds |= hits;
-        for_each_hit(hits, [&](std::size_t k) { at.finish[k] = &finish; });
         if (finish.diffuse > 0.0f) at.lit |= hits;
-        if (finish.phong > 0.0f || finish.specular > 0.0f) at.shiny |= hits;
+        if (shiny) at.shiny |= hits;
         if (finish.brilliance != 1.0f) at.raised |= hits;
         if (finish.metallic > 0.0f) at.tinted |= hits;
         if (of.normal != texture::kNone && bends_normals_) {
@@ -243,7 +252,12 @@ private:
         const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
         TileFloats diffuse, strength{};
         for (std::size_t k = 0; k < csg::kTileRays; ++k) diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]);
-        if (shiny != 0) find_highlights(at, shiny, rays, n, strength);
+        if (shiny != 0) {
+            alignas(64) TileLanes found{};
+            find_highlights(rays, n, scratch_.light, at.shine, shiny, found);
+            const Lanes shines(shiny);
+            for (std::size_t k = 0; k < csg::kTileRays; ++k) strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f;
+        }
         const HitMask tinted = at.tinted & shiny, plain = on & ~tinted;
         const Lanes gains(plain), has_diffuse(at.lit);
         const auto gain = [&](TileFloats TileColors::*channel) {
@@ -265,15 +279,6 @@ private:
             if (strength[k] != 0.0f) sum += strength[k] * texture::highlight_color(*at.finish[k], color, scene::Color::of(rgb), normal, scratch_.light.direction(k));
             at.gained.set(k, at.gained[k] + sum);
         });
-    }
-
-    void find_highlights(const FlatDepth& at, HitMask shiny, const csg::RayTile& rays, const double* const (&n)[3], TileFloats& strength)
-    {
-        Highlights& highlights = scratch_.highlights;
-        highlights.cosines(rays, n, scratch_.light, rays.count);
-        for_each_hit(shiny, [&](std::size_t k) { highlights.ask(k, *at.finish[k]); });
-        highlights.run();
-        for_each_hit(shiny, [&](std::size_t k) { strength[k] = static_cast<float>(highlights.next()); });
     }
 
     const texture::TextureSet& set_;

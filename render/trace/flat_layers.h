@@ -1,30 +1,11 @@
 #pragma once
 
-#include "render/texture/finish.h"
-#include "render/trace/shade_lanes.h"
+#include "render/trace/highlight_lanes.h"
+#include "render/trace/hit_mask.h"
 
 #include <array>
-#include <bit>
-#include <cstdint>
 
 namespace trace {
-
-/// Bit k: hit k of the tile.
-using HitMask = std::uint64_t;
-static_assert(csg::kTileRays == 64);
-
-/// f(k) for every hit of a mask, the first one first.
-template <class F>
-inline void for_each_hit(HitMask mask, F&& f)
-{
-    for (; mask != 0; mask &= mask - 1) f(static_cast<std::size_t>(std::countr_zero(mask)));
-}
-
-inline std::size_t first_hit(HitMask mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
-inline bool has(HitMask mask, std::size_t k) { return (mask >> k & 1) != 0; }
-
-/// Hits 0 <= k < count.
-inline HitMask first_hits(int count) { return count < csg::kTileRays ? (HitMask{1} << count) - 1 : ~HitMask{0}; }
 
 using TileFloats = std::array<float, csg::kTileRays>;
 
@@ -53,6 +34,7 @@ struct FlatDepth {
     HitMask lit, shiny;              ///< with diffuse light; with highlights
     HitMask raised, tinted;          ///< whose diffuse cosine is raised to a power; whose highlights are metallic
     std::array<const texture::Finish*, csg::kTileRays> finish;
+    Shine shine;                     ///< of the shiny hits
     TileColors pigment, glow;        ///< glow: ambient and emission
     TileColors gained, filter;       ///< what the lights have added so far; what the layers above let through
     alignas(64) TileLanes diffuse;   ///< times the layer's opacity

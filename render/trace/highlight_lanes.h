@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/texture/finish.h"
-#include "render/trace/pigment_batch.h"
+#include "render/trace/hit_mask.h"
 #include "render/trace/shade_lanes.h"
 
 #include <cstdint>
@@ -43,76 +43,68 @@ inline csg::lanes::Double exponential(const csg::lanes::Double& y)
     return xsimd::ldexp(sum, xsimd::to_int(k));
 }
 
-/// c^n of each pair, 0 < c <= 1; a multiple of csg::lanes::kDoubles, aligned.
-inline void powers(const double* c, const double* n, std::size_t count, double* out)
+/// c^n, 0 < c <= 1, n >= 0; what is below e^-700 is that.
+inline csg::lanes::Double power(const csg::lanes::Double& c, const csg::lanes::Double& n)
 {
-    using csg::lanes::Double;
-    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles)
-        exponential(xsimd::max(Double::load_aligned(n + i) * logarithm(Double::load_aligned(c + i)), Double(-700.0))).store_aligned(out + i);
+    return exponential(xsimd::max(n * logarithm(c), csg::lanes::Double(-700.0)));
 }
 
-/// Asked for hit after hit, answered in the same order after run().
-class Highlights {
-public:
-    /// The cosines that highlights are powers of, for hits 0 <= i < count: of the halfway vector and of the mirrored ray. n: x, y
-    /// and z of the normals.
-    void cosines(const csg::RayTile& rays, const double* const (&n)[3], const TileLight& light, int count)
+/// What highlights need of the finish of each hit.
+struct alignas(64) Shine {
+    alignas(64) TileLanes phong, phong_size, specular, exponent;
+
+    void set(std::size_t k, const texture::Finish& f)
     {
-        using csg::lanes::Double;
-        asked_ = powers_ = told_ = next_power_ = 0;
-        for (int i = 0; i < count; i += csg::lanes::kDoubles) {
-            const auto at = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
-            const Double dx = at(rays.dx), dy = at(rays.dy), dz = at(rays.dz), nx = Double::load_aligned(n[0] + i), ny = Double::load_aligned(n[1] + i), nz = Double::load_aligned(n[2] + i),
-                         lx = at(light.x), ly = at(light.y), lz = at(light.z);
-            const Double hx = lx - dx, hy = ly - dy, hz = lz - dz;
-            ((hx * nx + hy * ny + hz * nz) / xsimd::sqrt(hx * hx + hy * hy + hz * hz)).store_aligned(specular_.data() + i);
-            const Double twice = Double(2.0) * (dx * nx + dy * ny + dz * nz);
-            const Double mx = dx - twice * nx, my = dy - twice * ny, mz = dz - twice * nz;
-            (mx * lx + my * ly + mz * lz).store_aligned(phong_.data() + i);
-        }
+        phong[k] = static_cast<double>(f.phong);
+        phong_size[k] = static_cast<double>(f.phong_size);
+        specular[k] = static_cast<double>(f.specular);
+        exponent[k] = static_cast<double>(f.specular_exponent);
     }
-
-    /// The finish at hit k.
-    void ask(std::size_t k, const texture::Finish& finish)
+    void fill(const texture::Finish& f)
     {
-        std::uint8_t count = 0;
-        if (finish.phong > 0.0f && !texture::phong_vanishes(finish, phong_[k])) count += add(phong_[k], finish.phong_size, finish.phong);
-        if (finish.specular > 0.0f && specular_[k] > 0.0) count += add(specular_[k], finish.specular_exponent, finish.specular);
-        of_hit_[asked_++] = count;
+        phong.fill(static_cast<double>(f.phong));
+        phong_size.fill(static_cast<double>(f.phong_size));
+        specular.fill(static_cast<double>(f.specular));
+        exponent.fill(static_cast<double>(f.specular_exponent));
     }
-
-    void run()
-    {
-        for (std::size_t i = powers_; i % csg::lanes::kDoubles != 0; ++i) base_[i] = exponent_[i] = 1.0;
-        powers(base_.data(), exponent_.data(), powers_, base_.data());
-    }
-
-    /// Strength of the next hit's highlight.
-    double next()
-    {
-        double strength = 0.0;
-        for (std::uint8_t i = of_hit_[told_++]; i > 0; --i, ++next_power_) strength += amount_[next_power_] * base_[next_power_];
-        return strength;
-    }
-
-private:
-    static constexpr std::size_t kMost = csg::kTileRays;
-
-    std::uint8_t add(double cosine, float exponent, float amount)
-    {
-        const auto n = static_cast<double>(exponent);
-        if (texture::highlight_vanishes(cosine, n)) return 0;
-        base_[powers_] = cosine;
-        exponent_[powers_] = n;
-        amount_[powers_++] = static_cast<double>(amount);
-        return 1;
-    }
-
-    alignas(64) TileLanes specular_, phong_;
-    alignas(64) std::array<double, 2 * kMost> base_, exponent_;
-    std::array<double, 2 * kMost> amount_;
-    std::array<std::uint8_t, kMost> of_hit_;
-    std::size_t asked_ = 0, powers_ = 0, told_ = 0, next_power_ = 0;
 };
+
+/// Strengths of highlights for the hits of a mask; those of the others are anything. n: x, y and z of the normals. texture::phong +
+/// texture::specular, but for the powers.
+inline void find_highlights(const csg::RayTile& rays, const double* const (&n)[3], const TileLight& light, const Shine& shine, HitMask hits, TileLanes& strength)
+{
+    using csg::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+    const Double zero(0.0), one(1.0);
+    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+        const auto asked = static_cast<std::uint32_t>(hits >> i & kVector);
+        if (asked == 0) continue;
+        const auto at = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
+        const Double dx = at(rays.dx), dy = at(rays.dy), dz = at(rays.dz), nx = Double::load_aligned(n[0] + i), ny = Double::load_aligned(n[1] + i), nz = Double::load_aligned(n[2] + i),
+                     lx = at(light.x), ly = at(light.y), lz = at(light.z);
+        // Zero where the highlight vanishes (texture::highlight_vanishes) or nobody asks.
+        const auto term = [&](const auto& on, const Double& cosine, const Double& exponent, const Double& amount) {
+            const auto seen = on & (exponent * (one - cosine) <= Double(texture::kVanishes));
+            if ((csg::lanes::mask(seen) & asked) == 0) return zero;
+            return xsimd::select(seen, amount * power(xsimd::select(seen, cosine, one), exponent), zero);
+        };
+        const Double phong_amount = at(shine.phong), specular_amount = at(shine.specular);
+        const auto has_phong = phong_amount > zero, has_specular = specular_amount > zero;
+        Double sum = zero;
+        if ((csg::lanes::mask(has_phong) & asked) != 0) {
+            const Double twice = Double(2.0) * (dx * nx + dy * ny + dz * nz), size = at(shine.phong_size);
+            const Double mx = dx - twice * nx, my = dy - twice * ny, mz = dz - twice * nz;
+            const Double cosine = mx * lx + my * ly + mz * lz;
+            const auto cut = (size >= Double(60.0)) & (cosine <= Double(0.0008));   // texture::phong_vanishes
+            sum = term(has_phong & (cosine > zero) & !cut, cosine, size, phong_amount);
+        }
+        if ((csg::lanes::mask(has_specular) & asked) != 0) {
+            const Double hx = lx - dx, hy = ly - dy, hz = lz - dz;
+            const Double cosine = (hx * nx + hy * ny + hz * nz) / xsimd::sqrt(hx * hx + hy * hy + hz * hz);
+            sum = sum + term(has_specular & (cosine > zero), cosine, at(shine.exponent), specular_amount);
+        }
+        sum.store_aligned(strength.data() + i);
+    }
+}
 
 }  // namespace trace

@@ -54,7 +54,6 @@ struct ShadeScratch {
     TileColors sums;                     ///< of flat hits, when the lights are through
     std::array<Bend, csg::kTileRays * kLayersAhead> bends;
     texture::Points points;              ///< of pattern space, by hit
-    Highlights highlights;
     PigmentBatch pigments;               ///< of the flat hits of one layer, then of layer after layer of the others
     std::array<texture::Surroundings, csg::kTileRays> around;
     std::array<LayersAhead, csg::kTileRays> layers;

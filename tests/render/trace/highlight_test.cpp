@@ -28,7 +28,8 @@ TEST_CASE("powers in lanes are the library's", "[trace][highlight]")
             n[i] = static_cast<double>(static_cast<float>(std::exp2(16.0 * share(random) - 4.0)));
             c[i] = round % 2 ? share(random) : 1.0 - 30.0 * share(random) / std::max(n[i], 30.0);
         }
-        powers(c.data(), n.data(), 64, out.data());
+        using csg::lanes::Double;
+        for (std::size_t i = 0; i < 64; i += csg::lanes::kDoubles) power(Double::load_aligned(&c[i]), Double::load_aligned(&n[i])).store_aligned(&out[i]);
         for (std::size_t i = 0; i < 64; ++i) {
             if (texture::highlight_vanishes(c[i], n[i])) continue;
             const double truth = std::pow(c[i], n[i]);
@@ -41,11 +42,10 @@ TEST_CASE("powers in lanes are the library's", "[trace][highlight]")
 TEST_CASE("highlights of a tile are those of its hits alone", "[trace][highlight]")
 {
     std::mt19937 random(11);
-    auto highlights = std::make_unique<Highlights>();
     auto rays = std::make_unique<csg::RayTile>();
     auto hits = std::make_unique<TileHits>();
     auto light = std::make_unique<TileLight>();
-    std::array<texture::Finish, 3> finishes;
+    std::array<texture::Finish, 4> finishes;
     finishes[0].phong = 0.7f;
     finishes[0].phong_size = 65.0f;
     finishes[1].specular = 0.4f;
@@ -53,6 +53,9 @@ TEST_CASE("highlights of a tile are those of its hits alone", "[trace][highlight
     finishes[2].phong = finishes[2].specular = 0.5f;
     finishes[2].phong_size = 3.0f;
     finishes[2].specular_exponent = 2.0f;
+    finishes[3].specular = 0.9f;
+    auto shine = std::make_unique<Shine>();
+    alignas(64) TileLanes strength;
     int met = 0;
     for (int round = 0; round < 200; ++round) {
         rays->count = round % csg::kTileRays + 1;
@@ -64,16 +67,19 @@ TEST_CASE("highlights of a tile are those of its hits alone", "[trace][highlight
             light->x[k] = l.x, light->y[k] = l.y, light->z[k] = l.z;
         }
         const double* const normals[3] = {hits->nx.data(), hits->ny.data(), hits->nz.data()};
-        for (const texture::Finish& finish : finishes) {
-            highlights->cosines(*rays, normals, *light, rays->count);
-            for (std::size_t k = 0; k < count; ++k) highlights->ask(k, finish);
-            highlights->run();
+        // Of one finish, then of all at once.
+        for (std::size_t first = 0; first <= finishes.size(); ++first) {
+            const auto finish_of = [&](std::size_t k) { return finishes[first < finishes.size() ? first : k % finishes.size()]; };
+            if (first < finishes.size()) shine->fill(finishes[first]);
+            else for (std::size_t k = 0; k < csg::kTileRays; ++k) shine->set(k, finish_of(k));
+            find_highlights(*rays, normals, *light, *shine, ~HitMask{0}, strength);
             for (std::size_t k = 0; k < count; ++k) {
+                const texture::Finish finish = finish_of(k);
                 const glm::dvec3 d = rays->ray(static_cast<int>(k)).direction, n = hits->normal(k), l = light->direction(k);
                 double alone = 0.0;
                 if (finish.phong > 0.0f) alone += texture::phong(finish, d, n, l);
                 if (finish.specular > 0.0f) alone += texture::specular(finish, d, n, l);
-                CHECK(highlights->next() == Approx(alone).epsilon(1e-12).margin(1e-300));
+                CHECK(strength[k] == Approx(alone).epsilon(1e-12).margin(1e-300));
                 met += alone > 1e-6 ? 1 : 0;
             }
         }
