@@ -23,6 +23,9 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
 /// Value after frequency, phase and wave form at a warped point (spec 4, section 4).
 double pattern_value(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p, const Surroundings& around);
 
+/// Values are folded by it; it keeps an exact 1 from wrapping to 0 (spec 4, section 4).
+inline constexpr double kModulus = 1.00001;
+
 /// A raw value after frequency, phase and wave form.
 double waved(const Pattern& pattern, double raw);
 

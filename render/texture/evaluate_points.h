@@ -1,6 +1,5 @@
 #pragma once
 
-#include "render/scene/color.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/points.h"
 
@@ -23,6 +22,6 @@ using Normals = std::array<glm::dvec3, kMostPoints>;
 void perturb_points(const TextureSet& set, std::uint32_t normal, const Points& p, const Around& around, Normals& n);
 
 /// pigment_color of each point; p.count colours are written.
-void pigment_colors(const TextureSet& set, std::uint32_t pigment, const Points& p, const Around& around, scene::Color* out);
+void pigment_colors(const TextureSet& set, std::uint32_t pigment, const Points& p, const Around& around, ColorPoints& out);
 
 }  // namespace texture

@@ -2,15 +2,13 @@
 
 #include "render/texture/lattice.h"
 #include "render/texture/noise.h"
+#include "render/texture/point_lanes.h"
 
 #include <cmath>
 
 namespace texture {
 namespace {
 
-using csg::lanes::Double;
-using csg::lanes::kDoubles;
-constexpr std::size_t kLanes = static_cast<std::size_t>(kDoubles);
 
 /// Toward zero to 32 bits and back; out of range and NaN give the least integer. `index`: the numbers of the cells.
 inline Double truncated(const Double& v, std::uint32_t* index)

@@ -8,8 +8,6 @@
 namespace texture {
 namespace {
 
-constexpr double kModulus = 1.00001;  // keeps an exact 1 from wrapping to 0 (spec 4, section 4)
-
 /// fmod(v, kModulus), which is exact: a difference is too as long as it is below the modulus.
 double folded(double v)
 {

@@ -1,5 +1,6 @@
 #include "render/texture/angle.h"
 #include "render/texture/evaluate_points.h"
+#include "render/texture/map_points.h"
 #include "render/texture/noise_points.h"
 #include "render/texture/patterns/patterns.h"
 
@@ -94,14 +95,14 @@ struct Group {
 using Blends = std::array<Blend, kMostPoints>;
 
 /// Each child for the points that need it, once; then the mixture.
-void mapped_colors(const TextureSet& set, const Blends& blends, const Points& p, const Around& around, scene::Color* out)
+void mapped_colors(const TextureSet& set, const Blends& blends, const Points& p, const Around& around, ColorPoints& out)
 {
     std::uint32_t first = blends[0].lower, last = blends[0].upper;
     for (std::size_t i = 1; i < p.size(); ++i) {
         first = std::min(first, blends[i].lower);
         last = std::max(last, blends[i].upper);
     }
-    std::array<scene::Color, kMostPoints> upper, found;
+    ColorPoints upper, found;
     Group group;
     for (std::uint32_t entry = first; entry <= last; ++entry) {
         group.points.count = 0;
@@ -109,27 +110,27 @@ void mapped_colors(const TextureSet& set, const Blends& blends, const Points& p,
             if (blends[i].lower == entry || blends[i].upper == entry) group.add(p, around, i);
         if (group.points.count == 0) continue;
         group.points.pad();
-        pigment_colors(set, set.children[entry], group.points, group.around, found.data());
+        pigment_colors(set, set.children[entry], group.points, group.around, found);
         for (std::size_t k = 0; k < group.points.size(); ++k) {
             const std::size_t i = group.owner[k];
-            (blends[i].lower == entry ? out[i] : upper[i]) = found[k];
+            (blends[i].lower == entry ? out : upper).set(i, found.at(k));
         }
     }
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (blends[i].lower != blends[i].upper) out[i] = mix(out[i], upper[i], blends[i].share);
+        if (blends[i].lower != blends[i].upper) out.set(i, mix(out.at(i), upper.at(i), blends[i].share));
 }
 
-void average_colors(const TextureSet& set, const Pigment& pigment, const Points& p, const Around& around, scene::Color* out)
+void average_colors(const TextureSet& set, const Pigment& pigment, const Points& p, const Around& around, ColorPoints& out)
 {
-    std::array<scene::Color, kMostPoints> found;
+    ColorPoints found;
     std::array<scene::Color, kMostPoints> sums{};
     float weights = 0;
     for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
-        pigment_colors(set, set.children[i], p, around, found.data());
+        pigment_colors(set, set.children[i], p, around, found);
         weights += set.keys[i];
-        for (std::size_t k = 0; k < p.size(); ++k) add_weighted(sums[k], set.keys[i], found[k]);
+        for (std::size_t k = 0; k < p.size(); ++k) add_weighted(sums[k], set.keys[i], found.at(k));
     }
-    for (std::size_t k = 0; k < p.size(); ++k) out[k] = divided(sums[k], weights);
+    for (std::size_t k = 0; k < p.size(); ++k) out.set(k, divided(sums[k], weights));
 }
 
 }  // namespace
@@ -137,15 +138,15 @@ void average_colors(const TextureSet& set, const Pigment& pigment, const Points&
 void pattern_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
 {
     raw_values(set, pattern, p, around, out);
-    for (std::size_t i = 0; i < p.size(); ++i) out[i] = waved(pattern, out[i]);
+    waved_points(pattern, p.size(), out);
 }
 
-void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p, const Around& around, scene::Color* out)
+void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p, const Around& around, ColorPoints& out)
 {
     const Pigment& pigment = set.pigments[index];
     const bool color_map = pigment.kind == Pigment::Kind::ColorMap;
     if (!color_map && pigment.kind != Pigment::Kind::PigmentMap && pigment.kind != Pigment::Kind::Average) {
-        for (std::size_t i = 0; i < p.size(); ++i) out[i] = pigment_color(set, index, p.at(i), *around[i]);
+        for (std::size_t i = 0; i < p.size(); ++i) out.set(i, pigment_color(set, index, p.at(i), *around[i]));
         return;
     }
     const Pattern& pattern = set.patterns[pigment.pattern];
@@ -154,13 +155,10 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
     if (pigment.kind == Pigment::Kind::Average) return average_colors(set, pigment, q, around, out);
     Values values;
     pattern_values(set, pattern, q, around, values);
+    if (color_map) return color_map_points(set, pigment.first, pigment.count, values, p.size(), out);
     Blends blends;
     for (std::size_t i = 0; i < p.size(); ++i) blends[i] = blend_at(set, pigment.first, pigment.count, values[i]);
-    if (!color_map) return mapped_colors(set, blends, q, around, out);
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        const Blend& b = blends[i];
-        out[i] = b.lower == b.upper ? set.colors[b.lower] : mix(set.colors[b.lower], set.colors[b.upper], b.share);
-    }
+    mapped_colors(set, blends, q, around, out);
 }
 
 }  // namespace texture

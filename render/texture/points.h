@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/scene/color.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -39,6 +41,21 @@ struct Points {
     void pad()
     {
         for (std::size_t i = size(), end = std::min<std::size_t>((i + 7) & ~std::size_t{7}, kMostPoints); i < end; ++i) set(i, at(size() - 1));
+    }
+};
+
+/// A colour for each of some points, its components apart.
+struct alignas(64) ColorPoints {
+    alignas(64) std::array<float, kMostPoints> red, green, blue, filter, transmit;
+
+    scene::Color at(std::size_t i) const { return {red[i], green[i], blue[i], filter[i], transmit[i]}; }
+    void set(std::size_t i, const scene::Color& c)
+    {
+        red[i] = c.red;
+        green[i] = c.green;
+        blue[i] = c.blue;
+        filter[i] = c.filter;
+        transmit[i] = c.transmit;
     }
 };
 

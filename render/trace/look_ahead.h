@@ -20,11 +20,14 @@ inline void look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, Hi
             if (texture.count < depth || !(layers.residual > bailout)) return;
             scratch.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, scratch.points.at(k), scratch.around[k]);
         });
-        scratch.pigments.run(set, [&](std::size_t k, const scene::Color& c) {
-            LayersAhead& layers = scratch.layers[k];
-            layers.colors[set.textures[layers.texture].count - depth] = c;
-            layers.filter *= c.filter * c.rgb() + c.transmit;
-            layers.residual = std::min(1.0f, std::abs(scene::grey(layers.filter)));
+        scratch.pigments.run(set, [&](const std::uint8_t* owner, const texture::ColorPoints& colors, std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) {
+                LayersAhead& layers = scratch.layers[owner[i]];
+                const scene::Color c = colors.at(i);
+                layers.colors[set.textures[layers.texture].count - depth] = c;
+                layers.filter *= c.filter * c.rgb() + c.transmit;
+                layers.residual = std::min(1.0f, std::abs(scene::grey(layers.filter)));
+            }
         });
     }
 }

@@ -5,6 +5,7 @@
 #include "render/trace/flat_layers.h"
 
 #include <array>
+#include <utility>
 
 namespace trace {
 
@@ -27,14 +28,14 @@ public:
         for_each_hit(hits, [&](std::size_t k) { ask(k, pigment, points.at(k), around[k]); });
     }
 
-    /// Calls give(k, colour) for every question, in groups by pigment.
+    /// Calls give(hits, colours, count) for every group of questions, one a pigment: colour i is hit hits[i]'s.
     template <class Give>
     void run(const texture::TextureSet& set, Give&& give)
     {
         while (points_.count != 0) {
             points_.pad();
-            texture::pigment_colors(set, pigment_, points_, around_, colors_.data());
-            for (std::size_t i = 0; i < points_.size(); ++i) give(owner_[i], colors_[i]);
+            texture::pigment_colors(set, pigment_, points_, around_, colors_);
+            give(owner_.data(), std::as_const(colors_), points_.size());
             take_next();
         }
     }
@@ -73,7 +74,7 @@ private:
     texture::Points points_;                       ///< that ask for it
     texture::Around around_;
     std::array<std::uint8_t, csg::kTileRays> owner_;
-    std::array<scene::Color, csg::kTileRays> colors_;
+    texture::ColorPoints colors_;
 };
 
 /// Most layers of a texture whose pigments are looked up for a whole tile ahead of shading.

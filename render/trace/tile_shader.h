@@ -49,7 +49,9 @@ public:
             begin(group & inside_, surface, traits.inner, traits.inner_layers);
             left &= ~group;
         }
-        scratch_.pigments.run(context_.scene.textures, [this](std::size_t k, const scene::Color& c) { flat_.color(k, c); });
+        scratch_.pigments.run(context_.scene.textures, [this](const std::uint8_t* owner, const texture::ColorPoints& colors, std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) flat_.color(owner[i], colors.at(i));
+        });
         if (general_) finish_layers();
         flat_.bend();
         asks_ = flat_.lit();

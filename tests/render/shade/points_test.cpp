@@ -151,7 +151,7 @@ std::uint32_t random_pigment(Rng& rng, TextureSet& set, int depth)
     pigment.kind = depth == 0 || rng.flip() ? (rng.below(6) == 0 ? Kind::Solid : Kind::ColorMap) : rng.below(4) == 0 ? Kind::Average : Kind::PigmentMap;
     const auto color = [&] { return scene::Color{float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), 0.1f, float(rng.uniform(0, 1))}; };
     pigment.color = color();
-    pigment.count = static_cast<std::uint32_t>(1 + rng.below(5));
+    pigment.count = static_cast<std::uint32_t>(1 + rng.below(rng.below(4) == 0 ? 12 : 5));
     std::vector<std::uint32_t> children(pigment.count, 0);
     if (pigment.kind == Kind::PigmentMap || pigment.kind == Kind::Average)
         for (auto& child : children) child = random_pigment(rng, set, depth - 1);
@@ -250,10 +250,10 @@ TEST_CASE("pigments of many points have the bits of each point alone", "[texture
         const Surroundings none;
         Around around;
         around.fill(&none);
-        std::array<scene::Color, kMostPoints> colors;
-        pigment_colors(set, pigment, p, around, colors.data());
+        ColorPoints colors;
+        pigment_colors(set, pigment, p, around, colors);
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const scene::Color c = pigment_color(set, pigment, p.at(i), none), &m = colors[i];
+            const scene::Color c = pigment_color(set, pigment, p.at(i), none), m = colors.at(i);
             REQUIRE(bits(c.red) == bits(m.red));
             REQUIRE(bits(c.green) == bits(m.green));
             REQUIRE(bits(c.blue) == bits(m.blue));

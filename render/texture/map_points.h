@@ -1,0 +1,15 @@
+#pragma once
+
+#include "render/texture/evaluate.h"
+#include "render/texture/points.h"
+
+/// Values of many points after their wave, and looked up in maps, in vector lanes: the bits of evaluate.h.
+namespace texture {
+
+/// waved() of each value; `values` has room for whole vectors behind the last one.
+void waved_points(const Pattern& pattern, std::size_t count, Values& values);
+
+/// The colours that a map of colours, entries first to first + entries, has at the values.
+void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values, std::size_t count, ColorPoints& out);
+
+}  // namespace texture
