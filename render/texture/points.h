@@ -57,6 +57,14 @@ struct alignas(64) ColorPoints {
         filter[i] = c.filter;
         transmit[i] = c.transmit;
     }
+    void fill(const scene::Color& c)
+    {
+        red.fill(c.red);
+        green.fill(c.green);
+        blue.fill(c.blue);
+        filter.fill(c.filter);
+        transmit.fill(c.transmit);
+    }
 };
 
 }  // namespace texture

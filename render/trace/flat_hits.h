@@ -28,7 +28,7 @@ public:
     HitMask lit() const { return lit_; }
 
     const texture::Finish& top_finish(std::size_t k) const { return *scratch_.flat[0].finish[k]; }
-    const scene::Color& top_pigment(std::size_t k) const { return scratch_.top_pigments[k]; }
+    scene::Color top_pigment(std::size_t k) const { return scratch_.top_pigments.at(k); }
 
     /// Hits of one layer; their pigments come by color().
     void begin(HitMask hits, const LoneLayer& lone)
@@ -40,28 +40,22 @@ public:
         add_layer(0, hits, layer);
     }
 
-    void color(std::size_t k, const scene::Color& c)
+    void color(HitMask hits, const texture::ColorPoints& c)
     {
-        const bool goes_on = has(goes_on_, k);
-        if (goes_on) scratch_.top_pigments[k] = c;
-        color(scratch_.flat[0], k, c, goes_on ? texture::opacity(c, set_.legacy_opacity) : 1.0f);
+        for_each_hit(hits & goes_on_, [&](std::size_t k) { scratch_.top_pigments.set(k, c.at(k)); });
+        color(scratch_.flat[0], hits, hits & goes_on_, c);
     }
 
-    /// A hit whose layers' pigments are known; they let nothing through to what is behind.
-    void begin(std::size_t k, const texture::Texture& texture, const std::array<scene::Color, kLayersAhead>& colors)
+    /// Hits of layers whose pigments are known, by depth where the hits of `asked` have one; they let nothing through to what is behind.
+    void begin(HitMask hits, const texture::Texture& texture)
     {
-        holds_ |= HitMask{1} << k;
-        lit_ |= HitMask{1} << k;
-        glm::vec3 filter(1);
-        float residual = 1.0f;
-        std::size_t depth = 0;
-        for (std::uint32_t i = texture.count; i-- > 0 && residual > bailout_; ++depth) {
-            FlatDepth& at = add_layer(depth, HitMask{1} << k, set_.layers[texture.first + i]);
-            const scene::Color& c = colors[i];
-            color(at, k, c, texture.plain ? 1.0f : texture::opacity(c, set_.legacy_opacity));
-            at.filter.set(k, filter);
-            filter *= c.filter * c.rgb() + c.transmit;
-            residual = std::min(1.0f, std::abs(scene::grey(filter)));
+        holds_ |= hits;
+        lit_ |= hits;
+        for (std::uint32_t depth = 0; depth < texture.count; ++depth) {
+            const HitMask here = hits & scratch_.asked[depth];
+            if (here == 0) return;
+            FlatDepth& at = add_layer(depth, here, set_.layers[texture.first + texture.count - 1 - depth]);
+            color(at, here, texture.plain ? 0 : here, scratch_.ahead[depth]);
         }
     }
 
@@ -200,13 +194,20 @@ private:
             at.gained.fill(0.0f);
         }
         const texture::Finish& finish = set_.finishes[of.finish];
+        const glm::vec3 emitted = finish.ambient + finish.emission;
         const bool shiny = finish.phong > 0.0f || finish.specular > 0.0f;
         if (at.holds == 0) {   // places that other hits take are written again
             at.finish.fill(&finish);
+            at.emitted.red.fill(emitted.x);
+            at.emitted.green.fill(emitted.y);
+            at.emitted.blue.fill(emitted.z);
+            at.finish_diffuse.fill(finish.diffuse);
             if (shiny) at.shine.fill(finish);
         } else {
             for_each_hit(hits, [&](std::size_t k) {
                 at.finish[k] = &finish;
+                at.emitted.set(k, emitted);
+                at.finish_diffuse[k] = finish.diffuse;
                 if (shiny) at.shine.set(k, finish);
             });
         }
@@ -223,12 +224,33 @@ private:
         return at;
     }
 
-    static void color(FlatDepth& at, std::size_t k, const scene::Color& c, float alpha)
+    /// Pigments of hits; of some, `clear`, opacity counts.
+    void color(FlatDepth& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
-        const texture::Finish& finish = *at.finish[k];
-        at.pigment.set(k, c.rgb());
-        at.glow.set(k, c.rgb() * (finish.ambient + finish.emission) * alpha);
-        at.diffuse[k] = static_cast<double>(finish.diffuse) * static_cast<double>(alpha);
+        const Lanes here(hits), counts(clear);
+        alignas(64) TileFloats alpha;
+        if (clear == 0) {
+            alpha.fill(1.0f);
+        } else if (set_.legacy_opacity) {
+            for_each_hit(hits, [&](std::size_t k) { alpha[k] = counts[k] != 0 ? texture::opacity(c.at(k), true) : 1.0f; });
+        } else {
+            for (std::size_t k = 0; k < csg::kTileRays; ++k) alpha[k] = counts[k] != 0 ? 1.0f - c.filter[k] - c.transmit[k] : 1.0f;
+        }
+        const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {
+            float *pigment = (at.pigment.*channel).data(), *glow = (at.glow.*channel).data();
+            const float* emitted = (at.emitted.*channel).data();
+            for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+                pigment[k] = here[k] != 0 ? from[k] : pigment[k];
+                glow[k] = here[k] != 0 ? from[k] * emitted[k] * alpha[k] : glow[k];
+            }
+        };
+        component(c.red, &TileColors::red);
+        component(c.green, &TileColors::green);
+        component(c.blue, &TileColors::blue);
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+            const double diffuse = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
+            at.diffuse[k] = here[k] != 0 ? diffuse : at.diffuse[k];
+        }
     }
 
     void add(FlatDepth& at, const light::Light& light, const csg::RayTile& rays)

@@ -35,6 +35,8 @@ struct FlatDepth {
     HitMask raised, tinted;          ///< whose diffuse cosine is raised to a power; whose highlights are metallic
     std::array<const texture::Finish*, csg::kTileRays> finish;
     Shine shine;                     ///< of the shiny hits
+    TileColors emitted;              ///< by the finish: its ambient and emission
+    alignas(64) TileFloats finish_diffuse;
     TileColors pigment, glow;        ///< glow: ambient and emission
     TileColors gained, filter;       ///< what the lights have added so far; what the layers above let through
     alignas(64) TileLanes diffuse;   ///< times the layer's opacity

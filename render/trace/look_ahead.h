@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/lane_equal.h"
 #include "render/trace/shade_scratch.h"
 
 #include <algorithm>
@@ -7,29 +8,55 @@
 
 namespace trace {
 
-/// Pigments of layered textures for `hits` of the tile, whose `layers` are begun, the top layers first: one is asked
-/// for only where those above let light through (as shade_layers has it, but for what mirrors take away).
-inline void look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, HitMask hits, float bailout)
+/// What the layers so far let through to the next one, of all hits; a layer's colours are put on top. The hits that more than
+/// `bailout` of light passes.
+inline HitMask pass_layer(const texture::ColorPoints& c, TileColors& filter, float bailout)
 {
-    std::uint32_t most = 1;
-    for (std::uint32_t depth = 1; depth <= most; ++depth) {
-        for_each_hit(hits, [&](std::size_t k) {
-            const LayersAhead& layers = scratch.layers[k];
-            const texture::Texture& texture = set.textures[layers.texture];
-            most = std::max(most, texture.count);
-            if (texture.count < depth || !(layers.residual > bailout)) return;
-            scratch.pigments.ask(k, set.layers[texture.first + texture.count - depth].pigment, scratch.points.at(k), scratch.around[k]);
-        });
-        scratch.pigments.run(set, [&](const std::uint8_t* owner, const texture::ColorPoints& colors, std::size_t count) {
-            for (std::size_t i = 0; i < count; ++i) {
-                LayersAhead& layers = scratch.layers[owner[i]];
-                const scene::Color c = colors.at(i);
-                layers.colors[set.textures[layers.texture].count - depth] = c;
-                layers.filter *= c.filter * c.rgb() + c.transmit;
-                layers.residual = std::min(1.0f, std::abs(scene::grey(layers.filter)));
-            }
-        });
+    alignas(64) std::array<std::uint32_t, csg::kTileRays> open;
+    for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+        filter.red[k] *= c.filter[k] * c.red[k] + c.transmit[k];
+        filter.green[k] *= c.filter[k] * c.green[k] + c.transmit[k];
+        filter.blue[k] *= c.filter[k] * c.blue[k] + c.transmit[k];
+        const float residual = std::abs(0.297f * filter.red[k] + 0.589f * filter.green[k] + 0.114f * filter.blue[k]);   // scene::grey
+        open[k] = (residual < 1.0f ? residual : 1.0f) > bailout ? 1 : 0;
     }
+    return csg::lanes::equal(open, 1);
+}
+
+/// Pigments of layered textures for the tile's hits that have such, the top layers first: one is asked for only where those above
+/// let light through (as shade_layers has it, but for what mirrors take away). The hits that light passes all layers of.
+inline HitMask look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, float bailout)
+{
+    std::uint32_t most = 0;
+    HitMask open = 0;
+    for (std::size_t g = 0; g < scratch.layered_count; ++g) {
+        open |= scratch.layered[g].hits;
+        most = std::max(most, set.textures[scratch.layered[g].texture].count);
+    }
+    TileColors filter;
+    filter.fill(1.0f);
+    scratch.asked.fill(0);
+    for (std::uint32_t depth = 0; depth < most; ++depth) {
+        HitMask asked = 0;
+        for (std::size_t g = 0; g < scratch.layered_count; ++g) {
+            const LayeredGroup& group = scratch.layered[g];
+            const texture::Texture& texture = set.textures[group.texture];
+            const HitMask hits = group.hits & open;
+            if (texture.count <= depth || hits == 0) continue;
+            asked |= hits;
+            scratch.pigments.ask(hits, set.layers[texture.first + texture.count - 1 - depth].pigment, scratch.points, scratch.around);
+        }
+        if (asked == 0) break;
+        texture::ColorPoints& colors = scratch.ahead[depth];
+        scratch.pigments.run(set, [&](HitMask hits, const texture::ColorPoints& found) {
+            if (hits == asked) colors = found;
+            else for_each_hit(hits, [&](std::size_t k) { colors.set(k, found.at(k)); });
+        });
+        scratch.asked[depth] = asked;
+        scratch.flat[depth].filter = filter;
+        open = (open & ~asked) | (asked & pass_layer(colors, filter, bailout));
+    }
+    return open;
 }
 
 }  // namespace trace

@@ -25,17 +25,38 @@ public:
     /// Hits of a tile ask for the same pigment, at their places among `points`.
     void ask(HitMask hits, std::uint32_t pigment, const texture::Points& points, const std::array<texture::Surroundings, csg::kTileRays>& around)
     {
-        for_each_hit(hits, [&](std::size_t k) { ask(k, pigment, points.at(k), around[k]); });
+        if (points_.count != 0 || (hits & (hits + 1)) != 0) {
+            for_each_hit(hits, [&](std::size_t k) { ask(k, pigment, points.at(k), around[k]); });
+            return;
+        }
+        // The first so many hits of the tile.
+        pigment_ = pigment;
+        points_ = points;
+        points_.count = std::popcount(hits);
+        in_order_ = true;
+        for (std::size_t k = 0; k < points_.size(); ++k) {
+            around_[k] = &around[k];
+            owner_[k] = static_cast<std::uint8_t>(k);
+        }
     }
 
-    /// Calls give(hits, colours, count) for every group of questions, one a pigment: colour i is hit hits[i]'s.
+    /// Calls give(hits, colours) for every group of questions, one a pigment; the colours are in the places of the hits.
     template <class Give>
     void run(const texture::TextureSet& set, Give&& give)
     {
         while (points_.count != 0) {
             points_.pad();
             texture::pigment_colors(set, pigment_, points_, around_, colors_);
-            give(owner_.data(), std::as_const(colors_), points_.size());
+            if (in_order_) {
+                give(first_hits(points_.count), std::as_const(colors_));
+            } else {
+                HitMask hits = 0;
+                for (std::size_t i = 0; i < points_.size(); ++i) {
+                    hits |= HitMask{1} << owner_[i];
+                    placed_.set(owner_[i], colors_.at(i));
+                }
+                give(hits, std::as_const(placed_));
+            }
             take_next();
         }
     }
@@ -43,6 +64,7 @@ public:
 private:
     void add(std::uint8_t hit, const glm::dvec3& p, const texture::Surroundings& around)
     {
+        in_order_ = (points_.count == 0 || in_order_) && hit == points_.size();
         owner_[points_.size()] = hit;
         around_[points_.size()] = &around;
         points_.add(p);
@@ -74,19 +96,23 @@ private:
     texture::Points points_;                       ///< that ask for it
     texture::Around around_;
     std::array<std::uint8_t, csg::kTileRays> owner_;
-    texture::ColorPoints colors_;
+    texture::ColorPoints colors_, placed_;         ///< in the order of the questions; by hit
+    bool in_order_ = false;                        ///< question i is hit i's
 };
 
 /// Most layers of a texture whose pigments are looked up for a whole tile ahead of shading.
 inline constexpr std::uint32_t kLayersAhead = 8;
 
-/// Pigments of the layers of a hit, by layer; those that layers above hide are not filled in.
+/// Pigments of layers by depth below the top; of the hits that were asked there.
+using ColorsAhead = std::array<texture::ColorPoints, kLayersAhead>;
+
+/// Pigments of the layers of one hit; those that layers above hide are not there.
 struct LayersAhead {
-    std::uint32_t texture;
-    bool flat;                       ///< AheadLayers::flat
-    float residual;                  ///< share of light that the layers so far let through, or more
-    glm::vec3 filter;
-    std::array<scene::Color, kLayersAhead> colors;
+    std::uint32_t texture, layers;
+    const ColorsAhead* colors;
+    std::size_t hit;
+
+    scene::Color of(std::uint32_t layer) const { return (*colors)[layers - 1 - layer].at(hit); }
 };
 
 }  // namespace trace

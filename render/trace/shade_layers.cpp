@@ -54,7 +54,7 @@ struct Stack {
 /// The pigment of a texture's i-th layer.
 scene::Color pigment_of(const Context& context, const HitContext& hit, const texture::Texture& texture, std::uint32_t i, const glm::dvec3& p)
 {
-    if (hit.ahead != nullptr) return hit.ahead->colors[i];
+    if (hit.ahead != nullptr) return hit.ahead->of(i);
     const auto& set = context.scene.textures;
     return texture::pigment_color(set, set.layers[texture.first + i].pigment, p, hit.around);
 }

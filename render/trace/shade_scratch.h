@@ -28,6 +28,13 @@ struct Bend {
     std::uint8_t depth, hit;
 };
 
+/// Hits of a tile that have the same texture of layers.
+struct LayeredGroup {
+    HitMask hits;
+    std::uint32_t texture;
+    bool flat;                   ///< AheadLayers::flat
+};
+
 /// Where the shadow rays of a tile's hits to the light at hand begin and end.
 struct alignas(64) ShadowEnds {
     alignas(64) TileLanes from, to;
@@ -50,13 +57,17 @@ struct ShadeScratch {
     std::array<glm::vec3, csg::kTileRays> lit_colors;   ///< of the light at hand, before shadows
     TileColors reaching;                 ///< colours of the light at hand where it reaches flat hits
     std::array<FlatDepth, kLayersAhead> flat;           ///< hits that go through the lights together
-    std::array<scene::Color, csg::kTileRays> top_pigments;   ///< of flat hits that rays go on from
+    texture::ColorPoints top_pigments;   ///< of flat hits that rays go on from
+    texture::ColorPoints solid;          ///< one colour for all hits
     TileColors sums;                     ///< of flat hits, when the lights are through
     std::array<Bend, csg::kTileRays * kLayersAhead> bends;
     texture::Points points;              ///< of pattern space, by hit
     PigmentBatch pigments;               ///< of the flat hits of one layer, then of layer after layer of the others
     std::array<texture::Surroundings, csg::kTileRays> around;
-    std::array<LayersAhead, csg::kTileRays> layers;
+    std::array<LayeredGroup, csg::kTileRays> layered;
+    std::size_t layered_count = 0;
+    ColorsAhead ahead;                   ///< pigments of the layers of those
+    std::array<HitMask, kLayersAhead> asked;   ///< by depth: where they are
     csg::CrossingTile crossings;         ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
     std::array<std::uint8_t, csg::kTileRays> lane;   ///< of each shadow ray: which hit it belongs to

@@ -41,6 +41,7 @@ public:
         go_on_ = settings.quality >= 8 && settings.adc_bailout < 1.0 && !scratch_.wave.full();
         find_places();
         scratch_.pigments.clear();
+        scratch_.layered_count = 0;
         for (HitMask left = found_; left != 0;) {
             const csg::SurfaceId surface = hits_.surface[first_hit(left)];
             const HitMask group = left & csg::lanes::equal(hits_.surface, surface);
@@ -49,9 +50,7 @@ public:
             begin(group & inside_, surface, traits.inner, traits.inner_layers);
             left &= ~group;
         }
-        scratch_.pigments.run(context_.scene.textures, [this](const std::uint8_t* owner, const texture::ColorPoints& colors, std::size_t count) {
-            for (std::size_t i = 0; i < count; ++i) flat_.color(owner[i], colors.at(i));
-        });
+        scratch_.pigments.run(context_.scene.textures, [this](HitMask hits, const texture::ColorPoints& colors) { flat_.color(hits, colors); });
         if (general_) finish_layers();
         flat_.bend();
         asks_ = flat_.lit();
@@ -113,7 +112,9 @@ public:
             const HitPlace place{state, hit, context_.scene.surfaces[hit.surface], scratch_.hits.point(k), scratch_.hits.normal(k), level(i), has(inside_, k)};
             add_branch(context_, place, flat_.top_finish(k), flat_.top_pigment(k), flat_.sum(k), place_of(i), reach(i) + hit.t);
         } else {
-            give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(k), level(i), first_light(i), has(ahead_, k) ? &scratch_.layers[k] : nullptr)));
+            LayersAhead ahead;
+            const bool known = layers_ahead(k, ahead);
+            give(i, through_air(context_, state, hit.t, shade_hit(context_, state, hit, details(k), level(i), first_light(i), known ? &ahead : nullptr)));
         }
     }
 
@@ -181,6 +182,17 @@ private:
         return at;
     }
 
+    /// Pigments of hit k that were looked up together with others'.
+    bool layers_ahead(std::size_t k, LayersAhead& out) const
+    {
+        if (!has(ahead_, k)) return false;
+        for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
+            const LayeredGroup& group = scratch_.layered[g];
+            if (has(group.hits, k)) out = {group.texture, context_.scene.textures.textures[group.texture].count, &scratch_.ahead, k};
+        }
+        return true;
+    }
+
     /// Hits on one side of a surface.
     void begin(HitMask group, csg::SurfaceId surface, const LoneLayer& lone, const AheadLayers& layers)
     {
@@ -200,7 +212,10 @@ private:
         const std::uint32_t index = set.layers[lone.index].pigment;
         const texture::Pigment& pigment = set.pigments[index];
         const bool solid = pigment.kind == texture::Pigment::Kind::Solid;
-        if (solid) for_each_hit(group, [&](std::size_t k) { flat_.color(k, pigment.color); });
+        if (solid) {
+            scratch_.solid.fill(pigment.color);
+            flat_.color(group, scratch_.solid);
+        }
         if (solid && !flat_.bent(first_hit(group))) return;
         surround(group, surface);
         if (!solid) scratch_.pigments.ask(group, index, scratch_.points, scratch_.around);
@@ -211,11 +226,11 @@ private:
     {
         const auto& set = context_.scene.textures;
         const auto bailout = static_cast<float>(context_.scene.settings.adc_bailout);
-        look_ahead(scratch_, set, ahead_, bailout);
-        for_each_hit(ahead_, [&](std::size_t k) {
-            const LayersAhead& layers = scratch_.layers[k];
-            if (layers.flat && !(layers.residual > bailout)) flat_.begin(k, set.textures[layers.texture], layers.colors);
-        });
+        const HitMask open = look_ahead(scratch_, set, bailout);
+        for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
+            const LayeredGroup& group = scratch_.layered[g];
+            if (group.flat && (group.hits & ~open) != 0) flat_.begin(group.hits & ~open, set.textures[group.texture]);
+        }
         general_ = (found_ & ~flat_.all()) != 0;
     }
 
@@ -239,13 +254,7 @@ private:
     void begin_layers(HitMask group, csg::SurfaceId surface, const AheadLayers& of)
     {
         ahead_ |= group;
-        for_each_hit(group, [&](std::size_t k) {
-            LayersAhead& layers = scratch_.layers[k];
-            layers.texture = of.texture;
-            layers.flat = of.flat && small_;
-            layers.residual = 1.0f;
-            layers.filter = glm::vec3(1);
-        });
+        scratch_.layered[scratch_.layered_count++] = {group, of.texture, of.flat && small_};
         surround(group, surface);
     }
 
