@@ -16,10 +16,8 @@ void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsig
 /// pattern_value of each warped point.
 void pattern_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out);
 
-using Normals = std::array<glm::dvec3, kMostPoints>;
-
-/// perturb of each normal at its point; what perturb leaves in the surroundings is lost. Padded.
-void perturb_points(const TextureSet& set, std::uint32_t normal, const Points& p, const Around& around, Normals& n);
+/// perturb of each normal at its point; what perturb leaves in the surroundings is lost. Both padded.
+void perturb_points(const TextureSet& set, std::uint32_t normal, const Points& p, const Around& around, Points& n);
 
 /// pigment_color of each point; p.count colours are written.
 void pigment_colors(const TextureSet& set, std::uint32_t pigment, const Points& p, const Around& around, ColorPoints& out);

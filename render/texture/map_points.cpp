@@ -69,23 +69,51 @@ void mix_points(const float* entries, const BlendPoints& blends, std::size_t cou
 }
 #endif
 
+#if defined(__FMA__)
+/// v - q m with one rounding; xsimd 8 has no such for AVX-512.
+Double fused_rest(const Double& v, const Double& q, const Double& m)
+{
+#if defined(__AVX512F__)
+    return Double(_mm512_fnmadd_pd(q.data, m.data, v.data));
+#else
+    return Double(_mm256_fnmadd_pd(q.data, m.data, v.data));
+#endif
+}
+#endif
+
+/// Frequency and phase, and the remainder by kModulus; false where that takes the library's own for some value.
+bool fold(Double& v, const Pattern& pattern)
+{
+    const Double modulus(kModulus), zero(0.0), moved = v * Double(pattern.frequency) + Double(pattern.phase), size = xsimd::abs(moved);
+    constexpr std::uint32_t kAll = (1u << kLanes) - 1;
+    Double rest;
+    if (csg::lanes::mask(size < Double(2.0 * kModulus)) == kAll) {
+        rest = xsimd::select(size < modulus, size, size - modulus);
+    } else {
+#if defined(__FMA__)
+        // Exact: the product is not rounded, and the quotient is one off at most.
+        if (csg::lanes::mask(size < Double(0x1p39)) != kAll) return false;
+        const Double q = xsimd::trunc(size / modulus), r = fused_rest(size, q, modulus);
+        const Double raised = xsimd::select(r < zero, r + modulus, r);
+        rest = xsimd::select(raised >= modulus, raised - modulus, raised);
+#else
+        return false;
+#endif
+    }
+    v = rest | (moved & Double(-0.0));   // its sign
+    return true;
+}
+
 }  // namespace
 
 void waved_points(const Pattern& pattern, std::size_t count, Values& values)
 {
     using scene::WaveForm;
-    const bool in_lanes = pattern.wave == WaveForm::Ramp || pattern.wave == WaveForm::Triangle || pattern.wave == WaveForm::Cubic;
-    const Double modulus(kModulus), one(1.0), two(2.0), half(0.5), zero(0.0);
+    const bool by_library = pattern.wave == WaveForm::Sine || pattern.wave == WaveForm::Scallop || pattern.wave == WaveForm::Poly;
+    const Double zero(0.0), half(0.5), one(1.0), two(2.0);
     for (std::size_t i = 0; i < count; i += kLanes) {
         Double v = Double::load_aligned(values.data() + i);
-        bool near = in_lanes;
-        if (pattern.folds) {
-            v = v * Double(pattern.frequency) + Double(pattern.phase);
-            const Double size = xsimd::abs(v), less = size - modulus;
-            near &= csg::lanes::mask(size < Double(2.0 * kModulus)) == (1u << kLanes) - 1;   // farther out the library's remainder is asked
-            v = xsimd::select(size < modulus, v, xsimd::select(v < zero, -less, less));
-        }
-        if (!near) {
+        if (by_library || (pattern.folds && !fold(v, pattern))) {
             for (std::size_t k = i; k < std::min(i + kLanes, count); ++k) values[k] = waved(pattern, values[k]);
             continue;
         }

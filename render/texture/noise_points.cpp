@@ -135,13 +135,13 @@ void scale(const Points& p, double by, Points& out)
     });
 }
 
-/// What the octave of this scale adds to granite or wrinkles.
-inline Double octave_term(const Double& n, OctaveSum kind, int generator, const Double& scale)
+/// What the octave of this share adds to granite or wrinkles; shares are powers of 2, so that products are quotients.
+inline Double octave_term(const Double& n, OctaveSum kind, int generator, const Double& share)
 {
-    if (kind == OctaveSum::Wrinkles) return (generator == 1 ? n : clamp01(Double(2.0) * n - Double(0.5))) / scale;
-    if (generator == 1) return xsimd::abs(Double(0.5) - n) / scale;
+    if (kind == OctaveSum::Wrinkles) return (generator == 1 ? n : clamp01(Double(2.0) * n - Double(0.5))) * share;
+    if (generator == 1) return xsimd::abs(Double(0.5) - n) * share;
     const Double half(0.5), g = xsimd::abs(Double(1.0) - Double(2.0) * n);
-    return xsimd::select(g < half, g, half) / scale;
+    return xsimd::select(g < half, g, half) * share;
 }
 
 constexpr int octaves_of(OctaveSum kind) { return kind == OctaveSum::Granite ? 6 : 10; }
@@ -223,7 +223,7 @@ void octave_points(const Points& p, OctaveSum kind, int generator, Values& out)
     for (int k = 0; k < octaves_of(kind); ++k, factor *= 2.0) {
         scale(p, first_scale(kind) * factor, scaled);
         noise_points(scaled, generator, n);
-        each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) + octave_term(get(n, i), kind, generator, Double(factor))); });
+        each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) + octave_term(get(n, i), kind, generator, Double(1.0 / factor))); });
     }
     each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) * Double(last_factor(kind))); });
 }
@@ -231,16 +231,16 @@ void octave_points(const Points& p, OctaveSum kind, int generator, Values& out)
 double octaves_at(const glm::dvec3& p, OctaveSum kind, int generator)
 {
     Points at;
-    Values n, factors;
+    Values n, shares;
     double factor = 1.0;
     for (int k = 0; k < octaves_of(kind); ++k, factor *= 2.0) {
-        factors[at.size()] = factor;
+        shares[at.size()] = 1.0 / factor;
         at.add(first_scale(kind) * factor * p);
     }
     at.pad();
-    for (std::size_t i = at.size(); i < kMostPoints && i % kLanes != 0; ++i) factors[i] = 1.0;
+    for (std::size_t i = at.size(); i < kMostPoints && i % kLanes != 0; ++i) shares[i] = 1.0;
     noise_points(at, generator, n);
-    each(at.size(), [&](std::size_t i) { put(n, i, octave_term(get(n, i), kind, generator, get(factors, i))); });
+    each(at.size(), [&](std::size_t i) { put(n, i, octave_term(get(n, i), kind, generator, get(shares, i))); });
     double sum = 0.0;
     for (std::size_t i = 0; i < at.size(); ++i) sum += n[i];
     return sum * last_factor(kind);

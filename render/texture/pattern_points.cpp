@@ -2,6 +2,7 @@
 #include "render/texture/evaluate_points.h"
 #include "render/texture/map_points.h"
 #include "render/texture/noise_points.h"
+#include "render/texture/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <cmath>
@@ -24,7 +25,24 @@ void wood_values(const Pattern& pattern, const Points& p, Values& out)
     const scene::Turbulence& t = pattern.turbulence;
     Points moved;
     vector_turbulence_points(p, t.octaves, t.lambda, t.omega, 3, moved);
-    for (std::size_t i = 0; i < p.size(); ++i) out[i] = wood_ring(pattern, p.x[i], p.y[i], moved.x[i], moved.y[i]);
+    // wood_ring() of each
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const auto get = [i](const Values& v) { return Double::load_aligned(v.data() + i); };
+        const Double px = get(p.x), py = get(p.y);
+        const Double x = px + series_cycle((px + get(moved.x)) * Double(t.amount.x)), y = py + series_cycle((py + get(moved.y)) * Double(t.amount.y));
+        xsimd::sqrt(x * x + y * y).store_aligned(out.data() + i);
+    }
+}
+
+/// agate_band() of each; `out` holds the turbulence.
+void agate_bands(const Pattern& pattern, const Points& p, Values& out)
+{
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double turbulence = Double::load_aligned(out.data() + i), z = Double::load_aligned(p.z.data() + i);
+        const Double c = (Double(1.0) + series_cycle(Double(1.3 * pattern.numbers[0]) * turbulence + Double(1.1) * z)) / Double(2.0);
+        c.store_aligned(out.data() + i);
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = agate_power(out[i]);
 }
 
 /// Before frequency and wave.
@@ -42,7 +60,7 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Wrinkles: return octave_points(p, OctaveSum::Wrinkles, generator, out);
     case PatternKind::Agate:
         turbulence_values(pattern, p, out);
-        for (std::size_t i = 0; i < p.size(); ++i) out[i] = agate_band(pattern, p.z[i], out[i]);
+        agate_bands(pattern, p, out);
         return;
     case PatternKind::Marble:
         if (!pattern.has_turbulence) break;

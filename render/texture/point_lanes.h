@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/lanes.h"
+#include "render/texture/angle.h"
 
 #include <cstddef>
 
@@ -9,5 +10,12 @@ namespace texture {
 /// Points that go through the vector unit together. Compiled once per instruction set.
 using csg::lanes::Double;
 inline constexpr std::size_t kLanes = static_cast<std::size_t>(csg::lanes::kDoubles);
+
+/// Of each.
+inline Double series_cycle(const Double& v)
+{
+    const Double size = xsimd::abs(v), s = turn_sine(size - xsimd::floor(size), [](const auto& where, const Double& a, const Double& b) { return xsimd::select(where, a, b); });
+    return xsimd::select(v >= Double(0.0), s, -s);
+}
 
 }  // namespace texture

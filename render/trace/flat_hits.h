@@ -69,36 +69,8 @@ public:
             at.ny = scratch_.hits.ny;
             at.nz = scratch_.hits.nz;
         }
-        while (bends_ != 0) {
-            const std::uint32_t normal = scratch_.bends[0].normal;
-            texture::Points points;
-            texture::Around around;
-            texture::Normals bent;
-            std::array<Bend, csg::kTileRays> owner;
-            std::size_t left = 0;
-            for (std::size_t i = 0; i < bends_; ++i) {
-                const Bend b = scratch_.bends[i];
-                const std::size_t at = points.size();
-                if (b.normal != normal || at == csg::kTileRays) {
-                    scratch_.bends[left++] = b;
-                    continue;
-                }
-                around[at] = &scratch_.around[b.hit];
-                bent[at] = scratch_.hits.normal(b.hit);
-                owner[at] = b;
-                points.add(scratch_.points.at(b.hit));
-            }
-            bends_ = left;
-            points.pad();
-            texture::perturb_points(set_, normal, points, around, bent);
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                FlatDepth& at = scratch_.flat[owner[i].depth];
-                const glm::dvec3 n = glm::normalize(bent[i]);
-                at.nx[owner[i].hit] = n.x;
-                at.ny[owner[i].hit] = n.y;
-                at.nz[owner[i].hit] = n.z;
-            }
-        }
+        for (std::size_t i = 0; i < bends_; ++i) bend(scratch_.bends[i]);
+        bends_ = 0;
     }
 
     /// Some layer of a bent hit faces the direction.
@@ -219,9 +191,42 @@ private:
         if (of.normal != texture::kNone && bends_normals_) {
             at.bent |= hits;
             bent_ |= hits;
-            for_each_hit(hits, [&](std::size_t k) { scratch_.bends[bends_++] = {of.normal, static_cast<std::uint8_t>(depth), static_cast<std::uint8_t>(k)}; });
+            scratch_.bends[bends_++] = {hits, of.normal, static_cast<std::uint8_t>(depth)};
         }
         return at;
+    }
+
+    /// Unit normals of a layer's hits.
+    void bend(const Bend& of)
+    {
+        const TileHits& places = scratch_.hits;
+        texture::Points points, n;
+        texture::Around around;
+        if ((of.hits & (of.hits + 1)) == 0) {   // the first so many
+            points = scratch_.points;
+            n.x.v = places.nx;
+            n.y.v = places.ny;
+            n.z.v = places.nz;
+            points.count = n.count = std::popcount(of.hits);
+            for (std::size_t k = 0; k < points.size(); ++k) around[k] = &scratch_.around[k];
+        } else {
+            for_each_hit(of.hits, [&](std::size_t k) {
+                around[points.size()] = &scratch_.around[k];
+                points.add(scratch_.points.at(k));
+                n.add(places.normal(k));
+            });
+        }
+        points.pad();
+        n.pad();
+        texture::perturb_points(set_, of.normal, points, around, n);
+        FlatDepth& at = scratch_.flat[of.depth];
+        std::size_t i = 0;
+        for_each_hit(of.hits, [&](std::size_t k) {
+            const glm::dvec3 unit = glm::normalize(n.at(i++));
+            at.nx[k] = unit.x;
+            at.ny[k] = unit.y;
+            at.nz[k] = unit.z;
+        });
     }
 
     /// Pigments of hits; of some, `clear`, opacity counts.

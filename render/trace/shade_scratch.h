@@ -22,10 +22,11 @@ struct LightSample {
     bool shadow_known = false;   ///< `shadowed` is there
 };
 
-/// A layer of a flat hit whose normal is still to be bent.
+/// A layer of flat hits whose normals are still to be bent.
 struct Bend {
+    HitMask hits;
     std::uint32_t normal;
-    std::uint8_t depth, hit;
+    std::uint8_t depth;
 };
 
 /// Hits of a tile that have the same texture of layers.

@@ -1,4 +1,4 @@
-#include "csg/lanes.h"
+#include "render/texture/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
@@ -152,7 +152,6 @@ void power_set_lanes(const Pattern& pattern, ComplexLanes z, const ComplexLanes&
 
 void power_set_values(const Pattern& pattern, const Points& p, Values& out)
 {
-    constexpr std::size_t kLanes = csg::lanes::kDoubles;
     for (std::size_t i = 0; i < p.size(); i += kLanes) {
         const ComplexLanes z{Double::load_aligned(p.x.data() + i), Double::load_aligned(p.y.data() + i)};
         const ComplexLanes c = pattern.kind == PatternKind::Mandel ? z : ComplexLanes{Double(pattern.vector.x), Double(pattern.vector.y)};

@@ -48,10 +48,11 @@ double wrinkles(const Pattern& pattern, const glm::dvec3& p) { return octaves_at
 
 double agate(const Pattern& pattern, const glm::dvec3& p) { return agate_band(pattern, p.z, turbulence_at(pattern, p)); }
 
+double agate_power(double c) { return c < 0.0 ? 0.0 : std::pow(std::min(1.0, c), 0.77); }
+
 double agate_band(const Pattern& pattern, double z, double turbulence)
 {
-    const double c = (1.0 + cycle(1.3 * pattern.numbers[0] * turbulence + 1.1 * z)) / 2.0;
-    return c < 0.0 ? 0.0 : std::pow(std::min(1.0, c), 0.77);
+    return agate_power((1.0 + series_cycle(1.3 * pattern.numbers[0] * turbulence + 1.1 * z)) / 2.0);
 }
 
 double marble(const Pattern& pattern, const glm::dvec3& p)
@@ -69,8 +70,8 @@ double wood(const Pattern& pattern, const glm::dvec3& p)
 
 double wood_ring(const Pattern& pattern, double px, double py, double dx, double dy)
 {
-    const double x = px + cycle((px + dx) * pattern.turbulence.amount.x);
-    const double y = py + cycle((py + dy) * pattern.turbulence.amount.y);
+    const double x = px + series_cycle((px + dx) * pattern.turbulence.amount.x);
+    const double y = py + series_cycle((py + dy) * pattern.turbulence.amount.y);
     return std::sqrt(x * x + y * y);
 }
 

@@ -19,8 +19,9 @@ double wrinkles(const Pattern& pattern, const glm::dvec3& p);
 double agate(const Pattern& pattern, const glm::dvec3& p);
 double marble(const Pattern& pattern, const glm::dvec3& p);
 double wood(const Pattern& pattern, const glm::dvec3& p);
-/// agate from its turbulence, and wood moved by (dx, dy).
+/// agate from its turbulence, or from the sine that this becomes, 0 to 1; and wood moved by (dx, dy).
 double agate_band(const Pattern& pattern, double z, double turbulence);
+double agate_power(double c);
 double wood_ring(const Pattern& pattern, double px, double py, double dx, double dy);
 double spiral1(const Pattern& pattern, const glm::dvec3& p);
 double spiral2(const Pattern& pattern, const glm::dvec3& p);
