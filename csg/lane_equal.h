@@ -31,6 +31,15 @@ inline std::uint64_t equal(const std::array<std::uint32_t, 64>& values, std::uin
     return mask;
 }
 
+/// Of numbers, aligned.
+inline std::uint64_t equal(const std::array<double, 64>& values, double to)
+{
+    std::uint64_t equal = 0;
+    const Double same(to);
+    for (int i = 0; i < 64; i += kDoubles) equal |= std::uint64_t{mask(Double::load_aligned(values.data() + i) == same)} << i;
+    return equal;
+}
+
 /// Of single bytes.
 inline std::uint64_t equal(const std::uint8_t* values, std::uint8_t to)
 {

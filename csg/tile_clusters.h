@@ -1,9 +1,11 @@
 #pragma once
 
 #include "csg/hit.h"
+#include "csg/lane_interval.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace csg {
 
@@ -55,24 +57,19 @@ public:
 private:
     void cut_at_gaps(const RayTile& rays)
     {
+        if (!rays.common_origin || rays.count < kFewest) return;
         const auto count = static_cast<std::size_t>(rays.count);
-        double least = kInfinity, most = -kInfinity;
-        for (std::size_t i = 0; i < count; ++i) {
-            least = std::min(least, rays.t_max[i]);
-            most = std::max(most, rays.t_max[i]);
-        }
+        const auto [least, most] = range(rays.t_max, count);
         const double scale = kBins / (most - least);
-        if (!rays.common_origin || rays.count < kFewest || !(scale > 0.0 && scale < kInfinity)) return;
-        std::array<std::uint8_t, kTileRays> bin;
-        std::array<std::uint8_t, kBins> filled{};
-        for (std::size_t i = 0; i < count; ++i) {
-            bin[i] = static_cast<std::uint8_t>(std::min<int>(kBins - 1, static_cast<int>((rays.t_max[i] - least) * scale)));
-            filled[bin[i]] = 1;
-        }
+        if (!(scale > 0.0 && scale < kInfinity)) return;
+        std::array<int, kTileRays> bin;
+        for (std::size_t i = 0; i < count; ++i) bin[i] = std::min(kBins - 1, static_cast<int>((rays.t_max[i] - least) * scale));
+        std::uint32_t filled = 0;
+        for (std::size_t i = 0; i < count; ++i) filled |= 1u << bin[i];
         std::array<std::uint8_t, kBins> cluster{};
         int empty = 0;
         for (std::size_t b = 0; b < kBins; ++b) {
-            if (filled[b] == 0) {
+            if ((filled >> b & 1u) == 0) {
                 ++empty;
                 continue;
             }
@@ -80,7 +77,28 @@ private:
             empty = 0;
             cluster[b] = static_cast<std::uint8_t>(size_ - 1);
         }
-        for (std::size_t i = 0; i < count; ++i) of_ray_[i] = cluster[bin[i]];
+        if (size_ == 1) return;
+        for (std::size_t i = 0; i < count; ++i) of_ray_[i] = cluster[static_cast<std::size_t>(bin[i])];
+    }
+
+    /// The least and the most of the first so many values.
+    static std::pair<double, double> range(const std::array<double, kTileRays>& values, std::size_t count)
+    {
+        using lanes::Double;
+        constexpr auto kLanes = static_cast<std::size_t>(lanes::kDoubles);
+        Double low(kInfinity), high(-kInfinity);
+        std::size_t i = 0;
+        for (; i + kLanes <= count; i += kLanes) {
+            const Double v = Double::load_aligned(values.data() + i);
+            low = xsimd::min(low, v);
+            high = xsimd::max(high, v);
+        }
+        double least = lanes::lowest(low), most = -lanes::lowest(-high);
+        for (; i < count; ++i) {
+            least = std::min(least, values[i]);
+            most = std::max(most, values[i]);
+        }
+        return {least, most};
     }
 
     static constexpr std::uint8_t kNone = 0xff;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/lane_equal.h"
 #include "csg/tile_leaf.h"
 
 /// The two questions a tile asks, in vector lanes where the solid allows it. Compiled once per instruction set. Numbers
@@ -90,25 +91,47 @@ public:
     /// What lanes found is only a number and a face, or an end of a leaf, while the walk lasts.
     void finish()
     {
-        for (int i = 0; i < rays_.count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            if (item_[k] == kNone) {
-                out_.set(i, {});
-            } else if (face_[k] != kKnown) {
-                const WorldItem& item = world_.items[static_cast<std::size_t>(item_[k])];
-                if (item.solid == kNoPart) {
-                    const LeafEnd end(face_[k]);
-                    const FlatLeaf& leaf = world_.programs[item.program].flat.leaves[end.leaf];
-                    out_.set(i, {out_.t[k], world_.store.surface(leaf.solid), leaf.solid, end.face, leaf.turned});
-                } else {
-                    const auto face = static_cast<std::uint32_t>(face_[k]);
-                    out_.set(i, {out_.t[k], world_.store.surface(item.solid), item.solid, face, turned(world_, item)});
-                }
-            }
+        const RayMask all = rays_.all(), none = all & lanes::equal(item_, kNone), known = all & lanes::equal(face_, kKnown);
+        each_ray(none, [&](std::size_t k) { out_.set(static_cast<int>(k), {}); });
+        for (RayMask left = all & ~none & ~known; left != 0;) {
+            const double id = item_[static_cast<std::size_t>(std::countr_zero(left))];
+            const RayMask group = left & lanes::equal(item_, id);
+            const WorldItem& item = world_.items[static_cast<std::size_t>(id)];
+            if (item.solid == kNoPart) finish_program(world_.programs[item.program].flat, group);
+            else finish_solid(item, group);
+            left &= ~group;
         }
     }
 
 private:
+    template <class F>
+    static void each_ray(RayMask mask, F&& f)
+    {
+        for (; mask != 0; mask &= mask - 1) f(static_cast<std::size_t>(std::countr_zero(mask)));
+    }
+
+    void finish_program(const FlatForm& form, RayMask rays)
+    {
+        each_ray(rays, [&](std::size_t k) {
+            const LeafEnd end(face_[k]);
+            const FlatLeaf& leaf = form.leaves[end.leaf];
+            out_.set(static_cast<int>(k), {out_.t[k], world_.store.surface(leaf.solid), leaf.solid, end.face, leaf.turned});
+        });
+    }
+
+    void finish_solid(const WorldItem& item, RayMask rays)
+    {
+        const SurfaceId surface = world_.store.surface(item.solid);
+        const std::uint8_t inverted = turned(world_, item) ? 1 : 0;
+        each_ray(rays, [&](std::size_t k) {
+            out_.surface[k] = surface;
+            out_.part[k] = item.solid;
+            out_.face[k] = static_cast<std::uint32_t>(face_[k]);
+            out_.instance[k] = Hit::kNoInstance;
+            out_.inverted[k] = inverted;
+        });
+    }
+
     static constexpr double kNone = 4294967295.0, kKnown = -1.0;
     const WorldData& world_;
     Rays& rays_;
