@@ -1,10 +1,10 @@
 #pragma once
 
 #include "csg/lane_equal.h"
-#include "csg/tolerance.h"
 #include "render/trace/flat_hits.h"
 #include "render/trace/look_ahead.h"
 #include "render/trace/shade_context.h"
+#include "render/trace/shadow_rays.h"
 #include "render/trace/wave.h"
 
 #include <algorithm>
@@ -76,10 +76,13 @@ public:
         });
         HitMask asking = asks_ & colored & facing();
         if (shadows_ && !light.shadowless) {
-            const HitMask near = find_shadow_ends();
+            const HitMask near = find_shadow_ends(context_.scene.tolerance.shadow, scratch_.hits, hits_, scratch_.light, scratch_.shadow_ends, rays_.count);
             flat_.light(asking & near & flat_.all());
             asking &= ~near;
-            if (asking != 0) answer(which, ask(asking, light));
+            if (asking != 0) {
+                const bool from_light = light.from_one_point() && !scratch_.traits.beside && (asks_ & beyond(scratch_.light, kFarLight * context_.scene.tolerance.shadow, rays_.count)) == 0;
+                answer(which, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
+            }
         } else {
             flat_.light(asking & flat_.all());
         }
@@ -148,27 +151,7 @@ private:
         });
         const HitMask lanes = first_hits((rays_.count + csg::kTileSide - 1) / csg::kTileSide * csg::kTileSide);
         for_each_hit(lanes & ~found_, [&](std::size_t k) { places.set(k, glm::dvec3(0), glm::dvec3(0)); });
-        inside_ = found_ & turn_to_viewer();
-    }
-
-    /// Turns normals that face along their rays; which.
-    HitMask turn_to_viewer()
-    {
-        using csg::lanes::Double;
-        TileHits& places = scratch_.hits;
-        HitMask turned = 0;
-        for (int i = 0; i < rays_.count; i += csg::lanes::kDoubles) {
-            const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
-            const Double x = get(places.nx), y = get(places.ny), z = get(places.nz);
-            const auto away = x * get(rays_.dx) + y * get(rays_.dy) + z * get(rays_.dz) > Double(0.0);
-            const HitMask bits = csg::lanes::mask(away);
-            if (bits == 0) continue;
-            turned |= bits << i;
-            xsimd::select(away, -x, x).store_aligned(places.nx.data() + i);
-            xsimd::select(away, -y, y).store_aligned(places.ny.data() + i);
-            xsimd::select(away, -z, z).store_aligned(places.nz.data() + i);
-        }
-        return turned;
+        inside_ = found_ & turn_to_viewer(rays_, places);
     }
 
     /// What World::details says of hit k.
@@ -309,72 +292,6 @@ private:
             toward = flat_.faces(k, scratch_.light.direction(k)) ? toward | bit : toward & ~bit;
         });
         return toward;
-    }
-
-    /// Where shadow rays begin and end; hits too near to the light for one.
-    HitMask find_shadow_ends()
-    {
-        using csg::lanes::Double;
-        ShadowEnds& ends = scratch_.shadow_ends;
-        const Double least(context_.scene.tolerance.shadow), share(csg::Tolerance::kCoarse);
-        HitMask near = 0;
-        for (int i = 0; i < rays_.count; i += csg::lanes::kDoubles) {
-            const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
-            const TileHits& at = scratch_.hits;
-            const Double largest = xsimd::max(xsimd::max(xsimd::abs(get(at.x)), xsimd::abs(get(at.y))), xsimd::max(xsimd::abs(get(at.z)), get(hits_.t)));
-            const Double from = xsimd::max(least, share * largest), to = get(scratch_.light.distance) - from;
-            near |= HitMask{csg::lanes::mask(to <= from)} << i;
-            from.store_aligned(ends.from.data() + i);
-            to.store_aligned(ends.to.data() + i);
-        }
-        return near;
-    }
-
-    /// A shadow ray for each of these hits, from the light where all of it is in one point. Whether ray i is hit i's.
-    bool ask(HitMask asking, const light::Light& light)
-    {
-        RayTile& beam = scratch_.rays;
-        const TileLight& toward = scratch_.light;
-        const ShadowEnds& ends = scratch_.shadow_ends;
-        beam.count = std::popcount(asking);
-        beam.common_origin = light.from_one_point() && !scratch_.traits.beside && !far(light);
-        const bool from_light = beam.common_origin;
-        if (asking == first_hits(beam.count)) {
-            const auto count = static_cast<std::size_t>(beam.count);
-            beam.t_min = ends.from;
-            beam.t_max = ends.to;
-            const auto put = [&](TileLanes& origin, TileLanes& direction, const TileLanes& point, double lamp, const TileLanes& to_light) {
-                if (from_light) {
-                    std::fill_n(origin.begin(), count, lamp);
-                    for (std::size_t i = 0; i < count; ++i) direction[i] = -to_light[i];
-                } else {
-                    origin = point;
-                    direction = to_light;
-                }
-            };
-            put(beam.ox, beam.dx, scratch_.hits.x, light.location.x, toward.x);
-            put(beam.oy, beam.dy, scratch_.hits.y, light.location.y, toward.y);
-            put(beam.oz, beam.dz, scratch_.hits.z, light.location.z, toward.z);
-            return true;
-        }
-        std::size_t ray = 0;
-        for_each_hit(asking, [&](std::size_t k) {
-            const glm::dvec3 direction = toward.direction(k);
-            beam.set(ray, {from_light ? light.location : scratch_.hits.point(k), from_light ? -direction : direction}, ends.from[k], ends.to[k]);
-            scratch_.lane[ray++] = static_cast<std::uint8_t>(k);
-        });
-        return false;
-    }
-
-    /// Some hit is so far away that the light's own numbers lose digits beside its distance.
-    bool far(const light::Light&) const
-    {
-        using csg::lanes::Double;
-        const Double most(kFarLight * context_.scene.tolerance.shadow);
-        HitMask near = 0;
-        for (int i = 0; i < rays_.count; i += csg::lanes::kDoubles)
-            near |= HitMask{csg::lanes::mask(Double::load_aligned(scratch_.light.distance.data() + i) < most)} << i;
-        return (asks_ & ~near) != 0;
     }
 
     /// What the shadow rays tell. `in_order`: ray i is hit i's.
