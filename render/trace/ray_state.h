@@ -46,6 +46,7 @@ struct RayState {
     plan::RayKind kind = plan::RayKind::Image;
     InteriorList interiors;
     float wavelength = 0;            ///< nm; 0: white
+    double stretch = 1;              ///< length of POV-Ray's direction, which a normal not of length 1 has bent; refraction goes by it
 };
 
 }  // namespace trace

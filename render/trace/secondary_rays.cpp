@@ -41,15 +41,25 @@ Crossing cross(const Context& context, const InteriorList& list, std::uint32_t o
     return {ior(last) / ior(own), dispersion(last) / dispersion(own), samples};
 }
 
-/// Whether a ray is bent rather than mirrored within, and then where.
-bool refract(const glm::dvec3& d, const glm::dvec3& normal, double ratio, glm::dvec3& out)
+/// The length of a direction as POV-Ray goes on with it: 1 but for normals that no_bump_scale leaves longer or shorter.
+double stretch_of(const glm::dvec3& direction)
+{
+    constexpr double kRounding = 1e-9;
+    const double length = glm::length(direction);
+    return std::abs(length - 1.0) > kRounding ? length : 1.0;
+}
+
+/// Whether a ray is bent rather than mirrored within, and then where and how long POV-Ray's direction is. d: as long as that.
+bool refract(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState& out)
 {
     const double facing = glm::dot(d, normal);
     const glm::dvec3 n = facing <= 0.0 ? normal : -normal;
     const double c = std::abs(facing), k = 1.0 + ratio * ratio * (c * c - 1.0);
     if (k < 0.0) return false;
-    // A unit vector already, up to rounding; World wants unit directions, so it is made exact.
-    out = glm::normalize(ratio * d + (ratio * c - std::sqrt(k)) * n);
+    // A unit vector already as a rule, up to rounding; World wants unit directions, so it is made exact.
+    const glm::dvec3 bent = ratio * d + (ratio * c - std::sqrt(k)) * n;
+    out.ray.direction = glm::normalize(bent);
+    out.stretch = stretch_of(bent);
     return true;
 }
 
@@ -131,6 +141,7 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
     out.ray.level = hit.level;
     out.ray.kind = hit.state.kind;
     out.ray.wavelength = hit.state.wavelength;
+    out.ray.stretch = hit.state.stretch;
     if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) {
         out.ray.start = start_of(context, hit, d);
         return true;
@@ -144,7 +155,7 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
         return true;
     }
     const double ratio = disperses ? ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength) : crossing.ratio;
-    if (refract(d, top_normal, ratio, out.ray.ray.direction)) {
+    if (refract(hit.state.stretch * d, top_normal, ratio, out.ray)) {
         out.ray.start = start_of(context, hit, out.ray.ray.direction);
         return true;
     }
@@ -159,7 +170,7 @@ scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& 
     for (int i = 0; i < onward.samples; ++i) {
         RayState ray = onward.ray;
         const float nm = wavelength(i, onward.samples);
-        if (refract(hit.state.ray.direction, top_normal, ratio_at(onward.ratio, onward.dispersion, nm), ray.ray.direction)) {
+        if (refract(hit.state.stretch * hit.state.ray.direction, top_normal, ratio_at(onward.ratio, onward.dispersion, nm), ray)) {
             ++context.scratch.counts.refracted;
             ray.start = start_of(context, hit, ray.ray.direction);
             ray.wavelength = nm;
