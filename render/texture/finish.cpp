@@ -24,7 +24,15 @@ double grazing_weight(double cosine)
 
 namespace {
 
-double highlight_power(double c, double n) { return highlight_vanishes(c, n) ? 0.0 : std::pow(c, n); }
+/// A cosine to a normal longer than 1 may be larger than 1, and its power larger than a float holds. POV-Ray goes on with what a double holds
+/// as with a number, and so do we.
+double highlight_power(double c, double n)
+{
+    constexpr double kMost = 1e30;
+    if (highlight_vanishes(c, n)) return 0.0;
+    const double power = std::pow(c, n);
+    return power > kMost && std::isfinite(power) ? kMost : power;
+}
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "render/trace/shade_context.h"
 
+#include <cmath>
+
 namespace trace {
 
 void InteriorList::remove_first(std::uint32_t interior)
@@ -28,9 +30,13 @@ bool all_hollow(const Context& context, const InteriorList& list)
     return true;
 }
 
+/// texture::mix, but where both are infinite (highlights on long normals) that is infinite too, as with POV-Ray: white.
 scene::Color mixed(const scene::Color& lower, const scene::Color& upper, double share)
 {
-    return texture::mix(lower, upper, share);
+    scene::Color out = texture::mix(lower, upper, share);
+    for (float scene::Color::*of : {&scene::Color::red, &scene::Color::green, &scene::Color::blue})
+        if (std::isinf(lower.*of) && lower.*of == upper.*of) out.*of = lower.*of;
+    return out;
 }
 
 scene::Color average(Context& context, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p)
