@@ -234,11 +234,10 @@ private:
     {
         const Lanes here(hits), counts(clear);
         alignas(64) TileFloats alpha;
-        if (clear == 0) {
-            alpha.fill(1.0f);
-        } else if (set_.legacy_opacity) {
-            for_each_hit(hits, [&](std::size_t k) { alpha[k] = counts[k] != 0 ? texture::opacity(c.at(k), true) : 1.0f; });
-        } else {
+        alpha.fill(1.0f);
+        if (clear != 0 && set_.legacy_opacity) {
+            for_each_hit(hits & clear, [&](std::size_t k) { alpha[k] = texture::opacity(c.at(k), true); });
+        } else if (clear != 0) {
             for (std::size_t k = 0; k < csg::kTileRays; ++k) alpha[k] = counts[k] != 0 ? 1.0f - c.filter[k] - c.transmit[k] : 1.0f;
         }
         const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {

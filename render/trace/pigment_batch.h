@@ -29,7 +29,7 @@ public:
             for_each_hit(hits, [&](std::size_t k) { ask(k, pigment, points.at(k), around[k]); });
             return;
         }
-        // The first so many hits of the tile.
+        // The first so many hits of the tile: their places are copied as they are.
         pigment_ = pigment;
         points_ = points;
         points_.count = std::popcount(hits);
