@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 /// Small functions that several patterns and warps share (spec 4, sections 4 and 8.2).

@@ -13,7 +13,7 @@ namespace trace {
 
 class FlatHits {
 public:
-    explicit FlatHits(Context& context) : set_(context.scene.textures), scratch_(context.scratch.shade), bailout_(static_cast<float>(context.scene.settings.adc_bailout)),
+    explicit FlatHits(Context& context) : set_(context.scene.textures), scratch_(context.scratch.shade),
           bends_normals_(context.scene.settings.quality >= 8)
     {
     }
@@ -309,7 +309,6 @@ private:
 
     const texture::TextureSet& set_;
     ShadeScratch& scratch_;
-    const float bailout_;
     const bool bends_normals_;
     HitMask holds_ = 0, goes_on_ = 0, bent_ = 0, lit_ = 0, reached_ = 0, dark_ = 0;
     std::size_t depths_ = 0, bends_ = 0;
