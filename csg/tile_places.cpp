@@ -5,23 +5,15 @@
 #include "csg/world_data.h"
 
 #include <bit>
-#include <type_traits>
 
 namespace csg {
 namespace {
-
-/// f(k) for every hit of a mask.
-template <class F>
-inline void each_hit(RayMask mask, F&& f)
-{
-    for (; mask != 0; mask &= mask - 1) f(static_cast<std::size_t>(std::countr_zero(mask)));
-}
 
 /// Of hits on one solid of this world.
 void part_normals(const SolidStore& store, PartId part, const HitTile& hits, RayMask which, PlaceTile& out)
 {
     with_solid(store, part, [&](const auto& solid) {
-        each_hit(which, [&](std::size_t k) {
+        each_ray(which, [&](std::size_t k) {
             const glm::dvec3 n = solid.normal(out.point(k), hits.face[k]);
             out.set_normal(k, hits.inverted[k] != 0 ? -n : n);
         });
@@ -41,7 +33,7 @@ void World::places(const RayTile& rays, const HitTile& hits, std::uint64_t which
         (get(rays.oz) + t * get(rays.dz)).store_aligned(out.z.data() + i);
     });
     const RayMask copies = which & ~lanes::equal(hits.instance, Hit::kNoInstance);
-    each_hit(copies, [&](std::size_t k) { out.set_normal(k, details(rays.ray(static_cast<int>(k)), hits.at(static_cast<int>(k)), false).normal); });
+    each_ray(copies, [&](std::size_t k) { out.set_normal(k, details(rays.ray(static_cast<int>(k)), hits.at(static_cast<int>(k)), false).normal); });
     for (RayMask left = which & ~copies; left != 0;) {
         const PartId part = hits.part[static_cast<std::size_t>(std::countr_zero(left))];
         const RayMask group = left & lanes::equal(hits.part, part);

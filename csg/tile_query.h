@@ -104,12 +104,6 @@ public:
     }
 
 private:
-    template <class F>
-    static void each_ray(RayMask mask, F&& f)
-    {
-        for (; mask != 0; mask &= mask - 1) f(static_cast<std::size_t>(std::countr_zero(mask)));
-    }
-
     void finish_program(const FlatForm& form, RayMask rays)
     {
         each_ray(rays, [&](std::size_t k) {

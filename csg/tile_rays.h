@@ -27,6 +27,13 @@ inline void each_vector(RayMask mask, F&& f)
     }
 }
 
+/// Calls f(k) for every ray of a mask, the first one first.
+template <class F>
+inline void each_ray(RayMask mask, F&& f)
+{
+    for (; mask != 0; mask &= mask - 1) f(static_cast<std::size_t>(std::countr_zero(mask)));
+}
+
 /// The rays of groups first <= g < last.
 inline RayMask rays_of_groups(int first, int last)
 {

@@ -28,7 +28,7 @@ namespace {
 /// as with a number, and so do we.
 double highlight_power(double c, double n)
 {
-    constexpr double kMost = 1e30;
+    constexpr double kMost = 1e30;   // white whatever it is multiplied by, and far from what a float holds at most
     if (highlight_vanishes(c, n)) return 0.0;
     const double power = std::pow(c, n);
     return power > kMost && std::isfinite(power) ? kMost : power;
