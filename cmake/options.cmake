@@ -25,3 +25,8 @@ set(WHITTLE_ISA_LEVELS v2 v3 v4 CACHE STRING "levels of x86-64 to build")
 # One folder for programs and the modules that they open at run time, so that each finds them beside itself.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+
+# `cmake --install` puts the modules apart; the program finds them by the way from its own folder, wherever that is moved to.
+include(GNUInstallDirs)
+set(WHITTLE_MODULE_FOLDER ${CMAKE_INSTALL_LIBDIR}/whittle)
+file(RELATIVE_PATH WHITTLE_MODULES_FROM_PROGRAM /${CMAKE_INSTALL_BINDIR} /${WHITTLE_MODULE_FOLDER})

@@ -5,6 +5,7 @@ find_package(glm REQUIRED)
 find_package(TBB REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
+find_package(GIF REQUIRED)
 find_package(xsimd REQUIRED)
 # Debian's target asks for a library "xtl", which is headers for complex numbers that nothing here uses.
 set_target_properties(xsimd PROPERTIES INTERFACE_LINK_LIBRARIES "")

@@ -180,6 +180,7 @@ private:
             leaf_spans(node, out);
             return;
         }
+        if (node.op == Op::Gate) return spans(i + 1, out);   // what is inside does not depend on the ray
         const bool both = node.op == Op::Intersection || node.op == Op::Clip;
         const std::uint32_t mark = scratch_.span_top_;
         SpanList sum = out, next = list(node.max_spans), operand = list(node.max_spans);
@@ -226,7 +227,32 @@ private:
             for (std::uint32_t k = i + 1; k < node.end; k = nodes_[k].end) visible(k);
             return true;
         }
+        if (node.op == Op::Gate) return !passes_gate(i) || visible(i + 1);
         return filtered(i);
+    }
+
+    /// Whether the ray meets every bound of a gate, however far, or starts inside of it.
+    bool passes_gate(std::uint32_t i)
+    {
+        const double given = t_max_;
+        t_max_ = kInfinity;
+        bool all = true;
+        for (std::uint32_t k = nodes_[i + 1].end; k < nodes_[i].end && all; k = nodes_[k].end) {
+            const std::uint32_t span_mark = scratch_.span_top_, crossing_mark = scratch_.crossing_top_;
+            SpanList within = list(nodes_[k].max_spans);
+            spans(k, within);
+            bool met = false;
+            for (const Span& span : within) met = met || span.out.t >= t_min_;
+            if (!met) {  // where there is no inside, it is drawn all the same
+                visible(k);
+                met = scratch_.crossing_top_ > crossing_mark;
+                scratch_.crossing_top_ = crossing_mark;
+            }
+            scratch_.span_top_ = span_mark;
+            all = met;
+        }
+        t_max_ = given;
+        return all;
     }
 
     /// Merge, intersection and clip: each operand's crossings, in reverse (spec 5a, 2.2), kept where the inside spans of

@@ -86,7 +86,8 @@ private:
             case Op::Union: return sum(i);
             case Op::Intersection: return product(i);
             case Op::Merge: return subtracted_intersection(i);
-            case Op::Clip: return std::nullopt;
+            case Op::Clip:
+            case Op::Gate: return std::nullopt;
         }
         return std::nullopt;
     }

@@ -67,6 +67,11 @@ Aabb closed_box(const Draft& draft, const SolidStore& store)
 /// Box and what lies beyond it, from the operands'.
 void enclose(Draft& draft, const SolidStore& store)
 {
+    if (draft.op == Op::Gate) {
+        draft.box = draft.operands[0].box;
+        draft.inside_beyond = draft.operands[0].inside_beyond;
+        return;
+    }
     const bool both = draft.op == Op::Intersection || draft.op == Op::Clip;
     Aabb hull, common = Aabb::everything();
     bool any_beyond = false, all_beyond = true;
@@ -97,7 +102,7 @@ void drop_useless(Draft& draft)
 /// operands of one inside another join in reverse: which of two coincident faces is last stays the same.
 void join(Draft& draft, Draft operand)
 {
-    if (operand.op != draft.op || draft.op == Op::Clip || draft.op == Op::Merge) {
+    if (operand.op != draft.op || draft.op == Op::Clip || draft.op == Op::Gate || draft.op == Op::Merge) {
         draft.operands.push_back(std::move(operand));
         return;
     }
@@ -129,15 +134,21 @@ Draft shape_of(const Tree& tree, bool inverted, const SolidStore& store)
     return made;
 }
 
+/// The shape with others that do something to it and are not drawn.
+Draft under(Op op, Draft shape, const std::vector<Tree>& others, const SolidStore& store)
+{
+    if (others.empty()) return shape;
+    Draft made{.op = op};
+    made.operands.push_back(std::move(shape));
+    for (const Tree& other : others) made.operands.push_back(draft_of(other, false, store));
+    enclose(made, store);
+    return made;
+}
+
 Draft draft_of(const Tree& tree, bool inverted, const SolidStore& store)
 {
-    Draft shape = shape_of(tree, inverted != tree.inverse, store);
-    if (tree.clips.empty()) return shape;
-    Draft clipped{.op = Op::Clip};
-    clipped.operands.push_back(std::move(shape));
-    for (const Tree& clip : tree.clips) clipped.operands.push_back(draft_of(clip, false, store));
-    enclose(clipped, store);
-    return clipped;
+    Draft clipped = under(Op::Clip, shape_of(tree, inverted != tree.inverse, store), tree.clips, store);
+    return under(Op::Gate, std::move(clipped), tree.bounds, store);
 }
 
 float down(double v)
@@ -210,6 +221,7 @@ bool contains(const std::vector<Node>& nodes, std::uint32_t i, const SolidStore&
         return with_solid(store, node.solid, [&](const auto& solid) {
             return node.inverted ? solid.contains_inverted(p) : solid.contains(p);
         });
+    if (node.op == Op::Gate) return contains(nodes, i + 1, store, p);
     const bool both = node.op == Op::Intersection || node.op == Op::Clip;
     for (std::uint32_t k = i + 1; k < node.end; k = nodes[k].end)
         if (contains(nodes, k, store, p) != both) return !both;

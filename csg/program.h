@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/cancel.h"
 #include "csg/flat.h"
 #include "csg/hit.h"
 #include "csg/solid.h"
@@ -17,13 +18,15 @@ struct Tree {
     PartId solid = kNoPart;       ///< leaf only
     bool inverse = false;
     std::vector<Tree> clips = {};  ///< clipped_by: surfaces and inside end where any of them does; no caps
+    std::vector<Tree> bounds = {};  ///< bounded_by: only a ray that meets them all, or starts inside, is told of surfaces
 
     static Tree leaf(PartId part) { return {.solid = part}; }
 };
 
 /// Difference is an intersection with inverted operands and inversion is pushed down to the leaves, turning operators
-/// round as POV-Ray does (spec 5a, 8.1). Clip: the first operand is drawn, the others only cut.
-enum class Op : std::uint8_t { Leaf, Union, Merge, Intersection, Clip };
+/// round as POV-Ray does (spec 5a, 8.1). Clip: the first operand is drawn, the others only cut. Gate: the others only decide
+/// which rays see the first.
+enum class Op : std::uint8_t { Leaf, Union, Merge, Intersection, Clip, Gate };
 
 /// One node of a flattened tree, in pre-order: an operator stands before its operands.
 struct Node {
@@ -81,6 +84,9 @@ public:
     std::vector<Hit>& hits() { return hits_; }
     /// Another, for what instances are asked for meanwhile.
     std::vector<Hit>& instance_hits() { return instance_hits_; }
+
+    /// Looked at by every question to a World.
+    CancelWatch cancel;
 
     /// Keeps a crossing unless it is there already: terms share solids.
     void add_once(const Crossing& c)

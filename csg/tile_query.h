@@ -37,6 +37,10 @@ public:
         out.t.fill(kInfinity);
         out.surface.fill(kNoSurface);
         item_.fill(kNone);
+        nearer_.fill(kInfinity);
+        if constexpr (Rays::kShared) reach_.fill(Nearest::reach_of(rays.origin));
+        else
+            for (std::size_t k = 0; k < static_cast<std::size_t>(rays.count); ++k) reach_[k] = Nearest::reach_of(rays.origin_of(k));
     }
 
     void each(std::uint32_t index, int i)
@@ -44,11 +48,10 @@ public:
         const auto k = static_cast<std::size_t>(i);
         const Hit hit = item_nearest(world_, world_.items[index], rays_.ray(i), rays_.t_min[k], rays_.limit[k], scratch_);
         if (!hit.found() || hit.t > rays_.limit[k]) return;
-        if (!(hit.t < out_.t[k]) && !(static_cast<double>(index) < item_[k])) return;
+        if (!(hit.t < nearer_[k]) && !(static_cast<double>(index) < item_[k])) return;
         out_.set(i, hit);
-        item_[k] = static_cast<double>(index);
         face_[k] = kKnown;
-        rays_.limit[k] = hit.t;
+        win(k, index, hit.t);
     }
 
     template <class At>
@@ -63,11 +66,13 @@ public:
             // Of equal ends the last generated is seen (spec 5a, 2.1).
             const auto second = seen.exit & ((!seen.entry) | (in.exit <= in.entry));
             const Double t = xsimd::select(second, in.exit, in.entry), face = xsimd::select(second, in.exit_face, in.entry_face);
-            const Double best = Double::load_aligned(out_.t.data() + i), item = Double::load_aligned(item_.data() + i);
-            const auto wins = (seen.entry | seen.exit) & ((t < best) | (id < item));
+            const Double nearer = Double::load_aligned(nearer_.data() + i), item = Double::load_aligned(item_.data() + i);
+            const auto wins = (seen.entry | seen.exit) & ((t < nearer) | (id < item));
             if (lanes::mask(wins) == 0) return;
-            xsimd::select(wins, t, best).store_aligned(out_.t.data() + i);
-            xsimd::select(wins, t, seen.limit).store_aligned(rays_.limit.data() + i);
+            const Double room = Tolerance::same_place(t, Double::load_aligned(reach_.data() + i));
+            xsimd::select(wins, t, Double::load_aligned(out_.t.data() + i)).store_aligned(out_.t.data() + i);
+            xsimd::select(wins, xsimd::min(seen.limit, t + room), seen.limit).store_aligned(rays_.limit.data() + i);
+            xsimd::select(wins, t - room, nearer).store_aligned(nearer_.data() + i);
             xsimd::select(wins, id, item).store_aligned(item_.data() + i);
             xsimd::select(wins, face, Double::load_aligned(face_.data() + i)).store_aligned(face_.data() + i);
         });
@@ -81,10 +86,10 @@ public:
         for (RayMask left = front.found; left != 0; left &= left - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(left));
             const double t = front.t[k];
-            if (t > rays_.limit[k] || (!(t < out_.t[k]) && !(static_cast<double>(index) < item_[k]))) continue;
-            out_.t[k] = rays_.limit[k] = t;
-            item_[k] = static_cast<double>(index);
+            if (t > rays_.limit[k] || (!(t < nearer_[k]) && !(static_cast<double>(index) < item_[k]))) continue;
+            out_.t[k] = t;
             face_[k] = front.end[k];
+            win(k, index, t);
         }
     }
 
@@ -104,6 +109,14 @@ public:
     }
 
 private:
+    void win(std::size_t k, std::uint32_t index, double t)
+    {
+        item_[k] = static_cast<double>(index);
+        const double room = Tolerance::same_place(t, reach_[k]);
+        rays_.limit[k] = std::min(rays_.limit[k], t + room);
+        nearer_[k] = t - room;
+    }
+
     void finish_program(const FlatForm& form, RayMask rays)
     {
         each_ray(rays, [&](std::size_t k) {
@@ -131,7 +144,9 @@ private:
     Rays& rays_;
     Scratch& scratch_;
     HitTile& out_;
-    alignas(64) RayLanes item_;   ///< the winner's place in the order of declaration
+    alignas(64) RayLanes item_;   ///< the winner's place in the order of items
+    alignas(64) RayLanes nearer_; ///< before this nothing is in the same place as the winner
+    alignas(64) RayLanes reach_;  ///< Nearest::reach of the ray
     alignas(64) RayLanes face_;   ///< kKnown: `out` has the whole hit already
 };
 
@@ -147,7 +162,7 @@ public:
         const WorldItem& item = world_.items[index];
         const double limit = rays_.limit[k];
         if (item.all_opaque) {
-            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_).found()) meet(RayMask{1} << i, true);
+            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr, limit).found()) meet(RayMask{1} << i, true);
             return;
         }
         item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr,

@@ -1,6 +1,7 @@
 #include "csg/world.h"
 
 #include "csg/own_start.h"
+#include "csg/reach.h"
 #include "csg/tile_clusters.h"
 #include "csg/tile_crossings.h"
 #include "csg/traverse.h"
@@ -39,9 +40,11 @@ template <class Keep>
 inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, double t_max, Scratch& scratch, Keep&& keep)
 {
     constexpr std::uint8_t kShadowBit = 1u << 2;
+    scratch.cancel.look();
     Shadow found = Shadow::Clear;
     const RaySlabs slabs(ray);
     const auto meet = [&](const Hit& hit) {
+        if (world.faithful && !reach_of(world, hit).holds(hit.t)) return;
         if (world.surface_opaque[hit.surface] != 0) {
             found = Shadow::Blocked;
         } else {
@@ -52,8 +55,8 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
         if ((item.visible & kShadowBit) == 0) return;
-        if (item.all_opaque) {
-            if (item_nearest(world, item, ray, t_min, t_max, scratch, &slabs).found()) found = Shadow::Blocked;
+        if (item.all_opaque && !world.faithful) {
+            if (item_nearest(world, item, ray, t_min, t_max, scratch, &slabs, t_max).found()) found = Shadow::Blocked;
             return;
         }
         item_crossings(world, item, ray, t_min, t_max, scratch, &slabs, meet);
@@ -93,7 +96,7 @@ void shadow_of_cluster(const World& world, const WorldData& data, const RayTile&
         for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
         return true;
     };
-    if (in_lanes(rays, answered)) return;
+    if (!data.faithful && in_lanes(rays, answered)) return;
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         out[i] = world.shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
@@ -108,7 +111,7 @@ void crossings_of_cluster(const World& world, const WorldData& data, const RayTi
         query.finish();
         return true;
     };
-    if (in_lanes(rays, answered)) return;
+    if (!data.faithful && in_lanes(rays, answered)) return;
     std::vector<Hit>& hits = scratch.hits();
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -180,10 +183,44 @@ void instance_crossings(const WorldData& world, const WorldItem& item, const Ray
 
 Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
 {
+    const Hit hit = first(ray, t_min, t_max, kind_bit, scratch);
+    if (data_->faithful && hit.found() && !reach_of(*data_, hit).holds(hit.t)) return first_in_reach(ray, t_min, t_max, kind_bit, scratch);
+    return hit;
+}
+
+/// Of all crossings those that count, as none before them does.
+Hit World::first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
+{
     const WorldData& world = *data_;
     const RaySlabs slabs(ray);
-    Nearest best;
-    best.limit = t_max;
+    Nearest best(ray, t_max);
+    const auto offer = [&](const Hit& hit, std::uint32_t i) {
+        if (reach_of(world, hit).holds(hit.t)) best.offer(hit, i);
+    };
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) != 0) item_crossings(world, item, ray, t_min, best.limit, scratch, &slabs, [&](const Hit& hit) { offer(hit, i); });
+    };
+    const auto ball = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) == 0) return;
+        for (const double t : {near, far})
+            if (t >= t_min) offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, ball);
+        return best.limit;
+    });
+    return best.hit;
+}
+
+Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
+{
+    const WorldData& world = *data_;
+    scratch.cancel.look();
+    const RaySlabs slabs(ray);
+    Nearest best(ray, t_max);
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
         if ((item.visible & kind_bit) != 0) best.offer(item_nearest(world, item, ray, t_min, best.limit, scratch, &slabs), i);
@@ -201,6 +238,8 @@ Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind
     });
     return best.hit;
 }
+
+bool World::too_far(const Hit& hit) const { return hit.t > reach_of(*data_, hit).to; }
 
 HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
 {
@@ -226,6 +265,7 @@ HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
 
 double World::start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const
 {
+    if (data_->faithful) return usual;
     if (hit.instance != Hit::kNoInstance) {
         const Instance& one = data_->instances[hit.instance];
         const LocalRay local(one, ray);
@@ -259,37 +299,21 @@ Shadow World::shadow_crossings(const Ray& ray, double t_min, double t_max, Scrat
     return found;
 }
 
-void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out) const
-{
-    out.clear();
-    for (const WorldItem& item : data_->items) {
-        if (item.instance != Hit::kNoInstance) {
-            const Instance& one = data_->instances[item.instance];
-            std::vector<std::uint32_t> within;
-            World(*one.world).containing(one.frame.inverse_point(point), within);
-            if (!within.empty() && (out.empty() || out.back() != item.object)) out.push_back(item.object);
-            continue;
-        }
-        const bool inside = item.solid == kNoPart
-                                ? contains(data_->programs[item.program], data_->store, point)
-                                : with_solid(data_->store, item.solid, [&](const auto& solid) {
-                                      return item.inverted ? solid.contains_inverted(point) : solid.contains(point);
-                                  });
-        if (inside && (out.empty() || out.back() != item.object)) out.push_back(item.object);
-    }
-}
-
 bool World::seen_by_all(std::uint8_t kinds) const { return (data_->visible_everywhere & kinds) == kinds; }
 
 void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
 {
+    scratch.cancel.look();
     const auto answered = [&](auto&& lanes) {
         NearestOfTile query(*data_, lanes, scratch, out);
         if (!ask_tile(*data_, lanes, kind_bit, query)) return false;
         query.finish();
         return true;
     };
-    if (in_lanes(rays, answered)) return;
+    if (in_lanes(rays, answered)) {
+        if (data_->faithful) recheck(rays, kind_bit, scratch, out);
+        return;
+    }
     // Too far apart for one beam: perhaps not for several.
     const TileClusters clusters = rays.count < 2 * kFewestForBeam ? TileClusters() : TileClusters::by_direction(rays);
     if (clusters.size() == 1) {
@@ -309,8 +333,18 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
     }
 }
 
+void World::recheck(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
+{
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Hit hit = out.at(i);
+        if (hit.found() && !reach_of(*data_, hit).holds(hit.t)) out.set(i, first_in_reach(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
+    }
+}
+
 void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
 {
+    scratch.cancel.look();
     const TileClusters clusters = TileClusters::by_distance(rays);
     if (clusters.size() == 1) {
         shadow_of_cluster(*this, *data_, rays, scratch, out);
@@ -328,6 +362,7 @@ void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
 
 void World::shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile& out) const
 {
+    scratch.cancel.look();
     const TileClusters clusters = TileClusters::by_distance(rays);
     if (clusters.size() == 1) {
         crossings_of_cluster(*this, *data_, rays, scratch, out);

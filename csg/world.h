@@ -13,7 +13,8 @@ class Scratch;      // csg/scratch.h: per thread, reused; never shared
 
 /// All top-level objects of a scene behind one bounding hierarchy. Immutable once built; safe for any number of threads.
 /// Ray directions have unit length; t is a distance in scene units. Bits of `kinds`: trace::bit(plan::RayKind).
-/// At equal t the object declared first wins (spec 5a, 2.2).
+/// Of what lies in one place (Tolerance::kSamePlace) the object declared first is seen, as in POV-Ray where its numbers are equal
+/// and the boxes that it tests first do not say otherwise (spec 5a, 2.2).
 class World {
 public:
     explicit World(const WorldData& data) : data_(&data) {}
@@ -25,6 +26,8 @@ public:
     HitDetails details(const Ray& ray, const Hit& hit, bool with_uv = true) const;
     /// The same of the hits of a tile that `which` names (bit k: hit k), without uv; others' places are anything.
     void places(const RayTile& rays, const HitTile& hits, std::uint64_t which, PlaceTile& out) const;
+    /// Whether POV-Ray does not tell of a hit as far off as this one (csg/reach.h).
+    bool too_far(const Hit& hit) const;
     /// Where a ray that leaves a hit begins to look: csg/own_start.h.
     double start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const;
     /// Appends the shares of the parts of the shape that was hit (Freeform::shares).
@@ -40,6 +43,12 @@ public:
     /// Indices (Surface::object, in order of declaration) of the top-level objects whose solid holds the point.
     void containing(const glm::dvec3& point, std::vector<std::uint32_t>& out) const;
 
+    /// Whether the solid of one item (WorldData::items) holds the point.
+    bool item_holds(std::uint32_t item, const glm::dvec3& point) const;
+
+    /// Whether it may hold any point of the box; certain if it says no.
+    bool item_may_hold(std::uint32_t item, const Aabb& box) const;
+
     /// Whether rays of all these kinds see every object.
     bool seen_by_all(std::uint8_t kinds) const;
 
@@ -53,6 +62,9 @@ public:
     void shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile& out) const;
 
 private:
+    Hit first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
+    Hit first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
+    void recheck(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const;
     const WorldData* data_;
 };
 

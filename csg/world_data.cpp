@@ -6,9 +6,7 @@
 #include <utility>
 
 namespace csg {
-namespace {
 
-/// A box around what the item draws.
 Aabb drawn_bounds(const WorldData& world, const WorldItem& item)
 {
     if (item.instance != Hit::kNoInstance) {
@@ -22,9 +20,11 @@ Aabb drawn_bounds(const WorldData& world, const WorldItem& item)
     return with_solid(world.store, item.solid, [](const auto& solid) { return solid.bounds(); });
 }
 
+namespace {
+
 LeafKind leaf_kind(const WorldItem& item)
 {
-    if (item.solid == kNoPart || item.inverted) return LeafKind::Item;   // of an instance too
+    if (item.solid == kNoPart || item.inverted || item.gate != WorldItem::kNoGate) return LeafKind::Item;   // of an instance too
     switch (kind_of(item.solid)) {
         case SolidKind::Sphere: return LeafKind::Spheres;
         case SolidKind::Triangle: return LeafKind::Triangles;

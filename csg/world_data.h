@@ -49,7 +49,7 @@ struct alignas(64) SphereBlock {
 };
 
 /// What World reads: filled through add_*, then finished once; immutable afterwards. Items keep the order in which they
-/// were added: at equal distance the first wins.
+/// were added: of what lies in one place the first is seen.
 struct WorldData {
     SolidStore store;
     std::vector<Program> programs;
@@ -62,6 +62,7 @@ struct WorldData {
     std::vector<SphereBlock> spheres;          ///< by leaf block
     std::vector<std::uint8_t> surface_opaque;  ///< by SurfaceId: a shadow ray may stop at it for good (spec 3, 13.2)
     std::uint8_t visible_everywhere = 0xff;    ///< kinds of ray that see every item
+    bool faithful = false;                     ///< answers by POV-Ray's constants, ray by ray where they matter (docs/faithful.md)
 
     /// A solid by itself.
     void add_solid(PartId solid, bool inverted, std::uint32_t object, std::uint8_t visible);
@@ -75,5 +76,8 @@ struct WorldData {
     /// Builds the hierarchy. surface_opaque must be set.
     void finish();
 };
+
+/// A box around what the item draws.
+Aabb drawn_bounds(const WorldData& world, const WorldItem& item);
 
 }  // namespace csg

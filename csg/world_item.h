@@ -4,6 +4,7 @@
 #include "csg/hit.h"
 #include "csg/lanes.h"
 #include "csg/solid_crossings.h"
+#include "csg/tolerance.h"
 #include "csg/world_data.h"
 
 /// One item against one ray. Compiled once per instruction set.
@@ -47,12 +48,13 @@ inline Hit mesh_nearest(const SolidStore& store, PartId part, const Ray& ray, do
     return best;
 }
 
-/// Whether a ray is let through to an item: it meets every bound at or beyond t_min, however far, or starts inside.
-inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, Scratch& scratch)
+/// Whether a ray is let through to an item: it meets every bound at or beyond t_min, or starts inside. `end`: infinite, for a ray
+/// meets them however far off; a shadow ray's own end, for it may come from the light or go there.
+inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double end, Scratch& scratch)
 {
     if (item.gate == WorldItem::kNoGate) return true;
     const Gate& gate = world.gates[item.gate];
-    double first = t_min, last = kInfinity;
+    double first = t_min, last = end;
     for (int k = 0; k < 3; ++k) {
         Interval side;
         if (!slab(ray.origin[k], ray.direction[k], gate.box.lower[k], gate.box.upper[k], side)) return false;
@@ -63,9 +65,9 @@ inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray
     for (const std::uint32_t p : gate.programs) {
         const Program& bound = world.programs[p];
         bool met = false;
-        for (const Span& span : inside_spans(bound, world.store, ray, scratch)) met = met || span.out.t >= t_min;
+        for (const Span& span : inside_spans(bound, world.store, ray, scratch)) met = met || (span.out.t >= t_min && span.in.t <= end);
         // Where there is no inside, it is drawn all the same.
-        if (!met && nearest_visible(bound, world.store, ray, t_min, kInfinity, scratch).part == kNoPart) return false;
+        if (!met && nearest_visible(bound, world.store, ray, t_min, end, scratch).part == kNoPart) return false;
     }
     return true;
 }
@@ -76,11 +78,11 @@ void instance_crossings(const WorldData& world, const WorldItem& item, const Ray
                         std::vector<Hit>& out);
 
 /// The nearest crossing of an item in [t_min, t_max]; at equal t the last generated (spec 5a, 2.1). `slabs` of the ray, if
-/// they are known.
+/// they are known. `end`: as of passes().
 inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
-                        Scratch& scratch, const RaySlabs* slabs = nullptr)
+                        Scratch& scratch, const RaySlabs* slabs = nullptr, double end = kInfinity)
 {
-    if (!passes(world, item, ray, t_min, scratch)) return {};
+    if (!passes(world, item, ray, t_min, end, scratch)) return {};
     if (item.instance != Hit::kNoInstance) return instance_nearest(world, item, ray, t_min, t_max, scratch);
     if (item.solid == kNoPart) {
         const Crossing c = nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs);
@@ -108,12 +110,12 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
     return best;
 }
 
-/// All crossings of an item in [t_min, t_max], in any order: f(Hit).
+/// All crossings of an item in [t_min, t_max], a shadow ray's whole range, in any order: f(Hit).
 template <class F>
 inline void item_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
                            Scratch& scratch, const RaySlabs* slabs, F&& f)
 {
-    if (!passes(world, item, ray, t_min, scratch)) return;
+    if (!passes(world, item, ray, t_min, t_max, scratch)) return;
     if (item.instance != Hit::kNoInstance) {
         std::vector<Hit>& hits = scratch.instance_hits();   // instances hold none
         hits.clear();
@@ -131,19 +133,30 @@ inline void item_crossings(const WorldData& world, const WorldItem& item, const 
     });
 }
 
-/// What a ray keeps while it meets items: the nearest so far, and at equal distance the first declared.
+/// What a ray keeps while it meets items: the nearest so far, and in the same place the first in order.
 struct Nearest {
     Hit hit;
     std::uint32_t item = 0xffffffffu;
     double limit = kInfinity;            ///< nothing beyond matters
+    double nearer = kInfinity;           ///< before this nothing is in the same place
+    double reach = 0.0;                  ///< of the ray's origin
 
+    Nearest(const Ray& ray, double t_max) : limit(t_max), reach(reach_of(ray.origin)) {}
+
+    static double reach_of(const glm::dvec3& origin)
+    {
+        const glm::dvec3 size = glm::abs(origin);
+        return std::max(size.x, std::max(size.y, size.z));
+    }
     void offer(const Hit& found, std::uint32_t from)
     {
         if (!found.found() || found.t > limit) return;
-        if (found.t < hit.t || from < item) {
+        if (found.t < nearer || from < item) {
             hit = found;
             item = from;
-            limit = found.t;
+            const double room = Tolerance::same_place(found.t, reach);
+            limit = std::min(limit, found.t + room);
+            nearer = found.t - room;
         }
     }
 };

@@ -12,7 +12,7 @@ void Spline::add(double t, const Values& value, std::uint32_t count)
     components_ = std::max(components_, count);
     const auto at = std::lower_bound(knots_.begin(), knots_.end(), t, [](const Knot& k, double v) { return k.t < v; });
     if (at != knots_.end() && at->t == t) {
-        if (at + 1 != knots_.end()) at->value = value;
+        if (at + 1 != knots_.end() || knots_.size() == 1) at->value = value;
         return;
     }
     knots_.insert(at, {t, value});

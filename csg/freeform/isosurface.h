@@ -13,7 +13,8 @@ struct IsosurfaceTerms {
     std::shared_ptr<const Field> field;
     double threshold = 0.0;
     double accuracy = 0.001;       ///< above 0, distance in the world
-    double max_gradient = 1.1;     ///< asked only where the field has no ranges
+    double max_gradient = 1.1;     ///< asked only where the field has no ranges, or `trusting`
+    bool trusting = false;         ///< by POV-Ray's bisection, ranges or not
     bool evaluate = false;         ///< let that grow while a ray is followed, by `growth`
     glm::dvec3 growth{0.0};
     int max_trace = 1;             ///< crossings drawn on one ray

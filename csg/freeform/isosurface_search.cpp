@@ -66,7 +66,7 @@ void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const
 
 bool IsosurfaceSearch::first(double from, double end, double sign, double& found)
 {
-    if (terms_.field->ranged()) {
+    if (terms_.field->ranged() && !terms_.trusting) {
         int halvings = 0;
         for (double length = end - from; length >= accuracy_; length *= 0.5) ++halvings;
         // Eighths as fine as POV-Ray's last halves, or up to four times finer.

@@ -181,7 +181,6 @@ struct focal_point : item<Kind::FocalPoint, a_vector> {
 struct bokeh : item<Kind::Bokeh> {
     static void act(CameraState& s)
     {
-        s.build.unsupported("bokeh", s.stream().last());
         s.camera.undrawn.push_back(read_bokeh(s.build));
     }
 };

@@ -86,7 +86,6 @@ scene::StatementPtr read_mesh_camera(SceneBuilder& build)
     if (static_cast<int>(number_of(head[0])) == 0) s.fail("the rays per pixel of a mesh_camera must not be 0");
     const double method = number_of(head[1]);
     if (!(method >= 0 && method < kMostMethods + 1)) s.fail("the distribution of a mesh_camera must lie from 0 to 3");
-    if (number_of(head[0]) >= 2.0) build.unsupported("several rays a pixel of a mesh_camera (the first is used)", s.in().last());
     s.add("", std::move(head));
     s.in().accept_comma();
     if (at_expression(s.in())) s.read("max_distance", "f");

@@ -114,7 +114,7 @@ struct irid : item<Kind::Irid> {
 struct subsurface : item<Kind::Subsurface> {
     static void act(FinishState& s)
     {
-        s.build.unsupported("subsurface", s.stream().last());
+        s.build.undrawn_in_objects = true;
         s.finish.subsurface = read_finish_subsurface(s.build);
     }
 };

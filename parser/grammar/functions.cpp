@@ -2,6 +2,9 @@
 #include "parser/queries.h"
 #include "render/scene/function.h"
 
+#include <algorithm>
+#include <iterator>
+
 /// The scene's things inside functions, and the questions that are passed on to whoever can answer them.
 namespace parser {
 namespace {
@@ -20,6 +23,9 @@ std::optional<function::Outer> SceneBuilder::parse_function_thing(TokenStream& s
     const scene::SourceRef opened = open_block("pattern");
     scene::Pattern pattern;
     pattern.source = opened;
+    constexpr Kind kOfSurfaces[] = {Kind::Aoi, Kind::Average, Kind::Pavement, Kind::Slope, Kind::Square, Kind::Tiling, Kind::Triangular};
+    if (std::find(std::begin(kOfSurfaces), std::end(kOfSurfaces), stream.peek().kind) != std::end(kOfSurfaces))
+        stream.fail_expected("a pattern that a function can have");
     if (!read_pattern_type(*this, pattern)) stream.fail_expected("a pattern");
     close_list(*this, pattern);
     while (read_pattern_modifier(*this, pattern)) {}
@@ -36,6 +42,12 @@ bool SceneBuilder::undrawn(const ObjectPtr& object, const char* question)
     return true;
 }
 
+bool SceneBuilder::solid(const ObjectPtr& object)
+{
+    if (object != solid_ && has_inside(*object)) solid_ = object;
+    return object == solid_;
+}
+
 SceneQueries* SceneBuilder::queries()
 {
     description.global.assumed_gamma = stream_->language().assumed_gamma;
@@ -47,14 +59,14 @@ std::optional<ObjectHit> SceneBuilder::trace(const ObjectPtr& object, const glm:
 {
     if (undrawn(object, "trace()")) return ObjectHit{};
     SceneQueries* asked = queries();
-    return asked ? std::optional(asked->trace(object, origin, direction)) : std::nullopt;
+    return asked ? std::optional(asked->trace(object, origin, direction, description)) : std::nullopt;
 }
 
 std::optional<bool> SceneBuilder::inside(const ObjectPtr& object, const glm::dvec3& point)
 {
     if (undrawn(object, "inside()")) return false;
     SceneQueries* asked = queries();
-    return asked ? std::optional(asked->inside(object, point)) : std::nullopt;
+    return asked && solid(object) ? std::optional(asked->inside(object, point, description)) : std::nullopt;
 }
 
 std::optional<csg::Aabb> SceneBuilder::extent(const ObjectPtr& object)

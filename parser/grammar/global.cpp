@@ -92,8 +92,6 @@ struct number_of_waves : item<Kind::NumberOfWaves, a_number> {
 template <Kind kind> struct asked_for : item<kind> {
     static void act(GlobalState& s)
     {
-        const char* name = kind == Kind::Radiosity ? "radiosity" : kind == Kind::Photons ? "photons" : "subsurface";
-        s.build.unsupported(name, s.stream().last());
         if (kind == Kind::Radiosity) s.global().radiosity = true;
         if (kind == Kind::Photons) s.global().photons = true;
         if (kind == Kind::Subsurface) s.global().subsurface = true;

@@ -1,3 +1,4 @@
+#include "parser/grammar/density_file.h"
 #include "parser/grammar/function_samples.h"
 #include "parser/grammar/statement.h"
 #include "parser/stream/function.h"
@@ -76,28 +77,11 @@ void load(StatementReader& s)
     }
 }
 
-/// Three sizes of 16 bits, then samples of 8, 16 or 32 bits as the file's length tells, high bytes first (spec 4, 5.7).
 std::shared_ptr<const scene::Volume> volume_of(StatementReader& s, const std::string& path, const scene::SourceRef& at)
 {
     std::ifstream file(path, std::ios::binary);
-    const std::vector<unsigned char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    constexpr std::size_t kHeader = 6;
-    auto volume = std::make_shared<scene::Volume>();
-    std::size_t count = bytes.size() < kHeader ? 0 : 1;
-    for (std::size_t axis = 0; axis < 3 && count > 0; ++axis) {
-        volume->size[axis] = static_cast<std::uint32_t>(bytes[2 * axis] << 8 | bytes[2 * axis + 1]);
-        count *= volume->size[axis];
-    }
-    std::size_t width = 4;
-    while (width > 0 && (count == 0 || bytes.size() != kHeader + count * width)) width /= 2;
-    if (width == 0) s.in().fail(at, fmt::format("'{}' is no density file: its length does not fit its sizes", path));
-    volume->samples.reserve(count);
-    volume->most = std::exp2(8.0 * static_cast<double>(width)) - 1.0;
-    for (std::size_t i = kHeader; i < bytes.size(); i += width) {
-        std::uint32_t level = 0;
-        for (std::size_t k = 0; k < width; ++k) level = level << 8 | bytes[i + k];
-        volume->samples.push_back(level);
-    }
+    auto volume = decode_density_file({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
+    if (!volume) s.in().fail(at, fmt::format("'{}' is no density file: its length does not fit its sizes", path));
     return volume;
 }
 

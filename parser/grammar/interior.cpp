@@ -37,7 +37,7 @@ struct refraction : item<Kind::Refraction, a_number> {
 struct media : item<Kind::Media> {
     static void act(InteriorState& s)
     {
-        s.build.unsupported("media", s.stream().last());
+        s.build.undrawn_in_objects = true;
         s.interior.media.push_back(read_media(s.build));
     }
 };

@@ -72,12 +72,48 @@ struct area_light : item<Kind::AreaLight, a_vector, second_axis, must<area_size>
         if (l.size1 == 0 || l.size2 == 0) s.stream().fail(s.stream().last(), "an area light needs at least one lamp each way");
     }
 };
+/// What POV-Ray says at the end of the block (3.7).
+void check_circular(LightState& s)
+{
+    scene::Light& l = s.light();
+    TokenStream& in = s.stream();
+    const bool enough = l.size1 > 1 && l.size2 > 1;
+    if (l.circular && !enough) in.fail(s.object.source, "a circular area light needs more than one lamp along each axis");
+    if (!l.orient) return;
+    if (!l.circular) in.warn(s.object.source, "'orient' without 'circular': this area light is circular now");
+    l.circular = true;
+    if (l.size1 != l.size2) in.warn(s.object.source, "'orient' wants as many lamps along one axis as along the other");
+    if (std::abs(glm::length(l.axis1) - glm::length(l.axis2)) > 1e-10)
+        in.warn(s.object.source, "'orient' wants axes of equal length: the first one's is used");
+    if (!enough) in.warn(s.object.source, "a circular area light should have more than one lamp along each axis");
+}
+/// An item that acts on an area light alone.
+void warn_if_no_area(LightState& s, const char* item)
+{
+    if (!s.light().area) s.stream().warn(s.stream().last(), std::string("'") + item + "' acts on an area_light alone, and none stands before it");
+}
 struct adaptive : item<Kind::Adaptive, a_number> { static void act(LightState& s) { s.light().adaptive = s.pop_int(); } };
 struct area_illumination : item<Kind::AreaIllumination> {
-    static void act(LightState& s) { s.light().area_illumination = optional_flag(s.stream()); }
+    static void act(LightState& s)
+    {
+        warn_if_no_area(s, "area_illumination");
+        s.light().area_illumination = optional_flag(s.stream());
+    }
 };
-struct circular : item<Kind::Circular> { static void act(LightState& s) { s.light().circular = true; } };
-struct orient : item<Kind::Orient> { static void act(LightState& s) { s.light().orient = true; } };
+struct circular : item<Kind::Circular> {
+    static void act(LightState& s)
+    {
+        warn_if_no_area(s, "circular");
+        s.light().circular = true;
+    }
+};
+struct orient : item<Kind::Orient> {
+    static void act(LightState& s)
+    {
+        warn_if_no_area(s, "orient");
+        s.light().orient = true;
+    }
+};
 struct jitter : item<Kind::Jitter> { static void act(LightState& s) { s.light().jitter = true; } };
 struct media_attenuation : item<Kind::MediaAttenuation> {
     static void act(LightState& s) { s.light().media_attenuation = optional_flag(s.stream()); }
@@ -164,6 +200,7 @@ scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source)
         in.accept_comma();
         s.light().color = at_color(in) ? parser::rgb_expr(in).rgb() : glm::vec3(0);
     });
+    check_circular(s);
     return object;
 }
 

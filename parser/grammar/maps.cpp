@@ -71,13 +71,13 @@ scene::ColorMap read_color_map(SceneBuilder& build)
             map.push_back({key, parser::color_expr(in)});
             return;
         }
-        // Old form [k1, k2 color A color B].
+        // Old form [k1, k2 color A color B]; POV-Ray asks the second colour alone for its word.
         if (!at_expression(in)) build.fail_unknown("the entry's colour, as in rgb <1, 0.5, 0>");
         const double second = static_cast<float>(parser::float_expr(in));
-        for (const double end : {key, second}) {
-            if (in.peek().kind != Kind::Color) in.fail_expected("'color' and the entry's colour, as in color rgb <1, 0.5, 0>");
-            map.push_back({end, parser::color_expr(in)});
-        }
+        if (!at_expression(in)) build.fail_unknown("the entry's first colour, as in color rgb <1, 0.5, 0>");
+        map.push_back({key, parser::color_expr(in)});
+        if (in.peek().kind != Kind::Color) in.fail_expected("'color' and the entry's second colour, as in color rgb <1, 0.5, 0>");
+        map.push_back({second, parser::color_expr(in)});
     });
 }
 

@@ -192,14 +192,14 @@ struct split_union : item<Kind::SplitUnion, a_number> {
 struct cutaway_textures : item<Kind::CutawayTextures> {
     static void act(ObjectState& s)
     {
-        if (auto* csg = std::get_if<scene::Csg>(&s.object.shape)) csg->cutaway_textures = true;
+        auto* csg = std::get_if<scene::Csg>(&s.object.shape);
+        if (csg && (csg->op == scene::CsgOp::Intersection || csg->op == scene::CsgOp::Difference)) csg->cutaway_textures = true;
         else s.stream().fail(s.stream().last(), "'cutaway_textures' needs an intersection or difference");
     }
 };
 struct photons : item<Kind::Photons> {
     static void act(ObjectState& s)
     {
-        s.build.unsupported("photons", s.stream().last());
         const bool light = std::holds_alternative<scene::Light>(s.object.shape);
         s.object.photons = light ? read_light_photons(s.build) : read_object_photons(s.build);
     }

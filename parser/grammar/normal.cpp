@@ -82,6 +82,8 @@ scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::N
     read_head(s);
     while (NormalItems::match(build, s) || read_pattern_modifier(build, s.normal.pattern)) {}
     check_pavement(build, s.normal.pattern);
+    if (s.normal.pattern.name == "average" && std::holds_alternative<std::monostate>(s.normal.map))
+        in.fail(s.normal.source, "'average' needs a normal_map");
     if (s.normal.pattern.name.empty() && !std::holds_alternative<std::monostate>(s.normal.map))
         in.fail(s.normal.source, "this normal has a map, but no pattern");
     return s.normal;

@@ -1,6 +1,9 @@
+#include "csg/freeform.h"
 #include "csg/solids/freeform.h"
 #include "parser/grammar/rules.h"
 #include "parser/grammar/shape_makers.h"
+
+#include <algorithm>
 
 namespace parser {
 namespace {
@@ -39,9 +42,49 @@ bool is_patch(const scene::Object& object)
            (freeform && csg::Freeform{freeform->shape, {}}.surface());
 }
 
-bool is_written(Kind keyword)
+bool has_inside(const scene::Object& object)
 {
-    return keyword == Kind::LightGroup || written_head(keyword) != nullptr;
+    if (std::holds_alternative<scene::Light>(object.shape)) return false;
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    if (freeform && std::holds_alternative<csg::Polygon>(freeform->shape->kind)) return true;
+    const auto* csg = std::get_if<scene::Csg>(&object.shape);
+    return csg && csg->operands ? std::all_of(csg->operands->begin(), csg->operands->end(), has_inside) : !is_patch(object);
+}
+
+bool is_written(Kind keyword) { return written_head(keyword) != nullptr; }
+
+/// Objects, `global_lights` and transformations: it takes no other modifier.
+scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& source)
+{
+    const auto opened = build.open_block("light_group");
+    scene::Object object;
+    auto members = std::make_shared<std::vector<scene::Object>>();
+    bool whole = false, global_lights = false;
+    if (const auto declared = build.stream().accept_identifier<Shared>()) {
+        // A copy of a group takes no further objects, and says anew whether it goes by global lights.
+        const auto* csg = std::get_if<scene::Csg>(&(*declared)->shape);
+        whole = csg != nullptr && csg->light_group;
+        if (whole) object = **declared;
+        else if ((*declared)->undrawn.empty()) members->push_back(**declared);
+        else build.set_aside(**declared);
+    }
+    object.source = source;
+    for (;;) {
+        if (auto member = whole ? std::nullopt : read_object(build)) {
+            if (member->undrawn.empty()) members->push_back(std::move(*member));
+            else build.set_aside(std::move(*member));
+        } else if (build.stream().accept(Kind::GlobalLights)) {
+            global_lights = optional_flag(build.stream());
+        } else if (const auto transform = read_transformation(build)) {
+            object.transform_by(*transform);
+        } else {
+            break;
+        }
+    }
+    if (whole) std::get<scene::Csg>(object.shape).global_lights = global_lights;
+    else object.shape = scene::Csg{scene::CsgOp::Union, std::move(members), true, false, true, global_lights};
+    build.close_block("light_group", opened);
+    return object;
 }
 
 scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
@@ -57,11 +100,10 @@ scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::Sourc
     } else {
         object.undrawn = name;
         object.source = source;
-        if (keyword == Kind::LightGroup) read_light_group(shape, object);
-        else written_head(keyword)(shape);
+        written_head(keyword)(shape);
         object.shape_block = shape.take();
         if (make_shape(build, *object.shape_block, object)) object.undrawn.clear();
-        if (keyword != Kind::LightGroup) read_modifiers(build, object);
+        read_modifiers(build, object);
         if (keyword == Kind::JuliaFractal) object.inverse = false;  // POV-Ray forgets it at the end of the block (spec 5b, 12.4)
     }
     build.close_block(name.c_str(), opened);
@@ -85,7 +127,7 @@ scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef
         std::size_t written = 0;
         while (auto operand = read_object(build)) {
             ++written;
-            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && (is_patch(*operand) || std::holds_alternative<scene::Light>(operand->shape)))
+            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && !has_inside(*operand))
                 in.warn(operand->source, "what has no inside cannot be cut or cut with");
             if (operand->undrawn.empty()) operands->push_back(std::move(*operand));
             else build.set_aside(std::move(*operand));
@@ -121,6 +163,7 @@ std::optional<scene::Object> read_object(SceneBuilder& build)
     case Kind::Union: case Kind::Intersection: case Kind::Difference: case Kind::Merge: case Kind::Composite:
         in.next();
         return read_csg(build, keyword, in.last());
+    case Kind::LightGroup: in.next(); return read_light_group(build, in.last());
     case Kind::Object: in.next(); return read_wrapper(build, in.last());
     case Kind::LightSource: in.next(); return read_light(build, in.last());
     case Kind::Mesh: in.next(); return read_mesh(build, in.last());

@@ -80,7 +80,7 @@ struct metric : item<Kind::Metric, a_number> {
 };
 struct offset : item<Kind::Offset, a_number> { static void act(ModifierState& s) { s.set("crackle", 1, s.pop_float()); } };
 struct solid : item<Kind::Solid> {
-    static void act(ModifierState& s) { s.set("crackle", 2, optional_flag(s.stream()) ? 1 : 0); }
+    static void act(ModifierState& s) { s.set("crackle", 2, 1); }
 };
 struct size : item<Kind::Size, a_number> { static void act(ModifierState& s) { s.set("facets", 0, s.pop_float()); } };
 struct coords : item<Kind::Coords, a_number> { static void act(ModifierState& s) { s.set("facets", 1, s.pop_float()); } };
@@ -186,23 +186,25 @@ struct orientation : item<Kind::Orientation, a_vector> {
 };
 struct dist_exp : item<Kind::DistExp, a_number> { static void act(MappingState& s) { s.warp.dist_exp = s.pop_float(); } };
 struct major_radius : item<Kind::MajorRadius, a_number> { static void act(MappingState& s) { s.warp.major_radius = s.pop_float(); } };
-template <Kind kind, scene::MappingWarp::Kind mapping> struct mapping_warp : item<kind> {
+using Mapping = scene::MappingWarp::Kind;
+template <Kind kind, Mapping mapping> struct mapping_warp : item<kind> {
     static void act(WarpState& s)
     {
         scene::MappingWarp warp;
         warp.kind = mapping;
         TokenStream& in = s.stream();
-        if (mapping == scene::MappingWarp::Kind::Planar && at_expression(in)) {
+        if (mapping == Mapping::Planar && at_expression(in)) {
             warp.orientation = glm::normalize(parser::vector_expr(in));
             in.accept_comma();
             warp.distance = parser::float_expr(in);
         }
         MappingState inner(s.build, warp);
-        while (table<MappingState, orientation, dist_exp, major_radius>::match(s.build, inner)) {}
+        if constexpr (mapping == Mapping::Toroidal) while (table<MappingState, orientation, dist_exp, major_radius>::match(s.build, inner)) {}
+        else if constexpr (mapping != Mapping::Planar && mapping != Mapping::Cubic)
+            while (table<MappingState, orientation, dist_exp>::match(s.build, inner)) {}
         s.step = warp;
     }
 };
-using Mapping = scene::MappingWarp::Kind;
 using Warps = table<WarpState, repeat, black_hole, warp_turbulence, mapping_warp<Kind::Planar, Mapping::Planar>,
                     mapping_warp<Kind::Cylindrical, Mapping::Cylindrical>,
                     mapping_warp<Kind::Spherical, Mapping::Spherical>,

@@ -15,6 +15,7 @@ struct PigmentState : BlockState {
     scene::Color color;
     scene::Pattern pattern;                 // a name: the pigment is patterned
     scene::ColorMap colors;
+    bool mapless = false;                   // a colour or an image_map stood first
     scene::PigmentMap pigments;             // at most one of the two maps has entries
     std::shared_ptr<const scene::Pigment> on_surface;  // uv_mapping: the pigment in uv space
 
@@ -39,6 +40,7 @@ struct PigmentState : BlockState {
 
 void reject_map(PigmentState& s)
 {
+    if (s.mapless) s.stream().fail(s.stream().last(), "a plain colour and an image_map take no map");
     if (list_size(s.pattern) > 0)
         s.stream().fail(s.stream().last(), "'" + s.pattern.name + "' takes a list of colours or pigments, not a map");
 }
@@ -115,6 +117,7 @@ void read_head(PigmentState& s)
     TokenStream& in = s.stream();
     if (at_plain_color(in)) {
         s.set_plain(parser::color_expr(in));
+        s.mapless = true;
     } else if (in.accept(Kind::ImageMap)) {
         s.set_plain({});
         s.colors.clear();
@@ -122,6 +125,7 @@ void read_head(PigmentState& s)
         s.pattern.name = "image_map";
         s.pattern.source = in.last();
         s.pattern.block = read_image_block(s.build, true);
+        s.mapless = true;
     } else if (in.accept(Kind::UvMapping)) {
         s.pattern = {};
         s.pattern.name = "uv_mapping";

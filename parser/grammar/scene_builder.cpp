@@ -27,8 +27,12 @@ void SceneBuilder::set_default_layer(scene::Layer layer)
     default_texture_ = std::move(texture);
 }
 
+int SceneBuilder::default_noise_generator() const { return stream_->language().version < 350 ? 1 : 2; }
+
 void SceneBuilder::version_changed(int version, const Options& options)
 {
+    // A version from the command line alone is too late for what is asked while the text is read (spec 4, 2.6).
+    if (!noise_generator_given) description.global.noise_generator = default_noise_generator();
     constexpr int kNewDefaults = 380;
     if (version < kNewDefaults || default_given || !description.objects.empty()) return;
     scene::Layer layer = default_layer();
@@ -51,7 +55,6 @@ void SceneBuilder::add(scene::Object object)
 
 void SceneBuilder::set_aside(scene::Object object)
 {
-    unsupported(object.undrawn, object.source);
     if (!object.default_texture) object.default_texture = default_texture_;
     description.undrawn.push_back(std::move(object));
 }
@@ -66,7 +69,7 @@ scene::Description SceneBuilder::take()
     const LanguageState& language = stream_->language();
     description.version = language.version < 350 ? 350 : language.version;
     description.effective_version = language.version_set ? description.version : 362;
-    if (!noise_generator_given) description.global.noise_generator = language.version < 350 ? 1 : 2;
+    if (!noise_generator_given) description.global.noise_generator = default_noise_generator();
     description.global.assumed_gamma = language.assumed_gamma;
     description.default_texture = default_texture_;
     description.files = stream_->files();
@@ -77,22 +80,23 @@ scene::SourceRef SceneBuilder::open_block(const char* what)
 {
     const scene::SourceRef at = stream_->here();
     stream_->expect(Kind::LeftBrace, fmt::format("'{{' after {}", what));
+    stream_->block_opened(at);
     return at;
 }
 
 void SceneBuilder::close_block(const char* what, const scene::SourceRef& opened)
 {
-    if (stream_->accept(Kind::RightBrace)) return;
+    if (stream_->accept(Kind::RightBrace)) return stream_->block_closed();
     if (stream_->peek().kind == Kind::EndOfText)
         stream_->fail(opened, fmt::format("this block of '{}' is not closed: the text ends before its '}}'", what));
-    fail_unknown(fmt::format("an item of '{}' or '}}'", what).c_str());
+    fail_unknown(fmt::format("an item of '{}' or '}}'", what).c_str(), stream_->where_opened(fmt::format("'{}'", what), opened));
 }
 
-void SceneBuilder::fail_unknown(const char* expected)
+void SceneBuilder::fail_unknown(const char* expected, const std::string& more)
 {
     const Token token = stream_->peek();
     if (token.kind == Kind::Identifier && !stream_->value_of(token)) stream_->fail_undeclared(token);
-    stream_->fail_expected(expected);
+    stream_->fail_expected(expected, more);
 }
 
 }  // namespace parser

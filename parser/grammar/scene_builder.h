@@ -31,6 +31,7 @@ public:
     std::optional<function::Outer> parse_function_thing(TokenStream& stream) override;
     std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>& object, const glm::dvec3& origin,
                                    const glm::dvec3& direction) override;
+    bool solid(const std::shared_ptr<const scene::Object>& object) override;
     std::optional<bool> inside(const std::shared_ptr<const scene::Object>& object, const glm::dvec3& point) override;
     std::optional<csg::Aabb> extent(const std::shared_ptr<const scene::Object>& object) override;
     std::optional<glm::dvec3> turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override;
@@ -47,8 +48,6 @@ public:
     void add(scene::Object object);
     /// An object of a kind that is not drawn yet: kept in the description.
     void set_aside(scene::Object object);
-    /// Something understood but not drawn yet: told once for each `what`.
-    void unsupported(const std::string& what, const scene::SourceRef& source);
 
     /// The content of a picture file, read once.
     std::shared_ptr<const image::Picture> picture(const std::string& path, const scene::SourceRef& at);
@@ -57,7 +56,7 @@ public:
     scene::SourceRef open_block(const char* what);
     void close_block(const char* what, const scene::SourceRef& opened);
     /// The next token belongs to nothing known here.
-    [[noreturn]] void fail_unknown(const char* expected);
+    [[noreturn]] void fail_unknown(const char* expected, const std::string& more = "");
 
     scene::Description description;
     scene::Camera default_camera;
@@ -65,16 +64,27 @@ public:
     /// A question to an undrawn object was answered as if it were not there: what follows may be degenerate.
     bool guessed = false;
     bool default_given = false;
+    std::optional<scene::SourceRef> global_settings;  ///< the first such block
+    /// Something was read that is not drawn yet and that a scene asks for only by an object that has it.
+    bool undrawn_in_objects = false;
 
 private:
     /// One statement of the scene; false at the end of the text.
     bool read_statement();
     bool undrawn(const std::shared_ptr<const scene::Object>& object, const char* question);
+    /// A question that was answered without what cannot be drawn: kept once for each `what`.
+    void unsupported(const std::string& what, const scene::SourceRef& source);
+    /// A warning for each thing that the scene asks for and the picture will not have.
+    void tell_unsupported();
+    /// Warnings of POV-Ray for a scene that leaves #version or assumed_gamma to chance.
+    void tell_missing_settings();
     /// Who answers questions to what is described so far; null: nobody. Pictures are decoded by the language's settings.
     SceneQueries* queries();
+    int default_noise_generator() const;  ///< of the language version
     TokenStream* stream_ = nullptr;
     scene::TexturePtr default_texture_;
     std::set<std::string> told_;
+    std::shared_ptr<const scene::Object> solid_;  ///< the last that was found to have an inside
     std::map<std::string, std::shared_ptr<const image::Picture>> pictures_;
 };
 
@@ -91,6 +101,8 @@ scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::Sourc
 bool is_written(Kind keyword);
 /// Whether it is drawn but has no inside (spec 5b, 1.1).
 bool is_patch(const scene::Object& object);
+/// Whether inside() can be asked of it: of a Csg every operand must have an inside, also where that means nothing.
+bool has_inside(const scene::Object& object);
 /// Modifiers of any object until something else stands there.
 void read_modifiers(SceneBuilder& build, scene::Object& object);
 

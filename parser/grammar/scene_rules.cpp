@@ -1,5 +1,6 @@
 #include "parser/grammar/rules.h"
 #include "parser/grammar/statement.h"
+#include "render/scene/undrawn_features.h"
 
 /// The top level of a scene, the values that a declaration can hold, and `#default`.
 namespace parser {
@@ -30,13 +31,17 @@ struct sky_sphere : item<Kind::SkySphere> {
         s.build.description.sky_sphere = read_sky_sphere(s.build);
     }
 };
-struct global_settings : item<Kind::GlobalSettings> { static void act(SceneState& s) { read_global_settings(s.build); } };
+struct global_settings : item<Kind::GlobalSettings> {
+    static void act(SceneState& s)
+    {
+        if (!s.build.global_settings) s.build.global_settings = s.stream().last();
+        read_global_settings(s.build);
+    }
+};
 struct default_block : item<Kind::Default> { static void act(SceneState& s) { s.build.parse_default(s.stream()); } };
 template <Kind kind> struct undrawn_effect : item<kind> {
     static void act(SceneState& s)
     {
-        const std::string name(spelling(kind));
-        s.build.unsupported(name, s.stream().last());
         s.build.description.effects.push_back(kind == Kind::Media ? read_media(s.build) : read_rainbow(s.build));
     }
 };
@@ -153,8 +158,32 @@ void SceneBuilder::read_scene()
         }
     }
     if (!errors.empty()) throw Error(errors);
-    if (description.objects.empty() && description.unsupported.empty())
+    tell_unsupported();
+    if (description.objects.empty() && description.undrawn.empty())
         stream_->warn(stream_->last(), "the scene has no objects");
+    tell_missing_settings();
+}
+
+void SceneBuilder::tell_missing_settings()
+{
+    constexpr int kGamma = 370;
+    const LanguageState& language = stream_->language();
+    if (language.assumed_gamma.kind == scene::AssumedGamma::Kind::Unset)
+        stream_->warn(global_settings.value_or(stream_->start()),
+                      language.effective_version() >= kGamma ? "assumed_gamma is not given: it is 1.0 (global_settings { assumed_gamma 1.0 } says so)"
+                                                             : "assumed_gamma is not given: colours are not corrected for it, as before version 3.7");
+    if (stream_->options().version_given) return;
+    if (!language.version_directive)
+        stream_->warn(stream_->start(), "the scene has no #version: some settings are those of versions before 3.7 (begin with #version 3.7;)");
+    else if (language.late_version)
+        stream_->warn(*language.late_version, "the first #version is not the first statement: until here some settings are those of versions before 3.7");
+}
+
+void SceneBuilder::tell_unsupported()
+{
+    for (scene::Unsupported& feature : scene::undrawn_features(description, undrawn_in_objects)) description.unsupported.push_back(std::move(feature));
+    for (const scene::Unsupported& feature : description.unsupported)
+        stream_->warn(feature.source, feature.what + ": not rendered yet, the picture is made without it");
 }
 
 void SceneBuilder::parse_default(TokenStream&)

@@ -110,7 +110,6 @@ HeadReader written_head(Kind keyword);
 HeadReader curve_head(Kind keyword);      ///< made of points along a curve
 HeadReader polynomial_head(Kind keyword);
 HeadReader field_head(Kind keyword);      ///< made of functions, components, files
-void read_light_group(StatementReader& s, scene::Object& object);
 
 /// texture, pigment, normal, finish and transformations of a blob's component.
 void read_component_modifiers(SceneBuilder& build, scene::Object& object);

@@ -1,5 +1,6 @@
 #include "parser/grammar/rules.h"
 #include "parser/grammar/statement.h"
+#include "render/scene/undrawn_features.h"
 
 namespace parser {
 namespace {
@@ -48,6 +49,7 @@ struct texture_map : item<Kind::TextureMap> {
     static void act(TextureState& s)
     {
         if (!s.patterned()) s.stream().fail(s.stream().last(), "a texture_map needs a pattern before it, as in 'gradient y'");
+        if (list_size(s.pattern().pattern) > 0) s.stream().fail(s.stream().last(), "'" + s.pattern().pattern.name + "' takes a list of textures, not a map");
         s.pattern().map = read_texture_map(s.build, s.pattern().pattern.name == "average");
     }
 };
@@ -240,6 +242,7 @@ scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, c
     auto& layers = std::get<Layers>(both->kind);
     const std::size_t first = layers.size();
     layers.insert(layers.end(), upper->begin(), upper->end());
+    build.undrawn_in_objects |= layers.size() > scene::kMostLayers;
     if (build.version() <= kLastOldLayers)
         for (std::size_t i = first; i < layers.size(); ++i) filter_to_transmit(layers[i].pigment);
     return both;

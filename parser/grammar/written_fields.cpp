@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 /// Solids made of functions, components, coefficients or files (reference manual: blob, isosurface, parametric,
-/// julia_fractal, height_field, text, bicubic_patch, light_group).
+/// julia_fractal, height_field, text, bicubic_patch).
 namespace parser {
 namespace {
 
@@ -249,22 +249,6 @@ HeadReader written_head(Kind keyword)
     for (const auto head : {curve_head, polynomial_head, field_head})
         if (const HeadReader found = head(keyword)) return found;
     return nullptr;
-}
-
-/// Objects, `global_lights` and transformations: it takes no other modifier.
-void read_light_group(StatementReader& s, scene::Object& object)
-{
-    for (;;) {
-        if (auto member = read_object(s.build())) {
-            s.add("object", {std::make_shared<const scene::Object>(std::move(*member))});
-        } else if (s.accept(Kind::GlobalLights)) {
-            s.add("global_lights", {optional_flag(s.in()) ? 1.0 : 0.0});
-        } else if (const auto transform = read_transformation(s.build())) {
-            object.transform_by(*transform);
-        } else {
-            return;
-        }
-    }
 }
 
 }  // namespace parser

@@ -93,8 +93,8 @@ bool TokenStream::declare_compiled(bool local)
         return false;
     }
     Value& target = local ? *symbols_.local(name, symbols_.depth()) : *symbols_.declare(name);
-    if (Tuple* same = target.get_if<Tuple>()) *same = value;
-    else target = value;
+    if (Tuple* same = target.get_if<Tuple>()) *same = value.stored();
+    else target = value.stored();
     std::uint32_t& at = cursors_.back().position;
     const std::uint32_t end = cursors_.back().end;
     if (at >= end || tokens[at].kind != Kind::Semicolon) {
@@ -124,7 +124,7 @@ Cell TokenStream::argument_compiled()
     }
     Tuple value;
     if (!run_compiled_here(1, false, value)) return nullptr;
-    return make_cell(value);
+    return make_cell(value.stored());
 }
 
 }  // namespace parser

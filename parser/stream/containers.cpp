@@ -136,6 +136,7 @@ std::shared_ptr<Array> TokenStream::read_array()
 
 void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t& at)
 {
+    const scene::SourceRef opened = here();
     expect(Kind::LeftBrace, "'{' and the array's elements");
     for (std::uint32_t i = 0; array.growing || i < array.sizes[dimension]; ++i) {
         if (array.growing && peek().kind == Kind::RightBrace) break;
@@ -145,6 +146,9 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
             ++at;
             if (peek().kind == Kind::RightBrace) continue;
         } else {
+            if (!new_language() && (peek_raw().kind == Kind::Hash || is_macro(*ahead_)))
+                fail(place(*ahead_), ahead_->kind == Kind::Hash ? "a directive cannot stand before an element of an array"
+                                                                : "a macro call cannot be an element of an array: parentheses around it make it one");
             Value value = read_value();
             if (array.growing) grow(array);
             if (array.kind == 0) array.kind = kind_of(value);
@@ -155,7 +159,7 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
         }
         accept_comma();
     }
-    expect(Kind::RightBrace, fmt::format("'}}' after {} elements", array.sizes[dimension]));
+    expect_closing(fmt::format("'}}' after {} elements", array.sizes[dimension]), "the array", opened);
 }
 
 /// `dictionary { .Key: value, ["Key"]: value }` or the word alone.

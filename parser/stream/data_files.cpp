@@ -148,7 +148,7 @@ void TokenStream::read_data()
         }
         if (const auto* number = std::get_if<double>(&*item)) *target = Tuple::of(*number);
         else if (const auto* text = std::get_if<std::string>(&*item)) *target = *text;
-        else *target = Tuple{std::get<DataFile::Vector>(*item).at, std::get<DataFile::Vector>(*item).count};
+        else *target = Tuple{std::get<DataFile::Vector>(*item).at, std::get<DataFile::Vector>(*item).count}.stored();
         ended = !file->skip_separator();
     }
     raw_next();

@@ -115,9 +115,18 @@ void TokenStream::undefine()
     end_declaration(false);
 }
 
-void TokenStream::set_version(bool first_in_main)
+/// Whether the scene, or the header that goes ahead of it, begins with the directive at `hash`.
+bool TokenStream::nothing_before(std::uint32_t hash) const
+{
+    const std::size_t first = options_.include_header.empty() ? 1 : 2;  // depth of what is read first
+    return hash == 0 && cursors_.size() == first && (first == 1 || cursors_.front().position == 0);
+}
+
+void TokenStream::set_version(std::uint32_t hash)
 {
     const scene::SourceRef at = last();
+    if (!language_.version_directive && !nothing_before(hash)) language_.late_version = at;
+    language_.version_directive = true;
     if (peek_raw().kind == Kind::Identifier && word(*ahead_) == "unofficial") raw_next();
     raw_operators_ = true;
     const double wanted = float_expr(*this);
@@ -126,7 +135,7 @@ void TokenStream::set_version(bool first_in_main)
     constexpr double kLatest = 380.0, kPatched = 371.0;
     if (!(version <= kLatest)) fail(at, "this scene asks for a later version of the language than 3.8");
     if (version >= kPatched && version < kLatest) warn(at, "this version has the words of 3.8, but it is not 3.8");
-    if (version == kLatest && first_in_main == false && language_.version < static_cast<int>(kLatest))
+    if (version == kLatest && !(hash == 0 && cursors_.size() == 1) && language_.version < static_cast<int>(kLatest))
         fail(at, "#version 3.8 must be the first statement of a scene");
     language_.version = static_cast<int>(std::max(version, 0.0));
     language_.version_set = true;
@@ -164,6 +173,13 @@ Value TokenStream::read_identifier_value(Cell* by_reference)
 }
 
 Value TokenStream::read_value(Cell* by_reference)
+{
+    Value value = read_any_value(by_reference);
+    if (Tuple* tuple = value.get_if<Tuple>()) *tuple = tuple->stored();
+    return value;
+}
+
+Value TokenStream::read_any_value(Cell* by_reference)
 {
     const auto guard = nest();
     if (!by_reference)

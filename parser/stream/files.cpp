@@ -1,10 +1,12 @@
 #include "parser/stream/expression.h"
 #include "parser/stream/file_policy.h"
+#include "parser/stream/messages.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace parser {
@@ -56,6 +58,8 @@ void TokenStream::open_main(std::uint16_t index, const std::string& path)
 void TokenStream::open_file(const std::string& path)
 {
     auto text = kept_files_.read(path);
+    std::error_code error;
+    if (!text && !fs::exists(path, error)) throw Error(path + ": error: there is no such file" + nearest_file(path, {""}, ".pov"));
     if (!text) throw Error(path + ": error: cannot read this file");
     open_main(load(path, std::move(*text), true), path);
 }
@@ -97,20 +101,57 @@ std::string TokenStream::find_file(const std::string& name, const std::vector<st
     for (const std::string& extension : extensions) names.push_back(name + extension);
     if (!has_extension) names.push_back(name);
 
-    std::vector<fs::path> folders{fs::path()};
-    for (const std::string& folder : options_.library_path) folders.emplace_back(folder);
-    folders.emplace_back(scene_folder_);  // POV-Ray looks into neither of these two
-    if (!cursors_.empty()) folders.push_back(fs::path(files_[cursors_.back().file]->path).parent_path());
+    const std::vector<std::string> folders = searched_folders();
     const auto there = [&](const fs::path& path) { return kept_files_.has(path.string()) || is_file(path); };
     for (const std::string& candidate : names) {
         if (fs::path(candidate).is_absolute()) {
             if (there(candidate) && may_read(options_, scene_folder_, candidate)) return candidate;
             continue;
         }
-        for (const fs::path& folder : folders)
+        for (const fs::path folder : folders)
             if (there(folder / candidate) && may_read(options_, scene_folder_, (folder / candidate).string())) return (folder / candidate).string();
     }
     return {};
+}
+
+/// In order, each once; "" is the current one.
+std::vector<std::string> TokenStream::searched_folders() const
+{
+    std::vector<std::string> folders{""};
+    const auto add = [&](const std::string& folder) {
+        if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
+    };
+    for (const std::string& folder : options_.library_path) add(folder);
+    add(scene_folder_);  // POV-Ray looks into neither of these two
+    if (!cursors_.empty()) add(fs::path(files_[cursors_.back().file]->path).parent_path().string());
+    return folders;
+}
+
+/// "; did you mean 'colors.inc'?" with the file of that extension whose name is nearest, or nothing.
+std::string TokenStream::nearest_file(const std::string& name, const std::vector<std::string>& folders, std::string_view extension) const
+{
+    constexpr std::size_t kMostNames = 20'000;
+    const fs::path wanted(name);
+    std::vector<std::string> names;
+    for (const fs::path folder : folders) {
+        const fs::path place = folder / wanted.parent_path();
+        std::error_code error;
+        for (fs::directory_iterator entry(place.empty() ? "." : place, error), end; !error && entry != end && names.size() < kMostNames; entry.increment(error)) {
+            const std::string found = entry->path().filename().string();
+            if (fs::path(found).extension() == extension && may_read(options_, scene_folder_, entry->path().string())) names.push_back(found);
+        }
+    }
+    std::string word = wanted.filename().string();
+    if (!wanted.has_extension()) word += extension;
+    const std::string nearest = nearest_of(word, names);
+    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", (wanted.parent_path() / nearest).string());
+}
+
+std::string TokenStream::where_searched() const
+{
+    std::string text;
+    for (const std::string& folder : searched_folders()) text += (text.empty() ? " in " : ", ") + (folder.empty() ? "the current folder" : "'" + folder + "'");
+    return text;
 }
 
 const char* TokenStream::why_not_found() const { return options_.restrict_read ? ", or it lies outside of the folders that may be read" : ""; }
@@ -125,7 +166,11 @@ void TokenStream::include()
 void TokenStream::include_named(const std::string& name, const Token& call, const scene::SourceRef& at)
 {
     const std::string path = find_file(name, {".inc", ".INC"});
-    if (path.empty()) fail(at, fmt::format("cannot find the include file '{}'{}", name, why_not_found()));
+    if (path.empty()) {
+        const bool absolute = fs::path(name).is_absolute();
+        fail(at, fmt::format("cannot find the include file '{}'{}{}{}", name, absolute ? "" : where_searched(), why_not_found(),
+                             nearest_file(name, absolute ? std::vector<std::string>{""} : searched_folders(), ".inc")));
+    }
     std::size_t depth = 0;
     for (const Cursor& cursor : cursors_) depth += !cursor.macro;
     if (depth >= kDeepestIncludes || cursors_.size() >= 2 * kDeepestIncludes + 2000)
@@ -152,7 +197,7 @@ void TokenStream::message_directive(Kind kind)
     const scene::SourceRef at = last();
     const std::string text = printed(string_expr(*this), language_.version);
     if (kind == Kind::Error) fail(at, text);
-    if (kind == Kind::Warning) return warn(at, text);
+    if (kind == Kind::Warning) return warn_as_written(at, text);
     if (kind != Kind::Debug) warn(at, fmt::format("#{} prints where #debug does", spelling(kind)));
     report(Severity::Debug, at, text);
 }

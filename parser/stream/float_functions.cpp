@@ -167,6 +167,7 @@ double in_parentheses(TokenStream& stream, const Token& word)
     case Kind::Dimensions: case Kind::DimensionSize: return array_function(stream, word.kind);
     case Kind::Inside: {
         const auto object = read_object_identifier(stream);
+        if (!stream.hooks().solid(object)) stream.fail(stream.last(), "inside() wants a solid, and this object, or a part of it, has no inside");
         stream.accept_comma();
         const auto answer = stream.hooks().inside(object, vector_expr(stream));
         if (!answer) stream.fail(stream.place(word), "inside() of this object is not available yet");

@@ -42,12 +42,12 @@ BodyReader::Value BodyReader::select(const Token& token)
     return build_.select(condition, branches);
 }
 
-/// sum(i, from, to, body): i is a name of its own while the body is read.
+/// sum(i, from, to, body): i is a name of its own while the body is read, where it hides a parameter or an outer counter.
 BodyReader::Value BodyReader::loop(const Token& token)
 {
     stream_.expect(Kind::LeftParen, "'(' and the counter's name");
     const Token name = stream_.next();
-    if (name.kind != Kind::Identifier || stream_.value_of(name) || names_.contains(stream_.word(name)))
+    if (name.kind != Kind::Identifier || stream_.value_of(name))
         stream_.fail(stream_.place(name), "expected a new name for the counter");
     const std::string word = stream_.word(name);
     comma();
@@ -56,9 +56,10 @@ BodyReader::Value BodyReader::loop(const Token& token)
     const Value to = read();
     comma();
     const Value counter = build_.begin_loop(from, to);
-    names_.emplace(word, counter);
+    const auto outer = names_;
+    names_[word] = counter;
     const Value value = build_.end_loop(counter, read(), token.kind == Kind::Prod);
-    names_.erase(word);
+    names_ = outer;
     stream_.expect(Kind::RightParen, "')' after the function's arguments");
     return value;
 }

@@ -70,6 +70,7 @@ function::FunctionPtr read_special(TokenStream& stream, bool parameters_given)
 
 function::FunctionPtr read_function_body(TokenStream& stream, const std::vector<std::string>& given)
 {
+    const scene::SourceRef opened = stream.last();
     if (stream.peek().kind == Kind::String) stream.next();  // a comment of old files
     function::FunctionPtr made = read_special(stream, !given.empty());
     if (!made) {
@@ -81,7 +82,7 @@ function::FunctionPtr read_function_body(TokenStream& stream, const std::vector<
         const auto result = BodyReader(stream, build, names).read();
         made = build.finish(result);
     }
-    stream.expect(Kind::RightBrace, "an operator or '}' at the end of the function");
+    stream.expect_closing("an operator or '}' at the end of the function", "the function", opened);
     return made;
 }
 

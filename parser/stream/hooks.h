@@ -32,6 +32,8 @@ public:
     /// Questions to a declared object; nullopt: cannot be answered (the stream makes it an error at the call).
     virtual std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>&, const glm::dvec3& /*origin*/,
                                            const glm::dvec3& /*direction, unit length*/) { return std::nullopt; }
+    /// Whether inside() can be asked of the object.
+    virtual bool solid(const std::shared_ptr<const scene::Object>&) { return true; }
     virtual std::optional<bool> inside(const std::shared_ptr<const scene::Object>&, const glm::dvec3&) { return std::nullopt; }
     virtual std::optional<csg::Aabb> extent(const std::shared_ptr<const scene::Object>&) { return std::nullopt; }
     virtual std::optional<glm::dvec3> turbulence(const glm::dvec3& /*point*/, int /*octaves*/, double /*lambda*/, double /*omega*/)

@@ -3,6 +3,7 @@
 #include "render/scene/description.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ enum class Charset : std::uint8_t { Ascii, Utf8, System };
 struct LanguageState {
     int version = 370;                      ///< `#version` * 100
     bool version_set = false;               ///< by a directive or an option; off: gamma and the like act as in 3.62
+    bool version_directive = false;         ///< a #version was executed
+    /// Of the first #version, if other text was read before it.
+    std::optional<scene::SourceRef> late_version;
     Charset charset = Charset::Ascii;
     scene::AssumedGamma assumed_gamma;      ///< the grammar keeps it up to date: srgb colours depend on it
     int effective_version() const { return version_set ? version : 362; }

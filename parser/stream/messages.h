@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parser/lexer/lexer.h"
+#include "parser/nearest.h"
 
 #include <string>
 #include <string_view>
@@ -8,10 +9,15 @@
 
 namespace parser {
 
-/// `path:line:column: kind: text`, the source line and a caret under the column. ASCII only; long lines are cut around
-/// the caret. `line` 0 (a place that stands nowhere): the text alone after the path.
+/// `path:line:column: kind: text`, the source line and a caret under the column. Long lines are cut around the caret. `line` 0 (a
+/// place that stands nowhere): the text alone after the path.
 std::string render_message(const SourceFile& file, std::uint32_t line, std::uint32_t column, std::string_view kind,
                            std::string_view text);
+
+/// The text with '?' for control characters and for bytes that are no UTF-8; tabs stay.
+std::string printable(std::string_view text);
+/// The last beginning of a UTF-8 character at or before byte `at`.
+std::size_t character_start(std::string_view text, std::size_t at);
 
 /// How many letters must be inserted, removed, exchanged or swapped with their neighbour to turn one into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);

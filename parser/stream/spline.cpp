@@ -24,6 +24,7 @@ SplinePtr read_spline(TokenStream& stream)
     stream.next();
     const bool raw = stream.raw_operators();
     stream.set_raw_operators(false);
+    const scene::SourceRef opened = stream.here();
     stream.expect(Kind::LeftBrace, "'{' after spline");
     auto spline = std::make_shared<function::Spline>();
     const scene::SourceRef at = stream.here();
@@ -38,7 +39,7 @@ SplinePtr read_spline(TokenStream& stream)
         stream.accept_comma();
     }
     if (spline->size() == 0) stream.fail(at, "this spline has no points");
-    stream.expect(Kind::RightBrace, "'}' at the end of the spline");
+    stream.expect_closing("'}' at the end of the spline", "'spline'", opened);
     stream.set_raw_operators(raw);
     return spline;
 }

@@ -20,6 +20,7 @@ TokenStream::TokenStream(const Options& options, GrammarHooks& hooks, MessageSin
     : options_(options), hooks_(hooks), sink_(sink), sink_context_(sink_context)
 {
     language_.version = options.version;
+    language_.version_set = options.version_given;
     later_ = options.most_tokens != 0 ? options.most_tokens : std::numeric_limits<std::uint64_t>::max();
     predefine();
 }
@@ -49,11 +50,24 @@ const Token& TokenStream::advance_further()
 /// The next share of the tokens that may be read; between shares is the time to look whether anybody still wants them.
 void TokenStream::allow_more(const Token& next)
 {
-    constexpr std::uint64_t kShare = 1 << 18;
-    if (options_.cancel && *options_.cancel) throw Cancelled();
+    constexpr std::uint64_t kShare = 1 << 10;  // in a loop that calls trace() they take a millisecond
+    if (options_.cancel && *options_.cancel) {
+        const Token* loop = innermost_loop();
+        const scene::SourceRef at = place(loop ? *loop : next);
+        report(Severity::Note, at, rendered(at, "note", loop ? "reading is cancelled, in this loop" : "reading is cancelled here"));
+        throw Cancelled();
+    }
     if (later_ == 0) fail(place(next), "the limit of tokens is reached: does this loop end?");
     left_ = std::min(kShare, later_);
     later_ -= left_;
+}
+
+/// Null: no loop is being read.
+const Token* TokenStream::innermost_loop() const
+{
+    for (std::size_t i = blocks_.size(); i-- > 0;)
+        if (blocks_[i].kind == BlockKind::While || blocks_[i].kind == BlockKind::For) return &files_[blocks_[i].file]->tokens[blocks_[i].branch];
+    return nullptr;
 }
 
 void TokenStream::leave_cursor()
@@ -150,7 +164,7 @@ void TokenStream::execute_directive()
 void TokenStream::bare_directive(const Token& token)
 {
     if (language_.version >= 350) warn(place(token), fmt::format("'{}' should have a '#' before it", word(token)));
-    execute(token.kind, 0);
+    execute(token.kind, cursors_.back().position - 1);
 }
 
 bool TokenStream::execute(Kind word, std::uint32_t hash)
@@ -176,7 +190,7 @@ bool TokenStream::execute(Kind word, std::uint32_t hash)
         if (!declare_compiled(true)) declare(true);
         break;
     case Kind::Undef: undefine(); break;
-    case Kind::Version: set_version(hash == 0 && cursors_.size() == 1); break;
+    case Kind::Version: set_version(hash); break;
     case Kind::Include: include(); break;
     case Kind::Default: hooks_.parse_default(*this); break;
     case Kind::Debug:
@@ -210,18 +224,46 @@ scene::SourceRef TokenStream::last() const
     return place(*last_);
 }
 
+std::string TokenStream::line_of(const scene::SourceRef& at) const
+{
+    const std::string line = fmt::format("line {}", at.line);
+    return at.file == cursors_.back().file ? line : fmt::format("{} of {}", line, files_[at.file]->path);
+}
+
+std::string TokenStream::where_opened(std::string_view what, const scene::SourceRef& brace)
+{
+    const scene::SourceRef now = here();
+    if (now.line == brace.line && now.file == brace.file) return {};
+    return fmt::format("; the '{{' of {} stands in {}", what, line_of(brace));
+}
+
+void TokenStream::expect_closing(std::string_view what, std::string_view block, const scene::SourceRef& brace)
+{
+    if (!accept(Kind::RightBrace)) fail_expected(what, where_opened(block, brace));
+}
+
 std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const
 {
     if (at.file >= files_.size()) return fmt::format("{}: {}", kind, text);
     std::string all = render_message(*files_[at.file], at.line, at.column, kind, text);
-    constexpr std::size_t kMostNotes = 8;  // a runaway recursion has hundreds
-    std::size_t notes = 0;
-    for (std::size_t i = cursors_.size(); i-- > 1 && notes < kMostNotes; ++notes) {
+    constexpr std::size_t kMostNotes = 8;  // a runaway recursion has hundreds, most of them alike
+    std::string note;
+    std::size_t notes = 0, again = 0;
+    const auto end_note = [&] {
+        if (!note.empty()) all += '\n' + note + (again > 1 ? fmt::format(", {} times", again) : "");
+        again = 0;
+        ++notes;
+    };
+    for (std::size_t i = cursors_.size(); i-- > 1 && notes < kMostNotes; ++again) {
         const Cursor& cursor = cursors_[i];
         const scene::SourceRef call = place(*cursor.call);
-        all += fmt::format("\n{}:{}:{}: note: {}", files_[call.file]->path, call.line, call.column,
-                           cursor.macro ? "in the expansion of macro " + names_.word(cursor.name) : "included here");
+        std::string next = fmt::format("{}:{}:{}: note: {}", files_[call.file]->path, call.line, call.column,
+                                       cursor.macro ? "in the expansion of macro " + names_.word(cursor.name) : "included here");
+        if (next == note) continue;
+        if (!note.empty()) end_note();
+        note = std::move(next);
     }
+    if (notes < kMostNotes) end_note();
     return all;
 }
 
@@ -235,20 +277,21 @@ void TokenStream::fail_bad(const Token& token)
     fail(place(token), files_[token.file]->strings[token.name]);
 }
 
-void TokenStream::fail_expected(std::string_view what)
+void TokenStream::fail_expected(std::string_view what, std::string_view more)
 {
     if (!has_ahead_) peek();
-    fail_expected_at(*ahead_, what);
+    fail_expected_at(*ahead_, what, more);
 }
 
-void TokenStream::fail_expected_at(const Token& found, std::string_view what)
+void TokenStream::fail_expected_at(const Token& found, std::string_view what, std::string_view more)
 {
-    if (found.kind == Kind::EndOfText) fail(place(found), fmt::format("expected {}, found the end of the text", what));
-    std::string text(files_[found.file]->token_text(found));
+    if (found.kind == Kind::EndOfText) {
+        const std::string open = more.empty() && !open_blocks_.empty() ? fmt::format("; the '{{' in {} is not closed", line_of(open_blocks_.back())) : std::string(more);
+        fail(place(found), fmt::format("expected {}, found the end of the text{}", what, open));
+    }
+    std::string text = printable(files_[found.file]->token_text(found));
     constexpr std::size_t kLongestQuote = 40;
-    if (text.size() > kLongestQuote) text = text.substr(0, kLongestQuote) + "...";
-    for (char& c : text)
-        if (c < ' ' || c > '~') c = '?';
+    if (text.size() > kLongestQuote) text = text.substr(0, character_start(text, kLongestQuote)) + "...";
     if (found.kind == Kind::Identifier && !value_of(found)) {
         NearestName nearest(text);
         for (std::uint32_t name = 0; name < names_.size(); ++name)
@@ -258,7 +301,7 @@ void TokenStream::fail_expected_at(const Token& found, std::string_view what)
                                            nearest.best()));
         fail(place(found), fmt::format("expected {}, found '{}', which is not declared", what, text));
     }
-    fail(place(found), fmt::format("expected {}, found '{}'", what, text));
+    fail(place(found), fmt::format("expected {}, found '{}'{}", what, text, more));
 }
 
 void TokenStream::fail_undeclared(const Token& token)
@@ -279,7 +322,21 @@ void TokenStream::report(Severity severity, const scene::SourceRef& at, std::str
 
 void TokenStream::warn(const scene::SourceRef& at, std::string_view text)
 {
+    if (!warned_.insert(first_line(at, text)).second) return;
     report(Severity::Warning, at, rendered(at, "warning", text));
+}
+
+std::string TokenStream::first_line(const scene::SourceRef& at, std::string_view text) const
+{
+    return fmt::format("{}:{}:{}: warning: {}", at.file < files_.size() ? files_[at.file]->path : "", at.line, at.column, text);
+}
+
+/// #warning: each time, but what it is and how it was reached only once.
+void TokenStream::warn_as_written(const scene::SourceRef& at, const std::string& text)
+{
+    std::string line = first_line(at, text);
+    const bool first = warned_.insert(line).second;
+    report(Severity::Warning, at, first ? rendered(at, "warning", text) : std::move(line));
 }
 
 }  // namespace parser

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace parser {
@@ -60,10 +61,13 @@ public:
     // ---- places and messages ---------------------------------------------------------------------------------
     scene::SourceRef here();                          ///< of the token that peek() shows
     scene::SourceRef last() const;                    ///< of the token taken last
+    scene::SourceRef start() const { return place(files_.front()->tokens.front()); }  ///< of the scene's first token
     scene::SourceRef place(const Token& token) const;
     const Token& taken_last() const { return *last_; }
     [[noreturn]] void fail(const scene::SourceRef& at, std::string_view text);
-    [[noreturn]] void fail_expected(std::string_view what);  ///< "expected <what>, found '<peek()>'" at peek()
+    /// "expected <what>, found '<peek()>'" at peek(), and what else there is to say.
+    [[noreturn]] void fail_expected(std::string_view what, std::string_view more = "");
+    /// Once for a text at a place: what stands in a loop or a file that is read again says nothing new.
     void warn(const scene::SourceRef& at, std::string_view text);
     /// For a name that means nothing where it stands: "'shpere' is not declared; did you mean 'sphere'?"
     [[noreturn]] void fail_undeclared(const Token& token);
@@ -116,6 +120,7 @@ public:
     /// A value of any kind: right-hand side, macro argument, array element. `by_reference` is set to the cell if the
     /// text was one identifier and nothing else.
     Value read_value(Cell* by_reference = nullptr);
+    Value read_any_value(Cell* by_reference);  ///< before it is stored
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
     /// Words and forms of version 3.8 are known from #version 3.71 on.
@@ -128,6 +133,13 @@ public:
     Value read_pseudo_value();
     /// A statement of the scene begins with the token ahead (nothing is ahead: forgets it).
     void begin_statement();
+    /// Blocks that are open, for the message about one that is never closed: its '{' was read; it was closed.
+    void block_opened(const scene::SourceRef& brace) { open_blocks_.push_back(brace); }
+    void block_closed() { if (!open_blocks_.empty()) open_blocks_.pop_back(); }
+    /// "; the '{' of 'sphere' stands in line 3", or nothing if that is the line that peek() shows.
+    std::string where_opened(std::string_view what, const scene::SourceRef& brace);
+    /// The '}' of that block, or fails with "expected <what>, found ..." and the place of its '{'.
+    void expect_closing(std::string_view what, std::string_view block, const scene::SourceRef& brace);
     /// After an error: stands behind the block of that statement, if it is sure where it ends and that skipping it skips
     /// nothing but the block. Else false.
     bool skip_statement();
@@ -188,6 +200,7 @@ private:
     }
     const Token& advance_further();
     void allow_more(const Token& next);
+    const Token* innermost_loop() const;
     void leave_cursor();
     bool is_macro(const Token& token) const;
     SourceFile& file() { return *files_[cursors_.back().file]; }
@@ -195,7 +208,9 @@ private:
     void execute_directive();              ///< the cursor stands behind a Hash
     bool execute(Kind word, std::uint32_t hash);
     [[noreturn]] void fail_bad(const Token& token);
-    [[noreturn]] void fail_expected_at(const Token& found, std::string_view what);
+    std::string line_of(const Token& token) const { return line_of(place(token)); }
+    [[noreturn]] void fail_expected_at(const Token& found, std::string_view what, std::string_view more = "");
+    std::string line_of(const scene::SourceRef& at) const;  ///< "line 3", or "line 3 of x.inc" if the text that is read is another
 
     // conditionals.cpp, loops.cpp; `hash` is the index of the directive's Hash in the file being read
     double condition();
@@ -250,7 +265,8 @@ private:
     Deprecation read_deprecation();
     void warn_deprecated(const Token& name);
     void undefine();
-    void set_version(bool first_in_main);
+    void set_version(std::uint32_t hash);
+    bool nothing_before(std::uint32_t hash) const;
     void end_declaration(bool numeric);
     Value read_identifier_value(Cell* by_reference);
     Cell element_cell(const std::shared_ptr<Array>& array, const Token& name, bool may_create);
@@ -262,12 +278,17 @@ private:
 
     // files.cpp
     void include();
+    std::vector<std::string> searched_folders() const;
+    std::string nearest_file(const std::string& name, const std::vector<std::string>& folders, std::string_view extension) const;
+    std::string where_searched() const;               ///< " in the current folder, '/usr/share/...'"
     const char* why_not_found() const;                ///< the end of a message about a file
     void include_named(const std::string& name, const Token& call, const scene::SourceRef& at);
     void message_directive(Kind kind);
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
     void open_main(std::uint16_t file, const std::string& path);
     void predefine();
+    std::string first_line(const scene::SourceRef& at, std::string_view text) const;
+    void warn_as_written(const scene::SourceRef& at, const std::string& text);
     void report(Severity severity, const scene::SourceRef& at, std::string text);
     std::string rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const;
 
@@ -305,9 +326,11 @@ private:
     LanguageState language_;
     std::uint32_t declaring_ = kNoIndex;
     std::uint32_t statement_ = kNoIndex;   ///< its first token in the main text
+    std::vector<scene::SourceRef> open_blocks_;  ///< of the statement
     std::unordered_map<std::uint32_t, Deprecation> deprecated_;
     std::vector<std::uint32_t> random_streams_;
     std::vector<Message> messages_;
+    std::unordered_set<std::string> warned_;  ///< first lines of the warnings so far
     Statistics statistics_;
     std::vector<std::string> data_files_;
     KeptFiles kept_files_;

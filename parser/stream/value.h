@@ -24,6 +24,8 @@ struct Tuple {
     static Tuple of(const scene::Color& c) { return {{c.red, c.green, c.blue, c.filter, c.transmit}, 5}; }
     glm::dvec3 vec3() const { return {at[0], at[1], at[2]}; }
     scene::Color color() const;
+    /// As a variable, element or parameter holds it: five components are a colour, in single precision.
+    Tuple stored() const { return count == 5 ? of(color()) : *this; }
 };
 
 struct Value;

@@ -87,9 +87,9 @@ glm::dvec3 in_parentheses(TokenStream& stream, const Token& word)
         return rotated_about(v, axis, float_expr(stream));
     }
     case Kind::Vturbulence: {
-        const double lambda = float_expr(stream);
+        const double lambda = static_cast<float>(float_expr(stream));  // single precision in POV-Ray
         stream.accept_comma();
-        const double omega = float_expr(stream);
+        const double omega = static_cast<float>(float_expr(stream));
         stream.accept_comma();
         const int octaves = std::clamp(to_int32(float_expr(stream)), 1, 10);
         stream.accept_comma();

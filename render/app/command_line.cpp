@@ -1,6 +1,7 @@
 #include "render/app/command_line.h"
 
 #include "render/app/ini_file.h"
+#include "render/app/nearest.h"
 #include "render/app/option_table.h"
 #include "render/app/own_options.h"
 #include "render/app/switch_table.h"
@@ -55,6 +56,7 @@ std::vector<std::string> words_of(const std::string& argument)
 void apply_word(Settings& settings, const std::string& word)
 {
     if (word.empty()) return;
+    if (word == "-" || word == "+") throw OptionError("unknown switch '" + word + "': +I- reads the scene from standard input");
     if (word.starts_with("--")) {
         apply_own_option(settings, word, nullptr);
     } else if ((word[0] == '+' || word[0] == '-') && !(ends_with_text(word, ".pov") && is_file(word))) {
@@ -69,15 +71,43 @@ void apply_word(Settings& settings, const std::string& word)
     } else if (same_text(word, "/EXIT")) {
         // "Quit when done", as callers say it to POV-Ray's version with a window.
     } else if (word.find('=') != std::string::npos && !is_file(word)) {
-        throw OptionError("unknown option '" + word.substr(0, word.find('=')) + "'");
+        const std::string keyword = word.substr(0, word.find('='));
+        throw OptionError("unknown option '" + keyword + "'" + nearest_keyword(keyword));
     } else if (!read_ini_file(settings, word)) {
         if (!is_file(word + ".pov")) throw OptionError("no INI file or scene is called '" + word + "'");
         set_option(settings, "Input_File_Name", word + ".pov");
     }
 }
 
+namespace {
+
+/// A run renders one scene, the one that the last word names. One that a word before it named is told of; one of an INI file is
+/// what a command line is there to replace.
+class SceneWatch {
+public:
+    explicit SceneWatch(Settings& settings) : settings_(settings), scene_(settings.input_file), files_(settings.ini_files.size()) {}
+    void look()
+    {
+        if (settings_.input_file != scene_) {
+            if (by_word_) settings_.notes.push_back("'" + scene_ + "' is not rendered: '" + settings_.input_file + "' follows it, and a run renders one scene");
+            scene_ = settings_.input_file;
+            by_word_ = files_ == settings_.ini_files.size();
+        }
+        files_ = settings_.ini_files.size();
+    }
+
+private:
+    Settings& settings_;
+    std::string scene_;
+    std::size_t files_;
+    bool by_word_ = false;
+};
+
+}  // namespace
+
 void apply_command_line(Settings& settings, const std::vector<std::string>& arguments)
 {
+    SceneWatch scene(settings);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& argument = arguments[i];
         if (is_file(argument) && ends_with_text(argument, ".pov")) {
@@ -86,8 +116,12 @@ void apply_command_line(Settings& settings, const std::vector<std::string>& argu
             const bool has_next = i + 1 < arguments.size();
             if (apply_own_option(settings, argument, has_next ? &arguments[i + 1] : nullptr)) ++i;
         } else {
-            for (const std::string& word : words_of(argument)) apply_word(settings, word);
+            for (const std::string& word : words_of(argument)) {
+                apply_word(settings, word);
+                scene.look();
+            }
         }
+        scene.look();
     }
 }
 

@@ -20,6 +20,7 @@ struct Run {
     Narrator& narrator;
     Cancellation& cancel;
     std::optional<std::string> input;  ///< the scene's text, if it came from standard input
+    bool told_far = false;             ///< that something is drawn which POV-Ray leaves out; once a run
 };
 
 /// One frame from the scene file to the picture file. Returns the exit status; throws for what ends the run.

@@ -2,6 +2,7 @@
 
 #include "render/app/command_line.h"
 #include "render/app/library_path.h"
+#include "render/app/nearest.h"
 #include "render/app/option_table.h"
 #include "render/app/text.h"
 
@@ -118,12 +119,15 @@ void apply_ini_text(Settings& settings, const std::string& text, const std::stri
     if (nested > kMostNested) throw OptionError(file_name + ": INI files name each other without end");
     std::istringstream lines(text);
     std::string line;
-    bool applies = true;
+    bool applies = true, found = section.empty();
+    std::vector<std::string> sections;
     for (int number = 1; std::getline(lines, line); ++number) {
         const std::string_view content = trimmed(without_comment(line));
         if (content.empty()) continue;
         if (content.front() == '[') {
-            applies = !section.empty() && same_text(trimmed(content.substr(1, content.find(']') - 1)), section);
+            sections.emplace_back(trimmed(content.substr(1, content.find(']') - 1)));
+            applies = !section.empty() && same_text(sections.back(), section);
+            found |= applies;
             continue;
         }
         if (!applies) continue;
@@ -133,6 +137,7 @@ void apply_ini_text(Settings& settings, const std::string& text, const std::stri
             throw OptionError(file_name + ":" + std::to_string(number) + ": " + error.what());
         }
     }
+    if (!found) throw OptionError(file_name + ": there is no section [" + section + "]" + did_you_mean(section, sections));
 }
 
 namespace {

@@ -66,10 +66,10 @@ void Journal::note(const std::string& text)
     speaker_.note(text);
 }
 
-void Journal::cancelled(const std::string& kept)
+void Journal::cancelled(const Kept& kept)
 {
     cancelled_ = true;
-    if (!frames_.empty()) frames_.back().state = kept;
+    if (!frames_.empty()) frames_.back().kept = kept;
     speaker_.cancelled(kept);
 }
 
@@ -113,7 +113,8 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     json.key("picture");
     if (frame.written) json.text(frame.picture);
     else json.null();
-    if (!frame.state.empty()) json.key("state").text(frame.state);
+    if (!frame.kept.state.empty()) json.key("state").text(frame.kept.state);
+    if (!frame.kept.picture.empty()) json.key("partial").text(frame.kept.picture);
     json.key("phases").begin_object();
     for (const auto& [name, seconds] : frame.phases) json.key(name + "_seconds").number(seconds);
     json.end();

@@ -23,7 +23,7 @@ public:
     void written(const std::string& path) override;
     void skipped(const std::string& path) override;
     void note(const std::string& text) override;
-    void cancelled(const std::string& kept) override;
+    void cancelled(const Kept& kept) override;
     void failed(const std::string& text) override;
     void finished() override;
 
@@ -41,7 +41,8 @@ private:
         int number = 0;
         double clock = 0.0;
         bool skipped = false, written = false;
-        std::string scene, picture, state;
+        std::string scene, picture;
+        Kept kept;
         parser::Statistics parser;
         std::vector<std::string> files;
         std::size_t objects = 0;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -25,7 +26,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler uses the
 void cancel(int)
 {
     const bool again = cancellation.requested.exchange(true);
-    if (!again && cancellation.heeded) return;
+    if (!again && cancellation.heeded) return cancellation.wake();
     if (!again) {
         [[maybe_unused]] const auto written = write(STDERR_FILENO, last_words, std::strlen(last_words));
     }
@@ -43,9 +44,20 @@ app::ConsoleStyle style_of(const std::string& program)
     return std::filesystem::path(program).filename().string().starts_with("povray") ? app::ConsoleStyle::Povray : app::ConsoleStyle::Whittle;
 }
 
+/// What was printed has to arrive: `failure` where a status promises so and the file or pipe does not take it.
+int with_output(int status, int failure)
+{
+    const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (arrived || status == failure || status == app::kCancelled) return status;
+    fmt::print(stderr, "whittle: error: cannot write to standard output: {}\n", std::strerror(errno));
+    return failure;
+}
+
+bool is_compare(const std::vector<std::string>& arguments) { return !arguments.empty() && arguments[0] == "compare"; }
+
 int run(const std::vector<std::string>& arguments, app::Settings& settings)
 {
-    if (!arguments.empty() && arguments[0] == "compare") return app::compare_command({arguments.begin() + 1, arguments.end()});
+    if (is_compare(arguments)) return app::compare_command({arguments.begin() + 1, arguments.end()});
     if (has_word(arguments, {"--help", "-help", "-h", "-?"})) {
         fmt::print("{}", app::help_text());
         return app::kSuccess;
@@ -91,6 +103,7 @@ int main(int count, char** values)
         app::journal_option_error(settings, error.what());
         app::tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")), error.what());
     }
+    status = with_output(status, is_compare(arguments) ? app::kNotCompared : app::kError);
     std::fflush(nullptr);
     _exit(status);  // nothing to clean up: a picture library that is still loading would only delay the end
 }

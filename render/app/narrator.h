@@ -21,6 +21,12 @@ struct FrameFacts {
     Window window;
 };
 
+/// What a run that ended early leaves: files, or empty.
+struct Kept {
+    std::string state;    ///< the finished part, for +C
+    std::string picture;  ///< the same to look at
+};
+
 /// Tells of a run as it goes, in the words of the program's name: Whittle's own, or for a program that calls `povray`
 /// the lines that such programs look for.
 class Narrator {
@@ -39,7 +45,7 @@ public:
     virtual void written(const std::string& path) = 0;
     virtual void skipped(const std::string& path) = 0;           ///< +C: it is there already
     virtual void note(const std::string& text) = 0;
-    virtual void cancelled(const std::string& kept) = 0;         ///< \param kept file with the finished part; may be empty
+    virtual void cancelled(const Kept& kept) = 0;
     virtual void failed(const std::string& text) = 0;            ///< an error that ends the run
     virtual void finished() = 0;                                 ///< all frames done
 

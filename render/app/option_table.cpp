@@ -3,6 +3,8 @@
 #include "render/app/ini_file.h"
 #include "render/app/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -84,6 +86,13 @@ void set_size(int& target, int value, const char* what)
     target = value;
 }
 
+void set_threads(Settings& s, const Value& v)
+{
+    constexpr int kMost = 512;
+    s.threads = std::clamp(v.integer, 1, kMost);
+    if (s.threads != v.integer) s.notes.push_back(fmt::format("Work_Threads is 1 to {}: {} counts as {}", kMost, v.text, s.threads));
+}
+
 void set_version(Settings& s, const Value& v) { s.version = static_cast<int>(100.0 * std::clamp(v.number, 1.0, 100.0) + 0.5); }
 
 void add_library_path(Settings& s, const Value& v)
@@ -99,10 +108,17 @@ void set_block_size(Settings& s, const Value& v)
     s.block_size = v.integer;
 }
 
+constexpr const char* kFileTypeLetters = "N PNG, P PPM, T or C Targa, J JPEG, B BMP, E OpenEXR, H Radiance";
+
 void set_file_type(Settings& s, const Value& v)
 {
     if (v.text.empty()) throw OptionError("Output_File_Type wants a letter");
     s.file_type = file_type_of(v.text[0]);  // digits behind it are ignored here, unlike in the switch
+    if (v.text.find_first_not_of("0123456789", 1) == std::string::npos) return;
+    const std::string_view usual = std::string_view(image::extension(s.file_type)).substr(1);
+    for (const std::string_view name : {usual, std::string_view("jpeg"), std::string_view("targa")})
+        if (same_text(v.text, name)) return;
+    s.notes.push_back(fmt::format("Output_File_Type={} writes {}: only the first letter counts, {}", v.text, usual, kFileTypeLetters));
 }
 
 void include_ini(Settings& s, const Value& v)
@@ -176,7 +192,7 @@ constexpr Option kOptions[] = {
     {"Odd_Field", "which rows come first", kFlag, State::Settled, nullptr},
     {"Output_Alpha", "an alpha channel in the picture", kFlag, State::Acts, set<&Settings::alpha>},
     {"Output_File_Name", "the picture; - is standard output; a folder ends in /", kText, State::Acts, set<&Settings::output_file>},
-    {"Output_File_Type", "N PNG, P PPM, T or C Targa, J JPEG, B BMP, E OpenEXR, H Radiance", kText, State::Acts, set_file_type},
+    {"Output_File_Type", kFileTypeLetters, kText, State::Acts, set_file_type},
     {"Output_To_File", "write the picture to a file", kFlag, State::Acts, set<&Settings::output_to_file>},
     {"Palette", "palette of a display", kText, State::Settled, nullptr},
     {"Pause_When_Done", "wait for a key at the end; never here", kFlag, State::Settled, nullptr},
@@ -222,7 +238,7 @@ constexpr Option kOptions[] = {
     {"Warning_File", "keep warnings in this file", kText, State::Acts, set<&Settings::warning_file>},
     {"Warning_Level", "which warnings", kInteger, State::Settled, nullptr},
     {"Width", "columns of the picture", kInteger, State::Acts, [](Settings& s, const Value& v) { set_size(s.width, v.integer, "the width"); }},
-    {"Work_Threads", "threads, 1 to 512; usual: one a core", kInteger, State::Acts, set_within<&Settings::threads, 1, 512>},
+    {"Work_Threads", "threads, 1 to 512; usual: one a core", kInteger, State::Acts, set_threads},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "render/app/ini_file.h"
+#include "render/app/nearest.h"
 #include "render/app/option_table.h"
 #include "render/app/text.h"
 
@@ -10,6 +11,18 @@ namespace app {
 
 namespace {
 
+/// Agrees with one of the words up to the end of the shorter one.
+bool begins_as(std::string_view text, std::initializer_list<std::string_view> words)
+{
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+        const std::size_t length = std::min(word.size(), text.size());
+        return same_text(word.substr(0, length), text.substr(0, length));
+    });
+}
+
+/// What POV-Ray takes for false is anything but a truth; only what says so is taken here.
+bool untruth(std::string_view text) { return begins_as(text, {"off", "false", "no", "0"}); }
+
 /// Numbers are read as far as they go: 9x is 9.
 Value value_of(const Option& option, const std::string& text)
 {
@@ -18,6 +31,8 @@ Value value_of(const Option& option, const std::string& text)
     char* end = nullptr;
     switch (option.kind) {
         case ValueKind::Flag:
+            if (!value.flag && !untruth(text)) throw OptionError(keyword + " wants on or off, found '" + text + "'");
+            return value;
         case ValueKind::Text: return value;
         case ValueKind::Integer: value.integer = static_cast<int>(std::strtol(text.c_str(), &end, 10)); break;
         case ValueKind::Gamma:
@@ -57,7 +72,7 @@ image::FileType file_type_of(char letter)
 void set_option(Settings& settings, std::string_view keyword, const std::string& text)
 {
     const Option* option = find_option(keyword);
-    if (!option) throw OptionError("unknown option '" + std::string(keyword) + "'");
+    if (!option) throw OptionError("unknown option '" + std::string(keyword) + "'" + nearest_keyword(keyword));
     const Value value = value_of(*option, text);
     if (option->state != State::Obsolete) record(settings, option->keyword, text);
     if (option->state == State::Acts) return option->apply(settings, value);
@@ -69,14 +84,7 @@ void set_option(Settings& settings, std::string_view keyword, const std::string&
     if (std::find(noted.begin(), noted.end(), name) == noted.end()) noted.push_back(name);
 }
 
-bool truth_of(std::string_view text)
-{
-    for (const std::string_view word : {"on", "true", "yes", "1"}) {
-        const std::size_t length = std::min(word.size(), text.size());
-        if (same_text(word.substr(0, length), text.substr(0, length))) return true;
-    }
-    return false;
-}
+bool truth_of(std::string_view text) { return begins_as(text, {"on", "true", "yes", "1"}); }
 
 void set_file_type_switch(Settings& settings, const std::string& text)
 {

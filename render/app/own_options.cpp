@@ -1,5 +1,7 @@
 #include "render/app/own_options.h"
 
+#include "render/app/nearest.h"
+
 #include <algorithm>
 #include <charconv>
 
@@ -19,6 +21,13 @@ void set_state_after(Settings& s, const std::string& value)
     if (error != std::errc() || end != value.data() + value.size() || s.state_after < 0.0) throw OptionError("--state-after wants seconds, found '" + value + "'");
 }
 
+void set_memory(Settings& s, const std::string& value)
+{
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), s.memory);
+    if (error != std::errc() || end != value.data() + value.size() || !(s.memory > 0.0)) throw OptionError("--memory wants MB, found '" + value + "'");
+    s.memory *= 1e6;
+}
+
 /// In the order in which texts show them.
 constexpr OwnOption kOwnOptions[] = {
     {"check", "", "read the scene, tell its errors and warnings, and stop; files that it would write are left alone", [](Settings& s, const std::string&) { s.parse_only = s.check = true; }},
@@ -30,12 +39,14 @@ constexpr OwnOption kOwnOptions[] = {
     {"console", "whittle|povray", "whose lines the console speaks; usual: by the name under which the program is called", [](Settings& s, const std::string& v) { s.console_style = v == "povray" ? ConsoleStyle::Povray : ConsoleStyle::Whittle; }},
     {"make-folders", "", "make the folder of the picture if it is missing", [](Settings& s, const std::string&) { s.make_folders = true; }},
     {"state-after", "SECONDS", "after so long a render keeps its finished blocks beside the picture, for +C; usual: 2", set_state_after},
+    {"memory", "MB", "so much may the pixels of a picture take, 16 bytes each: larger pictures are rendered by rows; usual: half of what is free", set_memory},
     {"allow-write", "FOLDER", "a scene may write files below this folder too, besides the current one and the picture's", [](Settings& s, const std::string& v) { s.write_folders.push_back(v); }},
     {"restrict-read", "", "a scene may read files only below the current folder, its own, the picture's, those of the library path and of --allow-write", [](Settings& s, const std::string&) { s.restrict_read = true; }},
     {"allow-commands", "", "run the commands of Pre_Scene_Command and its kin", [](Settings& s, const std::string&) { s.allow_commands = true; }},
-    {"preview", "FILE", "a file mapped into memory in which another program watches the picture grow; also +SM<name>, as LeoCAD has it", [](Settings& s, const std::string& v) { s.preview_file = v; }},
+    {"preview", "FILE", "a file mapped into memory in which another program watches the picture grow; also +SMFILE, as LeoCAD has it", [](Settings& s, const std::string& v) { s.preview_file = v; }},
     {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
     {"explain", "", "say what the plan kept, what it left out and why", [](Settings& s, const std::string&) { s.explain = true; }},
+    {"faithful", "", "POV-Ray's constants where better ones are usual, to find the cause of a difference: docs/faithful.md", [](Settings& s, const std::string&) { s.faithful = true; }},
     {"isa", "v2|v3|v4|auto", "instruction set of the tracer", [](Settings& s, const std::string& v) { s.isa = v == "auto" ? "" : v; }},
     {"benchmark", "", "render POV-Ray's benchmark scene where it is installed, 512x512, antialiased", nullptr},
     {"help", "", "this text", nullptr},
@@ -71,7 +82,7 @@ const OwnOption* find_own_option(std::string_view word)
 bool apply_own_option(Settings& settings, const std::string& word, const std::string* next)
 {
     const OwnOption* option = find_own_option(word);
-    if (!option || !option->apply) throw OptionError("unknown option '" + word + "'");
+    if (!option || !option->apply) throw OptionError("unknown option '" + word + "'" + nearest_own_option(word));
     const std::string name = "--" + std::string(option->name);
     const std::size_t equals = word.find('=');
     const bool given = equals != std::string::npos;

@@ -8,7 +8,7 @@ void PlainNarrator::begin(const FrameFacts& facts)
 {
     width_ = facts.settings.width;
     height_ = facts.settings.height;
-    if (facts.list.animation) put(Stream::Render, fmt::format("frame {} of {}, clock {:g}\n", facts.frame.number, facts.list.final_frame, facts.frame.clock));
+    if (facts.list.animation) put(Stream::Render, fmt::format("frame {} of {}, clock {:g}\n", facts.frame.number, facts.list.last_frame, facts.frame.clock));
 }
 
 void PlainNarrator::message(const parser::Message& message)
@@ -34,10 +34,11 @@ void PlainNarrator::skipped(const std::string& path) { put(Stream::Render, fmt::
 
 void PlainNarrator::note(const std::string& text) { put(Stream::Warning, "note: " + text + "\n"); }
 
-void PlainNarrator::cancelled(const std::string& kept)
+void PlainNarrator::cancelled(const Kept& kept)
 {
     bar_.reset();
-    put(Stream::Lines, kept.empty() ? "cancelled: no picture written\n" : fmt::format("cancelled: no picture written; {} holds the finished part, +C continues\n", kept));
+    put(Stream::Lines, kept.state.empty() ? "cancelled: no picture written\n" : fmt::format("cancelled: no picture written; {} holds the finished part, +C continues\n", kept.state));
+    if (!kept.picture.empty()) put(Stream::Lines, fmt::format("{} shows it\n", kept.picture));
 }
 
 void PlainNarrator::failed(const std::string& text)

@@ -21,7 +21,7 @@ public:
     void written(const std::string& path) override;
     void skipped(const std::string& path) override;
     void note(const std::string& text) override;
-    void cancelled(const std::string& kept) override;
+    void cancelled(const Kept& kept) override;
     void failed(const std::string& text) override;
     void finished() override {}
 

@@ -70,7 +70,7 @@ void PovrayNarrator::begin(const FrameFacts& f)
     text += fmt::format("  Input file: {}\n  Library paths:\n", f.scene);
     for (const std::string& folder : s.library_path) text += "    " + folder + "\n";
     if (!f.list.animation) text += fmt::format("  Clock value:    {:.3f}  (Animation off)\n", f.frame.clock);
-    else text += fmt::format("Animation Options\n  Initial Frame: {:8}  Final Frame: {:8}\n  Frame: {}  Clock value: {:.3f}\n", f.list.initial_frame, f.list.final_frame, f.frame.number, f.frame.clock);
+    else text += fmt::format("Animation Options\n  Initial Frame: {:8}  Final Frame: {:8}\n  Frame: {}  Clock value: {:.3f}\n", f.list.initial_frame, f.list.last_frame, f.frame.number, f.frame.clock);
     text += "Image Output Options\n";
     text += fmt::format("  Image resolution.....{} by {} (rows {} to {}, columns {} to {}).\n", s.width, s.height, f.window.first_row + 1, f.window.last_row + 1, f.window.first_column + 1, f.window.last_column + 1);
     if (!f.picture.empty()) text += fmt::format("  Output file..........{}\n", f.picture);
@@ -138,10 +138,11 @@ void PovrayNarrator::skipped(const std::string& path) { put(Stream::Render, fmt:
 
 void PovrayNarrator::note(const std::string& text) { put(Stream::Warning, "Note: " + text + "\n"); }
 
-void PovrayNarrator::cancelled(const std::string& kept)
+void PovrayNarrator::cancelled(const Kept& kept)
 {
     if (percent_ >= 0) put(Stream::Lines, "\n");
-    if (!kept.empty()) put(Stream::Render, fmt::format("The finished part is in '{}'; +C continues.\n", kept));
+    if (!kept.state.empty()) put(Stream::Render, fmt::format("The finished part is in '{}'; +C continues.\n", kept.state));
+    if (!kept.picture.empty()) put(Stream::Render, fmt::format("'{}' shows it.\n", kept.picture));
     put(Stream::Fatal, "Fatal error in renderer: Frontend halted render.\n");
     put(Stream::Lines, "Render cancelled by user\n\n");
 }

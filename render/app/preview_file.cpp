@@ -40,7 +40,7 @@ PreviewFile::~PreviewFile() { munmap(map_, bytes_); }
 
 void PreviewFile::show(const trace::Block& block, const image::Image& picture)
 {
-    image::Image part{block.width, block.height, {}};
+    image::Image part{block.width, block.height, {}, 0};
     for (int row = 0; row < block.height; ++row) {
         const float* from = picture.at(block.left, block.top + row);
         part.pixels.insert(part.pixels.end(), from, from + 4 * block.width);

@@ -55,7 +55,7 @@ int render_all(Run& run)
         run.narrator.finished();
         return kSuccess;
     } catch (const AbortedRun&) {
-        run.narrator.cancelled("");
+        run.narrator.cancelled({});
     } catch (const std::exception& error) {
         return fail(error.what(), run.narrator, commands, at);
     }
@@ -82,15 +82,18 @@ int run_scene(const Settings& settings, Streams& streams, Narrator& narrator, Ca
     }
 }
 
-void write_journal(const std::string& path, const std::string& text)
+/// False, told on standard error, where the file does not take it.
+bool write_journal(const std::string& path, const std::string& text)
 {
     if (path == "-") {
         fmt::print("{}", text);
-        return;
+        return true;
     }
     std::ofstream out(path, std::ios::binary);
     out << text;
-    if (!out.flush()) fmt::print(stderr, "whittle: error: cannot write '{}': {}\n", path, std::strerror(errno));
+    if (out.flush()) return true;
+    fmt::print(stderr, "whittle: error: cannot write '{}': {}\n", path, std::strerror(errno));
+    return false;
 }
 
 }  // namespace
@@ -109,8 +112,8 @@ int render_command(const Settings& settings, Cancellation& cancel)
     if (settings.json_file.empty()) return run_scene(settings, streams, *speaker, cancel);
     Journal journal(streams, *speaker, settings);
     const int status = run_scene(settings, streams, journal, cancel);
-    write_journal(settings.json_file, journal.text(status));
-    return status;
+    const bool kept = write_journal(settings.json_file, journal.text(status));
+    return kept || status != kSuccess ? status : kError;
 }
 
 void journal_option_error(const Settings& settings, const std::string& text)

@@ -2,6 +2,8 @@
 
 #include "render/app/settings.h"
 
+#include <semaphore.h>
+
 #include <atomic>
 #include <string>
 
@@ -13,6 +15,19 @@ inline constexpr int kSuccess = 0, kError = 1, kCancelled = 2;  // POV-Ray's exi
 struct Cancellation {
     std::atomic<bool> requested{false};
     std::atomic<bool> heeded{false};  ///< on while the run looks at `requested` by itself; else a signal ends it at once
+
+    Cancellation() { sem_init(&asked_, 0, 0); }
+    Cancellation(const Cancellation&) = delete;
+    Cancellation& operator=(const Cancellation&) = delete;
+    /// For a signal handler: ends wait().
+    void wake() { sem_post(&asked_); }
+    void wait()
+    {
+        while (sem_wait(&asked_) != 0) {}
+    }
+
+private:
+    sem_t asked_;
 };
 
 /// Everything from the scene file to the picture file, frame by frame. Returns the exit status.

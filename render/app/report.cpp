@@ -2,12 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstring>
+
 namespace app {
 
 void StageTimes::finish(const char* stage)
 {
     const Clock::time_point now = Clock::now();
-    stages_.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    const auto known = std::find_if(stages_.begin(), stages_.end(), [&](const auto& s) { return std::strcmp(s.first, stage) == 0; });
+    if (known != stages_.end()) known->second += seconds;  // a picture in strips is traced and written in turn
+    else stages_.emplace_back(stage, seconds);
     last_ = now;
 }
 

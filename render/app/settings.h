@@ -54,6 +54,7 @@ struct Settings {
     image::FileType file_type = image::FileType::Png;
     int bits_per_color = 8;
     bool greyscale = false, alpha = false, continue_trace = false;
+    double memory = 0.0;                           ///< bytes for the pixels of a picture; 0: half of what is free
     double state_after = 2.0;                      ///< seconds of rendering before finished blocks are kept for +C
     bool dither = false;
     image::Dither dither_method = image::Dither::FloydSteinberg;
@@ -82,6 +83,7 @@ struct Settings {
     std::string preview_file;                      ///< empty: none
     std::string json_file;                         ///< empty: none; "-": standard output
     bool warnings_are_errors = false, make_folders = false, allow_commands = false, restrict_read = false;
+    bool faithful = false;                         ///< plan::Options::faithful
     std::vector<std::string> write_folders;        ///< where a scene may write besides the current folder and the picture's
     std::string isa;                               ///< "v2", "v3", "v4"; empty: the best the processor has
 

@@ -54,6 +54,8 @@ plan::Options plan_options(const Settings& settings)
     options.start_column = window.first_column;
     options.end_column = window.last_column;
     options.block_size = settings.block_size;
+    options.faithful = settings.faithful;
+    options.grain_stream = settings.faithful && settings.threads == 1;
     if (settings.split_unions) options.split_unions = *settings.split_unions;
     return options;
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 namespace app {
@@ -39,6 +40,19 @@ std::string file_name(const std::string& value, const char* usual)
     return value;
 }
 
+/// As the environment says: the first of the three that is set.
+bool locale_is_utf8()
+{
+    for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+        const char* value = std::getenv(name);
+        if (!value || !*value) continue;
+        std::string text(value);
+        for (char& c : text) c = lower_case(c);
+        return text.find("utf-8") != std::string::npos || text.find("utf8") != std::string::npos;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string as_ascii(std::string_view text)
@@ -55,7 +69,7 @@ std::string as_ascii(std::string_view text)
 }
 
 Streams::Streams(const Settings& s)
-    : terminal_(isatty(STDERR_FILENO) != 0), quiet_(s.quiet), lines_(true), debug_(s.all_console.value_or(s.debug_console)),
+    : terminal_(isatty(STDERR_FILENO) != 0), shows_utf8_(locale_is_utf8()), quiet_(s.quiet), lines_(true), debug_(s.all_console.value_or(s.debug_console)),
       fatal_(s.all_console.value_or(s.fatal_console)), render_(s.all_console.value_or(s.render_console)),
       statistic_(s.all_console.value_or(s.statistic_console)), warning_(s.all_console.value_or(s.warning_console))
 {
@@ -99,7 +113,7 @@ void Streams::put(Stream stream, std::string_view text)
         std::fflush(file.to.get());
     }
     if (!shown(stream)) return;
-    const std::string plain = terminal_ ? std::string(text) : as_ascii(text);
+    const std::string plain = terminal_ && shows_utf8_ ? std::string(text) : as_ascii(text);
     std::fwrite(plain.data(), 1, plain.size(), stderr);
     std::fflush(stderr);
 }

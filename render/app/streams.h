@@ -21,7 +21,7 @@ enum class Stream {
 };
 
 /// Where the program's text goes: standard error, as far as the options let it, and the files of +GA, +GD, ...
-/// When standard error is no terminal, characters beyond ASCII become '?': readers decode it as ASCII.
+/// When standard error is no terminal, or one of another encoding than UTF-8, characters beyond ASCII become '?': readers decode it as ASCII.
 class Streams {
 public:
     explicit Streams(const Settings& settings);
@@ -42,7 +42,7 @@ private:
     };
     bool shown(Stream stream) const;
 
-    const bool terminal_;
+    const bool terminal_, shows_utf8_;
     bool quiet_, lines_, debug_, fatal_, render_, statistic_, warning_;
     std::vector<File> files_;
 };

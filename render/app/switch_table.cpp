@@ -1,8 +1,9 @@
 #include "render/app/switch_table.h"
 
 #include "render/app/option_table.h"
-#include "render/app/own_options.h"
 #include "render/app/text.h"
+
+#include <cstdlib>
 
 namespace app {
 
@@ -112,7 +113,7 @@ SwitchText text_of(const Switch& entry)
     if (*entry.prefix) return {};
     const std::string_view set = entry.option ? entry.option : entry.flag;
     if (set == "+F") return {"+F<type>[bits]", "write the picture: type N PNG, P PPM, T C Targa, J JPEG, B BMP, E OpenEXR, H Radiance; g for grey, or bits a channel"};
-    if (set == "+SM") return {"+SM<name>", find_own_option("--preview")->meaning};
+    if (set == "+SM") return {"+SM<name>", "the same as --preview=<name>: a file in which LeoCAD watches the picture grow"};
     const Option& option = *find_option(set);
     const char* value = option.kind == ValueKind::Text ? "<name>" : option.kind == ValueKind::Integer ? "<n>" : "<x>";
     std::string form = entry.letters;
@@ -133,6 +134,9 @@ void apply_switch(Settings& settings, const std::string& word)
             settings.preview_file = text;
             return;
         }
+        // POV-Ray reads no threshold of 1 and above here; +A1 is a known mistake for +A.
+        if (std::string_view(entry.letters) == "A" && std::strtod(text.c_str(), nullptr) > 1.0)
+            throw OptionError("unknown switch '" + word + "': the threshold of +A lies from 0 to 1, as in +A0.3");
         return set_option(settings, entry.option, text);
     }
     throw OptionError("unknown switch '" + word + "'");

@@ -1,5 +1,7 @@
 #include "render/app/window.h"
 
+#include <fmt/format.h>
+
 namespace app {
 
 namespace {
@@ -25,8 +27,14 @@ int last_of(double end, int size, const char* what)
 
 Window window_of(const Settings& s)
 {
-    return {first_of(s.start_column, s.width, "column"), last_of(s.end_column, s.width, "column"),
+    const Window window{first_of(s.start_column, s.width, "column"), last_of(s.end_column, s.width, "column"),
             first_of(s.start_row, s.height, "row"), last_of(s.end_row, s.height, "row")};
+    const auto refuse_empty = [](const char* what, int first, int last) {
+        if (first > last) throw OptionError(fmt::format("nothing to render: the first {}, {}, stands behind the last, {}", what, first + 1, last + 1));
+    };
+    refuse_empty("column", window.first_column, window.last_column);
+    refuse_empty("row", window.first_row, window.last_row);
+    return window;
 }
 
 }  // namespace app

@@ -1,15 +1,21 @@
 #include "render/image/direct_readers.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
+#include <utility>
 
 namespace image {
 namespace {
 
-bool begins(const ByteList& bytes, const char* text, std::size_t length)
+bool begins(const ByteList& bytes, std::string_view signature)
 {
-    return bytes.size() >= length && std::equal(text, text + length, bytes.begin(), [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
+    return bytes.size() >= signature.size() &&
+           std::equal(signature.begin(), signature.end(), bytes.begin(), [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
 }
 
 }  // namespace
@@ -29,20 +35,36 @@ void expand_palette(Picture& picture)
     }
 }
 
-std::optional<Picture> read_directly(const std::string& path)
+const char* kind_of_file(const std::string& path, const ByteList& bytes)
 {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError("cannot read '" + path + "'");
-    const ByteList bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    try {
-        if (begins(bytes, "\x89PNG\r\n\x1a\n", 8)) return decode_png(bytes);
-        if (begins(bytes, "GIF8", 4)) return decode_gif(bytes);
-        if (begins(bytes, "\xff\xd8\xff", 3)) return decode_jpeg(bytes);
-        if (is_plain_targa(path, bytes)) return decode_targa(bytes);
-    } catch (const std::exception& error) {
-        throw FileError("cannot read '" + path + "': " + error.what());
-    }
+    constexpr std::pair<std::string_view, const char*> kSignatures[] = {
+        {"\x89PNG\r\n\x1a\n", "PNG"}, {"GIF8", "GIF"}, {"\xff\xd8\xff", "JPEG"}, {{"II*\0", 4}, "TIFF"}, {{"MM\0*", 4}, "TIFF"}, {"\x76\x2f\x31\x01", "OpenEXR"},
+        {"#?", "Radiance"}, {"BM", "BMP"}, {"FORM", "IFF"},
+    };
+    for (const auto& [signature, kind] : kSignatures)
+        if (begins(bytes, signature)) return kind;
+    if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '7') return "PPM";
+    return path.ends_with(".tga") || path.ends_with(".TGA") ? "Targa" : nullptr;
+}
+
+std::optional<Picture> decode_directly(const std::string& path, const ByteList& bytes)
+{
+    if (begins(bytes, "\x89PNG\r\n\x1a\n")) return decode_png(bytes);
+    if (begins(bytes, "GIF8")) return decode_gif(bytes);
+    if (begins(bytes, "\xff\xd8\xff")) return decode_jpeg(bytes);
+    if (is_plain_targa(path, bytes)) return decode_targa(bytes);
     return std::nullopt;
+}
+
+ByteList bytes_of_file(const std::string& path)
+{
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) throw FileError("it is a folder");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw FileError(std::strerror(errno));
+    ByteList bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (bytes.empty()) throw FileError("it is empty");
+    return bytes;
 }
 
 }  // namespace image

@@ -9,13 +9,19 @@ namespace image {
 
 using ByteList = std::vector<std::uint8_t>;
 
-/// Of PNG, JPEG and GIF files and most Targa files, which need no library that takes long to load and whose palettes are of
-/// interest; nothing for other files. Throws FileError if the file is not there or broken.
-std::optional<Picture> read_directly(const std::string& path);
+/// All of a file. This and all readers below throw FileError, whose text names no file.
+ByteList bytes_of_file(const std::string& path);
 
-/// Of the bytes of a file of that type. Throw FileError, whose text names no file.
+/// "PNG", "TIFF", ...: what the first bytes say, or the name of a Targa file; null for what is no picture of a known kind.
+const char* kind_of_file(const std::string& path, const ByteList& bytes);
+
+/// Of PNG, JPEG and GIF files and most Targa files, which need no library that takes long to load and whose palettes are of
+/// interest; nothing for other files.
+std::optional<Picture> decode_directly(const std::string& path, const ByteList& bytes);
+
+/// Of the bytes of a file of that type.
 Picture decode_png(const ByteList& bytes);  ///< with libpng
-Picture decode_gif(const ByteList& bytes);  ///< the first picture (GIF89a specification, CompuServe 1990)
+Picture decode_gif(const ByteList& bytes);  ///< the first picture, with giflib
 std::optional<Picture> decode_jpeg(const ByteList& bytes);  ///< with libjpeg; nothing for four colour components
 Picture decode_targa(const ByteList& bytes);  ///< what is_plain_targa() accepts (Truevision TGA specification 2.0)
 

@@ -1,102 +1,49 @@
 #include "render/image/files.h"
 
 #include "render/image/direct_readers.h"
+#include "render/image/file_types.h"
 #include "render/image/io_loader.h"
+#include "render/image/io_writer.h"
+#include "render/image/picture_writer.h"
 #include "render/image/png_writer.h"
 #include "render/image/ppm_writer.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 
 namespace image {
 
 namespace {
 
-constexpr const char* kSoftware = "Whittle";
-
-struct TypeFacts {
-    FileType type;
-    const char* extension;
-    const char* format;  ///< OpenImageIO's name
-    bool alpha, greyscale, linear_light, sixteen_bits;
-};
+constexpr int kAnySide = 0x7fffffff, kSixteenBits = 0xffff;
 
 constexpr TypeFacts kTypes[] = {
-    {FileType::Png, ".png", "png", true, true, false, true},
-    {FileType::Ppm, ".ppm", "pnm", false, true, false, true},
-    {FileType::Targa, ".tga", "targa", true, false, false, false},
-    {FileType::TargaRunLength, ".tga", "targa", true, false, false, false},
-    {FileType::Jpeg, ".jpg", "jpeg", false, false, false, false},
-    {FileType::Bmp, ".bmp", "bmp", true, false, false, false},
-    {FileType::OpenExr, ".exr", "openexr", true, false, true, false},
-    {FileType::RadianceHdr, ".hdr", "hdr", false, false, true, false},
+    {FileType::Png, ".png", "png", true, true, false, true, kAnySide, 16},
+    {FileType::Ppm, ".ppm", "pnm", false, true, false, true, kAnySide, 1},
+    {FileType::Targa, ".tga", "targa", true, false, false, false, kSixteenBits, 1},
+    {FileType::TargaRunLength, ".tga", "targa", true, false, false, false, kSixteenBits, 16},
+    {FileType::Jpeg, ".jpg", "jpeg", false, false, false, false, 65500, 16},
+    {FileType::Bmp, ".bmp", "bmp", true, false, false, false, kAnySide, 1},
+    {FileType::OpenExr, ".exr", "openexr", true, false, true, false, kAnySide, 16},
+    {FileType::RadianceHdr, ".hdr", "hdr", false, false, true, false, kAnySide, 16},
 };
+
+}  // namespace
 
 const TypeFacts& facts(FileType type)
 {
     return *std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeFacts& f) { return f.type == type; });
 }
 
-/// A file of this process beside `path`, removed unless it was put in place.
-class Replacement {
-public:
-    explicit Replacement(const std::string& path)
-        : path_(path), beside_(path + "." + std::to_string(getpid()) + ".part")
-    {
-    }
-    Replacement(const Replacement&) = delete;
-    Replacement& operator=(const Replacement&) = delete;
-    ~Replacement() { std::remove(beside_.c_str()); }
-    const std::string& beside() const { return beside_; }
-    void put_in_place() const
-    {
-        if (std::rename(beside_.c_str(), path_.c_str()) != 0) throw FileError("cannot write '" + path_ + "': " + std::strerror(errno));
-    }
-
-private:
-    std::string path_, beside_;
-};
-
-/// The integers over 16 bits: shorter ones stand at the top and repeat below, so that the largest stays the largest.
-/// For 8 stored bits the upper byte is what counts (spec 2, 12.4).
-std::vector<std::uint16_t> widened(const Raster& raster)
+std::unique_ptr<RowSink> integer_sink(IoLoader& loader, FileType type, const std::string& path, const FileShape& shape, int jpeg_quality, bool quick)
 {
-    std::vector<std::uint16_t> wide(raster.samples.size());
-    const int bits = raster.bits;
-    std::transform(raster.samples.begin(), raster.samples.end(), wide.begin(), [bits](std::uint16_t value) {
-        std::uint32_t filled = 0;
-        for (int shift = 16 - bits; shift > -bits; shift -= bits) filled |= shift >= 0 ? std::uint32_t{value} << shift : std::uint32_t{value} >> -shift;
-        return static_cast<std::uint16_t>(filled);
-    });
-    return wide;
+    if (type == FileType::Png) return std::make_unique<PngWriter>(path, shape, quick ? PngEffort::None : PngEffort::Usual);
+    if (type == FileType::Ppm) return std::make_unique<PpmWriter>(path, shape);
+    WriteRequest request{};
+    request.format = facts(type).format;
+    request.run_length = type == FileType::TargaRunLength;
+    request.jpeg_quality = jpeg_quality;
+    return std::make_unique<IoWriter>(loader.get(), path, shape, request);
 }
-
-void write_request(const IoModule& module, const std::string& path, WriteRequest request)
-{
-    const Replacement replacement(path);
-    request.path = replacement.beside().c_str();
-    request.software = kSoftware;
-    if (const char* message = module.write(request)) throw FileError("cannot write '" + path + "': " + message);
-    replacement.put_in_place();
-}
-
-/// Linear light, colours weighted by opacity, as OpenEXR and Radiance store it.
-std::vector<float> linear_light(const Image& picture, const TransferCurve& working, bool alpha)
-{
-    std::vector<float> levels;
-    levels.reserve(picture.pixels.size());
-    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
-        for (std::size_t c = 0; c < 3; ++c) levels.push_back(working.decode(picture.pixels[i + c]));
-        if (alpha) levels.push_back(1.0f - picture.pixels[i + 3]);
-    }
-    return levels;
-}
-
-}  // namespace
 
 const char* extension(FileType type) { return facts(type).extension; }
 bool stores_alpha(FileType type) { return facts(type).alpha; }
@@ -110,60 +57,60 @@ void Files::prepare(FileType type) const
     if (type != FileType::Png && type != FileType::Ppm) loader_->start();
 }
 
+double least_bytes(FileType type, int width, int height, const Encoding& encoding)
+{
+    const TypeFacts& of = facts(type);
+    const int channels = (encoding.greyscale ? 1 : 3) + (encoding.alpha && of.alpha ? 1 : 0);
+    const bool two_bytes = of.linear_light ? type == FileType::OpenExr : of.sixteen_bits && encoding.bits > 8;
+    return static_cast<double>(width) * height * channels * (two_bytes ? 2 : 1) / of.packing;
+}
+
+int largest_side(FileType type) { return facts(type).largest_side; }
+
+std::unique_ptr<PictureWriter> Files::start(const std::string& path, int width, int height, const FileSettings& settings) const
+{
+    return std::make_unique<PictureWriter>(*loader_, path, width, height, settings);
+}
+
 void Files::write(const std::string& path, const Image& picture, const FileSettings& settings) const
 {
-    const TypeFacts& type = facts(settings.type);
-    Encoding encoding = settings.encoding;
-    encoding.alpha = encoding.alpha && type.alpha;
-    if (!type.linear_light) {
-        if (!type.sixteen_bits) encoding.bits = 8;
-        if (settings.type == FileType::Jpeg) encoding.dither = Dither::None;  // it would lose the pattern
-        encoding.bottom_up = settings.type == FileType::Bmp;
-        return write(path, quantise(picture, encoding), settings.type, encoding.curves.file, settings.jpeg_quality);
-    }
-    const std::vector<float> levels = linear_light(picture, encoding.curves.working, encoding.alpha);
-    WriteRequest request{};
-    request.format = type.format;
-    request.width = picture.width;
-    request.height = picture.height;
-    request.channels = encoding.alpha ? 4 : 3;
-    request.levels = levels.data();
-    write_request(loader_->get(), path, request);
+    PictureWriter writer(*loader_, path, picture.width, picture.height, settings);
+    for (int i = 0; i < picture.height; ++i) writer.put(picture.at(0, writer.next_row()));
+    writer.finish();
 }
 
 void Files::write(const std::string& path, const Raster& raster, FileType type, const TransferCurve& file_curve, int jpeg_quality) const
 {
-    const std::vector<std::uint16_t> wide = widened(raster);
-    if (type == FileType::Png || type == FileType::Ppm) {
-        const Replacement replacement(path);
-        try {
-            if (type == FileType::Png) write_png(replacement.beside(), raster, wide, file_curve, kSoftware);
-            else write_ppm(replacement.beside(), raster, kSoftware);
-        } catch (const FileError& error) {
-            throw FileError("cannot write '" + path + "': " + error.what());
-        }
-        return replacement.put_in_place();
+    Replacement replacement(path);
+    try {
+        const FileShape shape{raster.width, raster.height, raster.channels, raster.bits, file_curve, kSoftware};
+        const std::unique_ptr<RowSink> sink = integer_sink(*loader_, type, replacement.beside(), shape, jpeg_quality, false);
+        for (int row = 0; row < raster.height; ++row) sink->put(raster.at(0, row));
+        sink->finish();
+    } catch (const FileError& error) {
+        throw FileError("cannot write '" + path + "': " + error.what());
     }
-    WriteRequest request{};
-    request.format = facts(type).format;
-    request.width = raster.width;
-    request.height = raster.height;
-    request.channels = raster.channels;
-    request.samples = wide.data();
-    request.eight_bits = raster.bits <= 8;
-    request.run_length = type == FileType::TargaRunLength;
-    request.srgb = file_curve.kind == TransferCurve::Kind::Srgb;
-    request.gamma = file_curve.approximate_gamma();
-    request.jpeg_quality = jpeg_quality;
-    write_request(loader_->get(), path, request);
+    replacement.put_in_place();
 }
 
 Picture Files::read(const std::string& path) const
 {
-    if (auto picture = read_directly(path)) return std::move(*picture);
+    try {
+        const ByteList bytes = bytes_of_file(path);
+        if (auto picture = decode_directly(path, bytes)) return std::move(*picture);
+        return read_by_library(path, kind_of_file(path, bytes));
+    } catch (const std::exception& error) {
+        throw FileError("cannot read '" + path + "': " + error.what());
+    }
+}
+
+Picture Files::read_by_library(const std::string& path, const char* kind) const
+{
     const IoModule& module = loader_->get();
     ReadResult result{};
-    if (const char* message = module.read(path.c_str(), result)) throw FileError("cannot read '" + path + "': " + message);
+    // The library's own words name files, positions and formats that nobody asked for.
+    if (module.read(path.c_str(), result) != nullptr)
+        throw FileError(kind ? std::string("the ") + kind + " file is broken, or of a variant that is not known" : "it is no picture of a known kind");
     Picture picture;
     picture.width = result.width;
     picture.height = result.height;

@@ -10,6 +10,7 @@
 namespace image {
 
 class IoLoader;
+class PictureWriter;
 
 /// POV-Ray's letters for output file types (spec 1, 18.11).
 enum class FileType : char { Png = 'N', Ppm = 'P', Targa = 'T', TargaRunLength = 'C', Jpeg = 'J', Bmp = 'B', OpenExr = 'E', RadianceHdr = 'H' };
@@ -19,11 +20,16 @@ bool stores_alpha(FileType type);
 bool stores_greyscale(FileType type);
 bool stores_linear_light(FileType type);         ///< OpenEXR and Radiance: floats, no gamma, no quantisation
 
+/// Bytes that a file of this type takes at least, going by what the type packs: few pictures get smaller.
+double least_bytes(FileType type, int width, int height, const Encoding& encoding);
+int largest_side(FileType type);                 ///< in pixels, that its header can hold
+
 /// Everything that turns a traced picture into a file.
 struct FileSettings {
     FileType type = FileType::Png;
     Encoding encoding;
     int jpeg_quality = 85;
+    bool quick = false;   ///< PNG: not compressed, for a picture that nobody keeps
 };
 
 /// Reads and writes picture files. PNG is the work of libpng itself, PPM is written by hand, direct_readers.h says what is
@@ -34,6 +40,8 @@ public:
     Files();
     /// Starts to load in the background what writing this type needs.
     void prepare(FileType type) const;
+    /// A picture of this size that comes row by row. Throws FileError, as its methods do.
+    std::unique_ptr<PictureWriter> start(const std::string& path, int width, int height, const FileSettings& settings) const;
     /// Replaces `path` at once or not at all: the picture is written beside it and then renamed. Throws FileError.
     void write(const std::string& path, const Image& picture, const FileSettings& settings) const;
     /// The same for integers that are ready, tagged with the file curve.
@@ -42,6 +50,8 @@ public:
     Picture read(const std::string& path) const;
 
 private:
+    Picture read_by_library(const std::string& path, const char* kind) const;
+
     std::shared_ptr<IoLoader> loader_;
 };
 

@@ -1,171 +1,124 @@
 #include "render/image/direct_readers.h"
 
+#include <gif_lib.h>
+
+#include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace image {
 namespace {
 
-constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 30;
+/// More pixels a byte than its codes of up to 12 bits can stand for, each a string of at most 4096: such sizes are not to be believed.
+constexpr std::size_t kMostGifPixelsPerByte = 4096, kSmallGif = 65536;
 
-/// Bytes in order; past the end is an error.
-class Bytes {
+/// Bytes handed to giflib, and its structure.
+class GifDecoder {
 public:
-    explicit Bytes(const ByteList& bytes) : bytes_(bytes) {}
-    std::uint32_t next()
+    explicit GifDecoder(const ByteList& bytes) : bytes_(bytes)
     {
-        if (at_ >= bytes_.size()) throw FileError("the file ends too early");
-        return bytes_[at_++];
+        int error = 0;
+        file_.reset(DGifOpen(this, read, &error));
+        if (!file_) fail(error);
     }
-    std::uint32_t next_pair()
+
+    /// Up to the first picture; the place in the palette that a block before it makes clear.
+    std::optional<std::size_t> find_picture()
     {
-        const std::uint32_t low = next();
-        return low | next() << 8;
+        std::optional<std::size_t> clear;
+        for (;;) {
+            GifRecordType type = UNDEFINED_RECORD_TYPE;
+            check(DGifGetRecordType(file_.get(), &type));
+            if (type == TERMINATE_RECORD_TYPE) throw FileError("the GIF file holds no picture");
+            if (type == IMAGE_DESC_RECORD_TYPE) break;
+            if (type == EXTENSION_RECORD_TYPE) skip_extension(clear);
+        }
+        check(DGifGetImageDesc(file_.get()));
+        return clear;
     }
-    void skip(std::size_t count)
-    {
-        for (; count > 0; --count) next();
-    }
-    void skip_blocks()
-    {
-        while (const std::uint32_t size = next()) skip(size);
-    }
-    bool more() const { return at_ < bytes_.size(); }
+
+    const GifImageDesc& description() const { return file_->Image; }
+
+    const ColorMapObject* palette() const { return file_->Image.ColorMap ? file_->Image.ColorMap : file_->SColorMap; }
+
+    void read_row(std::uint8_t* row, std::size_t width) { check(DGifGetLine(file_.get(), row, static_cast<int>(width))); }
 
 private:
+    void skip_extension(std::optional<std::size_t>& clear)
+    {
+        int code = 0;
+        GifByteType* block = nullptr;
+        check(DGifGetExtension(file_.get(), &code, &block));
+        GraphicsControlBlock control{};
+        if (code == GRAPHICS_EXT_FUNC_CODE && block && DGifExtensionToGCB(block[0], block + 1, &control) == GIF_OK)
+            clear = control.TransparentColor == NO_TRANSPARENT_COLOR ? std::nullopt : std::optional(static_cast<std::size_t>(control.TransparentColor));
+        while (block) check(DGifGetExtensionNext(file_.get(), &block));
+    }
+
+    void check(int result) const
+    {
+        if (result != GIF_OK) fail(file_->Error);
+    }
+
+    [[noreturn]] static void fail(int error)
+    {
+        const char* reason = GifErrorString(error);
+        throw FileError(std::string("the GIF file is broken (") + (reason ? reason : "unknown failure") + ")");
+    }
+
+    static int read(GifFileType* file, GifByteType* out, int count)
+    {
+        auto* self = static_cast<GifDecoder*>(file->UserData);
+        const std::size_t given = std::min(static_cast<std::size_t>(std::max(count, 0)), self->bytes_.size() - self->at_);
+        std::copy_n(self->bytes_.data() + self->at_, given, out);
+        self->at_ += given;
+        return static_cast<int>(given);
+    }
+
+    struct Closer {
+        void operator()(GifFileType* file) const { DGifCloseFile(file, nullptr); }
+    };
+
     const ByteList& bytes_;
     std::size_t at_ = 0;
+    std::unique_ptr<GifFileType, Closer> file_;
 };
 
-/// Codes of growing length out of a chain of blocks.
-class Codes {
-public:
-    explicit Codes(Bytes& bytes) : bytes_(bytes) {}
-    std::uint32_t next(int bits)
-    {
-        while (held_ < bits) {
-            if (left_ == 0) left_ = bytes_.next();
-            if (left_ == 0) throw FileError("the pixels end too early");
-            --left_;
-            buffer_ |= bytes_.next() << held_;
-            held_ += 8;
-        }
-        const std::uint32_t code = buffer_ & ((1u << bits) - 1u);
-        buffer_ >>= bits;
-        held_ -= bits;
-        return code;
-    }
-
-private:
-    Bytes& bytes_;
-    std::uint32_t left_ = 0, buffer_ = 0;
-    int held_ = 0;
-};
-
-/// Variable-length-code LZW: each code is a string, the string before it and one more pixel.
-std::vector<std::uint8_t> unpack(Bytes& bytes, std::size_t count)
+/// The rows in the order of the file: one after the other, or interlaced.
+std::vector<std::size_t> row_order(std::size_t height, bool interlaced)
 {
-    constexpr int kMostBits = 12;
-    const int first_bits = static_cast<int>(bytes.next());
-    if (first_bits < 1 || first_bits > 8) throw FileError("its pixels have a size that no GIF has");
-    const std::uint32_t clear = 1u << first_bits, stop = clear + 1, none = 1u << kMostBits;
-    struct Entry {
-        std::uint32_t before;
-        std::uint8_t last, first;
-    };
-    std::array<Entry, 1u << kMostBits> table{};
-    for (std::uint32_t i = 0; i < clear; ++i) table[i] = {none, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i)};
-    Codes codes(bytes);
-    std::vector<std::uint8_t> out, reversed;
-    std::uint32_t size = stop + 1, previous = none;
-    int bits = first_bits + 1;
-    while (out.size() < count) {
-        const std::uint32_t code = codes.next(bits);
-        if (code == stop) throw FileError("pixels are missing");
-        if (code == clear) {
-            size = stop + 1;
-            bits = first_bits + 1;
-            previous = none;
-            continue;
-        }
-        if (code > size || (code == size && previous == none)) throw FileError("a code of its pixels means nothing");
-        if (previous != none && size < none) {
-            table[size] = {previous, code == size ? table[previous].first : table[code].first, table[previous].first};
-            ++size;
-            if (size == 1u << bits && bits < kMostBits) ++bits;
-        }
-        reversed.clear();
-        for (std::uint32_t c = code; c != none; c = table[c].before) reversed.push_back(table[c].last);
-        out.insert(out.end(), reversed.rbegin(), reversed.rend());
-        previous = code;
-    }
-    out.resize(count);
-    return out;
-}
-
-/// Rows in the order of an interlaced file, put in place.
-std::vector<std::uint8_t> woven(const std::vector<std::uint8_t>& rows, std::uint32_t width, std::uint32_t height)
-{
-    std::vector<std::uint8_t> out(rows.size());
-    std::size_t from = 0;
-    constexpr std::array<std::array<std::uint32_t, 2>, 4> kPasses{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
-    for (const auto& [first, step] : kPasses)
-        for (std::uint32_t y = first; y < height; y += step, from += width)
-            for (std::uint32_t x = 0; x < width; ++x) out[std::size_t{y} * width + x] = rows[from + x];
-    return out;
-}
-
-/// As many colours as the flags of their block say.
-std::vector<float> palette_of(Bytes& bytes, std::uint32_t flags)
-{
-    std::vector<float> palette;
-    for (std::uint32_t left = 2u << (flags & 7); left > 0; --left) {
-        for (int c = 0; c < 3; ++c) palette.push_back(static_cast<float>(bytes.next()) / 255.0f);
-        palette.push_back(1.0f);
-    }
-    return palette;
+    std::vector<std::size_t> rows;
+    rows.reserve(height);
+    constexpr std::array<std::array<std::size_t, 2>, 4> kPasses{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
+    if (!interlaced)
+        for (std::size_t y = 0; y < height; ++y) rows.push_back(y);
+    else
+        for (const auto& [first, step] : kPasses)
+            for (std::size_t y = first; y < height; y += step) rows.push_back(y);
+    return rows;
 }
 
 }  // namespace
 
-Picture decode_gif(const ByteList& file)
+Picture decode_gif(const ByteList& bytes)
 {
-    Bytes bytes(file);
+    GifDecoder decoder(bytes);
+    const std::optional<std::size_t> clear = decoder.find_picture();
     Picture out;
-    bytes.skip(6 + 4);  // signature, size of the screen
-    const std::uint32_t flags = bytes.next();
-    bytes.skip(2);
-    if (flags & 0x80) out.palette = palette_of(bytes, flags);
-    std::optional<std::uint32_t> clear;  // the transparent place in the palette
-    for (;;) {
-        const std::uint32_t block = bytes.next();
-        if (block == '!') {
-            constexpr std::uint32_t kGraphicControl = 0xf9;
-            if (bytes.next() == kGraphicControl) {
-                bytes.skip(1);  // its length
-                const std::uint32_t control = bytes.next();
-                bytes.skip(2);
-                const std::uint32_t place = bytes.next();
-                clear = control & 1u ? std::optional(place) : std::nullopt;
-            }
-            bytes.skip_blocks();
-        } else if (block == ',') {
-            break;
-        } else {
-            throw FileError("it holds no picture");
-        }
+    out.width = decoder.description().Width;
+    out.height = decoder.description().Height;
+    if (out.width <= 0 || out.height <= 0) throw FileError("the GIF file holds no picture");
+    if (out.count() > kSmallGif + kMostGifPixelsPerByte * bytes.size()) throw FileError("the GIF file is broken (it ends too early)");
+    const ColorMapObject* palette = decoder.palette();
+    for (int i = 0; palette && i < palette->ColorCount; ++i) {
+        const GifColorType& color = palette->Colors[i];
+        for (const GifByteType level : {color.Red, color.Green, color.Blue}) out.palette.push_back(static_cast<float>(level) / 255.0f);
+        out.palette.push_back(clear == static_cast<std::size_t>(i) ? 0.0f : 1.0f);
     }
-    bytes.skip(4);
-    const std::uint32_t width = bytes.next_pair(), height = bytes.next_pair();
-    out.width = static_cast<int>(width);
-    out.height = static_cast<int>(height);
-    const std::uint32_t own = bytes.next();
-    if (own & 0x80) out.palette = palette_of(bytes, own);
-    const std::uint64_t count = out.count();
-    if (count > kMostPixels) throw FileError("it is too large");
-    if (clear && std::size_t{*clear} * 4 + 3 < out.palette.size()) out.palette[std::size_t{*clear} * 4 + 3] = 0.0f;
-    out.indices = unpack(bytes, count);
-    if (own & 0x40) out.indices = woven(out.indices, width, height);
+    const auto width = static_cast<std::size_t>(out.width);
+    out.indices.resize(out.count());
+    for (const std::size_t y : row_order(static_cast<std::size_t>(out.height), decoder.description().Interlace)) decoder.read_row(&out.indices[y * width], width);
     expand_palette(out);
     return out;
 }

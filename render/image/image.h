@@ -13,8 +13,17 @@ namespace image {
 /// weighted by their opacity: a clear pixel in front of nothing is 0, 0, 0, 1.
 struct Image {
     int width = 0, height = 0;
-    std::vector<float, PageAllocator<float>> pixels;   ///< 4 * width * height
-    float* at(int x, int y) { return &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
+    std::vector<float, PageAllocator<float>> pixels;   ///< 4 * width for each row that is here
+    int top = 0;                                       ///< the first row that is here; all rows are unless the picture is made in strips
+
+    /// Rows [first, first + count), black and opaque, in place of what was here.
+    void hold(int first, int count)
+    {
+        top = first;
+        pixels.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(count), 0.0f);
+    }
+    /// Of the whole picture's pixel.
+    float* at(int x, int y) { return &pixels[4 * (static_cast<std::size_t>(y - top) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
     const float* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
 

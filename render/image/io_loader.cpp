@@ -1,6 +1,7 @@
 #include "render/image/io_loader.h"
 
 #include "render/image/files.h"
+#include "render/image/module_path.h"
 
 #include <dlfcn.h>
 
@@ -11,11 +12,8 @@ namespace image {
 
 namespace {
 
-const IoModule* load_module()
+const IoModule* load_module(const std::filesystem::path& module)
 {
-    // Beside the program, where the build puts it.
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-    const std::filesystem::path module = program.parent_path() / kIoModuleName;
     void* handle = dlopen(module.c_str(), RTLD_LAZY | RTLD_LOCAL);  // lazy: 0.20 s of work instead of 0.215
     if (!handle) throw FileError(std::string("cannot load the picture file library: ") + dlerror());
     using Entry = const IoModule* (*)();
@@ -29,7 +27,9 @@ const IoModule* load_module()
 void IoLoader::start()
 {
     std::call_once(once_, [this] {
-        std::packaged_task<const IoModule*()> load(load_module);
+        const std::optional<std::filesystem::path> module = find_module(kIoModuleName);
+        if (!module) throw FileError(missing_module(kIoModuleName));
+        std::packaged_task<const IoModule*()> load([path = *module] { return load_module(path); });
         module_ = load.get_future().share();
         std::thread(std::move(load)).detach();  // unlike std::async, a program that stops early does not wait for it
     });

@@ -11,6 +11,7 @@ namespace image {
 /// shared libraries take some 0.2 s, so nothing that can do without it loads it.
 class IoLoader {
 public:
+    /// Throws FileError at once if there is no such module.
     void start();
     /// Waits for the module. Throws FileError if it cannot be loaded.
     const IoModule& get();

@@ -2,9 +2,22 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
+#include <utility>
+
+namespace image {
+
+class OpenPicture {
+public:
+    OpenPicture(std::unique_ptr<OIIO::ImageOutput> output, OIIO::TypeDesc type) : out(std::move(output)), rows(type) {}
+    const std::unique_ptr<OIIO::ImageOutput> out;
+    const OIIO::TypeDesc rows;   ///< of what put() is given
+};
+
+}  // namespace image
 
 namespace {
 
@@ -18,7 +31,7 @@ const char* failed(std::string message)
 
 OIIO::ImageSpec spec_of(const image::WriteRequest& request)
 {
-    const bool linear_light = request.levels != nullptr;
+    const bool linear_light = request.linear_light;
     const OIIO::TypeDesc stored = linear_light ? OIIO::TypeDesc::HALF : request.eight_bits ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16;
     OIIO::ImageSpec spec(request.width, request.height, request.channels, stored);
     const std::string format = request.format;
@@ -47,25 +60,35 @@ OIIO::ImageSpec spec_of(const image::WriteRequest& request)
     return spec;
 }
 
-const char* write_picture(const image::WriteRequest& request)
+const char* open_picture(const image::WriteRequest& request, image::OpenPicture*& picture)
 {
-    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(request.format);
+    std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(request.format);
     if (!out) return failed(OIIO::geterror());
     if (!out->open(request.path, spec_of(request))) return failed(out->geterror());
-    bool written = false;
-    if (request.levels) {
-        written = out->write_image(OIIO::TypeDesc::FLOAT, request.levels);
-    } else if (request.eight_bits) {
-        const auto count = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * static_cast<std::size_t>(request.channels);
-        std::vector<std::uint8_t> bytes(count);
-        for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<std::uint8_t>(request.samples[i] >> 8);
-        written = out->write_image(OIIO::TypeDesc::UINT8, bytes.data());
-    } else {
-        written = out->write_image(OIIO::TypeDesc::UINT16, request.samples);
-    }
-    if (!written) return failed(out->geterror());
-    if (!out->close()) return failed(out->geterror());
+    const OIIO::TypeDesc rows = request.linear_light ? OIIO::TypeDesc::FLOAT : request.eight_bits ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16;
+    picture = new image::OpenPicture(std::move(out), rows);
     return nullptr;
+}
+
+const char* put_rows(image::OpenPicture& picture, int first, int count, const void* rows)
+{
+    const bool written = picture.out->write_scanlines(first, first + count, 0, picture.rows, rows);
+    return written ? nullptr : failed(picture.out->geterror());
+}
+
+const char* close_picture(image::OpenPicture* picture)
+{
+    const std::unique_ptr<image::OpenPicture> ending(picture);
+    return picture->out->close() ? nullptr : failed(picture->out->geterror());
+}
+
+/// A header may promise any size, and room is made before the first row is read.
+bool sizes_fit(const OIIO::ImageSpec& spec, const char* path)
+{
+    constexpr std::uintmax_t kMostPerByte = 32768, kSmall = 65536;  // a white page of two colours packs best: a bit or two a row
+    std::error_code error;
+    const std::uintmax_t length = std::filesystem::file_size(path, error);
+    return error || spec.image_bytes() <= kSmall + kMostPerByte * length;
 }
 
 const char* read_picture(const char* path, image::ReadResult& result)
@@ -75,6 +98,7 @@ const char* read_picture(const char* path, image::ReadResult& result)
     const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &hints);
     if (!in) return failed(OIIO::geterror());
     const OIIO::ImageSpec& spec = in->spec();
+    if (!sizes_fit(spec, path)) return failed("its sizes do not fit its length");
     const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * static_cast<std::size_t>(spec.nchannels);
     auto samples = std::make_unique<float[]>(count);
     if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.get())) return failed(in->geterror());
@@ -105,7 +129,10 @@ template <class Work> const char* guarded(Work work)
 extern "C" __attribute__((visibility("default"))) const image::IoModule* whittle_image_io()
 {
     static const image::IoModule table{
-        [](const image::WriteRequest& request) { return guarded([&] { return write_picture(request); }); },
+        [](const image::WriteRequest& request, image::OpenPicture*& picture) { return guarded([&] { return open_picture(request, picture); }); },
+        [](image::OpenPicture& picture, int first, int count, const void* rows) { return guarded([&] { return put_rows(picture, first, count, rows); }); },
+        [](image::OpenPicture* picture) { return guarded([&] { return close_picture(picture); }); },
+        [](image::OpenPicture* picture) { delete picture; },
         [](const char* path, image::ReadResult& result) { return guarded([&] { return read_picture(path, result); }); },
         release_picture};
     return &table;

@@ -10,9 +10,8 @@ struct WriteRequest {
     const char* path;               ///< written as it is, the format is `format`
     const char* format;             ///< OpenImageIO's name: "targa", "pnm", "bmp", "jpeg", "openexr" or "hdr"
     int width, height, channels;
-    const std::uint16_t* samples;   ///< integers over the full 16 bits, or null
-    const float* levels;            ///< linear light for exr and hdr, or null
-    bool eight_bits;                ///< store 8 bits: the high bytes of `samples`
+    bool linear_light;              ///< exr and hdr: rows are floats
+    bool eight_bits;                ///< rows are bytes, and stored so; else they are integers over the full 16 bits
     bool run_length;                ///< tga: compress runs
     bool srgb;                      ///< tag as sRGB
     float gamma;                    ///< decoding gamma for the tag otherwise
@@ -29,9 +28,15 @@ struct ReadResult {
     bool srgb;                      ///< the file says that it is sRGB
 };
 
-/// Both return null or a message that stays valid until the next call of the same thread.
+class OpenPicture;                   ///< a file that is being written
+
+/// All but `discard` and `release` return null or a message that stays valid until the next call of the same thread.
 struct IoModule {
-    const char* (*write)(const WriteRequest&);
+    const char* (*open)(const WriteRequest&, OpenPicture*& out);   ///< `out` ends in close() or discard()
+    /// Rows [first, first + count), each once, from the top: bytes, 16-bit integers or floats as the request says.
+    const char* (*put)(OpenPicture& picture, int first, int count, const void* rows);
+    const char* (*close)(OpenPicture* picture);
+    void (*discard)(OpenPicture* picture);
     const char* (*read)(const char* path, ReadResult&);
     void (*release)(ReadResult&);
 };

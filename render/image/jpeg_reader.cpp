@@ -15,6 +15,7 @@ struct JpegDecoder {
     std::jmp_buf failed{};
     std::array<char, JMSG_LENGTH_MAX> message{};
     std::vector<std::uint8_t> samples;
+    volatile bool ready = false;  ///< libjpeg refuses an empty source
 
     explicit JpegDecoder(const ByteList& bytes)
     {
@@ -29,6 +30,7 @@ struct JpegDecoder {
         if (setjmp(failed)) return;
         jpeg_create_decompress(&state);
         jpeg_mem_src(&state, bytes.data(), static_cast<unsigned long>(bytes.size()));
+        ready = true;
     }
     JpegDecoder(const JpegDecoder&) = delete;
     JpegDecoder& operator=(const JpegDecoder&) = delete;
@@ -37,7 +39,7 @@ struct JpegDecoder {
     /// False if libjpeg failed: it leaves by longjmp, so nothing with a destructor may be made in here and in the next.
     bool begin()
     {
-        if (setjmp(failed)) return false;
+        if (!ready || setjmp(failed)) return false;
         jpeg_read_header(&state, TRUE);
         return true;
     }

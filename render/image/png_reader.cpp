@@ -117,10 +117,35 @@ void take_samples(PngDecoder& decoder, const Entries& e, Picture& picture)
     }
 }
 
+std::size_t number_at(const ByteList& bytes, std::size_t at)
+{
+    return std::size_t{bytes[at]} << 24 | std::size_t{bytes[at + 1]} << 16 | std::size_t{bytes[at + 2]} << 8 | bytes[at + 3];
+}
+
+/// libpng makes room, up to 2 GB, for what a length says before it looks whether the file has so much, and for all rows before it
+/// reads the first.
+void check_lengths(const ByteList& bytes)
+{
+    constexpr std::size_t kSignature = 8, kFrame = 12, kWidth = 16, kHeight = 20;  // a chunk is its length, name, data, checksum
+    constexpr std::size_t kMostPerByte = 1032, kSmallPng = 65536;                  // deflate's best
+    for (std::size_t at = kSignature; at < bytes.size();) {
+        if (bytes.size() - at < kFrame || number_at(bytes, at) > bytes.size() - at - kFrame) throw FileError("the PNG file is broken (it ends too early)");
+        if (number_at(bytes, at + 4) == 0x49454e44) break;  // IEND
+        at += kFrame + number_at(bytes, at);
+    }
+    if (bytes.size() <= kDepth + 1) throw FileError("the PNG file is broken (it ends too early)");
+    const std::size_t width = number_at(bytes, kWidth), height = number_at(bytes, kHeight);
+    const std::uint8_t kind = bytes[kDepth + 1];
+    const std::size_t samples = kind == PNG_COLOR_TYPE_RGB ? 3 : kind == PNG_COLOR_TYPE_RGB_ALPHA ? 4 : kind == PNG_COLOR_TYPE_GRAY_ALPHA ? 2 : 1;
+    const std::size_t bits = std::max<std::size_t>(1, bytes[kDepth] * samples), most_bits = 8 * (kSmallPng + kMostPerByte * bytes.size());
+    if (width > 0 && height > most_bits / bits / width) throw FileError("the PNG file is broken (its sizes do not fit its length)");
+}
+
 }  // namespace
 
 Picture decode_png(const ByteList& bytes)
 {
+    check_lengths(bytes);
     PngDecoder decoder(bytes);
     if (!decoder.decode()) throw FileError(decoder.message());
     const Entries e = entries_of(decoder, bytes[kDepth]);

@@ -4,53 +4,29 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 namespace image {
 
 namespace {
 
-/// zlib's effort. A picture of 800x600 took 57 ms to write with 2, 176 ms with zlib's usual 6, and was 15 % larger.
-constexpr int kEffort = 2;
-
-struct Failure {
-    std::array<char, 200> text{};  // no std::string: longjmp passes by its owner
-};
+using Failure = std::array<char, 200>;  // no std::string: longjmp passes by its owner
 
 void keep_message(png_structp png, png_const_charp message)
 {
     auto* failure = static_cast<Failure*>(png_get_error_ptr(png));
-    std::snprintf(failure->text.data(), failure->text.size(), "%s", message);
+    std::snprintf(failure->data(), failure->size(), "%s", message);
     png_longjmp(png, 1);
 }
 
 void ignore_warning(png_structp, png_const_charp) {}
-
-/// libpng's two structures, released together.
-class Encoder {
-public:
-    Encoder() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure_, keep_message, ignore_warning))
-    {
-        if (png_) info_ = png_create_info_struct(png_);
-        if (!info_) throw FileError("not enough memory for PNG");
-    }
-    Encoder(const Encoder&) = delete;
-    Encoder& operator=(const Encoder&) = delete;
-    ~Encoder() { png_destroy_write_struct(&png_, &info_); }
-    png_structp png() { return png_; }
-    png_infop info() { return info_; }
-    const char* message() const { return failure_.text.data(); }
-
-private:
-    Failure failure_;
-    png_structp png_ = nullptr;
-    png_infop info_ = nullptr;
-};
 
 /// What stands before the samples.
 struct Header {
@@ -80,54 +56,91 @@ void write_header(png_structp png, png_infop info, const Header& header)
     png_write_info(png, info);
 }
 
-/// The samples as PNG stores them: one byte, or two with the high one first.
-std::vector<png_byte> stored(const std::vector<std::uint16_t>& wide, bool eight_bits)
-{
-    std::vector<png_byte> bytes;
-    bytes.reserve(eight_bits ? wide.size() : 2 * wide.size());
-    for (const std::uint16_t sample : wide) {
-        bytes.push_back(static_cast<png_byte>(sample >> 8));
-        if (!eight_bits) bytes.push_back(static_cast<png_byte>(sample & 0xff));
-    }
-    return bytes;
-}
-
-/// False if libpng failed: it leaves by longjmp, so nothing with a destructor may be made in here.
-bool encode(Encoder& encoder, std::FILE* file, const Header& header, const png_byte* samples, std::size_t row_bytes)
-{
-    png_structp png = encoder.png();
-    if (setjmp(png_jmpbuf(png))) return false;
-    png_init_io(png, file);
-    png_set_compression_level(png, kEffort);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);
-    write_header(png, encoder.info(), header);
-    for (png_uint_32 row = 0; row < header.height; ++row) png_write_row(png, samples + row * row_bytes);
-    png_write_end(png, encoder.info());
-    return true;
-}
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
 }  // namespace
 
-void write_png(const std::string& path, const Raster& raster, const std::vector<std::uint16_t>& wide, const TransferCurve& file_curve,
-               const char* software)
+/// libpng's two structures and the file, released together.
+struct PngWriter::Encoder {
+    Encoder() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, keep_message, ignore_warning))
+    {
+        if (png) info = png_create_info_struct(png);
+        if (!info) throw FileError("not enough memory for PNG");
+    }
+    Encoder(const Encoder&) = delete;
+    Encoder& operator=(const Encoder&) = delete;
+    ~Encoder() { png_destroy_write_struct(&png, &info); }
+
+    // False if libpng failed: it leaves by longjmp, so nothing with a destructor may be made in these three.
+    bool begin(const Header& header, int effort)
+    {
+        if (setjmp(png_jmpbuf(png))) return false;
+        png_init_io(png, file.get());
+        png_set_compression_level(png, effort);
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);
+        write_header(png, info, header);
+        return true;
+    }
+    bool put()
+    {
+        if (setjmp(png_jmpbuf(png))) return false;
+        png_write_row(png, row.data());
+        return true;
+    }
+    bool end()
+    {
+        if (setjmp(png_jmpbuf(png))) return false;
+        png_write_end(png, info);
+        return true;
+    }
+    void check(bool done) const
+    {
+        if (!done) throw FileError(failure.data());
+    }
+
+    Failure failure{};
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{nullptr, std::fclose};
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    int bits = 8;
+    std::vector<png_byte> row;   ///< as PNG stores it: one byte a sample, or two with the high one first
+};
+
+PngWriter::PngWriter(const std::string& path, const FileShape& shape, PngEffort effort) : encoder_(std::make_unique<Encoder>())
 {
     constexpr std::array kColorTypes{PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
-    const bool eight_bits = raster.bits <= 8;
-    const Header header{static_cast<png_uint_32>(raster.width), static_cast<png_uint_32>(raster.height), eight_bits ? 8 : 16,
-                        kColorTypes.at(static_cast<std::size_t>(raster.channels - 1)), static_cast<png_byte>(raster.bits),
-                        file_curve.kind == TransferCurve::Kind::Srgb, static_cast<double>(file_curve.approximate_gamma()), software};
-    const std::vector<png_byte> samples = stored(wide, eight_bits);
-    const std::size_t row_bytes = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.channels) * (eight_bits ? 1 : 2);
+    const bool eight_bits = shape.bits <= 8;
+    const Header header{static_cast<png_uint_32>(shape.width), static_cast<png_uint_32>(shape.height), eight_bits ? 8 : 16,
+                        kColorTypes.at(static_cast<std::size_t>(shape.channels - 1)), static_cast<png_byte>(shape.bits),
+                        shape.curve.kind == TransferCurve::Kind::Srgb, static_cast<double>(shape.curve.approximate_gamma()), shape.software};
+    encoder_->bits = shape.bits;
+    encoder_->row.resize(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.channels) * (eight_bits ? 1 : 2));
+    encoder_->file.reset(std::fopen(path.c_str(), "wb"));
+    if (!encoder_->file) throw FileError(std::strerror(errno));
+    encoder_->check(encoder_->begin(header, static_cast<int>(effort)));
+}
 
-    std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "wb"));
-    if (!file) throw FileError(std::strerror(errno));
-    Encoder encoder;
-    if (!encode(encoder, file.get(), header, samples.data(), row_bytes)) throw FileError(encoder.message());
-    if (std::fclose(file.release()) != 0) throw FileError(std::strerror(errno));  // a full disk may show only now
+PngWriter::~PngWriter() = default;
+
+void PngWriter::put(const std::uint16_t* samples)
+{
+    std::vector<png_byte>& row = encoder_->row;
+    if (encoder_->bits == 8) {
+        std::transform(samples, samples + row.size(), row.begin(), [](std::uint16_t sample) { return static_cast<png_byte>(sample); });
+    } else if (encoder_->bits < 8) {
+        std::transform(samples, samples + row.size(), row.begin(), [this](std::uint16_t sample) { return static_cast<png_byte>(widened(sample, encoder_->bits) >> 8); });
+    } else {
+        for (std::size_t i = 0; i < row.size(); i += 2) {
+            const std::uint16_t wide = widened(samples[i / 2], encoder_->bits);
+            row[i] = static_cast<png_byte>(wide >> 8);
+            row[i + 1] = static_cast<png_byte>(wide & 0xff);
+        }
+    }
+    encoder_->check(encoder_->put());
+}
+
+void PngWriter::finish()
+{
+    encoder_->check(encoder_->end());
+    if (std::fclose(encoder_->file.release()) != 0) throw FileError(std::strerror(errno));  // a full disk may show only now
 }
 
 }  // namespace image

@@ -4,22 +4,30 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 namespace image {
 
-void write_ppm(const std::string& path, const Raster& raster, const char* software)
+PpmWriter::PpmWriter(const std::string& path, const FileShape& shape)
+    : out_(path, std::ios::binary), row_samples_(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.channels)), bits_(shape.bits)
 {
-    std::string bytes = std::string(raster.channels == 1 ? "P5" : "P6") + "\n# Software: " + software + "\n";
-    bytes += std::to_string(raster.width) + " " + std::to_string(raster.height) + "\n" + std::to_string(raster.maximum()) + "\n";
-    bytes.reserve(bytes.size() + 2 * raster.samples.size());
-    for (const std::uint16_t sample : raster.samples) {
-        if (raster.bits > 8) bytes += static_cast<char>(sample >> 8);
-        bytes += static_cast<char>(sample & 0xff);
+    out_ << (shape.channels == 1 ? "P5" : "P6") << "\n# Software: " << shape.software << '\n'
+         << shape.width << ' ' << shape.height << '\n' << (1 << shape.bits) - 1 << '\n';
+    if (!out_) throw FileError(std::strerror(errno));
+}
+
+void PpmWriter::put(const std::uint16_t* samples)
+{
+    bytes_.clear();
+    for (std::size_t i = 0; i < row_samples_; ++i) {
+        if (bits_ > 8) bytes_ += static_cast<char>(samples[i] >> 8);
+        bytes_ += static_cast<char>(samples[i] & 0xff);
     }
-    std::ofstream out(path, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) throw FileError(std::strerror(errno));
+    if (!out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()))) throw FileError(std::strerror(errno));
+}
+
+void PpmWriter::finish()
+{
+    if (!out_.flush()) throw FileError(std::strerror(errno));
 }
 
 }  // namespace image

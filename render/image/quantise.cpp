@@ -1,10 +1,6 @@
 #include "render/image/quantise.h"
 
-#include "render/image/level_table.h"
-
 #include <algorithm>
-#include <array>
-#include <optional>
 
 namespace image {
 
@@ -35,39 +31,46 @@ void make_straight(const float weighted[4], float straight[4])
     straight[3] = alpha;
 }
 
+RowQuantiser::RowQuantiser(int width, int height, const Encoding& encoding)
+    : width_(width), colours_(encoding.greyscale ? 1 : 3), channels_(colours_ + (encoding.alpha ? 1 : 0)), bits_(std::clamp(encoding.bits, kLeastBits, kMostBits)),
+      alpha_(encoding.alpha), greyscale_(encoding.greyscale), transcode_(encoding.curves.working, encoding.curves.file),
+      curves_{&transcode_, &transcode_, &transcode_, &as_it_is_}, ditherer_(encoding.dither, width, channels_, bits_)
+{
+    if (greyscale_) curves_[1] = &as_it_is_;  // alpha is a share of area: never gamma encoded
+    // Without dithering a level depends on the sample alone. Making a table takes as long as some thousand samples.
+    constexpr std::size_t kFewSamples = 1u << 14;
+    const std::size_t samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels_);
+    if (encoding.dither == Dither::None && bits_ <= LevelTable::kMostBits && samples > kFewSamples) levels_.emplace(transcode_, bits_);
+}
+
+void RowQuantiser::round(int row, const float* pixels, std::uint16_t* out)
+{
+    for (int x = 0; x < width_; ++x, pixels += 4, out += channels_) {
+        std::array<float, 4> pixel{pixels[0], pixels[1], pixels[2], pixels[3]};
+        if (greyscale_) pixel[0] = pixel[1] = pixel[2] = luminance(pixel[0], pixel[1], pixel[2]);
+        if (alpha_) make_straight(pixel.data(), pixel.data());
+        if (greyscale_) pixel[1] = pixel[3];
+        if (!levels_) {
+            ditherer_.round(x, row, pixel.data(), curves_.data(), out);
+            continue;
+        }
+        for (int c = 0; c < channels_; ++c)
+            out[c] = c < colours_ ? (*levels_)(pixel[static_cast<std::size_t>(c)]) : quantised(pixel[static_cast<std::size_t>(c)], bits_);
+    }
+}
+
 Raster quantise(const Image& picture, const Encoding& encoding)
 {
-    const Transcoder transcode(encoding.curves.working, encoding.curves.file), as_it_is;
+    RowQuantiser rounding(picture.width, picture.height, encoding);
     Raster out;
     out.width = picture.width;
     out.height = picture.height;
-    out.bits = std::clamp(encoding.bits, kLeastBits, kMostBits);
-    const int colours = encoding.greyscale ? 1 : 3;
-    out.channels = colours + (encoding.alpha ? 1 : 0);
+    out.bits = rounding.bits();
+    out.channels = rounding.channels();
     out.samples.resize(picture.pixels.size() / 4 * static_cast<std::size_t>(out.channels));
-    std::array<const Transcoder*, kMostChannels> curves{&transcode, &transcode, &transcode, &as_it_is};
-    if (encoding.greyscale) curves[1] = &as_it_is;  // alpha is a share of area: never gamma encoded
-    // Without dithering a level depends on the sample alone. Making a table takes as long as some thousand samples.
-    constexpr std::size_t kFewSamples = 1u << 14;
-    std::optional<LevelTable> levels;
-    if (encoding.dither == Dither::None && out.bits <= LevelTable::kMostBits && out.samples.size() > kFewSamples) levels.emplace(transcode, out.bits);
-    Ditherer ditherer(encoding.dither, picture.width, out.channels, out.bits);
     for (int row = 0; row < picture.height; ++row) {
         const int y = encoding.bottom_up ? picture.height - 1 - row : row;
-        for (int x = 0; x < picture.width; ++x) {
-            const float* from = picture.at(x, y);
-            std::array<float, 4> pixel{from[0], from[1], from[2], from[3]};
-            if (encoding.greyscale) pixel[0] = pixel[1] = pixel[2] = luminance(pixel[0], pixel[1], pixel[2]);
-            if (encoding.alpha) make_straight(pixel.data(), pixel.data());
-            if (encoding.greyscale) pixel[1] = pixel[3];
-            std::uint16_t* to = out.at(x, y);
-            if (!levels) {
-                ditherer.round(x, y, pixel.data(), curves.data(), to);
-                continue;
-            }
-            for (int c = 0; c < out.channels; ++c)
-                to[c] = c < colours ? (*levels)(pixel[static_cast<std::size_t>(c)]) : quantised(pixel[static_cast<std::size_t>(c)], out.bits);
-        }
+        rounding.round(y, picture.at(0, y), out.at(0, y));
     }
     return out;
 }

@@ -83,6 +83,7 @@ Picture decode_targa(const ByteList& bytes)
     const std::size_t wide = pair_at(bytes, 12), high = pair_at(bytes, 14);
     out.width = static_cast<int>(wide);
     out.height = static_cast<int>(high);
+    if (wide == 0 || high == 0) throw FileError("the Targa file holds no picture");
     const bool packed = bytes[2] & kPacked;
     std::size_t at = kHeader + bytes[0];
     if (bytes[1] == 1) {

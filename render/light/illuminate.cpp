@@ -90,7 +90,7 @@ glm::dvec3 node_offset(const Light& light, const glm::dvec3& point, double i, do
     q += kCircleShift;
     const double m = std::max(std::abs(p), std::abs(q)) / std::sqrt(p * p + q * q);
     if (!light.orient) return (p * m) * light.axis1 + (q * m) * light.axis2;
-    const glm::dvec3 d = glm::normalize(light.location - point);
+    const glm::dvec3 d = light.parallel ? -light.axis : glm::normalize(light.location - point);
     const glm::dvec3 t = std::abs(std::abs(d.z) - 1.0) < 0.01 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
     const double size = glm::length(light.axis1);
     const glm::dvec3 a = glm::normalize(glm::cross(d, t)), b = glm::normalize(glm::cross(d, size * a));

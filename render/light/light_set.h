@@ -13,7 +13,8 @@ struct Light {
     enum class Kind : std::uint8_t { Point, Spot, Cylinder } kind = Kind::Point;
     bool parallel = false, shadowless = false;
     bool area = false, circular = false, orient = false, jitter = false, area_illumination = false;
-    bool atmosphere = false;                   ///< media_attenuation and media_interaction: fog dims it
+    bool atmosphere = false;                   ///< media_attenuation and media_interaction: fog dims it where there is some
+    std::uint32_t group = 0;                   ///< of the light_group that it stands in; 0: none
     glm::dvec3 location{0}, point_at{0, 0, 1};
     glm::dvec3 axis{0, 0, 1};                  ///< unit, from location to point_at
     glm::vec3 color{1};
@@ -26,7 +27,7 @@ struct Light {
     std::shared_ptr<const Projector> projector;  ///< projected_through; null: nothing
 
     /// Its shadows are found point by point, not by tiles of rays.
-    bool by_points() const { return area || projector != nullptr; }
+    bool by_points() const { return area || projector != nullptr || atmosphere; }
 
     /// Every lit point has the light in the same direction or sees it at one place: shadow rays form a beam.
     bool from_one_point() const { return !parallel && kind != Kind::Cylinder && !area; }

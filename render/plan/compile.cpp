@@ -1,3 +1,4 @@
+#include "render/plan/camera_starts.h"
 #include "render/plan/compiled_scene.h"
 #include "render/plan/geometry.h"
 
@@ -23,24 +24,12 @@ Settings settings(const scene::Description& description, const Options& options)
 /// What has no end has no size either.
 csg::Tolerance tolerance(const CompiledScene& scene)
 {
+    if (scene.options.faithful) return {};
     csg::Aabb seen = scene.geometry.bvh.bounds;
     if (!seen.finite()) return {};
     seen.include(scene.camera.location);
     const glm::dvec3 edges = seen.upper - seen.lower;
     return csg::Tolerance::of_scene(glm::max(edges.x, glm::max(edges.y, edges.z)));
-}
-
-/// Interiors of the objects that hold the eye (spec 2, 4.11).
-void find_camera_interiors(CompiledScene& scene)
-{
-    std::vector<std::uint32_t> objects;
-    scene.world().containing(scene.camera.location, objects);
-    for (const std::uint32_t object : objects) {
-        const std::uint32_t interior = scene.objects[object].interior;
-        if (interior == kNone) continue;
-        auto& list = scene.camera_interiors;
-        if (std::find(list.begin(), list.end(), interior) == list.end()) list.push_back(interior);
-    }
 }
 
 }  // namespace
@@ -49,10 +38,11 @@ CompiledScene compile(const scene::Description& description, const Options& opti
 {
     CompiledScene out;
     out.options = options;
+    out.geometry.faithful = options.faithful;
     out.camera = description.camera;
     out.mesh_camera = compile_mesh_camera(description.camera);
     out.settings = settings(description, options);
-    std::vector<scene::Unsupported> notes;
+    std::vector<scene::Unsupported> notes = description.unsupported;
     TextureCompiler textures(description, options.quality, out.textures, notes);
     GeometryCompiler geometry(description, options, textures, out, notes);
     for (const scene::Object& object : description.objects) geometry.add(object);
@@ -60,6 +50,8 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     out.sky = compile_sky(description, textures, options.alpha);
     out.fogs = compile_fogs(description);
     geometry.finish();
+    const bool foggy = !out.fogs.empty() && options.quality >= 9;
+    for (light::Light& light : out.lights.lights) light.atmosphere = light.atmosphere && foggy;
     out.tolerance = tolerance(out);
     find_camera_interiors(out);
     for (const scene::Unsupported& note : notes) out.decisions.push_back({note.what, "not rendered yet", note.source});

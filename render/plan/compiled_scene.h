@@ -35,7 +35,9 @@ struct Options {
     int start_row = 0, start_column = 0;   ///< from 0
     int end_row = -1, end_column = -1;     ///< from 0, inclusive; -1: the last
     int block_size = 32;                   ///< +BS; antialiasing depends on it as in POV-Ray
-    bool split_unions = true;              ///< +SU
+    bool split_unions = false;             ///< +SU: bounds of unions of finite parts are dropped
+    bool faithful = false;                 ///< POV-Ray's constants where better ones are usual (docs/faithful.md)
+    bool grain_stream = false;             ///< crand as POV-Ray on one thread: pixels depend on those before, so for one thread alone
 };
 
 /// One decision of the compiler, for --explain: "left out 12 operands: their bounds never meet the rest".
@@ -49,7 +51,21 @@ struct Decision {
 struct ObjectInfo {
     std::uint32_t interior = kNone;        ///< index into CompiledScene::interiors
     scene::SourceRef source;
+    csg::Aabb holds_starts = csg::Aabb::everything();   ///< only here does it hold the start of a camera ray
 };
+
+/// A part of an object that may hold the start of a camera ray, and what it is filled with.
+struct StartHolder {
+    std::uint32_t item;                    ///< of the geometry
+    std::uint32_t interior;
+    csg::Aabb only;                        ///< ObjectInfo::holds_starts
+};
+
+/// Whether the closed box holds the point.
+inline bool within(const csg::Aabb& box, const glm::dvec3& point)
+{
+    return glm::all(glm::lessThanEqual(box.lower, point)) && glm::all(glm::lessThanEqual(point, box.upper));
+}
 
 /// Scene-wide numbers that shading reads.
 struct Settings {
@@ -79,6 +95,7 @@ struct CompiledScene {
     Settings settings;
     Options options;
     std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)
+    std::vector<StartHolder> start_holders;       ///< what each ray of a camera whose rays start at different places may be inside of
     std::vector<Decision> decisions;
 
     csg::World world() const { return csg::World(geometry); }

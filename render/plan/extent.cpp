@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kFar = 1e10;             // half the edge of "everything"
 constexpr double kLongestEdge = 1e6;      // longer ones of a CSG object make it infinite
+constexpr double kSmallestTerm = 1e-10;   // of a quadric; smaller ones are 0
 constexpr double kDiscHalfThickness = 1e-3;
 constexpr double kPolygonHalfThickness = 1e-3;  // of one along the axes (spec 5b, 4)
 
@@ -66,6 +67,12 @@ struct ShapeExtent {
     csg::Aabb operator()(const scene::Plane&) const { return everything(); }
     csg::Aabb operator()(const scene::Cylinder& s) const { return tube(world_solid(s, t)); }
     csg::Aabb operator()(const scene::Cone& s) const { return tube(world_solid(s, t)); }
+    csg::Aabb operator()(const scene::Quadric& s) const
+    {
+        // One with mixed terms has no box of its own (spec 5a, 7.1).
+        const glm::dvec3 mixed = glm::abs(s.mixed);
+        return std::max({mixed.x, mixed.y, mixed.z}) >= kSmallestTerm ? corners_moved(t, everything()) : solid_box(s);
+    }
     csg::Aabb operator()(const scene::Disc& s) const
     {
         const csg::Solid made = world_solid(s, t);
@@ -112,7 +119,10 @@ struct ShapeExtent {
     }
     csg::Aabb operator()(const scene::Light&) const { return everything(); }
     /// All others: the box of the solid.
-    template <class Shape> csg::Aabb operator()(const Shape& s) const
+    template <class Shape> csg::Aabb operator()(const Shape& s) const { return solid_box(s); }
+
+private:
+    template <class Shape> csg::Aabb solid_box(const Shape& s) const
     {
         const csg::Aabb box = std::visit([](const auto& solid) {
             if constexpr (requires { solid.bounds(); }) return solid.bounds();
@@ -120,8 +130,6 @@ struct ShapeExtent {
         }, world_solid(s, t));
         return box.finite() ? box : everything();
     }
-
-private:
     static csg::Aabb tube(const csg::Solid& made)
     {
         if (const auto* cylinder = std::get_if<csg::Cylinder>(&made)) return corners_moved(cylinder->frame, {{-1, -1, 0}, {1, 1, 1}});
@@ -178,7 +186,8 @@ csg::Aabb common(const std::vector<scene::Object>& bounds)
 
 csg::Aabb unrounded(const scene::Object& object)
 {
-    csg::Aabb box = std::visit(ShapeExtent{object.transform}, object.shape);
+    const auto* plane = std::get_if<scene::Plane>(&object.shape);
+    csg::Aabb box = plane != nullptr && plane->moved_clips ? unrounded(object.clipped_by.front()) : std::visit(ShapeExtent{object.transform}, object.shape);
     for (const std::vector<scene::Object>* set : {&object.bounded_by, &object.clipped_by})
         if (const csg::Aabb cut = common(*set); !set->empty() && !cut.empty() && volume(cut) < volume(box)) box = cut;
     return box;
@@ -196,6 +205,12 @@ csg::Aabb described_extent(const scene::Object& object)
         told.upper[k] = static_cast<double>(low) + static_cast<double>(edge);
     }
     return told;
+}
+
+csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent)
+{
+    if (!parent.identity()) object.transform_by(parent);
+    return described_extent(object);
 }
 
 }  // namespace plan

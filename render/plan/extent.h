@@ -9,4 +9,7 @@ namespace plan {
 /// every statement, are transformed once.
 csg::Aabb described_extent(const scene::Object& object);
 
+/// The same of an object that stands in the space `parent`.
+csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent);
+
 }  // namespace plan

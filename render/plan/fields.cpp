@@ -55,11 +55,12 @@ std::shared_ptr<const csg::FreeformShape> FieldLinker::linked(const std::shared_
         return known = csg::make_freeform<csg::Parametric>(std::move(ready));
     }
     const auto* surface = std::get_if<csg::Isosurface>(&shape->kind);
-    if (!surface || !asking(surface->terms().field)) return shape;
+    if (!surface || !(faithful_ || asking(surface->terms().field))) return shape;
     auto& known = known_[shape];
     if (!known) {
         csg::IsosurfaceTerms terms = surface->terms();
         terms.field = linked(terms.field);
+        terms.trusting = faithful_;
         known = csg::make_freeform<csg::Isosurface>(std::move(terms));
     }
     return known;

@@ -1,23 +1,23 @@
 #pragma once
 
 #include "csg/freeform.h"
-#include "render/scene/description.h"
+#include "render/plan/compiled_scene.h"
 
 #include <unordered_map>
 
 namespace plan {
 
 /// Gives the functions that solids are made of what they ask of the scene: noise, patterns, pigments. What asks them before
-/// the first ray does so then.
+/// the first ray does so then. Under Options::faithful isosurfaces trust their max_gradient.
 class FieldLinker {
 public:
     /// `notes` receives what cannot be evaluated; a solid that needs it is empty.
-    FieldLinker(const scene::Description& scene, int quality, std::vector<scene::Unsupported>& notes)
-        : scene_(scene), quality_(quality), notes_(notes)
+    FieldLinker(const scene::Description& scene, const Options& options, std::vector<scene::Unsupported>& notes)
+        : scene_(scene), quality_(options.quality), faithful_(options.faithful), notes_(notes)
     {
     }
 
-    /// The shape itself if it asks for nothing. Copies of one shape stay one.
+    /// The shape itself if nothing of it changes. Copies of one shape stay one.
     std::shared_ptr<const csg::FreeformShape> linked(const std::shared_ptr<const csg::FreeformShape>& shape);
 
 private:
@@ -25,6 +25,7 @@ private:
 
     const scene::Description& scene_;
     int quality_;
+    bool faithful_;
     std::vector<scene::Unsupported>& notes_;
     std::unordered_map<std::shared_ptr<const csg::FreeformShape>, std::shared_ptr<const csg::FreeformShape>> known_;
 };

@@ -1,6 +1,8 @@
 #include "render/plan/geometry.h"
 
 #include "csg/freeform.h"
+#include "render/plan/camera_starts.h"
+#include "render/plan/extent.h"
 #include "render/plan/lights.h"
 #include "render/plan/solids.h"
 #include "render/plan/uv_use.h"
@@ -49,7 +51,7 @@ csg::Tree::Op tree_op(scene::CsgOp op)
 GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
                                    CompiledScene& out, std::vector<scene::Unsupported>& notes)
     : description_(description), options_(options), textures_(textures), out_(out), interiors_(out.interiors),
-      fields_(description, options.quality, notes)
+      fields_(description, options, notes), starts_(camera_starts(out.camera, out.mesh_camera.get()))
 {
 }
 
@@ -57,6 +59,7 @@ void GeometryCompiler::add(const scene::Object& object)
 {
     default_texture_ = object.default_texture ? object.default_texture : description_.default_texture;
     automatic_interiors_.clear();
+    light_groups_.clear();
     collect_lights(object, {});
     add_top(object, {});
 }
@@ -96,7 +99,20 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     own.no_reflection = above.no_reflection || object.flags.no_reflection;
     own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
     own.to_world = is_light(object) ? above.to_world : above.to_world * object.transform;
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg != nullptr && csg->light_group) {
+        if (above.light_group == 0) own.global_lights = csg->global_lights;   // the outermost group decides
+        own.light_group = light_group(object, own.to_world);
+    }
     return own;
+}
+
+std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const csg::Transform& to_world)
+{
+    if (sharing_ != nullptr) sharing_->fails = true;   // each copy has lights of its own
+    for (const LightGroup& known : light_groups_)
+        if (known.object == &object && same(known.to_world, to_world)) return known.number;
+    light_groups_.push_back({&object, to_world, ++light_group_count_});
+    return light_group_count_;
 }
 
 void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
@@ -105,11 +121,18 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
     const Inherited own = below(object, above);
     if (!object.bounded_by.empty() && !object.bounded_by_clip) ++bounds_;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
-    const bool whole = !object.clipped_by.empty() || (!object.bounded_by.empty() && !options_.split_unions) || object.inverse;
+    const bool whole = !object.clipped_by.empty() || object.inverse;
     if (csg != nullptr && add_instance(object, own)) return;
     if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !whole) {
         ++split_unions_;
+        const OuterBounds outer = outer_bounds_;
+        if (!drops_bounds(object, outer.nested)) {
+            must_meet(object, above.to_world, outer_bounds_.gate);
+            if (!outer.nested) outer_bounds_.box = placed_extent(object, above.to_world);
+            outer_bounds_.nested = true;
+        }
         for (const scene::Object& operand : *csg->operands) add_top(operand, own);
+        outer_bounds_ = outer;
         return;
     }
     add_alone(object, own);
@@ -125,11 +148,13 @@ std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const In
 void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& own)
 {
     object_ = add_object(object, own);
+    bounds_inside_ = false;
     csg::WorldData& world = *world_;
     const bool clipped = !clips_of(object).empty();
     if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh != nullptr && !clipped) {
         const csg::PartId part = mesh_part(*mesh, own);
         world.add_solid(part, object.inverse && mesh_is_solid(*mesh->data), object_, visible(own));
+        add_gate(object, own);
         return;
     }
     if (!std::holds_alternative<scene::Csg>(object.shape) && !std::holds_alternative<scene::Mesh>(object.shape) && !clipped) {
@@ -187,7 +212,7 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
         const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union && operand.clipped_by.empty() && !operand.inverse;
         if (cutaway && made.operands.empty() && csg.op == scene::CsgOp::Difference && plain && !mine.texture)
             return cut_parts(csg, *parts, operand, own, mine);
-        made.operands.push_back(tree(operand, mine));
+        made.operands.push_back(bounded(tree(operand, mine), operand, mine));
         if (cutaway && made.operands.size() == 1) later.texture = cut_texture(operand, mine);
     }
     return made;
@@ -213,12 +238,14 @@ void GeometryCompiler::collect_lights(const scene::Object& object, const Inherit
     if (csg == nullptr) return;
     Inherited own;
     own.to_world = above.to_world * object.transform;
+    if (csg->light_group) own.light_group = light_group(object, own.to_world);   // of its own lights, none that stand deeper
     for (const scene::Object& operand : *csg->operands) collect_lights(operand, own);
 }
 
 void GeometryCompiler::add_light(const scene::Light& light, const Inherited& above)
 {
     out_.lights.lights.push_back(compile_light(light, above.to_world, options_.quality));
+    out_.lights.lights.back().group = above.light_group;
     if (!light.looks_like) return;
     Inherited own = above;
     own.no_shadow = true;
@@ -265,12 +292,14 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
     s.no_reflection = own.no_reflection;
     s.double_illuminate = own.double_illuminate;
     s.uv_mapping = own.uv_mapping;
+    s.light_group = own.light_group;
+    s.global_lights = own.global_lights;
     const std::uint32_t flags = (s.no_shadow ? 1u : 0u) | (s.no_image ? 2u : 0u) | (s.no_reflection ? 4u : 0u) |
-                                (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u);
+                                (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u) | (s.global_lights ? 32u : 0u);
     const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
     const auto [known, fresh] = known_surfaces_.try_emplace(
         {s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0], s.corner_textures[1],
-         parts.empty() ? kNone : s.first_part}, id);
+         parts.empty() ? kNone : s.first_part, s.light_group}, id);
     if (fresh) out_.surfaces.push_back(s);
     return known->second;
 }

@@ -42,11 +42,21 @@ private:
         std::shared_ptr<const scene::Interior> interior;
         std::optional<bool> hollow;
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
+        std::uint32_t light_group = 0;           ///< Surface::light_group
+        bool global_lights = true;
     };
 
     Inherited below(const scene::Object& object, const Inherited& above);
     void add_top(const scene::Object& object, const Inherited& above);
     void add_gate(const scene::Object& object, const Inherited& own);
+    csg::Gate clip_gate(const scene::Object& object, const Inherited& own, const csg::Transform& parent);
+    bool drops_bounds(const scene::Object& object, bool inside_csg) const;
+    bool bounding_active() const;
+    /// Keeps the item that was added last from holding a start of camera rays outside of POV-Ray's box of it.
+    void limit_starts(const scene::Object& object, const csg::Transform& parent);
+    void must_meet(const scene::Object& object, const csg::Transform& parent, csg::Gate& gate);
+    bool held(const scene::Object& object, const csg::Program& drawn, const csg::Program& bound);
+    csg::Tree bounded(csg::Tree made, const scene::Object& operand, const Inherited& own);
     void add_alone(const scene::Object& object, const Inherited& own);
     std::uint32_t add_object(const scene::Object& object, const Inherited& own);
     bool add_instance(const scene::Object& object, const Inherited& own);
@@ -58,6 +68,8 @@ private:
     scene::TexturePtr cut_texture(const scene::Object& object, const Inherited& own);
     csg::Tree clip_tree(const scene::Object& clip, const csg::Transform& to_world);
     void collect_lights(const scene::Object& object, const Inherited& above);
+    /// The number of a light_group that stands there, from 1.
+    std::uint32_t light_group(const scene::Object& object, const csg::Transform& to_world);
     void add_light(const scene::Light& light, const Inherited& above);
 
     /// `corners`: what the second and the third corner of a mesh's faces show, if another texture. `parts`: compiled
@@ -109,9 +121,26 @@ private:
     scene::TexturePtr default_texture_;          ///< of the statement at hand
     std::uint32_t object_ = 0;                   ///< Surface::object at hand
     bool clipping_ = false;                      ///< inside a clip: nothing is drawn, no surface is made
+    /// Of the unions that the object at hand was an operand of; nested: POV-Ray keeps them whole, so it stands at no top level.
+    struct OuterBounds {
+        csg::Gate gate;
+        csg::Aabb box;             ///< POV-Ray's, of the outermost that it keeps whole
+        bool nested = false;
+    };
+    OuterBounds outer_bounds_;
+    std::map<std::pair<const void*, std::size_t>, bool> held_;   ///< by operands and size of the bound
+    bool bounds_inside_ = false;                 ///< some operand of the CSG object at hand reaches beyond its own bounds
+    csg::Aabb starts_;                           ///< camera_starts()
     /// Interiors made for the statement at hand where the text gives none: by texture with a legacy finish, else null.
     std::map<const scene::Texture*, std::uint32_t> automatic_interiors_;
-    using SurfaceKey = std::array<std::uint32_t, 8>;
+    struct LightGroup {
+        const scene::Object* object;
+        csg::Transform to_world;
+        std::uint32_t number;
+    };
+    std::vector<LightGroup> light_groups_;       ///< of the statement at hand
+    std::uint32_t light_group_count_ = 0;
+    using SurfaceKey = std::array<std::uint32_t, 9>;
     std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
     std::map<std::vector<std::uint32_t>, std::uint32_t> known_parts_;   ///< to Surface::first_part
     struct Moved {

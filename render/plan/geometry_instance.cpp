@@ -90,6 +90,7 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
         surfaces.push_back(surface(here, {in_world(known.corners[0]), in_world(known.corners[1])}));
     }
     world_->add_instance(shared.world, own.to_world, surfaces, object_, visible(own));
+    add_gate(object, own);
     return true;
 }
 
@@ -102,12 +103,14 @@ void GeometryCompiler::make_shared_world(const scene::Object& object, Shared& sh
     }
     auto world = std::make_shared<csg::WorldData>();
     csg::WorldData* const outside = std::exchange(world_, world.get());
+    const OuterBounds outer_bounds = std::exchange(outer_bounds_, {});
     sharing_ = &shared;
     scene::Object bare;
     bare.shape = object.shape;
     add_top(bare, {});
     sharing_ = nullptr;
     world_ = outside;
+    outer_bounds_ = outer_bounds;
     world->surface_opaque.assign(shared.surfaces.size(), 1);
     world->finish();
     shared.fails = shared.fails || !world->unbounded.empty() || !world->bvh.bounds.finite() || world->visible_everywhere != visible({}) ||

@@ -20,7 +20,7 @@ Interior converted(const scene::Interior& from)
     to.fade_color = from.fade_color;
     to.transmission = from.refraction;
     to.hollow = from.hollow;
-    if (to.ior == 0.0f) {  // "not specified"
+    if (to.ior == 0.0f) {  // not given
         to.ior = 1.0f;
         to.dispersion = 1.0f;
     }

@@ -36,8 +36,8 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     switch (description.kind) {
     case scene::Light::Kind::Point: break;
     case scene::Light::Kind::Spot:
-        // Parallel rays all run along the axis: the cone has no edge.
-        out.kind = description.parallel ? light::Light::Kind::Point : light::Light::Kind::Spot;
+        // Parallel rays all run along the axis, so the cone has no edge; but it does not reach behind the light.
+        out.kind = light::Light::Kind::Spot;
         out.cos_radius = std::cos(description.radius_deg * kDegree);
         out.cos_falloff = std::cos(description.falloff_deg * kDegree);
         break;

@@ -7,7 +7,7 @@ namespace plan {
 namespace {
 
 struct ProbedObject final : texture::InsideTest {
-    explicit ProbedObject(const scene::Object& object) : probe(object) {}
+    ProbedObject(const scene::Object& object, const scene::GlobalSettings& global) : probe(object, global) {}
     bool holds(const glm::dvec3& p) const override { return probe.inside(p); }
     ObjectProbe probe;
 };
@@ -26,7 +26,7 @@ std::uint32_t TextureCompiler::pattern_data(const scene::Pattern& description, t
     if (!fresh) return known->second;
     const scene::StatementItem& source = statement.items.front();
     if (kind == PatternKind::Image) out_.images.push_back(compile_image(scene_, statement, description.name == "image_map"));
-    else if (kind == PatternKind::Object) out_.objects.push_back(std::make_shared<ProbedObject>(*std::get<std::shared_ptr<const scene::Object>>(source.operands[0])));
+    else if (kind == PatternKind::Object) out_.objects.push_back(std::make_shared<ProbedObject>(*std::get<std::shared_ptr<const scene::Object>>(source.operands[0]), scene_.global));
     else out_.volumes.push_back(std::get<std::shared_ptr<const scene::Volume>>(source.operands.back()));
     return known->second;
 }

@@ -14,9 +14,11 @@ constexpr double kMinDistance = 1e-4;     // nearer crossings do not count (spec
 constexpr std::uint8_t kEveryRay = 0xff;
 
 /// The geometry alone: a texture costs time and says nothing here.
-CompiledScene compile_alone(const scene::Object& object)
+CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSettings& global)
 {
     scene::Description alone;
+    alone.global.noise_generator = global.noise_generator;
+    alone.global.number_of_waves = global.number_of_waves;
     auto texture = std::make_shared<scene::Texture>();
     texture->kind = std::vector<scene::Layer>{scene::Layer{}};
     alone.default_texture = texture;
@@ -30,7 +32,10 @@ CompiledScene compile_alone(const scene::Object& object)
 
 }  // namespace
 
-ObjectProbe::ObjectProbe(const scene::Object& object) : compiled_(compile_alone(object)), scratch_(std::make_unique<csg::Scratch>()) {}
+ObjectProbe::ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global)
+    : compiled_(compile_alone(object, global)), scratch_(std::make_unique<csg::Scratch>())
+{
+}
 ObjectProbe::~ObjectProbe() = default;
 
 ObjectProbe::Answer ObjectProbe::trace(const glm::dvec3& origin, const glm::dvec3& direction)

@@ -11,7 +11,8 @@ namespace plan {
 /// compiler and the geometry that pictures are made with. Not for several threads at once.
 class ObjectProbe {
 public:
-    explicit ObjectProbe(const scene::Object& object);
+    /// \param global noise and waves of the object's own functions
+    explicit ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global = {});
     ~ObjectProbe();
 
     struct Answer { bool hit = false; glm::dvec3 point{0}, normal{0}; };

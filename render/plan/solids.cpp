@@ -37,6 +37,15 @@ bool diagonal(const glm::dmat3& m)
 
 using Corners = std::array<glm::dvec3, 3>;
 
+/// POV-Ray draws a smooth_triangle only if its three normals point to one side of its face, none along it (spec 5b, 2.2);
+/// the faces of meshes know no such rule. A transformation changes all three signs or none.
+bool normals_on_one_side(const scene::Triangle& s)
+{
+    const glm::dvec3 face = glm::cross(s.vertex[1] - s.vertex[0], s.vertex[2] - s.vertex[0]);
+    const double a = glm::dot(face, s.normal[0]), b = glm::dot(face, s.normal[1]), c = glm::dot(face, s.normal[2]);
+    return (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0);
+}
+
 /// In the order whose cross product of edges is POV-Ray's normal: against the order as written, and once the triangle was
 /// moved so that its largest component has a sign of its own (spec 5b, 2.1).
 Corners oriented(const Corners& c, bool moved)
@@ -85,6 +94,7 @@ struct ToWorld {
     {
         const Corners corners{t.point(s.vertex[0]), t.point(s.vertex[1]), t.point(s.vertex[2])};
         if (!s.smooth) return csg::Triangle::make(oriented(corners, !t.identity()));
+        if (!normals_on_one_side(s)) return csg::Triangle::make({corners[0], corners[0], corners[0]});  // no area: never met
         return csg::Triangle::make(corners, {t.normal(s.normal[0]), t.normal(s.normal[1]), t.normal(s.normal[2])});
     }
     csg::Solid operator()(const scene::Extrusion& s) const

@@ -23,6 +23,8 @@ struct Surface {
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
     bool opaque = true;                      ///< spec 3, 13.2: a shadow ray may stop here
     bool uv_mapping = false;
+    std::uint32_t light_group = 0;           ///< the innermost light_group that it stands in; 0: none
+    bool global_lights = true;               ///< lights outside of all groups reach it
     bool blends() const { return corner_textures[0] != kNone || part_count != 0; }
 };
 

@@ -3,6 +3,7 @@
 #include "function/link.h"
 #include "render/plan/pattern_kinds.h"
 #include "render/scene/function.h"
+#include "render/scene/undrawn_features.h"
 #include "render/texture/noise.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace plan {
 namespace {
 
-constexpr std::size_t kMostLayers = 32;  // what the tracer remembers of one hit
+using scene::kMostLayers;  // what the tracer remembers of one hit
 constexpr float kNearlyZero = 1e-10f;    // filter and transmit below it are none (spec 3, 13.2)
 constexpr int kLegacyVersion = 370;      // formulas of before hold below it
 
@@ -203,7 +204,6 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
 {
     texture::Texture out;
     const std::size_t skipped = description.size() > kMostLayers ? description.size() - kMostLayers : 0;
-    if (skipped > 0) note("more than 32 layers in a texture", description.front().pigment.source);
     std::vector<texture::Layer> compiled;
     out.opaque = false;
     out.lit = false;

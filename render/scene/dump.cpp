@@ -72,7 +72,8 @@ void ShapeDump::operator()(const Mesh& mesh) const
 void ShapeDump::operator()(const Csg& csg) const
 {
     static constexpr const char* kNames[] = {"union", "intersection", "difference", "merge"};
-    out.open(kNames[static_cast<int>(csg.op)]);
+    out.open(csg.light_group ? "light_group" : kNames[static_cast<int>(csg.op)]);
+    if (csg.light_group) out.flag("global_lights", csg.global_lights);
     out.flag("split_union", csg.split_union);
     out.flag("cutaway_textures", csg.cutaway_textures);
     if (csg.operands)

@@ -20,7 +20,9 @@ namespace scene {
 
 struct Sphere { glm::dvec3 center{0}; double radius = 1; };
 struct Box { glm::dvec3 lower{0}, upper{1}; };                 ///< corners sorted
-struct Plane { glm::dvec3 normal{0, 1, 0}; double offset = 0; };  ///< unit normal; inside: dot(normal, p) <= offset
+/// Unit normal; inside: dot(normal, p) <= offset. moved_clips: clips were there when it was transformed; POV-Ray's box of it is then
+/// that of the first clip (spec 5a, 7).
+struct Plane { glm::dvec3 normal{0, 1, 0}; double offset = 0; bool moved_clips = false; };
 struct Cylinder { glm::dvec3 base{0}, cap{0, 1, 0}; double radius = 1; bool open = false; };
 struct Cone { glm::dvec3 base{0}; double base_radius = 1; glm::dvec3 cap{0, 1, 0}; double cap_radius = 0; bool open = false; };
 struct Torus { double major = 1, minor = 0.25; };               ///< axis y
@@ -76,6 +78,9 @@ struct Csg {
     std::shared_ptr<const std::vector<Object>> operands;
     bool split_union = true;
     bool cutaway_textures = false;
+    /// A light_group: its operands are lit by the lights that are its operands too, and by those outside of all groups if
+    /// global_lights is set. What stands in a group within goes by the lights of that (spec 3, 12.10).
+    bool light_group = false, global_lights = false;
 };
 
 /// Kinds of light (spec 3, 12). Lights may stand inside a union; plan/ collects them.

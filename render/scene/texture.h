@@ -143,7 +143,8 @@ struct Texture {
 
 /// What fills an object (reference manual 3.5.8). Identity matters for refraction: compare pointers.
 struct Interior {
-    float ior = 1, dispersion = 1;
+    float ior = 0;         ///< 0: not given; then 1, and nothing disperses
+    float dispersion = 1;
     int dispersion_samples = 7;
     float caustics = 0, fade_distance = 0, fade_power = 0;
     glm::vec3 fade_color{0};

@@ -76,6 +76,7 @@ void Object::transform_by(const csg::Transform& t)
     else
         transform = t * transform;
 
+    if (auto* plane = std::get_if<Plane>(&shape); plane != nullptr && !clipped_by.empty()) plane->moved_clips = true;
     // Textures of a uv-mapped object live on its surface (spec 5a, 6).
     if (!flags.uv_mapping) {
         texture = transformed(texture, t);

@@ -143,9 +143,9 @@ glm::dvec3 perturb(const TextureSet& set, std::uint32_t index, const glm::dvec3&
     if (normal.map == Normal::Map::Image) local = image_bump(set.images[pattern.data], normal.amount, local, q);
     else local = mapped ? by_map(set, normal, pattern, local, q, around) : by_pattern(set, normal, pattern, local, q, around);
     const glm::dvec3 out = normal_out_of(set, pattern, local, normal.no_bump_scale);
-    // Without bump scaling an inner normal stays unnormalised until the layer's own is done; the layer normalises. A slope
-    // sees it as it is here (spec 4, 15.1).
-    around.normal = normal.no_bump_scale ? out : glm::normalize(out);
+    // Without bump scaling a lone normal stays unnormalised until the layer's own is done; the layer normalises. What a map makes of two
+    // neighbours, not an average, is normalised all the same. A slope sees either as it is here (spec 4, 15.1).
+    around.normal = normal.no_bump_scale && normal.map != Normal::Map::Normals ? out : glm::normalize(out);
     return around.normal;
 }
 

@@ -28,7 +28,7 @@ struct Sampler {
             }
             const light::Illumination lit =
                 light::toward(light, hit.point, light::node_offset(light, hit.point, x, y));
-            value = point_shadow(context, hit, light, lit, color);
+            value = point_shadow(context, hit, light, lit, color, false);
         }
         return value;
     }
@@ -59,7 +59,7 @@ struct Sampler {
 }  // namespace
 
 glm::vec3 point_shadow(Context& context, const HitContext& hit, const light::Light& light, light::Illumination lit,
-                       const glm::vec3& color)
+                       const glm::vec3& color, bool in_fog)
 {
     if (light.projector) {
         const double depth = light.projector->depth({hit.point, lit.direction});
@@ -68,7 +68,7 @@ glm::vec3 point_shadow(Context& context, const HitContext& hit, const light::Lig
     }
     if (light.shadowless) return color;
     const double tolerance = context.scene.tolerance.shadow_from(hit.point, hit.met.t);
-    return filtered_light(context, hit.point, tolerance, hit.state.interiors, lit, color);
+    return filtered_light(context, hit.point, tolerance, hit.state.interiors, lit, color, in_fog);
 }
 
 glm::vec3 area_shadow(Context& context, const HitContext& hit, const light::Light& light,
@@ -76,7 +76,10 @@ glm::vec3 area_shadow(Context& context, const HitContext& hit, const light::Ligh
 {
     Sampler sampler{context, hit, light, light.area_illumination ? light.color : lit.color};
     context.scratch.shade.area_nodes.assign(static_cast<std::size_t>(light.size1 * light.size2), glm::vec3(kUnknown));
-    return sampler.rectangle(0, 0, light.size1 - 1, light.size2 - 1, 0);
+    const glm::vec3 seen = sampler.rectangle(0, 0, light.size1 - 1, light.size2 - 1, 0);
+    // Fog as if all of it came from the centre.
+    if (!light.atmosphere || light.shadowless || !hit.state.interiors.all_hollow(context.scene.interiors)) return seen;
+    return seen * fog_share(context, {hit.point, lit.direction}, lit.distance);
 }
 
 }  // namespace trace

@@ -2,7 +2,7 @@
 
 #include "render/plan/compiled_scene.h"
 
-#include <vector>
+#include <cstddef>
 
 namespace trace {
 
@@ -11,7 +11,21 @@ struct Block {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// The blocks of a picture, tiling the render window from its top left corner (spec 2, section 9).
-std::vector<Block> blocks_of(const plan::Options& options);
+/// The blocks of a picture, tiling the render window from its top left corner, row by row (spec 2, section 9).
+class Blocks {
+public:
+    Blocks() = default;
+    explicit Blocks(const plan::Options& options);
+    std::size_t size() const { return per_row_ * rows_; }
+    std::size_t rows() const { return rows_; }         ///< of blocks
+    std::size_t per_row() const { return per_row_; }
+    int side() const { return side_; }                 ///< of a whole block
+    Block operator[](std::size_t number) const;
+
+private:
+    Block window_;
+    int side_ = 1;
+    std::size_t per_row_ = 0, rows_ = 0;
+};
 
 }  // namespace trace

@@ -1,6 +1,7 @@
 #include "render/trace/camera_rays.h"
 
 #include "csg/lanes.h"
+#include "render/plan/camera_starts.h"
 #include "render/texture/evaluate.h"
 #include "render/trace/mesh_camera_ray.h"
 
@@ -34,11 +35,12 @@ glm::dvec3 rotated(const glm::dvec3& v, const glm::dvec3& axis, double angle)
     return v * c + glm::cross(axis, v) * s + axis * (glm::dot(axis, v) * (1 - c));
 }
 
-bool shared_eye(const scene::Camera& camera)
+/// The polar angle of a place in a round picture as a normal of the camera sees it, in [-pi/2, 3/2 pi): POV-Ray goes on from the left half
+/// into the lower left quarter, and breaks off below the centre.
+double polar_angle(double a, double b)
 {
-    if (camera.aperture != 0 && camera.blur_samples > 0) return false;
-    if (camera.kind == Kind::Cylinder) return camera.cylinder_type <= 2;
-    return camera.kind != Kind::Orthographic && camera.kind != Kind::Mesh;
+    const double phi = std::atan2(b, a);
+    return a < 0.0 && b < 0.0 ? phi + 2.0 * kPi : phi;
 }
 
 }  // namespace
@@ -46,7 +48,7 @@ bool shared_eye(const scene::Camera& camera)
 CameraRays::CameraRays(const scene::Camera& camera, int width, int height, const Extras& extras)
     : camera_(camera), extras_(extras), width_(width), height_(height), unit_direction_(unit(camera.direction)),
       unit_right_(unit(camera.right)), unit_up_(unit(camera.up)), length_right_(glm::length(camera.right)),
-      length_up_(glm::length(camera.up)), common_origin_(shared_eye(camera))
+      length_up_(glm::length(camera.up)), common_origin_(!plan::starts_differ(camera))
 {
     const bool spherical = camera.kind == Kind::Spherical;
     const double fallback = spherical ? kDefaultSphericalAngleDeg : kDefaultAngleDeg;
@@ -139,7 +141,7 @@ bool CameraRays::fisheye(double u, double v, csg::Ray& out, glm::dvec2& place) c
 {
     const double a = 2 * u * length_right_, b = 2 * v * length_up_, rho = std::hypot(a, b);
     if (rho > 1) return false;
-    place = {std::atan2(b, a), rho * angle_ / 2};
+    place = {polar_angle(a, b), rho * angle_ / 2};
     out.direction = polar(place.y, a, b);
     return true;
 }
@@ -160,7 +162,7 @@ bool CameraRays::omnimax(double u, double v, csg::Ray& out, glm::dvec2& place) c
     if (rho > 1) return false;
     const double rho2 = rho * rho;
     const double theta = rho * (1.411269 + rho2 * (-0.09439 + rho2 * 0.25674));
-    place = {std::atan2(b, a), theta};
+    place = {polar_angle(a, b), theta};
     // More than 45 degrees below the horizon there is only the projection booth.
     if (std::sin(std::atan2(b, a)) * std::sin(theta) < std::tan(radians(135)) * std::cos(theta)) return false;
     out.direction = polar(theta, a, b);

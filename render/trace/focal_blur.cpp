@@ -177,13 +177,15 @@ bool FocalBlur::ray(const CameraRays& rays, const glm::dvec2& position, int n, c
     const auto step = [](std::uint32_t index) { return (2.0 * (permuted(index) % 16u) + 1.0) / 32.0 - 0.5; };
     const glm::dvec2 within{step(seed), step(seed + 1)};
     const glm::dvec2 moved = position + within + (jitter(within.x, within.y) - 0.5) / 16.0;
-    if (!rays.unscaled_ray(moved.x, moved.y, out)) return false;
+    const bool found = rays.unscaled_ray(moved.x, moved.y, out);
     const glm::dvec2 place = radius_ * (places_[static_cast<std::size_t>(n)] + 2.0 * amplitude_ * jitter(moved.x + 0.5, moved.y - 0.5));
     const glm::dvec3 offset = place.x * right_ - place.y * up_;
+    out.origin = location_ + offset;
+    if (!found) return false;
     const glm::dvec3 direction = out.direction * focal_ratio_ - offset;
     const double length = glm::length(direction);
     if (!(length > 0.0)) return false;
-    out = {location_ + offset, direction / length};
+    out.direction = direction / length;
     return true;
 }
 

@@ -27,7 +27,7 @@ public:
     /// How many samples come next when `taken` are there; 0: that was the last.
     int batch(int taken) const;
     bool certain(const Sums& sums) const;
-    /// Sample n of a position; false: it has no ray.
+    /// Sample n of a position; false: it has no ray, though it starts somewhere.
     bool ray(const CameraRays& rays, const glm::dvec2& position, int n, csg::Ray& out) const;
 
 private:

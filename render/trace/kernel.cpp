@@ -6,6 +6,7 @@
 #include "render/trace/focal_blur.h"
 #include "render/trace/geometry.h"
 #include "render/trace/shade.h"
+#include "render/trace/start_interiors.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,9 +21,10 @@ namespace trace {
 /// Traces blocks for one thread: samples to rays, rays to hits, hits to colours, a tile at a time.
 class BlockTracer {
 public:
-    explicit BlockTracer(const plan::CompiledScene& scene)
-        : scene_(scene), world_(scene.world()), camera_(scene.camera, scene.options.width, scene.options.height, {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}), blur_(scene.camera)
+    BlockTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
+        : scene_(scene), world_(scene.world()), camera_(scene.camera, scene.options.width, scene.options.height, {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}), blur_(scene.camera), starts_(scene)
     {
+        scratch_.geometry.cancel = csg::CancelWatch(cancel);
         // A perspective camera's tiles differ in nothing but their directions.
         rays_.ox.fill(scene.camera.location.x);
         rays_.oy.fill(scene.camera.location.y);
@@ -31,10 +33,16 @@ public:
         rays_.t_max.fill(camera_.max_distance() > 0.0 ? camera_.max_distance() : csg::kInfinity);
     }
 
-    void trace(const Block& block, scene::Color* out)
+    /// False where Scratch's watch ended it: what waits of the block is not put in order any more.
+    bool trace(const Block& block, scene::Color* out)
     {
         const SampleTracer tracer{&grid, &few, this};
-        antialias(scene_.options.antialiasing, scene_.settings.assumed_gamma, block, tracer, antialias_, out);
+        try {
+            antialias(scene_.options.antialiasing, scene_.settings.assumed_gamma, block, tracer, antialias_, out);
+        } catch (const csg::Cancelled&) {
+            return false;
+        }
+        return true;
     }
 
     RayCounts counts() const
@@ -48,14 +56,16 @@ private:
     static void grid(void* context, const SampleGrid& samples, scene::Color* out)
     {
         auto& self = *static_cast<BlockTracer*>(context);
-        for (int top = 0; top < samples.rows; top += kTileSide)
-            for (int left = 0; left < samples.columns; left += kTileSide) self.grid_tile(samples, left, top, out);
+        const bool by_rows = self.scene_.options.grain_stream;   // as POV-Ray asks
+        const int width = by_rows ? kTileRays : kTileSide, height = by_rows ? 1 : kTileSide;
+        for (int top = 0; top < samples.rows; top += height)
+            for (int left = 0; left < samples.columns; left += width) self.grid_tile(samples, left, left + width, top, top + height, out);
     }
 
-    void grid_tile(const SampleGrid& samples, int left, int top, scene::Color* out)
+    void grid_tile(const SampleGrid& samples, int left, int right, int top, int bottom, scene::Color* out)
     {
-        const int right = std::min(left + kTileSide, samples.columns);
-        const int bottom = std::min(top + kTileSide, samples.rows);
+        right = std::min(right, samples.columns);
+        bottom = std::min(bottom, samples.rows);
         begin_tile();
         for (int row = top; row < bottom; ++row)
             for (int column = left; column < right; ++column) {
@@ -141,6 +151,7 @@ private:
         std::array<FocalBlur::Sums, kTileRays> sums{};
         std::array<int, kTileRays> going{}, owner{};
         int left = samples_;
+        std::array<bool, kTileRays> clouded{};
         for (int i = 0; i < left; ++i) going[static_cast<std::size_t>(i)] = i;
         rays_.common_origin = false;
         const auto flush = [&] {
@@ -156,12 +167,14 @@ private:
                 const int taken = sums[k].count;
                 for (int n = taken, end = taken + blur_.batch(taken); n < end; ++n) {
                     csg::Ray ray;
-                    if (!blur_.ray(camera_, {x_[k], y_[k]}, n, ray)) {
+                    const bool has_ray = blur_.ray(camera_, {x_[k], y_[k]}, n, ray);
+                    starts_.find(static_cast<std::size_t>(rays_.count), ray.origin, clouded[k]);
+                    if (!has_ray) {
                         sums[k].add({0, 0, 0, 0, 1}, false);
                         continue;
                     }
                     owner[static_cast<std::size_t>(rays_.count)] = i;
-                    put(rays_.count++, ray);
+                    place(rays_.count++, ray);
                     if (rays_.count == kTileRays) flush();
                 }
             }
@@ -179,6 +192,12 @@ private:
 
     void put(int i, const csg::Ray& ray)
     {
+        place(i, ray);
+        starts_.find(static_cast<std::size_t>(i), ray.origin);
+    }
+
+    void place(int i, const csg::Ray& ray)
+    {
         const auto k = static_cast<std::size_t>(i);
         rays_.ox[k] = ray.origin.x;
         rays_.oy[k] = ray.origin.y;
@@ -192,13 +211,14 @@ private:
     {
         scratch_.counts.camera += static_cast<std::uint64_t>(rays_.count);
         world_.nearest(rays_, bit(plan::RayKind::Image), scratch_.geometry, hits_);
-        shade_tile(scene_, rays_, hits_, colors_, scratch_);
+        shade_tile(scene_, rays_, hits_, starts_.lists(), colors_, scratch_);
     }
 
     const plan::CompiledScene& scene_;
     csg::World world_;
     CameraRays camera_;
     FocalBlur blur_;
+    StartInteriors starts_;
     Scratch scratch_;
     AntialiasScratch antialias_;
     alignas(64) std::array<double, kTileRays> x_{}, y_{};   ///< sample positions of the tile at hand
@@ -213,9 +233,9 @@ namespace {
 
 const KernelTable kTable = {
     WHITTLE_ISA,
-    [](const plan::CompiledScene& scene) { return new BlockTracer(scene); },
+    [](const plan::CompiledScene& scene, const std::atomic<bool>* cancel) { return new BlockTracer(scene, cancel); },
     [](BlockTracer* tracer) { delete tracer; },
-    [](BlockTracer& tracer, const Block& block, scene::Color* out) { tracer.trace(block, out); },
+    [](BlockTracer& tracer, const Block& block, scene::Color* out) { return tracer.trace(block, out); },
     [](const BlockTracer& tracer) { return tracer.counts(); },
     {function::evaluate, function::evaluate_lanes, function::evaluate_intervals},
 };

@@ -6,6 +6,8 @@
 #include "render/trace/antialias.h"
 #include "render/trace/scratch.h"
 
+#include <atomic>
+
 /// The interface of a kernel module: everything that runs per ray, compiled once per instruction set.
 namespace trace {
 
@@ -14,10 +16,11 @@ class BlockTracer;
 /// Functions of one module. A BlockTracer belongs to one thread and lives inside the module that made it.
 struct KernelTable {
     const char* isa;
-    BlockTracer* (*make)(const plan::CompiledScene& scene);
+    /// \param cancel see RenderOptions; null: never
+    BlockTracer* (*make)(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
     void (*free)(BlockTracer* tracer);
-    /// Colours of the block's pixels, row by row.
-    void (*trace)(BlockTracer& tracer, const Block& block, scene::Color* out);
+    /// Colours of the block's pixels, row by row. False: `cancel` was set meanwhile, and the tracer can only be freed.
+    bool (*trace)(BlockTracer& tracer, const Block& block, scene::Color* out);
     RayCounts (*counts)(const BlockTracer& tracer);
     function::Evaluators evaluators;       ///< for the fields of solids, which live outside of the module
 };

@@ -1,5 +1,7 @@
 #include "render/trace/kernel_module.h"
 
+#include "render/image/module_path.h"
+
 #include <fmt/format.h>
 
 #include <dlfcn.h>
@@ -33,8 +35,15 @@ std::string name(Isa isa)
     return name(best());
 }
 
-/// The folder of the running program: modules stand beside it.
-std::filesystem::path program_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
+std::string module_name(Isa isa) { return fmt::format("libwhittle_kernel_{}.so", name(isa)); }
+
+/// The best that this processor runs and that was built.
+Isa best_there()
+{
+    for (const Isa isa : {Isa::V4, Isa::V3, Isa::V2})
+        if (isa <= best() && image::find_module(module_name(isa))) return isa;
+    throw std::runtime_error(image::missing_module(module_name(best())));
+}
 
 }  // namespace
 
@@ -42,20 +51,21 @@ std::string best_isa() { return name(best()); }
 
 const KernelTable& load_kernel(Isa isa)
 {
-    const Isa chosen = isa == Isa::Auto ? best() : isa;
     // Asking the loader again would wait for whatever else it loads, so the answer is kept.
     static std::mutex guard;
     static std::map<Isa, const KernelTable*> known;
     const std::lock_guard lock(guard);
-    if (const auto at = known.find(chosen); at != known.end()) return *at->second;
+    if (const auto at = known.find(isa); at != known.end()) return *at->second;
+    const Isa chosen = isa == Isa::Auto ? best_there() : isa;
     if (chosen > best())
         throw std::runtime_error(fmt::format("this processor cannot run the kernel '{}'; its best is '{}'", name(chosen), best_isa()));
-    const auto path = program_folder() / fmt::format("libwhittle_kernel_{}.so", name(chosen));
-    void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const auto path = image::find_module(module_name(chosen));
+    if (!path) throw std::runtime_error(image::missing_module(module_name(chosen)));
+    void* module = dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
     if (module == nullptr) throw std::runtime_error(fmt::format("cannot load the kernel: {}", dlerror()));
     const auto entry = reinterpret_cast<KernelEntry>(dlsym(module, kKernelSymbol));
-    if (entry == nullptr) throw std::runtime_error(fmt::format("'{}' is no kernel module", path.string()));
-    return *known.emplace(chosen, entry()).first->second;
+    if (entry == nullptr) throw std::runtime_error(fmt::format("'{}' is no kernel module", path->string()));
+    return *known.emplace(isa, entry()).first->second;
 }
 
 }  // namespace trace

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "render/plan/interior.h"
 #include "render/trace/geometry.h"
 
 #include <array>
+#include <vector>
 
 /// A ray of shading with all that it inherits from the rays before it.
 namespace trace {
@@ -15,26 +17,33 @@ public:
     /// Copies what is there: a list is handed down with every ray, and hardly ever has more than two entries.
     InteriorList& operator=(const InteriorList& other)
     {
-        count_ = other.count_;
-        for (std::size_t i = 0; i < count_; ++i) items_[i] = other.items_[i];
+        head_ = other.head_;
+        for (std::size_t i = 0; i < head_.count; ++i) items_[i] = other.items_[i];
         return *this;
     }
     void append(std::uint32_t interior)
     {
-        if (count_ < kCapacity) items_[count_++] = interior;
+        if (head_.count < kCapacity) items_[head_.count++] = interior;
     }
     void remove_first(std::uint32_t interior);
-    void remove_last() { --count_; }
+    void remove_last() { --head_.count; }
     bool holds(std::uint32_t interior) const;
-    bool empty() const { return count_ == 0; }
-    std::size_t size() const { return count_; }
-    std::uint32_t last() const { return items_[count_ - 1]; }
+    bool empty() const { return head_.count == 0; }
+    std::size_t size() const { return head_.count; }
+    std::uint32_t last() const { return items_[head_.count - 1]; }
     std::uint32_t operator[](std::size_t i) const { return items_[i]; }
+
+    /// Nothing solid around: fog shows.
+    bool all_hollow(const std::vector<plan::Interior>& interiors) const;
+    /// POV-Ray clears the list between the rays of a blurred position and forgets that they were inside something solid: a ray is taken
+    /// to be so still, until it leaves something solid.
+    void cloud() { head_.clouded = 1; }
+    void uncloud() { head_.clouded = 0; }
 
 private:
     static constexpr std::size_t kCapacity = 32;
     std::array<std::uint32_t, kCapacity> items_;
-    std::size_t count_ = 0;
+    struct Head { std::uint32_t count = 0, clouded = 0; } head_;   ///< one word
 };
 
 /// One ray with what it inherits.

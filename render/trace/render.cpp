@@ -42,24 +42,13 @@ void store(const Block& block, const std::vector<scene::Color>& colors, image::I
 
 }  // namespace
 
-std::vector<Block> blocks_of(const plan::Options& options)
-{
-    const int right = options.end_column < 0 ? options.width - 1 : options.end_column;
-    const int bottom = options.end_row < 0 ? options.height - 1 : options.end_row;
-    const int width = right - options.start_column + 1, height = bottom - options.start_row + 1;
-    const int side = std::max(1, std::min(options.block_size, std::max(width, height)));
-    std::vector<Block> blocks;
-    for (int top = 0; top < height; top += side)
-        for (int left = 0; left < width; left += side)
-            blocks.push_back({options.start_column + left, options.start_row + top, std::min(side, width - left),
-                              std::min(side, height - top)});
-    return blocks;
-}
-
 void prepare(Isa isa, int threads)
 {
     load_kernel(isa);
     const int count = threads > 0 ? threads : tbb::info::default_concurrency();
+    // As long as the program runs: TBB takes its number of workers from what is allowed when the first of them starts, and complains
+    // in words of its own of a later wish for more.
+    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
     tbb::task_arena arena(count);
     arena.execute([count] { tbb::parallel_for(0, 4 * count, [](int) {}); });
 }
@@ -69,33 +58,39 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
     const KernelTable& kernel = load_kernel(options.isa);
     function::use(kernel.evaluators);
     const auto start = std::chrono::steady_clock::now();
-    image.width = scene.options.width;
-    image.height = scene.options.height;
-    const std::size_t samples = 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    if (options.done.empty() || image.pixels.size() != samples) image.pixels.assign(samples, 0.0f);
+    if (image.width != scene.options.width || image.height != scene.options.height || image.pixels.empty()) {
+        image.width = scene.options.width;
+        image.height = scene.options.height;
+        image.hold(0, image.height);
+    }
 
     const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::enumerable_thread_specific<Worker> workers([&] {
-        return Worker{std::unique_ptr<BlockTracer, FreeTracer>(kernel.make(scene), FreeTracer{&kernel}), {}};
+        return Worker{std::unique_ptr<BlockTracer, FreeTracer>(kernel.make(scene, options.cancel), FreeTracer{&kernel}), {}};
     });
 
-    const std::vector<Block> blocks = blocks_of(scene.options);
+    const Blocks blocks(scene.options);
+    const std::size_t last = std::min(options.last, blocks.size());
     const bool has_done = options.done.size() == blocks.size();
-    std::atomic<std::size_t> done = static_cast<std::size_t>(has_done ? std::count(options.done.begin(), options.done.end(), true) : 0);
+    std::atomic<std::size_t> done = options.first;
+    for (std::size_t i = options.first; has_done && i < last; ++i) done += options.done[i] ? 1 : 0;
     std::atomic<bool> stopped = false;
     tbb::task_arena arena(threads);
     arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+        tbb::parallel_for(options.first, last, [&](std::size_t i) {
             if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) {
                 stopped = true;
                 return;
             }
             if (has_done && options.done[i]) return;
             Worker& worker = workers.local();
-            const Block& block = blocks[i];
+            const Block block = blocks[i];
             worker.colors.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-            kernel.trace(*worker.tracer, block, worker.colors.data());
+            if (!kernel.trace(*worker.tracer, block, worker.colors.data())) {
+                stopped = true;
+                return;
+            }
             store(block, worker.colors, image);
             if (options.finished) options.finished(i);
             const std::size_t finished = ++done;

@@ -19,8 +19,10 @@ struct RenderOptions {
     Isa isa = Isa::Auto;
     /// Called now and then from any thread with the share of blocks done in [0, 1]; may be empty.
     std::function<void(double)> progress;
-    const std::atomic<bool>* cancel = nullptr;    ///< set to true to stop early
-    /// By number of blocks_of(): true for those that the picture handed in holds already; empty: it holds none.
+    /// Set to true to stop early: looked at once a tile of rays at the latest, whatever a block costs; null: never.
+    const std::atomic<bool>* cancel = nullptr;
+    std::size_t first = 0, last = ~std::size_t{0};   ///< blocks [first, last) alone, by number of Blocks
+    /// By number of Blocks: true for those that the picture handed in holds already; empty: it holds none.
     std::vector<bool> done;
     /// Called from any thread with the number of a block that has just been put into the picture; may be empty.
     std::function<void(std::size_t)> finished;
@@ -32,10 +34,22 @@ struct RenderStatistics {
     int threads = 1;
     std::string isa;                              ///< "v2", "v3" or "v4"
     bool cancelled = false;
+
+    /// Of two parts of one picture.
+    RenderStatistics& operator+=(const RenderStatistics& other)
+    {
+        rays += other.rays;
+        seconds_trace += other.seconds_trace;
+        threads = other.threads;
+        isa = other.isa;
+        cancelled = cancelled || other.cancelled;
+        return *this;
+    }
 };
 
 /// Traces the picture: same bytes for any number of threads and any instruction set.
-/// `image` is made anew unless some blocks are done. Pixels outside the window of plan::Options stay black and opaque. Throws std::runtime_error if the kernel module
+/// `image` is made unless it has the picture's size; then the blocks asked for lie in the rows that it holds. Pixels outside of them and of the
+/// window of plan::Options stay as they are: black and opaque. Throws std::runtime_error if the kernel module
 /// for the asked instruction set is missing or the processor cannot run it.
 RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image);
 

@@ -12,6 +12,7 @@ namespace trace {
 /// Rays by kind, counted per tile without locks and added up at the end.
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, supersamples = 0;
+    std::uint64_t far = 0;   ///< hits so far off that POV-Ray does not draw them (csg/reach.h)
     RayCounts& operator+=(const RayCounts& other)
     {
         camera += other.camera;
@@ -19,6 +20,7 @@ struct RayCounts {
         reflected += other.reflected;
         refracted += other.refracted;
         supersamples += other.supersamples;
+        far += other.far;
         return *this;
     }
 };
@@ -28,6 +30,7 @@ struct Scratch {
     csg::Scratch geometry;
     std::vector<csg::Hit> crossings;   ///< shadow_crossings of the ray at hand
     RayCounts counts;
+    std::uint32_t grain_state = 0;     ///< of the stream behind Options::grain_stream
     ShadeScratch shade;
 };
 

@@ -27,6 +27,7 @@ Crossing cross(const Context& context, const InteriorList& list, std::uint32_t o
         return {1.0 / ior(own), 1.0 / dispersion(own), samples};
     }
     const std::uint32_t last = list.last();
+    if (!interiors[own].hollow && list.holds(own)) out.uncloud();
     if (last == own) {
         // Leaving the body entered last; remove_first would take an earlier entry of the same body.
         out.remove_last();
@@ -164,12 +165,13 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
     return true;
 }
 
-scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const Onward& onward)
+scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const texture::Finish& top_finish, const Onward& onward)
 {
     glm::vec3 sum(0);
     for (int i = 0; i < onward.samples; ++i) {
         RayState ray = onward.ray;
         const float nm = wavelength(i, onward.samples);
+        glm::vec3 film(1);
         if (refract(hit.state.stretch * hit.state.ray.direction, top_normal, ratio_at(onward.ratio, onward.dispersion, nm), ray)) {
             ++context.scratch.counts.refracted;
             ray.start = start_of(context, hit, ray.ray.direction);
@@ -177,8 +179,9 @@ scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& 
         } else {
             ray = mirrored(context, hit, top_normal, onward.ray.weight);
             ++context.scratch.counts.reflected;
+            if (top_finish.irid > 0.0f) film = film_color(context, hit, top_finish, top_normal, ray.ray.direction);
         }
-        sum += trace_ray(context, ray, false).rgb() * hue(nm, onward.samples);
+        sum += trace_ray(context, ray, false).rgb() * film * hue(nm, onward.samples);
     }
     return scene::Color::of(sum / static_cast<float>(onward.samples));
 }
@@ -189,7 +192,7 @@ scene::Color transmitted(Context& context, const HitContext& hit, const glm::dve
     total = false;
     Onward next;
     if (!onward(context, hit, top_normal, weight, next)) return {};
-    if (next.samples > 0) return scene::Color::of(dispersed(context, hit, top_normal, next).rgb() * next.fade);
+    if (next.samples > 0) return scene::Color::of(dispersed(context, hit, top_normal, top_finish, next).rgb() * next.fade);
     total = next.total;
     ++(total ? context.scratch.counts.reflected : context.scratch.counts.refracted);
     const scene::Color seen = trace_ray(context, next.ray, next.straight);
@@ -200,7 +203,7 @@ scene::Color transmitted(Context& context, const HitContext& hit, const glm::dve
     return out;
 }
 
-glm::vec3 film_color(const Context& context, const HitContext& hit, const texture::Finish& finish,
+glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,
                      const glm::dvec3& normal, const glm::dvec3& l)
 {
     const auto& set = context.scene.textures;

@@ -7,12 +7,13 @@
 namespace trace {
 namespace {
 
-void shade(Context& context, const RayTile& rays, const HitTile& hits, const RayState& camera, const WaitingRay* waiting)
+/// starts: interiors of camera rays that do not share `camera`'s, or null.
+void shade(Context& context, const RayTile& rays, const HitTile& hits, const RayState& camera, const InteriorList* starts, const WaitingRay* waiting)
 {
     auto& stack = context.scratch.shade.lights;
     Wave& wave = context.scratch.shade.wave;
     const std::size_t base = stack.size(), lights = context.scene.lights.lights.size(), first = wave.rays.size();
-    TileShader tile(context, rays, hits, camera, waiting);
+    TileShader tile(context, rays, hits, camera, starts, waiting);
     if (tile.prepare()) {
         stack.resize(base + lights * static_cast<std::size_t>(rays.count));
         tile.use_samples(base);
@@ -33,7 +34,8 @@ void trace_waiting(Context& context, const WaitingRay* waiting, int count)
     rays.count = count;
     const std::uint8_t kind = bit(waiting[0].state.kind);
     glm::dvec3 origin;
-    rays.common_origin = from_one_point(waiting, count, origin);
+    // What such solids tell a ray depends on where it began.
+    rays.common_origin = !scratch.traits.beside && !context.scene.geometry.faithful && from_one_point(waiting, count, origin);
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         const csg::Ray& ray = waiting[i].state.ray;
         if (rays.common_origin)
@@ -74,12 +76,12 @@ void shade_waiting(Context& context, const RayState& camera)
     wave.rays.resize(first);
     if (first == begin) wave.batches.pop_back();
     trace_waiting(context, scratch.waiting.data(), static_cast<int>(count));
-    shade(context, scratch.onward_rays, scratch.onward_hits, camera, scratch.waiting.data());
+    shade(context, scratch.onward_rays, scratch.onward_hits, camera, nullptr, scratch.waiting.data());
 }
 
 }  // namespace
 
-void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const HitTile& hits, scene::Color* out,
+void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const HitTile& hits, const InteriorList* starts, scene::Color* out,
                 Scratch& scratch)
 {
     Context context{scene, scene.world(), scratch};
@@ -88,7 +90,7 @@ void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const Hit
     for (const std::uint32_t interior : scene.camera_interiors) camera.interiors.append(interior);
     Wave& wave = scratch.shade.wave;
     wave.clear(static_cast<std::size_t>(rays.count));
-    shade(context, rays, hits, camera, nullptr);
+    shade(context, rays, hits, camera, starts, nullptr);
     while (!wave.batches.empty()) shade_waiting(context, camera);
     collect(context);
     std::copy_n(wave.colors.begin(), rays.count, out);

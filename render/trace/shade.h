@@ -9,11 +9,13 @@ struct CompiledScene;
 
 namespace trace {
 
+class InteriorList;
 struct Scratch;
 
 /// Colours of a tile of camera rays: hits are shaded, misses see the sky. `transmit` of a colour is what the
 /// background shows through (alpha output). rays.count colours are written. Recursion happens inside.
-void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const HitTile& hits, scene::Color* out,
-                Scratch& scratch);
+/// starts: what each ray starts inside of; null: all in the scene's eye.
+void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const HitTile& hits, const InteriorList* starts,
+                scene::Color* out, Scratch& scratch);
 
 }  // namespace trace

@@ -43,12 +43,19 @@ struct HitPlace {
     bool from_inside;                ///< the normal had to be turned
 };
 
+/// Whether light groups let the light shine on the surface (spec 3, 12.10).
+inline bool shines_on(const light::Light& light, const plan::Surface& surface)
+{
+    return light.group == surface.light_group || (light.group == 0 && surface.global_lights);
+}
+
 /// A hit being shaded.
 struct HitContext : HitPlace {
     std::size_t lights;              ///< where this hit's LightSamples start in the scratch stack
     texture::Surroundings around;
     std::array<std::uint32_t, 16> enclosing{}; ///< the texture maps that normals are carried through, the first one first
     std::size_t enclosing_count = 0;
+    std::uint32_t grains = 0;             ///< random numbers of `crand` asked for so far
     const LayersAhead* ahead = nullptr;   ///< pigments of the texture's layers, where they are known already
 };
 
@@ -81,9 +88,10 @@ glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish&
                        const glm::dvec3& normal, double alpha);
 
 /// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
-/// `tolerance`: of shadow rays from this point.
+/// `tolerance`: of shadow rays from this point; in_fog: fog dims it on its way; first: the first crossing
+/// from the point, where it is known and solids are such that the others have to be asked for one by one (SceneTraits::restarts).
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
-                         const light::Illumination& lit, glm::vec3 color);
+                         const light::Illumination& lit, glm::vec3 color, bool in_fog = false, const Hit* first = nullptr);
 
 /// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point or
 /// from the light; they are turned round in place.
@@ -106,8 +114,9 @@ struct Onward {
 /// False where nothing is behind the surface: it has no interior.
 bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Onward& out);
 
-/// The mean of what rays of all wavelengths see beyond a surface; its `samples` are not 0 (spec 3, 8.5).
-scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const Onward& onward);
+/// The mean of what rays of all wavelengths see beyond a surface; its `samples` are not 0 (spec 3, 8.5). Those that are mirrored within
+/// take on the iridescence of the top layer's finish.
+scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const texture::Finish& top_finish, const Onward& onward);
 
 /// The ray mirrored about `normal` (spec 3, section 10).
 RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight);
@@ -130,11 +139,14 @@ double fresnel_index(const Context& context, const HitPlace& hit);
 glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow);
 
 /// Iridescence of light from `l` (spec 3, 7.11).
-glm::vec3 film_color(const Context& context, const HitContext& hit, const texture::Finish& finish,
+glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,
                      const glm::dvec3& normal, const glm::dvec3& l);
 
 /// What a ray sees that meets nothing (spec 2, sections 14 and 15).
 scene::Color sky_color(const Context& context, const RayState& state);
+
+/// Share of light that fog lets pass over a length.
+glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
 
 /// Fog over the length of a ray; infinite length is allowed (spec 2, section 16).
 scene::Color through_fog(const Context& context, const RayState& state, double length, scene::Color color);

@@ -15,7 +15,7 @@ const glm::vec3& shadowed(Context& context, const HitContext& hit, const light::
 {
     if (!sample.shadow_known) {
         sample.shadowed = light.area ? area_shadow(context, hit, light, sample.lit)
-                                     : point_shadow(context, hit, light, sample.lit, sample.lit.color);
+                                     : point_shadow(context, hit, light, sample.lit, sample.lit.color, light.atmosphere);
         sample.shadow_known = true;
     }
     return sample.shadowed;
@@ -27,24 +27,32 @@ struct Layer {
     const scene::Color& pigment;
     const glm::dvec3& normal;
     double alpha;
-    std::uint32_t purpose;   ///< tells the random numbers of layers and lights apart
 };
 
-glm::vec3 contribution(Context& context, const HitContext& hit, const Layer& layer, const light::Light& light,
+/// The next random number of `crand` here, one for every light of every layer, in [0, 1]. Of the point and how many came before, or under
+/// Options::grain_stream POV-Ray's own stream (spec 3, 17.2).
+double grain(Context& context, HitContext& hit)
+{
+    if (!context.scene.options.grain_stream) return random_at(hit.point, hit.grains++);
+    std::uint32_t& state = context.scratch.grain_state;
+    state = state * 1812433253u + 12345u;
+    return static_cast<double>(state) / 4294967295.0;
+}
+
+glm::vec3 contribution(Context& context, HitContext& hit, const Layer& layer, const light::Light& light,
                        const light::Illumination& lit, const glm::vec3& color, bool behind)
 {
     const texture::Finish& finish = layer.finish;
-    const double grain =
-        finish.crand > 0.0f ? static_cast<double>(finish.crand) * random_at(hit.point, layer.purpose) : 0.0;
+    const double less = finish.crand > 0.0f ? static_cast<double>(finish.crand) * grain(context, hit) : 0.0;
     const LitLayer met{finish, layer.pigment, hit.state.ray.direction, layer.normal, layer.alpha};
     const double strength = behind || light.shadowless ? 0.0 : highlight(met, lit.direction);
-    glm::vec3 sum = surface_light(met, lit.direction, color, behind, strength, grain);
+    glm::vec3 sum = surface_light(met, lit.direction, color, behind, strength, less);
     if (finish.irid > 0.0f) sum *= film_color(context, hit, finish, layer.normal, lit.direction);
     return sum;
 }
 
 /// area_illumination: every node is a light of its own under one common shadow (spec 3, 12.7).
-glm::vec3 from_area(Context& context, const HitContext& hit, const Layer& layer, const light::Light& light,
+glm::vec3 from_area(Context& context, HitContext& hit, const Layer& layer, const light::Light& light,
                     const glm::vec3& shadow)
 {
     glm::vec3 sum(0);
@@ -71,10 +79,11 @@ glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish&
 {
     const auto& lights = context.scene.lights.lights;
     const int quality = context.scene.settings.quality;
-    Layer layer{finish, pigment, normal, alpha, 0};
+    const Layer layer{finish, pigment, normal, alpha};
     glm::vec3 sum(0);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const light::Light& light = lights[i];
+        if (!shines_on(light, hit.surface)) continue;
         LightSample& sample = context.scratch.shade.lights[hit.lights + i];
         if (!sample.illuminated) {
             sample.lit = light::illuminate(light, hit.point);
@@ -90,7 +99,6 @@ glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish&
         glm::vec3 color = light.area_illumination ? light.color : sample.lit.color;
         if (quality >= 4 && (!light.shadowless || light.projector)) color = shadowed(context, hit, light, sample);
         if (!(std::abs(color.x) > kDark || std::abs(color.y) > kDark || std::abs(color.z) > kDark)) continue;
-        layer.purpose = static_cast<std::uint32_t>(i);
         sum += light.area_illumination ? from_area(context, hit, layer, light, color)
                                        : contribution(context, hit, layer, light, sample.lit, color, behind);
     }

@@ -1,3 +1,4 @@
+#include "csg/reach.h"
 #include "render/trace/shade_context.h"
 
 #include <cmath>
@@ -6,29 +7,30 @@ namespace trace {
 
 void InteriorList::remove_first(std::uint32_t interior)
 {
-    for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t i = 0; i < head_.count; ++i) {
         if (items_[i] != interior) continue;
-        for (std::size_t k = i + 1; k < count_; ++k) items_[k - 1] = items_[k];
-        --count_;
+        for (std::size_t k = i + 1; k < head_.count; ++k) items_[k - 1] = items_[k];
+        --head_.count;
         return;
     }
 }
 
 bool InteriorList::holds(std::uint32_t interior) const
 {
-    for (std::size_t i = 0; i < count_; ++i)
+    for (std::size_t i = 0; i < head_.count; ++i)
         if (items_[i] == interior) return true;
     return false;
 }
 
-namespace {
-
-bool all_hollow(const Context& context, const InteriorList& list)
+bool InteriorList::all_hollow(const std::vector<plan::Interior>& interiors) const
 {
-    for (std::size_t i = 0; i < list.size(); ++i)
-        if (!context.scene.interiors[list[i]].hollow) return false;
+    if (head_.clouded != 0) return false;
+    for (std::size_t i = 0; i < head_.count; ++i)
+        if (!interiors[items_[i]].hollow) return false;
     return true;
 }
+
+namespace {
 
 /// texture::mix, but where both are infinite (highlights on long normals) that is infinite too, as with POV-Ray: white.
 scene::Color mixed(const scene::Color& lower, const scene::Color& upper, double share)
@@ -146,7 +148,7 @@ scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, 
 
 scene::Color through_hollow(const Context& context, const RayState& state, double length, const scene::Color& color)
 {
-    return all_hollow(context, state.interiors) ? through_fog(context, state, length, color) : color;
+    return state.interiors.all_hollow(context.scene.interiors) ? through_fog(context, state, length, color) : color;
 }
 
 scene::Color trace_ray(Context& context, const RayState& state, bool straight)
@@ -158,6 +160,7 @@ scene::Color trace_ray(Context& context, const RayState& state, bool straight)
                                           context.scratch.geometry);
     scene::Color color;
     if (hit.found()) {
+        if (hit.t > csg::Reach::kFar && context.world.too_far(hit)) ++context.scratch.counts.far;
         auto& stack = context.scratch.shade.lights;
         const std::size_t base = stack.size();
         stack.resize(base + context.scene.lights.lights.size());

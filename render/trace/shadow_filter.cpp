@@ -23,9 +23,11 @@ struct Passing {
         glm::vec3 light(1);
         for (std::uint32_t i = texture.count; i-- > 0;) {
             const texture::Layer& layer = set.layers[texture.first + i];
-            if (texture::pigment_missing(set, layer.pigment, p, around)) continue;
-            const scene::Color c = texture::pigment_color(set, layer.pigment, p, around);
-            light *= c.filter * c.rgb() + c.transmit;
+            // Where a picture is not, it filters nothing, but focuses light as the rest of its surface does.
+            if (!texture::pigment_missing(set, layer.pigment, p, around)) {
+                const scene::Color c = texture::pigment_color(set, layer.pigment, p, around);
+                light *= c.filter * c.rgb() + c.transmit;
+            }
             if (power != 0.0f) {
                 const glm::dvec3 n = layer.normal == texture::kNone
                                          ? normal
@@ -94,19 +96,27 @@ glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit
 
 namespace {
 
-/// Light past crossings at their distances from the point, nearest first.
-glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3 color, const Hit* first, const Hit* last)
+/// What fog lets pass between two distances along a shadow ray, where it is inside of nothing solid.
+glm::vec3 fog_before(const Context& context, const RayState& ray, double from, double to)
+{
+    if (!ray.interiors.all_hollow(context.scene.interiors)) return glm::vec3(1);
+    return fog_share(context, {ray.ray.at(from), ray.ray.direction}, to - from);
+}
+
+/// Light past crossings at their distances from the point, nearest first. before: the distance of the last one; in_fog: fog dims it on its way.
+glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3 color, const Hit* first, const Hit* last, double& before,
+                         bool in_fog)
 {
     const SceneTraits& traits = context.scratch.shade.traits;
-    double before = 0.0;
     for (; first != last; ++first) {
         const Hit& crossing = *first;
         if (crossing.t - before <= tolerance) continue;  // the next ray would not see it
+        if (in_fog) color *= fog_before(context, ray, before, crossing.t);
         const SurfaceTraits& surface = traits.surfaces[crossing.surface];
         color *= surface.steady_filter
                      ? surface.filter
                      : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
-        if (traits.fades) {
+        if (traits.fades || in_fog) {
             const std::uint32_t interior = context.scene.surfaces[crossing.surface].interior;
             const bool inside = interior != plan::kNone && ray.interiors.holds(interior);
             if (inside) color *= interior_fade(context.scene.interiors[interior], crossing.t - before, true);
@@ -123,21 +133,45 @@ glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm:
     return color;
 }
 
+/// What a shadow ray crosses, found as POV-Ray does it: by a new ray behind each crossing. Solids that tell one ray only so much
+/// (`max_trace` of an isosurface) tell the next one more. first: what it meets first, if that is known.
+Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double end, const Hit* first, std::vector<Hit>& out)
+{
+    constexpr std::size_t kMost = 10000;   // no picture has so many; a solid that is met again at every step would
+    out.clear();
+    double gone = 0.0;
+    while (out.size() < kMost) {
+        Hit hit = first != nullptr ? *first
+                                   : context.world.nearest(ray, tolerance, end - gone, bit(plan::RayKind::Shadow), context.scratch.geometry);
+        first = nullptr;
+        if (!hit.found()) break;
+        if (context.scene.geometry.surface_opaque[hit.surface] != 0) return Shadow::Blocked;
+        ray.origin = ray.at(hit.t);
+        gone += hit.t;
+        hit.t = gone;
+        out.push_back(hit);
+    }
+    return out.empty() ? Shadow::Clear : Shadow::Filtered;
+}
+
 }  // namespace
 
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
-                         const light::Illumination& lit, glm::vec3 color)
+                         const light::Illumination& lit, glm::vec3 color, bool in_fog, const Hit* first)
 {
     const double end = lit.distance - tolerance;
     if (end <= tolerance) return color;
     ++context.scratch.counts.shadow;
     RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
     auto& crossings = context.scratch.crossings;
-    const Shadow met =
-        context.world.shadow_crossings(ray.ray, tolerance, end, context.scratch.geometry, crossings);
-    if (met == Shadow::Clear) return color;
+    const Shadow met = context.scratch.shade.traits.restarts() ? one_by_one(context, ray.ray, tolerance, end, first, crossings)
+                                                               : context.world.shadow_crossings(ray.ray, tolerance, end, context.scratch.geometry, crossings);
     if (met == Shadow::Blocked) return glm::vec3(0.0f);
-    return past_crossings(context, ray, tolerance, color, crossings.data(), crossings.data() + crossings.size());
+    double before = 0.0;
+    if (met != Shadow::Clear)
+        color = past_crossings(context, ray, tolerance, color, crossings.data(), crossings.data() + crossings.size(), before, in_fog);
+    if (in_fog) color *= fog_before(context, ray, before, lit.distance);
+    return color;
 }
 
 glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
@@ -155,7 +189,8 @@ glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolera
         for (Hit* h = crossings; h != end; ++h) h->t = lit.distance - h->t;
     }
     RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
-    return past_crossings(context, ray, tolerance, lit.color, crossings, end);
+    double before = 0.0;
+    return past_crossings(context, ray, tolerance, lit.color, crossings, end, before, false);
 }
 
 }  // namespace trace

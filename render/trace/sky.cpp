@@ -89,6 +89,14 @@ scene::Color sky_color(const Context& context, const RayState& state)
     return legacy_sky(context, state, sky);
 }
 
+glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length)
+{
+    glm::vec3 share(1);
+    for (const texture::Fog& fog : context.scene.fogs)
+        share *= static_cast<float>(fog_transmission(context, fog, ray, length)) * ((1.0f - fog.color.filter) + fog.color.filter * fog.color.rgb());
+    return share;
+}
+
 scene::Color through_fog(const Context& context, const RayState& state, double length, scene::Color color)
 {
     const double s = std::min(length, kSkyDistance);

@@ -87,10 +87,12 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     traits.looked_around = uv || looks;
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
+    for (const light::Light& light : scene.lights.lights) traits.grouped |= light.group != 0;
     for (const plan::Interior& interior : scene.interiors) traits.fades |= interior.fade_distance != 0.0f;
     for (const csg::Freeform& solid : scene.geometry.store.all<csg::Freeform>()) traits.beside |= solid.beside();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const plan::Surface& surface = scene.surfaces[i];
+        traits.grouped |= surface.light_group != 0;
         traits.filters |= !surface.opaque && !surface.no_shadow;
         all[i].needs_uv = uv || surface.uv_mapping;
         all[i].batched = !all[i].needs_uv && !surface.blends();

@@ -32,9 +32,13 @@ struct SceneTraits {
     std::vector<SurfaceTraits> surfaces;   ///< by csg::SurfaceId
     bool all_batched = true;
     bool looked_around = false;            ///< some texture asks for more than the point (texture::Surroundings)
+    bool grouped = false;                  ///< some surface is not reached by all lights
     bool filters = false;                  ///< some surface lets a shadow ray through
     bool fades = false;                    ///< light fades inside some interior
     bool beside = false;                   ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
+
+    /// Whether it matters where a ray began that goes on behind a crossing: such solids tell a ray only so many.
+    bool restarts() const { return beside && filters; }
 };
 
 SceneTraits scene_traits(const plan::CompiledScene& scene);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/lane_equal.h"
+#include "csg/reach.h"
 #include "render/trace/flat_hits.h"
 #include "render/trace/look_ahead.h"
 #include "render/trace/shade_context.h"
@@ -25,9 +26,9 @@ inline bool steady(const light::Light& light)
 /// go on from them; the others find their first shadow rays answered and are shaded one by one.
 class TileShader {
 public:
-    /// waiting: what the rays inherit; none for camera rays, which share `camera`.
-    TileShader(Context& context, const RayTile& rays, const HitTile& hits, const RayState& camera, const WaitingRay* waiting)
-        : context_(context), scratch_(context.scratch.shade), flat_(context), rays_(rays), hits_(hits), camera_(camera), waiting_(waiting),
+    /// waiting: what the rays inherit; none for camera rays, which share `camera` but for its interiors where there are `starts`.
+    TileShader(Context& context, const RayTile& rays, const HitTile& hits, const RayState& camera, const InteriorList* starts, const WaitingRay* waiting)
+        : context_(context), scratch_(context.scratch.shade), flat_(context), rays_(rays), hits_(hits), camera_(camera), starts_(starts), waiting_(waiting),
           lights_(context.scene.lights.lights.size()), shadows_(context.scene.settings.quality >= 4)
     {
     }
@@ -67,26 +68,10 @@ public:
     void light(std::size_t which)
     {
         const light::Light& light = context_.scene.lights.lights[which];
-        if (light.by_points() || asks_ == 0) return;
-        const HitMask colored = steady(light) ? illuminate_from_point(light) : illuminate_each(light);
-        for_each_hit(asks_ & ~flat_.all(), [&](std::size_t k) {
-            LightSample& s = sample(static_cast<int>(k), which);
-            s.lit = {scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
-            s.illuminated = true;
-        });
-        HitMask asking = asks_ & colored & facing();
-        if (shadows_ && !light.shadowless) {
-            const HitMask near = find_shadow_ends(context_.scene.tolerance.shadow, scratch_.hits, hits_, scratch_.light, scratch_.shadow_ends, rays_.count);
-            flat_.light(asking & near & flat_.all());
-            asking &= ~near;
-            if (asking != 0) {
-                const bool from_light = light.from_one_point() && !scratch_.traits.beside && (asks_ & beyond(scratch_.light, kFarLight * context_.scene.tolerance.shadow, rays_.count)) == 0;
-                answer(which, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
-            }
-        } else {
-            flat_.light(asking & flat_.all());
-        }
-        flat_.add(light, rays_);
+        const HitMask asks = asks_;
+        if (scratch_.traits.grouped) asks_ &= shone_on(light);
+        if (!light.by_points() && asks_ != 0) add(which, light);
+        asks_ = asks;
     }
 
     /// All lights are through.
@@ -105,6 +90,7 @@ public:
         if (waiting_ == nullptr) {
             own = camera_;
             own.ray = rays_.ray(i);
+            if (starts_ != nullptr) own.interiors = starts_[i];
         }
         const RayState& state = waiting_ == nullptr ? own : waiting_[k].state;
         if (!hit.found()) {
@@ -122,10 +108,37 @@ public:
     }
 
 private:
+    /// A light that is not asked point by point is added to the hits of asks_.
+    void add(std::size_t which, const light::Light& light)
+    {
+        const HitMask colored = steady(light) ? illuminate_from_point(light) : illuminate_each(light);
+        for_each_hit(asks_ & ~flat_.all(), [&](std::size_t k) {
+            LightSample& s = sample(static_cast<int>(k), which);
+            s.lit = {scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
+            s.illuminated = true;
+        });
+        HitMask asking = asks_ & colored & facing();
+        if (shadows_ && !light.shadowless) {
+            const HitMask near = find_shadow_ends(context_.scene.tolerance.shadow, scratch_.hits, hits_, scratch_.light, scratch_.shadow_ends, rays_.count);
+            flat_.light(asking & near & flat_.all());
+            asking &= ~near;
+            if (asking != 0) {
+                const bool from_light = light.from_one_point() && !scratch_.traits.beside && !context_.scene.geometry.faithful && (asks_ & beyond(scratch_.light, kFarLight * context_.scene.tolerance.shadow, rays_.count)) == 0;
+                answer(which, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
+            }
+        } else {
+            flat_.light(asking & flat_.all());
+        }
+        flat_.add(light, rays_);
+    }
+
     int level(int i) const { return waiting_ == nullptr ? 1 : waiting_[i].level; }
     double reach(int i) const { return waiting_ == nullptr ? 0.0 : waiting_[i].reach; }
     Place place_of(int i) const { return waiting_ == nullptr ? static_cast<Place>(i) : waiting_[i].place; }
-    const InteriorList& interiors(std::size_t k) const { return (waiting_ == nullptr ? camera_ : waiting_[k].state).interiors; }
+    const InteriorList& interiors(std::size_t k) const
+    {
+        return waiting_ != nullptr ? waiting_[k].state.interiors : starts_ != nullptr ? starts_[k] : camera_.interiors;
+    }
     void give(int i, const scene::Color& c) { scratch_.wave.colors[place_of(i)] = c; }
 
     std::size_t first_light(int i) const { return base_ + static_cast<std::size_t>(i) * lights_; }
@@ -137,6 +150,7 @@ private:
         TileHits& places = scratch_.hits;
         const HitMask all = first_hits(rays_.count);
         found_ = all & ~csg::lanes::equal(hits_.surface, csg::kNoSurface);
+        count_far();
         batched_ = found_;
         if (!scratch_.traits.all_batched)
             for_each_hit(found_, [&](std::size_t k) {
@@ -152,6 +166,17 @@ private:
         const HitMask lanes = first_hits((rays_.count + csg::kTileSide - 1) / csg::kTileSide * csg::kTileSide);
         for_each_hit(lanes & ~found_, [&](std::size_t k) { places.set(k, glm::dvec3(0), glm::dvec3(0)); });
         inside_ = found_ & turn_to_viewer(rays_, places);
+    }
+
+    /// Hits that POV-Ray does not tell of, for a word to the user.
+    void count_far()
+    {
+        using csg::lanes::Double;
+        HitMask far = 0;
+        for (int i = 0; i < rays_.count; i += csg::lanes::kDoubles)
+            far |= HitMask{csg::lanes::mask(Double::load_aligned(hits_.t.data() + i) > Double(csg::Reach::kFar))} << i;
+        far &= found_;
+        for_each_hit(far, [&](std::size_t k) { context_.scratch.counts.far += context_.world.too_far(hits_.at(static_cast<int>(k))) ? 1 : 0; });
     }
 
     /// What World::details says of hit k.
@@ -239,6 +264,16 @@ private:
         ahead_ |= group;
         scratch_.layered[scratch_.layered_count++] = {group, of.texture, of.flat && small_};
         surround(group, surface);
+    }
+
+    /// Hits that the light's group lets it shine on.
+    HitMask shone_on(const light::Light& light) const
+    {
+        HitMask on = 0;
+        for_each_hit(asks_, [&](std::size_t k) {
+            if (shines_on(light, context_.scene.surfaces[hits_.surface[k]])) on |= HitMask{1} << k;
+        });
+        return on;
     }
 
     /// Some texture of the hit is lit.
@@ -342,7 +377,10 @@ private:
     {
         const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
         const std::uint8_t count = scratch_.crossings.count[ray];
-        if (count == csg::CrossingTile::kTooMany) return filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], interiors(k), lit, lit.color);
+        const bool too_many = count == csg::CrossingTile::kTooMany;
+        if (too_many || scratch_.traits.restarts())
+            return filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], interiors(k), lit, lit.color, false,
+                                  too_many ? nullptr : scratch_.crossings.hits[ray].data());
         return crossed_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], interiors(k), lit, scratch_.rays.common_origin,
                              scratch_.crossings.hits[ray].data(), count);
     }
@@ -353,6 +391,7 @@ private:
     const RayTile& rays_;
     const HitTile& hits_;
     const RayState& camera_;
+    const InteriorList* starts_;
     const WaitingRay* waiting_;
     std::size_t lights_, base_ = 0;
     bool shadows_, small_ = false, go_on_ = false;

@@ -27,14 +27,14 @@ Place wait(Context& context, std::vector<WaitingRay>& queue, const RayState& sta
 }
 
 /// The ray behind the surface, or the one that is mirrored where none gets through.
-void go_through(Context& context, const HitPlace& hit, Branch& branch, double reach)
+void go_through(Context& context, const HitPlace& hit, const texture::Finish& finish, Branch& branch, double reach)
 {
     Onward next;
     if (!onward(context, hit, hit.normal, hit.state.weight * largest(glm::abs(branch.filter)), next)) return;
     Wave& wave = context.scratch.shade.wave;
     if (next.samples > 0) {
         branch.fade = next.fade;
-        const scene::Color seen = dispersed(context, hit, hit.normal, next);   // by recursion: few rays are dispersed
+        const scene::Color seen = dispersed(context, hit, hit.normal, finish, next);   // by recursion: few rays are dispersed
         branch.through = static_cast<Place>(wave.colors.size());
         wave.colors.push_back(seen);
         return;
@@ -98,7 +98,7 @@ void add_branch(Context& context, const HitPlace& hit, const texture::Finish& fi
     branch.filter = c.filter * c.rgb() + c.transmit;
     if (finish.conserve_energy) branch.filter *= glm::min(glm::vec3(1.0f), 1.0f - branch.reflectivity);
     branch.residual = std::min(1.0f, std::abs(scene::grey(branch.filter)));
-    if (branch.residual > static_cast<float>(context.scene.settings.adc_bailout)) go_through(context, hit, branch, reach);
+    if (branch.residual > static_cast<float>(context.scene.settings.adc_bailout)) go_through(context, hit, finish, branch, reach);
     // Total reflection has already sent the mirrored ray.
     if (!black(branch.reflectivity) && !branch.total) {
         ++context.scratch.counts.reflected;

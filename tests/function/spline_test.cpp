@@ -48,8 +48,10 @@ TEST_CASE("splines have the values that POV-Ray prints", "[function]")
     check(spline(Kind::Cubic, {{0, {0, 0, 0}}, {1, {1, 2, 3}}}), 7, 0.5, 1, 1.5);
 }
 
-TEST_CASE("a knot is replaced unless it is the last", "[function]")
+TEST_CASE("a knot is replaced unless it is the last of several", "[function]")
 {
+    check(spline(Kind::Linear, {{1, {8, 0, 0}}, {1, {2, 4, 6}}, {2, {4, 4, 6}}}), 1.5, 3, 4, 6);
+    check(spline(Kind::Linear, {{1, {8, 0, 0}}, {1, {3, 3, 3}}, {1, {2, 4, 6}}, {0, {0, 0, 0}}}), 1, 2, 4, 6);
     check(spline(Kind::Linear, {{0, {0, 0, 0}}, {1, {1, 1, 1}}, {1, {5, 5, 5}}}), 1, 1, 1, 1);
     check(spline(Kind::Linear, {{0, {0, 0, 0}}, {1, {1, 1, 1}}, {2, {2, 2, 2}}, {1, {5, 5, 5}}}), 1, 5, 5, 5);
     CHECK(function::Spline{}.components() == 2);

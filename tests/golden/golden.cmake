@@ -1,7 +1,9 @@
-# golden_case(csg/bite SIZE 160x120 [AGREE 0.99] [SWITCHES +A0.3 -J] [SHOULDFAIL "reason"])
+# golden_case(csg/bite SIZE 160x120 AGREE 0.9995 [SWITCHES +A0.3 -J] [SHOULDFAIL "reason"])
 #   Renders scenes/csg/bite.pov and compares with reference_images/csg/bite.png: at least the share AGREE of the pixels
-#   within 3/255 in every channel. A failure leaves bite.actual.png and bite.diff.png in the build folder, names the worst
-#   pixel and the command that traces it alone. make_references.py reads the same lines, so size and switches stand once.
+#   within 3/255 in every channel. AGREE is what was measured less 0.0005: ratchet.py measures it and writes it into the
+#   line. A failure leaves bite.actual.png and bite.diff.png in the build folder, names the worst pixel and the command
+#   that traces it alone. make_references.py reads the same lines, so size and switches stand once.
+#   Switches of two dashes, as --faithful, are Whittle's own and stay here.
 #
 # golden_same_bytes(csg/bite SIZE 160x120)
 #   One thread, several threads and every instruction set this machine has give the same file, byte by byte.
@@ -12,7 +14,8 @@
 function(golden_case name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "SIZE;AGREE;SHOULDFAIL" "SWITCHES")
   if(NOT DEFINED arg_AGREE)
-    set(arg_AGREE 0.99)
+    message(WARNING "golden_case(${name}) has no bound, so every pixel has to agree: tests/golden/ratchet.py ${name} --write measures one")
+    set(arg_AGREE 1)
   endif()
   list(JOIN arg_SWITCHES " " switches)
   golden_test(golden/${name} render ${name} SIZE=${arg_SIZE} AGREE=${arg_AGREE} "SWITCHES=${switches}"

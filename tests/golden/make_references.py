@@ -39,7 +39,7 @@ def render(povray, version, case):
     picture.parent.mkdir(parents=True, exist_ok=True)
     up = "../" * (name.count("/") + 1)
     command = [povray, f"+I{scene.name}", f"+O{up}reference_images/{name}.png", f"+W{width}", f"+H{height}", "-A",
-               *shlex.split(switches or ""), "-D", "-P", "+WT1", "+FN8"]
+               *(s for s in shlex.split(switches or "") if not s.startswith("--")), "-D", "-P", "+WT1", "+FN8"]
     done = subprocess.run(command, cwd=scene.parent, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace")
     if done.returncode != 0:

@@ -51,7 +51,7 @@ TEST_CASE("a compiled expression follows its names", "[parser][expression]")
     CHECK(parser_test::debug_of("#macro Two() I+1 #end #for(I,1,3) #debug str(2*Two(),0,0) #debug \" \" #end") == "3 5 7 ");
 }
 
-TEST_CASE("a compiled division by zero warns at each pass", "[parser][expression]")
+TEST_CASE("a division by zero warns also where it is compiled, and once", "[parser][expression]")
 {
     parser_test::NoGrammar grammar;
     parser::TokenStream stream({}, grammar);
@@ -61,5 +61,17 @@ TEST_CASE("a compiled division by zero warns at each pass", "[parser][expression
     parser::TokenStream each({}, grammar);
     each.open_text("#for(I,1,4) #declare A=I/0; #end", "test.pov");
     while (each.peek().kind != parser::Kind::EndOfText) each.next();
-    CHECK(each.messages().size() == 4);
+    CHECK(each.messages().size() == 1);
+}
+
+TEST_CASE("five components are single precision once they are stored", "[parser][expression]")
+{
+    const auto x_of = [](const std::string& text) { return parser_test::debug_of(text); };
+    CHECK(x_of("#declare V=<4.47,1/3,0,0,pi>; #debug concat(str(V.x,0,10),\" \",str(V.y,0,10),\" \",str(V.transmit,0,10))") == "4.4699997902 0.3333333433 3.1415927410");
+    CHECK(x_of("#declare V=<4.47,1/3,0,pi>; #debug str(V.x,0,10)") == "4.4700000000");
+    CHECK(x_of("#declare V=<4.47,1/3,0,0,pi>+.1; #debug str(V.x,0,10)") == "4.5700001717");
+    CHECK(x_of("#debug str(<4.47,1/3,0,0,pi>.x,0,10)") == "4.4700000000");
+    CHECK(x_of("#declare A=array[1]{<4.47,1/3,0,0,pi>}; #debug str(A[0].x,0,10)") == "4.4699997902");
+    CHECK(x_of("#macro M(X) #debug concat(str(X.x,0,10),\" \") #end M(<4.47,1/3,0,0,pi>) #for(I,1,3) M(<4.47,1/3,0,0,pi>) #declare V=<4.47,I,0,0,pi>; #debug concat(str(V.x,0,6),\" \") #end") ==
+          "4.4699997902 4.4699997902 4.470000 4.4699997902 4.470000 4.4699997902 4.470000 ");
 }

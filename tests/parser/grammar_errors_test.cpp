@@ -37,6 +37,19 @@ TEST_CASE("an unclosed block is told at its brace", "[parser][error]")
     CHECK(error_of("sphere { 0, 1\n") == "1:8: error: this block of 'sphere' is not closed: the text ends before its '}'");
 }
 
+TEST_CASE("where the brace stands that is not closed", "[parser][error]")
+{
+    CHECK(error_of("sphere { 0, 1\n pigment { rgb 1 }\nbox { 0, 1 }") ==
+          "3:1: error: expected an item of 'sphere' or '}', found 'box'; the '{' of 'sphere' stands in line 1");
+    CHECK(error_of("union {\n sphere { 0, 1 pigment {\n rgb 1 }\n box { 0, 1 } }") ==
+          "4:2: error: expected an item of 'sphere' or '}', found 'box'; the '{' of 'sphere' stands in line 2");
+    CHECK(error_of("sphere { 0, 1 pigment { rgb 1 }\n finish { phong ") ==
+          "2:17: error: expected a number, found the end of the text; the '{' in line 2 is not closed");
+    CHECK(error_of("#declare A = array[2] {\n1, 2,\n3 }") == "3:1: error: expected '}' after 2 elements, found '3'; the '{' of the array stands in line 1");
+    CHECK(error_of("#declare F = function {\n x + y\n#declare G = 1;") == "3:16: error: expected an operator or '}' at the end of the function, found the end of the text; the '{' of the function stands in line 1");
+    CHECK(error_of("sphere { 0, 1 box { 0, 1 } }") == "1:15: error: expected an item of 'sphere' or '}', found 'box'");
+}
+
 TEST_CASE("what cannot be built is an error at its place", "[parser][error]")
 {
     CHECK(error_of("plane { 0, 1 }") == "1:1: error: this plane's normal is zero, so it has no direction");

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,6 +37,7 @@ inline bool ascii(const std::string& text)
 struct Ended {
     int status;
     std::string out, err;
+    double cpu_seconds = 0.0;   ///< of all its threads
 };
 
 /// A program that runs in a folder, without a shell: the arguments arrive as they stand. HOME is the folder, there is no
@@ -65,7 +67,18 @@ public:
 
     void kill(int signal) const { ::kill(process_, signal); }
     std::string error_so_far() const { return text_of(base_ + ".err"); }
-    bool running() { return process_ > 0 && waitpid(process_, &result_, WNOHANG) == 0; }
+    bool running() { return process_ > 0 && wait4(process_, &result_, WNOHANG, &usage_) == 0; }
+
+    /// Of all threads, till now.
+    double cpu_seconds() const
+    {
+        std::istringstream in(text_of("/proc/" + std::to_string(process_) + "/stat"));
+        std::string word;
+        double ticks = 0.0;
+        for (int i = 1; i <= 15 && in >> word; ++i)
+            if (i >= 14) ticks += std::strtod(word.c_str(), nullptr);
+        return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+    }
 
     /// Waits for the end, at most so long; then the program is killed and the status is -SIGKILL.
     Ended wait(std::chrono::seconds at_most = std::chrono::seconds(60))
@@ -76,7 +89,7 @@ public:
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         process_ = 0;
-        return {WIFEXITED(result_) ? WEXITSTATUS(result_) : -WTERMSIG(result_), text_of(base_ + ".out"), text_of(base_ + ".err")};
+        return {WIFEXITED(result_) ? WEXITSTATUS(result_) : -WTERMSIG(result_), text_of(base_ + ".out"), text_of(base_ + ".err"), seconds(usage_.ru_utime) + seconds(usage_.ru_stime)};
     }
 
 private:
@@ -97,9 +110,12 @@ private:
         _exit(127);
     }
 
+    static double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
+
     std::string base_;
     pid_t process_ = 0;
     int result_ = 0;
+    rusage usage_{};
 };
 
 inline Ended run_program(const std::string& folder, const std::string& program, const std::vector<std::string>& arguments, const std::string& input = {})

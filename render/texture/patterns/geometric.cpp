@@ -88,7 +88,9 @@ double waves(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p)
 double aoi(const Surroundings& around)
 {
     if (!around.surface) return 0.0;
-    return std::acos(std::clamp(glm::dot(around.normal, around.direction), -1.0, 1.0)) / std::numbers::pi;
+    // The angle itself, also where no_bump_scale leaves the normal longer or shorter; slope takes it as it is.
+    const double cosine = glm::dot(around.normal, around.direction) / glm::length(around.normal);
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi;
 }
 
 /// numbers: low, high, point_at, altitude x, y, z, its low and high.

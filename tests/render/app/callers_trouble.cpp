@@ -48,11 +48,24 @@ TEST_CASE("a long message is not wrapped, and a name beyond ASCII is shown in AS
     CHECK(std::regex_search(ended.err, std::regex("\nFile '[^'\n]{90,}' line 5: Parse Error: [^\n]+\n")));
 }
 
+TEST_CASE("a scene that includes itself writes at most 16 kB, and one that is absent is said to be", "[callers]")
+{
+    const support::TemporaryFolder folder;
+    write_text(folder / "x.pov", std::string(kEmptyScene) + "union { sphere { 0, 1 } }\n#warning \"again\"\n#include \"x.pov\"\n");
+    const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov", "-D"});
+    CHECK(ended.status == 1);
+    CHECK(ended.err.size() < 16 * 1024);
+    CHECK(std::regex_search(ended.err, std::regex("\nFile 'x\\.pov' line 6: Parse Error: files include each other too deeply")));
+    const Ended absent = run_program(folder.path(), WHITTLE_AS_POVRAY, {"+Inothere.pov", "-D"});
+    CHECK(absent.status == 1);
+    CHECK_THAT(absent.err, Catch::Contains("nothere.pov: error: there is no such file\n") && Catch::Contains("\nFatal error in parser: Cannot parse input.\nRender failed\n"));
+}
+
 TEST_CASE("options that cannot be understood end with status 1 at once, without a picture", "[callers]")
 {
     const support::TemporaryFolder folder;
     write_text(folder / "x.pov", kEmptyScene);
-    for (const char* bad : {"+ZZ", "Widht=3", "nothing.ini", "+W", "+FX", "+ER0"}) {
+    for (const char* bad : {"+ZZ", "Widht=3", "Antialias=maybe", "+SR5 +ER2", "+A5", "--jsno", "nothing.ini", "+W", "+FX", "+ER0"}) {
         INFO(bad);
         const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov", bad, "+W8", "+H6"});
         CHECK(ended.status == 1);
@@ -91,6 +104,7 @@ TEST_CASE("a caller that ends the reading of a scene gets status 2, and its comm
     INFO(ended.err);
     CHECK(ended.status == 2);
     CHECK(std::filesystem::exists(folder / "told"));
+    CHECK_THAT(ended.err, Catch::Contains("\n x.pov:3:1: note: reading is cancelled, in this loop\n"));
 }
 
 TEST_CASE("a caller that never reads what is written does not hold the render up", "[callers]")

@@ -47,6 +47,7 @@ TEST_CASE("frames and clocks as POV-Ray's", "[app][frames]")
     const FrameList cyclic = list_of({"+KFF3", "+KC"});
     CHECK(clocks(cyclic) == std::vector<float>{0.0f, 0.333333343f, 0.666666687f});
     CHECK(cyclic.final_frame == 4);
+    CHECK(cyclic.last_frame == 3);
     const FrameList part = list_of({"+KFI2", "+KFF4", "+KI10", "+KF20"});
     CHECK(numbers(part) == std::vector<int>{2, 3, 4});
     CHECK(clocks(part) == std::vector<float>{10.0f, 15.0f, 20.0f});
@@ -59,4 +60,12 @@ TEST_CASE("subsets and steps", "[app][frames]")
     CHECK(list_of({"+KFF10", "+SF3", "+EF5"}).frames[0].clock == 0.222222224f);
     CHECK(numbers(list_of({"+KFF10", "+STP3"})) == std::vector<int>{1, 4, 7, 10});
     CHECK(clocks(list_of({"+KFI5"})) == std::vector<float>{0.0f});
+}
+
+TEST_CASE("frames without end are refused", "[app][frames]")
+{
+    CHECK_THROWS_WITH(list_of({"+KFF2000000000"}), "frames have numbers up to 1000000000");
+    CHECK_THROWS_WITH(list_of({"+KFF1000000000"}), "an animation has at most 10000000 frames, these are 1000000000");
+    CHECK(numbers(list_of({"+KFF1000000000", "+STP2000000000"})) == std::vector<int>{1});
+    CHECK(numbers(list_of({"+KFF1000000000", "+SF999999999", "+EF1e300"})) == std::vector<int>{999999999, 1000000000});
 }

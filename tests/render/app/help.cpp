@@ -91,7 +91,7 @@ TEST_CASE("each of Whittle's own options is understood as the texts show it", "[
         Settings settings;
         const std::string name = "--" + std::string(option.name);
         std::string value(option.value.substr(0, option.value.find('|')));
-        if (value == "SECONDS") value = "3";
+        if (value == "SECONDS" || value == "MB") value = "3";
         INFO(name);
         if (value.empty()) {
             CHECK_FALSE(apply_own_option(settings, name, &value));
@@ -114,4 +114,13 @@ TEST_CASE("bash completes options, their values, switches, keywords and scenes",
     CHECK(offered("whittle Antialias_T") == Words{"Antialias_Threshold="});
     CHECK(offered("whittle +SC") == Words{"+SC"});
     CHECK(offered("povray Input_File_Name=sc") == Words{"scene.pov"});
+}
+
+TEST_CASE("no switch is explained by itself", "[app][help]")
+{
+    for (const Switch& one : switch_table()) {
+        const SwitchText shown = text_of(one);
+        INFO(shown.form << ": " << shown.meaning);
+        CHECK((shown.form.empty() || shown.meaning.find(shown.form) == std::string_view::npos));
+    }
 }

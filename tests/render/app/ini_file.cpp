@@ -45,7 +45,8 @@ TEST_CASE("a section applies only where it is asked for", "[app][ini]")
     CHECK(ini_settings(text, "small").width == 2);
     CHECK(ini_settings(text, "small").height == 5);
     CHECK(ini_settings(text, "LARGE").width == 3);
-    CHECK(ini_settings(text, "other").width == 1);
+    CHECK_THROWS_WITH(ini_settings(text, "other"), "test.ini: there is no section [other]");
+    CHECK_THROWS_WITH(ini_settings(text, "smal"), "test.ini: there is no section [smal]; did you mean 'Small'?");
 }
 
 TEST_CASE("declared strings keep their quotes until they are read", "[app][ini]")
@@ -57,7 +58,7 @@ TEST_CASE("declared strings keep their quotes until they are read", "[app][ini]"
 
 TEST_CASE("an error in an INI file names file and line; an obsolete option is a remark", "[app][ini]")
 {
-    CHECK_THROWS_WITH(ini_settings("Width=9\nWidht=9\n"), "test.ini:2: unknown option 'Widht'");
+    CHECK_THROWS_WITH(ini_settings("Width=9\nWidht=9\n"), "test.ini:2: unknown option 'Widht'; did you mean 'Width'?");
     const Settings s = ini_settings("Buffer_Output=on\nWidth=9");
     CHECK(s.width == 9);
     CHECK(s.notes == std::vector<std::string>{"Buffer_Output is obsolete and has no effect"});

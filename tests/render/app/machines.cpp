@@ -117,6 +117,46 @@ TEST_CASE("--werror ends a run that warns; --quiet leaves only errors", "[progra
     CHECK_THAT(run_program(folder.path(), WHITTLE_PROGRAM, {"bad.pov", "--quiet"}).err, Catch::Contains("error:"));
 }
 
+TEST_CASE("what is not rendered yet is told by --check, --werror, --explain and --json", "[program][machines]")
+{
+    const support::TemporaryFolder folder;
+    write_text(folder / "m.pov", "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nsphere { 0, 1\n interior { media { emission 1 } } }\n");
+    const std::string told = "m.pov:4:13: warning: media: not rendered yet, the picture is made without it\n";
+    const Ended check = run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "--check"});
+    CHECK(check.status == 0);
+    CHECK_THAT(check.err, Catch::StartsWith(told));
+    const Ended strict = run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "+W8", "+H6", "--werror"});
+    CHECK(strict.status == 1);
+    CHECK_THAT(strict.err, Catch::StartsWith(told));
+    CHECK(folder.names() == Words{"m.pov"});
+    const Ended render = run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "+W8", "+H6", "--explain", "--json=m.json"});
+    CHECK(render.status == 0);
+    CHECK_THAT(render.err, Catch::StartsWith(told) && Catch::Contains("\nm.pov:4:13: media: not rendered yet\n"));
+    CHECK(render.err.find(told, 1) == std::string::npos);
+    const std::string json = text_of(folder / "m.json");
+    CHECK(value_of(json, "severity") == "\"warning\"");
+    CHECK(value_of(json, "line") == "4");
+}
+
+TEST_CASE("what POV-Ray leaves out as too far is told once a run, and left out on demand", "[program][machines]")
+{
+    const support::TemporaryFolder folder;
+    write_text(folder / "far.pov", "#version 3.7; global_settings { assumed_gamma 1 } camera { location 0 look_at z }"
+                                   "sphere { <0,0,1.3e7>, 2e6 pigment { rgb 1 } finish { ambient 1 } }");
+    const auto far_notes = [&](const Words& more) {
+        Words words{"far.pov", "+W16", "+H12"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Ended ended = run_program(folder.path(), WHITTLE_PROGRAM, words);
+        CHECK(ended.status == 0);
+        std::size_t found = 0;
+        for (std::size_t at = ended.err.find("1e7"); at != std::string::npos; at = ended.err.find("1e7", at + 1)) ++found;
+        return found;
+    };
+    CHECK(far_notes({}) == 1);
+    CHECK(far_notes({"+KFF3"}) == 1);
+    CHECK(far_notes({"--faithful"}) == 0);
+}
+
 TEST_CASE("a missing folder of the picture is named before the scene is read, and made on demand", "[program][machines]")
 {
     const support::TemporaryFolder folder;

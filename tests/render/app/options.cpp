@@ -100,6 +100,14 @@ TEST_CASE("POV-Ray's truths", "[app][options]")
     for (const char* text : {"off", "0", "maybe", "false", "no"}) CHECK_FALSE(truth_of(text));
 }
 
+TEST_CASE("a flag is set by what says yes or no, and by nothing else", "[app][options]")
+{
+    for (const char* text : {"on", "o", "onward", "1", "Yes", ""}) CHECK(settings_of({"-A", std::string("Antialias=") + text}).antialias);
+    for (const char* text : {"off", "of", "0", "No", "false", "f"}) CHECK_FALSE(settings_of({"+A", std::string("Antialias=") + text}).antialias);
+    CHECK_THROWS_WITH(settings_of({"Antialias=maybe"}), "Antialias wants on or off, found 'maybe'");
+    CHECK_THROWS_WITH(settings_of({"Display=2"}), "Display wants on or off, found '2'");
+}
+
 TEST_CASE("a declared number has single precision and six digits", "[app][options]")
 {
     const Settings s = settings_of({"Declare=a=3.14159265", "Declare=b=1234567", "Declare=c=1e10", "Declare=a=2", "Declare='d=\"hello\"'"});
@@ -114,7 +122,14 @@ TEST_CASE("what cannot be understood is an error that names it", "[app][options]
     CHECK_THROWS_WITH(settings_of({"+W"}), "unknown switch '+W'");
     CHECK_THROWS_WITH(settings_of({"+Wabc"}), "Width wants a number, found 'abc'");
     CHECK_THROWS_WITH(settings_of({"+ZZ"}), "unknown switch '+ZZ'");
-    CHECK_THROWS_WITH(settings_of({"Widht=3"}), "unknown option 'Widht'");
+    CHECK_THROWS_WITH(settings_of({"Widht=3"}), "unknown option 'Widht'; did you mean 'Width'?");
+    CHECK_THROWS_WITH(settings_of({"antialais=on"}), "unknown option 'antialais'; did you mean 'Antialias'?");
+    CHECK_THROWS_WITH(settings_of({"Nonsense=3"}), "unknown option 'Nonsense'");
+    CHECK_THROWS_WITH(settings_of({"--jsno", "x"}), "unknown option '--jsno'; did you mean '--json'?");
+    CHECK_THROWS_WITH(settings_of({"--Preveiw=x"}), "unknown option '--Preveiw=x'; did you mean '--preview'?");
+    CHECK_THROWS_WITH(settings_of({"--nonsense"}), "unknown option '--nonsense'");
+    CHECK_THROWS_WITH(settings_of({"+A5"}), "unknown switch '+A5': the threshold of +A lies from 0 to 1, as in +A0.3");
+    CHECK_THROWS_WITH(settings_of({"-A1.5"}), Catch::StartsWith("unknown switch '-A1.5'"));
     CHECK_THROWS_WITH(settings_of({"+FN8g"}), "unknown output file type 'N8g'");
     CHECK_THROWS_WITH(settings_of({"+FX"}), "unknown output file type 'X'");
     CHECK_THROWS_WITH(settings_of({"Buffer_Size=3"}), "Buffer_Size is obsolete");
@@ -158,4 +173,45 @@ TEST_CASE("every keyword of POV-Ray 3.7 is known, in alphabetical order", "[app]
         const auto lower = [](unsigned char a, unsigned char b) { return std::tolower(a) < std::tolower(b); };
         if (i > 0) CHECK(std::lexicographical_compare(table[i - 1].keyword.begin(), table[i - 1].keyword.end(), table[i].keyword.begin(), table[i].keyword.end(), lower));
     }
+}
+
+TEST_CASE("a type of file that is more than its letter says what is written", "[app][options]")
+{
+    const auto notes = [](const char* word) { return settings_of({word}).notes; };
+    for (const char* usual : {"Output_File_Type=N", "Output_File_Type=N8", "Output_File_Type=ppm", "Output_File_Type=JPEG", "Output_File_Type=targa", "Output_File_Type=exr"})
+        CHECK(notes(usual).empty());
+    CHECK(settings_of({"Output_File_Type=PNG"}).file_type == image::FileType::Ppm);  // POV-Ray's rule
+    REQUIRE(notes("Output_File_Type=PNG").size() == 1);
+    CHECK_THAT(notes("Output_File_Type=PNG")[0], Catch::Contains("writes ppm: only the first letter counts, N PNG"));
+    REQUIRE(notes("Output_File_Type=TIFF").size() == 1);
+    CHECK_THAT(notes("Output_File_Type=TIFF")[0], Catch::Contains("writes tga"));
+}
+
+TEST_CASE("of two scenes on a command line the first is told to be dropped", "[app][options]")
+{
+    const support::TemporaryFolder folder;
+    std::ofstream(folder / "of.ini") << "Input_File_Name=c.pov\n";
+    const Settings two = settings_of({"a.pov", "+W8", "b.pov"});
+    CHECK(two.input_file == "b.pov");
+    CHECK(two.notes == Words{"'a.pov' is not rendered: 'b.pov' follows it, and a run renders one scene"});
+    CHECK(settings_of({"a.pov b.pov"}).notes.size() == 1);
+    CHECK(settings_of({"+Ia.pov", "+Ib.pov", "+Ic.pov"}).notes.size() == 2);
+    CHECK(settings_of({"a.pov", folder / "of.ini"}).notes.size() == 1);
+    CHECK(settings_of({"a.pov", "a.pov"}).notes.empty());
+    const Settings over = settings_of({folder / "of.ini", "a.pov"});  // what a command line is there for
+    CHECK(over.input_file == "a.pov");
+    CHECK(over.notes.empty());
+}
+
+TEST_CASE("a number of threads beyond the range is told", "[app][options]")
+{
+    CHECK(settings_of({"+WT512"}).notes.empty());
+    CHECK(settings_of({"+WT9999"}).threads == 512);
+    CHECK(settings_of({"+WT9999"}).notes == Words{"Work_Threads is 1 to 512: 9999 counts as 512"});
+    CHECK(settings_of({"+WT0"}).notes.size() == 1);
+}
+
+TEST_CASE("a lone dash is told how standard input is named", "[app][options]")
+{
+    CHECK_THROWS_WITH(settings_of({"-"}), Catch::Contains("+I- reads the scene from standard input"));
 }

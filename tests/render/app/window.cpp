@@ -36,4 +36,7 @@ TEST_CASE("a window that leaves the picture is an error", "[app][window]")
     CHECK_THROWS_WITH(window({"+EC9"}), "invalid end column");
     CHECK_THROWS_WITH(window({"+ER0"}), "invalid end row");
     CHECK_THROWS_WITH(window({"+SC9"}), "invalid start column");
+    CHECK_THROWS_WITH(window({"+SR6", "+ER3"}), "nothing to render: the first row, 6, stands behind the last, 3");
+    CHECK_THROWS_WITH(window({"+SC0.5", "+EC0.25"}), "nothing to render: the first column, 5, stands behind the last, 2");
+    CHECK(window({"+SR3", "+ER3"}) == Limits{0, 7, 2, 2});
 }

@@ -5,6 +5,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
+#include <gif_lib.h>
 
 #include <cmath>
 #include <fstream>
@@ -13,12 +14,6 @@
 using namespace image;
 
 namespace {
-
-ByteList bytes_of(const std::string& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 /// Of 5x3 pixels; \param order  bits 5 and 4 of its descriptor
 ByteList targa(std::uint8_t kind, std::uint8_t bits, std::uint8_t order, const ByteList& rest)
@@ -55,7 +50,7 @@ TEST_CASE("JPEG is read as OpenImageIO reads it", "[image][files]")
         Raster raster{67, 41, channels, 8, {}};
         for (int i = 0; i < 67 * 41 * channels; ++i) raster.samples.push_back(static_cast<std::uint16_t>((i * 7 + i / 67 * 3) % 256));
         Files().write(path, raster, FileType::Jpeg, TransferCurve::srgb());
-        const auto picture = read_directly(path);
+        const auto picture = decode_directly(path, bytes_of_file(path));
         REQUIRE(picture);
         ReadResult other{};
         IoLoader library;
@@ -75,7 +70,7 @@ TEST_CASE("a broken JPEG is told from a whole one", "[image][files]")
     Raster raster{33, 33, 3, 8, {}};
     raster.samples.assign(33 * 33 * 3, 77);
     Files().write(path, raster, FileType::Jpeg, TransferCurve::srgb());
-    const ByteList whole = bytes_of(path);
+    const ByteList whole = bytes_of_file(path);
     CHECK(decode_jpeg(whole)->width == 33);
     for (std::size_t at = 2; at < whole.size(); at += at < 40 ? 1 : 7)  // the sizes stand in front
         for (const std::uint8_t change : ByteList{0x01, 0x40, 0xff}) {
@@ -89,6 +84,7 @@ TEST_CASE("a broken JPEG is told from a whole one", "[image][files]")
             }
         }
     CHECK_THROWS_AS(decode_jpeg({0xff, 0xd8, 0xff}), FileError);
+    CHECK_THROWS_AS(decode_jpeg({}), FileError);
 }
 
 TEST_CASE("Targa pixels stand where the descriptor says", "[image][files]")
@@ -110,6 +106,13 @@ TEST_CASE("Targa pixels stand where the descriptor says", "[image][files]")
     CHECK(level(grey, 1, 2, 0) == 11);
 }
 
+TEST_CASE("a Targa file of no pixels is no picture", "[image][files]")
+{
+    ByteList none = targa(2, 24, 0, counted(45));
+    none[12] = 0;
+    CHECK_THROWS_WITH(decode_targa(none), "the Targa file holds no picture");
+}
+
 TEST_CASE("Targa runs are unpacked", "[image][files]")
 {
     // Nine times one colour, then four as they are, then two times another.
@@ -122,4 +125,80 @@ TEST_CASE("Targa runs are unpacked", "[image][files]")
     CHECK(level(picture, 4, 2, 2) == 4);
     for (std::size_t length = 19; length < whole.size(); ++length)
         CHECK_THROWS_AS(decode_targa({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}), FileError);
+}
+
+namespace {
+
+/// What giflib hands out, kept.
+int append(GifFileType* file, const GifByteType* bytes, int count)
+{
+    auto* to = static_cast<ByteList*>(file->UserData);
+    to->insert(to->end(), bytes, bytes + count);
+    return count;
+}
+
+/// 5x9 pixels of 16 colours, pixel (x, y) at place (x + 3 y) mod 16; place 7 is clear.
+ByteList gif(bool interlaced)
+{
+    ByteList out;
+    int error = 0;
+    GifFileType* file = EGifOpen(&out, append, &error);
+    REQUIRE(file);
+    GifColorType colors[16];
+    for (int i = 0; i < 16; ++i) colors[i] = {static_cast<GifByteType>(16 * i), static_cast<GifByteType>(255 - i), static_cast<GifByteType>(i)};
+    ColorMapObject* palette = GifMakeMapObject(16, colors);
+    EGifSetGifVersion(file, true);
+    REQUIRE(EGifPutScreenDesc(file, 5, 9, 4, 0, palette) == GIF_OK);
+    const GraphicsControlBlock control{DISPOSAL_UNSPECIFIED, false, 0, 7};
+    GifByteType block[4];
+    EGifGCBToExtension(&control, block);
+    REQUIRE(EGifPutExtension(file, GRAPHICS_EXT_FUNC_CODE, 4, block) == GIF_OK);
+    REQUIRE(EGifPutImageDesc(file, 0, 0, 5, 9, interlaced, nullptr) == GIF_OK);
+    std::vector<int> rows{0, 1, 2, 3, 4, 5, 6, 7, 8};
+    if (interlaced) rows = {0, 8, 4, 2, 6, 1, 3, 5, 7};
+    for (const int y : rows) {
+        GifPixelType row[5];
+        for (int x = 0; x < 5; ++x) row[x] = static_cast<GifPixelType>((x + 3 * y) % 16);
+        REQUIRE(EGifPutLine(file, row, 5) == GIF_OK);
+    }
+    GifFreeMapObject(palette);
+    REQUIRE(EGifCloseFile(file, &error) == GIF_OK);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("the places and colours of a GIF, interlaced or not", "[image][files]")
+{
+    for (const bool interlaced : {false, true}) {
+        const Picture picture = decode_gif(gif(interlaced));
+        REQUIRE(picture.width == 5);
+        REQUIRE(picture.height == 9);
+        REQUIRE(picture.channels == 4);
+        REQUIRE(picture.palette.size() == 4 * 16);
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 5; ++x) {
+                const int place = (x + 3 * y) % 16;
+                CHECK(picture.indices[static_cast<std::size_t>(5 * y + x)] == place);
+                CHECK(level(picture, x, y, 0) == 16 * place);
+                CHECK(level(picture, x, y, 3) == (place == 7 ? 0 : 255));
+            }
+    }
+}
+
+TEST_CASE("a broken GIF is told from a whole one", "[image][files]")
+{
+    const ByteList whole = gif(false);
+    for (std::size_t length = 0; length + 4 < whole.size(); ++length) CHECK_THROWS_AS(decode_gif({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}), FileError);
+    for (std::size_t at = 0; at < whole.size(); ++at)
+        for (const std::uint8_t change : ByteList{0x01, 0x40, 0xff}) {
+            ByteList changed = whole;
+            changed[at] ^= change;
+            try {
+                const Picture picture = decode_gif(changed);
+                CHECK(picture.samples.size() < 100'000'000);
+            } catch (const FileError& error) {
+                CHECK_FALSE(std::string(error.what()).empty());
+            }
+        }
 }

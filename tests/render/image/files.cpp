@@ -84,7 +84,7 @@ TEST_CASE("light above 1 survives in OpenEXR", "[image][files]")
     FileSettings settings;
     settings.type = FileType::OpenExr;
     settings.encoding.alpha = true;
-    files.write(folder / "bright.exr", Image{1, 1, {5.0f, 0.5f, 0.25f, 0.75f}}, settings);
+    files.write(folder / "bright.exr", Image{1, 1, {5.0f, 0.5f, 0.25f, 0.75f}, 0}, settings);
     const Picture read = files.read(folder / "bright.exr");
     REQUIRE(read.channels == 4);
     CHECK(read.bits == 32);
@@ -110,4 +110,7 @@ TEST_CASE("a file that is no picture is named in the message", "[image][files]")
     std::ofstream(folder / "text.png") << "no picture";
     CHECK_THROWS_WITH(files.read(folder / "text.png"), Catch::Contains("text.png"));
     CHECK_THROWS_WITH(files.read(folder / "none.png"), Catch::Contains("none.png"));
+    // A header that promises 800 GB: nothing is made ready for them.
+    std::ofstream(folder / "huge.ppm") << "P6 300000 300000 255\nabc";
+    CHECK_THROWS_WITH(files.read(folder / "huge.ppm"), Catch::Contains("is broken"));
 }

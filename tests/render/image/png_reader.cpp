@@ -74,7 +74,7 @@ TEST_CASE("every kind of PNG is read as OpenImageIO reads it", "[image][files]")
     for (const Kind& kind : kinds) {
         INFO("colour type " << kind.color_type << ", " << kind.depth << " bits" << (kind.clear ? ", tRNS" : ""));
         write_file(path, kind);
-        const auto picture = read_directly(path);
+        const auto picture = decode_directly(path, bytes_of_file(path));
         REQUIRE(picture);
         CHECK(picture->indices.empty() == (kind.color_type != PNG_COLOR_TYPE_PALETTE));
         ReadResult other{};
@@ -98,6 +98,12 @@ TEST_CASE("a broken PNG is told from a whole one", "[image][files]")
     const ByteList whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     CHECK(decode_png(whole).width == kWidth);
     for (std::size_t length = 0; length + 12 < whole.size(); length += 5) CHECK_THROWS_AS(decode_png({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}), FileError);
+    ByteList remark = {whole.begin(), whole.begin() + 33};  // signature and header, then a chunk that is said to have 2 GB
+    for (const std::uint8_t byte : ByteList{0x7f, 0xff, 0xff, 0xf0, 't', 'E', 'X', 't', 'a'}) remark.push_back(byte);
+    CHECK_THROWS_WITH(decode_png(remark), "the PNG file is broken (it ends too early)");
+    ByteList huge = whole;
+    huge[18] = huge[22] = 0x0f;  // 4000 pixels each way
+    CHECK_THROWS_WITH(decode_png(huge), "the PNG file is broken (its sizes do not fit its length)");
     for (std::size_t at = 0; at < whole.size(); ++at) {
         ByteList changed = whole;
         changed[at] ^= 0x40;

@@ -1,5 +1,6 @@
 #include "render/image/files.h"
 #include "render/image/io_loader.h"
+#include "render/image/io_writer.h"
 #include "render/image/png_writer.h"
 
 #include "tests/support/temporary_folder.h"
@@ -67,21 +68,11 @@ TEST_CASE("PNG through libpng and through OpenImageIO are the same picture", "[i
                 const std::string direct = folder / "direct.png", other = folder / "library.png";
                 files.write(direct, raster, FileType::Png, curve);
 
-                std::vector<std::uint16_t> wide = raster.samples;
-                if (bits == 8)
-                    for (std::uint16_t& sample : wide) sample = static_cast<std::uint16_t>(sample * 257);
                 WriteRequest request{};
-                request.path = other.c_str();
                 request.format = "png";
-                request.width = raster.width;
-                request.height = raster.height;
-                request.channels = channels;
-                request.samples = wide.data();
-                request.eight_bits = bits == 8;
-                request.srgb = curve.kind == TransferCurve::Kind::Srgb;
-                request.gamma = curve.approximate_gamma();
-                request.software = "test";
-                REQUIRE(library.get().write(request) == nullptr);
+                IoWriter writer(library.get(), other, {raster.width, raster.height, channels, bits, curve, "test"}, request);
+                for (int row = 0; row < raster.height; ++row) writer.put(raster.at(0, row));
+                writer.finish();
                 check_same_meaning(files.read(direct), files.read(other));
             }
         }
@@ -111,5 +102,11 @@ TEST_CASE("a PNG has the entries that POV-Ray 3.7.0.10 writes, but for its offse
 TEST_CASE("a full disk is an error", "[image][files]")
 {
     if (!std::ifstream("/dev/full")) return;
-    CHECK_THROWS_AS(write_png("/dev/full", ramp(3, 8), ramp(3, 16).samples, TransferCurve::srgb(), "test"), FileError);
+    const auto written = [] {
+        PngWriter writer("/dev/full", {29, 17, 3, 8, TransferCurve::srgb(), "test"});
+        const Raster raster = ramp(3, 8);
+        for (int row = 0; row < raster.height; ++row) writer.put(raster.at(0, row));
+        writer.finish();
+    };
+    CHECK_THROWS_AS(written(), FileError);
 }

@@ -10,12 +10,16 @@
 namespace {
 
 struct Queries final : parser::SceneQueries {
-    parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction) override
+    parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction,
+                            const scene::Description& so_far) override
     {
-        const auto answer = plan::ObjectProbe(*object).trace(origin, direction);
+        const auto answer = plan::ObjectProbe(*object, so_far.global).trace(origin, direction);
         return {answer.hit, answer.point, answer.normal};
     }
-    bool inside(const ObjectPtr& object, const glm::dvec3& point) override { return plan::ObjectProbe(*object).inside(point); }
+    bool inside(const ObjectPtr& object, const glm::dvec3& point, const scene::Description& so_far) override
+    {
+        return plan::ObjectProbe(*object, so_far.global).inside(point);
+    }
     csg::Aabb extent(const ObjectPtr&) override { return {}; }
     glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override
     {
@@ -32,10 +36,9 @@ struct Queries final : parser::SceneQueries {
     }
 };
 
-std::string debug_of(const std::string& text)
+std::string debug_of(const std::string& text, parser::Options options = {})
 {
     Queries queries;
-    parser::Options options;
     options.queries = &queries;
     std::string all;
     for (const parser::Message& message : parser::parse_text(text, "test.pov", options).messages)
@@ -51,6 +54,8 @@ TEST_CASE("functions made of patterns", "[plan][function]")
     CHECK(debug_of("#declare F=function{pattern{cells}} #debug str(F(.5,.5,.5),0,10)") == "0.7118189153");
     CHECK(debug_of("#declare F=function{pattern{gradient x}} #debug concat(str(F(1,0,0),0,6),str(F(2,0,0),0,6),str(F(-.25,0,0),0,6))") ==
           "1.0000000.0000000.750000");
+    // lambda and omega are in single precision.
+    CHECK(debug_of("#debug vstr(3,vturbulence(2.3,.7,5,<1.3,2.7,3.1>),\" \",0,7)") == "-0.2029233 0.0076947 -0.0360532");
     // However many waves the scene has, functions in the text use 10.
     CHECK(debug_of("global_settings{number_of_waves 3} #declare F=function{pattern{ripples}} #debug str(F(.3,.4,.5),0,9)") == "0.273188179");
 }
@@ -69,6 +74,25 @@ TEST_CASE("noise follows the generator of the scene", "[plan][function]")
     const std::string two = debug_of("global_settings{noise_generator 2}" + noise), three = debug_of("global_settings{noise_generator 3}" + noise);
     CHECK(two == "0.334707373");
     CHECK(three != two);
+}
+
+TEST_CASE("the generator of noise asked while the text is read follows #version", "[plan][function]")
+{
+    const std::string bozo = "#declare B=function{pattern{bozo}} ", print = " #debug concat(str(B(1.3,2.16,.55),0,6),\" \")";
+    CHECK(debug_of("#version 3.1;" + bozo + print + "#version 3.7;" + print + "#version 3.1;" + print) == "0.254745 0.395394 0.254745 ");
+    CHECK(debug_of("#version 3.1; global_settings{noise_generator 2}" + bozo + print + "#version 3.7;" + print) == "0.395394 0.395394 ");
+    CHECK(debug_of("#version 3.1; #declare P=function{pigment{bozo color_map{[0 rgb 0][1 rgb 1]}}} #debug str(P(1.3,2.16,.55).red,0,6)") == "0.254745");
+    // A version given beside the text does not count until the picture is made.
+    parser::Options options;
+    options.version = 310;
+    CHECK(debug_of(bozo + print, options) == "0.395394 ");
+}
+
+TEST_CASE("so does an isosurface made of noise", "[plan][function]")
+{
+    const std::string surface = "#declare N=function{internal(76)} #declare I=isosurface{function{y-N(x,0,z)} contained_by{box{-2,2}} max_gradient 4}";
+    const std::string print = "#debug concat(str(trace(I,<.3,3,.4>,-y).y,0,2),\" \",str(inside(I,<.3,.45,.4>),0,0),\"; \")";
+    CHECK(debug_of(surface + print + "#version 3.1;" + print + "global_settings{noise_generator 3}" + print) == "0.49 1; 0.44 0; 0.69 1; ");
 }
 
 // In a loop they are compiled at the second pass: written out pass by pass they are not.

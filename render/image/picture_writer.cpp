@@ -1,0 +1,111 @@
+#include "render/image/picture_writer.h"
+
+#include "render/image/file_types.h"
+#include "render/image/io_loader.h"
+#include "render/image/io_writer.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace image {
+
+Replacement::Replacement(const std::string& path) : path_(path), beside_(path + "." + std::to_string(getpid()) + ".part") {}
+
+Replacement::~Replacement()
+{
+    if (!placed_) std::remove(beside_.c_str());
+}
+
+void Replacement::put_in_place()
+{
+    if (std::rename(beside_.c_str(), path_.c_str()) != 0) throw FileError("cannot write '" + path_ + "': " + std::strerror(errno));
+    placed_ = true;
+}
+
+/// The sinks' messages name no file.
+template <class Work> void PictureWriter::named(Work&& work) const
+{
+    try {
+        work();
+    } catch (const FileError& error) {
+        throw FileError("cannot write '" + replacement_.path() + "': " + error.what());
+    }
+}
+
+PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int width, int height, const FileSettings& settings)
+    : width_(width), height_(height), bottom_up_(settings.type == FileType::Bmp), replacement_(path)
+{
+    const TypeFacts& type = facts(settings.type);
+    Encoding encoding = settings.encoding;
+    encoding.alpha = encoding.alpha && type.alpha;
+    FileShape shape{width, height, encoding.alpha ? 4 : 3, 16, encoding.curves.file, kSoftware};
+    if (type.linear_light) {
+        const IoModule& module = loader.get();
+        working_ = encoding.curves.working;
+        alpha_ = encoding.alpha;
+        WriteRequest request{};
+        request.format = type.format;
+        request.linear_light = true;
+        named([&] {
+            auto writer = std::make_unique<IoWriter>(module, replacement_.beside(), shape, request);
+            levels_ = writer.get();
+            sink_ = std::move(writer);
+        });
+        return;
+    }
+    if (!type.sixteen_bits) encoding.bits = 8;
+    if (settings.type == FileType::Jpeg) encoding.dither = Dither::None;  // it would lose the pattern
+    rounding_ = std::make_unique<RowQuantiser>(width, height, encoding);
+    shape.channels = rounding_->channels();
+    shape.bits = rounding_->bits();
+    row_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(shape.channels));
+    named([&] { sink_ = integer_sink(loader, settings.type, replacement_.beside(), shape, settings.jpeg_quality, settings.quick); });
+    if (bottom_up_) from_below_.reserve(row_.size() * static_cast<std::size_t>(height));
+}
+
+PictureWriter::~PictureWriter()
+{
+    sink_.reset();  // before its file is removed
+}
+
+/// Linear light, colours weighted by opacity, as OpenEXR and Radiance store it.
+void PictureWriter::put_linear(const float* pixels)
+{
+    level_row_.clear();
+    for (int x = 0; x < width_; ++x, pixels += 4) {
+        for (std::size_t c = 0; c < 3; ++c) level_row_.push_back(working_.decode(pixels[c]));
+        if (alpha_) level_row_.push_back(1.0f - pixels[3]);
+    }
+    named([&] { levels_->put_levels(level_row_.data()); });
+}
+
+void PictureWriter::put(const float* pixels)
+{
+    const int row = next_row();
+    ++taken_;
+    if (!rounding_) return put_linear(pixels);
+    rounding_->round(row, pixels, row_.data());
+    if (bottom_up_) {
+        for (const std::uint16_t sample : row_) from_below_.push_back(static_cast<std::uint8_t>(sample));
+        return;
+    }
+    named([&] { sink_->put(row_.data()); });
+}
+
+void PictureWriter::finish()
+{
+    named([&] {
+        for (std::size_t at = from_below_.size(); at > 0; at -= row_.size()) {
+            std::copy_n(from_below_.begin() + static_cast<std::ptrdiff_t>(at - row_.size()), row_.size(), row_.begin());
+            sink_->put(row_.data());
+        }
+        sink_->finish();
+    });
+    replacement_.put_in_place();
+}
+
+}  // namespace image

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "render/image/transfer_curve.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace image {
+
+/// What a file of rows has to know before the first.
+struct FileShape {
+    int width = 0, height = 0, channels = 3;
+    int bits = 8;                 ///< of an integer: the largest is 2^bits - 1
+    TransferCurve curve;          ///< that the values are stored with
+    const char* software = "";
+};
+
+/// A picture file that grows row by row, from the top. One that was not finished is of no use.
+/// Methods throw FileError, whose text names no file.
+class RowSink {
+public:
+    RowSink() = default;
+    RowSink(const RowSink&) = delete;
+    RowSink& operator=(const RowSink&) = delete;
+    virtual ~RowSink() = default;
+    /// The next row: channels * width integers.
+    virtual void put(const std::uint16_t* samples) = 0;
+    /// After the last row. A full disk may show only now.
+    virtual void finish() = 0;
+};
+
+/// Integers of `bits` bits over 16: shorter ones stand at the top and repeat below, so that the largest stays the largest.
+/// For 8 stored bits the upper byte is what counts (spec 2, 12.4).
+inline std::uint16_t widened(std::uint16_t value, int bits)
+{
+    std::uint32_t filled = 0;
+    for (int shift = 16 - bits; shift > -bits; shift -= bits) filled |= shift >= 0 ? std::uint32_t{value} << shift : std::uint32_t{value} >> -shift;
+    return static_cast<std::uint16_t>(filled);
+}
+
+}  // namespace image

@@ -1,0 +1,65 @@
+#include "render/plan/camera_starts.h"
+
+#include <algorithm>
+
+namespace plan {
+namespace {
+
+/// Whether anything depends on the interiors that a ray is inside of: fog does, and light that surfaces let through or mirror by fresnel.
+bool interiors_matter(const CompiledScene& scene)
+{
+    return !scene.fogs.empty() || std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return !s.opaque; }) ||
+           std::any_of(scene.textures.finishes.begin(), scene.textures.finishes.end(), [](const texture::Finish& f) { return f.fresnel; });
+}
+
+/// Items that hold some place where rays start, where it may depend on the place.
+void find_start_holders(CompiledScene& scene)
+{
+    if (!interiors_matter(scene)) return;
+    const csg::Aabb starts = camera_starts(scene.camera, scene.mesh_camera.get());
+    for (std::uint32_t i = 0; i < scene.geometry.items.size(); ++i) {
+        const ObjectInfo& object = scene.objects[scene.geometry.items[i].object];
+        if (object.interior == kNone || object.holds_starts.intersected(starts).empty()) continue;
+        if (scene.world().item_may_hold(i, starts)) scene.start_holders.push_back({i, object.interior, object.holds_starts});
+    }
+}
+
+}  // namespace
+
+csg::Aabb camera_starts(const scene::Camera& camera, const MeshCamera* mesh)
+{
+    csg::Aabb box;
+    if (mesh != nullptr) {
+        for (const MeshCamera::Ray& ray : mesh->faces) box.include(ray.origin);
+        for (const MeshCamera::Corners& corners : mesh->corners)
+            for (const MeshCamera::Ray& ray : corners.rays) box.include(ray.origin);
+        return box;
+    }
+    const bool plane = camera.kind == scene::Camera::Kind::Orthographic, cylinder = camera.kind == scene::Camera::Kind::Cylinder;
+    // Starts reach half of these to each side, and samples of small pictures a good way farther.
+    const glm::dvec3 right = plane || (cylinder && camera.cylinder_type == 4) ? camera.right : glm::dvec3(0);
+    const glm::dvec3 up = plane || (cylinder && camera.cylinder_type == 3) ? camera.up : glm::dvec3(0);
+    for (const double u : {-1.0, 1.0})
+        for (const double v : {-1.0, 1.0}) box.include(camera.location + u * right + v * up);
+    if (blurred(camera)) {
+        const glm::dvec3 lens(std::abs(camera.aperture));  // twice its radius: places are jittered
+        box.lower -= lens;
+        box.upper += lens;
+    }
+    return box;
+}
+
+void find_camera_interiors(CompiledScene& scene)
+{
+    if (starts_differ(scene.camera)) return find_start_holders(scene);
+    std::vector<std::uint32_t> objects;
+    scene.world().containing(scene.camera.location, objects);
+    for (const std::uint32_t object : objects) {
+        const std::uint32_t interior = scene.objects[object].interior;
+        if (interior == kNone || !within(scene.objects[object].holds_starts, scene.camera.location)) continue;
+        auto& list = scene.camera_interiors;
+        if (std::find(list.begin(), list.end(), interior) == list.end()) list.push_back(interior);
+    }
+}
+
+}  // namespace plan

@@ -1,0 +1,72 @@
+#include "render/scene/undrawn_features.h"
+
+#include <set>
+#include <unordered_set>
+
+namespace scene {
+namespace {
+
+class Finder {
+public:
+    std::vector<Unsupported> found;
+
+    void tell(const std::string& what, const SourceRef& source)
+    {
+        if (told_.insert(what).second) found.push_back({what, source});
+    }
+    void object(const Object& object)
+    {
+        texture(object.texture);
+        texture(object.interior_texture);
+        if (object.interior && !object.interior->media.empty()) tell("media", object.interior->media.front()->source);
+        if (const auto* csg = std::get_if<Csg>(&object.shape)) operands(csg->operands);
+        if (const auto* light = std::get_if<Light>(&object.shape); light && light->looks_like) this->object(*light->looks_like);
+        if (const auto* mesh = std::get_if<Mesh>(&object.shape); mesh && mesh->data && seen_.insert(mesh->data.get()).second)
+            for (const TexturePtr& face : mesh->data->textures) texture(face);
+        if (const auto* freeform = std::get_if<Freeform>(&object.shape); freeform && freeform->part_textures)
+            for (const TexturePtr& part : *freeform->part_textures) texture(part);
+    }
+    void texture(const TexturePtr& texture)
+    {
+        if (!texture || !seen_.insert(texture.get()).second) return;
+        if (const auto* patterned = std::get_if<PatternedTexture>(&texture->kind)) {
+            for (const MapEntry<TexturePtr>& entry : patterned->map) this->texture(entry.value);
+            return;
+        }
+        const auto& layers = std::get<std::vector<Layer>>(texture->kind);
+        if (layers.size() > kMostLayers) tell("more than 32 layers in a texture", layers.front().pigment.source);
+        for (const Layer& layer : layers)
+            if (layer.finish.subsurface) tell("subsurface", layer.finish.subsurface->source);
+    }
+
+private:
+    void operands(const std::shared_ptr<const std::vector<Object>>& all)
+    {
+        if (!all || !seen_.insert(all.get()).second) return;
+        for (const Object& operand : *all) object(operand);
+    }
+    std::set<std::string> told_;
+    std::unordered_set<const void*> seen_;  // what copies of a declared object share
+};
+
+}  // namespace
+
+std::vector<Unsupported> undrawn_features(const Description& description, bool in_objects)
+{
+    Finder finder;
+    for (const StatementPtr& effect : description.global.effects)
+        if (effect->keyword != "subsurface") finder.tell(effect->keyword, effect->source);  // which changes nothing by itself
+    for (const StatementPtr& effect : description.effects) finder.tell(effect->keyword, effect->source);
+    for (const StatementPtr& item : description.camera.undrawn) finder.tell(item->keyword, item->source);
+    if (const StatementPtr& mesh = description.camera.mesh; mesh && description.camera.kind == Camera::Kind::Mesh && number_of(mesh->items.front().operands.front()) >= 2.0)
+        finder.tell("several rays a pixel of a mesh_camera (the first is used)", mesh->source);
+    for (const Object& object : description.undrawn) finder.tell(object.undrawn, object.source);
+    if (!in_objects) return finder.found;
+    for (const Object& object : description.objects) {
+        finder.object(object);
+        finder.texture(object.default_texture);
+    }
+    return finder.found;
+}
+
+}  // namespace scene
