@@ -5,6 +5,8 @@
 #include "csg/traverse.h"
 #include "csg/world_data.h"
 
+#include <algorithm>
+
 /// The pyramid around a tile's rays. Compiled once per instruction set.
 namespace csg {
 
@@ -22,13 +24,34 @@ public:
         const double size = 1e-6 * (widest.x + widest.y + widest.z);
         for (int p = 0; p < 5; ++p) {
             const auto [least, most] = rays.along(normal_[p]);
-            for (int axis = 0; axis < 3; ++axis) {
-                normal_f_[p][axis] = static_cast<float>(normal_[p][axis]);
-                far_row_[p][axis] = normal_[p][axis] >= 0.0 ? axis + 3 : axis;
-            }
-            threshold_[p] = rounded_down(least - size);
+            set_plane(p, normal_[p], least - size);
             if (p == kAxis) deepest_ = rounded_up(most + size);
         }
+    }
+
+    /// Around all that lies between the points of two sets.
+    Beam(const glm::dvec3* from, std::size_t from_count, const glm::dvec3* to, std::size_t to_count, const Aabb& scene)
+    {
+        const glm::dvec3 widest = find_axes(from, from_count, to, to_count, scene);
+        // As above; the points of a lamp are given more roughly than rays are.
+        const double size = 1e-6 * (widest.x + widest.y + widest.z);
+        const auto foremost = [](const glm::dvec3* p, std::size_t n, const glm::dvec3& v) {
+            return *std::min_element(p, p + n, [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(v, a) < glm::dot(v, b); });
+        };
+        const auto first_of = [&](const glm::dvec3& v) { return foremost(from, from_count, v); };
+        const auto last_of = [&](const glm::dvec3& v) { return foremost(to, to_count, v); };
+        narrow_ = narrow_ && glm::dot(axis_, first_of(-axis_)) < glm::dot(axis_, last_of(axis_));
+        const glm::dvec3 sides[kAxis] = {side_, -side_, up_, -up_};
+        for (int p = 0; p < 5; ++p) {
+            glm::dvec3 n = axis_;
+            if (p < kAxis) {
+                const glm::dvec3 across = last_of(sides[p]) - first_of(sides[p]);
+                const double along = glm::dot(axis_, across);
+                n = along > 0.0 ? glm::normalize(sides[p] - glm::dot(sides[p], across) / along * axis_) : sides[p];
+            }
+            set_plane(p, n, std::min(glm::dot(n, first_of(n)), glm::dot(n, last_of(n))) - size);
+        }
+        deepest_ = rounded_up(glm::dot(axis_, last_of(-axis_)) + size);
     }
 
     /// False: rays too far apart for one beam.
@@ -72,6 +95,35 @@ public:
 
 private:
     static constexpr int kAxis = 4;
+
+    /// Plane p: everything lies where dot(n, point) >= least.
+    void set_plane(int p, const glm::dvec3& n, double least)
+    {
+        normal_[p] = n;
+        for (int axis = 0; axis < 3; ++axis) {
+            normal_f_[p][axis] = static_cast<float>(n[axis]);
+            far_row_[p][axis] = n[axis] >= 0.0 ? axis + 3 : axis;
+        }
+        threshold_[p] = rounded_down(least);
+    }
+
+    /// From the middle of one set to that of the other, and along the lamp's edge. The largest coordinates, by amount.
+    glm::dvec3 find_axes(const glm::dvec3* from, std::size_t from_count, const glm::dvec3* to, std::size_t to_count, const Aabb& scene)
+    {
+        glm::dvec3 begin(0.0), end(0.0), widest = glm::max(glm::abs(scene.lower), glm::abs(scene.upper));
+        for (std::size_t i = 0; i < from_count; ++i) begin += from[i], widest = glm::max(widest, glm::abs(from[i]));
+        for (std::size_t i = 0; i < to_count; ++i) end += to[i], widest = glm::max(widest, glm::abs(to[i]));
+        const glm::dvec3 way = end / static_cast<double>(to_count) - begin / static_cast<double>(from_count);
+        const double length = glm::length(way);
+        narrow_ = length > 0.0;
+        axis_ = narrow_ ? way / length : glm::dvec3(0, 0, 1);
+        glm::dvec3 u = to[0] - to[to_count - 1];
+        u -= glm::dot(u, axis_) * axis_;
+        if (glm::dot(u, u) < 1e-16 * length * length) u = glm::cross(axis_, std::abs(axis_.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+        side_ = glm::normalize(u);
+        up_ = glm::cross(axis_, side_);
+        return widest;
+    }
 
     /// dot(normal p, corner) for the corner farthest along the normal (rows 0) or the opposite one (rows 3).
     lanes::FloatPart along(const float (&bounds)[6][8], int p, int rows, int at) const

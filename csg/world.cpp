@@ -2,6 +2,7 @@
 
 #include "csg/own_start.h"
 #include "csg/reach.h"
+#include "csg/shaft.h"
 #include "csg/tile_clusters.h"
 #include "csg/tile_crossings.h"
 #include "csg/traverse.h"
@@ -39,7 +40,6 @@ inline void open_block(const WorldData& world, ChildWord leaf, const Ray& ray, E
 template <class Keep>
 inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, double t_max, Scratch& scratch, Keep&& keep)
 {
-    constexpr std::uint8_t kShadowBit = 1u << 2;
     scratch.cancel.look();
     Shadow found = Shadow::Clear;
     const RaySlabs slabs(ray);
@@ -54,7 +54,7 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
     };
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
-        if ((item.visible & kShadowBit) == 0) return;
+        if ((item.visible & world.shadow_kinds) == 0) return;
         if (item.all_opaque && !world.faithful) {
             if (item_nearest(world, item, ray, t_min, t_max, scratch, &slabs, t_max).found()) found = Shadow::Blocked;
             return;
@@ -63,7 +63,7 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
     };
     const auto ball = [&](std::uint32_t i, double near, double far) {
         const WorldItem& item = world.items[i];
-        if ((item.visible & kShadowBit) == 0) return;
+        if ((item.visible & world.shadow_kinds) == 0) return;
         const SurfaceId surface = world.store.surface(item.solid);
         if (near >= t_min && near <= t_max) meet({near, surface, item.solid, 0, false});
         if (far >= t_min && far <= t_max) meet({far, surface, item.solid, 0, false});
@@ -72,7 +72,7 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
         each(i);
         if (found == Shadow::Blocked) return found;
     }
-    traverse(world.bvh, slabs, t_min, t_max, kShadowBit, [&](ChildWord leaf) {
+    traverse(world.bvh, slabs, t_min, t_max, world.shadow_kinds, [&](ChildWord leaf) {
         open_block(world, leaf, ray, each, ball);
         return found == Shadow::Blocked ? -1.0 : t_max;
     });
@@ -92,7 +92,7 @@ void shadow_of_cluster(const World& world, const WorldData& data, const RayTile&
 {
     const auto answered = [&](auto&& lanes) {
         ShadowOfTile query(data, lanes, scratch);
-        if (!ask_tile(data, lanes, 1u << 2, query)) return false;
+        if (!ask_tile(data, lanes, data.shadow_kinds, query)) return false;
         for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
         return true;
     };
@@ -107,7 +107,7 @@ void crossings_of_cluster(const World& world, const WorldData& data, const RayTi
 {
     const auto answered = [&](auto&& lanes) {
         CrossingsOfTile query(data, lanes, scratch, out);
-        if (!ask_tile(data, lanes, 1u << 2, query)) return false;
+        if (!ask_tile(data, lanes, data.shadow_kinds, query)) return false;
         query.finish();
         return true;
     };
@@ -381,6 +381,24 @@ void World::shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile
                 std::copy_n(found.hits[i].begin(), found.count[i], out.hits[place[i]].begin());
         }
     }
+}
+
+void World::shadow(const RayTile& rays, const Shaft& shaft, Scratch& scratch, Shadow* out) const
+{
+    scratch.cancel.look();
+    TileRays<OwnOrigins> lanes(rays);
+    ShadowOfTile query(*data_, lanes, scratch);
+    shaft.ask(*data_, lanes, query);
+    for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
+}
+
+void World::shadow_crossings(const RayTile& rays, const Shaft& shaft, Scratch& scratch, CrossingTile& out) const
+{
+    scratch.cancel.look();
+    TileRays<OwnOrigins> lanes(rays);
+    CrossingsOfTile query(*data_, lanes, scratch, out);
+    shaft.ask(*data_, lanes, query);
+    query.finish();
 }
 
 }  // namespace csg

@@ -10,6 +10,7 @@ namespace csg {
 
 struct WorldData;   // csg/world_data.h
 class Scratch;      // csg/scratch.h: per thread, reused; never shared
+class Shaft;        // csg/shaft.h
 
 /// All top-level objects of a scene behind one bounding hierarchy. Immutable once built; safe for any number of threads.
 /// Ray directions have unit length; t is a distance in scene units. Bits of `kinds`: trace::bit(plan::RayKind).
@@ -60,6 +61,12 @@ public:
 
     /// shadow_crossings() for a tile.
     void shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile& out) const;
+
+    /// The same for rays that run inside of a shaft, which serves.
+    void shadow(const RayTile& rays, const Shaft& shaft, Scratch& scratch, Shadow* out) const;
+    void shadow_crossings(const RayTile& rays, const Shaft& shaft, Scratch& scratch, CrossingTile& out) const;
+
+    const WorldData& data() const { return *data_; }
 
 private:
     Hit first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;

@@ -80,9 +80,17 @@ Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::
     return out;
 }
 
+AreaAxes oriented_axes(const Light& light, const glm::dvec3& point)
+{
+    const glm::dvec3 d = light.parallel ? -light.axis : glm::normalize(light.location - point);
+    const glm::dvec3 t = std::abs(std::abs(d.z) - 1.0) < 0.01 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+    const double size = glm::length(light.axis1);
+    const glm::dvec3 a = glm::normalize(glm::cross(d, t)), b = glm::normalize(glm::cross(d, size * a));
+    return {a, b, size};
+}
+
 glm::dvec3 node_offset(const Light& light, const glm::dvec3& point, double i, double j)
 {
-    constexpr double kCircleShift = 0.001;  // really part of POV-Ray's positions (spec 3, 12.5)
     const auto share = [](double k, int size) { return size > 1 ? k / (size - 1) - 0.5 : 0.0; };
     double p = share(i, light.size1), q = share(j, light.size2);
     if (!light.circular) return p * light.axis1 + q * light.axis2;
@@ -90,11 +98,8 @@ glm::dvec3 node_offset(const Light& light, const glm::dvec3& point, double i, do
     q += kCircleShift;
     const double m = std::max(std::abs(p), std::abs(q)) / std::sqrt(p * p + q * q);
     if (!light.orient) return (p * m) * light.axis1 + (q * m) * light.axis2;
-    const glm::dvec3 d = light.parallel ? -light.axis : glm::normalize(light.location - point);
-    const glm::dvec3 t = std::abs(std::abs(d.z) - 1.0) < 0.01 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
-    const double size = glm::length(light.axis1);
-    const glm::dvec3 a = glm::normalize(glm::cross(d, t)), b = glm::normalize(glm::cross(d, size * a));
-    return (size * p * m) * a + (size * q * m) * b;
+    const AreaAxes axes = oriented_axes(light, point);
+    return (axes.size * p * m) * axes.a + (axes.size * q * m) * axes.b;
 }
 
 }  // namespace light

@@ -26,11 +26,8 @@ struct Light {
     int size1 = 1, size2 = 1, adaptive = 100;
     std::shared_ptr<const Projector> projector;  ///< projected_through; null: nothing
 
-    /// Its shadows are found point by point, not by tiles of rays.
-    bool by_points() const { return area || projector != nullptr || atmosphere; }
-
     /// Every lit point has the light in the same direction or sees it at one place: shadow rays form a beam.
-    bool from_one_point() const { return !parallel && kind != Kind::Cylinder && !area; }
+    bool from_one_point() const { return !parallel && kind != Kind::Cylinder && !area && projector == nullptr; }
 };
 
 struct LightSet {

@@ -39,6 +39,7 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     CompiledScene out;
     out.options = options;
     out.geometry.faithful = options.faithful;
+    out.geometry.shadow_kinds = bit(RayKind::Shadow);
     out.camera = description.camera;
     out.mesh_camera = compile_mesh_camera(description.camera);
     out.settings = settings(description, options);

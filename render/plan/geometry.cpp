@@ -334,12 +334,11 @@ scene::TexturePtr GeometryCompiler::moved(const scene::TexturePtr& texture, cons
 
 std::uint8_t GeometryCompiler::visible(const Inherited& own) const
 {
-    const auto bit = [](RayKind kind) { return 1u << static_cast<unsigned>(kind); };
-    unsigned bits = 0;
-    if (!own.no_image) bits |= bit(RayKind::Image);
-    if (!own.no_reflection) bits |= bit(RayKind::Reflection);
-    if (!own.no_shadow) bits |= bit(RayKind::Shadow);
-    return static_cast<std::uint8_t>(bits);
+    std::uint8_t bits = 0;
+    if (!own.no_image) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Image));
+    if (!own.no_reflection) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Reflection));
+    if (!own.no_shadow) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Shadow));
+    return bits;
 }
 
 }  // namespace plan

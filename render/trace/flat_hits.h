@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/texture/evaluate_points.h"
+#include "render/trace/lane_masks.h"
 #include "render/trace/shade_context.h"
 #include "render/trace/shade_light.h"
 
@@ -114,6 +115,24 @@ public:
         reached_ = 0;
     }
 
+    /// Lights from here to end_group() are summed by themselves first.
+    void begin_group()
+    {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            FlatDepth& at = scratch_.flat[depth];
+            at.gained_before = at.gained;
+            at.gained.fill(0.0f);
+        }
+    }
+    void end_group()
+    {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            FlatDepth& at = scratch_.flat[depth];
+            for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue})
+                for (std::size_t k = 0; k < csg::kTileRays; ++k) (at.gained.*channel)[k] = (at.gained_before.*channel)[k] + (at.gained.*channel)[k];
+        }
+    }
+
     /// Light of all layers as the viewer sees it, for sum(k).
     void finish()
     {
@@ -123,7 +142,7 @@ public:
             float* sum = (sums.*channel).data();
             for (std::size_t depth = 0; depth < depths_; ++depth) {
                 const FlatDepth& at = scratch_.flat[depth];
-                const Lanes here(at.holds);
+                const LaneMask here(at.holds);
                 const float *glow = (at.glow.*channel).data(), *gained = (at.gained.*channel).data(), *filter = (at.filter.*channel).data();
                 if (depth == 0) {
                     for (std::size_t k = 0; k < csg::kTileRays; ++k) sum[k] = glow[k] + gained[k];
@@ -140,21 +159,6 @@ public:
     glm::vec3 sum(std::size_t k) const { return scratch_.sums[k]; }
 
 private:
-    /// A mask as a number a lane, 0 or 1: what loops over all hits choose by without a branch.
-    struct Lanes {
-        alignas(64) std::array<std::uint32_t, csg::kTileRays> of;
-
-        explicit Lanes(HitMask mask)
-        {
-            const auto low = static_cast<std::uint32_t>(mask), high = static_cast<std::uint32_t>(mask >> 32);
-            for (std::uint32_t k = 0; k < 32; ++k) {
-                of[k] = low >> k & 1u;
-                of[k + 32] = high >> k & 1u;
-            }
-        }
-        std::uint32_t operator[](std::size_t k) const { return of[k]; }
-    };
-
     static bool dark(const glm::vec3& c) { return !(std::abs(c.x) > kDark || std::abs(c.y) > kDark || std::abs(c.z) > kDark); }
 
     FlatDepth& add_layer(std::size_t depth, HitMask hits, const texture::Layer& of)
@@ -232,7 +236,7 @@ private:
     /// Pigments of hits; of some, `clear`, opacity counts.
     void color(FlatDepth& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
-        const Lanes here(hits), counts(clear);
+        const LaneMask here(hits), counts(clear);
         alignas(64) TileFloats alpha;
         alpha.fill(1.0f);
         if (clear != 0 && set_.legacy_opacity) {
@@ -281,11 +285,11 @@ private:
         if (shiny != 0) {
             alignas(64) TileLanes found{};
             find_highlights(rays, n, scratch_.light, at.shine, shiny, found);
-            const Lanes shines(shiny);
+            const LaneMask shines(shiny);
             for (std::size_t k = 0; k < csg::kTileRays; ++k) strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f;
         }
         const HitMask tinted = at.tinted & shiny, plain = on & ~tinted;
-        const Lanes gains(plain), has_diffuse(at.lit);
+        const LaneMask gains(plain), has_diffuse(at.lit);
         const auto gain = [&](TileFloats TileColors::*channel) {
             const float *pigment = (at.pigment.*channel).data(), *color = (scratch_.reaching.*channel).data();
             float* gained = (at.gained.*channel).data();

@@ -38,6 +38,7 @@ struct FlatDepth {
     TileColors emitted;              ///< by the finish: its ambient and emission
     alignas(64) TileFloats finish_diffuse;
     TileColors pigment, glow;        ///< glow: ambient and emission
+    TileColors gained_before;        ///< by lights before those of a group (FlatHits::begin_group)
     TileColors gained, filter;       ///< what the lights have added so far; what the layers above let through
     alignas(64) TileLanes diffuse;   ///< times the layer's opacity
     alignas(64) TileLanes nx, ny, nz;   ///< all hits' where some are bent

@@ -15,7 +15,4 @@ using csg::kTileSide;
 using csg::RayTile;
 using csg::Shadow;
 
-/// The bit of a kind of ray in csg::World's visibility masks.
-constexpr std::uint8_t bit(plan::RayKind kind) { return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind)); }
-
 }  // namespace trace

@@ -96,7 +96,7 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
 /// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point or
 /// from the light; they are turned round in place.
 glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
-                        const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count);
+                        const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count, bool in_fog = false);
 
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);

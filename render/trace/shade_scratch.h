@@ -41,11 +41,26 @@ struct alignas(64) ShadowEnds {
     alignas(64) TileLanes from, to;
 };
 
+/// The nodes of the light at hand, for all hits of a tile at once; reused from light to light.
+struct AreaScratch {
+    struct Node {
+        double row, column;
+        HitMask known;               ///< hits whose light from here is in `value`
+        TileColors value;
+    };
+    std::vector<Node> nodes;                 ///< those that some hit asked for
+    std::vector<std::uint32_t> place;        ///< by i * size2 + j: index into `nodes`, or kNone
+    std::vector<std::uint32_t> wanted;       ///< of `nodes`: asked for next
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+};
+
 /// What shading keeps per thread; grows to what the scene needs and stays.
 struct ShadeScratch {
     SceneTraits traits;                  ///< filled by the first tile
     std::vector<LightSample> lights;     ///< a stack: every shaded hit owns lights.size() entries at its level
     std::vector<csg::Share> shares;      ///< a stack: of a blob's components, while their textures are shaded
+    AreaScratch area;
+    TileColors area_colors;              ///< of the area light at hand, past what shadows it
     std::vector<glm::vec3> area_nodes;   ///< shadow values of the area light at hand; red below 0: not yet known
     csg::RayTile rays;                   ///< shadow rays of a tile
     Wave wave;                           ///< rays that go on from the tile's hits

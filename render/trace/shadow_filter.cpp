@@ -175,7 +175,7 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
 }
 
 glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
-                        const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count)
+                        const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count, bool in_fog)
 {
     Hit* const end = crossings + count;
     if (from_light) {
@@ -190,7 +190,9 @@ glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolera
     }
     RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
     double before = 0.0;
-    return past_crossings(context, ray, tolerance, lit.color, crossings, end, before, false);
+    glm::vec3 color = past_crossings(context, ray, tolerance, lit.color, crossings, end, before, in_fog);
+    if (in_fog) color *= fog_before(context, ray, before, lit.distance);
+    return color;
 }
 
 }  // namespace trace

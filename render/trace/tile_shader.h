@@ -2,6 +2,7 @@
 
 #include "csg/lane_equal.h"
 #include "csg/reach.h"
+#include "render/trace/area_light.h"
 #include "render/trace/flat_hits.h"
 #include "render/trace/look_ahead.h"
 #include "render/trace/shade_context.h"
@@ -36,9 +37,8 @@ public:
     /// Places and what is to be done with each hit; true if some are not flat and need LightSamples.
     bool prepare()
     {
-        const auto& lights = context_.scene.lights.lights;
         const plan::Settings& settings = context_.scene.settings;
-        small_ = settings.quality >= 2 && std::none_of(lights.begin(), lights.end(), [](const light::Light& l) { return l.by_points(); });
+        small_ = settings.quality >= 2;
         go_on_ = settings.quality >= 8 && settings.adc_bailout < 1.0 && !scratch_.wave.full();
         find_places();
         scratch_.pigments.clear();
@@ -70,7 +70,7 @@ public:
         const light::Light& light = context_.scene.lights.lights[which];
         const HitMask asks = asks_;
         if (scratch_.traits.grouped) asks_ &= shone_on(light);
-        if (!light.by_points() && asks_ != 0) add(which, light);
+        if (asks_ != 0) add(which, light);
         asks_ = asks;
     }
 
@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    /// A light that is not asked point by point is added to the hits of asks_.
+    /// A light is added to the hits of asks_.
     void add(std::size_t which, const light::Light& light)
     {
         const HitMask colored = steady(light) ? illuminate_from_point(light) : illuminate_each(light);
@@ -117,20 +117,96 @@ private:
             s.lit = {scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
             s.illuminated = true;
         });
+        const bool shadows = shadows_ && (!light.shadowless || light.projector);
+        if (light.area && (shadows || light.area_illumination)) {
+            const HitMask asking = light.area_illumination ? asks_ : asks_ & colored & facing();
+            if (asking != 0) add_area(which, light, asking, shadows);
+            return;
+        }
         HitMask asking = asks_ & colored & facing();
-        if (shadows_ && !light.shadowless) {
-            const HitMask near = find_shadow_ends(context_.scene.tolerance.shadow, scratch_.hits, hits_, scratch_.light, scratch_.shadow_ends, rays_.count);
+        if (shadows) {
+            if (light.projector) asking &= project(which, light, asking);
+            const HitMask near = light.shadowless ? asking : find_shadow_ends(context_.scene.tolerance.shadow, scratch_.hits, hits_, scratch_.light, scratch_.shadow_ends, rays_.count);
             flat_.light(asking & near & flat_.all());
+            for_each_hit(asking & near & ~flat_.all(), [&](std::size_t k) { know(k, which, scratch_.lit_colors[k]); });
             asking &= ~near;
             if (asking != 0) {
                 const bool from_light = light.from_one_point() && !scratch_.traits.beside && !context_.scene.geometry.faithful && (asks_ & beyond(scratch_.light, kFarLight * context_.scene.tolerance.shadow, rays_.count)) == 0;
-                answer(which, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
+                answer(which, light, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
             }
         } else {
             flat_.light(asking & flat_.all());
         }
         flat_.add(light, rays_);
     }
+
+    /// The hits that see a light through its projector, where their shadow rays end then; the others are dark.
+    HitMask project(std::size_t which, const light::Light& light, HitMask asking)
+    {
+        HitMask seen = 0;
+        for_each_hit(asking, [&](std::size_t k) {
+            const double depth = light.projector->depth({scratch_.hits.point(k), scratch_.light.direction(k)});
+            if (depth < 0.0 || depth >= scratch_.light.distance[k]) {
+                if (!flat_.holds(k)) know(k, which, glm::vec3(0));
+                return;
+            }
+            scratch_.light.distance[k] = depth;
+            seen |= HitMask{1} << k;
+        });
+        return seen;
+    }
+
+    /// The same of an area light, whose shadows are found for all hits at once.
+    void add_area(std::size_t which, const light::Light& light, HitMask asking, bool shadows)
+    {
+        TileColors& seen = scratch_.area_colors;
+        if (shadows) {
+            std::array<const InteriorList*, csg::kTileRays> around;
+            for_each_hit(asking, [&](std::size_t k) { around[k] = &interiors(k); });
+            AreaLight(context_, light, hits_, around.data()).shadows(asking, seen);
+            if (light.atmosphere && !light.shadowless)   // as if all of it came from the centre
+                for_each_hit(asking, [&](std::size_t k) {
+                    if (!interiors(k).all_hollow(context_.scene.interiors)) return;
+                    seen.set(k, seen[k] * fog_share(context_, {scratch_.hits.point(k), scratch_.light.direction(k)}, scratch_.light.distance[k]));
+                });
+            for_each_hit(asking & ~flat_.all(), [&](std::size_t k) { know(k, which, seen[k]); });
+        } else {
+            for_each_hit(asking, [&](std::size_t k) { seen.set(k, light.color); });
+        }
+        asking &= flat_.all();
+        if (light.area_illumination) return add_nodes(light, asking, seen);
+        for_each_hit(asking, [&](std::size_t k) { flat_.light(k, seen[k]); });
+        flat_.add(light, rays_);
+    }
+
+    /// area_illumination: every node is a light of its own under one common shadow (spec 3, 12.7).
+    void add_nodes(const light::Light& light, HitMask asking, const TileColors& seen)
+    {
+        HitMask reached = 0;
+        for_each_hit(asking, [&](std::size_t k) { reached |= black_or_darker(seen[k]) ? 0 : HitMask{1} << k; });
+        if (reached == 0) return;
+        const float share = 1.0f / static_cast<float>(light.size1 * light.size2);
+        flat_.begin_group();
+        for (int j = 0; j < light.size2; ++j)
+            for (int i = 0; i < light.size1; ++i) {
+                for_each_hit(reached, [&](std::size_t k) {
+                    const glm::dvec3 point = scratch_.hits.point(k);
+                    const light::Illumination lit = light::illuminate(light, point, light::node_offset(light, point, i, j));
+                    scratch_.light.x[k] = lit.direction.x;
+                    scratch_.light.y[k] = lit.direction.y;
+                    scratch_.light.z[k] = lit.direction.z;
+                    glm::vec3 color = seen[k] * share;
+                    for (int c = 0; c < 3; ++c)
+                        if (light.color[c] != 0.0f) color[c] *= lit.color[c] / light.color[c];
+                    flat_.begin_light(k, color);
+                });
+                flat_.light(reached & facing());
+                flat_.add(light, rays_);
+            }
+        flat_.end_group();
+    }
+
+    static bool black_or_darker(const glm::vec3& c) { return !(std::abs(c.x) > kDark || std::abs(c.y) > kDark || std::abs(c.z) > kDark); }
 
     int level(int i) const { return waiting_ == nullptr ? 1 : waiting_[i].level; }
     double reach(int i) const { return waiting_ == nullptr ? 0.0 : waiting_[i].reach; }
@@ -330,7 +406,7 @@ private:
     }
 
     /// What the shadow rays tell. `in_order`: ray i is hit i's.
-    void answer(std::size_t which, bool in_order)
+    void answer(std::size_t which, const light::Light& light, bool in_order)
     {
         const RayTile& beam = scratch_.rays;
         csg::CrossingTile& met = scratch_.crossings;
@@ -340,7 +416,8 @@ private:
         else
             context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
         const auto hit_of = [&](std::size_t ray) { return in_order ? ray : scratch_.lane[ray]; };
-        const HitMask rays = first_hits(beam.count), clear = rays & equal(met.ending, Shadow::Clear), blocked = rays & equal(met.ending, Shadow::Blocked);
+        const HitMask rays = first_hits(beam.count), blocked = rays & equal(met.ending, Shadow::Blocked);
+        const HitMask clear = light.atmosphere ? 0 : rays & equal(met.ending, Shadow::Clear);   // fog dims all of them
         HitMask reached = clear;
         if (!in_order) {
             reached = 0;
@@ -349,7 +426,7 @@ private:
         flat_.light(reached & flat_.all());
         for_each_hit(rays & ~clear & ~blocked, [&](std::size_t ray) {
             const std::size_t k = hit_of(ray);
-            const glm::vec3 color = filtered(ray, k);
+            const glm::vec3 color = filtered(ray, k, light.atmosphere);
             if (flat_.holds(k)) flat_.light(k, color);
             else know(k, which, color);
         });
@@ -372,17 +449,18 @@ private:
         s.shadow_known = true;
     }
 
-    /// The light at hand past what a shadow ray crosses.
-    glm::vec3 filtered(std::size_t ray, std::size_t k)
+    /// The light at hand past what a shadow ray crosses, and fog if it dims light.
+    glm::vec3 filtered(std::size_t ray, std::size_t k, bool in_fog)
     {
         const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
-        const std::uint8_t count = scratch_.crossings.count[ray];
+        const bool clear = scratch_.crossings.ending[ray] == Shadow::Clear;
+        const std::uint8_t count = clear ? 0 : scratch_.crossings.count[ray];
         const bool too_many = count == csg::CrossingTile::kTooMany;
-        if (too_many || scratch_.traits.restarts())
-            return filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], interiors(k), lit, lit.color, false,
+        if (too_many || (scratch_.traits.restarts() && !clear))
+            return filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], interiors(k), lit, lit.color, in_fog,
                                   too_many ? nullptr : scratch_.crossings.hits[ray].data());
         return crossed_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], interiors(k), lit, scratch_.rays.common_origin,
-                             scratch_.crossings.hits[ray].data(), count);
+                             scratch_.crossings.hits[ray].data(), count, in_fog);
     }
 
     Context& context_;
