@@ -38,6 +38,7 @@ struct Options {
     bool split_unions = false;             ///< +SU: bounds of unions of finite parts are dropped
     bool faithful = false;                 ///< POV-Ray's constants where better ones are usual (docs/faithful.md)
     bool grain_stream = false;             ///< crand as POV-Ray on one thread: pixels depend on those before, so for one thread alone
+    bool scalar_light = false;             ///< every surface goes through the lights by itself, as most do in vector lanes: tests compare the two
 };
 
 /// One decision of the compiler, for --explain: "left out 12 operands: their bounds never meet the rest".

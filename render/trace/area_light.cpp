@@ -333,7 +333,7 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
     if (too_many || scratch_.traits.restarts())
         return filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, false, too_many ? nullptr : met.hits[ray].data());
-    return crossed_light(context_, point, from_[k], *interiors_[k], lit, false, met.hits[ray].data(), met.count[ray]);
+    return shadow_transmittance(context_, point, from_[k], *interiors_[k], lit, false, met.hits[ray].data(), met.count[ray]);
 }
 
 }  // namespace trace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/shaft.h"
-#include "render/trace/flat_layers.h"
+#include "render/trace/row_page.h"
 #include "render/trace/hit_mask.h"
 #include "render/trace/shade_context.h"
 

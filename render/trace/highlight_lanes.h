@@ -50,7 +50,7 @@ inline csg::lanes::Double power(const csg::lanes::Double& c, const csg::lanes::D
 }
 
 /// What highlights need of the finish of each hit.
-struct alignas(64) Shine {
+struct alignas(64) SpecularLobe {
     alignas(64) TileLanes phong, phong_size, specular, exponent;
 
     void set(std::size_t k, const texture::Finish& f)
@@ -71,7 +71,7 @@ struct alignas(64) Shine {
 
 /// Strengths of highlights for the hits of a mask; those of the others are anything. n: x, y and z of the normals. texture::phong +
 /// texture::specular, but for the powers.
-inline void find_highlights(const csg::RayTile& rays, const double* const (&n)[3], const TileLight& light, const Shine& shine, HitMask hits, TileLanes& strength)
+inline void find_highlights(const csg::RayTile& rays, const double* const (&n)[3], const TileLight& light, const SpecularLobe& lobe, HitMask hits, TileLanes& strength)
 {
     using csg::lanes::Double;
     constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
@@ -88,11 +88,11 @@ inline void find_highlights(const csg::RayTile& rays, const double* const (&n)[3
             if ((csg::lanes::mask(seen) & asked) == 0) return zero;
             return xsimd::select(seen, amount * power(xsimd::select(seen, cosine, one), exponent), zero);
         };
-        const Double phong_amount = at(shine.phong), specular_amount = at(shine.specular);
+        const Double phong_amount = at(lobe.phong), specular_amount = at(lobe.specular);
         const auto has_phong = phong_amount > zero, has_specular = specular_amount > zero;
         Double sum = zero;
         if ((csg::lanes::mask(has_phong) & asked) != 0) {
-            const Double twice = Double(2.0) * (dx * nx + dy * ny + dz * nz), size = at(shine.phong_size);
+            const Double twice = Double(2.0) * (dx * nx + dy * ny + dz * nz), size = at(lobe.phong_size);
             const Double mx = dx - twice * nx, my = dy - twice * ny, mz = dz - twice * nz;
             const Double cosine = mx * lx + my * ly + mz * lz;
             const auto cut = (size >= Double(60.0)) & (cosine <= Double(0.0008));   // texture::phong_vanishes
@@ -101,7 +101,7 @@ inline void find_highlights(const csg::RayTile& rays, const double* const (&n)[3
         if ((csg::lanes::mask(has_specular) & asked) != 0) {
             const Double hx = lx - dx, hy = ly - dy, hz = lz - dz;
             const Double cosine = (hx * nx + hy * ny + hz * nz) / xsimd::sqrt(hx * hx + hy * hy + hz * hz);
-            sum = sum + term(has_specular & (cosine > zero), cosine, at(shine.exponent), specular_amount);
+            sum = sum + term(has_specular & (cosine > zero), cosine, at(lobe.exponent), specular_amount);
         }
         sum.store_aligned(strength.data() + i);
     }

@@ -56,10 +56,9 @@ private:
     static void grid(void* context, const SampleGrid& samples, scene::Color* out)
     {
         auto& self = *static_cast<BlockTracer*>(context);
-        const bool by_rows = self.scene_.options.grain_stream;   // as POV-Ray asks
-        const int width = by_rows ? kTileRays : kTileSide, height = by_rows ? 1 : kTileSide;
-        for (int top = 0; top < samples.rows; top += height)
-            for (int left = 0; left < samples.columns; left += width) self.grid_tile(samples, left, left + width, top, top + height, out);
+        const int side = self.scene_.options.grain_stream ? 1 : kTileSide;   // ray by ray, as POV-Ray asks for random numbers
+        for (int top = 0; top < samples.rows; top += side)
+            for (int left = 0; left < samples.columns; left += side) self.grid_tile(samples, left, left + side, top, top + side, out);
     }
 
     void grid_tile(const SampleGrid& samples, int left, int right, int top, int bottom, scene::Color* out)

@@ -2,7 +2,7 @@
 
 #include "csg/hit.h"
 #include "render/texture/evaluate_points.h"
-#include "render/trace/flat_layers.h"
+#include "render/trace/row_page.h"
 
 #include <array>
 #include <utility>
@@ -101,15 +101,15 @@ private:
 };
 
 /// Most layers of a texture whose pigments are looked up for a whole tile ahead of shading.
-inline constexpr std::uint32_t kLayersAhead = 8;
+inline constexpr std::uint32_t kPrefetchedLayers = 8;
 
 /// Pigments of layers by depth below the top; of the hits that were asked there.
-using ColorsAhead = std::array<texture::ColorPoints, kLayersAhead>;
+using PrefetchedColors = std::array<texture::ColorPoints, kPrefetchedLayers>;
 
 /// Pigments of the layers of one hit; those that layers above hide are not there.
-struct LayersAhead {
+struct PrefetchedPigments {
     std::uint32_t texture, layers;
-    const ColorsAhead* colors;
+    const PrefetchedColors* colors;
     std::size_t hit;
 
     scene::Color of(std::uint32_t layer) const { return (*colors)[layers - 1 - layer].at(hit); }

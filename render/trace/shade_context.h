@@ -9,13 +9,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-/// Inside of shading: the state of one ray and of one hit, and the steps that call each other in recursion.
+/// Inside of shading: one hit, and what the stages ask of each other (docs/shading.md).
 namespace trace {
+
+class DirectBatch;
 
 inline constexpr double kNearlyZero = 1e-10;        ///< light and index differences below it count as none
 inline constexpr float kDark = 1e-10f;              ///< kNearlyZero for colours
 
+inline bool dark(const glm::vec3& c) { return !(std::abs(c.x) > kDark || std::abs(c.y) > kDark || std::abs(c.z) > kDark); }
 inline bool black(const glm::vec3& c) { return c.x == 0.0f && c.y == 0.0f && c.z == 0.0f; }
 inline float largest(const glm::vec3& c) { return std::max({c.x, c.y, c.z}); }
 
@@ -49,18 +53,25 @@ inline bool shines_on(const light::Light& light, const plan::Surface& surface)
     return light.group == surface.light_group || (light.group == 0 && surface.global_lights);
 }
 
-/// A hit being shaded.
+/// A hit whose textures are gone through.
 struct HitContext : HitPlace {
-    std::size_t lights;              ///< where this hit's LightSamples start in the scratch stack
+    std::size_t lane;                ///< its place in the tile
     texture::Surroundings around;
     std::array<std::uint32_t, 16> enclosing{}; ///< the texture maps that normals are carried through, the first one first
     std::size_t enclosing_count = 0;
-    std::uint32_t grains = 0;             ///< random numbers of `crand` asked for so far
-    const LayersAhead* ahead = nullptr;   ///< pigments of the texture's layers, where they are known already
+    const PrefetchedPigments* prefetched = nullptr;   ///< pigments of the texture's layers, where they are known already
 };
 
-/// Colour along a ray. `straight`: an unbent continuation, which uses no level (spec 3, section 2).
-scene::Color trace_ray(Context& context, const RayState& state, bool straight);
+/// Light of a row of DirectBatch whose lights are looked up one by one (spec 3, 7.4). grains: numbers of `crand` asked for so far.
+struct ScalarRow {
+    const HitPlace& hit;
+    const texture::Finish& finish;
+    const scene::Color& pigment;
+    const glm::dvec3& normal;
+    double alpha;
+    const LightSample* samples;      ///< by light
+    std::uint32_t& grains;
+};
 
 /// Fog where the interiors around the ray allow it.
 scene::Color through_hollow(const Context& context, const RayState& state, double length, const scene::Color& color);
@@ -73,19 +84,17 @@ inline scene::Color through_air(const Context& context, const RayState& state, d
     return foggy(context) ? through_hollow(context, state, length, color) : color;
 }
 
-/// Colour of a hit. `details` as World gives them; `first_light`: samples already filled in for this hit; `ahead`: pigments.
-scene::Color shade_hit(Context& context, const RayState& state, const Hit& hit, const HitDetails& details, int level,
-                       std::size_t first_light, const LayersAhead* ahead = nullptr);
+/// Goes through all textures of a hit: their rows go to the batch, nodes and rays to the queue; its colour is to come into `out`.
+void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const HitDetails& details, std::uint32_t texture, ColorSlot out);
 
-/// Colour of a texture at p (its own space's point).
-scene::Color shade_texture(Context& context, HitContext& hit, std::uint32_t texture, const glm::dvec3& p);
+/// The same of one texture at p (its own space's point).
+void shade_texture(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t texture, const glm::dvec3& p, ColorSlot out);
 
-/// Colour of a plain texture: all layers, transmission and reflection (spec 3, section 6).
-scene::Color shade_layers(Context& context, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p);
+/// The same of a plain texture: all layers (spec 3, section 6).
+void shade_layers(Context& context, DirectBatch& batch, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p, ColorSlot out);
 
-/// Sum over the lights for one layer (spec 3, 7.4). alpha: the layer's opacity factor.
-glm::vec3 direct_light(Context& context, HitContext& hit, const texture::Finish& finish, const scene::Color& pigment,
-                       const glm::dvec3& normal, double alpha);
+/// Sum over the lights for one row (spec 3, 7.4).
+glm::vec3 direct_light(Context& context, const ScalarRow& row);
 
 /// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
 /// `tolerance`: of shadow rays from this point; in_fog: fog dims it on its way; first: the first crossing
@@ -95,42 +104,47 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
 
 /// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point or
 /// from the light; they are turned round in place.
-glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
+glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
                         const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count, bool in_fog = false);
 
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);
 
-/// The ray that goes on through a surface, and what light loses on its way (spec 3, section 8).
-struct Onward {
-    RayState ray;
-    glm::vec3 fade{1};
-    bool straight = true;            ///< unbent: uses no level
-    bool total = false;              ///< total internal reflection: `ray` is the mirrored one
-    int samples = 0;                 ///< of the spectrum: `ray` has no direction yet, dispersed() finds one for each
-    double ratio = 1, dispersion = 1;   ///< how the interface bends light of 555 nm, and others (8.5)
+/// A layer's mirror, remembered until all layers have been gone through.
+struct Mirror {
+    glm::vec3 reflectivity;
+    glm::dvec3 normal;
+    float weight;
+    const texture::Finish* finish;
 };
 
-/// False where nothing is behind the surface: it has no interior.
-bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Onward& out);
+/// What the layers of a texture leave to the rays that go on.
+struct LayerStack {
+    static constexpr std::size_t kMostLayers = 32;   // plan/ refuses more
+    glm::vec3 filter{1};             ///< what they let through
+    float residual = 1;              ///< how much that is, at most 1
+    glm::dvec3 top_normal{0};
+    std::array<Mirror, kMostLayers> mirrors;
+    std::size_t count = 0;           ///< of mirrors, the top layer's first
 
-/// The mean of what rays of all wavelengths see beyond a surface; its `samples` are not 0 (spec 3, 8.5). Those that are mirrored within
-/// take on the iridescence of the top layer's finish.
-scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const texture::Finish& top_finish, const Onward& onward);
+    /// One layer more: its pigment lets light through, its finish mirrors some.
+    void pass(const scene::Color& c, const texture::Finish& finish, const glm::vec3& reflectivity)
+    {
+        filter *= c.filter * c.rgb() + c.transmit;
+        if (finish.conserve_energy) filter *= glm::min(glm::vec3(1.0f), 1.0f - reflectivity);
+        residual = std::min(1.0f, std::abs(scene::grey(filter)));
+    }
+};
 
-/// The ray mirrored about `normal` (spec 3, section 10).
-RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight);
+/// A layer's mirror at a hit; residual: of the layers above.
+Mirror mirror_of(const Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c, const glm::dvec3& normal,
+                 float residual);
+
+/// The node of a texture's layers, whose own light is still to come, with the rays that go on from it. Its index in the queue.
+std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& stack, ColorSlot out);
 
 /// A mirrored colour as the finish wants it (spec 3, 10.3).
 glm::vec3 raised(const scene::Color& c, float exponent);
-
-/// What the transmitted ray brings; `total` is set on total internal reflection (spec 3, section 8).
-scene::Color transmitted(Context& context, const HitContext& hit, const glm::dvec3& top_normal, float weight,
-                         const texture::Finish& top_finish, bool& total);
-
-/// Colour mirrored about `normal` (spec 3, section 10).
-scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3& normal, float weight,
-                       glm::dvec3& direction);
 
 /// Relative index for a fresnel reflection (spec 3, 7.9).
 double fresnel_index(const Context& context, const HitPlace& hit);

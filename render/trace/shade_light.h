@@ -1,11 +1,22 @@
 #pragma once
 
+#include "render/light/illuminate.h"
 #include "render/texture/finish.h"
 
 #include <cmath>
 
 /// What one light adds where nothing shadows it any more; shared by the tile's flat hits and the general shading.
 namespace trace {
+
+/// The colour of one node of an area light with area_illumination. seen: the light's own past what shadows it, whose share the node has;
+/// the node's own cone and fading dim it.
+inline glm::vec3 node_color(const light::Light& light, const light::Illumination& lit, const glm::vec3& seen)
+{
+    glm::vec3 color = seen * (1.0f / static_cast<float>(light.size1 * light.size2));
+    for (int c = 0; c < 3; ++c)
+        if (light.color[c] != 0.0f) color[c] *= lit.color[c] / light.color[c];
+    return color;
+}
 
 /// A layer of a finish as light meets it. Unit vectors; `direction` is the ray's.
 struct LitLayer {

@@ -174,7 +174,7 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     return color;
 }
 
-glm::vec3 crossed_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
+glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
                         const light::Illumination& lit, bool from_light, Hit* crossings, std::size_t count, bool in_fog)
 {
     Hit* const end = crossings + count;

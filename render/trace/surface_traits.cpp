@@ -43,11 +43,11 @@ bool any_looks(const TextureSet& set)
 }
 
 /// The light of its own side, without iridescence and grain.
-bool flat(const texture::Finish& finish) { return finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f; }
+bool plain_light(const texture::Finish& finish) { return finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f; }
 
 /// One layer that has no more than colour, diffuse light, highlights and either a bent normal or mirroring and refraction.
 /// looks: some pattern does at bent normals.
-LoneLayer lone_layer(const TextureSet& set, std::uint32_t index, bool looks)
+SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
@@ -55,27 +55,27 @@ LoneLayer lone_layer(const TextureSet& set, std::uint32_t index, bool looks)
     const texture::Layer& layer = set.layers[texture.first];
     const texture::Finish& finish = set.finishes[layer.finish];
     if (set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid && !texture.opaque) return {};  // it may be missing
-    if (!flat(finish)) return {};
-    if (layer.normal != texture::kNone) return texture.opaque && !finish.reflects() && !looks ? LoneLayer{texture.first, false} : LoneLayer{};
+    if (!plain_light(finish)) return {};
+    if (layer.normal != texture::kNone) return texture.opaque && !finish.reflects() && !looks ? SingleLayer{texture.first, false} : SingleLayer{};
     if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
     return {texture.first, !texture.plain};
 }
 
 /// The texture itself if it has layers with patterns, and few enough.
-AheadLayers layers_ahead(const TextureSet& set, std::uint32_t index, bool looks)
+PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool looks)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
-    if (texture.kind != texture::Texture::Kind::Layers || texture.count > kLayersAhead) return {};
-    bool patterned = false, all_flat = true;
+    if (texture.kind != texture::Texture::Kind::Layers || texture.count > kPrefetchedLayers) return {};
+    bool patterned = false, all_alone = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
         const texture::Layer& layer = set.layers[i];
         const texture::Finish& finish = set.finishes[layer.finish];
         patterned |= set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid;
-        all_flat &= flat(finish) && !finish.reflects();
+        all_alone &= plain_light(finish) && !finish.reflects();
         if (looks && layer.normal != texture::kNone) return {};
     }
-    return patterned ? AheadLayers{index, all_flat} : AheadLayers{};
+    return patterned ? PatternedLayers{index, all_alone} : PatternedLayers{};
 }
 
 }  // namespace
@@ -83,13 +83,14 @@ AheadLayers layers_ahead(const TextureSet& set, std::uint32_t index, bool looks)
 SceneTraits scene_traits(const plan::CompiledScene& scene)
 {
     SceneTraits traits;
+    traits.scalar_rows = scene.options.scalar_light;
     const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures);
     traits.looked_around = uv || looks;
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
     for (const light::Light& light : scene.lights.lights) traits.grouped |= light.group != 0;
     for (const plan::Interior& interior : scene.interiors) traits.fades |= interior.fade_distance != 0.0f;
-    for (const csg::Freeform& solid : scene.geometry.store.all<csg::Freeform>()) traits.beside |= solid.beside();
+    for (const csg::Freeform& solid : scene.geometry.store.all<csg::Freeform>()) traits.has_open_surface |= solid.beside();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const plan::Surface& surface = scene.surfaces[i];
         traits.grouped |= surface.light_group != 0;
@@ -98,15 +99,15 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         all[i].batched = !all[i].needs_uv && !surface.blends();
         traits.all_batched &= all[i].batched;
         if (surface.blends()) continue;
-        all[i].outer_layers = layers_ahead(scene.textures, surface.texture, looks);
-        all[i].inner_layers = surface.interior_texture == plan::kNone ? all[i].outer_layers
-                                                                      : layers_ahead(scene.textures, surface.interior_texture, looks);
+        all[i].outer_patterned = patterned_layers(scene.textures, surface.texture, looks);
+        all[i].inner_patterned = surface.interior_texture == plan::kNone ? all[i].outer_patterned
+                                                                      : patterned_layers(scene.textures, surface.interior_texture, looks);
         if (surface.double_illuminate) {
-            all[i].outer_layers.flat = all[i].inner_layers.flat = false;
+            all[i].outer_patterned.alone = all[i].inner_patterned.alone = false;
         } else {
-            all[i].outer = lone_layer(scene.textures, surface.texture, looks);
+            all[i].outer = single_layer(scene.textures, surface.texture, looks);
             all[i].inner = surface.interior_texture == plan::kNone ? all[i].outer
-                                                                   : lone_layer(scene.textures, surface.interior_texture, looks);
+                                                                   : single_layer(scene.textures, surface.interior_texture, looks);
         }
         const bool focused =
             surface.interior != plan::kNone && scene.interiors[surface.interior].caustics_power != 0.0f;
@@ -114,6 +115,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
         all[i].steady_filter = plain_filter(scene.textures, surface.texture, all[i].filter);
     }
+    for (std::size_t i = 0; i < all.size(); ++i)
+        traits.patterned_filters |= !scene.surfaces[i].opaque && !scene.surfaces[i].no_shadow && !all[i].steady_filter;
     return traits;
 }
 

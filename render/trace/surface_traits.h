@@ -8,23 +8,23 @@
 namespace trace {
 
 /// The only layer of a texture, if it shades alike for a whole tile.
-struct LoneLayer {
+struct SingleLayer {
     std::uint32_t index = plan::kNone;
     bool goes_on = false;        ///< it may mirror light or let it through
 };
 
 /// A texture of layers with patterns.
-struct AheadLayers {
+struct PatternedLayers {
     std::uint32_t texture = plan::kNone;
-    bool flat = false;           ///< no layer has more than colour, diffuse light and highlights
+    bool alone = false;          ///< no layer has more than colour, diffuse light and highlights
 };
 
 struct SurfaceTraits {
     bool needs_uv = true;        ///< something of its textures looks at surface coordinates
     bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
-    LoneLayer outer, inner;      ///< as seen from outside, and where the raw normal faces along the ray
-    AheadLayers outer_layers, inner_layers;   ///< textures whose pigments a tile looks up together
+    SingleLayer outer, inner;    ///< as seen from outside, and where the raw normal faces along the ray
+    PatternedLayers outer_patterned, inner_patterned;   ///< textures whose pigments a tile looks up together
     glm::vec3 filter{1};         ///< steady_filter: by this (spec 3, 13.2)
 };
 
@@ -34,11 +34,13 @@ struct SceneTraits {
     bool looked_around = false;            ///< some texture asks for more than the point (texture::Surroundings)
     bool grouped = false;                  ///< some surface is not reached by all lights
     bool filters = false;                  ///< some surface lets a shadow ray through
+    bool patterned_filters = false;        ///< and its filter depends on where the ray meets it, to the last bit where a pattern has edges
     bool fades = false;                    ///< light fades inside some interior
-    bool beside = false;                   ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
+    bool scalar_rows = false;              ///< Options::scalar_light
+    bool has_open_surface = false;         ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
 
     /// Whether it matters where a ray began that goes on behind a crossing: such solids tell a ray only so many.
-    bool restarts() const { return beside && filters; }
+    bool restarts() const { return has_open_surface && filters; }
 };
 
 SceneTraits scene_traits(const plan::CompiledScene& scene);

@@ -54,7 +54,7 @@ TEST_CASE("highlights of a tile are those of its hits alone", "[trace][highlight
     finishes[2].phong_size = 3.0f;
     finishes[2].specular_exponent = 2.0f;
     finishes[3].specular = 0.9f;
-    auto shine = std::make_unique<Shine>();
+    auto shine = std::make_unique<SpecularLobe>();
     alignas(64) TileLanes strength;
     int met = 0;
     for (int round = 0; round < 200; ++round) {

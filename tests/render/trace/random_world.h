@@ -95,6 +95,7 @@ inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear
     world.add_program(csg::build(pitted, world.store), object++, visible());
     world.add_solid(world.store.add(csg::Plane{{0, 1, 0}, -9.0}, next_surface()), false, object++, 7);
     world.add_solid(world.store.add(csg::Plane{{0, 0, -1}, -12.0}, next_surface()), false, object++, 7);
+    world.shadow_kinds = 4;
     world.finish();
 }
 

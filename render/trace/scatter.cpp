@@ -51,7 +51,7 @@ double stretch_of(const glm::dvec3& direction)
 }
 
 /// Whether a ray is bent rather than mirrored within, and then where and how long POV-Ray's direction is. d: as long as that.
-bool refract(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState& out)
+bool bend(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState& out)
 {
     const double facing = glm::dot(d, normal);
     const glm::dvec3 n = facing <= 0.0 ? normal : -normal;
@@ -101,6 +101,8 @@ double fresnel_index(const Context& context, const HitPlace& hit)
     return list.size() == 1 ? 1.0 / own : outer / own;
 }
 
+namespace {
+
 RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight)
 {
     const glm::dvec3& d = hit.state.ray.direction;
@@ -117,16 +119,18 @@ RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3&
     return {{hit.point, r}, start_of(context, hit, r), weight, hit.level, plan::RayKind::Reflection, hit.state.interiors, hit.state.wavelength};
 }
 
-scene::Color reflected(Context& context, const HitContext& hit, const glm::dvec3& normal, float weight,
-                       glm::dvec3& direction)
-{
-    const RayState next = mirrored(context, hit, normal, weight);
-    direction = next.ray.direction;
-    ++context.scratch.counts.reflected;
-    return trace_ray(context, next, false);
-}
+/// The ray that goes on through a surface, and what light loses on its way (spec 3, section 8).
+struct Refracted {
+    RayState ray;
+    glm::vec3 fade{1};
+    bool straight = true;            ///< unbent: uses no level
+    bool total = false;              ///< total internal reflection: `ray` is the mirrored one
+    int samples = 0;                 ///< of the spectrum: `ray` has no direction yet, each sample has its own
+    double ratio = 1, dispersion = 1;   ///< how the interface bends light of 555 nm, and others (8.5)
+};
 
-bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Onward& out)
+/// False where nothing is behind the surface: it has no interior.
+bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Refracted& out)
 {
     if (hit.surface.interior == plan::kNone) return false;
     const plan::Interior& interior = context.scene.interiors[hit.surface.interior];
@@ -156,7 +160,7 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
         return true;
     }
     const double ratio = disperses ? ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength) : crossing.ratio;
-    if (refract(hit.state.stretch * d, top_normal, ratio, out.ray)) {
+    if (bend(hit.state.stretch * d, top_normal, ratio, out.ray)) {
         out.ray.start = start_of(context, hit, out.ray.ray.direction);
         return true;
     }
@@ -165,42 +169,109 @@ bool onward(const Context& context, const HitPlace& hit, const glm::dvec3& top_n
     return true;
 }
 
-scene::Color dispersed(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const texture::Finish& top_finish, const Onward& onward)
+/// The rays of all wavelengths beyond a surface (spec 3, 8.5); those that are mirrored within take on the iridescence of the top layer.
+ColorSlot disperse(Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const texture::Finish& top_finish, const Refracted& refracted)
 {
-    glm::vec3 sum(0);
-    for (int i = 0; i < onward.samples; ++i) {
-        RayState ray = onward.ray;
-        const float nm = wavelength(i, onward.samples);
-        glm::vec3 film(1);
-        if (refract(hit.state.stretch * hit.state.ray.direction, top_normal, ratio_at(onward.ratio, onward.dispersion, nm), ray)) {
+    RayQueue& queue = context.scratch.shade.queue;
+    const ColorSlot out = queue.new_slot();
+    ShadeNode& node = queue.new_node(ShadeNode::Kind::Spectrum, out);
+    node.count = static_cast<std::uint32_t>(refracted.samples);
+    node.first = queue.new_terms(node.count);
+    const std::uint32_t first = node.first;
+    for (int i = 0; i < refracted.samples; ++i) {
+        RayState ray = refracted.ray;
+        const float nm = wavelength(i, refracted.samples);
+        ShadeTerm& term = queue.terms[first + static_cast<std::uint32_t>(i)];
+        term.factor = hue(nm, refracted.samples);
+        const bool within = !bend(hit.state.stretch * hit.state.ray.direction, top_normal, ratio_at(refracted.ratio, refracted.dispersion, nm), ray);
+        if (!within) {
             ++context.scratch.counts.refracted;
             ray.start = start_of(context, hit, ray.ray.direction);
             ray.wavelength = nm;
         } else {
-            ray = mirrored(context, hit, top_normal, onward.ray.weight);
+            ray = mirrored(context, hit, top_normal, refracted.ray.weight);
             ++context.scratch.counts.reflected;
-            if (top_finish.irid > 0.0f) film = film_color(context, hit, top_finish, top_normal, ray.ray.direction);
+            if (top_finish.irid > 0.0f) term.film = film_color(context, hit, top_finish, top_normal, ray.ray.direction);
         }
-        sum += trace_ray(context, ray, false).rgb() * film * hue(nm, onward.samples);
+        term.slot = queue_ray(context, within ? queue.mirrors : queue.rays, ray, false);
     }
-    return scene::Color::of(sum / static_cast<float>(onward.samples));
+    return out;
 }
 
-scene::Color transmitted(Context& context, const HitContext& hit, const glm::dvec3& top_normal, float weight,
-                         const texture::Finish& top_finish, bool& total)
+/// The ray behind the surface, or the one that is mirrored where none gets through.
+void transmit(Context& context, const HitPlace& hit, const LayerStack& stack, std::uint32_t index)
 {
-    total = false;
-    Onward next;
-    if (!onward(context, hit, top_normal, weight, next)) return {};
-    if (next.samples > 0) return scene::Color::of(dispersed(context, hit, top_normal, top_finish, next).rgb() * next.fade);
-    total = next.total;
-    ++(total ? context.scratch.counts.reflected : context.scratch.counts.refracted);
-    const scene::Color seen = trace_ray(context, next.ray, next.straight);
-    glm::vec3 light = seen.rgb();
-    if (total && top_finish.irid > 0.0f) light *= film_color(context, hit, top_finish, top_normal, next.ray.ray.direction);
-    scene::Color out = scene::Color::of(light * next.fade);
-    if (!total) out.transmit = seen.transmit * scene::grey(next.fade);
-    return out;
+    RayQueue& queue = context.scratch.shade.queue;
+    const texture::Finish& top_finish = *stack.mirrors[0].finish;
+    Refracted next;
+    if (!refract(context, hit, stack.top_normal, hit.state.weight * largest(glm::abs(stack.filter)), next)) return;
+    queue.nodes[index].fade = next.fade;
+    if (next.samples > 0) {
+        const ColorSlot seen = disperse(context, hit, stack.top_normal, top_finish, next);
+        queue.nodes[index].through = seen;
+        return;
+    }
+    ++(next.total ? context.scratch.counts.reflected : context.scratch.counts.refracted);
+    ShadeNode& node = queue.nodes[index];
+    node.total = next.total;
+    if (next.total && top_finish.irid > 0.0f) node.film = film_color(context, hit, top_finish, stack.top_normal, next.ray.ray.direction);
+    node.through = queue_ray(context, next.total ? queue.mirrors : queue.rays, next.ray, next.straight);
+}
+
+/// A mirror that total reflection has already sent a ray for.
+bool sent(const ShadeNode& node, const LayerStack& stack, const Mirror& mirror)
+{
+    const glm::dvec3 off = glm::abs(mirror.normal - stack.top_normal);
+    return node.total && off.x <= kNearlyZero && off.y <= kNearlyZero && off.z <= kNearlyZero;
+}
+
+}  // namespace
+
+Mirror mirror_of(const Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c, const glm::dvec3& normal,
+                 float residual)
+{
+    Mirror mirror{glm::vec3(0), normal, 0.0f, &finish};
+    if (!finish.reflects()) return mirror;
+    const double eta = finish.fresnel ? fresnel_index(context, hit) : 1.0;
+    mirror.reflectivity = texture::reflectivity(finish, c, hit.state.ray.direction, normal, eta);
+    const float strength = finish.fresnel ? largest(mirror.reflectivity) : std::max(largest(finish.reflection_max), largest(finish.reflection_min));
+    mirror.weight = hit.state.weight * residual * std::max(0.0f, strength);
+    return mirror;
+}
+
+std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& stack, ColorSlot out)
+{
+    RayQueue& queue = context.scratch.shade.queue;
+    const plan::Settings& settings = context.scene.settings;
+    const auto index = static_cast<std::uint32_t>(queue.nodes.size());
+    ShadeNode& node = queue.new_node(ShadeNode::Kind::Surface, out);
+    node.filter = stack.filter;
+    node.residual = stack.residual;
+    if (stack.residual > static_cast<float>(settings.adc_bailout) && settings.quality >= 6) transmit(context, hit, stack, index);
+    if (settings.quality < 8) return index;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < stack.count; ++i) {
+        const Mirror& mirror = stack.mirrors[i];
+        if (black(mirror.reflectivity) || sent(queue.nodes[index], stack, mirror)) continue;
+        ++context.scratch.counts.reflected;
+        const RayState ray = mirrored(context, hit, mirror.normal, mirror.weight);
+        ShadeTerm term{queue_ray(context, queue.mirrors, ray, false), mirror.reflectivity, glm::vec3(1), mirror.finish->reflection_power};
+        if (mirror.finish->irid > 0.0f) term.film = film_color(context, hit, *mirror.finish, mirror.normal, ray.ray.direction);
+        if (count++ == 0) queue.nodes[index].first = static_cast<std::uint32_t>(queue.terms.size());
+        queue.terms.push_back(term);
+    }
+    queue.nodes[index].count = count;
+    return index;
+}
+
+glm::vec3 raised(const scene::Color& c, float exponent)
+{
+    if (exponent == 1.0f) return c.rgb();
+    const auto one = [e = static_cast<double>(exponent)](float v) {
+        const double r = std::pow(static_cast<double>(v), e);
+        return r == r ? static_cast<float>(r) : 0.0f;  // fractional powers of negative colours count as 0
+    };
+    return {one(c.red), one(c.green), one(c.blue)};
 }
 
 glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/texture/evaluate_points.h"
 #include "render/trace/highlight_lanes.h"
 #include "render/trace/hit_mask.h"
 
@@ -28,18 +29,21 @@ struct alignas(64) TileColors {
     }
 };
 
-/// The hits' layers at one depth below the top, on their way through the lights.
-struct FlatDepth {
-    HitMask holds, bent;             ///< hits that have a layer here; of them, those with a normal of their own
+/// Up to one row of each hit on its way through the lights: a layer of a texture that it shows.
+struct RowPage {
+    HitMask holds, bent;             ///< hits that have a row here; of them, those with a normal of their own
+    HitMask scalar;                  ///< of them, those that go through the lights one by one
     HitMask lit, shiny;              ///< with diffuse light; with highlights
     HitMask raised, tinted;          ///< whose diffuse cosine is raised to a power; whose highlights are metallic
     std::array<const texture::Finish*, csg::kTileRays> finish;
-    Shine shine;                     ///< of the shiny hits
+    SpecularLobe lobe;                     ///< of the shiny hits
     TileColors emitted;              ///< by the finish: its ambient and emission
     alignas(64) TileFloats finish_diffuse;
     TileColors pigment, glow;        ///< glow: ambient and emission
-    TileColors gained_before;        ///< by lights before those of a group (FlatHits::begin_group)
+    TileColors gained_before;        ///< by lights before those of a group (DirectBatch::begin_group)
     TileColors gained, filter;       ///< what the lights have added so far; what the layers above let through
+    texture::ColorPoints scalar_pigment;   ///< of the rows of `scalar`
+    alignas(64) TileFloats alpha;    ///< of the rows of `scalar`
     alignas(64) TileLanes diffuse;   ///< times the layer's opacity
     alignas(64) TileLanes nx, ny, nz;   ///< all hits' where some are bent
 

@@ -25,7 +25,7 @@ inline HitMask pass_layer(const texture::ColorPoints& c, TileColors& filter, flo
 
 /// Pigments of layered textures for the tile's hits that have such, the top layers first: one is asked for only where those above
 /// let light through (as shade_layers has it, but for what mirrors take away). The hits that light passes all layers of.
-inline HitMask look_ahead(ShadeScratch& scratch, const texture::TextureSet& set, float bailout)
+inline HitMask prefetch_pigments(ShadeScratch& scratch, const texture::TextureSet& set, float bailout)
 {
     std::uint32_t most = 0;
     HitMask open = 0;
@@ -47,13 +47,14 @@ inline HitMask look_ahead(ShadeScratch& scratch, const texture::TextureSet& set,
             scratch.pigments.ask(hits, set.layers[texture.first + texture.count - 1 - depth].pigment, scratch.points, scratch.around);
         }
         if (asked == 0) break;
-        texture::ColorPoints& colors = scratch.ahead[depth];
+        texture::ColorPoints& colors = scratch.prefetched[depth];
         scratch.pigments.run(set, [&](HitMask hits, const texture::ColorPoints& found) {
             if (hits == asked) colors = found;
             else for_each_hit(hits, [&](std::size_t k) { colors.set(k, found.at(k)); });
         });
         scratch.asked[depth] = asked;
-        scratch.flat[depth].filter = filter;
+        if (scratch.pages.size() <= depth) scratch.pages.resize(depth + 1);
+        scratch.pages[depth].filter = filter;
         open = (open & ~asked) | (asked & pass_layer(colors, filter, bailout));
     }
     return open;

@@ -1,0 +1,84 @@
+// Rows of light go through the lights in vector lanes or by themselves: one formula, the same picture.
+#include "render/trace/render.h"
+#include "tests/parser/grammar_support.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+image::Image picture_of(const scene::Description& description, bool scalar)
+{
+    plan::Options options;
+    options.width = 64;
+    options.height = 48;
+    options.scalar_light = scalar;
+    image::Image out;
+    trace::render(plan::compile(description, options), trace::RenderOptions{}, out);
+    return out;
+}
+
+/// A scene whose finishes, layers and lights are drawn at random.
+class RandomScene {
+public:
+    explicit RandomScene(std::mt19937& random) : random_(random) {}
+
+    std::string text()
+    {
+        std::string out = "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+                          "camera { location <0,2,-6> look_at 0 }\n";
+        out += "light_source { <-5,6,-5> rgb <1,.9,.6> " +
+               one_of({"", "spotlight radius 20 falloff 30 point_at 0", "fade_power 2 fade_distance 9", "area_light x, z, 3, 3 adaptive 0",
+                       "area_light x, y, 3, 3 area_illumination on"}) + " }\n";
+        out += "light_source { <4,5,-2> rgb .6 " +
+               one_of({"", "shadowless", "parallel point_at 0", "cylinder radius 3 falloff 4 point_at 0"}) + " }\n";
+        out += "plane { y,-1 " + texture() + "}\n";
+        for (int i = 0; i < 3; ++i)
+            out += one_of({"sphere { 0,.9 ", "box { -.8,.8 ", "torus { .7,.25 ", "cone { -y,.9,y,.2 "}) + texture() +
+                   one_of({"", "texture { pigment { agate color_map { [0 rgbt <.3,1,.6,.7>] [1 rgbt <1,1,1,.2>] } } " + finish() + "} "}) +
+                   "translate <" + number(-2, 2) + "," + number(-.5, .5) + "," + number(-2, 2) + "> }\n";
+        return out;
+    }
+
+private:
+    std::string number(double low, double high) { return std::to_string(low + (high - low) * std::generate_canonical<double, 32>(random_)) + " "; }
+    std::string one_of(std::vector<std::string> of) { return of[random_() % of.size()]; }
+    std::string finish()
+    {
+        return "finish { ambient " + number(0, .2) + "diffuse " + number(0, 1) + "brilliance " + one_of({"1 ", "2.5 ", ".7 "}) + "phong " +
+               one_of({"0 ", "1.2 ", ".4 "}) + "phong_size " + number(3, 90) + "specular " + one_of({"0 ", ".8 "}) + "roughness " + number(.003, .1) +
+               "metallic " + one_of({"0 ", "1 ", ".5 "}) + "reflection " + one_of({"0 ", ".3 "}) + "} ";
+    }
+    std::string texture()
+    {
+        return "texture { pigment { " + one_of({"bozo", "checker", "gradient x", "agate", "rgb <1,.5,.2>", "rgbf <.9,.5,.7,.6>"}) + " } " +
+               one_of({"", "normal { bumps .6 scale .2 } ", "normal { wrinkles .8 } "}) + finish() + "} ";
+    }
+
+    std::mt19937& random_;
+};
+
+}  // namespace
+
+TEST_CASE("rows of light in lanes and by themselves give one picture", "[trace][light]")
+{
+    std::mt19937 random(18);
+    double farthest = 0;
+    for (int i = 0; i < 40; ++i) {
+        const std::string text = RandomScene(random).text();
+        INFO(text);
+        const scene::Description description = grammar_test::parsed(text);
+        const image::Image lanes = picture_of(description, false), scalar = picture_of(description, true);
+        REQUIRE(lanes.pixels.size() == scalar.pixels.size());
+        for (std::size_t k = 0; k < lanes.pixels.size(); ++k) {
+            const double off = std::abs(static_cast<double>(lanes.pixels[k]) - static_cast<double>(scalar.pixels[k]));
+            farthest = std::max(farthest, off);
+        }
+    }
+    CHECK(farthest < 1e-5);
+}
