@@ -6,7 +6,7 @@
 
 namespace function {
 
-/// A curve through values at knots (reference manual 3.3.1.10; spec of the language 12). Immutable once shared.
+/// A curve through values at knots (reference manual 3.3.1.10; spec 1, 12). Immutable once shared.
 class Spline {
 public:
     enum class Kind : std::uint8_t { Linear, Quadratic, Cubic, Natural };

@@ -13,7 +13,7 @@ constexpr double kOnBall = 1e-10;           // a crossing as near to the ball ha
 
 }  // namespace
 
-/// Where POV-Ray begins to look, and on which side (spec 5b, 13.1, 2 to 4).
+/// Where POV-Ray begins to look, and on which side (spec 5b, 13.1, its steps 2 to 4).
 struct Isosurface::Start {
     double t = 0.0;
     bool inside = false, wall = false;      ///< wall: it is drawn where the ray comes in

@@ -17,7 +17,7 @@ using pegtl::seq;
 using pegtl::sor;
 using pegtl::star;
 
-// --- what a text is made of (spec of the language 1) -----------------------------------------------------------
+// --- what a text is made of (spec 1, 1) -----------------------------------------------------------
 
 // Byte 0x1A (Ctrl-Z) and 0x00 are blanks: old editors left them.
 struct blanks : plus<one<' ', '\t', '\n', '\v', '\f', '\r', '\0', '\x1a'>> {};

@@ -31,7 +31,7 @@ private:
     const std::vector<std::uint32_t>& line_starts() const;
 };
 
-/// Turns file.text into tokens (spec of the language: comments nest, signs are never part of a number, ...).
+/// Turns file.text into tokens (spec 1, 1: comments nest, signs are never part of a number, ...).
 /// Never throws for any bytes: what is no token becomes a Bad token. `main_text`: a byte-order mark and other bytes
 /// above 127 at the very start are skipped; returns whether there were any.
 bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool main_text);

@@ -6,7 +6,7 @@
 namespace parser {
 namespace {
 
-/// sRGB decoding, then the working curve of assumed_gamma (spec of the language 4).
+/// sRGB decoding, then the working curve of assumed_gamma (spec 1, 4).
 /// In single precision, as POV-Ray keeps colours.
 double from_srgb(double written, const scene::AssumedGamma& gamma)
 {

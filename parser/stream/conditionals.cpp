@@ -8,7 +8,7 @@
 namespace parser {
 namespace {
 
-constexpr double kTruth = 1e-10;         // values up to this size count as false (spec of the language 9)
+constexpr double kTruth = 1e-10;         // values up to this size count as false (spec 1, 9)
 constexpr std::size_t kMostBlocks = 10'000;
 
 bool opens(Kind kind)

@@ -9,7 +9,7 @@
 
 namespace parser {
 
-/// A file that a scene reads or writes (`#fopen`; spec of the language 10.2 to 10.4). One direction for its whole life.
+/// A file that a scene reads or writes (`#fopen`; spec 1, 10.2 to 10.4). One direction for its whole life.
 struct DataFile {
     struct Closer { void operator()(std::FILE* f) const { std::fclose(f); } };
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
-/// `#fopen` and its kin (spec of the language 10.2 to 10.4). A scene may write below the current folder and the folders of
+/// `#fopen` and its kin (spec 1, 10.2 to 10.4). A scene may write below the current folder and the folders of
 /// Options::write_folders only.
 namespace parser {
 namespace {

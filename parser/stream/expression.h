@@ -7,7 +7,7 @@
 
 namespace parser {
 
-/// Expressions as the scene language evaluates them while it reads (reference manual 3.3.1.3; spec of the language 3).
+/// Expressions as the scene language evaluates them while it reads (reference manual 3.3.1.3; spec 1, 3).
 /// "Sum level": comparisons, logic and ?: need parentheses; this is what parameters, vector components and right-hand
 /// sides take. "Full level": the condition of #if, arguments of one-parameter functions, the operand of `rgb`.
 enum class Level { Sum, Full };
@@ -26,7 +26,7 @@ glm::dvec3 vector_expr(TokenStream& stream, Level level = Level::Sum);   ///< a 
 glm::dvec4 vector4_expr(TokenStream& stream, Level level = Level::Sum);
 /// With its own component count.
 Tuple untyped_expr(TokenStream& stream, Level level = Level::Sum);
-/// `requested` components (spec of the language 3.1): what the others are made of.
+/// `requested` components (spec 1, 3.1): what the others are made of.
 inline Tuple requested_expr(TokenStream& stream, int requested, Level level);
 /// The same, read token by token.
 Tuple read_expr(TokenStream& stream, int requested, Level level);
@@ -48,7 +48,7 @@ inline Tuple requested_expr(TokenStream& stream, int requested, Level level)
     return stream.run_compiled_here(requested, level == Level::Full, value) ? value : read_expr(stream, requested, level);
 }
 
-/// Added to subscripts and sizes before they are cut to an integer: 0.9999999999999 means 1 (spec of the language 11).
+/// Added to subscripts and sizes before they are cut to an integer: 0.9999999999999 means 1 (spec 1, 11).
 inline constexpr double kSubscriptSlack = 1e-10;
 
 }  // namespace parser

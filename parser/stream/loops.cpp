@@ -6,7 +6,7 @@
 namespace parser {
 namespace {
 
-constexpr double kSlack = 1e-10;  // of #for: the last value may miss the end by this much (spec of the language 9.5)
+constexpr double kSlack = 1e-10;  // of #for: the last value may miss the end by this much (spec 1, 9.5)
 
 bool goes_on(double value, double limit, double step)
 {

@@ -10,7 +10,7 @@ namespace parser {
 Cell make_cell(Value value);
 
 /// Dynamic scoping: one stack of bindings per interned name, a scope is only a number. Scope 0 is the global table;
-/// every open include file and every active macro adds one (reference manual 3.3.1.8; spec of the language 7).
+/// every open include file and every active macro adds one (reference manual 3.3.1.8; spec 1, 7).
 class Symbols {
 public:
     /// The binding in force, null if there is none.

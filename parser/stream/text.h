@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-/// Texts of the scene language are sequences of 16-bit units (spec of the language 1.5). They are kept as UTF-8, a lone
+/// Texts of the scene language are sequences of 16-bit units (spec 1, 1.5). They are kept as UTF-8, a lone
 /// surrogate in three bytes, so that plain ASCII costs nothing.
 namespace parser {
 

@@ -110,7 +110,7 @@ public:
 
     // ---- used by the expression reader -----------------------------------------------------------------------
     /// In the right-hand side of a declaration directives are not executed where an operator may stand
-    /// (spec of the language 2.1); inside parentheses they are.
+    /// (spec 1, 2.1); inside parentheses they are.
     bool raw_operators() const { return raw_operators_; }
     void set_raw_operators(bool raw) { raw_operators_ = raw; }
     const Token& peek_operator() { return raw_operators_ ? peek_raw() : peek(); }

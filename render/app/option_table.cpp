@@ -126,7 +126,7 @@ void include_ini(Settings& s, const Value& v)
     if (!read_ini_file(s, v.text)) throw OptionError("no INI file is called '" + v.text + "'");
 }
 
-/// Every keyword of POV-Ray 3.7 (spec 1, data/01-options.csv), in alphabetical order.
+/// Every keyword of POV-Ray 3.7 (spec 1, 18; docs/povray/data/01-options.csv), in alphabetical order.
 constexpr Option kOptions[] = {
     {"All_Console", "text of every stream on the console; overrides the single switches", kFlag, State::Acts, set<&Settings::all_console>},
     {"All_File", "keep all text in this file, in the folder of the picture", kText, State::Acts, set<&Settings::all_file>},

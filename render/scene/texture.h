@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-/// Textures as the author wrote them, defaults filled in (reference manual 3.6; spec chapter 4).
+/// Textures as the author wrote them, defaults filled in (reference manual 3.6; spec 4).
 namespace scene {
 
 enum class WaveForm { Ramp, Sine, Triangle, Scallop, Cubic, Poly };
@@ -101,7 +101,7 @@ struct Reflection {
     float falloff = 1, exponent = 1, metallic = 0;
 };
 
-/// Defaults: spec chapter 3, 7.1.
+/// Defaults: spec 3, 7.1.
 struct Finish {
     glm::vec3 ambient{0.1f}, emission{0};
     float diffuse = 0.6f, diffuse_back = 0, brilliance = 1, crand = 0;

@@ -49,7 +49,7 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t pigment, const g
                            const Surroundings& around);
 
 /// Whether the pigment is a picture that is not at `p`: then its colour is clear, and light passes the layer unchanged. The
-/// layer's highlights and mirroring stay (measured; spec 4, 11 has it otherwise).
+/// layer's highlights and mirroring stay (spec 4, 11).
 bool pigment_missing(const TextureSet& set, std::uint32_t pigment, const glm::dvec3& p, const Surroundings& around);
 
 /// The texture of a material_map that a point of pattern space shows (spec 4, 12.8).

@@ -143,7 +143,7 @@ Mirror mirror_of(const Context& context, const HitPlace& hit, const texture::Fin
 /// The node of a texture's layers, whose own light is still to come, with the rays that go on from it. Its index in the queue.
 std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& stack, ColorSlot out);
 
-/// A mirrored colour as the finish wants it (spec 3, 10.3).
+/// A mirrored colour as the finish wants it (spec 3, section 6).
 glm::vec3 raised(const scene::Color& c, float exponent);
 
 /// Relative index for a fresnel reflection (spec 3, 7.9).

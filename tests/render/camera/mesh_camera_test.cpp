@@ -75,7 +75,7 @@ TEST_CASE("the first two rows show the same faces, the last row is never shown",
 
 TEST_CASE("meshes side by side are counted by the column of the whole picture", "[camera][mesh]")
 {
-    const auto camera = camera_of(1, 2, {row_of(4, 0), row_of(4, 1)});  // spec: mesh 1 faces 0, 1, then mesh 2 faces 2, 3
+    const auto camera = camera_of(1, 2, {row_of(4, 0), row_of(4, 1)});  // spec 2, 5: mesh 1 faces 0, 1, then mesh 2 faces 2, 3
     CHECK(face_at(*camera, 0, 0, 4, 1) == 0);
     CHECK(face_at(*camera, 1, 0, 4, 1) == 1);
     CHECK(face_at(*camera, 2, 0, 4, 1) == 102);

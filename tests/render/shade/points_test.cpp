@@ -88,7 +88,7 @@ std::array<double, 3> plain_lattice(const glm::dvec3& p)
     return sums;
 }
 
-/// The same formula as the spec has it, joined along x, y and z, in 64 bits of mantissa.
+/// The same formula (spec 4, 2.2 to 2.5) joined along x, y and z, in 64 bits of mantissa.
 std::array<long double, 3> precise_lattice(const glm::dvec3& p)
 {
     const PlainCell cell(p);
