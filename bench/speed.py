@@ -4,10 +4,14 @@ import csv
 import os
 import pathlib
 import re
+import signal
 import statistics
 import subprocess
 import sys
 import tempfile
+import threading
+import time
+import typing
 
 HERE = pathlib.Path(__file__).resolve().parent
 POVRAY_TRACE = re.compile(r"Trace Time:.*?\(([0-9.]+) seconds\)")
@@ -18,18 +22,42 @@ class Failure(Exception):
     """A program that did not render, with the end of what it said."""
 
 
+class Run(typing.NamedTuple):
+    """What a program said and took."""
+    said: str
+    wall: float  # seconds from start to end
+    cpu: float  # processor seconds, user and system, of all threads
+    memory: int  # the most bytes that the process had
+
+
+def execute(command, folder, limit=None):
+    """Runs a program in a folder to its end, at most `limit` seconds."""
+    with tempfile.TemporaryFile("w+", errors="replace") as said:
+        began = time.monotonic()
+        process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT)
+        guard = threading.Timer(limit or threading.TIMEOUT_MAX, os.kill, (process.pid, signal.SIGKILL))
+        guard.daemon = True
+        guard.start()
+        try:
+            _, status, used = os.wait4(process.pid, 0)
+        finally:
+            guard.cancel()
+        wall = time.monotonic() - began
+        process.returncode = os.waitstatus_to_exitcode(status)
+        said.seek(0)
+        text = said.read()
+    if process.returncode != 0:
+        why = f"ended after {limit:g} s" if limit and wall >= limit else f"exit status {process.returncode}"
+        raise Failure(f"{' '.join(map(str, command))}: {why}\n{text[-600:]}")
+    return Run(text, wall, used.ru_utime + used.ru_stime, used.ru_maxrss * 1024)
+
+
 def rendered(program, scene, size, threads, picture):
     """Renders once; what the program says, and the most memory that it had, in bytes."""
     command = [program, f"+I{scene.name}", f"+O{picture}", f"+W{size[0]}", f"+H{size[1]}", "-A", "-D", "-P",
                f"+WT{threads}", "+FN8"]
-    with subprocess.Popen(command, cwd=scene.parent, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, errors="replace") as running:
-        said = running.stdout.read()
-        _, status, used = os.wait4(running.pid, 0)
-        running.returncode = os.waitstatus_to_exitcode(status)
-    if running.returncode != 0:
-        raise Failure(f"{' '.join(command)}: exit status {running.returncode}\n{said[-600:]}")
-    return said, used.ru_maxrss * 1024
+    run = execute(command, scene.parent)
+    return run.said, run.memory
 
 
 def seconds(said, pattern):
@@ -69,6 +97,13 @@ def measure(options, scene, size, threads, folder):
                 ratio=round(ratio, 2), agree=round(share, 4), ok=right and ratio >= options.bar)
 
 
+def programs_from_here(options):
+    """Makes paths of programs absolute: they are meant from here, not from the scene's folder."""
+    for program in ("whittle", "povray"):
+        if "/" in getattr(options, program):
+            setattr(options, program, str(pathlib.Path(getattr(options, program)).resolve()))
+
+
 def run(description, scenes, sizes, threads):
     """The command line of a benchmark: `sizes` names the scenes of the folder `scenes`, with (width, height). The exit status."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -80,9 +115,7 @@ def run(description, scenes, sizes, threads):
     parser.add_argument("--whittle", default=str(HERE.parent / "build/release/whittle"))
     parser.add_argument("--povray", default="povray")
     options = parser.parse_args()
-    for program in ("whittle", "povray"):  # a path is meant from here, not from the scene's folder
-        if "/" in getattr(options, program):
-            setattr(options, program, str(pathlib.Path(getattr(options, program)).resolve()))
+    programs_from_here(options)
     unknown = set(options.scenes) - set(sizes)
     if unknown:
         parser.error(f"no such scene: {', '.join(sorted(unknown))}; there are {', '.join(sizes)}")

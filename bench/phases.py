@@ -1,0 +1,261 @@
+#!/usr/bin/python3
+"""Trace and parse times against POV-Ray over whole collections of scenes.
+
+usage: bench/phases.py [SCENE...] [--folder FOLDER]... [--own-only] [--threads 1] [--runs 3] [--clock cpu|wall]
+                       [--bar 6] [--least 2.5] [--cache FILE] [--json FILE] [--markdown FILE] [--csv FILE]
+
+Measured are the scenes of `scenes/phases`, the eight of `bench/run.py` and those of every FOLDER (that of the package
+povray-examples if none is given) which POV-Ray traces for --slow seconds or more. A scene of a folder whose picture is
+not POV-Ray's is left out and listed; one of ours that differs is a failure. bench/README.md says what each clock tells.
+SCENE picks scenes by their name in the table; * and ? stand for any letters.
+Exit status 1 if the geometric mean of the ratios is below --bar, one of them below --least, a run fails or a scene of
+ours is wrong.
+"""
+import argparse
+import csv
+import fnmatch
+import json
+import os
+import pathlib
+import re
+import shutil
+import statistics
+import sys
+import tempfile
+
+import run as eight
+import speed
+from phases_table import MATCH, markdown, plain, remark, summary
+
+EXAMPLES = "/usr/share/doc/povray/examples"
+SIZE = ["+W320", "+H240", "-A"]  # of the scenes of a folder, which have no line of options
+OPTIONS = re.compile(r"^// bench:(.*)$", re.M)  # that line in a scene of ours
+COMMON = ["-D", "-P", "+FN8"]
+# A stage in POV-Ray's statistics: its name, wall seconds, then processor seconds of all threads.
+STAGE = r"{} Time:.*?\(([0-9.]+) seconds\)\s*using \d+ thread\(s\) with ([0-9.]+) CPU-seconds"
+PARSE, TRACE = ("Parse", "Bounding"), ("Photon", "Radiosity", "Trace")
+NOISE = 0.01  # as docs/parity.md: so much less than POV-Ray with itself still matches
+
+
+class Scene:
+    """A scene, its name in the table and the options that both programs render it with."""
+
+    def __init__(self, name, path, options, own):
+        self.name, self.path, self.options, self.own = name, path, options, own
+
+
+def own_scenes():
+    """Those of scenes/phases with the options of their own first lines, and the eight of run.py."""
+    for path in sorted((speed.HERE / "scenes/phases").glob("*.pov")):
+        found = OPTIONS.search(path.read_text())
+        if not found:
+            sys.exit(f"{path}: no line '// bench: OPTIONS'")
+        yield Scene(path.stem, path, found.group(1).split(), True)
+    for name, (width, height) in eight.SIZES.items():
+        yield Scene(name, speed.HERE / f"scenes/{name}.pov", [f"+W{width}", f"+H{height}", "-A"], True)
+
+
+def folder_scenes(folder):
+    for path in sorted(folder.rglob("*.pov")):
+        yield Scene(str(path.relative_to(folder).with_suffix("")), path, SIZE, False)
+
+
+class Copies:
+    """Copies of folders, one for each program: scenes may write files, and neither program may find the other's."""
+
+    def __init__(self, scratch, who):
+        self.scratch, self.who, self.made = scratch, who, {}
+
+    def place(self, scene, root):
+        """The path of the scene in the copy of its folder."""
+        if root not in self.made:
+            copy = pathlib.Path(self.scratch, f"{self.who}{len(self.made)}")
+            shutil.copytree(root, copy, symlinks=False)
+            self.made[root] = copy
+        return self.made[root] / scene.path.relative_to(root)
+
+
+def povray_seconds(said, stages, clock):
+    """The sum of stages in POV-Ray's statistics; those that were not run are not told."""
+    found = [re.search(STAGE.format(stage), said, re.S) for stage in stages]
+    if not any(found):
+        raise speed.Failure(f"no time in what was said:\n{said[-600:]}")
+    return sum(float(stage.group(2 if clock == "cpu" else 1)) for stage in found if stage)
+
+
+def povray_run(options, scene, path, threads, picture, more=(), clock=None):
+    """(parse seconds, trace seconds) of one run, by the clock of the options if none is named."""
+    command = [options.povray, f"+I{path.name}", f"+O{picture}", *scene.options, *COMMON, f"+WT{threads}", *more]
+    # A stage's text must not reach into the next one's: POV-Ray says "No photons" where none were shot.
+    said = re.sub(r"(Photon|Radiosity) Time:\s+No \w+", "", speed.execute(command, path.parent, options.limit).said)
+    return tuple(povray_seconds(said, stages, clock or options.clock) for stages in (PARSE, TRACE))
+
+
+def whittle_run(options, scene, path, threads, picture):
+    """(parse seconds, trace seconds, what it was warned of leaving out) of one run."""
+    report = f"{picture}.json"
+    command = [options.whittle, f"+I{path.name}", f"+O{picture}", *scene.options, *COMMON, f"+WT{threads}",
+               f"--json={report}"]
+    run = speed.execute(command, path.parent, options.limit)
+    frame = json.loads(pathlib.Path(report).read_text())["frames"][0]
+    phases = frame["phases"]
+    parse, trace = phases["parse_seconds"] + phases["plan_seconds"], phases["trace_seconds"]
+    if options.clock == "cpu":
+        # The process was on a processor for this part of the time that it could have been.
+        busy = min(1.0, run.cpu / (max(run.wall - trace, 0.0) + threads * trace))
+        parse, trace = busy * parse, busy * threads * trace
+    left_out = sorted({message["text"].split(":")[0] for message in frame["messages"]
+                       if message["severity"] == "warning" and "without it" in message["text"]})
+    return parse, trace, left_out
+
+
+class Scan:
+    """How long POV-Ray traces each scene, kept in a file: it does not change, and asking takes minutes."""
+
+    def __init__(self, file):
+        self.file = file
+        self.known = json.loads(pathlib.Path(file).read_text()) if file and os.path.exists(file) else {}
+
+    def entry(self, scene, compute):
+        """{"trace": s} or {"error": text} of the scene; `compute` is called if it is not known."""
+        state = scene.path.stat()
+        key = f"{scene.path} {' '.join(scene.options)} {state.st_size} {int(state.st_mtime)}"
+        if key not in self.known:
+            self.known[key] = compute()
+            self.save()
+        return self.known[key]
+
+    def save(self):
+        if self.file:
+            part = f"{self.file}.part"
+            pathlib.Path(part).write_text(json.dumps(self.known, indent=1))
+            os.replace(part, self.file)
+
+
+def slow_scenes(options, scenes, scan, copies, root, picture):
+    """The scenes of a folder that POV-Ray traces long enough."""
+    for number, scene in enumerate(scenes, 1):
+        def compute():
+            try:
+                return dict(trace=povray_run(options, scene, copies.place(scene, root), 1, picture, clock="cpu")[1])
+            except speed.Failure as failure:
+                return dict(error=str(failure))
+        entry = scan.entry(scene, compute)
+        print(f"scan {number} of {len(scenes)}: {scene.name} {entry.get('trace', 'fails')}", file=sys.stderr)
+        if entry.get("trace", 0) >= options.slow:
+            yield scene, entry
+
+
+def measure(options, scene, entry, paths, threads, folder):
+    """A row of the table. `paths`: of POV-Ray's copy of the scene and of ours. `entry`: what the scan keeps of it."""
+    theirs, ours = f"{folder}/povray.png", f"{folder}/whittle.png"
+    for picture in (theirs, ours):
+        pathlib.Path(picture).unlink(missing_ok=True)
+    povray, whittle, row = [], [], dict(scene=scene.name, threads=threads, own=scene.own)
+    for turn in range(options.runs):  # in turn, so that both see the same machine
+        povray.append(povray_run(options, scene, paths[0], threads, theirs))
+        whittle.append(whittle_run(options, scene, paths[1], threads, ours))
+        if turn:
+            continue
+        agree = speed.agreement(options.whittle, theirs, ours)[0]
+        whole = not whittle[0][2]  # what is left out explains a difference: POV-Ray with itself need not be asked
+        if agree < MATCH and whole and "self" not in entry:
+            again = f"{folder}/again.png"
+            povray_run(options, scene, paths[0], 1, again, ["+BS8"])
+            entry["self"] = speed.agreement(options.whittle, theirs, again)[0]
+        row.update(agree=round(agree, 4), own_agree=entry.get("self"), left_out=whittle[0][2],
+                   matches=agree >= MATCH or whole and agree >= entry["self"] - NOISE)
+        if not row["matches"] and not scene.own:
+            break  # what is not the same picture has no speed
+    for place, phase in enumerate(("parse", "trace")):
+        for who, times in (("povray", povray), ("whittle", whittle)):
+            row[f"{who}_{phase}_s"] = round(statistics.median(time[place] for time in times), 4)
+    row["ratio"] = round(row["povray_trace_s"] / max(row["whittle_trace_s"], 1e-4), 2)
+    return row
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenes", nargs="*", metavar="SCENE")
+    parser.add_argument("--folder", type=pathlib.Path, action="append", metavar="FOLDER",
+                        help=f"a collection of scenes ({EXAMPLES})")
+    parser.add_argument("--own-only", action="store_true", help="the scenes of this folder alone")
+    parser.add_argument("--threads", type=int, nargs="+", default=[1])
+    parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--clock", choices=["cpu", "wall"], default="cpu")
+    parser.add_argument("--slow", type=float, default=0.2, help="POV-Ray's least seconds for a scene of a folder (0.2)")
+    parser.add_argument("--limit", type=float, default=600, help="most seconds for a run (600)")
+    parser.add_argument("--bar", type=float, default=6.0, help="least geometric mean (6)")
+    parser.add_argument("--least", type=float, default=2.5, help="least ratio of a scene (2.5)")
+    for kind in ("cache", "json", "markdown", "csv"):
+        parser.add_argument(f"--{kind}", metavar="FILE")
+    parser.add_argument("--whittle", default=str(speed.HERE.parent / "build/release/whittle"))
+    parser.add_argument("--povray", default="povray")
+    options = parser.parse_args()
+    speed.programs_from_here(options)
+    return parser, options
+
+
+def main():
+    parser, options = arguments()
+    folders = [] if options.own_only else [folder.resolve() for folder in options.folder or [pathlib.Path(EXAMPLES)]]
+
+    def wanted(scene):
+        return not options.scenes or any(fnmatch.fnmatchcase(scene.name, name) for name in options.scenes)
+
+    groups = [(None, [scene for scene in own_scenes() if wanted(scene)])]
+    groups += [(folder, [scene for scene in folder_scenes(folder) if wanted(scene)]) for folder in folders]
+    if not any(scenes for _, scenes in groups):
+        parser.error("no such scene")
+
+    scan, rows, excluded, failures = Scan(options.cache), [], [], []
+    with tempfile.TemporaryDirectory() as scratch:
+        povrays, ours = Copies(scratch, "povray"), Copies(scratch, "whittle")
+        for root, scenes in groups:
+            if root is None:
+                picked = [(scene, {}) for scene in scenes]
+            else:
+                picked = list(slow_scenes(options, scenes, scan, povrays, root, f"{scratch}/scan.png"))
+            for number, (scene, entry) in enumerate(picked, 1):
+                place = root or speed.HERE / "scenes"
+                paths = povrays.place(scene, place), ours.place(scene, place)
+                for threads in options.threads:
+                    print(f"{number} of {len(picked)} {scene.name} +WT{threads}", end=": ", file=sys.stderr, flush=True)
+                    try:
+                        row = measure(options, scene, entry, paths, threads, scratch)
+                    except speed.Failure as failure:
+                        print(failure, file=sys.stderr)
+                        failures.append((scene.name, str(failure)))
+                        continue
+                    scan.save()
+                    times = f"{row['povray_trace_s']:.3f} / {row['whittle_trace_s']:.3f}"
+                    print(f"{times} = {row['ratio']:.2f} {remark(row)}", file=sys.stderr)
+                    (rows if row["matches"] or scene.own else excluded).append(row)
+
+    rows.sort(key=lambda row: row["ratio"])
+    excluded.sort(key=lambda row: row["agree"])
+    told = summary(rows)
+    print(plain(rows))
+    print("\n".join(f"{title}: {value}" for title, value in told.items()))
+    if excluded:
+        print(f"left out, other pictures: {', '.join(row['scene'] for row in excluded)}")
+    if options.markdown:
+        text = markdown(rows) + "\n\n" + "\n".join(f"- {title}: {value}" for title, value in told.items()) + "\n"
+        if excluded:
+            text += "\nLeft out, as their pictures differ:\n\n" + markdown(excluded) + "\n"
+        pathlib.Path(options.markdown).write_text(text)
+    if options.json:
+        pathlib.Path(options.json).write_text(json.dumps(dict(
+            clock=options.clock, runs=options.runs, summary=told, scenes=rows, excluded=excluded,
+            failures=[dict(scene=name, text=text) for name, text in failures]), indent=1) + "\n")
+    if options.csv and rows:
+        with open(options.csv, "w", newline="") as file:
+            writer = csv.DictWriter(file, fieldnames=rows[0].keys())
+            writer.writeheader()
+            writer.writerows(dict(row, left_out=" ".join(row["left_out"])) for row in rows + excluded)
+    good = bool(rows) and not failures and all(row["matches"] for row in rows)
+    return 0 if good and told["geometric mean"] >= options.bar and rows[0]["ratio"] >= options.least else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
