@@ -219,7 +219,7 @@ inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Qu
     return true;
 }
 
-/// Fewer rays than this go one by one.
-inline constexpr int kFewestForBeam = 4;
+/// Fewer rays than this go one by one: a beam of few rays that fly apart meets more than they do.
+inline constexpr int kFewestForBeam = 24;
 
 }  // namespace csg
