@@ -109,8 +109,11 @@ private:
     template <class T>
     void plain_spans(const T& solid, SpanList& out) const
     {
-        if constexpr (std::is_same_v<T, Freeform>) solid.spans(ray_, t_min_, t_max_, out);
-        else intersect(solid, ray_, out);
+        if constexpr (std::is_same_v<T, Freeform>) {
+            if (!scratch_.fetched.spans(&solid, t_min_, t_max_, out)) solid.spans(ray_, t_min_, t_max_, out);
+        } else {
+            intersect(solid, ray_, out);
+        }
     }
 
     /// Whether the leaf may draw where it has no span.

@@ -63,6 +63,24 @@ void Freeform::meet(const Ray& ray, RayRecord& out) const
     std::visit([&](const auto& kind) { kind.meet(local, out); }, shape->kind);
 }
 
+bool Freeform::meets_many() const
+{
+    return std::visit([](const auto& kind) {
+        if constexpr (MeetsMany<std::decay_t<decltype(kind)>>) return kind.meets_many();
+        else return false;
+    }, shape->kind);
+}
+
+void Freeform::meet_many(RayBatch& batch) const
+{
+    for (Ray& ray : batch.asked()) ray = local_ray(frame, ray);
+    std::visit([&](const auto& kind) {
+        if constexpr (MeetsMany<std::decay_t<decltype(kind)>>) kind.meet_many(batch.asked(), batch.records.data());
+        else
+            for (std::size_t k = 0; k < batch.count; ++k) kind.meet(batch.rays[k], batch.records[k]);
+    }, shape->kind);
+}
+
 void Freeform::spans(const Ray& ray, double from, double to, SpanList& out) const
 {
     RayRecord record(from, to, false);

@@ -2,6 +2,8 @@
 
 #include <xsimd/xsimd.hpp>
 
+#include <array>
+#include <bit>
 #include <cstdint>
 
 /// The vector unit of the instruction set that this file is compiled for. Include only from code that is compiled once
@@ -37,6 +39,26 @@ template <class Bool>
 inline std::uint32_t mask(const Bool& b)
 {
     return bits(b.data);
+}
+
+/// The lanes of a mask; bits beyond them are ignored.
+inline Double::batch_bool_type lanes_of(std::uint32_t mask)
+{
+#if defined(__AVX512F__)
+    return Double::batch_bool_type(static_cast<__mmask8>(mask));
+#else
+    constexpr std::uint32_t kMasks = 1u << kDoubles;
+    struct Table {
+        alignas(64) std::array<std::array<double, kDoubles>, kMasks> rows{};
+        constexpr Table()
+        {
+            for (std::uint32_t m = 0; m < kMasks; ++m)
+                for (std::size_t lane = 0; lane < kDoubles; ++lane) rows[m][lane] = std::bit_cast<double>((m >> lane & 1u) != 0 ? ~std::uint64_t{0} : std::uint64_t{0});
+        }
+    };
+    static constexpr Table kTable;
+    return Double::batch_bool_type(Double::load_aligned(kTable.rows[mask & (kMasks - 1)].data()).data);
+#endif
 }
 
 }  // namespace csg::lanes

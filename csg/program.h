@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/cancel.h"
+#include "csg/freeform/fetched_spans.h"
 #include "csg/flat.h"
 #include "csg/hit.h"
 #include "csg/solid.h"
@@ -85,6 +86,16 @@ public:
     /// Another, for what instances are asked for meanwhile.
     std::vector<Hit>& instance_hits() { return instance_hits_; }
 
+    /// Rays for a solid that answers many together.
+    RayBatch& batch()
+    {
+        if (!batch_) batch_ = std::make_unique<RayBatch>();
+        batch_->count = 0;
+        return *batch_;
+    }
+    /// What leaves of the object at hand have told already.
+    FetchedSpans fetched;
+
     /// Looked at by every question to a World.
     CancelWatch cancel;
 
@@ -115,6 +126,7 @@ private:
     std::unique_ptr<Crossing[]> crossings_;
     std::unique_ptr<Record[]> records_;
     std::unique_ptr<FlatPiece[]> pieces_;
+    std::unique_ptr<RayBatch> batch_;
     std::vector<Hit> hits_, instance_hits_;
     std::vector<FlatCandidate> candidates_;
     std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;

@@ -61,6 +61,18 @@ public:
         });
     }
 
+    static bool first_only(const WorldItem& item) { return item.all_opaque; }
+    void record(std::uint32_t index, std::size_t k, const RayRecord& told)
+    {
+        const WorldItem& item = world_.items[index];
+        drawn_ends(told, rays_.t_min[k], rays_.limit[k], [&](double t, std::uint32_t face) {
+            if (item.all_opaque) block(k);
+            else add(k, Hit{t, world_.store.surface(item.solid, face), item.solid, face, turned(world_, item)});
+        });
+    }
+
+    Scratch& scratch() const { return scratch_; }
+
     static bool lanes_serve(const WorldItem& item) { return item.all_opaque || item.simple; }
     static void ask(LaneFront<Rays>& front, const WorldItem& item, const FlatForm& form, RayMask mask)
     {

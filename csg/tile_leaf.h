@@ -12,6 +12,8 @@ namespace csg {
 ///   query.solid(item index, rays, at)  a convex solid; at(i) gives lanes::Intervals of the rays from i on
 ///   query.ask(front, item, form, rays) a CSG object in lanes; only where query.lanes_serve(item)
 ///   query.program(item index, front)   what came of it
+///   query.record(item index, ray, told)  what a lone solid that answers many rays together has told of one;
+///   query.first_only(item)             whether the nearest drawn end of it is enough
 ///   query.each(item index, ray)        anything else, ray by ray
 template <class Rays, class Query>
 struct TileLeaf {
@@ -51,6 +53,10 @@ struct TileLeaf {
             return;
         }
         if (kind_of(item.solid) == SolidKind::Torus && !gated && torus(index, mask)) return;
+        if (item.many && !gated && (mask & (mask - 1)) != 0) {
+            if (item.solid != kNoPart) return together(index, mask);
+            return fetched(index, mask);
+        }
         if (item.simple && (mask & (mask - 1)) != 0 && query.lanes_serve(item)) {
             query.ask(front, item, world.programs[item.program].flat, mask);
             query.program(index, front);
@@ -60,6 +66,43 @@ struct TileLeaf {
     }
 
 private:
+    /// A lone solid that answers many rays together.
+    void together(std::uint32_t index, RayMask mask) const
+    {
+        const WorldItem& item = world.items[index];
+        const RayBatch& batch = told_of(world.store.all<Freeform>()[index_of(item.solid)], mask, query.first_only(item));
+        for (std::size_t k = 0; k < batch.count; ++k) query.record(index, batch.place[k], batch.records[k]);
+    }
+
+    /// A CSG object of which some leaf answers many rays together: these first, then ray by ray.
+    void fetched(std::uint32_t index, RayMask mask) const
+    {
+        FetchedSpans& known = query.scratch().fetched;
+        for (const Node& node : world.programs[world.items[index].program].nodes) {
+            if (node.op != Op::Leaf || kind_of(node.solid) != SolidKind::Freeform) continue;
+            const Freeform& solid = world.store.all<Freeform>()[index_of(node.solid)];
+            if (!solid.meets_many()) continue;
+            const auto corner = [](const std::array<float, 3>& c) { return glm::dvec3(c[0], c[1], c[2]); };
+            const RayMask asked = node.test_box ? rays.meet(corner(node.lower), corner(node.upper), mask) : mask;
+            if ((asked & (asked - 1)) != 0) known.add(&solid, told_of(solid, asked, false));
+        }
+        for (; mask != 0; mask &= mask - 1) {
+            known.select(std::countr_zero(mask));
+            each(index, std::countr_zero(mask));
+        }
+        known.clear();
+    }
+
+    const RayBatch& told_of(const Freeform& solid, RayMask asked, bool first_only) const
+    {
+        RayBatch& batch = query.scratch().batch();
+        each_ray(asked, [&](std::size_t k) {
+            if (!(rays.limit[k] < 0.0)) batch.add(rays.ray(static_cast<int>(k)), k, rays.t_min[k], rays.limit[k], first_only);
+        });
+        solid.meet_many(batch);
+        return batch;
+    }
+
     /// False: its solver is not for lanes.
     bool torus(std::uint32_t index, RayMask mask) const
     {

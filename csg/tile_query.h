@@ -27,6 +27,20 @@ private:
     }
 };
 
+/// f(t, face) for what a lone freeform solid draws between the ends: as solid_crossings() offers it.
+template <class F>
+inline void drawn_ends(const RayRecord& record, double t_min, double limit, F&& f)
+{
+    const auto offer = [&](double t, std::uint32_t face) {
+        if (t >= t_min && t <= limit && face != kUndrawnFace && t < kInfinity && t > -kInfinity) f(t, face);
+    };
+    record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+        offer(in, in_face);
+        offer(out, out_face);
+    });
+    record.each_touch(offer);
+}
+
 /// The nearest hit of every ray.
 template <class Rays>
 class NearestOfTile {
@@ -46,12 +60,25 @@ public:
     void each(std::uint32_t index, int i)
     {
         const auto k = static_cast<std::size_t>(i);
-        const Hit hit = item_nearest(world_, world_.items[index], rays_.ray(i), rays_.t_min[k], rays_.limit[k], scratch_);
-        if (!hit.found() || hit.t > rays_.limit[k]) return;
-        if (!(hit.t < nearer_[k]) && !(static_cast<double>(index) < item_[k])) return;
-        out_.set(i, hit);
-        face_[k] = kKnown;
-        win(k, index, hit.t);
+        offer(index, k, item_nearest(world_, world_.items[index], rays_.ray(i), rays_.t_min[k], rays_.limit[k], scratch_));
+    }
+
+    static bool first_only(const WorldItem&) { return true; }
+    void record(std::uint32_t index, std::size_t k, const RayRecord& told)
+    {
+        const WorldItem& item = world_.items[index];
+        Hit hit;
+        double limit = rays_.limit[k];
+        drawn_ends(told, rays_.t_min[k], limit, [&](double t, std::uint32_t face) {
+            if (t > limit) return;
+            limit = hit.t = t;
+            hit.face = face;
+            hit.part = item.solid;
+        });
+        if (!(hit.t < kInfinity)) return;
+        hit.surface = world_.store.surface(item.solid);
+        hit.inverted = turned(world_, item);
+        offer(index, k, hit);
     }
 
     template <class At>
@@ -108,7 +135,18 @@ public:
         }
     }
 
+    Scratch& scratch() const { return scratch_; }
+
 private:
+    void offer(std::uint32_t index, std::size_t k, const Hit& hit)
+    {
+        if (!hit.found() || hit.t > rays_.limit[k]) return;
+        if (!(hit.t < nearer_[k]) && !(static_cast<double>(index) < item_[k])) return;
+        out_.set(static_cast<int>(k), hit);
+        face_[k] = kKnown;
+        win(k, index, hit.t);
+    }
+
     void win(std::size_t k, std::uint32_t index, double t)
     {
         item_[k] = static_cast<double>(index);
@@ -181,6 +219,16 @@ public:
         });
     }
 
+    static bool first_only(const WorldItem& item) { return item.all_opaque; }
+    void record(std::uint32_t index, std::size_t k, const RayRecord& told)
+    {
+        bool met = false;
+        drawn_ends(told, rays_.t_min[k], rays_.limit[k], [&](double, std::uint32_t) { met = true; });
+        if (met) meet(RayMask{1} << k, world_.surface_opaque[world_.store.surface(world_.items[index].solid)] != 0);
+    }
+
+    Scratch& scratch() const { return scratch_; }
+
     /// One crossing is enough where every surface stops light.
     static bool lanes_serve(const WorldItem& item) { return item.all_opaque; }
     static void ask(LaneFront<Rays>& front, const WorldItem&, const FlatForm& form, RayMask mask) { front.ask(form, mask); }
@@ -219,7 +267,9 @@ inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Qu
     return true;
 }
 
-/// Fewer rays than this go one by one: a beam of few rays that fly apart meets more than they do.
-inline constexpr int kFewestForBeam = 24;
+/// Fewer rays than this go one by one: a beam of few rays that fly apart meets more than they do. Where solids answer rays
+/// together sooner, these outweigh the boxes.
+inline constexpr int kFewestForBeam = 24, kFewestTogether = 2;
+inline int fewest_for_beam(const WorldData& world) { return world.costly ? kFewestTogether : kFewestForBeam; }
 
 }  // namespace csg

@@ -54,6 +54,18 @@ bool all_opaque(const WorldData& world, const WorldItem& item)
     return true;
 }
 
+/// Whether some solid of the item answers many rays sooner together.
+bool many(const WorldData& world, const WorldItem& item)
+{
+    const auto solid = [&](PartId part) {
+        return part != kNoPart && kind_of(part) == SolidKind::Freeform && world.store.all<Freeform>()[index_of(part)].meets_many();
+    };
+    if (item.instance != Hit::kNoInstance) return false;
+    if (item.solid != kNoPart) return solid(item.solid);
+    const auto& nodes = world.programs[item.program].nodes;
+    return std::any_of(nodes.begin(), nodes.end(), [&](const Node& node) { return node.op == Op::Leaf && solid(node.solid); });
+}
+
 /// A box too wide for single precision counts as unbounded.
 bool fits(const Aabb& box)
 {
@@ -119,6 +131,8 @@ void WorldData::finish()
         item.all_opaque = all_opaque(*this, item);
         item.simple = item.solid == kNoPart && item.instance == Hit::kNoInstance && item.gate == WorldItem::kNoGate && programs[item.program].flat.simple();
         item.plain = item.simple && programs[item.program].flat.terms[0].plain();
+        item.many = many(*this, item);
+        costly = costly || item.many;
         visible_everywhere &= item.visible;
         const Aabb box = drawn_bounds(*this, item);
         if (box.empty()) continue;

@@ -20,6 +20,7 @@ struct WorldItem {
     bool all_opaque = true;           ///< every surface of it stops light
     bool simple = false;              ///< a program whose flat form suits vector lanes
     bool plain = false;               ///< and has nothing cut from it
+    bool many = false;                ///< a solid that answers many rays sooner together, or a program with one
     std::uint32_t gate = kNoGate;     ///< index into WorldData::gates
     std::uint32_t instance = Hit::kNoInstance;   ///< an instance, and neither solid nor program
 
@@ -63,6 +64,7 @@ struct WorldData {
     std::vector<std::uint8_t> surface_opaque;  ///< by SurfaceId: a shadow ray may stop at it for good (spec 3, 13.2)
     std::uint8_t visible_everywhere = 0xff;    ///< kinds of ray that see every item
     std::uint8_t shadow_kinds = 0xff;          ///< kinds of ray that ask for shadows: items that none of these sees cast none
+    bool costly = false;                       ///< some item is `many`
     bool faithful = false;                     ///< answers by POV-Ray's constants, ray by ray where they matter (docs/faithful.md)
 
     /// A solid by itself.

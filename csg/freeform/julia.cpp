@@ -1,7 +1,7 @@
 #include "csg/freeform/julia.h"
 
 #include "csg/freeform/julia_functions.h"
-#include "csg/fused_at.h"
+#include "csg/freeform/julia_march.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,31 +11,13 @@ namespace {
 
 using Function = JuliaTerms::Function;
 
-constexpr double kNearest = 1e-7;         // depth of the first look and of a crossing's last interval, local (spec 5b, 12.2)
-// Of a set so large that kNearest is more than this in the world, a crossing is closed in on as far, or until the digits end: else
-// rays would meet their own start.
-constexpr double kFinest = 1e-5, kLeast = 1e-15;
-constexpr double kUnit = 1e-15;           // a direction whose length is as near to 1 is taken as it is
 constexpr double kQuaternionReach = 2.0, kHyperReach = 4.0;
-constexpr double kLeastSlope = -1e-8, kLeastGuess = 1.0, kMostGuess = 30.0;
 
 /// How the size of an orbit's last point n grows with x, y and z; v is the derivative of the orbit (spec 5b, 12.3).
 glm::dvec3 growth(const glm::dvec4& v, const glm::dvec4& n)
 {
     return {v.x * n.x + v.y * n.y + v.z * n.z + v.w * n.w, -v.y * n.x + v.x * n.y - v.w * n.z + v.z * n.w,
             -v.z * n.x - v.w * n.y + v.x * n.z + v.y * n.w};
-}
-
-/// From far away the steps would be shorter than the last digit of the parameter: such a ray is taken from beside the set, to
-/// which it is moved with one rounding. How far along it that is.
-double move_near(double radius, Ray& ray)
-{
-    constexpr double kManyRadii = 1e5;   // of the radius: 1e-11 of it is left
-    if (!(glm::dot(ray.origin, ray.origin) > kManyRadii * kManyRadii * radius * radius)) return 0.0;
-    const double t = -glm::dot(ray.origin, ray.direction);
-    if (!(std::abs(t) < kInfinity)) return 0.0;
-    ray.origin = fused_at(ray, t);
-    return t;
 }
 
 }  // namespace
@@ -52,8 +34,8 @@ Julia::Julia(const JuliaTerms& terms) : terms_(terms), step_(1.0 / terms.precisi
     tilt_ = glm::dvec3(n) / n.w;
     offset_ = terms.slice_distance / n.w;   // not divided by the length of the normal: POV-Ray's way
     const double size = std::sqrt(glm::dot(terms.constant, terms.constant));
-    radius_ = quaternion() ? std::min(kQuaternionReach, 1.0 + size + kNearest) : kHyperReach;
-    escape_ = quaternion() ? radius_ * radius_ + kNearest : radius_ * radius_;
+    radius_ = quaternion() ? std::min(kQuaternionReach, 1.0 + size + julia::kNearest) : kHyperReach;
+    escape_ = quaternion() ? radius_ * radius_ + julia::kNearest : radius_ * radius_;
 }
 
 /// POV-Ray starts the orbits of functions with y where z belongs, except while it marches (spec 5b, 12.1).
@@ -119,40 +101,34 @@ Julia::March Julia::look(const glm::dvec3& p, const glm::dvec3& way) const
     const Orbit orbit = follow(lifted(p));
     if (!orbit.escaped) return {true, step_};
     const double slope = glm::dot(orbit.slope, way), fall = -2.0 * slope, size = orbit.size;
-    const bool guess = slope < kLeastSlope && size > kLeastGuess * step_ * fall && size < kMostGuess * step_ * fall;
+    const bool guess = slope < julia::kLeastSlope && size > julia::kLeastGuess * step_ * fall && size < julia::kMostGuess * step_ * fall;
     return {false, guess ? size / fall : step_};
 }
 
 void Julia::meet(const Ray& ray, RayRecord& out) const
 {
-    double length = std::sqrt(glm::dot(ray.direction, ray.direction));
-    if (std::abs(length - 1.0) < kUnit) length = 1.0;
-    Ray unit{ray.origin, ray.direction / length};
-    const double start = move_near(radius_, unit);
-    // Whether a ray that comes in on the set finds it there is a matter of the last bit: this is POV-Ray's formula.
-    const double foot = -glm::dot(unit.origin, unit.direction), rest = foot * foot - (glm::dot(unit.origin, unit.origin) - radius_ * radius_);
-    const Interval ball{foot - std::sqrt(rest), foot + std::sqrt(rest)};
-    if (!(rest > 0.0) || ball.exit < kNearest - start || ball.exit < out.from * length - start) return;
-    const double end = std::min(ball.exit, out.to * length - start), nearest = glm::clamp(kFinest * length, kLeast, kNearest);
-    double t = std::max(ball.entry, kNearest - start);
+    const julia::Way way(ray, radius_, out);
+    if (!way.meets) return;
+    const Ray& unit = way.unit;
+    double t = way.begin;
     March at = look(unit.at(t), unit.direction);
     if (at.inside) {
-        t += 2.0 * kNearest;
+        t += 2.0 * julia::kNearest;
         at = look(unit.at(t), unit.direction);
     }
-    if (at.inside && !out.enter((start + ball.entry) / length, kUndrawnFace)) return;
+    if (at.inside && !out.enter(way.world(way.entry), kUndrawnFace)) return;
     while (true) {
         double step = std::max(at.step, step_);
-        if (!(step < kInfinity) || !(t + step <= end)) break;
+        if (!(step < kInfinity) || !(t + step <= way.end)) break;
         const March next = look(unit.at(t + step), unit.direction);
         if (next.inside != at.inside) {
             double same = t;      // still as it was
             const double behind = t + step;
-            while (step > nearest) {
+            while (step > way.nearest) {
                 step *= 0.5;
                 if (stays(unit.at(same + step)) == at.inside) same += step;
             }
-            if (!(at.inside ? out.leave((start + same) / length, 0) : out.enter((start + same + step) / length, 0))) return;
+            if (!(at.inside ? out.leave(way.world(same), 0) : out.enter(way.world(same, step), 0))) return;
             if (out.first_only) return;   // POV-Ray looks no farther, though the crossing may be too near to count
             t = behind;
         } else {
@@ -160,7 +136,7 @@ void Julia::meet(const Ray& ray, RayRecord& out) const
         }
         at = next;
     }
-    if (at.inside) out.leave((start + ball.exit) / length, kUndrawnFace);
+    if (at.inside) out.leave(way.world(way.exit), kUndrawnFace);
 }
 
 bool Julia::contains(const glm::dvec3& p) const { return stays(p); }

@@ -2,6 +2,8 @@
 
 #include "csg/freeform/ray_record.h"
 
+#include <span>
+
 namespace csg {
 
 /// What a julia_fractal is made of (spec 5b, 12; reference manual: Julia Fractal).
@@ -26,6 +28,9 @@ public:
     explicit Julia(const JuliaTerms& terms);
 
     void meet(const Ray& ray, RayRecord& out) const;
+    /// Polynomials; of the other functions the C library works out most.
+    bool meets_many() const { return terms_.function <= JuliaTerms::Function::HyperCube; }
+    void meet_many(std::span<const Ray> rays, RayRecord* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
     Aabb bounds() const { return {glm::dvec3(-radius_), glm::dvec3(radius_)}; }
@@ -35,6 +40,7 @@ public:
     static constexpr bool kClosed = true, kInverseClosed = false;
 
 private:
+    class Lanes;
     struct March {
         bool inside;
         double step;               ///< to where the next look is worth while

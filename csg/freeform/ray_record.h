@@ -16,9 +16,20 @@ public:
     /// A shape may leave out what lies wholly outside [from, to]; what it tells of the rest is whole. `first_only`: no more
     /// is wanted than the nearest drawn end.
     RayRecord(double nearest, double farthest, bool first) : from(nearest), to(farthest), first_only(first) {}
+    /// Of no ray yet: begin() first.
+    RayRecord() = default;
 
-    const double from, to;
-    const bool first_only;
+    /// Forgets what was told and asks anew.
+    void begin(double nearest, double farthest, bool first)
+    {
+        from = nearest;
+        to = farthest;
+        first_only = first;
+        spans_ = touches_ = 0;
+    }
+
+    double from = 0.0, to = 0.0;
+    bool first_only = false;
 
     /// Into the solid, then out of it, nearest first; ends may be infinite. False: no more is wanted.
     bool enter(double t, std::uint32_t face)

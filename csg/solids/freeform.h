@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/freeform/ray_record.h"
+#include "csg/freeform/ray_batch.h"
 #include "csg/solids/common.h"
 
 #include <memory>
@@ -37,6 +37,10 @@ struct Freeform {
     bool closed() const;
     bool inverse_closed() const;
     void meet(const Ray& ray, RayRecord& out) const;
+    /// Whether many rays are answered sooner together.
+    bool meets_many() const;
+    /// meet() of the rays of a batch, which are moved into the shape's space.
+    void meet_many(RayBatch& batch) const;
     void intersect(const Ray& ray, SpanList& out) const { spans(ray, -kInfinity, kInfinity, out); }
     /// Those that meet [from, to]: correct within that range only.
     void spans(const Ray& ray, double from, double to, SpanList& out) const;
