@@ -14,23 +14,33 @@ namespace {
 constexpr float kRefined = 0.1f;                        // neighbouring samples that differ by more are refined (spec 3, 12.6)
 constexpr std::uint32_t kJitterPurpose = 1000;       // of the random numbers of node 0
 
-HitMask differ(const TileColors& a, const TileColors& b)
+/// f(k, channel) for every lane of the groups of eight that have a hit, and every channel of colours.
+template <class F>
+void each_lane(HitMask hits, F&& f)
 {
-    alignas(64) std::array<std::uint32_t, csg::kTileRays> far;
-    for (std::size_t k = 0; k < csg::kTileRays; ++k) {
-        const float d = std::abs(a.red[k] - b.red[k]) + std::abs(a.green[k] - b.green[k]) + std::abs(a.blue[k] - b.blue[k]);
-        far[k] = d > kRefined ? 1u : 0u;
+    for (std::size_t first = 0; hits >> first != 0; first += csg::kTileSide) {
+        if ((hits >> first & 0xff) == 0) {
+            if (first + csg::kTileSide >= csg::kTileRays) return;
+            continue;
+        }
+        for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue})
+            for (std::size_t k = first; k < first + csg::kTileSide; ++k) f(k, channel);
+        if (first + csg::kTileSide >= csg::kTileRays) return;
     }
-    return csg::lanes::equal(far, 1u);
 }
 
-/// f(channel) for each of them.
-template <class F>
-void each_channel(F&& f)
+/// Which of the hits, or of their neighbours.
+HitMask differ(HitMask hits, const TileColors& a, const TileColors& b)
 {
-    f(&TileColors::red);
-    f(&TileColors::green);
-    f(&TileColors::blue);
+    alignas(64) std::array<std::uint32_t, csg::kTileRays> far{};
+    for (std::size_t first = 0; first < csg::kTileRays; first += csg::kTileSide) {
+        if ((hits >> first & 0xff) == 0) continue;
+        for (std::size_t k = first; k < first + csg::kTileSide; ++k) {
+            const float d = std::abs(a.red[k] - b.red[k]) + std::abs(a.green[k] - b.green[k]) + std::abs(a.blue[k] - b.blue[k]);
+            far[k] = d > kRefined ? 1u : 0u;
+        }
+    }
+    return csg::lanes::equal(far, 1u);
 }
 
 }  // namespace
@@ -38,7 +48,9 @@ void each_channel(F&& f)
 AreaLight::AreaLight(Context& context, const light::Light& light, const csg::HitTile& met, const InteriorList* const* interiors)
     : context_(context), scratch_(context.scratch.shade), area_(context.scratch.shade.area), light_(light), interiors_(interiors)
 {
-    area_.nodes.clear();
+    area_.known.clear();
+    area_.row.clear();
+    area_.column.clear();
     area_.place.assign(static_cast<std::size_t>(light.size1) * static_cast<std::size_t>(light.size2), AreaScratch::kNone);
     const TileHits& at = scratch_.hits;
     for (std::size_t k = 0; k < kRays; ++k) from_[k] = context.scene.tolerance.shadow_from(at.point(k), met.t[k]);
@@ -106,9 +118,9 @@ void AreaLight::want_all(int i1, int j1, int i2, int j2, int depth)
     want_all(i_high, j_high, i2, j2, depth + 1);
 }
 
-AreaScratch::Node& AreaLight::node(int i, int j)
+const TileColors& AreaLight::value(int i, int j) const
 {
-    return area_.nodes[area_.place[static_cast<std::size_t>(i) * static_cast<std::size_t>(light_.size2) + static_cast<std::size_t>(j)]];
+    return area_.values[area_.place[static_cast<std::size_t>(i) * static_cast<std::size_t>(light_.size2) + static_cast<std::size_t>(j)]];
 }
 
 void AreaLight::want(int i, int j)
@@ -116,10 +128,11 @@ void AreaLight::want(int i, int j)
     std::uint32_t& place = area_.place[static_cast<std::size_t>(i) * static_cast<std::size_t>(light_.size2) + static_cast<std::size_t>(j)];
     const bool fresh = place == AreaScratch::kNone;
     if (fresh) {
-        place = static_cast<std::uint32_t>(area_.nodes.size());
-        AreaScratch::Node& made = area_.nodes.emplace_back();
-        made.row = i, made.column = j;
-        made.known = 0;
+        place = static_cast<std::uint32_t>(area_.known.size());
+        area_.known.push_back(0);
+        area_.row.push_back(i);
+        area_.column.push_back(j);
+        if (area_.values.size() < area_.known.size()) area_.values.emplace_back();
     }
     // What is asked for again is one of the corners asked for just before.
     constexpr std::ptrdiff_t kCorners = 16;
@@ -142,7 +155,7 @@ void AreaLight::ask(HitMask hits)
 
 void AreaLight::ask(std::uint32_t node, HitMask hits)
 {
-    HitMask& known = area_.nodes[node].known;
+    HitMask& known = area_.known[node];
     const HitMask asking = hits & ~known;
     known |= asking;
     for_each_hit(asking, [&](std::size_t k) {
@@ -156,11 +169,10 @@ void AreaLight::rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hit
 {
     HitMask divided = i2 - i1 > 1 || j2 - j1 > 1 ? hits : 0;
     {
-        const TileColors &c00 = node(i1, j1).value, &c10 = node(i2, j1).value, &c01 = node(i1, j2).value, &c11 = node(i2, j2).value;
-        if (divided != 0 && depth >= light_.adaptive) divided &= differ(c00, c10) | differ(c00, c01) | differ(c11, c10) | differ(c11, c01);
-        each_channel([&](TileFloats TileColors::*c) {
-            for (std::size_t k = 0; k < kRays; ++k) (out.*c)[k] = ((c00.*c)[k] + (c10.*c)[k] + (c01.*c)[k] + (c11.*c)[k]) * 0.25f;
-        });
+        const TileColors &c00 = value(i1, j1), &c10 = value(i2, j1), &c01 = value(i1, j2), &c11 = value(i2, j2);
+        if (divided != 0 && depth >= light_.adaptive)
+            divided &= differ(hits, c00, c10) | differ(hits, c00, c01) | differ(hits, c11, c10) | differ(hits, c11, c01);
+        each_lane(hits, [&](std::size_t k, auto c) { (out.*c)[k] = ((c00.*c)[k] + (c10.*c)[k] + (c01.*c)[k] + (c11.*c)[k]) * 0.25f; });
     }
     if (divided == 0) return;
     const int i_low = (i1 + i2) / 2, i_high = (i1 + i2 + 1) / 2, j_low = (j1 + j2) / 2, j_high = (j1 + j2 + 1) / 2;
@@ -174,34 +186,35 @@ void AreaLight::rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hit
         const auto& q = quarters[c];
         rectangle(q[0], q[1], q[2], q[3], depth + 1, divided, c == 0 ? sum : quarter);
         if (c == 0) continue;
-        each_channel([&](TileFloats TileColors::*of) {
-            for (std::size_t k = 0; k < kRays; ++k) (sum.*of)[k] += (quarter.*of)[k];
-        });
+        each_lane(divided, [&](std::size_t k, auto of) { (sum.*of)[k] += (quarter.*of)[k]; });
     }
     const LaneMask here(divided);
-    each_channel([&](TileFloats TileColors::*of) {
-        for (std::size_t k = 0; k < kRays; ++k) (out.*of)[k] = here[k] != 0 ? (sum.*of)[k] * 0.25f : (out.*of)[k];
-    });
+    each_lane(divided, [&](std::size_t k, auto of) { (out.*of)[k] = here[k] != 0 ? (sum.*of)[k] * 0.25f : (out.*of)[k]; });
 }
 
-/// Places of the samples on the light: light::node_offset, a sample a lane.
+/// Moves the samples within their cells, by numbers of the point and the node (random_at).
+void AreaLight::jitter(TileLanes& row, TileLanes& column) const
+{
+    alignas(64) std::array<std::uint64_t, kRays> purpose;
+    const auto size = static_cast<double>(light_.size2);
+    for (std::size_t n = 0; n < kRays; ++n) purpose[n] = 2 * static_cast<std::uint64_t>(static_cast<std::int64_t>(row[n] * size + column[n])) + kJitterPurpose;
+    const csg::RayTile& rays = scratch_.rays;
+    for (std::size_t n = 0; n < kRays; ++n) {
+        row[n] += random_at({rays.ox[n], rays.oy[n], rays.oz[n]}, static_cast<std::uint32_t>(purpose[n])) - 0.5;
+        column[n] += random_at({rays.ox[n], rays.oy[n], rays.oz[n]}, static_cast<std::uint32_t>(purpose[n]) + 1u) - 0.5;
+    }
+}
+
+/// Places of the samples on the light: light::node_offset, a sample a lane. Their rays have their origins.
 void AreaLight::place_on_light()
 {
     alignas(64) TileLanes p, q, m;
-    const TileHits& hits = scratch_.hits;
-    for (std::size_t n = 0; n < kRays; ++n) {
-        const AreaScratch::Node& node = area_.nodes[node_[n]];
-        p[n] = node.row, q[n] = node.column;
-    }
-    if (light_.jitter)
-        for (std::size_t n = 0; n < kRays; ++n) {
-            const auto index = static_cast<std::uint32_t>(p[n]) * static_cast<std::uint32_t>(light_.size2) + static_cast<std::uint32_t>(q[n]);
-            const std::uint32_t purpose = 2 * index + kJitterPurpose;
-            p[n] += random_at(hits.point(hit_[n]), purpose) - 0.5;
-            q[n] += random_at(hits.point(hit_[n]), purpose + 1u) - 0.5;
-        }
+    for (std::size_t n = 0; n < kRays; ++n) p[n] = area_.row[node_[n]], q[n] = area_.column[node_[n]];
+    if (light_.jitter) jitter(p, q);
     const auto share = [](TileLanes& of, int size) {
-        for (double& v : of) v = size > 1 ? v / (size - 1) - 0.5 : 0.0;
+        if (size <= 1) return of.fill(0.0);
+        const double over = size - 1;
+        for (double& v : of) v = v / over - 0.5;
     };
     share(p, light_.size1);
     share(q, light_.size2);
@@ -236,12 +249,12 @@ void AreaLight::make_rays()
     csg::RayTile& rays = scratch_.rays;
     rays.common_origin = false;
     rays.count = static_cast<int>(samples_);
-    alignas(64) TileLanes from;
     for (std::size_t n = 0; n < kRays; ++n) {
         const std::size_t k = hit_[n];
         rays.ox[n] = hits.x[k], rays.oy[n] = hits.y[k], rays.oz[n] = hits.z[k];
-        from[n] = from_[k];
+        rays.t_min[n] = from_[k];
     }
+    place_on_light();
     if (light_.kind == light::Light::Kind::Cylinder || light_.parallel) {
         for (std::size_t n = 0; n < kRays; ++n) {
             const light::Illumination lit = light::toward(light_, {rays.ox[n], rays.oy[n], rays.oz[n]}, {x_[n], y_[n], z_[n]});
@@ -257,9 +270,8 @@ void AreaLight::make_rays()
         }
     }
     rays.dx = x_, rays.dy = y_, rays.dz = z_;
-    rays.t_min = from;
     if (light_.projector) project();
-    for (std::size_t n = 0; n < kRays; ++n) rays.t_max[n] = distance_[n] - from[n];
+    for (std::size_t n = 0; n < kRays; ++n) rays.t_max[n] = distance_[n] - rays.t_min[n];
 }
 
 /// Samples that are not seen through the light's projector get a distance of -infinity; the others end there.
@@ -276,7 +288,6 @@ void AreaLight::trace_samples()
     if (samples_ == 0) return;
     std::fill(node_.begin() + static_cast<std::ptrdiff_t>(samples_), node_.end(), node_[0]);
     std::fill(hit_.begin() + static_cast<std::ptrdiff_t>(samples_), hit_.end(), hit_[0]);
-    place_on_light();
     make_rays();
     const csg::RayTile& rays = scratch_.rays;
     csg::CrossingTile& met = scratch_.crossings;
@@ -310,14 +321,17 @@ void AreaLight::keep(std::size_t first, std::size_t last)
         if (seen && (near || met.ending[n] != Shadow::Blocked)) lit |= bit;
         if (seen && !near && met.ending[n] == Shadow::Filtered) other |= bit;
     }
-    TileColors& value = area_.nodes[node_[first]].value;
-    const LaneMask mine(here), bright(lit);
-    each_channel([&](TileFloats TileColors::*c) {
-        for (std::size_t k = 0; k < kRays; ++k) {
+    TileColors& value = area_.values[node_[first]];
+    constexpr std::size_t kFew = 16;   // hits that are cheaper one by one
+    if (last - first < kFew) {
+        for (std::size_t n = first; n < last; ++n) value.set(hit_[n], has(lit, hit_[n]) ? color_[hit_[n]] : glm::vec3(0));
+    } else {
+        const LaneMask mine(here), bright(lit);
+        each_lane(here, [&](std::size_t k, auto c) {
             const float v = bright[k] != 0 ? (color_.*c)[k] : 0.0f;
             (value.*c)[k] = mine[k] != 0 ? v : (value.*c)[k];
-        }
-    });
+        });
+    }
     if (other == 0) return;
     for (std::size_t n = first; n < last; ++n)
         if (has(other, hit_[n])) value.set(hit_[n], sample_color(n));

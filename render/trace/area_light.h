@@ -30,13 +30,14 @@ private:
     bool scattered(HitMask hits) const;
     void want_all(int i1, int j1, int i2, int j2, int depth);
     void want(int i, int j);
-    AreaScratch::Node& node(int i, int j);
+    const TileColors& value(int i, int j) const;
     void ask(HitMask hits);
     void ask(std::uint32_t node, HitMask hits);
     void rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hits, TileColors& out);
     void trace_samples();
     void make_rays();
     void place_on_light();
+    void jitter(TileLanes& row, TileLanes& column) const;
     void project();
     void keep(std::size_t first, std::size_t last);
     glm::vec3 sample_color(std::size_t ray);

@@ -46,16 +46,13 @@ struct alignas(64) ShadowEnds {
     alignas(64) TileLanes from, to;
 };
 
-/// The nodes of the light at hand, for all hits of a tile at once; reused from light to light.
+/// The nodes of the area light at hand, for all hits of a tile at once; reused from light to light.
 struct AreaScratch {
-    struct Node {
-        double row, column;
-        HitMask known;               ///< hits whose light from here is in `value`
-        TileColors value;
-    };
-    std::vector<Node> nodes;                 ///< those that some hit asked for
-    std::vector<std::uint32_t> place;        ///< by i * size2 + j: index into `nodes`, or kNone
-    std::vector<std::uint32_t> wanted;       ///< of `nodes`: asked for next
+    std::vector<TileColors> values;          ///< by node that some hit asked for, as below: what reaches the hits from there
+    std::vector<HitMask> known;              ///< hits whose value is there
+    std::vector<double> row, column;
+    std::vector<std::uint32_t> place;        ///< by i * size2 + j: the node, or kNone
+    std::vector<std::uint32_t> wanted;       ///< nodes asked for next
     static constexpr std::uint32_t kNone = 0xffffffffu;
 };
 
