@@ -1,6 +1,7 @@
 #pragma once
 
 // Continues evaluate.h: the queries that callers use.
+#include "csg/boolean_walk.h"
 #include "csg/flat_front.h"
 
 namespace csg {
@@ -16,6 +17,10 @@ inline Crossing nearest_visible(const Program& program, const SolidStore& store,
         const auto answer = FlatFront(program.flat, store, ray, slabs, t_min, t_max, scratch).nearest(found);
         if (answer == FlatFront::Answer::Found) return found;
         if (answer == FlatFront::Answer::Nothing) return {.t = kInfinity};
+    } else if (program.boolean.usable()) {
+        const FlatAnswer answer = BooleanWalk(program, store, ray, t_min, t_max, scratch).nearest(found);
+        if (answer == FlatAnswer::Found) return found;
+        if (answer == FlatAnswer::Nothing) return {.t = kInfinity};
     }
     return Evaluation(program, store, ray, t_min, t_max, scratch).nearest();
 }
@@ -49,6 +54,12 @@ inline void each_crossing(const Program& program, const SolidStore& store, const
                 for (const Crossing* c = first; c != last; ++c) f(*c);
                 return;
             }
+        }
+    } else if (program.boolean.usable()) {
+        if (BooleanWalk(program, store, ray, t_min, t_max, scratch).crossings([&](const Crossing& c) { scratch.add(c); })) {
+            const auto [first, last] = scratch.crossings();
+            for (const Crossing* c = first; c != last; ++c) f(*c);
+            return;
         }
     }
     const auto [first, last] = Evaluation(program, store, ray, t_min, t_max, scratch).crossings();

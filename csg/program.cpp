@@ -240,6 +240,7 @@ Program build(const Tree& tree, const SolidStore& store)
     program.bounds = draft.box;
     program.inside_beyond = draft.inside_beyond;
     program.flat = flat_form(program, store);
+    program.boolean = boolean_form(program, store);
     return program;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/boolean_form.h"
 #include "csg/cancel.h"
 #include "csg/freeform/fetched_spans.h"
 #include "csg/flat.h"
@@ -48,6 +49,7 @@ struct Program {
     Aabb bounds;                        ///< world box of everything drawn; empty when nothing is
     bool inside_beyond = false;         ///< the solid goes on outside the bounds
     FlatForm flat;                      ///< the same as a union of terms, where it can be written so
+    BooleanForm boolean;                ///< otherwise what decides which ends are drawn, where its leaves are few and simple
     std::uint32_t span_memory = 0;      ///< spans of scratch one query needs
     std::uint32_t crossing_memory = 0;  ///< crossings of scratch one query needs
 };
@@ -99,6 +101,8 @@ public:
     /// Looked at by every question to a World.
     CancelWatch cancel;
 
+    /// Keeps a crossing.
+    void add(const Crossing& c) { crossings_[crossing_top_++] = c; }
     /// Keeps a crossing unless it is there already: terms share solids.
     void add_once(const Crossing& c)
     {
@@ -120,6 +124,7 @@ public:
 
 private:
     friend class Evaluation;
+    friend class BooleanWalk;
     void grow(const Program& program);
     void grow_pieces(std::size_t count);
     std::unique_ptr<Span[]> spans_;
