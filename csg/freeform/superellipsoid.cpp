@@ -7,9 +7,6 @@ namespace csg {
 namespace {
 
 constexpr double kSkin = 1e-10;       // POV-Ray's inside reaches so far out (spec 5a, 2.4)
-constexpr double kRounding = 4e-16;   // of the length near 1: four roundings of one half unit in the last place
-constexpr int kMostSteps = 80;        // Newton; where the ray grazes, each step halves the way left
-constexpr double kClose = 1e-9;       // a step so short, local units: the next would be its square
 constexpr double kClear = 1.0 + 1e-9; // Newton begins so far outside
 constexpr int kMostHalvings = 40;
 
@@ -90,32 +87,6 @@ Superellipsoid::Slope Superellipsoid::along(const Line& line, double t) const
     add(whole.by_u * flat.by_v, rate(p.y, line.direction.y));
     add(whole.by_v, rate(p.z, line.direction.z));
     return {whole.value - 1.0, slope};
-}
-
-/// Newton from outside never steps over an entry: the length lies above its tangents.
-bool Superellipsoid::first_entry(const Line& line, double from, double to, double& t) const
-{
-    const double scale = std::sqrt(glm::dot(line.direction, line.direction));
-    t = from;
-    for (int i = 0; i < kMostSteps; ++i) {
-        const Slope here = along(line, t);
-        if (here.value <= kRounding) return true;
-        if (!(here.slope < 0.0)) return false;
-        const double step = -here.value / here.slope;
-        t += step;
-        if (!(t <= to)) return false;
-        if (step * scale < kClose) return true;
-    }
-    return false;
-}
-
-void Superellipsoid::meet_convex(const Line& line, Range in_cube, double start, RayRecord& out) const
-{
-    double in = 0.0, back = 0.0;
-    if (!first_entry(line, in_cube.low, in_cube.high, in)) return;
-    if (!out.enter(start + in, 0)) return;
-    if (!first_entry({line.origin, -line.direction}, -in_cube.high, -in, back)) back = -in;
-    out.leave(start - back, 0);
 }
 
 /// Whether the length only grows or only shrinks on [a, b], by bounds of its derivative there: the share of each coordinate
@@ -206,38 +177,25 @@ void Superellipsoid::meet_any(const Line& line, Range in_cube, double start, Ray
 
 void Superellipsoid::meet(const Ray& ray, RayRecord& out) const
 {
+    if (convex_) return meet_many({&ray, 1}, &out);
     const double length = std::sqrt(glm::dot(ray.direction, ray.direction));
     const double start = -glm::dot(ray.origin, ray.direction) / (length * length);
     if (!std::isfinite(start) || std::isnan(across_) || std::isnan(along_)) return;
     // From the point nearest to the middle, so that the way there does not set the rounding.
     const Line line{ray.at(start), ray.direction};
     double from = -kInfinity, to = kInfinity;
-    const auto cut = [&](double o, double d, double reach) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double o = line.origin[axis], d = line.direction[axis];
         if (d == 0.0) {
-            if (std::abs(o) > reach) to = -kInfinity;
-            return;
+            if (std::abs(o) > kReach) return;
+            continue;
         }
-        const double inverse = 1.0 / d, a = (-reach - o) * inverse, b = (reach - o) * inverse;
+        const double inverse = 1.0 / d, a = (-kReach - o) * inverse, b = (kReach - o) * inverse;
         from = std::max(from, std::min(a, b));
         to = std::min(to, std::max(a, b));
-    };
-    const glm::dvec3 &o = line.origin, &d = line.direction;
-    for (int axis = 0; axis < 3; ++axis) cut(o[axis], d[axis], convex_ ? kClear : kReach);
-    if (!(from < to)) return;
-    if (convex_) {
-        cut(o.x + o.y, d.x + d.y, edge_);
-        cut(o.x - o.y, d.x - d.y, edge_);
-        for (const double side : {1.0, -1.0}) {
-            cut(o.x + side * o.z, d.x + side * d.z, rim_);
-            cut(o.y + side * o.z, d.y + side * d.z, rim_);
-            cut(o.x + o.y + side * o.z, d.x + d.y + side * d.z, corner_);
-            cut(o.x - o.y + side * o.z, d.x - d.y + side * d.z, corner_);
-        }
-        if (!(from < to)) return;
     }
-    if (start + from > out.to || start + to < out.from) return;
-    if (convex_) meet_convex(line, {from, to}, start, out);
-    else meet_any(line, {from, to}, start, out);
+    if (!(from < to) || start + from > out.to || start + to < out.from) return;
+    meet_any(line, {from, to}, start, out);
 }
 
 }  // namespace csg

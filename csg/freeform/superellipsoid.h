@@ -2,6 +2,8 @@
 
 #include "csg/freeform/ray_record.h"
 
+#include <span>
+
 namespace csg {
 
 /// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) <= 1 (spec 5a, 5.10; manual: Superquadric Ellipsoid), asked as a length of
@@ -11,6 +13,9 @@ public:
     Superellipsoid(double e, double n);
 
     void meet(const Ray& ray, RayRecord& out) const;
+    /// Those that are convex along every ray.
+    bool meets_many() const { return convex_; }
+    void meet_many(std::span<const Ray> rays, RayRecord* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t) const;
     Aabb bounds() const { return {glm::dvec3(-kReach), glm::dvec3(kReach)}; }
@@ -18,6 +23,7 @@ public:
     static constexpr bool kSurface = false, kClosed = true, kInverseClosed = false;
 
 private:
+    class Convex;
     static constexpr double kReach = 1.0001;  ///< POV-Ray's extent; nothing but spikes without end reaches it
 
     struct Slope {
@@ -33,11 +39,9 @@ private:
 
     double excess(const glm::dvec3& p) const;
     Slope along(const Line& line, double t) const;
-    bool first_entry(const Line& line, double from, double to, double& t) const;
     bool slope_has_sign(const Line& line, double a, double b) const;
     template <class F> bool each_change(const Line& line, Range in, Range excess, int depth, F&& found) const;
     /// `start`: of the line in the ray's parameter.
-    void meet_convex(const Line& line, Range in_cube, double start, RayRecord& out) const;
     void meet_any(const Line& line, Range in_cube, double start, RayRecord& out) const;
 
     double across_, along_;   ///< exponents 2 / e and 2 / n

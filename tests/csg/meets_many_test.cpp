@@ -1,4 +1,5 @@
 #include "csg/freeform.h"
+#include "csg/lane_power.h"
 #include "csg/solids/freeform.h"
 #include "tests/csg/support.h"
 
@@ -124,4 +125,43 @@ TEST_CASE("many rays of a julia fractal are told what each is told alone", "[csg
         }
         CHECK(ends > share(60) * 10);
     }
+}
+
+TEST_CASE("many rays of a superellipsoid are told what each is told alone", "[csg][many]")
+{
+    if (!runs_here()) return;
+    const glm::dvec2 exponents[] = {{1.0, 1.0}, {0.1, 0.1}, {0.5, 1.0}, {2.0, 2.0}, {0.2, 1.5}, {1e-3, 0.7}, {1.0, 2.0}};
+    for (const glm::dvec2& e : exponents) {
+        int ends = 0;
+        for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(200)); ++seed) ends += check_many(Superellipsoid(e.x, e.y), 1.0, seed);
+        CHECK(ends > share(200) * 10);
+    }
+}
+
+TEST_CASE("powers of one number are those of lanes, and near the library's", "[csg][lanes]")
+{
+    if (!runs_here()) return;
+    Rng rng(1);
+    double worst = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        alignas(64) std::array<double, static_cast<std::size_t>(lanes::kDoubles)> c, n, lane;
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            c[k] = rng.coin() ? rng.uniform(0.0, 2.0) : std::exp(rng.uniform(-600.0, 0.0));
+            if (c[k] == 0.0) c[k] = 1.0;
+            n[k] = rng.coin() ? rng.uniform(0.0, 1.0) : rng.uniform(0.0, 50.0);
+        }
+        lanes::power(lanes::Double::load_aligned(c.data()), lanes::Double::load_aligned(n.data())).store_aligned(lane.data());
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            INFO(c[k] << " ^ " << n[k]);
+            REQUIRE(same_number(lane[k], lanes::power(c[k], n[k])));
+            const double right = std::pow(c[k], n[k]);
+            if (right < 1e-300) continue;
+            // The exponent's last digit counts as often as the exponent is large.
+            worst = std::max(worst, std::abs(lane[k] - right) / right / (1.0 + std::abs(n[k] * std::log(c[k]))));
+        }
+    }
+    CHECK(worst < 6e-16);
+    CHECK(lanes::power(1.0, 3.7) == 1.0);
+    CHECK(lanes::power(0.5, 2.0) == 0.25);
+    CHECK(lanes::power(0.7, 0.0) == 1.0);
 }
