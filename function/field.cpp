@@ -11,13 +11,14 @@ constexpr std::size_t kCoordinates = 3;
 /// The host outlives every field: there is nothing to free.
 std::shared_ptr<const Host> lone_host() { return {std::shared_ptr<const Host>(), &no_host()}; }
 
-Evaluators current{evaluate, evaluate_lanes, evaluate_intervals};
+Evaluators current{evaluate, evaluate_all, evaluate_lanes, evaluate_intervals};
 
 void copy(const csg::Eight& from, double* to) { std::copy_n(from.v, kLanes, to); }
 
 }  // namespace
 
 void use(const Evaluators& evaluators) { current = evaluators; }
+const Evaluators& in_use() { return current; }
 
 FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> host)
     : function_(std::move(function)), host_(host ? std::move(host) : lone_host()), ranged_(narrows(*function_))

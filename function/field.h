@@ -8,6 +8,7 @@ namespace function {
 /// How functions are evaluated; see evaluate.h and interval.h. Each build of those sources has its own.
 struct Evaluators {
     double (*one)(const Function& function, const double* arguments, const Host& host);
+    std::array<double, 5> (*all)(const Function& function, const double* arguments, const Host& host);
     void (*lanes)(const Function& function, const double (*arguments)[8], const Host& host, double* out);
     void (*intervals)(const Function& function, const double (*low)[8], const double (*high)[8], const Host& host, double* out_low, double* out_high);
 };
@@ -15,6 +16,7 @@ struct Evaluators {
 /// Fields use these from now on, in every thread: those of a kernel module know the processor better. All give the same
 /// bits. Before any thread asks a field.
 void use(const Evaluators& evaluators);
+const Evaluators& in_use();
 
 /// A function of x, y and z as what solids are made of.
 class FunctionField final : public csg::Field {

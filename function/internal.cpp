@@ -27,7 +27,7 @@ bool internal_asks_noise(std::uint32_t n)
     return n == 29 || n == 58 || n == 59 || n == 76 || n == 78;
 }
 
-double internal(std::uint32_t n, const double* a, const Host& host)
+double internal(std::uint32_t n, const double* a, const Host& host, const double* weights)
 {
     switch (n) {
     case 6: return blob(a);
@@ -48,7 +48,7 @@ double internal(std::uint32_t n, const double* a, const Host& host)
     case 53: return quantum(a);
     case 57: return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
     case 58: return ridge(a, host);
-    case 59: return ridged_mf(a, host);
+    case kRidgedMultifractal: return ridged_mf(a, host, weights);
     case 60: return rounded_box(a);
     case 61: return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) - a[3];
     case 62: return spikes(a);
@@ -57,9 +57,9 @@ double internal(std::uint32_t n, const double* a, const Host& host)
     case 68: return superellipsoid(a);
     case 69: return std::atan2(a[0], a[2]);
     case 70: return torus(a);
-    case 76: return host.noise({a[0], a[1], a[2]}, 0);
+    case kNoise: return host.noise({a[0], a[1], a[2]}, 0);
     case 77: return 0.0;
-    case 78: return host.noise({a[0], a[1], a[2]}, generator(a[3]));
+    case kNoiseOfGenerator: return host.noise({a[0], a[1], a[2]}, generator(a[3]));
     default: return is_curve(n) ? curve(n, a) : polynomial<double>(n, a);
     }
 }

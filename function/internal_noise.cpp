@@ -1,3 +1,4 @@
+#include "function/internal.h"
 #include "function/internal_shapes.h"
 
 #include <algorithm>
@@ -6,12 +7,6 @@
 /// Sums of noise octaves (spec 5b, 16.2). POV-Ray keeps f_ridged_mf's octave weights from its first call, whatever later
 /// calls ask for; here every call has its own.
 namespace function {
-namespace {
-
-constexpr double kMostOctaves = 1000.0;  // a scene that asks for 1e9 must not hang
-
-}  // namespace
-
 int generator(double parameter)
 {
     return std::max(1, static_cast<int>(std::clamp(std::trunc(parameter), -1e9, 1e9)) & 3);
@@ -59,7 +54,18 @@ double ridge(const double* a, const Host& host)
     return sum * range / total;
 }
 
-double ridged_mf(const double* a, const Host& host)
+std::vector<double> ridged_weights(double h, double lacunarity, double octaves)
+{
+    std::vector<double> weights;
+    double frequency = 1.0;
+    for (double i = 1.0; i < std::min(octaves, kMostOctaves); i += 1.0) {
+        frequency *= lacunarity;
+        weights.push_back(std::pow(frequency, -h));
+    }
+    return weights;
+}
+
+double ridged_mf(const double* a, const Host& host, const double* weights)
 {
     const int kind = generator(a[8]);
     const double octaves = std::min(a[5], kMostOctaves);
@@ -73,7 +79,7 @@ double ridged_mf(const double* a, const Host& host)
         p *= a[4];
         frequency *= a[4];
         signal = std::clamp(signal * a[7], 0.0, 1.0) * crest();
-        sum += signal * std::pow(frequency, -a[3]);
+        sum += signal * (weights != nullptr ? *weights++ : std::pow(frequency, -a[3]));
     }
     return sum;
 }

@@ -25,9 +25,10 @@ double spiral(const double* a);
 double superellipsoid(const double* a);
 double torus(const double* a);
 
+inline constexpr double kMostOctaves = 1000.0;  ///< a scene that asks for 1e9 must not hang
 double hetero_mf(const double* a, const Host& host);
 double ridge(const double* a, const Host& host);
-double ridged_mf(const double* a, const Host& host);
+double ridged_mf(const double* a, const Host& host, const double* weights);
 /// Noise generator 1 to 3 as a parameter says: its lowest two bits, 0 counting as 1.
 int generator(double parameter);
 

@@ -89,7 +89,7 @@ template <> struct Rules<Interval> {
         m.reg(dst) = all;
     }
 
-    static Interval internal(std::uint32_t n, std::uint32_t, const Interval* a, const Host&) { return internal_interval(n, a); }
+    static Interval internal(std::uint32_t n, std::uint32_t, const Interval* a, const Host&, const double*) { return internal_interval(n, a); }
     static void outer(const Outer& what, const Interval* a, const Host&, Interval* out) { outer_interval(what, a, out); }
 };
 

@@ -200,7 +200,7 @@ template <> struct Rules<EightIntervals> {
         m.reg(dst) = all;
     }
 
-    static EightIntervals internal(std::uint32_t n, std::uint32_t count, const EightIntervals* a, const Host&)
+    static EightIntervals internal(std::uint32_t n, std::uint32_t count, const EightIntervals* a, const Host&, const double*)
     {
         EightIntervals out;
         if (arithmetic_range(n, a, out)) return out;

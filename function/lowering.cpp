@@ -1,5 +1,7 @@
 #include "function/lowering.h"
 
+#include "function/internal.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -134,6 +136,7 @@ private:
                 register_[i] = fresh();
             }
             in.dst = register_[i];
+            if (n.op == Op::Internal) in.weights = known_weights(n);
             f_.code.push_back(in);
             return;
         }
@@ -143,6 +146,18 @@ private:
             f_.code.push_back({n.op, register_[i], a, b, 0});
         }
         }
+    }
+
+    /// Weights of octaves that do not change from call to call: powers are what f_ridged_mf spends most on.
+    std::uint32_t known_weights(const Node& n)
+    {
+        constexpr std::size_t kH = 3, kLacunarity = 4, kOctaves = 5;
+        if (std::get<std::uint32_t>(f_.outer[n.c]) != kRidgedMultifractal) return Instruction::kNone;
+        const auto constant = [&](std::size_t parameter) -> const Node& { return nodes_[n.operands[parameter]]; };
+        for (const std::size_t parameter : {kH, kLacunarity, kOctaves})
+            if (constant(parameter).op != Op::Constant) return Instruction::kNone;
+        f_.octave_weights.push_back(ridged_weights(constant(kH).number, constant(kLacunarity).number, constant(kOctaves).number));
+        return static_cast<std::uint32_t>(f_.octave_weights.size() - 1);
     }
 
     std::uint32_t here() const { return static_cast<std::uint32_t>(f_.code.size()); }

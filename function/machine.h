@@ -71,7 +71,7 @@ private:
         for (std::uint32_t i = 0; i < in.b; ++i) arguments[i] = r_[f_.arguments[in.a + i]];
         const Outer& what = f_.outer[in.c];
         if (in.op == Op::Call) r_[in.dst] = run_function<V>(*std::get<FunctionPtr>(what), arguments, host_);
-        else if (in.op == Op::Internal) r_[in.dst] = Rules<V>::internal(std::get<std::uint32_t>(what), in.b, arguments, host_);
+        else if (in.op == Op::Internal) r_[in.dst] = Rules<V>::internal(std::get<std::uint32_t>(what), in.b, arguments, host_, in.weights == Instruction::kNone ? nullptr : f_.octave_weights[in.weights].data());
         else Rules<V>::outer(what, arguments, host_, r_ + in.dst);
     }
 

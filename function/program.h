@@ -44,6 +44,14 @@ public:
     virtual double pattern(std::uint32_t slot, const glm::dvec3& p) const = 0;
     /// red, green, blue, filter, transmit
     virtual std::array<double, 5> pigment(std::uint32_t slot, const glm::dvec3& p) const = 0;
+    /// noise() of eight points, with the same bits.
+    virtual void noises(const double* x, const double* y, const double* z, int generator, double* out) const
+    {
+        for (int i = 0; i < 8; ++i) out[i] = noise({x[i], y[i], z[i]}, generator);
+    }
+    /// The texture set behind the answers, null: none. A kernel module asks it by its own build of render/texture, which knows the
+    /// processor better than the program's.
+    virtual const void* texture_set() const { return nullptr; }
 };
 
 /// A `pattern { }` or `pigment { }` in a function.
@@ -63,6 +71,8 @@ using Outer = std::variant<csg::Transform, std::shared_ptr<const Spline>, OuterU
 struct Instruction {
     Op op = Op::Add;
     std::uint32_t dst = 0, a = 0, b = 0, c = 0;
+    std::uint32_t weights = kNone;               ///< Internal: a place in Function::octave_weights, where they are known
+    static constexpr std::uint32_t kNone = 0xffffffffu;
 };
 
 /// select(): branch k is code [begin[k], end[k]) with its value in result[k]; negative, zero (if three), the rest.
@@ -98,6 +108,7 @@ public:
     std::vector<Outer> outer;
     std::vector<Branching> branchings;
     std::vector<Loop> loops;
+    std::vector<std::vector<double>> octave_weights;   ///< of calls of f_ridged_mf whose parameters are constants
     std::uint32_t depth = 1;                     ///< calls below it, itself included
     bool asks_scene = false;                     ///< noise, patterns or pigments, here or below
 

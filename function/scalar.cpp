@@ -30,9 +30,9 @@ template <> struct Rules<double> {
         m.reg(dst) = all;
     }
 
-    static double internal(std::uint32_t n, std::uint32_t, const double* a, const Host& host)
+    static double internal(std::uint32_t n, std::uint32_t, const double* a, const Host& host, const double* weights)
     {
-        return function::internal(n, a, host);
+        return function::internal(n, a, host, weights);
     }
 
     static void outer(const Outer& what, const double* a, const Host& host, double* out)

@@ -112,7 +112,7 @@ int render_frame(Run& run, const Frame& frame)
         return kSuccess;
     }
     StageTimes times;
-    SceneQueries queries(settings.threads, run.cancel.requested);
+    SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
     parser::Options options;
     LastResort last_resort(run.cancel, [&run] { run.narrator.cancelled({}); });  // until the picture file is in place
     const parser::Result parsed = parse_scene(run, frame, path, options, queries);

@@ -1,6 +1,9 @@
 #include "render/app/scene_queries.h"
 
+#include "function/field.h"
 #include "parser/parse.h"
+#include "render/trace/kernel.h"
+#include "render/trace/kernel_module.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -62,6 +65,8 @@ const plan::FunctionProbe& SceneQueries::function_probe(const function::Function
 {
     follow(so_far);
     if (functions_.size() >= kMostKept) functions_.clear();
+    // The kernel that renders knows the processor better. It is loaded in the background meanwhile.
+    if (functions_.empty()) function::use(trace::load_kernel(isa_).evaluators);
     auto& kept = functions_[called];
     if (!kept) kept = std::make_unique<plan::FunctionProbe>(called, so_far);
     return *kept;
@@ -81,7 +86,7 @@ void SceneQueries::evaluate(const function::FunctionPtr& called, std::span<const
     arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kRun), [&](const auto& run) {
             if (cancel_) throw parser::Cancelled();
-            for (std::size_t i = run.begin(); i < run.end(); ++i) values[i] = probe.evaluate(&points[i].x);
+            probe.evaluate(points.subspan(run.begin(), run.size()), values.subspan(run.begin(), run.size()));
         });
     });
 }

@@ -3,6 +3,7 @@
 #include "parser/queries.h"
 #include "render/plan/extent.h"
 #include "render/plan/probe.h"
+#include "render/trace/render.h"
 
 #include <atomic>
 #include <unordered_map>
@@ -13,7 +14,8 @@ namespace app {
 class SceneQueries final : public parser::SceneQueries {
 public:
     /// \param threads that answer many questions; 0: one a core \param cancel when set, many questions end with parser::Cancelled
-    SceneQueries(int threads, const std::atomic<bool>& cancel) : threads_(threads), cancel_(cancel) {}
+    /// \param isa of the kernel that evaluates functions
+    SceneQueries(int threads, const std::atomic<bool>& cancel, trace::Isa isa) : threads_(threads), cancel_(cancel), isa_(isa) {}
     parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction,
                             const scene::Description& so_far) override;
     bool inside(const ObjectPtr& object, const glm::dvec3& point, const scene::Description& so_far) override;
@@ -29,6 +31,7 @@ private:
     void follow(const scene::Description& so_far);  ///< forgets what was made with another noise generator
     int threads_;
     const std::atomic<bool>& cancel_;
+    trace::Isa isa_;
     std::unordered_map<ObjectPtr, std::unique_ptr<plan::ObjectProbe>> objects_;
     const scene::Object* last_ = nullptr;  ///< asked last: questions come in rows
     plan::ObjectProbe* last_probe_ = nullptr;

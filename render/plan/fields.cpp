@@ -12,6 +12,7 @@ namespace {
 struct FieldHost final : function::Host {
     texture::TextureSet set;
     texture::FunctionHost host{set};
+    const void* texture_set() const override { return &set; }
 
     double noise(const glm::dvec3& p, int generator) const override { return host.noise(p, generator); }
     double pattern(std::uint32_t slot, const glm::dvec3& p) const override { return host.pattern(slot, p); }

@@ -1,6 +1,7 @@
 #include "render/plan/probe.h"
 
 #include "csg/scratch.h"
+#include "function/field.h"
 #include "render/plan/textures.h"
 #include "render/texture/function_host.h"
 #include "render/texture/noise.h"
@@ -83,7 +84,22 @@ FunctionProbe::FunctionProbe(const function::FunctionPtr& called, const scene::D
 
 function::Values FunctionProbe::evaluate(const double* arguments) const
 {
-    return function::evaluate_all(*set_.functions.back(), arguments, texture::FunctionHost(set_));
+    return function::in_use().all(*set_.functions.back(), arguments, texture::FunctionHost(set_));
+}
+
+void FunctionProbe::evaluate(std::span<const glm::dvec3> points, std::span<function::Values> values) const
+{
+    const function::Function& called = *set_.functions.back();
+    const texture::FunctionHost host(set_);
+    std::size_t first = 0;
+    for (; called.components == 1 && first + function::kLanes <= points.size(); first += function::kLanes) {
+        double arguments[3][function::kLanes], out[function::kLanes];
+        for (std::size_t k = 0; k < function::kLanes; ++k)
+            for (int axis = 0; axis < 3; ++axis) arguments[axis][k] = points[first + k][axis];
+        function::in_use().lanes(called, arguments, host, out);
+        for (std::size_t k = 0; k < function::kLanes; ++k) values[first + k] = {out[k]};
+    }
+    for (; first < points.size(); ++first) values[first] = evaluate(&points[first].x);
 }
 
 }  // namespace plan

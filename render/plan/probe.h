@@ -4,6 +4,7 @@
 #include "render/plan/compiled_scene.h"
 
 #include <memory>
+#include <span>
 
 namespace plan {
 
@@ -38,6 +39,8 @@ public:
     FunctionProbe(const function::FunctionPtr& called, const scene::Description& so_far);
 
     function::Values evaluate(const double* arguments) const;
+    /// Of a function of at most three parameters, at each point.
+    void evaluate(std::span<const glm::dvec3> points, std::span<function::Values> values) const;
 
 private:
     texture::TextureSet set_;

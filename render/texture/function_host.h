@@ -1,6 +1,7 @@
 #pragma once
 
 #include "function/evaluate.h"
+#include "function/field.h"
 #include "render/texture/evaluate.h"
 
 namespace texture {
@@ -13,9 +14,14 @@ public:
     double noise(const glm::dvec3& p, int generator) const override;
     double pattern(std::uint32_t slot, const glm::dvec3& p) const override;
     std::array<double, 5> pigment(std::uint32_t slot, const glm::dvec3& p) const override;
+    void noises(const double* x, const double* y, const double* z, int generator, double* out) const override;
+    const void* texture_set() const override { return &set_; }
 
 private:
     const TextureSet& set_;
 };
+
+/// Functions by this build of function/ and render/texture, whoever made the host.
+function::Evaluators evaluators();
 
 }  // namespace texture

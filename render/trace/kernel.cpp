@@ -1,7 +1,6 @@
 #include "render/trace/kernel.h"
 
-#include "function/evaluate.h"
-#include "function/interval.h"
+#include "render/texture/function_host.h"
 #include "render/trace/camera_rays.h"
 #include "render/trace/focal_blur.h"
 #include "render/trace/geometry.h"
@@ -236,7 +235,7 @@ const KernelTable kTable = {
     [](BlockTracer* tracer) { delete tracer; },
     [](BlockTracer& tracer, const Block& block, scene::Color* out) { return tracer.trace(block, out); },
     [](const BlockTracer& tracer) { return tracer.counts(); },
-    {function::evaluate, function::evaluate_lanes, function::evaluate_intervals},
+    texture::evaluators(),
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "support.h"
 
 #include "function/builder.h"
+#include "render/texture/function_host.h"
 
 #include <catch2/catch.hpp>
 
@@ -58,4 +59,35 @@ TEST_CASE("internal functions in lanes", "[function]")
         INFO("internal " << n);
         check_lanes(*function::make_internal(n), random, 2.0);
     }
+}
+
+TEST_CASE("octaves of f_ridged_mf with constant parameters", "[function]")
+{
+    std::mt19937 random(9);
+    for (const char* parameters : {"0.4,2.1,6.5,0.9,1.3,2", "0.1,3,7,0.7,0.7,1", "1,2,1,1,2,3", "-0.5,0.5,4,1,1,x", "0.5,y,3,1,1,2"}) {
+        INFO(parameters);
+        const std::string body = std::string("R(x,y,z,") + parameters + ")";
+        const auto f = function_test::compiled("#declare R=function{internal(59)} #declare F=function{" + body + "}", "F");
+        for (int round = 0; round < 20; ++round) check_lanes(*f, random, 4.0);
+        // Against weights worked out call by call.
+        const auto plain = function::make_internal(59);
+        const double p[] = {0.3, -1.2, 0.7};
+        const std::vector<double> all = parameters == std::string("0.4,2.1,6.5,0.9,1.3,2") ? std::vector<double>{0.3, -1.2, 0.7, 0.4, 2.1, 6.5, 0.9, 1.3, 2} : std::vector<double>{};
+        if (!all.empty()) CHECK(function::evaluate(*f, p, function_test::NoiseHost()) == function::evaluate(*plain, all.data(), function_test::NoiseHost()));
+    }
+}
+
+TEST_CASE("noise of eight points is that of each", "[function]")
+{
+    std::mt19937 random(10);
+    std::uniform_real_distribution<double> any(-50.0, 50.0);
+    const texture::TextureSet set;
+    const texture::FunctionHost host(set);
+    for (int generator = 0; generator < 4; ++generator)
+        for (int round = 0; round < 200; ++round) {
+            double x[kLanes], y[kLanes], z[kLanes], out[kLanes];
+            for (int i = 0; i < kLanes; ++i) x[i] = any(random), y[i] = any(random), z[i] = any(random);
+            host.noises(x, y, z, generator, out);
+            for (int i = 0; i < kLanes; ++i) CHECK(out[i] == host.noise({x[i], y[i], z[i]}, generator));
+        }
 }
