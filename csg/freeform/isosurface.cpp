@@ -7,7 +7,6 @@
 namespace csg {
 namespace {
 
-constexpr std::uint32_t kField = 7;         // face of the field's own crossings; below it the container's
 constexpr double kLeastStep = 1e-9;         // of the container: of shorter ones rounding leaves less than 6 digits
 constexpr double kOnBall = 1e-10;           // a crossing as near to the ball has the ball's normal (spec 5b, 13.4)
 

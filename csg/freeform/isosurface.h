@@ -5,6 +5,7 @@
 #include "csg/freeform/ray_record.h"
 
 #include <memory>
+#include <span>
 
 namespace csg {
 
@@ -33,6 +34,9 @@ public:
     explicit Isosurface(IsosurfaceTerms terms) : terms_(std::move(terms)) {}
 
     void meet(const Ray& ray, RayRecord& out) const;
+    /// Where the field is asked at points alone: eight rays ask for theirs together. One with ranges asks for eight of one ray.
+    bool meets_many() const { return !terms_.field->ranged() || terms_.trusting; }
+    void meet_many(std::span<const Ray> rays, RayRecord* out) const;
     bool contains(const glm::dvec3& p) const
     {
         return terms_.container.contains(p) && terms_.field->value(p) - terms_.threshold <= 0.0;
@@ -48,6 +52,8 @@ public:
     static constexpr bool kClosed = true, kInverseClosed = false;
 
 private:
+    static constexpr std::uint32_t kField = 7;   ///< face of the field's own crossings; below it the container's
+    class Walk;
     struct Start;
     Start start(const IsosurfaceSearch& search, double entry) const;
 

@@ -9,10 +9,6 @@ namespace csg {
 namespace {
 
 constexpr int kParts = 8;
-constexpr double kLeastPart = 0x1p-40;    // of a ray's way through the container is told apart
-// Sizes of the container; from there on points rounded twice are off by more than 1e-11 of it, and farther out a shallow
-// crossing falls apart into many.
-constexpr double kFar = 1e5;
 constexpr double kRoom = 4 * 0x1p-52;     // relative error of a point of the ray, generously
 
 /// Sides of the boxes between t[k] and t[k + 1], with room for rounding.
@@ -26,19 +22,27 @@ void sides(double origin, double direction, double from, double step, EightRange
     }
 }
 
-/// Whether the ray begins more than kFar sizes from the container.
-bool is_far(const Container& container, const Ray& ray)
+}  // namespace
+
+bool IsosurfaceSearch::is_far(const Container& container, const Ray& ray)
 {
+    // Sizes of the container; from there on points rounded twice are off by more than 1e-11 of it, and farther out a shallow
+    // crossing falls apart into many.
+    constexpr double kFar = 1e5;
     const Aabb box = container.bounds();
     const glm::dvec3 size = box.upper - box.lower, away = ray.origin - 0.5 * (box.lower + box.upper);
     return glm::dot(away, away) > kFar * kFar * glm::dot(size, size);
 }
 
-}  // namespace
+double IsosurfaceSearch::accuracy_along(const IsosurfaceTerms& terms, const Interval& way)
+{
+    constexpr double kLeastPart = 0x1p-40;    // of a ray's way through the container is told apart
+    return std::max(terms.accuracy, (way.exit - way.entry) * kLeastPart);
+}
 
 IsosurfaceSearch::IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, const Interval& way, double to)
     : terms_(terms), ray_(ray), to_(to), speed_(std::sqrt(glm::dot(ray.direction, ray.direction))), gradient_(terms.max_gradient),
-      accuracy_(std::max(terms.accuracy, (way.exit - way.entry) * kLeastPart)), far_(is_far(terms.container, ray))
+      accuracy_(accuracy_along(terms, way)), far_(is_far(terms.container, ray))
 {
 }
 

@@ -14,6 +14,9 @@ public:
 
     /// No interval is parted that is shorter: the scene's, unless the way is so long that numbers are coarser.
     double accuracy() const { return accuracy_; }
+    static double accuracy_along(const IsosurfaceTerms& terms, const Interval& way);
+    /// Whether the ray begins so far off that its points need one rounding each.
+    static bool is_far(const Container& container, const Ray& ray);
 
     /// The field above the threshold.
     double value(double t) const { return terms_.field->value(far_ ? near_point(t) : ray_.at(t)) - terms_.threshold; }

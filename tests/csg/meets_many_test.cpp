@@ -89,6 +89,20 @@ int check_many(const Shape& shape, double size, std::uint32_t seed)
     return ends;
 }
 
+/// Waves about a ball; what it is at points is all that is known.
+struct Waves final : Field {
+    double value(const glm::dvec3& p) const override { return glm::dot(p, p) - 0.6 + 0.3 * std::sin(7.0 * p.x) * std::sin(5.0 * p.y + 1.0); }
+    void values(const EightPoints& p, Eight& out) const override
+    {
+        for (int k = 0; k < 8; ++k) out.v[k] = value({p.x.v[k], p.y.v[k], p.z.v[k]});
+    }
+    void ranges(const EightBoxes&, EightRanges& out) const override
+    {
+        for (int k = 0; k < 8; ++k) out.low.v[k] = -kInfinity, out.high.v[k] = kInfinity;
+    }
+    bool ranged() const override { return false; }
+};
+
 /// Whether this machine can run what the file is compiled for.
 bool runs_here()
 {
@@ -136,6 +150,27 @@ TEST_CASE("many rays of a superellipsoid are told what each is told alone", "[cs
         for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(200)); ++seed) ends += check_many(Superellipsoid(e.x, e.y), 1.0, seed);
         CHECK(ends > share(200) * 10);
     }
+}
+
+TEST_CASE("many rays of an isosurface are told what each is told alone", "[csg][many][isosurface]")
+{
+    if (!runs_here()) return;
+    int ends = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(400)); ++seed) {
+        Rng rng(seed + 3000);
+        IsosurfaceTerms terms;
+        terms.field = std::make_shared<Waves>();
+        terms.threshold = rng.uniform(-0.1, 0.1);
+        terms.accuracy = rng.coin() ? 0.001 : 0.02;
+        terms.max_gradient = rng.uniform(0.5, 6.0);
+        terms.evaluate = rng.coin();
+        terms.growth = {1.0, 1.2, 0.95};
+        terms.max_trace = 1 + rng.below(4);
+        terms.open = rng.coin();
+        if (rng.coin()) terms.container = Container::sphere(glm::dvec3(0.1), 1.1);
+        ends += check_many(Isosurface(terms), 1.2, seed);
+    }
+    CHECK(ends > share(400) * 10);
 }
 
 TEST_CASE("powers of one number are those of lanes, and near the library's", "[csg][lanes]")
