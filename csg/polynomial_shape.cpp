@@ -1,5 +1,7 @@
 #include "csg/polynomial_shape.h"
 
+#include "csg/polynomial_box.h"
+
 #include <stdexcept>
 
 namespace csg {
@@ -22,6 +24,7 @@ PolynomialShape::PolynomialShape(int degree, std::vector<double> coefficients)
             leading_size_ += std::abs(coefficients_[next]);   // of x^i y^j z^(degree - i - j)
             next += static_cast<std::size_t>(degree - i - j + 1);
         }
+    box_ = polynomial_box(degree_, coefficients_);
 }
 
 double PolynomialShape::nearer(const glm::dvec3& o, const glm::dvec3& d, double t) const

@@ -22,6 +22,8 @@ public:
 
     int degree() const { return degree_; }
     const std::vector<double>& coefficients() const { return coefficients_; }
+    /// Of where it is not positive; everything where that has no end or nothing is known.
+    const Aabb& box() const { return box_; }
     double value(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p) const;
 
@@ -123,6 +125,7 @@ private:
     int degree_;
     std::vector<double> coefficients_;
     std::vector<Term> terms_;      ///< those that are not 0, above degree kLow
+    Aabb box_;
     double leading_size_ = 0.0;    ///< sum of the sizes of the coefficients of the highest degree
 };
 

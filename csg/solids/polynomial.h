@@ -56,7 +56,7 @@ struct Polynomial {
     {
         return unit_or_x(frame.normal(shape->gradient(frame.inverse_point(p))));
     }
-    Aabb bounds() const { return Aabb::everything(); }
+    Aabb bounds() const { return shape->box().finite() ? padded(transformed_box(frame, shape->box())) : Aabb::everything(); }
 
     static constexpr bool kClosed = true, kInverseClosed = true;
 };

@@ -86,3 +86,44 @@ TEST_CASE("polynomial: a torus as a quartic meets rays where the torus does", "[
     }
     CHECK(met > 1000);
 }
+
+TEST_CASE("polynomial: the box of what has an end is near it, and holds it", "[csg][solid]")
+{
+    // (x^2 + y^2 + z^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2), a torus.
+    const double R = 3.0, r = 1.0, e = R * R - r * r;
+    std::vector<double> c(35, 0.0);
+    c[term(4, 4, 0, 0)] = c[term(4, 0, 4, 0)] = c[term(4, 0, 0, 4)] = 1.0;
+    c[term(4, 2, 2, 0)] = c[term(4, 2, 0, 2)] = c[term(4, 0, 2, 2)] = 2.0;
+    c[term(4, 2, 0, 0)] = c[term(4, 0, 0, 2)] = 2.0 * e - 4.0 * R * R;
+    c[term(4, 0, 2, 0)] = 2.0 * e;
+    c[term(4, 0, 0, 0)] = e * e;
+    const Aabb box = PolynomialShape(4, c).box();
+    CHECK(box.lower.x <= -4.0);
+    CHECK(box.upper.z >= 4.0);
+    CHECK(box.upper.y >= 1.0);
+    CHECK(box.upper.x < 5.5);
+    CHECK(box.upper.y < 5.5);
+    // With an end to some sides only, or none: no box.
+    c[term(4, 0, 0, 4)] = 0.0;
+    CHECK(!PolynomialShape(4, c).box().finite());
+    c[term(4, 0, 0, 4)] = -1.0;
+    CHECK(!PolynomialShape(4, c).box().finite());
+    std::vector<double> cubic(20, 0.0);
+    cubic[0] = 1.0;
+    CHECK(!PolynomialShape(3, cubic).box().finite());
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const int degree = 2 * (1 + rng.below(3));
+        std::vector<double> any(static_cast<std::size_t>((degree + 1) * (degree + 2) * (degree + 3) / 6));
+        for (double& v : any) v = rng.uniform(-1.0, 1.0);
+        for (const int axis : {0, 1, 2}) any[term(degree, axis == 0 ? degree : 0, axis == 1 ? degree : 0, axis == 2 ? degree : 0)] += rng.uniform(0.0, 4.0);
+        const PolynomialShape shape(degree, any);
+        if (!shape.box().finite()) continue;
+        for (int i = 0; i < 300; ++i) {
+            const glm::dvec3 p = rng.direction() * std::exp(rng.uniform(-2.0, 6.0));
+            const bool within = glm::all(glm::lessThanEqual(shape.box().lower, p)) && glm::all(glm::lessThanEqual(p, shape.box().upper));
+            if (!within) CHECK(shape.value(p) > 0.0);
+        }
+    }
+}
