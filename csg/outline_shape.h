@@ -16,6 +16,7 @@ struct OutlinePiece {
     static OutlinePiece line(const glm::dvec2& from, const glm::dvec2& to) { return {{}, {}, to - from, from, from, to}; }
     /// Bezier curves of degree 2 and 3.
     static OutlinePiece quadratic(const glm::dvec2& p0, const glm::dvec2& p1, const glm::dvec2& p2);
+    bool straight() const { return a == glm::dvec2(0.0) && b == glm::dvec2(0.0); }
     glm::dvec2 at(double w) const { return w <= 0.0 ? start : w >= 1.0 ? end : ((a * w + b) * w + c) * w + d; }
     glm::dvec2 slope(double w) const { return (3.0 * a * w + 2.0 * b) * w + c; }
 };
@@ -36,30 +37,26 @@ public:
     /// The parameter of a point on a piece.
     double parameter(std::uint32_t piece, const glm::dvec2& p) const;
 
-    /// Calls f(w, piece) where dot(side, p) crosses `level`, an even number of times all in all: a joint counts to one
-    /// side.
-    template <class F>
-    void crossings(const glm::dvec2& side, double level, F&& f) const
-    {
-        for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-            const Reach& reach = reach_[i];
-            // The piece lies in this box: wholly on one side of the line?
-            const double middle = glm::dot(side, reach.middle) - level;
-            if (std::abs(middle) > std::abs(side.x) * reach.half.x + std::abs(side.y) * reach.half.y) continue;
-            piece_crossings(pieces_[i], side, level, [&](double w) { f(w, i); });
-        }
-    }
+    /// Eight pieces in a row, a lane each; the last block is filled up with some that no line crosses.
+    struct alignas(64) Block {
+        static constexpr std::size_t kPieces = 8;
+        double start[2][kPieces], end[2][kPieces];     ///< x, then y
+        double middle[2][kPieces], half[2][kPieces];   ///< of a box, a little larger than the piece
+        std::uint32_t curved;                          ///< a bit a piece: it may cross a line with both ends on one side
+    };
+    const std::vector<Block>& blocks() const { return blocks_; }
+    /// The box of every block, eight boxes an element; empty where there are too few to be worth it.
+    struct alignas(64) Boxes {
+        double middle[2][Block::kPieces], half[2][Block::kPieces];
+    };
+    const std::vector<Boxes>& boxes() const { return boxes_; }
 
 private:
-    struct Reach {
-        glm::dvec2 middle, half;   ///< a little larger than the piece
-    };
-
-    template <class F>
-    static void piece_crossings(const OutlinePiece& piece, const glm::dvec2& side, double level, F&& f);
+    void add_blocks(const std::vector<glm::dvec2>& lower, const std::vector<glm::dvec2>& upper);
 
     std::vector<OutlinePiece> pieces_;
-    std::vector<Reach> reach_;
+    std::vector<Block> blocks_;
+    std::vector<Boxes> boxes_;
     glm::dvec2 lower_{0.0}, upper_{0.0};
     std::uint32_t most_ = 0;
 };
@@ -82,41 +79,6 @@ inline int inner_roots(double a, double b, double c, double (&out)[2])
     keep(glm::min(r0, r1));
     keep(glm::max(r0, r1));
     return n;
-}
-
-template <class F>
-inline void OutlineShape::piece_crossings(const OutlinePiece& piece, const glm::dvec2& side, double level, F&& f)
-{
-    const auto beyond = [&](const glm::dvec2& p) { return glm::dot(side, p) - level; };
-    const double first = beyond(piece.start), last = beyond(piece.end);
-    if (piece.a == glm::dvec2(0.0) && piece.b == glm::dvec2(0.0)) {
-        if ((first < 0.0) != (last < 0.0)) f(glm::clamp(first / (first - last), 0.0, 1.0));
-        return;
-    }
-    const double a = glm::dot(side, piece.a), b = glm::dot(side, piece.b), c = glm::dot(side, piece.c), d = beyond(piece.d);
-    double turns[2];
-    const int n = inner_roots(3.0 * a, 2.0 * b, c, turns);
-    double lo = 0.0, before = first;
-    for (int i = 0; i <= n; ++i) {
-        const double hi = i < n ? turns[i] : 1.0;
-        const double after = i < n ? ((a * hi + b) * hi + c) * hi + d : last;
-        if ((before < 0.0) != (after < 0.0)) {
-            // Newton between the turns, kept in the bracket.
-            double low = lo, high = hi, w = lo + (hi - lo) * (before / (before - after));
-            for (int k = 0; k < 60; ++k) {
-                const double value = ((a * w + b) * w + c) * w + d;
-                if (value == 0.0) break;
-                ((value < 0.0) == (before < 0.0) ? low : high) = w;
-                double next = w - value / ((3.0 * a * w + 2.0 * b) * w + c);
-                if (!(next > low && next < high)) next = 0.5 * (low + high);
-                if (std::abs(next - w) <= 1e-16) break;
-                w = next;
-            }
-            f(w);
-        }
-        lo = hi;
-        before = after;
-    }
 }
 
 }  // namespace csg

@@ -32,6 +32,11 @@ inline void solid_crossings(const T& solid, const Ray& ray, double t_min, double
             offer(out, out_face);
         });
         record.each_touch(offer);
+    } else if constexpr (std::is_same_v<T, Extrusion>) {
+        solid.each_span(ray, [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+            offer(in, in_face);
+            offer(out, out_face);
+        }, t_min, t_max, nearest_only);
     } else if constexpr (requires { solid.each_span(ray, [](double, std::uint32_t, double, std::uint32_t) {}); }) {
         solid.each_span(ray, [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
             offer(in, in_face);

@@ -7,6 +7,8 @@
 
 namespace csg {
 
+struct OutlineLine;
+
 /// A plane region whose cross-section at height y is y times as large, mirrored below the apex at the origin, between two
 /// heights (spec 5b, 6.5; manual: Prism, conic sweep). Points of the outline are (x, z). It holds its surface, its inverse
 /// does not. Faces: 0 its low end, 1 its high end, 2 + piece of the outline.
@@ -28,6 +30,7 @@ private:
     static constexpr std::uint32_t kLow = 0, kHigh = 1, kFirstWall = 2;
 
     Aabb box(const glm::dvec2& lower, const glm::dvec2& upper) const;
+    double farthest_along(const OutlineLine& line, const glm::dvec3& o, const glm::dvec3& d, double t, double sign) const;
     std::uint32_t end_face(std::uint32_t face) const { return open_ ? kUndrawnFace : face; }
 
     std::shared_ptr<const OutlineShape> outline_;

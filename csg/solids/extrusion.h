@@ -35,30 +35,39 @@ struct Extrusion {
         });
     }
 
-    /// f(t in, face, t out, face) for the pieces of the ray inside, nearest first.
+    /// f(t in, face, t out, face) for the pieces of the ray inside, nearest first. Ends outside of [from, to] may stand for
+    /// others that lie there too; `first_only`: no more is wanted than the nearest end in it.
     template <class F>
-    void each_span(const Ray& ray, F&& f) const
+    void each_span(const Ray& ray, F&& f, double from = -kInfinity, double to = kInfinity, bool first_only = false) const
     {
         const Ray local = local_ray(frame, ray);
         const glm::dvec3 &o = local.origin, &d = local.direction;
         Interval within;
         if (!slab(o.z, d.z, low, high, within)) return;
+        const double nearest = glm::max(within.entry, from), farthest = glm::min(within.exit, to);
+        if (nearest > farthest) return;
         const std::uint32_t first = within.entry_face == 0 ? end_face(kLow) : end_face(kHigh);
         const std::uint32_t last = within.exit_face == 0 ? end_face(kLow) : end_face(kHigh);
-        const glm::dvec2 from(o.x, o.y), along(d.x, d.y);
+        const glm::dvec2 start(o.x, o.y), along(d.x, d.y);
         if (along == glm::dvec2(0.0)) {
-            if (shape->contains(from)) f(within.entry, first, within.exit, last);
+            if (shape->contains(start)) f(within.entry, first, within.exit, last);
             return;
         }
-        std::array<Wall, kMostWalls> walls;
-        const std::size_t count = meet_walls(from, along, walls);
-        for (std::size_t i = 0; i + 1 < count; i += 2) {
-            const Wall &a = walls[i], &b = walls[i + 1];
-            if (b.t < within.entry) continue;
-            if (a.t > within.exit) break;
+        Walls walls;
+        meet_walls(start, along, nearest, farthest, first_only, walls);
+        const auto tell = [&](const Wall& a, const Wall& b) {
+            if (b.t < within.entry || a.t > within.exit) return;
             const bool entered = a.t < within.entry, left = b.t > within.exit;
             f(entered ? within.entry : a.t, entered ? first : a.face, left ? within.exit : b.t, left ? last : b.face);
+        };
+        bool inside = walls.odd_before;
+        Wall in{-kInfinity, kUndrawnFace};
+        for (std::size_t i = 0; i < walls.count; ++i, inside = !inside) {
+            const Wall& wall = walls.walls[i];
+            if (inside) tell(in, wall);
+            in = wall;
         }
+        if (inside) tell(in, {kInfinity, kUndrawnFace});
     }
 
     bool contains(const glm::dvec3& p) const
@@ -89,26 +98,17 @@ private:
         std::uint32_t face;
     };
 
+    /// Walls that the ray passes, nearest first, and whether the number of those before them is odd.
+    struct Walls {
+        bool odd_before;
+        std::size_t count;
+        std::array<Wall, kMostWalls> walls;   // filled as far as the count says
+    };
+
     std::uint32_t end_face(std::uint32_t face) const { return open ? kUndrawnFace : face; }
 
-    /// The walls that the ray passes, nearest first: an even number.
-    std::size_t meet_walls(const glm::dvec2& from, const glm::dvec2& along, std::array<Wall, kMostWalls>& walls) const
-    {
-        const glm::dvec2 side(-along.y, along.x);
-        const double over = 1.0 / glm::dot(along, along);
-        std::size_t count = 0;
-        shape->crossings(side, glm::dot(side, from), [&](double w, std::uint32_t piece) {
-            const Wall wall{glm::dot(shape->pieces()[piece].at(w) - from, along) * over, kFirstWall + piece};
-            if (count == kMostWalls) {
-                if (wall.t >= walls[count - 1].t) return;
-                --count;
-            }
-            std::size_t at = count++;
-            for (; at > 0 && walls[at - 1].t > wall.t; --at) walls[at] = walls[at - 1];
-            walls[at] = wall;
-        });
-        return count & ~std::size_t{1};
-    }
+    /// Those in [nearest, farthest], beyond it maybe some.
+    void meet_walls(const glm::dvec2& from, const glm::dvec2& along, double nearest, double farthest, bool first_only, Walls& out) const;
 };
 
 }  // namespace csg
