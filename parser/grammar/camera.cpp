@@ -1,5 +1,5 @@
+#include "parser/grammar/effects.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 
 #include <cmath>
 #include <numbers>
@@ -181,7 +181,7 @@ struct focal_point : item<Kind::FocalPoint, a_vector> {
 struct bokeh : item<Kind::Bokeh> {
     static void act(CameraState& s)
     {
-        s.camera.undrawn.push_back(read_bokeh(s.build));
+        s.camera.bokeh = read_bokeh(s.build);
     }
 };
 struct normal : item<Kind::Normal> {

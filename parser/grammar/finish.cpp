@@ -1,5 +1,5 @@
+#include "parser/grammar/effects.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -17,6 +17,10 @@ struct FinishState : BlockState {
     float number_or(float otherwise) { return at_expression(stream()) ? number() : otherwise; }
 };
 
+/// A keyword with a number that a member takes as it is.
+template <Kind kind, float scene::Finish::*member> struct number_of : item<kind, a_number> {
+    static void act(FinishState& s) { s.finish.*member = s.pop_single(); }
+};
 struct ambient : item<Kind::Ambient> { static void act(FinishState& s) { s.finish.ambient = s.read_rgb(); } };
 struct emission : item<Kind::Emission> { static void act(FinishState& s) { s.finish.emission = s.read_rgb(); } };
 struct diffuse : item<Kind::Diffuse> {
@@ -28,8 +32,6 @@ struct diffuse : item<Kind::Diffuse> {
         s.finish.diffuse_back = s.number_or(0);
     }
 };
-struct brilliance : item<Kind::Brilliance, a_number> { static void act(FinishState& s) { s.finish.brilliance = s.pop_single(); } };
-struct crand : item<Kind::Crand, a_number> { static void act(FinishState& s) { s.finish.crand = s.pop_single(); } };
 struct phong : item<Kind::Phong> {
     static void act(FinishState& s)
     {
@@ -37,7 +39,6 @@ struct phong : item<Kind::Phong> {
         s.finish.phong = s.number();
     }
 };
-struct phong_size : item<Kind::PhongSize, a_number> { static void act(FinishState& s) { s.finish.phong_size = s.pop_single(); } };
 struct specular : item<Kind::Specular> {
     static void act(FinishState& s)
     {
@@ -130,9 +131,11 @@ using ior = moved<Kind::Ior, &scene::Finish::legacy_ior>;
 using caustics = moved<Kind::Caustics, &scene::Finish::legacy_caustics>;
 using refraction = moved<Kind::Refraction, &scene::Finish::legacy_refraction>;
 
-using FinishItems = table<FinishState, ambient, emission, diffuse, brilliance, crand, phong, phong_size, specular,
-                          roughness, metallic, conserve_energy, reflection, reflection_exponent, irid, subsurface, ior,
-                          caustics, refraction>;
+using FinishItems = table<FinishState, ambient, emission, diffuse, phong, specular, roughness, metallic, conserve_energy, reflection,
+                          reflection_exponent, irid, subsurface, ior, caustics, refraction,
+                          number_of<Kind::Brilliance, &scene::Finish::brilliance>,
+                          number_of<Kind::Crand, &scene::Finish::crand>,
+                          number_of<Kind::PhongSize, &scene::Finish::phong_size>>;
 
 }  // namespace
 

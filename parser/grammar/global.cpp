@@ -1,5 +1,5 @@
+#include "parser/grammar/effects.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -89,21 +89,26 @@ struct number_of_waves : item<Kind::NumberOfWaves, a_number> {
         s.global().number_of_waves = waves < 1 ? 1 : waves;
     }
 };
-template <Kind kind> struct asked_for : item<kind> {
-    static void act(GlobalState& s)
-    {
-        if (kind == Kind::Radiosity) s.global().radiosity = true;
-        if (kind == Kind::Photons) s.global().photons = true;
-        if (kind == Kind::Subsurface) s.global().subsurface = true;
-        s.global().effects.push_back(kind == Kind::Radiosity ? read_global_radiosity(s.build)
-                                     : kind == Kind::Photons ? read_global_photons(s.build) : read_global_subsurface(s.build));
-    }
+/// Takes the place of an earlier block, which stays the one that is told of.
+template <class Settings> void replace(std::optional<Settings>& present, Settings settings)
+{
+    if (present) settings.source = present->source;
+    present = std::move(settings);
+}
+struct global_radiosity : item<Kind::Radiosity> {
+    static void act(GlobalState& s) { replace(s.global().radiosity, read_global_radiosity(s.build)); }
+};
+struct global_photons : item<Kind::Photons> {
+    static void act(GlobalState& s) { replace(s.global().photons, read_global_photons(s.build, s.global().photons.value_or(scene::PhotonSettings{}))); }
+};
+struct global_subsurface : item<Kind::Subsurface> {
+    static void act(GlobalState& s) { replace(s.global().subsurface, read_global_subsurface(s.build)); }
 };
 
 using GlobalItems =
     table<GlobalState, adc_bailout, ambient_light, assumed_gamma, charset, hf_gray_16, irid_wavelength, max_intersections,
-          max_trace_level, mm_per_unit, noise_generator, number_of_waves, asked_for<Kind::Radiosity>,
-          asked_for<Kind::Photons>, asked_for<Kind::Subsurface>>;
+          max_trace_level, mm_per_unit, noise_generator, number_of_waves, global_radiosity, global_photons,
+          global_subsurface>;
 
 }  // namespace
 

@@ -1,9 +1,9 @@
 #include "csg/freeform.h"
 #include "parser/grammar/function_samples.h"
-#include "parser/grammar/shape_makers.h"
+#include "parser/grammar/images.h"
+#include "parser/grammar/solid_reader.h"
 #include "render/image/files.h"
 #include "render/image/height_levels.h"
-#include "render/scene/picture_gamma.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,15 +27,14 @@ Grid turned_over(std::uint32_t columns, std::uint32_t rows, const std::vector<st
 }
 
 /// Nothing if the function asks the scene and nobody answers.
-std::optional<Grid> grid_of_function(SceneBuilder& build, const scene::Statement& statement)
+std::optional<Grid> grid_of_function(SolidReader& s, const scene::ImageSource& source)
 {
-    const scene::StatementItem& size = *item_of(statement, "function");
-    const double columns = std::trunc(number_of(size.operands[0])), rows = std::trunc(number_of(size.operands[1]));
+    const double columns = std::trunc(source.size.x), rows = std::trunc(source.size.y);
     if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= double(csg::HeightField::kMostPoints)))
-        build.stream().fail(statement.source, "a height field has at least 1 and at most 2^30 points");
-    const auto& called = std::get<function::FunctionPtr>(item_of(statement, "body")->operands[0]);
+        s.in().fail(s.source(), "a height field has at least 1 and at most 2^30 points");
+    const function::FunctionPtr& called = source.function;
     const auto wide = static_cast<std::uint32_t>(columns), deep = static_cast<std::uint32_t>(rows);
-    std::optional<std::vector<std::uint16_t>> levels = sampled_levels(build, called, wide, deep);
+    std::optional<std::vector<std::uint16_t>> levels = sampled_levels(s.build(), called, wide, deep);
     if (!levels) return std::nullopt;
     if (const std::size_t channels = sampled_channels(*called); channels > 1) {
         for (std::size_t i = 0; i < levels->size() / channels; ++i) {
@@ -47,28 +46,33 @@ std::optional<Grid> grid_of_function(SceneBuilder& build, const scene::Statement
     return turned_over(wide, deep, *levels);
 }
 
-Grid grid_of_picture(SceneBuilder& build, const scene::Statement& statement)
+Grid grid_of_picture(SolidReader& s, const scene::ImageSource& source)
 {
     try {
-        const image::HeightLevels heights = image::read_heights(std::get<std::string>(statement.items.front().operands[0]), scene::written_gamma(statement).value_or(image::TransferCurve::linear()));
+        const image::HeightLevels heights = image::read_heights(source.path, source.gamma ? source.gamma->curve() : image::TransferCurve::linear());
         return turned_over(heights.width, heights.height, heights.levels);
     } catch (const image::FileError& error) {
-        build.stream().fail(statement.source, error.what());
+        s.in().fail(s.source(), error.what());
     }
 }
 
 }  // namespace
 
-bool make_height_field(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
+bool read_parameters(SolidReader& s, scene::HeightField& terrain)
 {
-    std::optional<Grid> made = item_of(statement, "function") ? grid_of_function(build, statement) : grid_of_picture(build, statement);
-    if (!made) return false;
-    Grid& grid = *made;
-    for (const scene::StatementItem& item : statement.items) {
-        if (item.name == "water_level") grid.water = number_of(item.operands[0]) * (build.version() < 200 ? 256.0 : 65536.0);
-        else if (item.name == "smooth") grid.smooth = item.operands.empty() || number_of(item.operands[0]) != 0.0;
+    using scene::HeightField;
+    static constexpr auto kFields = std::tuple(field(Kind::WaterLevel, &HeightField::water_level), field(Kind::Smooth, &HeightField::smooth),
+                                               field(Kind::Premultiplied, &HeightField::premultiplied));
+    terrain.source = read_image_source(s);
+    for (;;) {
+        if (s.accept(Kind::Hierarchy)) optional_flag(s.in());
+        else if (!read_gamma(s, terrain.source.gamma) && !read_one(s, terrain, kFields)) break;
     }
-    object.shape = scene::Freeform{csg::make_freeform<csg::HeightField>(std::move(*made))};
+    std::optional<Grid> grid = terrain.source.made() ? grid_of_function(s, terrain.source) : grid_of_picture(s, terrain.source);
+    if (!grid) return false;
+    grid->water = terrain.water_level * (s.build().version() < 200 ? 256.0 : 65536.0);
+    grid->smooth = terrain.smooth;
+    s.object().shape = scene::Freeform{csg::make_freeform<csg::HeightField>(std::move(*grid))};
     return true;
 }
 

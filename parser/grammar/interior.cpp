@@ -1,5 +1,5 @@
+#include "parser/grammar/effects.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -38,19 +38,9 @@ struct media : item<Kind::Media> {
     static void act(InteriorState& s)
     {
         s.build.undrawn_in_objects = true;
-        s.interior.media.push_back(read_media(s.build));
+        s.interior.media.push_back(std::make_shared<const scene::Media>(read_media(s.build)));
     }
 };
-/// Moves the media that stand before it.
-void transform_media(InteriorState& s, const csg::Transform& transform)
-{
-    for (scene::StatementPtr& medium : s.interior.media) {
-        scene::Statement moved = *medium;
-        moved.items.push_back({"transform", {transform}});
-        medium = std::make_shared<const scene::Statement>(std::move(moved));
-    }
-}
-
 struct InteriorItems {
     static bool match(SceneBuilder& build, InteriorState& s)
     {
@@ -58,7 +48,7 @@ struct InteriorItems {
                             fade_color, refraction, media>;
         if (Items::match(build, s)) return true;
         const auto transform = read_transformation(build);
-        if (transform) transform_media(s, *transform);
+        if (transform) s.interior.transform(*transform);  // the media that stand before it
         return transform.has_value();
     }
 };

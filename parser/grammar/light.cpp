@@ -1,5 +1,5 @@
+#include "parser/grammar/effects.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 
 #include <cmath>
 
@@ -150,8 +150,8 @@ struct looks_like : item<Kind::LooksLike> {
 struct projected_through : item<Kind::ProjectedThrough> {
     static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through"); }
 };
-struct photons : item<Kind::Photons> {
-    static void act(LightState& s) { s.object.photons = read_light_photons(s.build); }
+struct light_photons : item<Kind::Photons> {
+    static void act(LightState& s) { s.object.photons = read_photon_flags(s.build, true); }
 };
 struct color_map : item<Kind::ColorMap> {
     static void act(LightState& s)
@@ -167,7 +167,7 @@ struct LightItems {
     {
         using Items = table<LightState, spotlight, cylinder, shadowless, parallel, point_at, radius, falloff, tightness,
                             light_fade_distance, light_fade_power, area_light, adaptive, area_illumination, circular, orient, jitter,
-                            media_attenuation, media_interaction, looks_like, projected_through, photons, color_map>;
+                            media_attenuation, media_interaction, looks_like, projected_through, light_photons, color_map>;
         if (Items::match(build, s)) return true;
         const auto t = read_transformation(build);
         if (t) s.object.transform_by(*t);

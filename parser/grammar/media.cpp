@@ -1,95 +1,117 @@
-#include "parser/grammar/statement.h"
+#include "parser/grammar/effects.h"
 
 /// media, density and rainbow: read whole, not drawn yet.
 namespace parser {
 namespace {
 
-void scattering(StatementReader& s)
+using scene::Media;
+using scene::Rainbow;
+
+constexpr auto kMediaFields = std::tuple(
+    field(Kind::Absorption, &Media::absorption), field(Kind::Emission, &Media::emission), field(Kind::Intervals, &Media::intervals, at_least(1)),
+    field(Kind::Confidence, &Media::confidence), field(Kind::Variance, &Media::variance), field(Kind::Ratio, &Media::ratio),
+    field(Kind::AaLevel, &Media::aa_level), field(Kind::AaThreshold, &Media::aa_threshold), field(Kind::Jitter, &Media::jitter),
+    field(Kind::Collect, &Media::collect));
+
+constexpr auto kRainbowFields = std::tuple(
+    field(Kind::Direction, &Rainbow::direction), field(Kind::Angle, &Rainbow::angle_deg), field(Kind::Width, &Rainbow::width_deg),
+    field(Kind::Distance, &Rainbow::distance), field(Kind::Jitter, &Rainbow::jitter), field(Kind::Up, &Rainbow::up),
+    field(Kind::ArcAngle, &Rainbow::arc_deg), field(Kind::FalloffAngle, &Rainbow::falloff_deg));
+
+/// An unknown type scatters alike in all directions, as POV-Ray has it.
+Media::Phase phase_of(int type)
 {
-    constexpr int kHenyeyGreenstein = 5;
-    StatementReader inner(s.build());
-    inner.open();
-    auto head = inner.operands("f");
-    inner.in().accept_comma();
-    if (at_color(inner.in())) head.emplace_back(rgb_expr(inner.in()));
-    const int type = static_cast<int>(number_of(head[0]));
-    if (type < 1 || type > kHenyeyGreenstein) s.in().warn(inner.statement().source, "this type of scattering is unknown");
-    inner.add("", std::move(head));
-    static constexpr Form kForms[] = {{Kind::Eccentricity, "f"}, {Kind::Extinction, "f"}};
-    while (inner.read_one(kForms))
-        if (inner.statement().items.back().name == "eccentricity" && type != kHenyeyGreenstein)
-            s.fail("'eccentricity' needs scattering of type 5");
-    inner.close();
-    s.add("scattering", {inner.take()});
+    const bool known = type >= static_cast<int>(Media::Phase::Isotropic) && type <= static_cast<int>(Media::Phase::HenyeyGreenstein);
+    return known ? static_cast<Media::Phase>(type) : Media::Phase::Isotropic;
+}
+
+Media::Scattering read_scattering(SceneBuilder& build)
+{
+    BlockReader s(build);
+    Media::Scattering scattering;
+    s.open();
+    const int type = whole_number(float_expr(s.in()));
+    scattering.phase = phase_of(type);
+    s.in().accept_comma();
+    if (at_color(s.in())) read_value(s.in(), scattering.color);
+    if (static_cast<int>(scattering.phase) != type) s.in().warn(s.source(), "this type of scattering is unknown");
+    for (;;) {
+        if (s.accept(Kind::Eccentricity)) {
+            read_value(s.in(), scattering.eccentricity);
+            if (scattering.phase != Media::Phase::HenyeyGreenstein) s.fail("'eccentricity' needs scattering of type 5");
+        } else if (s.accept(Kind::Extinction)) {
+            read_value(s.in(), scattering.extinction);
+        } else {
+            break;
+        }
+    }
+    s.close();
+    return scattering;
+}
+
+bool read_media_item(BlockReader& s, Media& media)
+{
+    if (s.accept(Kind::Scattering)) {
+        media.scattering = read_scattering(s.build());
+    } else if (s.accept(Kind::Density)) {
+        media.densities.push_back(read_density(s.build()).pigment);
+    } else if (s.accept(Kind::Method)) {
+        media.method = static_cast<Media::Method>(whole_number(ranged_number(s.in(), Kind::Method, within(1, 3.999), s.in().last())));
+    } else if (s.accept(Kind::Samples)) {
+        read_value(s.in(), media.samples_least);
+        media.samples_most = media.samples_least;
+        if (more_numbers(s.in())) read_value(s.in(), media.samples_most);
+    } else if (const auto transform = read_transformation(s.build())) {
+        media.transform(*transform);
+    } else {
+        return read_one(s, media, kMediaFields);
+    }
+    return true;
 }
 
 }  // namespace
 
-scene::StatementPtr read_media(SceneBuilder& build)
+Media read_media(SceneBuilder& build)
 {
-    static constexpr Form kForms[] = {
-        {Kind::Absorption, "c"}, {Kind::Emission, "c"}, {Kind::Method, "f", 1, 3.999}, {Kind::Intervals, "f", 1}, {Kind::Samples, "f,f"},
-        {Kind::Confidence, "f"}, {Kind::Variance, "f"}, {Kind::Ratio, "f"}, {Kind::AaLevel, "f"}, {Kind::AaThreshold, "f"},
-        {Kind::Jitter, "f"}, {Kind::Collect, "o"}};
     const auto guard = build.stream().nest();
-    StatementReader s(build);
+    BlockReader s(build);
+    Media media = Media::of_version(build.version());
     s.open();
-    if (const auto declared = accept_declared(build, "media")) s.add("media", {declared});
-    for (;;) {
-        if (s.accept(Kind::Scattering)) scattering(s);
-        else if (s.accept(Kind::Density)) s.add("density", {read_density(build)});
-        else if (!s.read_one(kForms) && !s.read_transform()) break;
-    }
+    if (const auto declared = s.in().accept_identifier<std::shared_ptr<const Media>>()) media = **declared;
+    media.source = s.source();
+    while (read_media_item(s, media)) {}
     s.close();
-    return s.take();
+    return media;
 }
 
-scene::StatementPtr read_density(SceneBuilder& build)
+scene::Density read_density(SceneBuilder& build)
 {
-    StatementReader s(build);
-    s.statement().keyword = "density";
-    s.open();
+    const scene::SourceRef opened = build.open_block("density");
     scene::Pigment base;
     base.kind = scene::Color{1, 1, 1, 0, 0};
-    s.add("", {std::make_shared<const scene::Pigment>(read_density_body(build, base))});
-    s.close();
-    return s.take();
+    scene::Density density{read_density_body(build, base)};
+    build.close_block("density", opened);
+    return density;
 }
 
-scene::StatementPtr read_rainbow(SceneBuilder& build)
+Rainbow read_rainbow(SceneBuilder& build)
 {
-    static constexpr Form kForms[] = {{Kind::Direction, "v"}, {Kind::Angle, "f"}, {Kind::Width, "f"}, {Kind::Distance, "f"},
-                                      {Kind::Jitter, "f"}, {Kind::Up, "v"}, {Kind::ArcAngle, "f"}, {Kind::FalloffAngle, "f"}};
     const auto guard = build.stream().nest();
-    StatementReader s(build);
+    BlockReader s(build);
+    Rainbow rainbow;
     s.open();
-    if (const auto declared = accept_declared(build, "rainbow")) s.statement().items = declared->items;
+    if (const auto declared = s.in().accept_identifier<std::shared_ptr<const Rainbow>>()) rainbow = **declared;
+    rainbow.source = s.source();
     for (;;) {
-        if (s.accept(Kind::ColorMap)) {
-            scene::Pigment colors;
-            scene::PatternedPigment gradient;
-            gradient.pattern.name = "gradient";
-            gradient.map = read_color_map(build);
-            colors.kind = std::move(gradient);
-            s.add("color_map", {std::make_shared<const scene::Pigment>(std::move(colors))});
-        } else if (!s.read_one(kForms)) {
-            break;
-        }
+        if (s.accept(Kind::ColorMap)) rainbow.colors = read_color_map(build);
+        else if (!read_one(s, rainbow, kRainbowFields)) break;
     }
-    const auto last = [&](std::string_view name, StatementReader::Operand value) {
-        for (const scene::StatementItem& item : s.statement().items)
-            if (item.name == name) value = item.operands.front();
-        return value;
-    };
-    const auto direction = std::get<glm::dvec3>(last("direction", glm::dvec3(0)));
-    const auto up = std::get<glm::dvec3>(last("up", glm::dvec3(0, 1, 0)));
     constexpr double kParallel = 1e-10;
-    if (glm::length(direction) == 0.0) s.fail("this rainbow's direction is zero or missing");
-    if (glm::length(glm::cross(direction, up)) < kParallel) s.fail("this rainbow's up and direction are parallel");
-    if (number_of(last("arc_angle", 180.0)) < number_of(last("falloff_angle", 0.0)))
-        s.fail("this rainbow's arc_angle is smaller than its falloff_angle");
+    if (glm::length(rainbow.direction) == 0.0) s.fail("this rainbow's direction is zero or missing");
+    if (glm::length(glm::cross(rainbow.direction, rainbow.up)) < kParallel) s.fail("this rainbow's up and direction are parallel");
+    if (rainbow.arc() < rainbow.falloff()) s.fail("this rainbow's arc_angle is smaller than its falloff_angle");
     s.close();
-    return s.take();
+    return rainbow;
 }
 
 }  // namespace parser

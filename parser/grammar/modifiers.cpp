@@ -1,6 +1,7 @@
 #include "csg/freeform.h"
+#include "parser/grammar/effects.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
+#include "parser/grammar/solid_reader.h"
 
 #include <fmt/format.h>
 
@@ -13,9 +14,6 @@ using Layers = std::vector<scene::Layer>;
 struct ObjectState : BlockState {
     ObjectState(SceneBuilder& b, scene::Object& o) : BlockState(b), object(o) {}
     scene::Object& object;
-
-    /// Keyword of a shape that is kept as written; empty for others.
-    std::string_view written() const { return object.shape_block ? std::string_view(object.shape_block->keyword) : std::string_view(); }
 
     /// The top layer of the object's own texture; the default texture is copied if there is none.
     template <class Change> void change_top(const char* what, Change&& change)
@@ -160,19 +158,10 @@ void read_choice(ObjectState& s, const char* name, bool allowed)
     optional_flag(s.stream());
 }
 struct sturm : item<Kind::Sturm> {
-    static void act(ObjectState& s)
-    {
-        const std::string_view kind = s.written();
-        read_choice(s, "sturm", std::holds_alternative<scene::Torus>(s.object.shape) || kind == "blob" || kind == "lathe" || kind == "prism" ||
-                                    kind == "sor" || kind == "ovus" || kind == "poly" || kind == "cubic" || kind == "quartic" || kind == "polynomial");
-    }
+    static void act(ObjectState& s) { read_choice(s, "sturm", std::holds_alternative<scene::Torus>(s.object.shape) || takes_sturm(s.object)); }
 };
 struct hierarchy : item<Kind::Hierarchy> {
-    static void act(ObjectState& s)
-    {
-        const std::string_view kind = s.written();
-        read_choice(s, "hierarchy", std::holds_alternative<scene::Mesh>(s.object.shape) || kind == "blob" || kind == "height_field");
-    }
+    static void act(ObjectState& s) { read_choice(s, "hierarchy", std::holds_alternative<scene::Mesh>(s.object.shape) || takes_hierarchy(s.object)); }
 };
 struct uv_mapping : item<Kind::UvMapping> {
     static void act(ObjectState& s)
@@ -200,11 +189,10 @@ struct cutaway_textures : item<Kind::CutawayTextures> {
 struct photons : item<Kind::Photons> {
     static void act(ObjectState& s)
     {
-        const bool light = std::holds_alternative<scene::Light>(s.object.shape);
-        s.object.photons = light ? read_light_photons(s.build) : read_object_photons(s.build);
+        s.object.photons = read_photon_flags(s.build, std::holds_alternative<scene::Light>(s.object.shape));
     }
 };
-struct radiosity : item<Kind::Radiosity> { static void act(ObjectState& s) { s.object.radiosity = read_object_radiosity(s.build); } };
+struct radiosity : item<Kind::Radiosity> { static void act(ObjectState& s) { s.object.radiosity_importance = read_object_radiosity(s.build); } };
 struct dtag : item<Kind::Dtag, a_text> { static void act(ObjectState& s) { s.pop_string(); } };
 
 struct ModifierItems {

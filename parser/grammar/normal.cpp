@@ -1,5 +1,5 @@
+#include "parser/grammar/images.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 
 namespace parser {
 namespace {
@@ -44,9 +44,10 @@ void read_head(NormalState& s)
         s.normal.pattern = {};
         s.normal.pattern.name = "bump_map";
         s.normal.pattern.source = in.last();
-        s.normal.pattern.block = read_image_block(s.build, false);
+        const auto bumps = read_image_block(s.build, false);
+        s.normal.pattern.data = bumps;
         s.normal.map = std::monostate{};
-        if (const scene::StatementItem* size = item_of(*s.normal.pattern.block, "bump_size")) s.normal.amount = number_of(size->operands[0]);
+        if (bumps->bump_size) s.normal.amount = *bumps->bump_size;
         in.accept_comma();
         if (at_expression(in)) s.normal.amount = parser::float_expr(in);
         return;

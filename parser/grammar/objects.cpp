@@ -1,7 +1,7 @@
 #include "csg/freeform.h"
 #include "csg/solids/freeform.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/shape_makers.h"
+#include "parser/grammar/solid_reader.h"
 
 #include <algorithm>
 
@@ -51,8 +51,6 @@ bool has_inside(const scene::Object& object)
     return csg && csg->operands ? std::all_of(csg->operands->begin(), csg->operands->end(), has_inside) : !is_patch(object);
 }
 
-bool is_written(Kind keyword) { return written_head(keyword) != nullptr; }
-
 /// Objects, `global_lights` and transformations: it takes no other modifier.
 scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& source)
 {
@@ -91,20 +89,17 @@ scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::Sourc
 {
     const std::string name(spelling(keyword));
     scene::Object object;
-    StatementReader shape(build);
+    SolidReader reader(build, object);
     const auto opened = build.open_block(name.c_str());
     if (const auto declared = build.stream().accept_identifier<Shared>()) {
         object = **declared;
         object.source = source;
         read_modifiers(build, object);
     } else {
-        object.undrawn = name;
         object.source = source;
-        written_head(keyword)(shape);
-        object.shape_block = shape.take();
-        if (make_shape(build, *object.shape_block, object)) object.undrawn.clear();
+        if (!solid_head(keyword)(reader)) object.undrawn = name;
         read_modifiers(build, object);
-        if (keyword == Kind::JuliaFractal) object.inverse = false;  // POV-Ray forgets it at the end of the block (spec 5b, 12.4)
+        if (forgets_inverse(object)) object.inverse = false;
     }
     build.close_block(name.c_str(), opened);
     return object;

@@ -1,15 +1,16 @@
 #include "csg/freeform.h"
-#include "parser/grammar/shape_makers.h"
+#include "parser/grammar/solid_reader.h"
 
 namespace parser {
 
-bool make_ovus(SceneBuilder&, const scene::Statement& statement, scene::Object& object)
+bool read_parameters(SolidReader& s, scene::Ovus& ovus)
 {
-    const auto& radii = item_of(statement, "")->operands;
-    const double bottom = number_of(radii[0]), top = number_of(radii[1]);
-    // Without room for an arc between its balls it is the upper one alone (spec 5a, 5.12).
-    if (top >= 2.0 * bottom) object.shape = scene::Sphere{{0.0, bottom, 0.0}, top};
-    else object.shape = scene::Freeform{csg::make_freeform<csg::Ovus>(bottom, top)};
+    read_values(s.in(), ovus.bottom, ovus.top);
+    if (ovus.bottom < 0.0 || ovus.top < 0.0) s.fail("the radii of an ovus must not be negative");
+    if (ovus.ball()) s.in().warn(s.source(), "the second radius of this ovus is not below twice the first: it is a sphere");
+    read_open_and_sturm(s, nullptr);
+    if (ovus.ball()) s.object().shape = scene::Sphere{{0.0, ovus.bottom, 0.0}, ovus.top};
+    else s.object().shape = scene::Freeform{csg::make_freeform<csg::Ovus>(ovus.bottom, ovus.top)};
     return true;
 }
 

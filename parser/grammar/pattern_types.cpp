@@ -1,5 +1,5 @@
+#include "parser/grammar/images.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 #include "parser/stream/function.h"
 
 #include <algorithm>
@@ -15,51 +15,37 @@ struct PatternState : BlockState {
 };
 
 /// A new type keeps what the block had: warps, frequency, wave form.
-void set_type(PatternState& s, const char* name)
+void set_type(PatternState& s, std::string_view name)
 {
     s.pattern.name = name;
     s.pattern.vector = glm::dvec3(0);
     s.pattern.numbers.clear();
     s.pattern.pigment.reset();
     s.pattern.function.reset();
+    s.pattern.data = std::monostate{};
     s.pattern.source = s.stream().last();
 }
 
-#define PATTERN(id, kind, name)                                              \
-    struct id : item<Kind::kind> {                                           \
-        static void act(PatternState& s) { set_type(s, name); }              \
-    }
-PATTERN(aoi, Aoi, "aoi");
-PATTERN(average, Average, "average");
-PATTERN(boxed, Boxed, "boxed");
-PATTERN(bozo, Bozo, "bozo");
-PATTERN(bumps, Bumps, "bumps");
-PATTERN(cells, Cells, "cells");
-PATTERN(cylindrical, Cylindrical, "cylindrical");
-PATTERN(dents, Dents, "dents");
-PATTERN(granite, Granite, "granite");
-PATTERN(leopard, Leopard, "leopard");
-PATTERN(onion, Onion, "onion");
-PATTERN(planar, Planar, "planar");
-PATTERN(radial, Radial, "radial");
-PATTERN(ripples, Ripples, "ripples");
-PATTERN(spherical, Spherical, "spherical");
-PATTERN(spotted, Spotted, "spotted");
-PATTERN(waves, Waves, "waves");
-PATTERN(wrinkles, Wrinkles, "wrinkles");
-#undef PATTERN
+/// Patterns without parameters, by their own names. Cells of one value each have no frequency unless it is written
+/// afterwards (spec 4, 4).
+struct PlainPattern { Kind keyword; double frequency = 1.0; };
+constexpr PlainPattern kPlain[] = {
+    {Kind::Aoi}, {Kind::Average}, {Kind::Boxed}, {Kind::Bozo}, {Kind::Bumps}, {Kind::Cells}, {Kind::Cylindrical}, {Kind::Dents},
+    {Kind::Granite}, {Kind::Leopard}, {Kind::Onion}, {Kind::Planar}, {Kind::Radial}, {Kind::Ripples}, {Kind::Spherical}, {Kind::Spotted},
+    {Kind::Waves}, {Kind::Wrinkles}, {Kind::Checker, 0.0}, {Kind::Hexagon, 0.0}, {Kind::Square, 0.0}, {Kind::Triangular, 0.0}, {Kind::Cubic, 0.0}};
 
-// Cells of one value each: no frequency unless it is written afterwards (spec 4, 4).
-#define CELL_PATTERN(id, kind, name)                                         \
-    struct id : item<Kind::kind> {                                           \
-        static void act(PatternState& s) { set_type(s, name); s.pattern.frequency = 0; } \
+bool read_plain(PatternState& s)
+{
+    const Kind kind = s.stream().peek().kind;
+    for (const PlainPattern& plain : kPlain) {
+        if (plain.keyword != kind) continue;
+        s.stream().next();
+        set_type(s, spelling(kind));
+        if (plain.frequency != 1.0) s.pattern.frequency = plain.frequency;
+        return true;
     }
-CELL_PATTERN(checker, Checker, "checker");
-CELL_PATTERN(hexagon, Hexagon, "hexagon");
-CELL_PATTERN(square, Square, "square");
-CELL_PATTERN(triangular, Triangular, "triangular");
-CELL_PATTERN(cubic, Cubic, "cubic");
-#undef CELL_PATTERN
+    return false;
+}
 
 struct brick : item<Kind::Brick> {
     static void act(PatternState& s)
@@ -216,7 +202,7 @@ struct image_pattern : item<Kind::ImagePattern> {
     static void act(PatternState& s) 
     {
         set_type(s, "image_pattern");
-        s.pattern.block = read_image_block(s.build, false);
+        s.pattern.data = read_image_block(s.build, false);
         s.pattern.frequency = 0;
     }
 };
@@ -224,7 +210,7 @@ struct object : item<Kind::Object> {
     static void act(PatternState& s) 
     {
         set_type(s, "object");
-        s.pattern.block = read_object_pattern(s.build);
+        s.pattern.data = read_object_pattern(s.build);
         s.pattern.frequency = 0;
     }
 };
@@ -232,14 +218,13 @@ struct density_file : item<Kind::DensityFile> {
     static void act(PatternState& s)
     {
         set_type(s, "density_file");
-        s.pattern.block = read_density_file(s.build);
-        if (const scene::StatementItem* item = item_of(*s.pattern.block, "interpolate")) s.pattern.numbers = {std::trunc(number_of(item->operands[0]))};
+        auto density = read_density_file(s.build);
+        if (density->interpolation != 0) s.pattern.numbers = {static_cast<double>(density->interpolation)};
+        s.pattern.data = std::move(density);
     }
 };
 
-using Types = table<PatternState, aoi, average, boxed, bozo, bumps, cells, cylindrical, dents, granite, leopard, onion,
-                    planar, radial, ripples, spherical, spotted, waves, wrinkles, checker, hexagon, square, triangular,
-                    cubic, brick, quilted, marble, wood, agate, crackle, facets, gradient, spiral<Kind::Spiral1>,
+using Types = table<PatternState, brick, quilted, marble, wood, agate, crackle, facets, gradient, spiral<Kind::Spiral1>,
                     spiral<Kind::Spiral2>, tiling, pavement, mandel, julia, magnet, slope, pigment_pattern, function_pattern,
                     image_pattern, object, density_file>;
 
@@ -257,7 +242,7 @@ bool read_pattern_type(SceneBuilder& build, scene::Pattern& pattern, bool of_nor
     if (!of_normal && build.stream().peek().kind == Kind::Facets)
         build.stream().fail(build.stream().here(), "'facets' is a pattern of normals alone");
     PatternState state(build, pattern);
-    return Types::match(build, state);
+    return Types::match(build, state) || read_plain(state);
 }
 
 void close_list(SceneBuilder& build, const scene::Pattern& pattern)

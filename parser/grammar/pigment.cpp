@@ -1,5 +1,6 @@
+#include "parser/grammar/images.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
+#include "render/scene/media.h"
 
 namespace parser {
 namespace {
@@ -124,7 +125,7 @@ void read_head(PigmentState& s)
         s.pigments.clear();
         s.pattern.name = "image_map";
         s.pattern.source = in.last();
-        s.pattern.block = read_image_block(s.build, true);
+        s.pattern.data = read_image_block(s.build, true);
         s.mapless = true;
     } else if (in.accept(Kind::UvMapping)) {
         s.pattern = {};
@@ -180,16 +181,14 @@ scene::Pigment read_body(SceneBuilder& build, const scene::Pigment& base, bool d
     const auto guard = in.nest();
     PigmentState s(build, base, density);
     const scene::SourceRef source = in.here();
-    std::shared_ptr<const scene::Pigment> declared;
-    if (density) {
-        if (const auto statement = accept_declared(build, "density"))
-            declared = std::get<std::shared_ptr<const scene::Pigment>>(statement->items.front().operands.front());
-    } else if (const auto found = in.accept_identifier<scene::PigmentPtr>()) {
-        declared = *found;
-    }
-    if (declared) {
+    const auto start_from = [&s](const scene::Pigment& declared) {
         s.pattern = {};
-        s.start_from(*declared);
+        s.start_from(declared);
+    };
+    if (density) {
+        if (const auto found = in.accept_identifier<std::shared_ptr<const scene::Density>>()) start_from((*found)->pigment);
+    } else if (const auto found = in.accept_identifier<scene::PigmentPtr>()) {
+        start_from(**found);
     }
     read_head(s);
     while (PigmentItems::match(build, s) || read_pattern_modifier(build, s.pattern)) {}

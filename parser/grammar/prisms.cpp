@@ -1,5 +1,4 @@
 #include "csg/freeform.h"
-#include "parser/grammar/shape_makers.h"
 #include "parser/grammar/spline_pieces.h"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 namespace parser {
 namespace {
 
-using scene::StatementItem;
+using scene::Curve;
 
 bool same(const glm::dvec2& a, const glm::dvec2& b) { return glm::distance(a, b) < kSamePoint; }
 
@@ -62,35 +61,77 @@ Pieces bezier(const Points& p)
     return loop == p.size() ? pieces : Pieces();
 }
 
-}  // namespace
-
-bool make_prism(SceneBuilder& build, const scene::Statement& statement, scene::Object& object)
+/// Outlines of a linear prism close themselves; of the curved ones each begins with a control point and ends with one.
+void check_outlines(SolidReader& s, Curve curve, const Points& p)
 {
-    bool conic = false;
-    for (const StatementItem& one : statement.items) conic = one.name == "conic_sweep" || (conic && one.name != "linear_sweep");
-    const Points points = points_of(statement);
-    const bool by_bezier = item_of(statement, "bezier_spline") != nullptr, open = item_of(statement, "open") != nullptr;
-    Pieces pieces = item_of(statement, "linear_spline") ? straight(points)
-                    : by_bezier                      ? bezier(points)
-                                                     : curved(points, item_of(statement, "cubic_spline") != nullptr);
-    if (by_bezier && pieces.empty()) build.stream().warn(statement.source, "an outline of this prism is not closed: it is not drawn");
-    const auto& heights = item_of(statement, "height")->operands;
-    const double a = number_of(heights[0]), b = number_of(heights[1]), low = std::min(a, b), high = std::max(a, b);
+    if (curve == Curve::Linear) {
+        for (std::size_t first = 0; first < p.size();) {
+            std::size_t last = first + 1;
+            while (last < p.size() && !same(p[first], p[last])) ++last;
+            if (last >= p.size() && first + 1 < p.size()) s.in().warn(s.source(), "the outline of this prism is not closed: it is closed now");
+            first = last + 1;
+        }
+    } else if (curve != Curve::Bezier) {
+        const std::size_t after = curve == Curve::Cubic ? 1 : 0;  // control points behind an outline
+        for (std::size_t first = 1; first < p.size();) {
+            std::size_t last = first + 1;
+            while (last < p.size() && !same(p[first], p[last])) ++last;
+            if (last + after >= p.size()) s.fail("an outline of this prism is not closed, or lacks its control points");
+            first = last + after + 2;
+        }
+    }
+}
+
+Pieces outline_of(const scene::Prism& prism)
+{
+    switch (prism.curve) {
+    case Curve::Linear: return straight(prism.points);
+    case Curve::Bezier: return bezier(prism.points);
+    default: return curved(prism.points, prism.curve == Curve::Cubic);
+    }
+}
+
+/// `pieces`: of the outline.
+void make_shape(const scene::Prism& prism, Pieces pieces, scene::Object& object)
+{
+    const bool by_bezier = prism.curve == Curve::Bezier;
+    const double low = std::min(prism.low, prism.high), high = std::max(prism.low, prism.high);
     const auto outline = std::make_shared<csg::OutlineShape>(std::move(pieces));
-    if (conic) {
+    if (prism.conic) {
         glm::dvec2 reach[2] = {outline->lower(), outline->upper()};
-        for (const glm::dvec2& p : points) {  // of Bezier curves POV-Ray takes the control points (spec 5b, 6.6)
+        for (const glm::dvec2& p : prism.points) {  // of Bezier curves POV-Ray takes the control points (spec 5b, 6.6)
             if (!by_bezier) break;
             reach[0] = glm::min(reach[0], p);
             reach[1] = glm::max(reach[1], p);
         }
-        object.shape = scene::Freeform{csg::make_freeform<csg::ConicPrism>(outline, low, high, open, reach)};
-        return true;
+        object.shape = scene::Freeform{csg::make_freeform<csg::ConicPrism>(outline, low, high, prism.open, reach)};
+        return;
     }
-    object.shape = scene::Extrusion{outline, low, high, open, true, by_bezier};
+    object.shape = scene::Extrusion{outline, low, high, prism.open, true, by_bezier};
     // Its points are (x, z), its heights y.
     csg::Transform& turn = object.transform;
     turn.linear = turn.inverse_linear = glm::dmat3({1, 0, 0}, {0, 0, 1}, {0, 1, 0});
+}
+
+}  // namespace
+
+bool read_parameters(SolidReader& s, scene::Prism& prism)
+{
+    for (;;) {  // of each pair of words the last counts
+        if (s.accept(Kind::LinearSweep)) prism.conic = false;
+        else if (s.accept(Kind::ConicSweep)) prism.conic = true;
+        else if (!accept_curve(s, prism.curve)) break;
+    }
+    read_values(s.in(), prism.low, prism.high);
+    s.in().accept_comma();
+    const int count = read_count(s);
+    need_points(s, "prism", prism.curve, count, {3, 5, 6});
+    prism.points = read_points<glm::dvec2>(s, count);
+    check_outlines(s, prism.curve, prism.points);
+    read_open_and_sturm(s, &prism.open);
+    Pieces pieces = outline_of(prism);
+    if (prism.curve == Curve::Bezier && pieces.empty()) s.in().warn(s.source(), "an outline of this prism is not closed: it is not drawn");
+    make_shape(prism, std::move(pieces), s.object());
     return true;
 }
 

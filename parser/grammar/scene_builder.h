@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parser/stream/token_stream.h"
+#include "render/image/picture.h"
 #include "render/scene/description.h"
 
 #include <functional>
@@ -105,6 +106,8 @@ bool is_patch(const scene::Object& object);
 bool has_inside(const scene::Object& object);
 /// Modifiers of any object until something else stands there.
 void read_modifiers(SceneBuilder& build, scene::Object& object);
+/// texture, pigment, normal, finish and transformations of a blob's component.
+void read_component_modifiers(SceneBuilder& build, scene::Object& object);
 
 // Blocks: the keyword has been taken, braces included. `base` is what the block starts from.
 csg::Transform read_transform(SceneBuilder& build);               ///< `transform N` or `transform { ... }`

@@ -1,5 +1,5 @@
+#include "parser/grammar/effects.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 #include "render/scene/undrawn_features.h"
 
 /// The top level of a scene, the values that a declaration can hold, and `#default`.
@@ -39,12 +39,8 @@ struct global_settings : item<Kind::GlobalSettings> {
     }
 };
 struct default_block : item<Kind::Default> { static void act(SceneState& s) { s.build.parse_default(s.stream()); } };
-template <Kind kind> struct undrawn_effect : item<kind> {
-    static void act(SceneState& s)
-    {
-        s.build.description.effects.push_back(kind == Kind::Media ? read_media(s.build) : read_rainbow(s.build));
-    }
-};
+struct scene_media : item<Kind::Media> { static void act(SceneState& s) { s.build.description.media.push_back(read_media(s.build)); } };
+struct rainbow : item<Kind::Rainbow> { static void act(SceneState& s) { s.build.description.rainbows.push_back(read_rainbow(s.build)); } };
 /// `declare`, `include` and `version` without their '#' are old, and still understood.
 template <Kind kind> struct bare : item<kind> {
     static void act(SceneState& s) { s.stream().bare_directive(s.stream().taken_last()); }
@@ -52,7 +48,7 @@ template <Kind kind> struct bare : item<kind> {
 struct dtag : item<Kind::Dtag, a_text> { static void act(SceneState& s) { s.pop_string(); } };
 
 using SceneItems = table<SceneState, camera, background, fog, sky_sphere, global_settings, default_block,
-                         undrawn_effect<Kind::Rainbow>, undrawn_effect<Kind::Media>, bare<Kind::Declare>,
+                         rainbow, scene_media, bare<Kind::Declare>,
                          bare<Kind::Include>, bare<Kind::Version>, dtag>;
 
 // ---- #default -------------------------------------------------------------------------------------------------
@@ -125,10 +121,10 @@ const ValueEntry kValues[] = {
     {Kind::Camera, [](SceneBuilder& b) -> Value { return shared(read_camera(b, b.default_camera)); }},
     {Kind::Fog, [](SceneBuilder& b) -> Value { return shared(read_fog(b)); }},
     {Kind::SkySphere, [](SceneBuilder& b) -> Value { return shared(read_sky_sphere(b)); }},
-    {Kind::Media, [](SceneBuilder& b) -> Value { return read_media(b); }},
-    {Kind::Density, [](SceneBuilder& b) -> Value { return read_density(b); }},
+    {Kind::Media, [](SceneBuilder& b) -> Value { return shared(read_media(b)); }},
+    {Kind::Density, [](SceneBuilder& b) -> Value { return shared(read_density(b)); }},
     {Kind::DensityMap, [](SceneBuilder& b) -> Value { return shared(read_density_map(b, false)); }},
-    {Kind::Rainbow, [](SceneBuilder& b) -> Value { return read_rainbow(b); }},
+    {Kind::Rainbow, [](SceneBuilder& b) -> Value { return shared(read_rainbow(b)); }},
 };
 
 }  // namespace

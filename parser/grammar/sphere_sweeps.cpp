@@ -1,19 +1,40 @@
 #include "csg/freeform.h"
-#include "parser/grammar/shape_makers.h"
+#include "parser/grammar/solid_reader.h"
+
+#include <fmt/format.h>
 
 namespace parser {
+namespace {
 
-bool make_sphere_sweep(SceneBuilder&, const scene::Statement& statement, scene::Object& object)
+using Spline = scene::SphereSweep::Spline;
+
+Spline read_spline(SolidReader& s)
 {
-    using csg::SphereSweep;
-    SphereSweep::Spline spline = SphereSweep::Spline::Linear;
-    std::vector<SphereSweep::Ball> balls;
-    for (const scene::StatementItem& item : statement.items) {
-        if (item.name == "cubic_spline") spline = SphereSweep::Spline::Cubic;
-        else if (item.name == "b_spline") spline = SphereSweep::Spline::B;
-        else if (item.name == "sphere") balls.push_back({std::get<glm::dvec3>(item.operands[0]), number_of(item.operands[1])});
+    if (s.accept(Kind::LinearSpline)) return Spline::Linear;
+    if (s.accept(Kind::CubicSpline)) return Spline::Cubic;
+    if (s.accept(Kind::BSpline)) return Spline::B;
+    s.in().fail_expected("linear_spline, cubic_spline or b_spline");
+}
+
+}  // namespace
+
+bool read_parameters(SolidReader& s, scene::SphereSweep& sweep)
+{
+    sweep.spline = read_spline(s);
+    s.in().accept_comma();
+    const int least = sweep.spline == Spline::Linear ? 2 : 4, count = read_count(s);
+    if (count < least) s.fail(fmt::format("this sphere_sweep needs at least {} spheres", least));
+    for (int i = 0; i < count; ++i) {
+        s.in().accept_comma();
+        auto& ball = sweep.balls.emplace_back();
+        read_values(s.in(), ball.center, ball.radius);
     }
-    object.shape = scene::Freeform{csg::make_freeform<SphereSweep>(spline, std::span<const SphereSweep::Ball>(balls))};
+    read_one(s, sweep, std::tuple(field(Kind::Tolerance, &scene::SphereSweep::tolerance)));
+
+    std::vector<csg::SphereSweep::Ball> balls;
+    for (const auto& ball : sweep.balls) balls.push_back({ball.center, ball.radius});
+    static constexpr csg::SphereSweep::Spline kSplines[] = {csg::SphereSweep::Spline::Linear, csg::SphereSweep::Spline::Cubic, csg::SphereSweep::Spline::B};
+    s.object().shape = scene::Freeform{csg::make_freeform<csg::SphereSweep>(kSplines[static_cast<std::size_t>(sweep.spline)], std::span<const csg::SphereSweep::Ball>(balls))};
     return true;
 }
 

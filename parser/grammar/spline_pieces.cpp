@@ -1,12 +1,28 @@
 #include "parser/grammar/spline_pieces.h"
 
+#include <fmt/format.h>
+
 namespace parser {
 
-Points points_of(const scene::Statement& statement)
+bool accept_curve(SolidReader& s, scene::Curve& curve)
 {
-    Points points;
-    for (const auto& p : item_of(statement, "points")->operands) points.push_back(std::get<glm::dvec2>(p));
-    return points;
+    if (s.accept(Kind::LinearSpline)) curve = scene::Curve::Linear;
+    else if (s.accept(Kind::QuadraticSpline)) curve = scene::Curve::Quadratic;
+    else if (s.accept(Kind::CubicSpline)) curve = scene::Curve::Cubic;
+    else if (s.accept(Kind::BezierSpline)) curve = scene::Curve::Bezier;
+    else return false;
+    return true;
+}
+
+void need_points(SolidReader& s, const char* what, scene::Curve curve, int count, const int (&least)[3])
+{
+    static constexpr const char* kNames[] = {"a linear", "a quadratic", "a cubic"};
+    if (curve == scene::Curve::Bezier) {
+        if (count < 4 || count % 4 != 0) s.fail(fmt::format("a {} with a bezier_spline needs four points for each segment", what));
+        return;
+    }
+    const auto kind = static_cast<std::size_t>(curve);
+    if (count < least[kind]) s.fail(fmt::format("a {} with {} spline needs at least {} points", what, kNames[kind], least[kind]));
 }
 
 csg::OutlinePiece quadratic_piece(const glm::dvec2& p0, const glm::dvec2& p1, const glm::dvec2& p2)

@@ -1,12 +1,12 @@
 #include "csg/freeform.h"
-#include "parser/grammar/shape_makers.h"
+#include "parser/grammar/solid_reader.h"
 
 namespace parser {
 
-bool make_superellipsoid(SceneBuilder&, const scene::Statement& statement, scene::Object& object)
+bool read_parameters(SolidReader& s, scene::Superellipsoid& solid)
 {
-    const glm::dvec2 powers = std::get<glm::dvec2>(statement.items.front().operands.front());
-    object.shape = scene::Freeform{csg::make_freeform<csg::Superellipsoid>(powers.x, powers.y)};
+    read_value(s.in(), solid.powers);
+    s.object().shape = scene::Freeform{csg::make_freeform<csg::Superellipsoid>(solid.powers.x, solid.powers.y)};
     return true;
 }
 

@@ -1,5 +1,5 @@
+#include "parser/grammar/images.h"
 #include "parser/grammar/rules.h"
-#include "parser/grammar/statement.h"
 #include "render/scene/undrawn_features.h"
 
 namespace parser {
@@ -98,10 +98,8 @@ void read_head(TextureState& s)
         scene::Pattern pattern;
         pattern.name = "material_map";
         pattern.source = in.last();
-        pattern.block = read_material_map(s.build);
         TextureMap map;
-        for (const scene::StatementItem& item : pattern.block->items)
-            if (item.name == "texture") map.push_back({static_cast<double>(map.size()), std::get<scene::TexturePtr>(item.operands[0])});
+        pattern.data = read_material_map(s.build, map);
         become(s, std::move(pattern));
         s.pattern().map = std::move(map);
         return;

@@ -17,7 +17,7 @@ std::string_view type_name(const Value& value)
     static constexpr std::string_view kNames[] = {
         "nothing", "number", "string", "array", "object", "texture", "pigment", "normal", "finish", "interior", "material",
         "color_map", "pigment_map", "normal_map", "slope_map", "texture_map", "transform", "camera", "fog", "sky_sphere",
-        "function", "spline", "macro", "file", "effect", "dictionary"};
+        "function", "spline", "macro", "file", "effect", "effect", "effect", "dictionary"};
     static_assert(std::size(kNames) == std::variant_size_v<Value::variant>);
     return kNames[value.index()];
 }

@@ -69,7 +69,7 @@ struct Value : std::variant<
     std::shared_ptr<const scene::Camera>, std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>,
     function::FunctionPtr, std::shared_ptr<const function::Spline>,
     std::shared_ptr<const Macro>, std::shared_ptr<DataFile>,
-    scene::StatementPtr,                            // media, density, rainbow
+    std::shared_ptr<const scene::Media>, std::shared_ptr<const scene::Density>, std::shared_ptr<const scene::Rainbow>,
     std::shared_ptr<Dictionary>> {
     using variant::variant;
     using variant::operator=;

@@ -1,7 +1,6 @@
 #include "render/plan/images.h"
 
 #include "render/image/transfer_curve.h"
-#include "render/scene/picture_gamma.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,19 +35,17 @@ std::optional<TransferCurve> tagged(const image::Picture& picture)
 }
 
 /// From the file's levels to those of the scene (spec 4, 12.4).
-image::Transcoder levels_of(const scene::Description& scene, const scene::Statement& statement, const image::Picture& picture, bool colors)
+image::Transcoder levels_of(const scene::Description& scene, const scene::ImageSource& source, bool colors)
 {
-    const auto gamma = scene::written_gamma(statement);
     const bool legacy = scene.effective_version < kGammaVersion;
     const bool assumed = scene.global.assumed_gamma.kind != scene::AssumedGamma::Kind::Unset;
-    const std::string* path = std::get_if<std::string>(&statement.items.front().operands[0]);
-    if (path == nullptr) return {};
-    if (gamma) return {colors ? working_curve(scene) : TransferCurve::linear(), *gamma};
+    if (source.made()) return {};
+    if (source.gamma) return {colors ? working_curve(scene) : TransferCurve::linear(), source.gamma->curve()};
     if (!colors || (legacy && !assumed)) return {};
-    if (ends_with_any(*path, {".exr", ".hdr"})) return {working_curve(scene), TransferCurve::linear()};
-    const auto tag = ends_with_any(*path, {".png"}) ? tagged(picture) : std::nullopt;
+    if (ends_with_any(source.path, {".exr", ".hdr"})) return {working_curve(scene), TransferCurve::linear()};
+    const auto tag = ends_with_any(source.path, {".png"}) ? tagged(*source.picture) : std::nullopt;
     if (tag) return {working_curve(scene), *tag};
-    if (legacy || ends_with_any(*path, {".ppm", ".pgm", ".tif", ".tiff", ".iff"})) return {};
+    if (legacy || ends_with_any(source.path, {".ppm", ".pgm", ".tif", ".tiff", ".iff"})) return {};
     return {working_curve(scene), TransferCurve::srgb()};
 }
 
@@ -84,56 +81,34 @@ void take_palette(const image::Picture& picture, const image::Transcoder& levels
 }
 
 /// `filter` and `transmit`: added to texels, written over the palette's (spec 4, 12.3).
-void take_clarity(const scene::Statement& statement, texture::Image& out)
+void take_clarity(const scene::ImageMap& written, texture::Image& out)
 {
-    for (const scene::StatementItem& item : statement.items) {
-        const bool filter = item.name == "filter";
-        if (!filter && item.name != "transmit") continue;
-        const auto value = static_cast<float>(number_of(item.operands.back()));
-        const auto set = [&](scene::Color& color) { (filter ? color.filter : color.transmit) = value; };
-        if (item.operands.size() == 1 && out.palette.empty()) {
-            if (filter) out.filter += value;
-            for (glm::vec4& texel : out.texels) texel.w += filter ? 0.0f : value;
-        } else if (item.operands.size() == 1) {
+    for (const scene::ImageMap::Clarity& clarity : written.clarities) {
+        const auto set = [&](scene::Color& color) { (clarity.filter ? color.filter : color.transmit) = clarity.amount; };
+        if (!clarity.place && out.palette.empty()) {
+            if (clarity.filter) out.filter += clarity.amount;
+            for (glm::vec4& texel : out.texels) texel.w += clarity.filter ? 0.0f : clarity.amount;
+        } else if (!clarity.place) {
             std::for_each(out.palette.begin(), out.palette.end(), set);
-        } else {
-            const double place = std::trunc(number_of(item.operands[0]) + 0.01);
-            if (place >= 0.0 && place < static_cast<double>(out.palette.size())) set(out.palette[static_cast<std::size_t>(place)]);
+        } else if (*clarity.place >= 0 && static_cast<std::size_t>(*clarity.place) < out.palette.size()) {
+            set(out.palette[static_cast<std::size_t>(*clarity.place)]);
         }
     }
 }
 
-void take_settings(const scene::Statement& statement, texture::Image& out)
+/// Enumerators of the description and of the image stand in the same order.
+void take_settings(const scene::ImageMap& written, texture::Image& out)
 {
-    using Projection = texture::Image::Projection;
-    using Interpolation = texture::Image::Interpolation;
-    const auto number = [&](const char* name) { return item_of(statement, name) ? static_cast<int>(number_of(item_of(statement, name)->operands[0])) : 0; };
-    switch (number("map_type")) {
-    case 1: out.projection = Projection::Spherical; break;
-    case 2: out.projection = Projection::Cylindrical; break;
-    case 5: out.projection = Projection::Torus; break;
-    default: break;
-    }
-    switch (number("interpolate")) {
-    case 2: out.interpolation = Interpolation::Bilinear; break;
-    case 3: out.interpolation = Interpolation::Bicubic; break;
-    case 4: out.interpolation = Interpolation::NormalizedDistance; break;
-    default: break;
-    }
-    out.once = item_of(statement, "once") != nullptr;
-    for (const scene::StatementItem& item : statement.items)
-        if (item.name == "premultiplied") out.premultiplied = number_of(item.operands[0]) != 0.0;
-    const auto pair = [&](const char* name, glm::dvec2& to) {
-        if (const scene::StatementItem* item = item_of(statement, name)) to = std::get<glm::dvec2>(item->operands[0]);
-    };
-    pair("repeat", out.repeat);
-    pair("offset", out.offset);
-    for (const scene::StatementItem& item : statement.items) {  // the last of them counts
-        if (item.name == "use_index") out.by_place = !out.palette.empty();
-        if (item.name == "use_color" || item.name == "use_alpha") out.by_place = false;
-        if (item.name == "use_alpha") out.value = out.opaque ? texture::Image::Value::Red : texture::Image::Value::Transmit;
-        if (item.name == "use_color" || item.name == "use_index") out.value = texture::Image::Value::Grey;
-    }
+    using Use = scene::ImageMap::Use;
+    using Value = texture::Image::Value;
+    out.projection = static_cast<texture::Image::Projection>(written.projection);
+    out.interpolation = static_cast<texture::Image::Interpolation>(written.interpolation);
+    out.once = written.once;
+    out.repeat = written.repeat;
+    out.offset = written.offset;
+    if (written.premultiplied) out.premultiplied = *written.premultiplied;
+    out.by_place = written.use == Use::Index && !out.palette.empty();
+    if (written.use == Use::Alpha) out.value = out.opaque ? Value::Red : Value::Transmit;
 }
 
 bool lets_light_through(const texture::Image& image)
@@ -145,24 +120,22 @@ bool lets_light_through(const texture::Image& image)
 
 }  // namespace
 
-texture::Image compile_image(const scene::Description& scene, const scene::Statement& statement, bool colors)
+texture::Image compile_image(const scene::Description& scene, const scene::ImageMap& written, bool colors)
 {
-    const scene::StatementItem& source = statement.items.front();
-    const image::Picture& picture = *std::get<std::shared_ptr<const image::Picture>>(source.operands.back());
-    const image::Transcoder levels = levels_of(scene, statement, picture, colors);
+    const scene::ImageSource& source = written.source;
+    const image::Picture& picture = *source.picture;
+    const image::Transcoder levels = levels_of(scene, source, colors);
     texture::Image out;
     out.width = static_cast<std::uint32_t>(picture.width);
     out.height = static_cast<std::uint32_t>(picture.height);
-    const std::string* path = std::get_if<std::string>(&source.operands[0]);
     if (!picture.palette.empty()) take_palette(picture, levels, out);
-    else take_texels(picture, levels, path != nullptr && ends_with_any(*path, {".png"}), out);
-    take_clarity(statement, out);
+    else take_texels(picture, levels, ends_with_any(source.path, {".png"}), out);
+    take_clarity(written, out);
     out.opaque = !lets_light_through(out);
     // EXR stores colours times alpha. A TIFF's straight colours are multiplied and divided again by POV-Ray: left alone.
-    const bool tiff = path != nullptr && ends_with_any(*path, {".tif", ".tiff"});
-    out.premultiplied = path != nullptr && ends_with_any(*path, {".exr"});
-    take_settings(statement, out);
-    out.premultiplied = out.premultiplied && !tiff;
+    out.premultiplied = ends_with_any(source.path, {".exr"});
+    take_settings(written, out);
+    out.premultiplied = out.premultiplied && !ends_with_any(source.path, {".tif", ".tiff"});
     out.opaque = out.opaque && !out.once && out.projection == texture::Image::Projection::Planar;
     return out;
 }

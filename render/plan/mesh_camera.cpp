@@ -64,21 +64,17 @@ void sort_into_cells(MeshCamera& out)
 std::shared_ptr<const MeshCamera> compile_mesh_camera(const scene::Camera& camera)
 {
     if (camera.kind != scene::Camera::Kind::Mesh || !camera.mesh) return nullptr;
-    const scene::Statement& statement = *camera.mesh;
+    const scene::MeshCamera& written = *camera.mesh;
     auto out = std::make_shared<MeshCamera>();
-    const auto& head = statement.items.front().operands;
-    out->rays_per_pixel = static_cast<int>(number_of(head[0]));
-    out->method = static_cast<MeshCamera::Method>(static_cast<int>(number_of(head[1])));
-    if (const auto* item = item_of(statement, "max_distance")) out->max_distance = number_of(item->operands[0]);
-    if (out->max_distance < kTiny) out->max_distance = 0.0;
-    const bool smooth = item_of(statement, "smooth") != nullptr;
-    for (const scene::StatementItem& item : statement.items) {
-        if (item.name != "mesh" && item.name != "mesh2") continue;
-        const auto& object = *std::get<std::shared_ptr<const scene::Object>>(item.operands[0]);
+    out->rays_per_pixel = written.rays_per_pixel;
+    out->method = static_cast<MeshCamera::Method>(written.distribution);
+    out->max_distance = written.max_distance < kTiny ? 0.0 : written.max_distance;
+    for (const scene::MeshCamera::Member& member : written.meshes) {
+        const scene::Object& object = *member.object;
         const scene::MeshData& mesh = *std::get<scene::Mesh>(object.shape).data;
         const auto first = static_cast<std::uint32_t>(out->faces.size());
         if (out->method == MeshCamera::Method::ByUv && !out->corners.empty()) continue;  // further meshes are not used
-        add_faces(*out, mesh, {camera, object.transform}, smooth);
+        add_faces(*out, mesh, {camera, object.transform}, written.smooth);
         out->meshes.push_back({first, static_cast<std::uint32_t>(out->faces.size()) - first});
     }
     if (out->method == MeshCamera::Method::ByUv) sort_into_cells(*out);

@@ -12,6 +12,9 @@ struct ProbedObject final : texture::InsideTest {
     ObjectProbe probe;
 };
 
+std::shared_ptr<const void> kept(std::monostate) { return nullptr; }
+template <class Data> std::shared_ptr<const void> kept(const std::shared_ptr<const Data>& data) { return data; }
+
 std::uint32_t size_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
 }  // namespace
@@ -20,14 +23,16 @@ std::uint32_t TextureCompiler::pattern_data(const scene::Pattern& description, t
 {
     using texture::PatternKind;
     if (kind != PatternKind::Image && kind != PatternKind::DensityFile && kind != PatternKind::Object) return texture::kNone;
-    const scene::Statement& statement = *description.block;
+    const auto shared = std::visit([](const auto& data) { return kept(data); }, description.data);
     const auto first_size = kind == PatternKind::Image ? out_.images.size() : kind == PatternKind::Object ? out_.objects.size() : out_.volumes.size();
-    const auto [known, fresh] = known_data_.emplace(description.block, size_of(first_size));
+    const auto [known, fresh] = known_data_.emplace(shared, size_of(first_size));
     if (!fresh) return known->second;
-    const scene::StatementItem& source = statement.items.front();
-    if (kind == PatternKind::Image) out_.images.push_back(compile_image(scene_, statement, description.name == "image_map"));
-    else if (kind == PatternKind::Object) out_.objects.push_back(std::make_shared<ProbedObject>(*std::get<std::shared_ptr<const scene::Object>>(source.operands[0]), scene_.global));
-    else out_.volumes.push_back(std::get<std::shared_ptr<const scene::Volume>>(source.operands.back()));
+    if (const auto* image = std::get_if<std::shared_ptr<const scene::ImageMap>>(&description.data))
+        out_.images.push_back(compile_image(scene_, **image, description.name == "image_map"));
+    else if (const auto* object = std::get_if<std::shared_ptr<const scene::Object>>(&description.data))
+        out_.objects.push_back(std::make_shared<ProbedObject>(**object, scene_.global));
+    else
+        out_.volumes.push_back(std::get<std::shared_ptr<const scene::DensityFile>>(description.data)->volume);
     return known->second;
 }
 

@@ -44,7 +44,7 @@ private:
     std::vector<scene::Unsupported>& notes_;
     std::unordered_map<const scene::Texture*, std::uint32_t> known_;
     std::unordered_map<function::FunctionPtr, std::uint32_t> known_functions_;
-    std::unordered_map<scene::StatementPtr, std::uint32_t> known_data_;
+    std::unordered_map<std::shared_ptr<const void>, std::uint32_t> known_data_;
     std::vector<scene::TexturePtr> alive_;  ///< keeps the keys of known_ from being reused
 };
 

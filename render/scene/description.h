@@ -1,12 +1,19 @@
 #pragma once
 
+#include "render/scene/effects.h"
+#include "render/scene/media.h"
+#include "render/scene/mesh_camera.h"
 #include "render/scene/object.h"
+#include "render/scene/rainbow.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace scene {
+
+/// The shape of points out of focus; null: as without it.
+struct Bokeh { std::shared_ptr<const Pigment> pigment; SourceRef source; };
 
 struct Camera {
     enum class Kind { Perspective, Orthographic, Fisheye, UltraWideAngle, Omnimax, Panoramic, Cylinder, Spherical, Mesh };
@@ -18,9 +25,9 @@ struct Camera {
     /// Focal blur; off while aperture is 0.
     double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
     int blur_samples = 0, blur_fewest = 0; ///< at most and at least, a sample of the picture
-    StatementPtr mesh;                     ///< of a mesh camera, as written
+    std::shared_ptr<const MeshCamera> mesh;
     std::optional<Normal> normal;          ///< bends the rays
-    std::vector<StatementPtr> undrawn;     ///< bokeh: read, not used yet
+    std::optional<Bokeh> bokeh;            ///< read, not used yet
     SourceRef source;
 };
 
@@ -46,8 +53,10 @@ struct GlobalSettings {
     int number_of_waves = 10;
     int noise_generator = 2;
     glm::vec3 irid_wavelength{0.70f, 0.52f, 0.48f};
-    bool radiosity = false, photons = false, subsurface = false;  ///< asked for; not rendered yet
-    std::vector<StatementPtr> effects;     ///< their blocks, in order
+    // Asked for by their blocks; not rendered yet.
+    std::optional<RadiositySettings> radiosity;
+    std::optional<PhotonSettings> photons;
+    std::optional<SubsurfaceSettings> subsurface;
     double mm_per_unit = 10;
 };
 
@@ -71,7 +80,8 @@ struct Description {
     GlobalSettings global;
     std::vector<Unsupported> unsupported;
     std::vector<Object> undrawn;           ///< objects of kinds that are not drawn yet, wherever they stood
-    std::vector<StatementPtr> effects;     ///< media and rainbows of the whole scene: read, not drawn yet
+    std::vector<Media> media;              ///< of the whole scene: read, not drawn yet
+    std::vector<Rainbow> rainbows;         ///< the like
 };
 
 /// The description as text, one fact a line, defaults included: --dump=scene. The same description gives the same text.

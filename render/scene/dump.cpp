@@ -1,4 +1,6 @@
+#include "render/scene/description.h"
 #include "render/scene/dump_writer.h"
+#include "render/scene/solids.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +47,7 @@ struct ShapeDump {
     {
         out.line("extrusion", fmt::format("{} pieces, {} to {}{}", e.outline->pieces().size(), text(e.low), text(e.high), e.open ? " open" : ""));
     }
-    void operator()(const Freeform&) const {}  // told by the statement
+    void operator()(const Freeform&) const {}  // told as it was written
     void operator()(const Csg& csg) const;
     void operator()(const Light& light) const;
 };
@@ -104,6 +106,13 @@ void ShapeDump::operator()(const Light& l) const
     out.close();
 }
 
+void dump(DumpWriter& out, const WrittenSolid& solid)
+{
+    out.open(solid.keyword);
+    std::visit([&](const auto& parameters) { parameters.dump(out); }, solid.parameters);
+    out.close();
+}
+
 void dump_flags(DumpWriter& out, const Flags& f)
 {
     if (f.no_shadow) out.flag("no_shadow", true);
@@ -120,9 +129,9 @@ void dump_flags(DumpWriter& out, const Flags& f)
 void dump(DumpWriter& out, const Object& object)
 {
     out.open("object");
-    const bool told_by_statement = !object.undrawn.empty() || std::holds_alternative<Freeform>(object.shape);
-    if (!told_by_statement) std::visit(ShapeDump{out}, object.shape);
-    else if (object.shape_block) dump(out, *object.shape_block);
+    const bool told_as_written = !object.undrawn.empty() || std::holds_alternative<Freeform>(object.shape);
+    if (!told_as_written) std::visit(ShapeDump{out}, object.shape);
+    else if (object.written) dump(out, *object.written);
     out.value("transform", object.transform);
     if (object.inverse) out.flag("inverse", true);
     dump_flags(out, object.flags);
@@ -146,8 +155,12 @@ void dump(DumpWriter& out, const Object& object)
     };
     group(object.bounded_by_clip ? "clipped_by bounded_by" : "clipped_by", object.clipped_by);
     group("bounded_by", object.bounded_by);
-    if (object.photons) dump(out, *object.photons);
-    if (object.radiosity) dump(out, *object.radiosity);
+    if (object.photons) object.photons->dump(out);
+    if (object.radiosity_importance) {
+        out.open("radiosity");
+        out.words("importance", *object.radiosity_importance);
+        out.close();
+    }
     out.close();
 }
 
@@ -168,9 +181,16 @@ void dump(DumpWriter& out, const Camera& c)
     out.line("angle", text(c.angle_deg) + " " + text(c.angle2_deg));
     out.line("focus", fmt::format("aperture {} distance {} samples {}{} confidence {} variance {}", text(c.aperture),
                                   text(c.focal_distance), c.blur_samples, c.blur_fewest > 0 ? fmt::format(" at least {}", c.blur_fewest) : "", text(c.confidence), text(c.variance)));
-    if (c.mesh) dump(out, *c.mesh);
+    if (c.mesh) c.mesh->dump(out);
     if (c.normal) dump(out, *c.normal);
-    for (const StatementPtr& statement : c.undrawn) dump(out, *statement);
+    if (c.bokeh) {
+        out.open("bokeh");
+        if (c.bokeh->pigment) {
+            out.word("pigment");
+            dump(out, *c.bokeh->pigment);
+        }
+        out.close();
+    }
     out.close();
 }
 
@@ -186,8 +206,10 @@ void dump(DumpWriter& out, const GlobalSettings& g)
     out.value("noise_generator", g.noise_generator);
     out.value("irid_wavelength", g.irid_wavelength);
     out.value("mm_per_unit", g.mm_per_unit);
-    out.line("requested", fmt::format("radiosity {} photons {} subsurface {}", g.radiosity, g.photons, g.subsurface));
-    for (const StatementPtr& statement : g.effects) dump(out, *statement);
+    out.line("requested", fmt::format("radiosity {} photons {} subsurface {}", g.radiosity.has_value(), g.photons.has_value(), g.subsurface.has_value()));
+    if (g.radiosity) g.radiosity->dump(out);
+    if (g.photons) g.photons->dump(out);
+    if (g.subsurface) g.subsurface->dump(out);
     out.close();
 }
 
@@ -221,7 +243,8 @@ std::string dump(const Description& d)
         out.close();
     }
     for (const Fog& fog : d.fogs) dump(out, fog);
-    for (const StatementPtr& effect : d.effects) dump(out, *effect);
+    for (const Media& media : d.media) media.dump(out);
+    for (const Rainbow& rainbow : d.rainbows) rainbow.dump(out);
     for (const Object& object : d.objects) dump(out, object);
     for (const Object& object : d.undrawn) {
         out.open("not drawn yet");

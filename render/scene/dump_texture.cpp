@@ -1,6 +1,6 @@
+#include "render/scene/description.h"
 #include "render/scene/dump_writer.h"
-
-#include "function/listing.h"
+#include "render/scene/image_map.h"
 
 #include <fmt/format.h>
 
@@ -58,18 +58,33 @@ struct WarpDump {
     }
 };
 
+struct DataDump {
+    DumpWriter& out;
+    const std::string& name;
+    void operator()(std::monostate) const {}
+    template <class Data> void operator()(const std::shared_ptr<const Data>& data) const
+    {
+        out.open(name);
+        data->dump(out);
+        out.close();
+    }
+    void operator()(const std::shared_ptr<const Object>& object) const
+    {
+        out.open(name);
+        out.word("-");
+        dump(out, *object);
+        out.close();
+    }
+};
+
 void dump(DumpWriter& out, const Pattern& p)
 {
     out.open("pattern " + p.name);
     out.value("vector", p.vector);
     for (const double n : p.numbers) out.value("number", n);
-    if (p.function) {
-        out.open("function");
-        for (const std::string& one : function::listing(*p.function)) out.line("step", one);
-        out.close();
-    }
+    if (p.function) out.steps(p.function);
     if (p.pigment) dump(out, *p.pigment);
-    if (p.block) dump(out, *p.block);
+    std::visit(DataDump{out, p.name}, p.data);
     if (p.noise_generator != 0) out.value("noise_generator", p.noise_generator);
     out.value("frequency", p.frequency);
     out.value("phase", p.phase);
@@ -105,7 +120,7 @@ void dump(DumpWriter& out, const Finish& f)
     if (f.legacy_ior >= 0) out.line("ior", text(f.legacy_ior));
     if (f.legacy_caustics >= 0) out.line("caustics", text(f.legacy_caustics));
     out.line("refraction", text(f.legacy_refraction));
-    if (f.subsurface) dump(out, *f.subsurface);
+    if (f.subsurface) f.subsurface->dump(out);
     out.close();
 }
 
@@ -193,7 +208,7 @@ void dump(DumpWriter& out, const Interior& i)
     out.value("fade_color", i.fade_color);
     out.flag("hollow", i.hollow);
     out.line("refraction", text(i.refraction));
-    for (const StatementPtr& medium : i.media) dump(out, *medium);
+    for (const auto& medium : i.media) medium->dump(out);
     out.close();
 }
 

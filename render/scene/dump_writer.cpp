@@ -1,5 +1,7 @@
 #include "render/scene/dump_writer.h"
 
+#include "function/listing.h"
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -17,9 +19,29 @@ std::string text(float v)
     return fmt::format("{}", v == 0.0f ? 0.0f : v);
 }
 
+std::string text(int v)
+{
+    return fmt::format("{}", v);
+}
+
+std::string text(const glm::dvec2& v)
+{
+    return fmt::format("<{}, {}>", text(v.x), text(v.y));
+}
+
 std::string text(const glm::dvec3& v)
 {
     return fmt::format("<{}, {}, {}>", text(v.x), text(v.y), text(v.z));
+}
+
+std::string text(const glm::dvec4& v)
+{
+    return fmt::format("<{}, {}, {}, {}>", text(v.x), text(v.y), text(v.z), text(v.w));
+}
+
+std::string text(const std::string& v)
+{
+    return '"' + v + '"';
 }
 
 std::string text(const Color& c)
@@ -43,6 +65,13 @@ void DumpWriter::close()
 void DumpWriter::line(std::string_view name, std::string_view value)
 {
     fmt::format_to(std::back_inserter(text_), "{:{}}{} {}\n", "", 2 * depth_, name, value);
+}
+
+void DumpWriter::steps(const function::FunctionPtr& made)
+{
+    open("function");
+    for (const std::string& step : function::listing(*made)) line("step", step);
+    close();
 }
 
 void DumpWriter::value(std::string_view name, double v)

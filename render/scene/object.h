@@ -30,7 +30,7 @@ struct Torus { double major = 1, minor = 0.25; };               ///< axis y
 struct Quadric { glm::dvec3 square{0}, mixed{0}, linear{0}; double constant = 0; };
 /// A polynomial of x, y and z that is not positive.
 struct Polynomial { std::shared_ptr<const csg::PolynomialShape> shape; };
-/// What is kept in a shape of its own kind (csg/freeform.h); the object's shape_block tells how it was written.
+/// What is kept in a shape of its own kind (csg/freeform.h); the object's `written` tells how it was given.
 struct Freeform {
     std::shared_ptr<const csg::FreeformShape> shape;
     /// Of the shape's parts, mixed by their shares (csg::Share), in the shape's space; null: the object's. Null or empty: it
@@ -70,6 +70,8 @@ struct Extrusion {
 };
 
 struct Object;
+struct PhotonFlags;
+struct WrittenSolid;
 
 enum class CsgOp { Union, Intersection, Difference, Merge };
 struct Csg {
@@ -124,12 +126,13 @@ struct Object {
     /// The default texture in force when the outermost statement that holds this object was added to the scene
     /// (spec 3, 15.1); set on top-level objects only. What is untextured after inheritance from parents gets it.
     TexturePtr default_texture;
-    /// Keyword of a kind that the renderer cannot draw yet; empty for all others. Such an object stands whole, with what
-    /// `shape_block` holds of it, in Description::undrawn and never in Description::objects or among the operands of a Csg.
+    /// Keyword of a kind that the renderer cannot draw yet; empty for all others. Such an object stands whole, with its
+    /// parameters in `written`, in Description::undrawn and never in Description::objects or among the operands of a Csg.
     std::string undrawn;
-    /// The statement as written; null for shapes that hold all of it themselves.
-    StatementPtr shape_block;
-    StatementPtr photons, radiosity;    ///< read, not used yet; null if not written
+    /// Parameters of a solid in scene::AnySolid; null for shapes that hold their own.
+    std::shared_ptr<const WrittenSolid> written;
+    std::shared_ptr<const PhotonFlags> photons;     ///< read, not used yet; null if not written
+    std::optional<double> radiosity_importance;     ///< above 0 to 1; not used yet. Nothing: the parent's, at last 1
     SourceRef source;
 
     /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.

@@ -4,7 +4,6 @@
 #include "function/program.h"
 #include "render/scene/color.h"
 #include "render/scene/source_ref.h"
-#include "render/scene/statement.h"
 
 #include <memory>
 #include <optional>
@@ -39,7 +38,15 @@ struct MappingWarp {
 /// One step of a pattern's coordinate change. Kept in evaluation order: front first.
 using WarpStep = std::variant<csg::Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp>;
 
+struct DensityFile;
+struct ImageMap;
+struct Media;
+struct Object;
+struct Subsurface;
 struct Pigment;
+
+/// What a pattern looks its values up in: image_map, image_pattern, bump_map, material_map; density_file; object.
+using PatternData = std::variant<std::monostate, std::shared_ptr<const ImageMap>, std::shared_ptr<const DensityFile>, std::shared_ptr<const Object>>;
 
 /// One entry of a catalogue: `name` is POV-Ray's keyword ("checker", "gradient", "granite", ...).
 /// Parameters have fixed meanings per pattern, see docs/patterns.md.
@@ -49,7 +56,7 @@ struct Pattern {
     std::vector<double> numbers;        ///< mortar, control values, exponents, ...
     std::shared_ptr<const Pigment> pigment;  ///< pigment_pattern only
     function::FunctionPtr function;     ///< `function` only: of x, y, z
-    StatementPtr block;                 ///< image_map, image_pattern, bump_map, material_map, density_file, object: as written
+    PatternData data;
     int noise_generator = 0;            ///< 0: the scene's
     double frequency = 1, phase = 0;
     WaveForm wave = WaveForm::Ramp;
@@ -111,7 +118,7 @@ struct Finish {
     bool conserve_energy = false;
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
     bool use_radiosity = true;                     ///< reserved for later
-    StatementPtr subsurface;                       ///< read, not drawn yet
+    std::shared_ptr<const Subsurface> subsurface;  ///< read, not drawn yet
     /// Legacy finish keywords, moved to the interior of the object (spec 3, 8.7); unset if negative.
     float legacy_ior = -1, legacy_caustics = -1;
     float legacy_refraction = 1;                   ///< `refraction`: always moved to the interior
@@ -150,8 +157,11 @@ struct Interior {
     glm::vec3 fade_color{0};
     bool hollow = false;
     float refraction = 1;  ///< legacy factor on transmitted light (spec 3, 8.7)
-    std::vector<StatementPtr> media;  ///< read, not drawn yet
+    std::vector<std::shared_ptr<const Media>> media;  ///< read, not drawn yet; in the space that the object stands in
     SourceRef source;
+
+    /// Moves its media.
+    void transform(const csg::Transform& t);
 };
 
 }  // namespace scene

@@ -1,3 +1,4 @@
+#include "render/scene/media.h"
 #include "render/scene/object.h"
 
 #include <utility>
@@ -68,6 +69,31 @@ void transform_light(Light& light, const csg::Transform& t)
 
 }  // namespace
 
+Media Media::of_version(int version)
+{
+    constexpr int kAdaptiveSince = 350;
+    Media media;
+    if (version >= kAdaptiveSince) return media;
+    media.method = Method::Random;
+    media.intervals = 10;
+    media.samples_least = media.samples_most = 1;
+    return media;
+}
+
+void Media::transform(const csg::Transform& t)
+{
+    for (Pigment& density : densities) density.transform(t);
+}
+
+void Interior::transform(const csg::Transform& t)
+{
+    for (std::shared_ptr<const Media>& one : media) {
+        auto moved = std::make_shared<Media>(*one);
+        moved->transform(t);
+        one = std::move(moved);
+    }
+}
+
 void Object::transform_by(const csg::Transform& t)
 {
     // A light keeps no transformation of its own: items written later must not be moved.
@@ -81,6 +107,12 @@ void Object::transform_by(const csg::Transform& t)
     if (!flags.uv_mapping) {
         texture = transformed(texture, t);
         interior_texture = transformed(interior_texture, t);
+    }
+    // The interior of an object that has moved is one of its own, as in POV-Ray; without media there is nothing to move.
+    if (interior && !interior->media.empty()) {
+        auto moved = std::make_shared<Interior>(*interior);
+        moved->transform(t);
+        interior = std::move(moved);
     }
     for (Object& clip : clipped_by) clip.transform_by(t);
     for (Object& bound : bounded_by) bound.transform_by(t);

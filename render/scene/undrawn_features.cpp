@@ -1,6 +1,8 @@
 #include "render/scene/undrawn_features.h"
 
+#include <algorithm>
 #include <set>
+#include <tuple>
 #include <unordered_set>
 
 namespace scene {
@@ -49,17 +51,35 @@ private:
     std::unordered_set<const void*> seen_;  // what copies of a declared object share
 };
 
+/// Blocks that are not an object's: settings, what fills space, the camera; each group in the order of the text.
+/// `subsurface` of global_settings changes nothing by itself.
+std::vector<Unsupported> of_whole_scene(const Description& description)
+{
+    const GlobalSettings& global = description.global;
+    std::vector<Unsupported> settings, space, all;
+    if (global.radiosity) settings.push_back({"radiosity", global.radiosity->source});
+    if (global.photons) settings.push_back({"photons", global.photons->source});
+    for (const Media& media : description.media) space.push_back({"media", media.source});
+    for (const Rainbow& rainbow : description.rainbows) space.push_back({"rainbow", rainbow.source});
+    for (std::vector<Unsupported>* group : {&settings, &space}) {
+        std::stable_sort(group->begin(), group->end(), [](const Unsupported& a, const Unsupported& b) {
+            return std::tie(a.source.file, a.source.line, a.source.column) < std::tie(b.source.file, b.source.line, b.source.column);
+        });
+        all.insert(all.end(), group->begin(), group->end());
+    }
+    const Camera& camera = description.camera;
+    if (camera.bokeh) all.push_back({"bokeh", camera.bokeh->source});
+    if (camera.mesh && camera.kind == Camera::Kind::Mesh && camera.mesh->rays_per_pixel >= 2)
+        all.push_back({"several rays a pixel of a mesh_camera (the first is used)", camera.mesh->source});
+    return all;
+}
+
 }  // namespace
 
 std::vector<Unsupported> undrawn_features(const Description& description, bool in_objects)
 {
     Finder finder;
-    for (const StatementPtr& effect : description.global.effects)
-        if (effect->keyword != "subsurface") finder.tell(effect->keyword, effect->source);  // which changes nothing by itself
-    for (const StatementPtr& effect : description.effects) finder.tell(effect->keyword, effect->source);
-    for (const StatementPtr& item : description.camera.undrawn) finder.tell(item->keyword, item->source);
-    if (const StatementPtr& mesh = description.camera.mesh; mesh && description.camera.kind == Camera::Kind::Mesh && number_of(mesh->items.front().operands.front()) >= 2.0)
-        finder.tell("several rays a pixel of a mesh_camera (the first is used)", mesh->source);
+    for (const Unsupported& asked : of_whole_scene(description)) finder.tell(asked.what, asked.source);
     for (const Object& object : description.undrawn) finder.tell(object.undrawn, object.source);
     if (!in_objects) return finder.found;
     for (const Object& object : description.objects) {

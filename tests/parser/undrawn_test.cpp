@@ -1,5 +1,7 @@
 #include "tests/parser/grammar_support.h"
 
+#include "render/scene/solids.h"
+
 #include <catch2/catch.hpp>
 
 #include <set>
@@ -27,12 +29,12 @@ TEST_CASE("what is not drawn yet is kept", "[parser][undrawn]")
     const scene::Description d = grammar_test::parsed(kScene);
     CHECK(d.undrawn.empty());
     REQUIRE(d.objects.size() == 4);
-    CHECK(d.objects[0].shape_block->items.size() == 4);
+    CHECK(std::get<scene::Blob>(d.objects[0].written->parameters).components.size() == 2);
     CHECK(d.objects[0].photons != nullptr);
     CHECK(d.objects[0].transform.offset == glm::dvec3(0, 1, 0));
-    CHECK(d.effects.size() == 2);
-    CHECK(d.global.effects.size() == 2);
-    CHECK(d.camera.undrawn.size() == 1);
+    CHECK((d.media.size() == 1 && d.rainbows.size() == 1));
+    CHECK((d.global.radiosity && d.global.photons && !d.global.subsurface));
+    CHECK(d.camera.bokeh);
     CHECK(d.objects[3].interior->media.size() == 1);
     std::set<std::string> told;
     for (const scene::Unsupported& u : d.unsupported) CHECK(told.insert(u.what).second);

@@ -8,7 +8,7 @@ namespace {
 using plan::MeshCamera;
 
 /// `count` triangles in a row along x, facing -z; face k has its centroid at x = k + 1/3.
-scene::StatementItem row_of(int count, double at_y)
+scene::MeshCamera::Member row_of(int count, double at_y)
 {
     auto data = std::make_shared<scene::MeshData>();
     constexpr std::uint32_t kNone = scene::MeshData::kNone;
@@ -22,19 +22,20 @@ scene::StatementItem row_of(int count, double at_y)
     }
     scene::Object object;
     object.shape = scene::Mesh{data};
-    return {"mesh", {std::make_shared<const scene::Object>(object)}};
+    return {std::make_shared<const scene::Object>(object), "mesh"};
 }
 
-std::shared_ptr<const MeshCamera> camera_of(double rays, double method, std::vector<scene::StatementItem> meshes, double location_z = 0.0, double direction_z = 1.0)
+std::shared_ptr<const MeshCamera> camera_of(int rays, int method, std::vector<scene::MeshCamera::Member> meshes, double location_z = 0.0, double direction_z = 1.0)
 {
-    auto statement = std::make_shared<scene::Statement>();
-    statement->items.push_back({"", {rays, method}});
-    statement->items.insert(statement->items.end(), meshes.begin(), meshes.end());
+    auto written = std::make_shared<scene::MeshCamera>();
+    written->rays_per_pixel = rays;
+    written->distribution = static_cast<scene::MeshCamera::Distribution>(method);
+    written->meshes = std::move(meshes);
     scene::Camera camera;
     camera.kind = scene::Camera::Kind::Mesh;
     camera.location = {0, 0, location_z};
     camera.direction = {0, 0, direction_z};
-    camera.mesh = statement;
+    camera.mesh = written;
     return plan::compile_mesh_camera(camera);
 }
 

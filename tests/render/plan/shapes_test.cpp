@@ -1,6 +1,7 @@
 #include "parser/parse.h"
 #include "render/plan/extent.h"
 #include "render/plan/probe.h"
+#include "render/scene/solids.h"
 #include "tests/support/csv_table.h"
 
 #include <catch2/catch.hpp>
@@ -78,7 +79,7 @@ TEST_CASE("freeform solids answer as POV-Ray's do", "[plan][shapes]")
         REQUIRE(read.scene.objects.size() == 1);
         Shape& shape = shapes[name];
         shape.object = read.scene.objects.front();
-        CHECK((shape.object.shape_block == nullptr || !kUndrawn.contains(shape.object.shape_block->keyword)));
+        CHECK((shape.object.written == nullptr || !kUndrawn.contains(std::string(shape.object.written->keyword))));
         shape.probe = std::make_unique<plan::ObjectProbe>(shape.object);
     }
     for (const Row& row : test_support::csv_table(WHITTLE_TEST_DATA "/shapes.csv")) {
