@@ -14,7 +14,7 @@ using csg_test::share;
 
 namespace {
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_number(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 struct Told {
     std::vector<double> t;
@@ -82,7 +82,7 @@ int check_many(const Shape& shape, double size, std::uint32_t seed)
         REQUIRE(many.face == one.face);
         for (std::size_t i = 0; i < one.t.size(); ++i) {
             INFO("end " << i << ": " << many.t[i] << ", alone " << one.t[i]);
-            REQUIRE(same_bits(many.t[i], one.t[i]));
+            REQUIRE(same_number(many.t[i], one.t[i]));
         }
         ends += static_cast<int>(one.t.size());
     }

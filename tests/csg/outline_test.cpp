@@ -49,10 +49,10 @@ struct Drawn {
     bool operator==(const Drawn& other) const { return std::memcmp(&t, &other.t, sizeof t) == 0 && face == other.face; }
 };
 
-/// Ends that are drawn in a range, in the order they are told; `first`: the nearest alone, of equal ones the last.
-class Ends {
+/// OutlineEnds that are drawn in a range, in the order they are told; `first`: the nearest alone, of equal ones the last.
+class OutlineEnds {
 public:
-    Ends(double from, double to, bool first) : from_(from), to_(to), first_(first) {}
+    OutlineEnds(double from, double to, bool first) : from_(from), to_(to), first_(first) {}
     void operator()(double in, std::uint32_t in_face, double out, std::uint32_t out_face)
     {
         add(in, in_face);
@@ -81,7 +81,7 @@ int check_ranges(Rng& rng, const Tell& tell)
     const double from = rng.below(3) == 0 ? 0.0 : rng.uniform(-2.0, 7.0), to = rng.coin() ? kInfinity : from + rng.uniform(0.0, 4.0);
     int ends = 0;
     for (const bool first : {false, true}) {
-        Ends whole(from, to, first), asked(from, to, first);
+        OutlineEnds whole(from, to, first), asked(from, to, first);
         tell(ray, -kInfinity, kInfinity, false, whole);
         tell(ray, from, to, first, asked);
         REQUIRE(asked.all == whole.all);
@@ -142,7 +142,7 @@ TEST_CASE("extrusion: a range of a ray has the ends that the whole ray has there
         solid.high = 0.5;
         solid.open = rng.coin();
         rng = Rng(seed + 77);
-        ends += check_ranges(rng, [&](const Ray& ray, double from, double to, bool first, Ends& out) {
+        ends += check_ranges(rng, [&](const Ray& ray, double from, double to, bool first, OutlineEnds& out) {
             solid.each_span(ray, [&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) { out(in, in_face, end, end_face); }, from, to, first);
         });
     }
@@ -161,7 +161,7 @@ TEST_CASE("conic prism: a range of a ray has the ends that the whole ray has the
         const auto& height = kHeights[rng.below(5)];
         const ConicPrism solid(outline, height[0], height[1], rng.coin(), reach);
         rng = Rng(seed + 77);
-        ends += check_ranges(rng, [&](const Ray& ray, double from, double to, bool first, Ends& out) {
+        ends += check_ranges(rng, [&](const Ray& ray, double from, double to, bool first, OutlineEnds& out) {
             RayRecord record(from, to, first);
             solid.meet(ray, record);
             record.each_span([&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) { out(in, in_face, end, end_face); });
