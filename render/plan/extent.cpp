@@ -65,6 +65,7 @@ struct ShapeExtent {
     }
     csg::Aabb operator()(const scene::Box& s) const { return corners_moved(t, {s.lower, s.upper}); }
     csg::Aabb operator()(const scene::Plane&) const { return everything(); }
+    csg::Aabb operator()(const scene::Polynomial&) const { return everything(); }   // closed or not (spec 5a, 7)
     csg::Aabb operator()(const scene::Cylinder& s) const { return tube(world_solid(s, t)); }
     csg::Aabb operator()(const scene::Cone& s) const { return tube(world_solid(s, t)); }
     csg::Aabb operator()(const scene::Quadric& s) const

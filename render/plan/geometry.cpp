@@ -244,8 +244,10 @@ void GeometryCompiler::collect_lights(const scene::Object& object, const Inherit
 
 void GeometryCompiler::add_light(const scene::Light& light, const Inherited& above)
 {
-    out_.lights.lights.push_back(compile_light(light, above.to_world, options_.quality));
-    out_.lights.lights.back().group = above.light_group;
+    light::Light compiled = compile_light(light, above.to_world, options_.quality);
+    compiled.group = above.light_group;
+    if (compiled.color != glm::vec3(0)) out_.lights.lights.push_back(std::move(compiled));
+    else out_.decisions.push_back({"left out a black light", "it lights nothing", {}});
     if (!light.looks_like) return;
     Inherited own = above;
     own.no_shadow = true;

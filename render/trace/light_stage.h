@@ -72,11 +72,24 @@ private:
         batch_.light(asking & near);
         asking &= ~near;
         if (asking == 0) return;
-        // From the light where they form a beam; crossings have the digits of rays from the point where a pattern asks for them.
-        const SceneTraits& traits = scratch_.traits;
-        const bool from_light = light.from_one_point() && !traits.has_open_surface && !traits.patterned_filters && !context_.scene.geometry.faithful &&
+        // From the light, where they form a beam.
+        const bool from_light = light.from_one_point() && !scratch_.traits.has_open_surface && !asks_own_rays(light, asking) && !context_.scene.geometry.faithful &&
                                 (asks_ & beyond(scratch_.light, kFarLight * least, tile_.count())) == 0;
         answer(light, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
+    }
+
+    /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays).
+    bool asks_own_rays(const light::Light& light, HitMask asking) const
+    {
+        if (scratch_.traits.own_rays.empty()) return false;
+        glm::dvec3 low = light.location, high = light.location;
+        for_each_hit(asking, [&](std::size_t k) {
+            low = glm::min(low, scratch_.hits.point(k));
+            high = glm::max(high, scratch_.hits.point(k));
+        });
+        return std::any_of(scratch_.traits.own_rays.begin(), scratch_.traits.own_rays.end(), [&](const csg::Aabb& box) {
+            return glm::all(glm::lessThanEqual(box.lower, high)) && glm::all(glm::greaterThanEqual(box.upper, low));
+        });
     }
 
     /// The hits that see a light through its projector, where their shadow rays end then; the others are dark.

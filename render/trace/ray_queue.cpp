@@ -80,7 +80,7 @@ struct Folding {
             case ShadeNode::Kind::Air: break;
         }
         const Air& air = queue.airs[node.air];
-        return through_air(context, air.state, air.length, at(node.through));
+        return through_fog(context, air.ray, air.length, at(node.through));
     }
 };
 

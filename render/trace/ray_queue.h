@@ -52,9 +52,9 @@ struct ShadeNode {
     glm::vec3 film{1};
 };
 
-/// What fog needs to know of a ray.
+/// What fog needs to know of a ray; there is nothing solid around it.
 struct Air {
-    RayState state;
+    csg::Ray ray;
     double length;
 };
 

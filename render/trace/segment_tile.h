@@ -36,6 +36,7 @@ public:
     {
         return queued_ != nullptr ? queued_[k].state.interiors : starts_ != nullptr ? starts_[k] : camera_.interiors;
     }
+    csg::Ray ray(std::size_t k) const { return queued_ != nullptr ? queued_[k].state.ray : rays.ray(static_cast<int>(k)); }
     /// The ray with all that it inherits; `own` receives a camera ray's.
     const RayState& state(std::size_t k, RayState& own) const
     {

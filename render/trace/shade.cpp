@@ -22,11 +22,11 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     const bool fog = foggy(context);
     for_each_hit(missed, [&](std::size_t k) {
         const RayState& state = tile.state(k, own);
-        queue.colors[tile.slot(k)] = through_air(context, state, csg::kInfinity, sky_color(context, state));
+        queue.colors[tile.slot(k)] = through_air(context, state.ray, state.interiors, csg::kInfinity, sky_color(context, state));
     });
     for_each_hit(batch.all_alone(), [&](std::size_t k) {
         const scene::Color c = scene::Color::of(batch.sum(k));
-        queue.colors[tile.slot(k)] = fog ? through_air(context, tile.state(k, own), hits.t[k], c) : c;
+        queue.colors[tile.slot(k)] = fog ? through_hollow(context, tile.ray(k), tile.interiors(k), hits.t[k], c) : c;
     });
     queue.end_tile();
 }

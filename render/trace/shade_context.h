@@ -74,14 +74,14 @@ struct ScalarRow {
 };
 
 /// Fog where the interiors around the ray allow it.
-scene::Color through_hollow(const Context& context, const RayState& state, double length, const scene::Color& color);
+scene::Color through_hollow(const Context& context, const csg::Ray& ray, const InteriorList& interiors, double length, const scene::Color& color);
 
 inline bool foggy(const Context& context) { return !context.scene.fogs.empty() && context.scene.settings.quality >= 9; }
 
 /// What becomes of a colour over the length of the ray that sees it; it may be infinite (spec 3, section 2).
-inline scene::Color through_air(const Context& context, const RayState& state, double length, const scene::Color& color)
+inline scene::Color through_air(const Context& context, const csg::Ray& ray, const InteriorList& interiors, double length, const scene::Color& color)
 {
-    return foggy(context) ? through_hollow(context, state, length, color) : color;
+    return foggy(context) ? through_hollow(context, ray, interiors, length, color) : color;
 }
 
 /// Goes through all textures of a hit: their rows go to the batch, nodes and rays to the queue; its colour is to come into `out`.
@@ -163,6 +163,6 @@ scene::Color sky_color(const Context& context, const RayState& state);
 glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
 
 /// Fog over the length of a ray; infinite length is allowed (spec 2, section 16).
-scene::Color through_fog(const Context& context, const RayState& state, double length, scene::Color color);
+scene::Color through_fog(const Context& context, const csg::Ray& ray, double length, scene::Color color);
 
 }  // namespace trace

@@ -97,12 +97,12 @@ glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length)
     return share;
 }
 
-scene::Color through_fog(const Context& context, const RayState& state, double length, scene::Color color)
+scene::Color through_fog(const Context& context, const csg::Ray& ray, double length, scene::Color color)
 {
     const double s = std::min(length, kSkyDistance);
     glm::vec3 glow(0), share(1);
     for (const texture::Fog& fog : context.scene.fogs) {
-        const auto a = static_cast<float>(fog_transmission(context, fog, state.ray, s));
+        const auto a = static_cast<float>(fog_transmission(context, fog, ray, s));
         glow += (1.0f - a) * fog.color.rgb();
         share *= a * ((1.0f - fog.color.filter) + fog.color.filter * fog.color.rgb());
     }

@@ -105,10 +105,11 @@ private:
         RayQueue& queue = context_.scratch.shade.queue;
         const std::uint32_t texture = tile_.texture(k);
         if (texture == plan::kNone) {
-            queue.colors[tile_.slot(k)] = through_air(context_, state, met.t, {});
+            queue.colors[tile_.slot(k)] = through_air(context_, state.ray, state.interiors, met.t, {});
             return;
         }
-        const ColorSlot out = foggy(context_) ? dim(queue, state, met.t, tile_.slot(k)) : tile_.slot(k);
+        const bool dimmed = foggy(context_) && state.interiors.all_hollow(context_.scene.interiors);
+        const ColorSlot out = dimmed ? dim(queue, state.ray, met.t, tile_.slot(k)) : tile_.slot(k);
         HitContext hit{tile_.place(k, state, met), k, {}};
         if (batch_.holds(k)) return go_on_single(hit, out);
         const HitDetails& details = tile_.details(k);
@@ -131,13 +132,13 @@ private:
     }
 
     /// A node for the air before the hit; the slot that it dims.
-    static ColorSlot dim(RayQueue& queue, const RayState& state, double length, ColorSlot out)
+    static ColorSlot dim(RayQueue& queue, const csg::Ray& ray, double length, ColorSlot out)
     {
         const ColorSlot seen = queue.new_slot();
         ShadeNode& node = queue.new_node(ShadeNode::Kind::Air, out);
         node.through = seen;
         node.air = static_cast<std::uint32_t>(queue.airs.size());
-        queue.airs.push_back({state, length});
+        queue.airs.push_back({ray, length});
         return seen;
     }
 

@@ -116,9 +116,9 @@ void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const 
     shade_texture(context, batch, hit, texture, p, out);
 }
 
-scene::Color through_hollow(const Context& context, const RayState& state, double length, const scene::Color& color)
+scene::Color through_hollow(const Context& context, const csg::Ray& ray, const InteriorList& interiors, double length, const scene::Color& color)
 {
-    return state.interiors.all_hollow(context.scene.interiors) ? through_fog(context, state, length, color) : color;
+    return interiors.all_hollow(context.scene.interiors) ? through_fog(context, ray, length, color) : color;
 }
 
 }  // namespace trace

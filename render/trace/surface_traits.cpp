@@ -78,6 +78,40 @@ PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, boo
     return patterned ? PatternedLayers{index, all_alone} : PatternedLayers{};
 }
 
+/// Whether shadow rays have to meet a part from the point itself.
+bool asks_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits, const csg::WorldItem& item, csg::PartId part)
+{
+    const csg::SolidStore& store = scene.geometry.store;
+    if (item.all_opaque) return false;
+    if (csg::kind_of(part) == csg::SolidKind::Mesh) return true;   // of many surfaces
+    const csg::SurfaceId surface = store.surface(part);
+    if (surface >= scene.surfaces.size()) return false;   // it only clips
+    return !scene.surfaces[surface].opaque && !scene.surfaces[surface].no_shadow && !traits.surfaces[surface].steady_filter;
+}
+
+std::vector<csg::Aabb> boxes_of_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits)
+{
+    constexpr std::size_t kMost = 16;   // of more one box is made
+    const csg::WorldData& world = scene.geometry;
+    std::vector<csg::Aabb> boxes;
+    for (const csg::WorldItem& item : world.items) {
+        bool asks = false;
+        if (item.instance != csg::Hit::kNoInstance) {
+            asks = traits.filters;
+        } else if (item.solid != csg::kNoPart) {
+            asks = asks_own_rays(scene, traits, item, item.solid);
+        } else {
+            for (const csg::Node& node : world.programs[item.program].nodes)
+                asks = asks || (node.op == csg::Op::Leaf && asks_own_rays(scene, traits, item, node.solid));
+        }
+        if (!asks) continue;
+        const csg::Aabb box = csg::drawn_bounds(world, item);
+        if (boxes.size() < kMost) boxes.push_back(box);
+        else boxes.front().include(box.lower), boxes.front().include(box.upper);
+    }
+    return boxes;
+}
+
 }  // namespace
 
 SceneTraits scene_traits(const plan::CompiledScene& scene)
@@ -115,8 +149,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
         all[i].steady_filter = plain_filter(scene.textures, surface.texture, all[i].filter);
     }
-    for (std::size_t i = 0; i < all.size(); ++i)
-        traits.patterned_filters |= !scene.surfaces[i].opaque && !scene.surfaces[i].no_shadow && !all[i].steady_filter;
+    traits.own_rays = boxes_of_own_rays(scene, traits);
     return traits;
 }
 

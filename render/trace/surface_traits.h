@@ -34,9 +34,11 @@ struct SceneTraits {
     bool looked_around = false;            ///< some texture asks for more than the point (texture::Surroundings)
     bool grouped = false;                  ///< some surface is not reached by all lights
     bool filters = false;                  ///< some surface lets a shadow ray through
-    bool patterned_filters = false;        ///< and its filter depends on where the ray meets it, to the last bit where a pattern has edges
     bool fades = false;                    ///< light fades inside some interior
     bool scalar_rows = false;              ///< Options::scalar_light
+    /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are met, to the last bit
+    /// where a pattern has edges. Elsewhere they may come from the light as a beam.
+    std::vector<csg::Aabb> own_rays;
     bool has_open_surface = false;         ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
 
     /// Whether it matters where a ray began that goes on behind a crossing: such solids tell a ray only so many.
