@@ -30,9 +30,30 @@ void set_type(PatternState& s, std::string_view name)
 /// afterwards (spec 4, 4).
 struct PlainPattern { Kind keyword; double frequency = 1.0; };
 constexpr PlainPattern kPlain[] = {
-    {Kind::Aoi}, {Kind::Average}, {Kind::Boxed}, {Kind::Bozo}, {Kind::Bumps}, {Kind::Cells}, {Kind::Cylindrical}, {Kind::Dents},
-    {Kind::Granite}, {Kind::Leopard}, {Kind::Onion}, {Kind::Planar}, {Kind::Radial}, {Kind::Ripples}, {Kind::Spherical}, {Kind::Spotted},
-    {Kind::Waves}, {Kind::Wrinkles}, {Kind::Checker, 0.0}, {Kind::Hexagon, 0.0}, {Kind::Square, 0.0}, {Kind::Triangular, 0.0}, {Kind::Cubic, 0.0}};
+    {Kind::Aoi},
+    {Kind::Average},
+    {Kind::Boxed},
+    {Kind::Bozo},
+    {Kind::Bumps},
+    {Kind::Cells},
+    {Kind::Cylindrical},
+    {Kind::Dents},
+    {Kind::Granite},
+    {Kind::Leopard},
+    {Kind::Onion},
+    {Kind::Planar},
+    {Kind::Radial},
+    {Kind::Ripples},
+    {Kind::Spherical},
+    {Kind::Spotted},
+    {Kind::Waves},
+    {Kind::Wrinkles},
+    {Kind::Checker, 0.0},
+    {Kind::Hexagon, 0.0},
+    {Kind::Square, 0.0},
+    {Kind::Triangular, 0.0},
+    {Kind::Cubic, 0.0},
+};
 
 bool read_plain(PatternState& s)
 {

@@ -9,22 +9,12 @@ namespace {
 using texture::PatternKind;
 
 const std::unordered_map<std::string, PatternKind> kKinds{
-    {"agate", PatternKind::Agate}, {"aoi", PatternKind::Aoi}, {"average", PatternKind::Average},
-    {"boxed", PatternKind::Boxed}, {"bozo", PatternKind::Bozo}, {"brick", PatternKind::Brick},
-    {"bumps", PatternKind::Bumps}, {"cells", PatternKind::Cells}, {"checker", PatternKind::Checker},
-    {"crackle", PatternKind::Crackle}, {"cubic", PatternKind::Cubic}, {"cylindrical", PatternKind::Cylindrical}, {"density_file", PatternKind::DensityFile},
-    {"dents", PatternKind::Dents}, {"facets", PatternKind::Facets}, {"function", PatternKind::Function}, {"gradient", PatternKind::Gradient},
-    {"granite", PatternKind::Granite}, {"hexagon", PatternKind::Hexagon},
-    {"image_map", PatternKind::Image}, {"image_pattern", PatternKind::Image}, {"bump_map", PatternKind::Image}, {"material_map", PatternKind::Image},
-    {"julia", PatternKind::Julia},
-    {"leopard", PatternKind::Leopard}, {"magnet_julia", PatternKind::MagnetJulia},
-    {"magnet_mandel", PatternKind::MagnetMandel}, {"mandel", PatternKind::Mandel}, {"marble", PatternKind::Marble},
-    {"object", PatternKind::Object}, {"onion", PatternKind::Onion}, {"pavement", PatternKind::Pavement}, {"pigment_pattern", PatternKind::PigmentPattern}, {"planar", PatternKind::Planar},
-    {"quilted", PatternKind::Quilted}, {"radial", PatternKind::Radial}, {"ripples", PatternKind::Ripples},
-    {"slope", PatternKind::Slope}, {"spherical", PatternKind::Spherical}, {"spiral1", PatternKind::Spiral1},
-    {"spiral2", PatternKind::Spiral2}, {"spotted", PatternKind::Bozo}, {"square", PatternKind::Square},
-    {"tiling", PatternKind::Tiling}, {"triangular", PatternKind::Triangular}, {"uv_mapping", PatternKind::Uv}, {"waves", PatternKind::Waves},
-    {"wood", PatternKind::Wood}, {"wrinkles", PatternKind::Wrinkles},
+#define PATTERN(keyword, enumerator, value) {keyword, PatternKind::enumerator},
+#include "render/texture/patterns/table.inc"
+#undef PATTERN
+    {"average", PatternKind::Average}, {"facets", PatternKind::Facets}, {"uv_mapping", PatternKind::Uv},
+    // Other names of the same.
+    {"spotted", PatternKind::Bozo}, {"image_map", PatternKind::Image}, {"bump_map", PatternKind::Image}, {"material_map", PatternKind::Image},
 };
 
 /// Through memory on purpose: g++ 12.2's vectoriser drops a pair of double-float-double conversions side by side.

@@ -50,48 +50,9 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
     case PatternKind::Average:
     case PatternKind::Uv:
     case PatternKind::Facets: return 0.0;  // not functions of a point: whoever holds the map handles them
-    case PatternKind::Agate: return agate(pattern, p);
-    case PatternKind::Aoi: return aoi(around);
-    case PatternKind::Boxed: return boxed(p);
-    case PatternKind::Bozo:
-    case PatternKind::Bumps: return bozo(pattern, p);
-    case PatternKind::Brick: return brick(pattern, p);
-    case PatternKind::Cells: return cells(p);
-    case PatternKind::Checker: return checker(p);
-    case PatternKind::Crackle: return crackle(pattern, p);
-    case PatternKind::Cubic: return cubic(p);
-    case PatternKind::Cylindrical: return cylindrical(p);
-    case PatternKind::Dents: return dents(pattern, p);
-    case PatternKind::DensityFile: return density(pattern, *set.volumes[pattern.data], p);
-    case PatternKind::Function: return function_value(set, pattern, p);
-    case PatternKind::Gradient: return gradient(pattern, p);
-    case PatternKind::Granite: return granite(pattern, p);
-    case PatternKind::Hexagon: return hexagon(p);
-    case PatternKind::Image: return image_value(set.images[pattern.data], p);
-    case PatternKind::Julia: return julia(pattern, p);
-    case PatternKind::Leopard: return leopard(p);
-    case PatternKind::MagnetJulia: return magnet_julia(pattern, p);
-    case PatternKind::MagnetMandel: return magnet_mandel(pattern, p);
-    case PatternKind::Mandel: return mandel(pattern, p);
-    case PatternKind::Marble: return marble(pattern, p);
-    case PatternKind::Object: return set.objects[pattern.data]->holds(p) ? 1.0 : 0.0;
-    case PatternKind::Onion: return onion(p);
-    case PatternKind::Pavement: return pavement(pattern, p);
-    case PatternKind::PigmentPattern: return grey_of(set, pattern, p, around);
-    case PatternKind::Planar: return planar(p);
-    case PatternKind::Quilted: return quilted(pattern, p);
-    case PatternKind::Radial: return radial(p);
-    case PatternKind::Ripples: return ripples(set, pattern, p);
-    case PatternKind::Slope: return slope(pattern, p, around);
-    case PatternKind::Spherical: return spherical(p);
-    case PatternKind::Spiral1: return spiral1(pattern, p);
-    case PatternKind::Spiral2: return spiral2(pattern, p);
-    case PatternKind::Square: return square(p);
-    case PatternKind::Tiling: return tiling(pattern, p);
-    case PatternKind::Triangular: return triangular(p);
-    case PatternKind::Waves: return waves(set, pattern, p);
-    case PatternKind::Wood: return wood(pattern, p);
-    case PatternKind::Wrinkles: return wrinkles(pattern, p);
+#define PATTERN(keyword, enumerator, value) case PatternKind::enumerator: return value;
+#include "render/texture/patterns/table.inc"
+#undef PATTERN
     }
     return 0.0;
 }

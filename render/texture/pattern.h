@@ -11,12 +11,13 @@ namespace texture {
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// Every pattern that is evaluated. `Average` and `Uv` are not functions of a point: the user of the map handles them.
+/// Every pattern that is evaluated. `Average`, `Uv` and `Facets` are not functions of a point: the user of the map handles them.
 enum class PatternKind : std::uint8_t {
     Average, Uv,
-    Agate, Aoi, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle, Cubic, Cylindrical, Dents, DensityFile, Function, Gradient, Granite,
-    Hexagon, Image, Julia, Leopard, MagnetJulia, MagnetMandel, Mandel, Marble, Object, Onion, Pavement, PigmentPattern, Planar, Quilted, Radial,
-    Ripples, Slope, Spherical, Spiral1, Spiral2, Square, Tiling, Triangular, Waves, Wood, Wrinkles, Facets,
+#define PATTERN(keyword, enumerator, value) enumerator,
+#include "render/texture/patterns/table.inc"
+#undef PATTERN
+    Facets,
 };
 
 /// world -> pattern space: p' = linear * p + offset, the inverse of what the author wrote.
