@@ -75,6 +75,10 @@ TEST_CASE("settings of pictures are members", "[parser][structs]")
     CHECK(image.interpolation == scene::ImageMap::Interpolation::NormalizedDistance);
     CHECK((image.once && image.repeat == glm::dvec2(2, 3) && image.offset == glm::dvec2(0) && !image.premultiplied));
     REQUIRE(image.clarities.size() == 1);
+    const scene::Description twice = of("plane { y, 0 pigment { image_map { function 3, 2 { x } map_type 1 map_type 0 } } }");  // the last counts, as in POV-Ray
+    const auto& again = std::get<std::vector<scene::Layer>>(twice.objects.front().texture->kind).front().pigment;
+    const auto& data = std::get<scene::PatternedPigment>(again.kind).pattern.data;
+    CHECK(std::get<std::shared_ptr<const scene::ImageMap>>(data)->projection == scene::ImageMap::Projection::Planar);
     CHECK((image.clarities[0].filter && !image.clarities[0].place && image.clarities[0].amount == 0.5f));
 }
 
