@@ -82,3 +82,33 @@ TEST_CASE("rows of light in lanes and by themselves give one picture", "[trace][
     }
     CHECK(farthest < 1e-5);
 }
+
+TEST_CASE("an area light of four by four nodes casts the shadows of sixteen lights", "[trace][light]")
+{
+    // With sides of a power of two and no node left out the division in four gives the plain mean. brilliance 0: the lamp's direction, which
+    // is its centre's for the whole area light, does not matter.
+    const std::string things = "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,5,-9> look_at <0,-1,0> }\n"
+                               "plane { y,-1 pigment { rgb 1 } finish { ambient 0 diffuse 1 brilliance 0 } }\n"
+                               "sphere { <-1.5,1,0>,.8 no_image } box { <.4,.2,-.5>,<1.4,1.6,.6> rotate 20*y no_image }\n"
+                               "sphere { <.2,2,1>,.6 pigment { rgbf <1,.4,.2,.9> } no_image }\n"
+                               "difference { torus { .9,.3 } plane { x,0 } translate <-.5,2.5,-1.5> pigment { rgbt <1,1,1,.5> } no_image }\n";
+    const std::string area = things + "light_source { <0.3,8,0.1> rgb 1 area_light 4*x, 3*z, 4, 4 adaptive 9 }\n";
+    std::string points = things;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            points += "light_source { <" + std::to_string(0.3 + 4 * (i / 3.0 - 0.5)) + ",8," + std::to_string(0.1 + 3 * (j / 3.0 - 0.5)) +
+                      "> rgb 1/16 }\n";
+    const image::Image one = picture_of(grammar_test::parsed(area), false), many = picture_of(grammar_test::parsed(points), false);
+    double farthest = 0, least = 1, most = 0;
+    int off = 0;
+    for (std::size_t k = 0; k < one.pixels.size(); k += 4) {   // red
+        const double a = static_cast<double>(one.pixels[k]), b = static_cast<double>(many.pixels[k]);
+        farthest = std::max(farthest, std::abs(a - b));
+        off += std::abs(a - b) > 1e-5 ? 1 : 0;
+        least = std::min(least, a);
+        most = std::max(most, a);
+    }
+    CHECK(off <= 3);               // to_string rounds the places of the sixteen: an edge may fall on a pixel
+    CHECK(farthest < 0.1);
+    CHECK((least < 0.3 && most > 0.99));
+}
