@@ -110,20 +110,27 @@ void join(Draft& draft, Draft operand)
     for (Draft& inner : operand.operands) draft.operands.push_back(std::move(inner));
 }
 
-Draft draft_of(const Tree& tree, bool inverted, const SolidStore& store);
+/// How often a tree was turned inside out, its parents' turns counted.
+struct Turns {
+    bool inverted = false, ever = false;
+    Turns turned(bool again) const { return again ? Turns{!inverted, true} : *this; }
+};
 
-Draft shape_of(const Tree& tree, bool inverted, const SolidStore& store)
+Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store);
+
+Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store)
 {
+    const bool inverted = turns.inverted;
     if (tree.op == Tree::Op::Leaf) return leaf(tree.solid, inverted, store);
     Draft made;
     const bool unites = tree.op == Tree::Op::Union || tree.op == Tree::Op::Merge;
     if (unites)
-        made.op = inverted ? Op::Intersection : tree.op == Tree::Op::Union ? Op::Union : Op::Merge;
+        made.op = inverted ? Op::Intersection : tree.op == Tree::Op::Union && !turns.ever ? Op::Union : Op::Merge;  // twice turned it has no inner surfaces
     else
         made.op = inverted ? Op::Merge : Op::Intersection;
     for (std::size_t i = 0; i < tree.operands.size(); ++i) {
         const bool subtracted = tree.op == Tree::Op::Difference && i > 0;
-        join(made, draft_of(tree.operands[i], inverted != subtracted, store));
+        join(made, draft_of(tree.operands[i], turns.turned(subtracted), store));
     }
     enclose(made, store);
     drop_useless(made);
@@ -140,14 +147,14 @@ Draft under(Op op, Draft shape, const std::vector<Tree>& others, const SolidStor
     if (others.empty()) return shape;
     Draft made{.op = op};
     made.operands.push_back(std::move(shape));
-    for (const Tree& other : others) made.operands.push_back(draft_of(other, false, store));
+    for (const Tree& other : others) made.operands.push_back(draft_of(other, {}, store));
     enclose(made, store);
     return made;
 }
 
-Draft draft_of(const Tree& tree, bool inverted, const SolidStore& store)
+Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store)
 {
-    Draft clipped = under(Op::Clip, shape_of(tree, inverted != tree.inverse, store), tree.clips, store);
+    Draft clipped = under(Op::Clip, shape_of(tree, turns.turned(tree.inverse), store), tree.clips, store);
     return under(Op::Gate, std::move(clipped), tree.bounds, store);
 }
 
@@ -232,7 +239,7 @@ bool contains(const std::vector<Node>& nodes, std::uint32_t i, const SolidStore&
 
 Program build(const Tree& tree, const SolidStore& store)
 {
-    const Draft draft = draft_of(tree, false, store);
+    const Draft draft = draft_of(tree, {}, store);
     Program program;
     if (draft.op != Op::Leaf && draft.operands.empty()) return program;
     if (draft.op == Op::Leaf && draft.solid == kNoPart) return program;

@@ -57,6 +57,12 @@ struct Program {
 /// Flattens, pushes inversion to the leaves, drops operands that cannot matter and works out boxes.
 Program build(const Tree& tree, const SolidStore& store);
 
+/// An item of a world and how far a ray goes before it is in its box.
+struct OrderedItem {
+    double entry;
+    std::uint32_t item;
+};
+
 /// Working memory of one thread, reused from ray to ray.
 class Scratch {
 public:
@@ -98,6 +104,9 @@ public:
     /// What leaves of the object at hand have told already.
     FetchedSpans fetched;
 
+    /// Items that wait for others to be asked first; kept for its memory.
+    std::vector<OrderedItem>& ordered_items() { return ordered_items_; }
+
     /// Looked at by every question to a World.
     CancelWatch cancel;
 
@@ -133,6 +142,7 @@ private:
     std::unique_ptr<FlatPiece[]> pieces_;
     std::unique_ptr<RayBatch> batch_;
     std::vector<Hit> hits_, instance_hits_;
+    std::vector<OrderedItem> ordered_items_;
     std::vector<FlatCandidate> candidates_;
     std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;
     std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;

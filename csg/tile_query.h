@@ -120,6 +120,9 @@ public:
         }
     }
 
+    /// Of a ray that hit something.
+    std::uint32_t item(std::size_t ray) const { return static_cast<std::uint32_t>(item_[ray]); }
+
     /// What lanes found is only a number and a face, or an end of a leaf, while the walk lasts.
     void finish()
     {

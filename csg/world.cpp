@@ -215,6 +215,42 @@ Hit World::first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8
     return best.hit;
 }
 
+/// As first(), but items with ordered gates are asked after all others, in the order of their boxes along the ray, up to the nearest hit.
+Hit World::first_in_order(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
+{
+    const WorldData& world = *data_;
+    const RaySlabs slabs(ray);
+    Nearest best(ray, t_max);
+    const auto ask = [&](std::uint32_t i) { best.offer(item_nearest(world, world.items[i], ray, t_min, best.limit, scratch, &slabs), i); };
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) != 0 && !(item.gate != WorldItem::kNoGate && world.gates[item.gate].ordered)) ask(i);
+    };
+    const auto ball = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        const double t = near >= t_min ? near : far;
+        if (t < t_min || t > best.limit || (item.visible & kind_bit) == 0) return;
+        best.offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, ball);
+        return best.limit;
+    });
+    std::vector<OrderedItem>& waiting = scratch.ordered_items();
+    waiting.clear();
+    for (const std::uint32_t i : world.ordered)
+        if (const double entry = box_entry(world.gates[world.items[i].gate], ray, t_min); (world.items[i].visible & kind_bit) != 0 && entry <= best.limit)
+            waiting.push_back({entry, i});
+    std::sort(waiting.begin(), waiting.end(),
+              [](const OrderedItem& a, const OrderedItem& b) { return a.entry != b.entry ? a.entry < b.entry : a.item < b.item; });
+    for (const OrderedItem& next : waiting) {
+        if (next.entry > best.limit) break;
+        ask(next.item);
+    }
+    return best.hit;
+}
+
 Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
 {
     const WorldData& world = *data_;
@@ -236,6 +272,8 @@ Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_b
         open_block(world, leaf, ray, each, ball);
         return best.limit;
     });
+    if (!world.ordered.empty() && best.hit.found() && before_box(world, best.item, ray, t_min, best.hit.t))
+        return first_in_order(ray, t_min, t_max, kind_bit, scratch);
     return best.hit;
 }
 
@@ -308,6 +346,13 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
         NearestOfTile query(*data_, lanes, scratch, out);
         if (!ask_tile(*data_, lanes, kind_bit, query)) return false;
         query.finish();
+        if (!data_->ordered.empty()) {
+            for (int i = 0; i < rays.count; ++i) {
+                const auto k = static_cast<std::size_t>(i);
+                if (out.surface[k] == kNoSurface || !before_box(*data_, query.item(k), rays.ray(i), rays.t_min[k], out.t[k])) continue;
+                out.set(i, first_in_order(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
+            }
+        }
         return true;
     };
     if (in_lanes(*data_, rays, answered)) {

@@ -47,6 +47,9 @@ public:
     /// Whether the solid of one item (WorldData::items) holds the point.
     bool item_holds(std::uint32_t item, const glm::dvec3& point) const;
 
+    /// The same of the start of a ray, for which POV-Ray leaves the item's own clips out (spec 5a, 11.5).
+    bool item_holds_start(std::uint32_t item, const glm::dvec3& point) const;
+
     /// Whether it may hold any point of the box; certain if it says no.
     bool item_may_hold(std::uint32_t item, const Aabb& box) const;
 
@@ -70,6 +73,7 @@ public:
 
 private:
     Hit first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
+    Hit first_in_order(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
     Hit first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
     void recheck(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const;
     const WorldData* data_;

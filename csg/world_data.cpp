@@ -42,6 +42,8 @@ bool all_opaque(const WorldData& world, const WorldItem& item)
         const auto& surfaces = world.store.all<Mesh>()[index_of(part)].surfaces;
         return std::all_of(surfaces.begin(), surfaces.end(), stops);
     };
+    // Clips have no surface.
+    const auto drawn = [&](PartId part) { return kind_of(part) == SolidKind::Mesh || world.store.surface(part) != kNoSurface; };
     if (item.instance != Hit::kNoInstance) {
         const Instance& one = world.instances[item.instance];
         const auto first = world.instance_surfaces.begin() + one.first_surface;
@@ -50,7 +52,7 @@ bool all_opaque(const WorldData& world, const WorldItem& item)
     }
     if (item.solid != kNoPart) return opaque(item.solid);
     for (const Node& node : world.programs[item.program].nodes)
-        if (node.op == Op::Leaf && !opaque(node.solid)) return false;
+        if (node.op == Op::Leaf && drawn(node.solid) && !opaque(node.solid)) return false;
     return true;
 }
 
@@ -134,6 +136,10 @@ void WorldData::finish()
         item.many = many(*this, item);
         costly = costly || item.many;
         visible_everywhere &= item.visible;
+        if (item.gate != WorldItem::kNoGate) {
+            gates[item.gate].shadows_pass &= item.all_opaque;
+            if (gates[item.gate].ordered) ordered.push_back(i);
+        }
         const Aabb box = drawn_bounds(*this, item);
         if (box.empty()) continue;
         if (fits(box)) inputs.push_back({box, leaf_kind(item), i, item.visible});

@@ -23,8 +23,9 @@ struct WorldItem {
     bool many = false;                ///< a solid that answers many rays sooner together, or a program with one
     std::uint32_t gate = kNoGate;     ///< index into WorldData::gates
     std::uint32_t instance = Hit::kNoInstance;   ///< an instance, and neither solid nor program
+    std::uint32_t unclipped = kNoProgram;        ///< the same without its own clips, where that may hold the start of a ray
 
-    static constexpr std::uint32_t kNoGate = 0xffffffffu;
+    static constexpr std::uint32_t kNoGate = 0xffffffffu, kNoProgram = 0xffffffffu;
 };
 
 /// What a ray must meet, or start inside of, to be told anything of an item: POV-Ray's `bounded_by` (spec 5a, 9.2). Of what it
@@ -32,6 +33,11 @@ struct WorldItem {
 struct Gate {
     Aabb box = Aabb::everything();
     std::vector<std::uint32_t> programs;   ///< each of them
+    /// POV-Ray asks what it keeps in a hierarchy in the order in which rays come to the boxes, and stops at a box beyond the nearest hit:
+    /// what is drawn before its box is hidden by what lies between.
+    bool ordered = false;
+    /// Shadow rays do not ask for the box of what stops light: POV-Ray remembers the last solid that did and asks it, but not its box, first.
+    bool shadows_pass = false;
 };
 
 struct WorldData;
@@ -59,6 +65,7 @@ struct WorldData {
     std::vector<Instance> instances;
     std::vector<SurfaceId> instance_surfaces;
     std::vector<std::uint32_t> unbounded;      ///< items outside the hierarchy
+    std::vector<std::uint32_t> ordered;        ///< items with ordered gates
     Bvh bvh;
     std::vector<SphereBlock> spheres;          ///< by leaf block
     std::vector<std::uint8_t> surface_opaque;  ///< by SurfaceId: a shadow ray may stop at it for good (spec 3, 13.2)

@@ -28,9 +28,16 @@ bool World::item_holds(std::uint32_t index, const glm::dvec3& point) const
                       [&](const auto& solid) { return item.inverted ? solid.contains_inverted(point) : solid.contains(point); });
 }
 
+bool World::item_holds_start(std::uint32_t index, const glm::dvec3& point) const
+{
+    const WorldItem& item = data_->items[index];
+    return item.unclipped != WorldItem::kNoProgram ? contains(data_->programs[item.unclipped], data_->store, point) : item_holds(index, point);
+}
+
 bool World::item_may_hold(std::uint32_t index, const Aabb& box) const
 {
     const WorldItem& item = data_->items[index];
+    if (item.unclipped != WorldItem::kNoProgram) return true;
     if (item.instance != Hit::kNoInstance) {
         const Instance& one = data_->instances[item.instance];
         const Aabb own = transformed_box(one.frame.inverted(), box);

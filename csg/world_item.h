@@ -54,6 +54,7 @@ inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray
 {
     if (item.gate == WorldItem::kNoGate) return true;
     const Gate& gate = world.gates[item.gate];
+    if (gate.shadows_pass && end < kInfinity) return true;
     double first = t_min, last = end;
     for (int k = 0; k < 3; ++k) {
         Interval side;
@@ -70,6 +71,26 @@ inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray
         if (!met && nearest_visible(bound, world.store, ray, t_min, end, scratch).part == kNoPart) return false;
     }
     return true;
+}
+
+/// How far a ray goes before it is in the gate's box; infinite if it never is.
+inline double box_entry(const Gate& gate, const Ray& ray, double t_min)
+{
+    double first = t_min, last = kInfinity;
+    for (int k = 0; k < 3; ++k) {
+        Interval side;
+        if (!slab(ray.origin[k], ray.direction[k], gate.box.lower[k], gate.box.upper[k], side)) return kInfinity;
+        first = std::max(first, side.entry);
+        last = std::min(last, side.exit);
+    }
+    return first <= last ? first : kInfinity;
+}
+
+/// Whether a hit of an item lies before the box of its ordered gate: what is between may hide it (World::first_in_order).
+inline bool before_box(const WorldData& world, std::uint32_t item, const Ray& ray, double t_min, double t)
+{
+    const std::uint32_t gate = world.items[item].gate;
+    return gate != WorldItem::kNoGate && world.gates[gate].ordered && t < box_entry(world.gates[gate], ray, t_min);
 }
 
 /// The same two questions of an instance (world.cpp).

@@ -149,6 +149,9 @@ struct inverse : item<Kind::Inverse> {
         if (is_patch(s.object))
             s.stream().warn(s.stream().last(), "what has no inside cannot be inverted");
         s.object.inverse = !s.object.inverse;
+        // Turned twice it has lost its inner surfaces (spec 5a, 8.1).
+        auto* csg = std::get_if<scene::Csg>(&s.object.shape);
+        if (csg != nullptr && csg->op == scene::CsgOp::Union && !s.object.inverse) csg->op = scene::CsgOp::Merge;
     }
 };
 /// Choices of a root solver or a bounding method: ours need none, and only some objects may have them.

@@ -80,7 +80,7 @@ scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& sour
         }
     }
     if (whole) std::get<scene::Csg>(object.shape).global_lights = global_lights;
-    else object.shape = scene::Csg{scene::CsgOp::Union, std::move(members), true, false, true, global_lights};
+    else object.shape = scene::Csg{scene::CsgOp::Union, std::move(members), true, false, true, global_lights, {}};
     build.close_block("light_group", opened);
     return object;
 }
@@ -129,7 +129,7 @@ scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef
         }
         if (written < 2 && build.version() >= 150) in.warn(source, name + " should have at least two objects");
         operands->shrink_to_fit();  // a scene may have a hundred thousand of these
-        object.shape = scene::Csg{op_of(keyword), std::move(operands), true, false};
+        object.shape = scene::Csg{op_of(keyword), std::move(operands), true, false, false, false, {}};
     }
     read_modifiers(build, object);
     build.close_block(name.c_str(), opened);

@@ -52,13 +52,12 @@ csg::Aabb camera_starts(const scene::Camera& camera, const MeshCamera* mesh)
 void find_camera_interiors(CompiledScene& scene)
 {
     if (starts_differ(scene.camera)) return find_start_holders(scene);
-    std::vector<std::uint32_t> objects;
-    scene.world().containing(scene.camera.location, objects);
-    for (const std::uint32_t object : objects) {
-        const std::uint32_t interior = scene.objects[object].interior;
-        if (interior == kNone || !within(scene.objects[object].holds_starts, scene.camera.location)) continue;
-        auto& list = scene.camera_interiors;
-        if (std::find(list.begin(), list.end(), interior) == list.end()) list.push_back(interior);
+    const glm::dvec3& start = scene.camera.location;
+    for (std::uint32_t i = 0; i < scene.geometry.items.size(); ++i) {
+        const ObjectInfo& object = scene.objects[scene.geometry.items[i].object];
+        const std::uint32_t interior = object.interior;
+        if (interior == kNone || !within(object.holds_starts, start) || !scene.world().item_holds_start(i, start)) continue;
+        scene.camera_interiors.push_back(interior);   // as often as there are objects that share it
     }
 }
 

@@ -1,6 +1,7 @@
 #include "render/plan/extent.h"
 
 #include "csg/freeform.h"
+#include "csg/quadric_box.h"
 #include "render/plan/solids.h"
 
 #include <algorithm>
@@ -28,6 +29,33 @@ csg::Aabb corners_moved(const csg::Transform& t, const csg::Aabb& box)
     return moved;
 }
 
+csg::Aabb clamped(const csg::Aabb& box) { return {glm::max(box.lower, glm::dvec3(-kFar)), glm::min(box.upper, glm::dvec3(kFar))}; }
+
+/// A box that was turned in several steps, `t` together.
+csg::Aabb turned(const csg::Transform& t, const scene::BoxGrowth& growth, const csg::Aabb& box)
+{
+    const glm::dvec3 middle = t.point(0.5 * (box.lower + box.upper)), half = growth.edges * (0.5 * (box.upper - box.lower));
+    return clamped({middle - half, middle + half});
+}
+
+/// As single precision has it. Volatile, for g++ 12 takes the three axes together and leaves the rounding out (-O2, SLP vectorizer).
+double in_single(double value)
+{
+    volatile float rounded = static_cast<float>(value);
+    return static_cast<double>(rounded);
+}
+
+/// As POV-Ray keeps a box, its lower corner and its edges in single precision, and adds them.
+csg::Aabb kept(const csg::Aabb& box)
+{
+    csg::Aabb told;
+    for (int k = 0; k < 3; ++k) {
+        told.lower[k] = in_single(box.lower[k]);
+        told.upper[k] = in_single(told.lower[k] + in_single(box.upper[k] - box.lower[k]));
+    }
+    return told;
+}
+
 double volume(const csg::Aabb& box)
 {
     const glm::dvec3 edge = box.upper - box.lower;
@@ -51,6 +79,7 @@ csg::Aabb thickened(csg::Aabb box)
 }
 
 csg::Aabb csg_extent(const scene::Csg& csg);
+csg::Aabb quadric_extent(const scene::Quadric& quadric, const csg::Transform& t);
 
 /// Of the shape in its statement's space, `t` applied.
 struct ShapeExtent {
@@ -68,12 +97,7 @@ struct ShapeExtent {
     csg::Aabb operator()(const scene::Polynomial&) const { return everything(); }   // closed or not (spec 5a, 7)
     csg::Aabb operator()(const scene::Cylinder& s) const { return tube(world_solid(s, t)); }
     csg::Aabb operator()(const scene::Cone& s) const { return tube(world_solid(s, t)); }
-    csg::Aabb operator()(const scene::Quadric& s) const
-    {
-        // One with mixed terms has no box of its own (spec 5a, 7.1).
-        const glm::dvec3 mixed = glm::abs(s.mixed);
-        return std::max({mixed.x, mixed.y, mixed.z}) >= kSmallestTerm ? corners_moved(t, everything()) : solid_box(s);
-    }
+    csg::Aabb operator()(const scene::Quadric& s) const { return quadric_extent(s, t); }
     csg::Aabb operator()(const scene::Disc& s) const
     {
         const csg::Solid made = world_solid(s, t);
@@ -116,7 +140,7 @@ struct ShapeExtent {
     csg::Aabb operator()(const scene::Csg& s) const
     {
         const csg::Aabb box = csg_extent(s);
-        return t.identity() ? box : corners_moved(t, box);
+        return t.identity() && s.growth.edges == glm::dmat3(1.0) ? box : turned(t, s.growth, box);
     }
     csg::Aabb operator()(const scene::Light&) const { return everything(); }
     /// All others: the box of the solid.
@@ -139,7 +163,7 @@ private:
     }
 };
 
-csg::Aabb unrounded(const scene::Object& object);
+csg::Aabb extent(const scene::Object& object);
 
 /// A plane counts as a half-space inside an intersection, also turned round where it is subtracted.
 bool half_space(const scene::Object& operand, bool turned, csg::Aabb& box)
@@ -156,39 +180,96 @@ bool half_space(const scene::Object& operand, bool turned, csg::Aabb& box)
     return true;
 }
 
+/// What clips leave of space: planes across an axis are half-spaces.
+csg::Aabb clip_box(const std::vector<scene::Object>& clips)
+{
+    csg::Aabb box = everything(), cut;
+    for (const scene::Object& clip : clips) {
+        if (half_space(clip, false, cut)) box = box.intersected(cut);
+        else if (!clip.inverse) box = box.intersected(extent(clip));
+    }
+    return box;
+}
+
+/// The quadric in the space that `t` leads to, written out there.
+csg::Quadric written_out(const scene::Quadric& q, const csg::Transform& t)
+{
+    const glm::dvec3 m = 0.5 * q.mixed;
+    const glm::dmat3 half(q.square.x, m.x, m.y, m.x, q.square.y, m.z, m.y, m.z, q.square.z);
+    const glm::dmat3& back = t.inverse_linear;
+    const glm::dvec3 start = t.inverse_point(glm::dvec3(0));
+    const glm::dmat3 terms = glm::transpose(back) * half * back;
+    const auto term = [](double value) { return std::abs(value) < kSmallestTerm ? 0.0 : value; };
+    csg::Quadric made;
+    made.square = {term(terms[0][0]), term(terms[1][1]), term(terms[2][2])};
+    made.mixed = {term(2.0 * terms[0][1]), term(2.0 * terms[0][2]), term(2.0 * terms[1][2])};
+    made.linear = glm::transpose(back) * (2.0 * half * start + q.linear);
+    made.constant = glm::dot(start, half * start) + glm::dot(q.linear, start) + q.constant;
+    return made;
+}
+
+/// `box` or, if that is smaller, the box of what the quadric and `within` have in common (spec 5a, 7.1). One with mixed terms has none of its own.
+csg::Aabb smaller_quadric_box(const csg::Aabb& box, const scene::Quadric& quadric, const csg::Transform& t, const csg::Aabb& within)
+{
+    const csg::Quadric q = written_out(quadric, t);
+    const csg::Aabb fresh = clamped(csg::quadric_box(q, {}, within));
+    if (fresh.empty() || !(volume(fresh) < volume(box))) return box;
+    return q.mixed == glm::dvec3(0.0) ? unless_too_long(fresh) : fresh;
+}
+
+csg::Aabb quadric_extent(const scene::Quadric& quadric, const csg::Transform& t)
+{
+    csg::Aabb box = smaller_quadric_box(everything(), quadric, {}, everything());
+    if (!quadric.first_clips) return turned(t, quadric.growth, box);
+    const scene::FirstClips& first = *quadric.first_clips;
+    box = turned(first.transform, first.growth, box);
+    box = smaller_quadric_box(box, quadric, first.transform, clip_box(first.clips));
+    return turned(t * first.transform.inverted(), quadric.growth, box);
+}
+
+/// Narrows an intersection's box by an operand's; what is turned inside out says nothing, planes apart.
+void cut_box(const scene::Object& operand, bool subtracted, csg::Aabb& box)
+{
+    csg::Aabb cut;
+    if (!half_space(operand, subtracted, cut)) {
+        if (operand.inverse != subtracted) return;
+        cut = extent(operand);
+        if (const auto* quadric = std::get_if<scene::Quadric>(&operand.shape))
+            cut = smaller_quadric_box(cut, *quadric, operand.transform, box.intersected(clip_box(operand.clipped_by)));
+    }
+    box = box.intersected(cut);
+}
+
 csg::Aabb csg_extent(const scene::Csg& csg)
 {
     const bool joins = csg.op == scene::CsgOp::Union || csg.op == scene::CsgOp::Merge;
     csg::Aabb box = joins ? csg::Aabb{} : everything();
-    for (std::size_t i = 0; i < csg.operands->size(); ++i) {
-        const scene::Object& operand = (*csg.operands)[i];
-        if (joins) {
-            box.include(unrounded(operand));
-            continue;
+    // Quadrics come last: what the others leave bounds them.
+    for (const bool quadrics : {false, true})
+        for (std::size_t i = 0; i < csg.operands->size(); ++i) {
+            const scene::Object& operand = (*csg.operands)[i];
+            if (std::holds_alternative<scene::Quadric>(operand.shape) != quadrics) continue;
+            if (joins) box.include(extent(operand));
+            else cut_box(operand, csg.op == scene::CsgOp::Difference && i > 0, box);
         }
-        const bool subtracted = csg.op == scene::CsgOp::Difference && i > 0;
-        csg::Aabb cut;
-        if (!half_space(operand, subtracted, cut)) {
-            if (operand.inverse != subtracted) continue;
-            cut = unrounded(operand);
-        }
-        box = box.intersected(cut);
-    }
-    return box.empty() ? everything() : unless_too_long(box);
+    return kept(box.empty() ? everything() : unless_too_long(box));
 }
 
 csg::Aabb common(const std::vector<scene::Object>& bounds)
 {
     csg::Aabb box = everything();
     for (const scene::Object& bound : bounds)
-        if (!bound.inverse) box = box.intersected(unrounded(bound));
+        if (!bound.inverse) box = box.intersected(extent(bound));
     return box;
 }
 
-csg::Aabb unrounded(const scene::Object& object)
+csg::Aabb extent(const scene::Object& object)
 {
     const auto* plane = std::get_if<scene::Plane>(&object.shape);
-    csg::Aabb box = plane != nullptr && plane->moved_clips ? unrounded(object.clipped_by.front()) : std::visit(ShapeExtent{object.transform}, object.shape);
+    csg::Aabb box = plane != nullptr && plane->moved_clips ? extent(object.clipped_by.front()) : std::visit(ShapeExtent{object.transform}, object.shape);
+    if (const auto* quadric = std::get_if<scene::Quadric>(&object.shape); quadric != nullptr && !quadric->first_clips && !object.clipped_by.empty())
+        box = smaller_quadric_box(box, *quadric, object.transform, clip_box(object.clipped_by));
+    box = kept(box);
     for (const std::vector<scene::Object>* set : {&object.bounded_by, &object.clipped_by})
         if (const csg::Aabb cut = common(*set); !set->empty() && !cut.empty() && volume(cut) < volume(box)) box = cut;
     return box;
@@ -196,21 +277,11 @@ csg::Aabb unrounded(const scene::Object& object)
 
 }  // namespace
 
-csg::Aabb described_extent(const scene::Object& object)
-{
-    const csg::Aabb box = unrounded(object);
-    csg::Aabb told;
-    for (int k = 0; k < 3; ++k) {
-        const auto low = static_cast<float>(box.lower[k]), edge = static_cast<float>(box.upper[k] - box.lower[k]);
-        told.lower[k] = static_cast<double>(low);
-        told.upper[k] = static_cast<double>(low) + static_cast<double>(edge);
-    }
-    return told;
-}
+csg::Aabb described_extent(const scene::Object& object) { return extent(object); }
 
-csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent)
+csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent, const scene::BoxGrowth& growth)
 {
-    if (!parent.identity()) object.transform_by(parent);
+    if (!parent.identity()) object.transform_by(parent, growth);
     return described_extent(object);
 }
 

@@ -5,11 +5,10 @@
 namespace plan {
 
 /// The box that min_extent() and max_extent() tell of an object, by POV-Ray's rules (spec 5a, 7): not the tightest one;
-/// unbounded sides lie at +-1e10, and single precision shows. Boxes of CSG objects, which POV-Ray transforms again with
-/// every statement, are transformed once.
+/// unbounded sides lie at +-1e10, and single precision shows.
 csg::Aabb described_extent(const scene::Object& object);
 
-/// The same of an object that stands in the space `parent`.
-csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent);
+/// The same of an object that stands in the space `parent`. `growth`: of boxes turned into the world from there.
+csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent, const scene::BoxGrowth& growth);
 
 }  // namespace plan

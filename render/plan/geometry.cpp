@@ -99,6 +99,11 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     own.no_reflection = above.no_reflection || object.flags.no_reflection;
     own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
     own.to_world = is_light(object) ? above.to_world : above.to_world * object.transform;
+    own.parent_growth = own.growth = above.growth;
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
+        own.growth = csg->growth;
+        own.growth.add(above.growth);
+    }
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg != nullptr && csg->light_group) {
         if (above.light_group == 0) own.global_lights = csg->global_lights;   // the outermost group decides
         own.light_group = light_group(object, own.to_world);
@@ -127,8 +132,8 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
         ++split_unions_;
         const OuterBounds outer = outer_bounds_;
         if (!drops_bounds(object, outer.nested)) {
-            must_meet(object, above.to_world, outer_bounds_.gate);
-            if (!outer.nested) outer_bounds_.box = placed_extent(object, above.to_world);
+            must_meet(object, above.to_world, above.growth, outer_bounds_.gate);
+            if (!outer.nested) outer_bounds_.box = placed_extent(object, above.to_world, above.growth);
             outer_bounds_.nested = true;
         }
         for (const scene::Object& operand : *csg->operands) add_top(operand, own);
@@ -163,12 +168,14 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& o
         add_gate(object, own);
         return;
     }
-    csg::Program program = csg::build(tree(object, own), world.store);
+    csg::Tree whole = tree(object, own);
+    csg::Program program = csg::build(whole, world.store);
     if (program.nodes.empty() || program.bounds.empty()) {
         ++empty_programs_;
         return;
     }
     world.add_program(std::move(program), object_, visible(own));
+    if (clipped && sharing_ == nullptr) add_unclipped(std::move(whole));
     add_gate(object, own);
 }
 

@@ -38,6 +38,7 @@ private:
     /// What comes down from the parents. Textures are in world space already.
     struct Inherited {
         csg::Transform to_world;                 ///< of the space that the node's transformation maps into
+        scene::BoxGrowth parent_growth, growth;  ///< of boxes turned into the world from the space of the node's parent, from its own
         scene::TexturePtr texture, interior_texture;
         std::shared_ptr<const scene::Interior> interior;
         std::optional<bool> hollow;
@@ -52,9 +53,11 @@ private:
     csg::Gate clip_gate(const scene::Object& object, const Inherited& own, const csg::Transform& parent);
     bool drops_bounds(const scene::Object& object, bool inside_csg) const;
     bool bounding_active() const;
+    /// Tells of the item that was added last what it holds without its own clips. `whole`: the item.
+    void add_unclipped(csg::Tree whole);
     /// Keeps the item that was added last from holding a start of camera rays outside of POV-Ray's box of it.
-    void limit_starts(const scene::Object& object, const csg::Transform& parent);
-    void must_meet(const scene::Object& object, const csg::Transform& parent, csg::Gate& gate);
+    void limit_starts(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth);
+    void must_meet(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth, csg::Gate& gate);
     bool held(const scene::Object& object, const csg::Program& drawn, const csg::Program& bound);
     csg::Tree bounded(csg::Tree made, const scene::Object& operand, const Inherited& own);
     void add_alone(const scene::Object& object, const Inherited& own);

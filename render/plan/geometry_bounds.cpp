@@ -80,7 +80,7 @@ bool turns_operand(const scene::Object& object)
 
 /// Whether POV-Ray's box of a CSG object may hold less than what is drawn of it: rays that miss the box are told of nothing, where it
 /// stands at top level; its operands' own boxes are not asked.
-bool ends_at_box(const scene::Object& object) { return std::holds_alternative<scene::Csg>(object.shape) && turns_operand(object); }
+bool ends_at_box(const scene::Object& object) { return std::holds_alternative<scene::Csg>(object.shape) && (object.inverse || turns_operand(object)); }
 
 /// A lone solid as a program, to ask it the same questions.
 csg::Program alone(const csg::WorldItem& item, const csg::SolidStore& store)
@@ -120,7 +120,7 @@ bool GeometryCompiler::bounding_active() const
 
 /// Adds an object's bounds to what a ray must meet to be told of it, and the box that they make of it. `parent`: of the space that
 /// they stand in.
-void GeometryCompiler::must_meet(const scene::Object& object, const csg::Transform& parent, csg::Gate& gate)
+void GeometryCompiler::must_meet(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth, csg::Gate& gate)
 {
     for (const scene::Object& bound : object.bounded_by) {
         csg::Program program = csg::build(clip_tree(bound, parent), world_->store);
@@ -128,7 +128,7 @@ void GeometryCompiler::must_meet(const scene::Object& object, const csg::Transfo
         gate.programs.push_back(static_cast<std::uint32_t>(world_->programs.size()));
         world_->programs.push_back(std::move(program));
     }
-    gate.box = gate.box.intersected(placed_extent(object, parent));
+    gate.box = gate.box.intersected(placed_extent(object, parent, growth));
 }
 
 /// An operand of a CSG object, whatever its kind, behind those of its bounds that do not hold it.
@@ -165,12 +165,12 @@ csg::Gate GeometryCompiler::clip_gate(const scene::Object& object, const Inherit
     }
     for (const scene::Object& clip : object.clipped_by) {
         if (clip.inverse || (turns_operand(clip) && !has_own_box(object) && !bounding_active())) continue;
-        const csg::Aabb box = placed_extent(clip, parent);
+        const csg::Aabb box = placed_extent(clip, parent, own.parent_growth);
         if (glm::all(glm::lessThan(glm::max(glm::abs(box.lower), glm::abs(box.upper)), glm::dvec3(kUnbounded)))) gate.box = gate.box.intersected(box);
     }
     const auto* plane = std::get_if<scene::Plane>(&object.shape);
     if (cut_by_disc(object) || ends_at_box(object) || (plane != nullptr && !object.clipped_by.empty() && bounding_active())) {
-        const csg::Aabb box = placed_extent(object, parent);
+        const csg::Aabb box = placed_extent(object, parent, own.parent_growth);
         if (!everywhere(box)) gate.box = gate.box.intersected(box);
     }
     if (std::holds_alternative<scene::Quadric>(object.shape) && gate.box.finite()) {
@@ -193,7 +193,16 @@ bool GeometryCompiler::held(const scene::Object& object, const csg::Program& dra
     return known->second;
 }
 
-void GeometryCompiler::limit_starts(const scene::Object& object, const csg::Transform& parent)
+void GeometryCompiler::add_unclipped(csg::Tree whole)
+{
+    whole.clips.clear();
+    csg::Program program = csg::build(whole, world_->store);
+    if (program.nodes.empty() || (!program.inside_beyond && program.bounds.intersected(starts_).empty())) return;
+    world_->items.back().unclipped = static_cast<std::uint32_t>(world_->programs.size());
+    world_->programs.push_back(std::move(program));
+}
+
+void GeometryCompiler::limit_starts(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth)
 {
     if (sharing_ != nullptr) return;
     const auto item = static_cast<std::uint32_t>(world_->items.size() - 1);
@@ -206,7 +215,7 @@ void GeometryCompiler::limit_starts(const scene::Object& object, const csg::Tran
         }
     }
     if (!csg::World(*world_).item_may_hold(item, starts_)) return;
-    out_.objects[object_].holds_starts = outer_bounds_.nested ? outer_bounds_.box : placed_extent(object, parent);
+    out_.objects[object_].holds_starts = outer_bounds_.nested ? outer_bounds_.box : placed_extent(object, parent, growth);
 }
 
 /// `bounded_by` of the item that was added last, and the box that clips leave it: they decide which rays are told of it.
@@ -216,14 +225,14 @@ void GeometryCompiler::add_gate(const scene::Object& object, const Inherited& ow
     const csg::WorldItem item = world.items.back();
     const csg::Aabb drawn = csg::drawn_bounds(world, item);
     const csg::Transform parent = own.to_world * object.transform.inverted();
-    limit_starts(object, parent);
+    limit_starts(object, parent, own.parent_growth);
     csg::Gate gate = clip_gate(object, own, parent);
-    if (bounds_inside_) gate.box = gate.box.intersected(placed_extent(object, parent));
+    if (bounds_inside_) gate.box = gate.box.intersected(placed_extent(object, parent, own.parent_growth));
     if (holds(gate.box, drawn)) gate = {};
     csg::Gate bounds = outer_bounds_.gate;
     if (item.instance == csg::Hit::kNoInstance && !drops_bounds(object, outer_bounds_.nested)) {
-        if (outer_bounds_.nested || keeps_bounds(object, drawn)) must_meet(object, parent, bounds);
-        else if (has_own_box(object) || bounding_active()) bounds.box = bounds.box.intersected(placed_extent(object, parent));
+        if (outer_bounds_.nested || keeps_bounds(object, drawn)) must_meet(object, parent, own.parent_growth, bounds);
+        else if (has_own_box(object) || bounding_active()) bounds.box = bounds.box.intersected(placed_extent(object, parent, own.parent_growth));
     }
     if (!holds(bounds.box, drawn)) gate.box = gate.box.intersected(bounds.box);
     if (!bounds.programs.empty()) {
@@ -240,6 +249,10 @@ void GeometryCompiler::add_gate(const scene::Object& object, const Inherited& ow
         --bounds_;
         ++gates_;
     }
+    // What POV-Ray takes for infinite is asked before all boxes.
+    const glm::dvec3 edge = gate.box.upper - gate.box.lower;
+    gate.ordered = gate.box.finite() && edge.x * edge.y * edge.z <= kFiniteVolume && bounding_active();
+    gate.shadows_pass = gate.programs.empty() && !has_own_box(object);
     world.gate_last(std::move(gate));
 }
 

@@ -18,6 +18,15 @@ struct FreeformShape;
 /// Objects as the author wrote them: a tree, each node with the transformation into its parent's space.
 namespace scene {
 
+/// POV-Ray turns the boxes of some kinds of object with every statement and takes the box around each time: half its edges become those of
+/// the first box times this, wider with each turn. 1 if it was never transformed.
+struct BoxGrowth {
+    glm::dmat3 edges{1.0};
+
+    void add(const BoxGrowth& later) { edges = later.edges * edges; }
+    static BoxGrowth of(const csg::Transform& t) { return {{glm::abs(t.linear[0]), glm::abs(t.linear[1]), glm::abs(t.linear[2])}}; }
+};
+
 struct Sphere { glm::dvec3 center{0}; double radius = 1; };
 struct Box { glm::dvec3 lower{0}, upper{1}; };                 ///< corners sorted
 /// Unit normal; inside: dot(normal, p) <= offset. moved_clips: clips were there when it was transformed; POV-Ray's box of it is then
@@ -27,7 +36,14 @@ struct Cylinder { glm::dvec3 base{0}, cap{0, 1, 0}; double radius = 1; bool open
 struct Cone { glm::dvec3 base{0}; double base_radius = 1; glm::dvec3 cap{0, 1, 0}; double cap_radius = 0; bool open = false; };
 struct Torus { double major = 1, minor = 0.25; };               ///< axis y
 /// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0: square <A,B,C>, mixed <D,E,F>, linear <G,H,I>.
-struct Quadric { glm::dvec3 square{0}, mixed{0}, linear{0}; double constant = 0; };
+struct Quadric {
+    glm::dvec3 square{0}, mixed{0}, linear{0};
+    double constant = 0;
+    /// Its clips as they stood before it was transformed with them, and its transformation until then: POV-Ray worked out its box
+    /// then (spec 5a, 7.1). Null: it was not.
+    std::shared_ptr<const struct FirstClips> first_clips = nullptr;
+    BoxGrowth growth;
+};
 /// A polynomial of x, y and z that is not positive.
 struct Polynomial { std::shared_ptr<const csg::PolynomialShape> shape; };
 /// What is kept in a shape of its own kind (csg/freeform.h); the object's `written` tells how it was given.
@@ -83,6 +99,7 @@ struct Csg {
     /// A light_group: its operands are lit by the lights that are its operands too, and by those outside of all groups if
     /// global_lights is set. What stands in a group within goes by the lights of that (spec 3, 12.10).
     bool light_group = false, global_lights = false;
+    BoxGrowth growth;
 };
 
 /// Kinds of light (spec 3, 12). Lights may stand inside a union; plan/ collects them.
@@ -136,7 +153,15 @@ struct Object {
     SourceRef source;
 
     /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.
-    void transform_by(const csg::Transform& t);
+    void transform_by(const csg::Transform& t) { transform_by(t, BoxGrowth::of(t)); }
+    /// The same of several, `t` together; `growth`: of boxes turned by one after the other.
+    void transform_by(const csg::Transform& t, const BoxGrowth& growth);
+};
+
+struct FirstClips {
+    std::vector<Object> clips;
+    csg::Transform transform;   ///< of the quadric
+    BoxGrowth growth;
 };
 
 }  // namespace scene

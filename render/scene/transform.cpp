@@ -94,8 +94,17 @@ void Interior::transform(const csg::Transform& t)
     }
 }
 
-void Object::transform_by(const csg::Transform& t)
+void Object::transform_by(const csg::Transform& t, const BoxGrowth& growth)
 {
+    if (auto* quadric = std::get_if<Quadric>(&shape)) {
+        if (!clipped_by.empty() && !quadric->first_clips) {
+            quadric->first_clips = std::make_shared<const FirstClips>(FirstClips{clipped_by, transform, quadric->growth});
+            quadric->growth = {};
+        }
+        quadric->growth.add(growth);
+    } else if (auto* csg = std::get_if<Csg>(&shape)) {
+        csg->growth.add(growth);
+    }
     // A light keeps no transformation of its own: items written later must not be moved.
     if (auto* light = std::get_if<Light>(&shape))
         transform_light(*light, t);
@@ -114,8 +123,8 @@ void Object::transform_by(const csg::Transform& t)
         moved->transform(t);
         interior = std::move(moved);
     }
-    for (Object& clip : clipped_by) clip.transform_by(t);
-    for (Object& bound : bounded_by) bound.transform_by(t);
+    for (Object& clip : clipped_by) clip.transform_by(t, growth);
+    for (Object& bound : bounded_by) bound.transform_by(t, growth);
 }
 
 }  // namespace scene

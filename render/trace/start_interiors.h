@@ -21,7 +21,7 @@ public:
         InteriorList& list = lists_[ray];
         list = {};
         for (const plan::StartHolder& holder : scene_.start_holders)
-            if (!list.holds(holder.interior) && plan::within(holder.only, origin) && world_.item_holds(holder.item, origin)) list.append(holder.interior);
+            if (plan::within(holder.only, origin) && world_.item_holds_start(holder.item, origin)) list.append(holder.interior);
     }
 
     /// Of one of a blurred position's rays, in order. `clouded`: fog was missing for one of them; for those after it it is too (InteriorList::cloud).

@@ -21,7 +21,7 @@ struct GatedBall {
     {
         data.add_solid(data.store.add(Sphere{glm::dvec3(0.0), 1.0}, 0), false, 0, kEveryKind);
         data.programs.push_back(build(Tree::leaf(data.store.add(Plane{{0, 1, 0}, -0.2})), data.store));
-        data.gate_last({Aabb::everything(), {0}});
+        data.gate_last({Aabb::everything(), {0}, false, false});
         data.surface_opaque = {1};
         data.finish();
     }

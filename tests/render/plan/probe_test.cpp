@@ -49,8 +49,6 @@ TEST_CASE("extents are those that POV-Ray tells", "[plan]")
 {
     int checked = 0;
     for (const Row& row : table("extents.csv")) {
-        // Quadrics that only their clips or their shape bound are not bounded here (spec 5a, 7.1).
-        if (row[0].find("quadric") != std::string::npos) continue;
         const auto object = object_of(row[0]);
         if (!object) continue;
         INFO(row[0]);
