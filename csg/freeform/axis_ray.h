@@ -69,6 +69,11 @@ public:
     }
     /// Ray parameter at height y; not of level rays.
     double at_height(double y) const { return start_ + (y - origin_.y) / way_.y / length_; }
+    /// A ray parameter, moved by more than the roundings of those that are told.
+    double sooner(double t) const { return t - kRounding * (std::abs(t) + std::abs(start_)); }
+    double later(double t) const { return t + kRounding * (std::abs(t) + std::abs(start_)); }
+    /// The height at ray parameter t; infinite or no number at an infinite one.
+    double height_at(double t) const { return origin_.y + (t - start_) * length_ * way_.y; }
     /// One step of Newton's from t and the place of a profile that it was found by, for both: the crossing of ray and profile.
     /// Tangents, where the step would be rounding alone, stay.
     double polished(double t, const glm::dvec2& place, const glm::dvec2& slope) const
@@ -93,6 +98,7 @@ public:
 
 private:
     static constexpr double kPolish = 1e-6;    // of the lengths: longer steps are none of rounding
+    static constexpr double kRounding = 1e-12;
     static constexpr double kTangent = 1e-4;   // of the determinant's terms
     static constexpr double kUpright = 1e-100, kLevel = 0x1p-460;
 

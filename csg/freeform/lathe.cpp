@@ -1,4 +1,4 @@
-#include "csg/freeform/lathe.h"
+#include "csg/freeform/lathe_reach.h"
 
 #include <algorithm>
 #include <numbers>
@@ -40,7 +40,7 @@ Lathe::Lathe(const std::vector<OutlinePiece>& segments, const Aabb& extent, doub
             return;
     segments_ = static_cast<double>(std::max<std::size_t>(segments.size(), 1));
     for (std::size_t i = 0; i < segments.size(); ++i) add_segment(segments[i], static_cast<std::uint32_t>(i));
-    if (!arcs_.empty()) add_node(0, static_cast<std::uint32_t>(arcs_.size()));
+    find_reaches();
     find_rims();
     if (!rims_.empty()) hole_ = std::max(0.0, least_radius);
 }
@@ -78,36 +78,43 @@ void Lathe::add_segment(const OutlinePiece& piece, std::uint32_t segment)
         if (start == end) continue;
         const bool negative = start.x + end.x < 0.0;
         negative_ = negative_ || negative;
-        arcs_.push_back({piece.a, piece.b, piece.c, piece.d, kept[i], kept[i + 1], start, end, segment, straight, negative});
+        arcs_.push_back({piece.a, piece.b, piece.c, piece.d, kept[i], kept[i + 1], start, end, piece.slope(kept[i]), piece.slope(kept[i + 1]), segment, straight, negative});
     }
 }
 
-void Lathe::add_node(std::uint32_t first, std::uint32_t last)
+void Lathe::Reaches::set(std::size_t lane, const Reach& reach)
 {
-    const std::size_t here = nodes_.size();
-    nodes_.push_back({kInfinity, 0.0, kInfinity, -kInfinity, 0, last - first == 1 ? first : kNoArc});
-    double largest = 0.0;
-    for (std::uint32_t i = first; i < last; ++i) {
-        Node& node = nodes_[here];
+    nearest[lane] = reach.nearest;
+    farthest[lane] = reach.farthest;
+    low[lane] = reach.low;
+    high[lane] = reach.high;
+}
+
+Lathe::Reach Lathe::reach_of(std::size_t first, std::size_t last) const
+{
+    Reach reach;
+    for (std::size_t i = first; i < last; ++i)
         for (const glm::dvec2& p : {arcs_[i].start, arcs_[i].end}) {
-            node.nearest = std::min(node.nearest, std::abs(p.x));
-            node.farthest = std::max(node.farthest, std::abs(p.x));
-            node.low = std::min(node.low, p.y);
-            node.high = std::max(node.high, p.y);
+            reach.nearest = std::min(reach.nearest, std::abs(p.x));
+            reach.farthest = std::max(reach.farthest, std::abs(p.x));
+            reach.low = std::min(reach.low, p.y);
+            reach.high = std::max(reach.high, p.y);
         }
-        largest = std::max({largest, node.farthest, std::abs(node.low), std::abs(node.high)});
-    }
-    const double margin = 1e-14 * largest;  // more than the roundings of what is compared with it
-    nodes_[here].nearest = std::max(0.0, nodes_[here].nearest - margin);
-    nodes_[here].farthest += margin;
-    nodes_[here].low -= margin;
-    nodes_[here].high += margin;
-    if (last - first > 1) {
-        const std::uint32_t middle = first + (last - first) / 2;
-        add_node(first, middle);
-        add_node(middle, last);
-    }
-    nodes_[here].next = static_cast<std::uint32_t>(nodes_.size());
+    // More than the roundings of what is compared with it.
+    const double margin = 1e-14 * std::max({reach.farthest, std::abs(reach.low), std::abs(reach.high)});
+    return {std::max(0.0, reach.nearest - margin), reach.farthest + margin, reach.low - margin, reach.high + margin};
+}
+
+void Lathe::find_reaches()
+{
+    constexpr std::size_t kEight = Reaches::kArcs, kFewBlocks = 3;
+    if (arcs_.empty()) return;
+    all_ = reach_of(0, arcs_.size());
+    reaches_.assign((arcs_.size() + kEight - 1) / kEight, Reaches{});
+    for (std::size_t i = 0; i < arcs_.size(); ++i) reaches_[i / kEight].set(i % kEight, reach_of(i, i + 1));
+    if (reaches_.size() < kFewBlocks) return;
+    groups_.assign((reaches_.size() + kEight - 1) / kEight, Reaches{});
+    for (std::size_t b = 0; b < reaches_.size(); ++b) groups_[b / kEight].set(b % kEight, reach_of(b * kEight, std::min((b + 1) * kEight, arcs_.size())));
 }
 
 /// Ends of arcs that no other end meets: a ray that passes within one enters or leaves there.
@@ -127,25 +134,35 @@ void Lathe::find_rims()
     std::erase_if(rims_, [](const glm::dvec2& p) { return p.x <= 0.0; });
 }
 
+namespace {
+
+/// Which arcs may turn about a point's axis above or below it, farther out.
+struct ArcsBeyond {
+    lanes::Double height, radius;
+
+    template <class Reaches>
+    std::uint32_t misses(const Reaches& reach, int at) const
+    {
+        using lanes::Double;
+        return lanes::mask((height < Double::load_aligned(reach.low + at)) | (height > Double::load_aligned(reach.high + at)) |
+                           (radius > Double::load_aligned(reach.farthest + at)));
+    }
+};
+
+}  // namespace
+
 bool Lathe::contains(const glm::dvec3& p) const
 {
-    if (nodes_.empty()) return false;
+    if (arcs_.empty()) return false;
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
-    if (!(rho <= nodes_[0].farthest) || !(p.y >= nodes_[0].low && p.y <= nodes_[0].high) || rho < hole_) return false;
+    if (!(rho <= all_.farthest) || !(p.y >= all_.low && p.y <= all_.high) || rho < hole_) return false;
     bool inside = false;
-    for (std::uint32_t i = 0; i < nodes_.size();) {
-        const Node& node = nodes_[i];
-        if (p.y < node.low || p.y > node.high || rho > node.farthest) {
-            i = node.next;
-            continue;
-        }
-        ++i;
-        if (node.arc == kNoArc) continue;
-        const Arc& arc = arcs_[node.arc];
-        if (arc.negative || (arc.start.y < p.y) == (arc.end.y < p.y)) continue;
+    each_near(ArcsBeyond{lanes::Double(p.y), lanes::Double(rho)}, [&](std::size_t i) {
+        const Arc& arc = arcs_[i];
+        if (arc.negative || (arc.start.y < p.y) == (arc.end.y < p.y)) return;
         const double r = arc.at(reached(arc, 1, p.y, arc.lo, arc.hi, arc.end.y < arc.start.y)).x;
         if (r >= rho) inside = !inside;
-    }
+    });
     return inside;
 }
 
@@ -166,7 +183,7 @@ double Lathe::parameter(const Arc& arc, const glm::dvec2& p) const
 glm::dvec3 Lathe::gradient(const glm::dvec3& p, std::uint32_t face) const
 {
     const double rho2 = p.x * p.x + p.z * p.z;
-    if (!(rho2 > on_axis(nodes_[0].farthest))) return {0.0, 1.0, 0.0};
+    if (!(rho2 > on_axis(all_.farthest))) return {0.0, 1.0, 0.0};
     const double rho = std::sqrt(rho2);
     const Arc& arc = arcs_[face];
     // Of a negative radius too, where it is no normal: as POV-Ray has it (spec 5b, 7.2).
@@ -178,14 +195,13 @@ glm::dvec2 Lathe::uv(const glm::dvec3& p, std::uint32_t face) const
 {
     const Arc& arc = arcs_[face];
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
-    return {turn_about_y(p, nodes_[0].farthest), (arc.segment + parameter(arc, {arc.negative ? -rho : rho, p.y})) / segments_};
+    return {turn_about_y(p, all_.farthest), (arc.segment + parameter(arc, {arc.negative ? -rho : rho, p.y})) / segments_};
 }
 
 Aabb Lathe::bounds() const
 {
-    if (nodes_.empty()) return {};
-    const Node& all = nodes_[0];
-    return {{-all.farthest, all.low, -all.farthest}, {all.farthest, all.high, all.farthest}};
+    if (arcs_.empty()) return {};
+    return {{-all_.farthest, all_.low, -all_.farthest}, {all_.farthest, all_.high, all_.farthest}};
 }
 
 }  // namespace csg

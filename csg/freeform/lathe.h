@@ -37,30 +37,38 @@ private:
         glm::dvec2 a, b, c, d;
         double lo, hi;
         glm::dvec2 start, end;              ///< shared with the neighbours
+        glm::dvec2 start_slope, end_slope;
         std::uint32_t segment;
         bool straight, negative;
         glm::dvec2 at(double w) const { return ((a * w + b) * w + c) * w + d; }
         glm::dvec2 slope(double w) const { return (3.0 * a * w + 2.0 * b) * w + c; }
     };
-    /// Arcs in a binary tree, parents first: what they lie in, a little larger.
-    struct Node {
-        double nearest, farthest, low, high;   ///< distance from the axis; height
-        std::uint32_t next;                    ///< the node behind this one's
-        std::uint32_t arc;                     ///< kNoArc: no leaf
+    /// What arcs lie in, a little larger: distance from the axis, height.
+    struct Reach {
+        double nearest = kInfinity, farthest = 0.0, low = kInfinity, high = -kInfinity;
     };
-    static constexpr std::uint32_t kNoArc = 0xffffffffu;
+    /// The same of eight in a row, a lane each.
+    struct alignas(64) Reaches {
+        static constexpr std::size_t kArcs = 8;
+        double nearest[kArcs], farthest[kArcs], low[kArcs], high[kArcs];
+        void set(std::size_t lane, const Reach& reach);
+    };
 
-    struct Cell;
+    class Sweep;
     class Meeting;
 
     void add_segment(const OutlinePiece& piece, std::uint32_t segment);
-    void add_node(std::uint32_t first, std::uint32_t last);
+    Reach reach_of(std::size_t first, std::size_t last) const;
+    void find_reaches();
     void find_rims();
-    static bool misses(const Node& node, const AxisRay& ray);
+    template <class Lanes, class F>
+    void each_near(const Lanes& lanes, F&& f) const;
     double parameter(const Arc& arc, const glm::dvec2& p) const;
 
     std::vector<Arc> arcs_;
-    std::vector<Node> nodes_;
+    Reach all_;
+    std::vector<Reaches> reaches_;          ///< of the arcs
+    std::vector<Reaches> groups_;           ///< of eight arcs each; empty where there are too few to be worth it
     std::vector<glm::dvec2> rims_;          ///< where the curve ends at a positive radius
     Aabb extent_;
     double hole_ = 0.0;                     ///< radius that is never inside; 0 if no point of it could be

@@ -1,10 +1,52 @@
-#include "csg/freeform/lathe.h"
 #include "csg/freeform/lathe_point.h"
+#include "csg/freeform/lathe_reach.h"
 #include "csg/freeform/sorted_ends.h"
 
 #include <array>
 
 namespace csg {
+
+/// Arcs all of whose circles lie on one side of what a ray sweeps about the axis or, where the nearest end is enough, which
+/// the ray passes out of the range that is asked for.
+class Lathe::Sweep {
+public:
+    Sweep(const AxisRay& ray, double from, double to, bool first_only)
+        : foot_(ray.foot), rise_(ray.rise), run_(ray.run), nearest_(ray.nearest), by_range_(first_only && !ray.level())
+    {
+        if (!by_range_) return;
+        // The heights of the range, a little more: an arc passed there is none of rounding.
+        const double earliest = ray.sooner(from), latest = ray.later(to), room = kRoom * (std::abs(ray.foot) + ray.nearest);
+        const double below = ray.height_at(earliest), over = ray.height_at(latest);
+        const auto wider = [&](double height, double sign) { return height + sign * (room + kRoom * std::abs(height)); };
+        low_ = Double(wider(glm::min(below, over), -1.0));
+        high_ = Double(wider(glm::max(below, over), 1.0));
+    }
+
+    std::uint32_t misses(const Reaches& reach, int at) const
+    {
+        const Double low = Double::load_aligned(reach.low + at), high = Double::load_aligned(reach.high + at);
+        const Double below = low - foot_, over = high - foot_;
+        const Double least = xsimd::max(Double(0.0), xsimd::max(below, -over)), most = xsimd::max(-below, over);
+        auto missed = (beyond(Double::load_aligned(reach.farthest + at), least) < Double(0.0)) |
+                      (beyond(Double::load_aligned(reach.nearest + at), most) > Double(0.0));
+        if (by_range_) missed = missed | (high < low_) | (low > high_);
+        return lanes::mask(missed);
+    }
+
+private:
+    using Double = lanes::Double;
+    static constexpr double kRoom = 1e-9;
+
+    /// AxisRay::beyond() in lanes.
+    Double beyond(const Double& r, const Double& above) const
+    {
+        const Double across = run_ * above;
+        return rise_ * rise_ * (r - nearest_) * (r + nearest_) - across * across;
+    }
+
+    Double foot_, rise_, run_, nearest_, low_, high_;
+    bool by_range_;
+};
 
 /// One ray through a lathe.
 class Lathe::Meeting {
@@ -17,15 +59,8 @@ public:
     void find()
     {
         if (!ray_.valid()) return;
-        for (std::uint32_t i = 0; i < lathe_.nodes_.size();) {
-            const Node& node = lathe_.nodes_[i];
-            if (misses(node, ray_)) {
-                i = node.next;
-                continue;
-            }
-            ++i;
-            if (node.arc != kNoArc) meet_arc(node.arc);
-        }
+        const Sweep sweep(ray_, from_, best_.t, first_only_);
+        lathe_.each_near(sweep, [&](std::size_t arc) { meet_arc(static_cast<std::uint32_t>(arc)); });
         for (std::uint32_t i = 0; i < waiting_count_; ++i) resolve(waiting_[i]);
         if (ray_.level() || first_only_) return;
         for (const glm::dvec2& rim : lathe_.rims_)
@@ -81,7 +116,10 @@ private:
 
     LathePoint point(const Arc& arc, double w, double radius, double height, double above) const
     {
-        const glm::dvec2 slope = arc.slope(w);
+        return point(arc.slope(w), w, radius, height, above);
+    }
+    LathePoint point(const glm::dvec2& slope, double w, double radius, double height, double above) const
+    {
         return {w, radius, height, above, slope.x, slope.y, ray_.beyond(radius, above)};
     }
     /// A crossing lies between these. Out of the range that was asked for it matters only that there is one. Where one is
@@ -124,8 +162,8 @@ private:
             add(ray_.at(radius, ray_.foot, 1.0), index);
             return;
         }
-        const LathePoint start = point(arc, arc.lo, arc.start.x, arc.start.y, above_start);
-        const LathePoint end = point(arc, arc.hi, arc.end.x, arc.end.y, above_end);
+        const LathePoint start = point(arc.start_slope, arc.lo, arc.start.x, arc.start.y, above_start);
+        const LathePoint end = point(arc.end_slope, arc.hi, arc.end.x, arc.end.y, above_end);
         if (!passes) {
             meet_cell(arc, start, end, above_start + above_end);
             return;
@@ -201,12 +239,15 @@ private:
         loss.least *= run2, loss.most *= run2;
         const bool changes = start.out() != end.out();
         const double width = end.w - start.w;
+        if (!changes) {
+            // Cheaper than the questions below, which would end in the same.
+            const double steepest = 2.0 * glm::max(gain.most - loss.least, loss.most - gain.least);
+            if (std::abs(start.beyond) + std::abs(end.beyond) > width * steepest) return;
+        }
         if (apart(gain, loss) || falls_by_roots(start, end, gain.negative) || width < kNarrow || --cells_left_ < 0) {
             if (changes) add_between(arc, start, end, side);
             return;
         }
-        const double steepest = 2.0 * glm::max(gain.most - loss.least, loss.most - gain.least);
-        if (!changes && std::abs(start.beyond) + std::abs(end.beyond) > width * steepest) return;
         const double w = 0.5 * (start.w + end.w);
         const glm::dvec2 p = arc.at(w);
         const LathePoint middle = point(arc, w, p.x, p.y, p.y - ray_.foot);
@@ -278,14 +319,6 @@ private:
     SortedEnds events_;
     std::array<Waiting, kMostWaiting> waiting_;
 };
-
-/// Whether all circles of a node lie on one side of what the ray sweeps.
-bool Lathe::misses(const Node& node, const AxisRay& ray)
-{
-    const double below = node.low - ray.foot, over = node.high - ray.foot;
-    const double least = glm::max(0.0, glm::max(below, -over)), most = glm::max(-below, over);
-    return ray.beyond(node.farthest, least) < 0.0 || ray.beyond(node.nearest, most) > 0.0;
-}
 
 void Lathe::meet(const Ray& ray, RayRecord& out) const
 {
