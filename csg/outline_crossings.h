@@ -3,6 +3,7 @@
 #include "csg/lanes.h"
 #include "csg/outline_shape.h"
 
+#include <algorithm>
 #include <bit>
 
 /// Where a line crosses an outline. Compiled once per instruction set.
@@ -17,6 +18,13 @@ struct OutlineLine {
 };
 
 namespace detail {
+
+/// Where b w^2 + c w + d rises through 0, or falls. NaN if it never does.
+inline double only_root_of(double b, double c, double d, bool rises)
+{
+    const double root = std::sqrt(c * c - 4.0 * b * d), slope = rises ? root : -root;
+    return (c > 0.0) == rises ? -2.0 * d / (c + slope) : (slope - c) / (2.0 * b);
+}
 
 /// Where a piece that is not straight crosses the line: f(w), in order.
 template <class F>
@@ -48,6 +56,10 @@ inline void curve_crossings(const OutlinePiece& piece, const OutlineLine& line, 
         if ((before < 0.0) != (after < 0.0)) {
             // Newton between the turns, kept in the bracket.
             double low = lo, high = hi, w = lo + (hi - lo) * (before / (before - after));
+            if (a == 0.0) {
+                const double root = only_root_of(b, c, d, before < 0.0);
+                if (root > lo && root < hi) w = root;
+            }
             for (int k = 0; k < 60; ++k) {
                 const double value = ((a * w + b) * w + c) * w + d;
                 if (value == 0.0) break;
@@ -119,7 +131,8 @@ inline bool outline_crossings(const OutlineShape& shape, OutlineLine& line, F&& 
     bool odd = false;
     const auto meet = [&](std::size_t b) {
         const OutlineShape::Block& block = blocks[b];
-        for (int at = 0; at < OutlineLanes::kEight; at += lanes::kDoubles) {
+        const int most = static_cast<int>(std::min(OutlineShape::Block::kPieces, shape.pieces().size() - b * OutlineShape::Block::kPieces));
+        for (int at = 0; at < most; at += lanes::kDoubles) {
             const std::uint32_t flips = lanes.below(block.start, at) ^ lanes.below(block.end, at);
             std::uint32_t left = (flips | (block.curved >> at & ((1u << lanes::kDoubles) - 1))) & ~lanes.off(block, at);
             if (left == 0) continue;
@@ -150,8 +163,8 @@ inline bool outline_crossings(const OutlineShape& shape, OutlineLine& line, F&& 
             lanes.outside(boxes, at, line.hi, before, behind);
             off |= (lanes.off(boxes, at) | behind) << at;
         }
-        const std::size_t most = std::min(OutlineShape::Block::kPieces, blocks.size() - b);
-        for (std::uint32_t left = ~off & ((1u << most) - 1); left != 0; left &= left - 1) meet(b + static_cast<std::size_t>(std::countr_zero(left)));
+        const std::size_t held = std::min(OutlineShape::Block::kPieces, blocks.size() - b);
+        for (std::uint32_t left = ~off & ((1u << held) - 1); left != 0; left &= left - 1) meet(b + static_cast<std::size_t>(std::countr_zero(left)));
     }
     return odd;
 }
