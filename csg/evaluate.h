@@ -111,6 +111,11 @@ private:
     {
         if constexpr (std::is_same_v<T, Freeform>) {
             if (!scratch_.fetched.spans(&solid, t_min_, t_max_, out)) solid.spans(ray_, t_min_, t_max_, out);
+        } else if constexpr (std::is_same_v<T, Extrusion>) {
+            // Wider than what coincides with an end of the range.
+            solid.each_span(ray_, [&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) {
+                out.push({{.t = in, .face = in_face}, {.t = end, .face = end_face}});
+            }, t_min_ - 2.0 * slack(t_min_), t_max_ + 2.0 * slack(t_max_));
         } else {
             intersect(solid, ray_, out);
         }
