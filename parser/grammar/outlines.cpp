@@ -70,7 +70,7 @@ bool read_parameters(SolidReader& s, scene::Text& text)
     read_values(s.in(), text.characters, text.thickness, text.offset);
     s.object().shape = shape_of(s, text);
     // POV-Ray turns every text by this much, visible in its normals and extents (spec 5b, 11).
-    s.object().transform = csg::Transform::rotate_degrees(glm::dvec3(0.001));
+    s.object().transform_by(csg::Transform::rotate_degrees(glm::dvec3(0.001)));
     return true;
 }
 

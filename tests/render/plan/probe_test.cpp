@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -60,6 +61,22 @@ TEST_CASE("extents are those that POV-Ray tells", "[plan]")
         ++checked;
     }
     CHECK(checked > 55);
+}
+
+TEST_CASE("a text's extent grows by the thousandth of a degree that POV-Ray turns it", "[plan]")
+{
+    // min_extent and max_extent of POV-Ray 3.7.0.10; along z ours are 1e-6 inside of them.
+    const std::filesystem::path folder = "/usr/share/povray-3.7/include";
+    if (!std::filesystem::exists(folder / "timrom.ttf")) return;
+    parser::Options options;
+    options.library_path.push_back(folder.string());
+    const parser::Result read = parser::parse_text("text{ttf \"timrom.ttf\" \"Whittle\" .3,0 rotate 33*z scale <1.3,2,1>}", "test.pov", options);
+    const csg::Aabb box = plan::described_extent(read.scene.objects.front());
+    const double lower[3] = {-0.492840141, -0.026859473, -0.000054267}, upper[3] = {3.321403027, 4.474572182, 0.300013155};
+    for (int k = 0; k < 3; ++k) {
+        CHECK(box.lower[k] == Approx(lower[k]).margin(k == 2 ? 2e-6 : 1e-6));
+        CHECK(box.upper[k] == Approx(upper[k]).margin(k == 2 ? 2e-6 : 1e-6));
+    }
 }
 
 TEST_CASE("inside() answers as POV-Ray", "[plan]")
