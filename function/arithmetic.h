@@ -12,12 +12,10 @@ namespace function {
 inline constexpr double kDegree = 0.01745329251994329576;
 
 /// Truncation through 32 bits: what does not fit becomes the least number.
-inline double truncated(double v)
-{
-    return v > -2147483649.0 && v < 2147483648.0 ? std::trunc(v) : -2147483648.0;
-}
+inline double truncated(double v) { return v > -2147483649.0 && v < 2147483648.0 ? std::trunc(v) : -2147483648.0; }
 
-template <Op op> inline double binary(double a, double b)
+template <Op op>
+inline double binary(double a, double b)
 {
     if constexpr (op == Op::Add) return a + b;
     if constexpr (op == Op::Subtract) return a - b;
@@ -41,7 +39,8 @@ template <Op op> inline double binary(double a, double b)
     return 0.0;
 }
 
-template <Op op> inline double unary(double a)
+template <Op op>
+inline double unary(double a)
 {
     if constexpr (op == Op::Negate) return -a;
     if constexpr (op == Op::Abs) return std::abs(a);
@@ -70,22 +69,58 @@ template <Op op> inline double unary(double a)
 }
 
 /// Calls f.operator()<op>() for an operator known at run time.
-template <class F> decltype(auto) with_binary(Op op, F&& f)
+template <class F>
+decltype(auto) with_binary(Op op, F&& f)
 {
     switch (op) {
-#define CASE(name) case Op::name: return f.template operator()<Op::name>()
-    CASE(Subtract); CASE(Multiply); CASE(Divide); CASE(Less); CASE(LessEqual); CASE(Greater); CASE(GreaterEqual);
-    CASE(Equal); CASE(NotEqual); CASE(And); CASE(Or); CASE(Min); CASE(Max); CASE(Atan2); CASE(IntDivide); CASE(Modulo);
-    CASE(Power);
+#define CASE(name)                                                                                                     \
+    case Op::name: return f.template operator()<Op::name>()
+        CASE(Subtract);
+        CASE(Multiply);
+        CASE(Divide);
+        CASE(Less);
+        CASE(LessEqual);
+        CASE(Greater);
+        CASE(GreaterEqual);
+        CASE(Equal);
+        CASE(NotEqual);
+        CASE(And);
+        CASE(Or);
+        CASE(Min);
+        CASE(Max);
+        CASE(Atan2);
+        CASE(IntDivide);
+        CASE(Modulo);
+        CASE(Power);
     default: return f.template operator()<Op::Add>();
     }
 }
-template <class F> decltype(auto) with_unary(Op op, F&& f)
+template <class F>
+decltype(auto) with_unary(Op op, F&& f)
 {
     switch (op) {
-    CASE(Abs); CASE(Acos); CASE(Acosh); CASE(Asin); CASE(Asinh); CASE(Atan); CASE(Atanh); CASE(Ceil); CASE(Cos);
-    CASE(Cosh); CASE(Degrees); CASE(Exp); CASE(Floor); CASE(Int); CASE(Ln); CASE(Log); CASE(Radians); CASE(Sin);
-    CASE(Sinh); CASE(Sqrt); CASE(Tan); CASE(Tanh);
+        CASE(Abs);
+        CASE(Acos);
+        CASE(Acosh);
+        CASE(Asin);
+        CASE(Asinh);
+        CASE(Atan);
+        CASE(Atanh);
+        CASE(Ceil);
+        CASE(Cos);
+        CASE(Cosh);
+        CASE(Degrees);
+        CASE(Exp);
+        CASE(Floor);
+        CASE(Int);
+        CASE(Ln);
+        CASE(Log);
+        CASE(Radians);
+        CASE(Sin);
+        CASE(Sinh);
+        CASE(Sqrt);
+        CASE(Tan);
+        CASE(Tanh);
 #undef CASE
     default: return f.template operator()<Op::Negate>();
     }

@@ -1,7 +1,7 @@
 #include "function/field.h"
 
 #include "function/evaluate.h"
-#include "function/interval.h"
+#include "function/intervals/interval.h"
 
 namespace function {
 namespace {
@@ -22,8 +22,7 @@ const Evaluators& in_use() { return current; }
 
 FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> host)
     : function_(std::move(function)), host_(host ? std::move(host) : lone_host()), ranged_(narrows(*function_))
-{
-}
+{}
 
 double FunctionField::value(const glm::dvec3& p) const
 {

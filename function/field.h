@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/freeform/field.h"
+#include "csg/freeform/field/field.h"
 #include "function/program.h"
 
 namespace function {
@@ -10,7 +10,8 @@ struct Evaluators {
     double (*one)(const Function& function, const double* arguments, const Host& host);
     std::array<double, 5> (*all)(const Function& function, const double* arguments, const Host& host);
     void (*lanes)(const Function& function, const double (*arguments)[8], const Host& host, double* out);
-    void (*intervals)(const Function& function, const double (*low)[8], const double (*high)[8], const Host& host, double* out_low, double* out_high);
+    void (*intervals)(const Function& function, const double (*low)[8], const double (*high)[8], const Host& host,
+                      double* out_low, double* out_high);
 };
 
 /// Fields use these from now on, in every thread: those of a kernel module know the processor better. All give the same

@@ -1,6 +1,6 @@
 #include "function/batch.h"
-#include "function/internal.h"
-#include "function/internal_shapes.h"
+#include "function/internal/internal.h"
+#include "function/internal/internal_shapes.h"
 #include "function/machine.h"
 #include "function/outer.h"
 
@@ -17,26 +17,38 @@ struct alignas(64) Eight {
 
 namespace {
 
-template <class F> Eight batchwise(const Eight& a, const Eight& b, F&& f)
+template <class F>
+Eight batchwise(const Eight& a, const Eight& b, F&& f)
 {
     Eight out;
-    for (std::size_t i = 0; i < kLanes; i += kWidth) f(Batch::load_aligned(a.v + i), Batch::load_aligned(b.v + i)).store_aligned(out.v + i);
+    for (std::size_t i = 0; i < kLanes; i += kWidth)
+        f(Batch::load_aligned(a.v + i), Batch::load_aligned(b.v + i)).store_aligned(out.v + i);
     return out;
 }
-template <class F> Eight lanewise(F&& f)
+template <class F>
+Eight lanewise(F&& f)
 {
     Eight out;
     for (std::size_t i = 0; i < kLanes; ++i) out.v[i] = f(i);
     return out;
 }
-template <class Bool> Batch truth(const Bool& b) { return xsimd::select(b, Batch(1.0), Batch(0.0)); }
+template <class Bool>
+Batch truth(const Bool& b)
+{
+    return xsimd::select(b, Batch(1.0), Batch(0.0));
+}
 
 }  // namespace
 
-template <> struct Rules<Eight> {
-    static Eight constant(double c) { return lanewise([c](std::size_t) { return c; }); }
+template <>
+struct Rules<Eight> {
+    static Eight constant(double c)
+    {
+        return lanewise([c](std::size_t) { return c; });
+    }
 
-    template <Op op> static Eight binary(const Eight& a, const Eight& b)
+    template <Op op>
+    static Eight binary(const Eight& a, const Eight& b)
     {
         if constexpr (op == Op::Add) return batchwise(a, b, [](Batch x, Batch y) { return x + y; });
         else if constexpr (op == Op::Subtract) return batchwise(a, b, [](Batch x, Batch y) { return x - y; });
@@ -44,14 +56,19 @@ template <> struct Rules<Eight> {
         else if constexpr (op == Op::Divide) return batchwise(a, b, [](Batch x, Batch y) { return x / y; });
         else if constexpr (op == Op::Less) return batchwise(a, b, [](Batch x, Batch y) { return truth(x < y); });
         else if constexpr (op == Op::LessEqual) return batchwise(a, b, [](Batch x, Batch y) { return truth(x <= y); });
-        else if constexpr (op == Op::Greater) return batchwise(a, b, [](Batch x, Batch y) { return Batch(1.0) - truth(x <= y); });
-        else if constexpr (op == Op::GreaterEqual) return batchwise(a, b, [](Batch x, Batch y) { return Batch(1.0) - truth(x < y); });
-        else if constexpr (op == Op::Min) return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, x, y); });
-        else if constexpr (op == Op::Max) return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, y, x); });
+        else if constexpr (op == Op::Greater)
+            return batchwise(a, b, [](Batch x, Batch y) { return Batch(1.0) - truth(x <= y); });
+        else if constexpr (op == Op::GreaterEqual)
+            return batchwise(a, b, [](Batch x, Batch y) { return Batch(1.0) - truth(x < y); });
+        else if constexpr (op == Op::Min)
+            return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, x, y); });
+        else if constexpr (op == Op::Max)
+            return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, y, x); });
         else return lanewise([&](std::size_t i) { return function::binary<op>(a.v[i], b.v[i]); });
     }
 
-    template <Op op> static Eight unary(const Eight& a)
+    template <Op op>
+    static Eight unary(const Eight& a)
     {
         if constexpr (op == Op::Sqrt) return batchwise(a, a, [](Batch x, Batch) { return xsimd::sqrt(x); });
         else if constexpr (op == Op::Abs) return batchwise(a, a, [](Batch x, Batch) { return xsimd::abs(x); });
@@ -114,7 +131,7 @@ template <> struct Rules<Eight> {
         });
     }
 
-    static void outer(const Outer& what, const Eight* a, const Host& host, Eight* out)
+    static void outer(const SceneReference& what, const Eight* a, const Host& host, Eight* out)
     {
         const std::size_t count = std::holds_alternative<std::shared_ptr<const Spline>>(what) ? 1 : 3;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -126,7 +143,10 @@ template <> struct Rules<Eight> {
     }
 
 private:
-    static bool same(const Eight& a) { return std::all_of(a.v + 1, a.v + kLanes, [&](double v) { return v == a.v[0]; }); }
+    static bool same(const Eight& a)
+    {
+        return std::all_of(a.v + 1, a.v + kLanes, [&](double v) { return v == a.v[0]; });
+    }
 
     /// ridged_mf() of eight points: the same operations.
     static Eight ridged(const Eight* a, const Host& host, const double* weights)

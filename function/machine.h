@@ -8,10 +8,12 @@
 /// The interpreter, for any kind of value V. `Rules<V>` says what the operators, branches and loops of V are.
 namespace function {
 
-template <class V> struct Rules;
+template <class V>
+struct Rules;
 
 /// A frame of registers: on the stack while small.
-template <class V> class Frame {
+template <class V>
+class Frame {
 public:
     explicit Frame(const Function& f) : large_(f.registers > kSmall ? new V[f.registers] : nullptr)
     {
@@ -26,9 +28,11 @@ private:
     V small_[kSmall];
 };
 
-template <class V> V run_function(const Function& f, const V* arguments, const Host& host);
+template <class V>
+V run_function(const Function& f, const V* arguments, const Host& host);
 
-template <class V> class Machine {
+template <class V>
+class Machine {
 public:
     Machine(const Function& f, V* registers, const Host& host) : f_(f), r_(registers), host_(host) {}
 
@@ -50,12 +54,13 @@ public:
                 Rules<V>::loop(*this, f_.loops[in.a], in.dst);
                 pc = f_.loops[in.a].end;
                 break;
-            case Op::Call: case Op::Internal: case Op::Outer: outward(in); break;
+            case Op::Call:
+            case Op::Internal:
+            case Op::SceneReference: outward(in); break;
             default:
                 if (is_binary(in.op))
                     with_binary(in.op, [&]<Op o>() { r_[in.dst] = Rules<V>::template binary<o>(r_[in.a], r_[in.b]); });
-                else
-                    with_unary(in.op, [&]<Op o>() { r_[in.dst] = Rules<V>::template unary<o>(r_[in.a]); });
+                else with_unary(in.op, [&]<Op o>() { r_[in.dst] = Rules<V>::template unary<o>(r_[in.a]); });
             }
         }
     }
@@ -69,9 +74,12 @@ private:
     {
         V arguments[kMostArguments];
         for (std::uint32_t i = 0; i < in.b; ++i) arguments[i] = r_[f_.arguments[in.a + i]];
-        const Outer& what = f_.outer[in.c];
+        const SceneReference& what = f_.outer[in.c];
         if (in.op == Op::Call) r_[in.dst] = run_function<V>(*std::get<FunctionPtr>(what), arguments, host_);
-        else if (in.op == Op::Internal) r_[in.dst] = Rules<V>::internal(std::get<std::uint32_t>(what), in.b, arguments, host_, in.weights == Instruction::kNone ? nullptr : f_.octave_weights[in.weights].data());
+        else if (in.op == Op::Internal)
+            r_[in.dst] =
+                Rules<V>::internal(std::get<std::uint32_t>(what), in.b, arguments, host_,
+                                   in.weights == Instruction::kNone ? nullptr : f_.octave_weights[in.weights].data());
         else Rules<V>::outer(what, arguments, host_, r_ + in.dst);
     }
 
@@ -80,7 +88,8 @@ private:
     const Host& host_;
 };
 
-template <class V> V run_function(const Function& f, const V* arguments, const Host& host)
+template <class V>
+V run_function(const Function& f, const V* arguments, const Host& host)
 {
     Frame<V> frame(f);
     V* r = frame.registers();

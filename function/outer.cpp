@@ -2,7 +2,7 @@
 
 namespace function {
 
-std::array<double, 5> outer_value(const Outer& what, const double* a, const Host& host)
+std::array<double, 5> outer_value(const SceneReference& what, const double* a, const Host& host)
 {
     if (const auto* spline = std::get_if<std::shared_ptr<const Spline>>(&what)) return (*spline)->at(a[0]);
     const glm::dvec3 p(a[0], a[1], a[2]);
@@ -10,8 +10,8 @@ std::array<double, 5> outer_value(const Outer& what, const double* a, const Host
         const glm::dvec3 q = transform->point(p);
         return {q.x, q.y, q.z, 0.0, 0.0};
     }
-    const auto& use = std::get<OuterUse>(what);
-    if (use.kind == OuterUse::Kind::Pigment) return host.pigment(use.slot, p);
+    const auto& use = std::get<SceneUse>(what);
+    if (use.kind == SceneUse::Kind::Pigment) return host.pigment(use.slot, p);
     return {host.pattern(use.slot, p), 0.0, 0.0, 0.0, 0.0};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/types.h"
+#include "csg/base/types.h"
 #include "function/spline.h"
 
 #include <array>
@@ -13,15 +13,62 @@ namespace function {
 
 enum class Op : std::uint8_t {
     // two operands
-    Add, Subtract, Multiply, Divide, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or, Min, Max, Atan2,
-    IntDivide, Modulo, Power,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+    Min,
+    Max,
+    Atan2,
+    IntDivide,
+    Modulo,
+    Power,
     // one operand
-    Negate, Abs, Acos, Acosh, Asin, Asinh, Atan, Atanh, Ceil, Cos, Cosh, Degrees, Exp, Floor, Int, Ln, Log, Radians, Sin,
-    Sinh, Sqrt, Tan, Tanh,
+    Negate,
+    Abs,
+    Acos,
+    Acosh,
+    Asin,
+    Asinh,
+    Atan,
+    Atanh,
+    Ceil,
+    Cos,
+    Cosh,
+    Degrees,
+    Exp,
+    Floor,
+    Int,
+    Ln,
+    Log,
+    Radians,
+    Sin,
+    Sinh,
+    Sqrt,
+    Tan,
+    Tanh,
     // structured and outward
-    Select, Loop, Call, Internal, Outer,
+    Select,
+    Loop,
+    Call,
+    Internal,
+    SceneReference,
     // known before the program runs
-    Constant, Parameter, Counter, Component, BeginBranch, EndBranch, BeginLoop
+    Constant,
+    Parameter,
+    Counter,
+    Component,
+    BeginBranch,
+    EndBranch,
+    BeginLoop
 };
 
 constexpr bool is_binary(Op op) { return op <= Op::Power; }
@@ -49,29 +96,30 @@ public:
     {
         for (int i = 0; i < 8; ++i) out[i] = noise({x[i], y[i], z[i]}, generator);
     }
-    /// The texture set behind the answers, null: none. A kernel module asks it by its own build of render/texture, which knows the
-    /// processor better than the program's.
+    /// The texture set behind the answers, null: none. A kernel module asks it by its own build of render/texture,
+    /// which knows the processor better than the program's.
     virtual const void* texture_set() const { return nullptr; }
 };
 
 /// A `pattern { }` or `pigment { }` in a function.
-struct OuterUse {
+struct SceneUse {
     enum class Kind : std::uint8_t { Pattern, Pigment } kind = Kind::Pattern;
     std::shared_ptr<const External> external;
-    std::uint32_t slot = 0xffffffffu;            ///< set by link()
+    std::uint32_t slot = 0xffffffffu;  ///< set by link()
 };
 
-/// What the instructions Call, Internal and Outer name.
+/// What the instructions Call, Internal and SceneReference name.
 /// (Internal: the number n).
-using Outer = std::variant<csg::Transform, std::shared_ptr<const Spline>, OuterUse, FunctionPtr, std::uint32_t>;
+using SceneReference =
+    std::variant<csg::Transform, std::shared_ptr<const Spline>, SceneUse, FunctionPtr, std::uint32_t>;
 
-/// `dst` and the operands are registers. Call, Internal, Outer: `a` is the first of `b` places in Function::arguments,
-/// `c` the place in Function::outer; Outer writes up to five registers from dst. Select and Loop: `a` is a place in
-/// branchings or loops, whose code follows.
+/// `dst` and the operands are registers. Call, Internal, SceneReference: `a` is the first of `b` places in
+/// Function::arguments, `c` the place in Function::outer; SceneReference writes up to five registers from dst. Select
+/// and Loop: `a` is a place in branchings or loops, whose code follows.
 struct Instruction {
     Op op = Op::Add;
     std::uint32_t dst = 0, a = 0, b = 0, c = 0;
-    std::uint32_t weights = kNone;               ///< Internal: a place in Function::octave_weights, where they are known
+    std::uint32_t weights = kNone;  ///< Internal: a place in Function::octave_weights, where they are known
     static constexpr std::uint32_t kNone = 0xffffffffu;
 };
 
@@ -90,7 +138,7 @@ struct Loop {
 /// A node of the body as it was read, kept so that callers can take it in.
 struct Node {
     Op op = Op::Constant;
-    std::uint32_t a = 0, b = 0, c = 0;           ///< operands, or small numbers
+    std::uint32_t a = 0, b = 0, c = 0;  ///< operands, or small numbers
     double number = 0;
     std::vector<std::uint32_t> operands;
 };
@@ -99,21 +147,21 @@ struct Node {
 class Function {
 public:
     std::uint32_t parameters = 3;
-    std::uint32_t components = 1;                ///< of the result
+    std::uint32_t components = 1;  ///< of the result
     std::vector<double> constants;
     std::uint32_t registers = 0;
-    std::uint32_t result = 0;                    ///< first register of the result
+    std::uint32_t result = 0;  ///< first register of the result
     std::vector<Instruction> code;
     std::vector<std::uint32_t> arguments;
-    std::vector<Outer> outer;
+    std::vector<SceneReference> outer;
     std::vector<Branching> branchings;
     std::vector<Loop> loops;
-    std::vector<std::vector<double>> octave_weights;   ///< of calls of f_ridged_mf whose parameters are constants
-    std::uint32_t depth = 1;                     ///< calls below it, itself included
-    bool asks_scene = false;                     ///< noise, patterns or pigments, here or below
+    std::vector<std::vector<double>> octave_weights;  ///< of calls of f_ridged_mf whose parameters are constants
+    std::uint32_t depth = 1;                          ///< calls below it, itself included
+    bool asks_scene = false;                          ///< noise, patterns or pigments, here or below
 
-    std::vector<Node> nodes;                     ///< what the code was made of
-    std::uint32_t value = 0;                     ///< node of the result
+    std::vector<Node> nodes;  ///< what the code was made of
+    std::uint32_t value = 0;  ///< node of the result
 
     /// The frame begins with parameter i in register constants.size() + i.
     std::uint32_t first_parameter() const { return static_cast<std::uint32_t>(constants.size()); }

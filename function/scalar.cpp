@@ -1,13 +1,22 @@
-#include "function/internal.h"
+#include "function/internal/internal.h"
 #include "function/machine.h"
 #include "function/outer.h"
 
 namespace function {
 
-template <> struct Rules<double> {
+template <>
+struct Rules<double> {
     static double constant(double v) { return v; }
-    template <Op op> static double binary(double a, double b) { return function::binary<op>(a, b); }
-    template <Op op> static double unary(double a) { return function::unary<op>(a); }
+    template <Op op>
+    static double binary(double a, double b)
+    {
+        return function::binary<op>(a, b);
+    }
+    template <Op op>
+    static double unary(double a)
+    {
+        return function::unary<op>(a);
+    }
 
     static void select(Machine<double>& m, const Branching& b, std::uint32_t dst)
     {
@@ -35,7 +44,7 @@ template <> struct Rules<double> {
         return function::internal(n, a, host, weights);
     }
 
-    static void outer(const Outer& what, const double* a, const Host& host, double* out)
+    static void outer(const SceneReference& what, const double* a, const Host& host, double* out)
     {
         const Values v = outer_value(what, a, host);
         for (std::size_t k = 0; k < v.size(); ++k) out[k] = v[k];

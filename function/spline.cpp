@@ -20,7 +20,8 @@ void Spline::add(double t, const Values& value, std::uint32_t count)
 
 namespace {
 
-template <class F> Values each(F&& f)
+template <class F>
+Values each(F&& f)
 {
     Values out{};
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = f(k);
@@ -41,7 +42,7 @@ std::vector<Values> Spline::second_derivatives() const
 {
     const std::size_t n = knots_.size();
     std::vector<Values> m(n, Values{});
-    std::vector<double> above(n, 0.0);            // of the eliminated system, whose diagonal is 1
+    std::vector<double> above(n, 0.0);  // of the eliminated system, whose diagonal is 1
     const auto h = [&](std::size_t j) { return knots_[j + 1].t - knots_[j].t; };
     for (std::size_t j = 1; j + 1 < n; ++j) {
         const double pivot = 2.0 * (h(j - 1) + h(j)) - h(j - 1) * above[j - 1];
@@ -62,7 +63,8 @@ Values Spline::at(double t, Kind as) const
     if (count == 0) return {};
     if (count == 1) return knots_[0].value;
     const auto knot = [&](std::size_t j) -> const Knot& { return knots_[j]; };
-    const auto found = std::lower_bound(knots_.begin(), knots_.end(), t, [](const Knot& k, double v) { return k.t < v; });
+    const auto found =
+        std::lower_bound(knots_.begin(), knots_.end(), t, [](const Knot& k, double v) { return k.t < v; });
     std::size_t i = static_cast<std::size_t>(found - knots_.begin());
     if (!(t < knots_.back().t)) i = count;
     if (as == Kind::Cubic) {
@@ -72,7 +74,9 @@ Values Spline::at(double t, Kind as) const
         const std::size_t a = i - 1;
         const double step = knot(i).t - knot(a).t, u = (t - knot(a).t) / step, u2 = u * u, u3 = u2 * u;
         return each([&](std::size_t k) {
-            const auto slope = [&](std::size_t j) { return (knot(j + 1).value[k] - knot(j).value[k]) / (knot(j + 1).t - knot(j).t); };
+            const auto slope = [&](std::size_t j) {
+                return (knot(j + 1).value[k] - knot(j).value[k]) / (knot(j + 1).t - knot(j).t);
+            };
             const double d0 = step * (slope(a - 1) + slope(a)) / 2.0, d1 = step * (slope(a) + slope(a + 1)) / 2.0;
             return knot(a).value[k] * (2.0 * u3 - 3.0 * u2 + 1.0) + knot(i).value[k] * (3.0 * u2 - 2.0 * u3) +
                    d0 * (u3 - 2.0 * u2 + u) + d1 * (u3 - u2);
@@ -85,7 +89,8 @@ Values Spline::at(double t, Kind as) const
     if (as == Kind::Quadratic && count > 2) {
         const std::size_t p = i < 2 ? 0 : i - 2;
         return each([&](std::size_t k) {
-            return parabola(t, knot(p).t, knot(p).value[k], knot(p + 1).t, knot(p + 1).value[k], knot(p + 2).t, knot(p + 2).value[k]);
+            return parabola(t, knot(p).t, knot(p).value[k], knot(p + 1).t, knot(p + 1).value[k], knot(p + 2).t,
+                            knot(p + 2).value[k]);
         });
     }
     if (as == Kind::Natural && count > 2) {

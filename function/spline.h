@@ -14,8 +14,8 @@ public:
 
     Kind kind = Kind::Linear;
 
-    /// A value of `count` components at t. A knot that is there is replaced, unless it is the last: then the new value is
-    /// lost. The spline has as many components as its widest value.
+    /// A value of `count` components at t. A knot that is there is replaced, unless it is the last: then the new value
+    /// is lost. The spline has as many components as its widest value.
     void add(double t, const Values& value, std::uint32_t count);
     std::uint32_t components() const { return components_; }
     std::size_t size() const { return knots_.size(); }
@@ -25,9 +25,12 @@ public:
     Values at(double t, Kind as) const;
 
 private:
-    struct Knot { double t; Values value; };
+    struct Knot {
+        double t;
+        Values value;
+    };
     std::vector<Values> second_derivatives() const;
-    std::vector<Knot> knots_;                     ///< by t
+    std::vector<Knot> knots_;  ///< by t
     std::uint32_t components_ = 2;
 };
 

@@ -1,6 +1,6 @@
 #include "parser/parse.h"
 
-#include "parser/grammar/scene_builder.h"
+#include "parser/grammar/core/scene_builder.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,8 @@
 namespace parser {
 namespace {
 
-template <class Open> Result parse(const Options& options, MessageSink sink, void* context, Open&& open)
+template <class Open>
+Result parse(const Options& options, MessageSink sink, void* context, Open&& open)
 {
     SceneBuilder build;
     TokenStream stream(options, build, sink, context);
@@ -34,7 +35,8 @@ Result parse_file(const std::string& path, const Options& options, MessageSink s
     return parse(options, sink, context, [&](TokenStream& stream) { stream.open_file(path); });
 }
 
-Result parse_text(const std::string& text, const std::string& name, const Options& options, MessageSink sink, void* context)
+Result parse_text(const std::string& text, const std::string& name, const Options& options, MessageSink sink,
+                  void* context)
 {
     return parse(options, sink, context, [&](TokenStream& stream) { stream.open_text(text, name); });
 }

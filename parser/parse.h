@@ -15,24 +15,25 @@ class SceneQueries;  // parser/queries.h
 
 /// What the command line tells the parser.
 struct Options {
-    std::vector<std::string> library_path;             ///< searched after the current folder and before the scene's, in order
-    std::vector<std::string> write_folders;            ///< where #fopen may write, besides the current folder
-    bool write_nothing = false;                        ///< what #fopen would write is dropped
-    bool restrict_read = false;                        ///< files are read only where may_read() of stream/file_policy.h says
-    std::map<std::string, double> declared_numbers;    ///< Declare=name=value
+    std::vector<std::string> library_path;   ///< searched after the current folder and before the scene's, in order
+    std::vector<std::string> write_folders;  ///< where #fopen may write, besides the current folder
+    bool write_nothing = false;              ///< what #fopen would write is dropped
+    bool restrict_read = false;  ///< files are read only where may_read() of parser/stream/files/file_policy.h says
+    std::map<std::string, double> declared_numbers;  ///< Declare=name=value
     std::map<std::string, std::string> declared_strings;
-    int version = 370;                                 ///< before any #version
-    bool version_given = false;                        ///< by an option: gamma and the like follow it (spec 1, 15.1)
+    int version = 370;           ///< before any #version
+    bool version_given = false;  ///< by an option: gamma and the like follow it (spec 1, 15.1)
     int image_width = 320, image_height = 240;
     double clock = 0.0;
     bool clock_on = false;
     int frame_number = 0, initial_frame = 0, final_frame = 0;
     double clock_delta = 0;
     double initial_clock = 0, final_clock = 0;
-    std::string include_header;                        ///< file to include ahead of the scene; empty: none
-    SceneQueries* queries = nullptr;                   ///< answers trace(), inside(), eval_pigment, ...; null: they are errors
-    std::uint64_t most_tokens = 0;                     ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
-    const std::atomic<bool>* cancel = nullptr;         ///< looked at now and then: when set, reading ends with Cancelled
+    std::string include_header;       ///< file to include ahead of the scene; empty: none
+    SceneQueries* queries = nullptr;  ///< answers trace(), inside(), eval_pigment, ...; null: they are errors
+    std::uint64_t most_tokens =
+        0;  ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
+    const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then: when set, reading ends with Cancelled
 };
 
 /// Thrown when Options::cancel asks for it.
@@ -60,9 +61,9 @@ struct Statistics {
 
 struct Result {
     scene::Description scene;
-    std::vector<Message> messages;                     ///< in order; without errors
+    std::vector<Message> messages;  ///< in order; without errors
     Statistics statistics;
-    std::vector<std::string> data_files;               ///< read besides the text: by #fopen, images, densities, fonts; in order
+    std::vector<std::string> data_files;  ///< read besides the text: by #fopen, images, densities, fonts; in order
 };
 
 /// Called with each message as it arises (may be empty).
@@ -72,8 +73,8 @@ using MessageSink = void (*)(void* context, const Message&);
 Result parse_file(const std::string& path, const Options& options, MessageSink sink = nullptr, void* context = nullptr);
 
 /// The same for text in memory; `name` stands for the file in messages.
-Result parse_text(const std::string& text, const std::string& name, const Options& options,
-                  MessageSink sink = nullptr, void* context = nullptr);
+Result parse_text(const std::string& text, const std::string& name, const Options& options, MessageSink sink = nullptr,
+                  void* context = nullptr);
 
 /// --dump=tokens: one token a line, with position.
 std::string dump_tokens(const std::string& path);

@@ -8,11 +8,14 @@
 
 namespace parser {
 
-struct ObjectHit { bool hit = false; glm::dvec3 point{0}, normal{0}; };
+struct ObjectHit {
+    bool hit = false;
+    glm::dvec3 point{0}, normal{0};
+};
 
-/// Questions to the scene while it is read: the parser knows neither geometry nor textures, so whoever starts it answers
-/// (Options::queries). Answers may throw std::runtime_error with the reason of a refusal. What depends on global settings, as
-/// the noise of an isosurface does, is answered with those read so far.
+/// Questions to the scene while it is read: the parser knows neither geometry nor textures, so whoever starts it
+/// answers (Options::queries). Answers may throw std::runtime_error with the reason of a refusal. What depends on
+/// global settings, as the noise of an isosurface does, is answered with those read so far.
 class SceneQueries {
 public:
     using ObjectPtr = std::shared_ptr<const scene::Object>;
@@ -30,8 +33,8 @@ public:
     virtual function::Values evaluate(const function::FunctionPtr& called, const double* arguments,
                                       const scene::Description& so_far) = 0;
     /// The same at many points; `values` has as many.
-    virtual void evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points, std::span<function::Values> values,
-                          const scene::Description& so_far) = 0;
+    virtual void evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points,
+                          std::span<function::Values> values, const scene::Description& so_far) = 0;
 };
 
 }  // namespace parser

@@ -84,7 +84,7 @@ struct Device {
     }
 };
 
-constexpr float kBlocked = -std::numeric_limits<float>::infinity();   // tfar of a ray that met anything
+constexpr float kBlocked = -std::numeric_limits<float>::infinity();  // tfar of a ray that met anything
 
 /// Ray k of a tile at place i of a packet: `Rays` has arrays, one place a ray.
 template <class Rays>
@@ -120,8 +120,18 @@ std::uint64_t ask_singly(RTCScene scene, Asked asked, const std::vector<csg::Ray
         for (std::size_t k = 0; k < static_cast<std::size_t>(tile.count); ++k) {
             RTCRayHit one;
             const auto single = [k](const auto& lanes) { return static_cast<float>(lanes[k]); };
-            one.ray = {single(tile.ox), single(tile.oy), single(tile.oz), single(tile.t_min), single(tile.dx),
-                       single(tile.dy), single(tile.dz), 0.0f, single(tile.t_max), 0xffffffffu, 0, 0};
+            one.ray = {single(tile.ox),
+                       single(tile.oy),
+                       single(tile.oz),
+                       single(tile.t_min),
+                       single(tile.dx),
+                       single(tile.dy),
+                       single(tile.dz),
+                       0.0f,
+                       single(tile.t_max),
+                       0xffffffffu,
+                       0,
+                       0};
             one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
             one.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
             if (asked == Asked::Nearest) {
@@ -173,14 +183,16 @@ Built build_embree(const Scene& scene)
     const auto device = std::make_shared<Device>(scene);
     Built built{.build_s = now() - began, .methods = {}, .hits = {}};
     built.methods.push_back({"Embree", "packets of 16", [device](Asked asked, const auto& rays) {
-        return ask_packets<16, RTCRayHit16>(device->scene, asked, rays, rtcIntersect16, rtcOccluded16);
-    }});
+                                 return ask_packets<16, RTCRayHit16>(device->scene, asked, rays, rtcIntersect16,
+                                                                     rtcOccluded16);
+                             }});
     built.methods.push_back({"Embree", "packets of 8", [device](Asked asked, const auto& rays) {
-        return ask_packets<8, RTCRayHit8>(device->scene, asked, rays, rtcIntersect8, rtcOccluded8);
-    }});
+                                 return ask_packets<8, RTCRayHit8>(device->scene, asked, rays, rtcIntersect8,
+                                                                   rtcOccluded8);
+                             }});
     built.methods.push_back({"Embree", "single", [device](Asked asked, const auto& rays) {
-        return ask_singly(device->scene, asked, rays);
-    }});
+                                 return ask_singly(device->scene, asked, rays);
+                             }});
     return built;
 }
 

@@ -1,7 +1,7 @@
 #include "bench/embree/rays.h"
-#include "csg/scratch.h"
-#include "csg/world.h"
-#include "csg/world_data.h"
+#include "csg/base/scratch.h"
+#include "csg/world/world.h"
+#include "csg/world/world_data.h"
 
 #include <memory>
 
@@ -66,8 +66,7 @@ struct Asking {
                 const csg::Ray ray = tile.ray(i);
                 if (asked == Asked::Nearest)
                     found += world.nearest(ray, tile.t_min[k], tile.t_max[k], kAnyKind, scratch).found();
-                else
-                    found += world.shadow(ray, tile.t_min[k], tile.t_max[k], scratch) == csg::Shadow::Blocked;
+                else found += world.shadow(ray, tile.t_min[k], tile.t_max[k], scratch) == csg::Shadow::Blocked;
             }
         return found;
     }
@@ -87,12 +86,10 @@ Built build_ours(const Scene& scene)
     const double began = now();
     const auto asking = std::make_shared<Asking>(scene);
     Built built{.build_s = now() - began, .methods = {}, .hits = {}};
-    built.methods.push_back({"Whittle", "tiles of 64", [asking](Asked asked, const auto& rays) {
-        return asking->tiles(asked, rays);
-    }});
-    built.methods.push_back({"Whittle", "single", [asking](Asked asked, const auto& rays) {
-        return asking->singly(asked, rays);
-    }});
+    built.methods.push_back(
+        {"Whittle", "tiles of 64", [asking](Asked asked, const auto& rays) { return asking->tiles(asked, rays); }});
+    built.methods.push_back(
+        {"Whittle", "single", [asking](Asked asked, const auto& rays) { return asking->singly(asked, rays); }});
     built.hits = [asking](const csg::RayTile& tile) { return asking->hits(tile); };
     return built;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/hit.h"
-#include "csg/types.h"
+#include "csg/base/hit.h"
+#include "csg/base/types.h"
 
 #include <array>
 #include <cstdint>
@@ -32,23 +32,20 @@ enum class Asked { Nearest, Any };
 /// One way to ask all rays.
 struct Method {
     std::string program, name;
-    std::function<std::uint64_t(Asked, const std::vector<csg::RayTile>&)> ask;   ///< how many rays hit
+    std::function<std::uint64_t(Asked, const std::vector<csg::RayTile>&)> ask;  ///< how many rays hit
 };
 
 /// Seconds of building, and what can be asked.
 struct Built {
     double build_s = 0.0;
     std::vector<Method> methods;
-    std::function<csg::HitTile(const csg::RayTile&)> hits;   ///< of ours alone: where the shadow rays begin
+    std::function<csg::HitTile(const csg::RayTile&)> hits;  ///< of ours alone: where the shadow rays begin
 };
 
 Built build_ours(const Scene& scene);
 Built build_embree(const Scene& scene);
 
 /// Processor seconds: work of others on the machine matters less.
-inline double now()
-{
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
+inline double now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace embree_bench

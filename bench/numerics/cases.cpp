@@ -9,7 +9,8 @@ namespace {
 
 using csg::Transform;
 
-const std::vector<std::string> kQuadrics{"sphere", "ellipsoid", "box", "oriented_box", "cylinder", "cone", "paraboloid", "hyperboloid"};
+const std::vector<std::string> kQuadrics{"sphere",   "ellipsoid", "box",        "oriented_box",
+                                         "cylinder", "cone",      "paraboloid", "hyperboloid"};
 const std::vector<std::string> kHigher{"torus", "cubic", "quartic", "degree6", "degree10", "degree20", "degree35"};
 
 std::vector<std::string> with_forms(std::vector<std::string> names)
@@ -69,7 +70,8 @@ std::string sdl_of(const std::string& name)
     for (int i = degree; i >= 0; --i)
         for (int j = degree - i; j >= 0; --j)
             for (int k = degree - i - j; k >= 0; --k)
-                if (const double v = c[place(degree, i, j, k)]; v != 0.0) text += fmt::format(",xyz({},{},{}):{}", i, j, k, v);
+                if (const double v = c[place(degree, i, j, k)]; v != 0.0)
+                    text += fmt::format(",xyz({},{},{}):{}", i, j, k, v);
     return text + " sturm";
 }
 
@@ -79,7 +81,8 @@ csg::Solid solid_of(const std::string& name, const Transform& t)
     const Transform turn = Transform::rotate_degrees({30, 40, 50});
     if (name == "sphere") {
         const double factor = std::cbrt(glm::determinant(t.linear));
-        if (glm::abs(t.linear[0].x - factor) + glm::abs(t.linear[1].y - factor) + glm::abs(t.linear[2].z - factor) < 1e-12 * factor)
+        if (glm::abs(t.linear[0].x - factor) + glm::abs(t.linear[1].y - factor) + glm::abs(t.linear[2].z - factor) <
+            1e-12 * factor)
             return csg::Sphere{t.offset, t.linear[0].x};
         return csg::Ellipsoid{t};
     }
@@ -132,34 +135,58 @@ std::vector<double> decades(int from, int to, int step = 1)
 std::vector<Sweep> sweeps()
 {
     std::vector<Sweep> all_sweeps;
-    all_sweeps.push_back({"scale", "scale of the object; the camera 6 sizes away", decades(-9, 9, 3), [](const std::string& name, double s) {
-                              return told(case_of(name, Transform::scale(glm::dvec3(s)), s), fmt::format(" scale {:e}}}", s));
-                          }, all()});
-    all_sweeps.push_back({"offset", "distance of object and camera from the origin", decades(0, 9, 3), [](const std::string& name, double d) {
+    all_sweeps.push_back({"scale", "scale of the object; the camera 6 sizes away", decades(-9, 9, 3),
+                          [](const std::string& name, double s) {
+                              return told(case_of(name, Transform::scale(glm::dvec3(s)), s),
+                                          fmt::format(" scale {:e}}}", s));
+                          },
+                          all()});
+    all_sweeps.push_back({"offset", "distance of object and camera from the origin", decades(0, 9, 3),
+                          [](const std::string& name, double d) {
                               const glm::dvec3 at = d * glm::dvec3(0.6, -0.48, 0.64);
                               return told(case_of(name, Transform::translate(at), 1.0),
                                           fmt::format(" translate <{:.17g},{:.17g},{:.17g}>}}", at.x, at.y, at.z));
-                          }, all()});
-    all_sweeps.push_back({"distance", "distance of the camera", decades(0, 9, 3), [](const std::string& name, double d) {
+                          },
+                          all()});
+    all_sweeps.push_back({"distance", "distance of the camera", decades(0, 9, 3),
+                          [](const std::string& name, double d) {
                               Case made = told(case_of(name, {}, 1.0), "}");
                               made.distance = 6.0 * d;
                               return made;
-                          }, all()});
-    all_sweeps.push_back({"aspect", "length over thickness", decades(0, 8, 2), [](const std::string& name, double a) {
-                              return told(case_of(name, Transform::scale({1.0, 1.0 / a, 1.0}), 1.0), fmt::format(" scale <1,{:e},1>}}", 1.0 / a));
-                          }, with_forms({"sphere", "ellipsoid", "box", "oriented_box", "cylinder", "cone", "torus", "quartic"})});
-    all_sweeps.push_back({"tube", "major over minor radius of a torus", decades(0, 6, 2), [](const std::string&, double a) {
-                              const double minor = 0.9 / a;
-                              return Case{.solid = csg::Torus{1.0, minor, {}}, .sdl = fmt::format("torus{{1,{:.17g}}}", minor)};
-                          }, {"torus"}});
-    all_sweeps.push_back({"flat", "square coefficient of a quadric that is nearly a plane pair or a parabola", decades(-12, 0, 3),
+                          },
+                          all()});
+    all_sweeps.push_back(
+        {"aspect", "length over thickness", decades(0, 8, 2),
+         [](const std::string& name, double a) {
+             return told(case_of(name, Transform::scale({1.0, 1.0 / a, 1.0}), 1.0),
+                         fmt::format(" scale <1,{:e},1>}}", 1.0 / a));
+         },
+         with_forms({"sphere", "ellipsoid", "box", "oriented_box", "cylinder", "cone", "torus", "quartic"})});
+    all_sweeps.push_back(
+        {"tube",
+         "major over minor radius of a torus",
+         decades(0, 6, 2),
+         [](const std::string&, double a) {
+             const double minor = 0.9 / a;
+             return Case{.solid = csg::Torus{1.0, minor, {}}, .sdl = fmt::format("torus{{1,{:.17g}}}", minor)};
+         },
+         {"torus"}});
+    all_sweeps.push_back({"flat",
+                          "square coefficient of a quadric that is nearly a plane pair or a parabola",
+                          decades(-12, 0, 3),
                           [](const std::string& name, double v) {
                               const bool open = name == "paraboloid";
-                              const csg::Quadric made{open ? glm::dvec3(1, v, 1) : glm::dvec3(1, -v, v), {0, 0, 0}, open ? glm::dvec3(0, 1, 0) : glm::dvec3(0), -0.3, {}};
-                              return Case{.solid = made,
-                                          .sdl = open ? fmt::format("quadric{{<1,{:e},1>,<0,0,0>,<0,1,0>,-.3}}", v)
-                                                      : fmt::format("quadric{{<1,{:e},{:e}>,<0,0,0>,<0,0,0>,-.3}}", -v, v)};
-                          }, {"paraboloid", "hyperboloid"}});
+                              const csg::Quadric made{open ? glm::dvec3(1, v, 1) : glm::dvec3(1, -v, v),
+                                                      {0, 0, 0},
+                                                      open ? glm::dvec3(0, 1, 0) : glm::dvec3(0),
+                                                      -0.3,
+                                                      {}};
+                              return Case{
+                                  .solid = made,
+                                  .sdl = open ? fmt::format("quadric{{<1,{:e},1>,<0,0,0>,<0,1,0>,-.3}}", v)
+                                              : fmt::format("quadric{{<1,{:e},{:e}>,<0,0,0>,<0,0,0>,-.3}}", -v, v)};
+                          },
+                          {"paraboloid", "hyperboloid"}});
     return all_sweeps;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/numerics/forms.h"
-#include "csg/solid.h"
+#include "csg/solids/solid.h"
 #include "tests/csg/support.h"
 
 #include <functional>
@@ -13,17 +13,17 @@ namespace numerics {
 /// A solid of a sweep at one value of its parameter, and where rays at it start.
 struct Case {
     csg::Solid solid;
-    glm::dvec3 target{0.0};        ///< rays pass near it
-    double spread = 1.0;           ///< within this distance
-    double distance = 6.0;         ///< from there
-    double size = 1.0;             ///< the object's scale
-    std::string sdl;               ///< the same in the scene language, for trace(); empty: not compared
-    const Form* form = nullptr;    ///< what judges it; none: its polynomials do
+    glm::dvec3 target{0.0};      ///< rays pass near it
+    double spread = 1.0;         ///< within this distance
+    double distance = 6.0;       ///< from there
+    double size = 1.0;           ///< the object's scale
+    std::string sdl;             ///< the same in the scene language, for trace(); empty: not compared
+    const Form* form = nullptr;  ///< what judges it; none: its polynomials do
 };
 
 struct Sweep {
     std::string name;
-    std::string parameter;         ///< what is swept, for people
+    std::string parameter;  ///< what is swept, for people
     std::vector<double> values;
     std::function<Case(const std::string& solid, double value)> make;
     std::vector<std::string> solids;

@@ -41,7 +41,8 @@ struct Place {
     bool told;
 };
 
-/// The change between two places. What was told is most likely near to it: steps that grow from there enclose it sooner.
+/// The change between two places. What was told is most likely near to it: steps that grow from there enclose it
+/// sooner.
 Wide change_between(const Form& form, const Course& course, const Place& from, const Place& to, bool at_to, Wide reach)
 {
     if (plain_judge) return closed_in(form, course, from.s, to.s, at_to, 0);
@@ -65,7 +66,8 @@ std::vector<Place> looks(const Form& form, const Course& c, double low, double h
     all.reserve(static_cast<std::size_t>(form.looks) + 2 * told.size() + 3);
     const Wide from = low - static_cast<Wide>(c.start), to = high - static_cast<Wide>(c.start);
     const Wide a = c.way.x * c.way.x + c.way.y * c.way.y + c.way.z * c.way.z;
-    const Wide room = static_cast<Wide>(form.reach) * form.reach - (c.from.x * c.from.x + c.from.y * c.from.y + c.from.z * c.from.z);
+    const Wide room = static_cast<Wide>(form.reach) * form.reach -
+                      (c.from.x * c.from.x + c.from.y * c.from.y + c.from.z * c.from.z);
     const auto add = [&](Wide s, bool is_told) {
         if (s >= from && s <= to) all.push_back({s, is_told});
     };
@@ -80,7 +82,8 @@ std::vector<Place> looks(const Form& form, const Course& c, double low, double h
     for (std::size_t i = 0; i < told.size(); ++i) {
         if (!(told[i] > low && told[i] < high)) continue;
         add(told[i] - static_cast<Wide>(c.start), true);
-        if (i + 1 < told.size() && told[i + 1] < high) add((static_cast<Wide>(told[i]) + told[i + 1]) / 2 - c.start, false);
+        if (i + 1 < told.size() && told[i + 1] < high)
+            add((static_cast<Wide>(told[i]) + told[i + 1]) / 2 - c.start, false);
     }
     std::sort(all.begin() + even, all.end(), before);
     std::inplace_merge(all.begin(), all.begin() + even, all.end(), before);
@@ -89,10 +92,7 @@ std::vector<Place> looks(const Form& form, const Course& c, double low, double h
 
 }  // namespace
 
-bool held(const Form& form, const WidePoint& p)
-{
-    return form.quick && !plain_judge ? form.quick(p) : form.holds(p);
-}
+bool held(const Form& form, const WidePoint& p) { return form.quick && !plain_judge ? form.quick(p) : form.holds(p); }
 
 std::vector<Quad> crossings(const Form& form, const csg::Transform& frame, const csg::Ray& ray, double low, double high,
                             const std::vector<double>& told)
@@ -114,7 +114,9 @@ std::vector<Quad> crossings(const Form& form, const csg::Transform& frame, const
     bool was = held(form, at(course, places.front().s));
     for (std::size_t i = 1; i < places.size(); ++i) {
         const bool is = held(form, at(course, places[i].s));
-        if (is != was) found.push_back(static_cast<Quad>(change_between(form, course, places[i - 1], places[i], is, reach)) + start);
+        if (is != was)
+            found.push_back(static_cast<Quad>(change_between(form, course, places[i - 1], places[i], is, reach)) +
+                            start);
         was = is;
     }
     return found;
@@ -133,7 +135,9 @@ bool blurred(const Form& form, const csg::Transform& frame, const glm::dvec3& p)
     const Wide way = 1.75L * form.blur;
     const bool is = held(form, q);
     for (const Wide step : {-way, way})
-        if (held(form, {q.x + step, q.y, q.z}) != is || held(form, {q.x, q.y + step, q.z}) != is || held(form, {q.x, q.y, q.z + step}) != is) return true;
+        if (held(form, {q.x + step, q.y, q.z}) != is || held(form, {q.x, q.y + step, q.z}) != is ||
+            held(form, {q.x, q.y, q.z + step}) != is)
+            return true;
     return false;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/solid.h"
+#include "csg/solids/solid.h"
 
 #include <functional>
 #include <optional>
@@ -25,28 +25,30 @@ struct Form {
     std::function<bool(const WidePoint&)> holds = {};
     /// Of a surface: all s where from + s way meets it, in any order. Neither: a triangle.
     std::function<std::vector<Wide>(const WidePoint& from, const WidePoint& way)> meets = {};
-    /// The same verdict sooner: bounds and doubles decide what they surely can, the definition the rest. None: `holds` itself.
+    /// The same verdict sooner: bounds and doubles decide what they surely can, the definition the rest. None: `holds`
+    /// itself.
     std::function<bool(const WidePoint&)> quick = {};
     /// Where the normal that it is lit by is not its surface's: where that points.
     std::function<WidePoint(const WidePoint&)> slope = {};
-    /// Of one that is told where a ray enters a small box about a point of the surface: how much of the ray's way, the parameter, that
-    /// may be off for a unit of the box.
+    /// Of one that is told where a ray enters a small box about a point of the surface: how much of the ray's way, the
+    /// parameter, that may be off for a unit of the box.
     std::function<double(const glm::dvec3& way, const glm::dvec3& normal)> spread = {};
-    double reach = 2.0;        ///< it lies within this distance of the origin
-    double bar = 1e-11;        ///< the worst error that a hit may show, of the larger of distance and size
-    double band = 1e-6;        ///< shorter chords, of the size, may come or go
-    int looks = 400;           ///< places on a ray that the definition is asked at, before crossings are closed in on
-    double blur = 0.0;         ///< points nearer to the surface, in the form's own lengths, may be sorted either way by POV-Ray's rules
-    bool first_only = false;   ///< no more is told than the nearest
+    double reach = 2.0;  ///< it lies within this distance of the origin
+    double bar = 1e-11;  ///< the worst error that a hit may show, of the larger of distance and size
+    double band = 1e-6;  ///< shorter chords, of the size, may come or go
+    int looks = 400;     ///< places on a ray that the definition is asked at, before crossings are closed in on
+    double blur =
+        0.0;  ///< points nearer to the surface, in the form's own lengths, may be sorted either way by POV-Ray's rules
+    bool first_only = false;  ///< no more is told than the nearest
 };
 
 const std::vector<Form>& forms();
 const Form* form_of(const std::string& name);
 
-/// Parameters in [low, high] where a ray crosses the form in the frame of the solid made, ascending. `told`: what is judged; the definition is asked
-/// between these places too, so that a narrow piece that was found is not called false.
-std::vector<__float128> crossings(const Form& form, const csg::Transform& frame, const csg::Ray& ray, double low, double high,
-                                  const std::vector<double>& told);
+/// Parameters in [low, high] where a ray crosses the form in the frame of the solid made, ascending. `told`: what is
+/// judged; the definition is asked between these places too, so that a narrow piece that was found is not called false.
+std::vector<__float128> crossings(const Form& form, const csg::Transform& frame, const csg::Ray& ray, double low,
+                                  double high, const std::vector<double>& told);
 bool holds(const Form& form, const csg::Transform& frame, const glm::dvec3& p);
 /// Whether a point lies within the form's blur of where that changes.
 bool blurred(const Form& form, const csg::Transform& frame, const glm::dvec3& p);

@@ -27,7 +27,8 @@ void shift(Coefficients<T>& b, std::size_t n, T a)
         for (std::size_t j = n; j-- > i;) b[j] += a * b[j + 1];
 }
 
-/// A polynomial of units u in numbers of type T: doubles, each coefficient within half a last bit, or the 113 bits themselves.
+/// A polynomial of units u in numbers of type T: doubles, each coefficient within half a last bit, or the 113 bits
+/// themselves.
 template <class T>
 class Isolation {
 public:
@@ -39,8 +40,9 @@ public:
             scaled[k] = p.c[k] * power;
             largest = std::max(largest, absolute(scaled[k]));
         }
-        // 2 n additions and multiplications shift, n scale, n(n - 1)/2 additions of which no path is longer than n change the
-        // basis, and the ends and coefficients are rounded themselves: 6 n + 3 roundings at most, doubled for those of the bound.
+        // 2 n additions and multiplications shift, n scale, n(n - 1)/2 additions of which no path is longer than n
+        // change the basis, and the ends and coefficients are rounded themselves: 6 n + 3 roundings at most, doubled
+        // for those of the bound.
         const T rounding = std::is_same_v<T, double> ? T(0x1p-53) : T(0x1p-113);
         slack_ = static_cast<T>(12 * n_ + 6) * rounding;
         for (std::size_t k = 0; k <= n_; ++k) {
@@ -53,7 +55,8 @@ public:
     Roots between(double a, double b) const
     {
         // From the end that is nearer to 0 outwards: the other way round terms would cancel.
-        const T from = std::abs(a) <= std::abs(b) ? a : b, width = from == a ? static_cast<T>(b) - a : static_cast<T>(a) - b;
+        const T from = std::abs(a) <= std::abs(b) ? a : b,
+                width = from == a ? static_cast<T>(b) - a : static_cast<T>(a) - b;
         Coefficients<T> value = c_, bound = size_;
         if (from != 0) shift(value, n_, from), shift(bound, n_, from < 0 ? -from : from);
         T power = 1;
@@ -160,7 +163,7 @@ std::optional<std::vector<Quad>> isolated_sign_changes(const QuadPolynomial& p, 
         double a, b;
         int depth;
     };
-    std::vector<Piece> open;   // the last is the leftmost
+    std::vector<Piece> open;  // the last is the leftmost
     double to = static_cast<double>(high / unit);
     const double start = static_cast<double>(low / unit);
     for (const double cut : {2.0, 0.0, -2.0})

@@ -1,9 +1,9 @@
 #include "bench/numerics/measure.h"
 
 #include "bench/numerics/oracle.h"
-#include "csg/front.h"
-#include "csg/own_start.h"
-#include "csg/tolerance.h"
+#include "csg/tree/front.h"
+#include "csg/world/spawn_epsilon.h"
+#include "csg/base/tolerance.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,27 +18,33 @@ constexpr double kFarStart = 1e-2;
 
 Parts parts(const csg::Solid& solid, const Ray& ray, double shift = 0.0)
 {
-    return std::visit([&](const auto& s) -> Parts {
-        if constexpr (requires { parts_of(s, along(ray, shift)); }) return parts_of(s, along(ray, shift));
-        else return {};
-    }, solid);
+    return std::visit(
+        [&](const auto& s) -> Parts {
+            if constexpr (requires { parts_of(s, along(ray, shift)); }) return parts_of(s, along(ray, shift));
+            else return {};
+        },
+        solid);
 }
 
 /// A parameter near the solid.
 double near(const csg::Solid& solid, const Ray& ray, double otherwise)
 {
-    return std::visit([&](const auto& s) {
-        if constexpr (requires { s.frame; }) return foot(s.frame, ray);
-        else return otherwise;
-    }, solid);
+    return std::visit(
+        [&](const auto& s) {
+            if constexpr (requires { s.frame; }) return foot(s.frame, ray);
+            else return otherwise;
+        },
+        solid);
 }
 
 csg::Transform frame_of(const csg::Solid& solid)
 {
-    return std::visit([](const auto& s) {
-        if constexpr (requires { s.frame; }) return s.frame;
-        else return csg::Transform{};
-    }, solid);
+    return std::visit(
+        [](const auto& s) {
+            if constexpr (requires { s.frame; }) return s.frame;
+            else return csg::Transform{};
+        },
+        solid);
 }
 
 /// A solid's ends; of a surface what is seen.
@@ -58,7 +64,8 @@ public:
             if (faces) faces->push_back(end.face);
         };
         if (surface_) {
-            const auto [first, last] = csg::visible_crossings(object_.program, object_.store, ray, -csg::kInfinity, csg::kInfinity, object_.scratch);
+            const auto [first, last] = csg::visible_crossings(object_.program, object_.store, ray, -csg::kInfinity,
+                                                              csg::kInfinity, object_.scratch);
             std::for_each(first, last, add);
             return ends;
         }
@@ -82,15 +89,19 @@ glm::dvec3 facing(const Case& given, const glm::dvec3& p, std::uint32_t face)
 {
     const csg::Solid& solid = given.solid;
     if (given.form && given.form->slope) return slope(*given.form, frame_of(solid), p);
-    if (const auto* triangle = std::get_if<csg::Triangle>(&solid)) return glm::normalize(glm::cross(triangle->edge1, triangle->edge2));
+    if (const auto* triangle = std::get_if<csg::Triangle>(&solid))
+        return glm::normalize(glm::cross(triangle->edge1, triangle->edge2));
     return std::visit([&](const auto& s) { return s.normal(p, face); }, solid);
 }
 
 /// What one ray adds to a row.
 class Judge {
 public:
-    Judge(const Case& given, Row& row, std::vector<double>& errors) : case_(given), answers_(given), band_(band_of(row.solid)), row_(row), errors_(errors), reach_(glm::max(given.distance, given.size)),
-          tolerance_(csg::Tolerance::of_scene(given.distance + given.size)) {}
+    Judge(const Case& given, Row& row, std::vector<double>& errors)
+        : case_(given), answers_(given), band_(band_of(row.solid)), row_(row), errors_(errors),
+          reach_(glm::max(given.distance, given.size)),
+          tolerance_(csg::Tolerance::of_scene(given.distance + given.size))
+    {}
 
     void ray(const Ray& ray, csg_test::Rng& rng, Asked* asked)
     {
@@ -107,7 +118,8 @@ public:
     }
 
 private:
-    void all(const Ray& ray, const std::vector<Quad>& truth, const std::vector<double>& ends, const std::vector<std::uint32_t>& faces, double low, double high)
+    void all(const Ray& ray, const std::vector<Quad>& truth, const std::vector<double>& ends,
+             const std::vector<std::uint32_t>& faces, double low, double high)
     {
         std::size_t i = 0, j = 0;
         const double close = 1e-3 * case_.size + 1e-12 * reach_;
@@ -122,7 +134,8 @@ private:
                 error(ray, gap, ends[j], faces[j], 1.0);
                 ++i, ++j;
             } else if (!both ? i < truth.size() : gap > 0.0) {
-                const bool tangent = i + 1 < truth.size() && truth[i + 1] - truth[i] < band_ * case_.size + 1e-15 * reach_;
+                const bool tangent = i + 1 < truth.size() &&
+                                     truth[i + 1] - truth[i] < band_ * case_.size + 1e-15 * reach_;
                 row_.missed += tangent ? 0 : 1;
                 i += tangent ? 2 : 1;
             } else {
@@ -134,12 +147,14 @@ private:
     }
 
     /// Of a surface that tells its nearest crossing only, and that where a small box begins.
-    void nearest(const Ray& ray, const std::vector<Quad>& truth, const std::vector<double>& ends, const std::vector<std::uint32_t>& faces, double low, double high)
+    void nearest(const Ray& ray, const std::vector<Quad>& truth, const std::vector<double>& ends,
+                 const std::vector<std::uint32_t>& faces, double low, double high)
     {
         const csg::Transform frame = frame_of(case_.solid);
         const glm::dvec3 way = case_.size * frame.inverse_vector(ray.direction);
         const auto spread = [&](double t) {
-            return case_.form->bar * case_.form->spread(way, glm::normalize(glm::transpose(frame.linear) * facing(case_, ray.at(t), 0)));
+            return case_.form->bar *
+                   case_.form->spread(way, glm::normalize(glm::transpose(frame.linear) * facing(case_, ray.at(t), 0)));
         };
         if (truth.empty()) {
             if (ends.empty()) return;
@@ -154,7 +169,8 @@ private:
         }
         const auto t = static_cast<double>(truth[0]);
         const double off = spread(t), gap = ends.empty() ? csg::kInfinity : ends[0] - t;
-        if (std::abs(gap) <= off * case_.size + 1e-12 * reach_) return error(ray, gap, ends[0], faces[0], off / case_.form->bar);
+        if (std::abs(gap) <= off * case_.size + 1e-12 * reach_)
+            return error(ray, gap, ends[0], faces[0], off / case_.form->bar);
         // Where it may be told farther off than its size it need not be told.
         if (off > 1.0 || (truth.size() > 1 && truth[1] - truth[0] < band_ * case_.size + 1e-15 * reach_)) return;
         ++row_.missed;
@@ -174,12 +190,15 @@ private:
         }
     }
 
-    std::vector<Quad> truth_of(const Ray& ray, double low, double high, double otherwise, const std::vector<double>& told) const
+    std::vector<Quad> truth_of(const Ray& ray, double low, double high, double otherwise,
+                               const std::vector<double>& told) const
     {
-        if (const auto* triangle = std::get_if<csg::Triangle>(&case_.solid)) return crossings(*triangle, ray, low, high);
+        if (const auto* triangle = std::get_if<csg::Triangle>(&case_.solid))
+            return crossings(*triangle, ray, low, high);
         if (case_.form) return crossings(*case_.form, frame_of(case_.solid), ray, low, high, told);
         const double middle = near(case_.solid, ray, otherwise);
-        std::vector<Quad> truth = crossings(parts(case_.solid, ray, middle), static_cast<Quad>(low) - middle, static_cast<Quad>(high) - middle);
+        std::vector<Quad> truth = crossings(parts(case_.solid, ray, middle), static_cast<Quad>(low) - middle,
+                                            static_cast<Quad>(high) - middle);
         for (Quad& t : truth) t += middle;
         return truth;
     }
@@ -187,7 +206,7 @@ private:
     void error(const Ray& ray, double gap, double t, std::uint32_t face, double spread)
     {
         ++row_.hits;
-        if (face == csg::kUndrawnFace) return;   // it has no normal, and nothing is spawned there
+        if (face == csg::kUndrawnFace) return;  // it has no normal, and nothing is spawned there
         const glm::dvec3 p = ray.at(t), n = facing(case_, p, face);
         const double incidence = std::abs(glm::dot(n, ray.direction)), relative = std::abs(gap) / (spread * reach_);
         if (incidence < kClear) {
@@ -198,7 +217,14 @@ private:
         errors_.push_back(relative);
         if (row_.hits % 4 == 0) {
             const Ray next{p, ray.direction - 2.0 * glm::dot(ray.direction, n) * n};
-            spawned(next, std::visit([&](const auto& solid) { return csg::own_start(solid, next, t, incidence, glm::dot(n, ray.direction) > 0.0, tolerance_.hit_from(p, t)); }, case_.solid), incidence);
+            spawned(next,
+                    std::visit(
+                        [&](const auto& solid) {
+                            return csg::spawn_epsilon(solid, next, t, incidence, glm::dot(n, ray.direction) > 0.0,
+                                                      tolerance_.hit_from(p, t));
+                        },
+                        case_.solid),
+                    incidence);
         }
     }
 
@@ -206,7 +232,7 @@ private:
     void spawned(const Ray& ray, double tolerance, double incidence)
     {
         ++spawns_;
-        double own = csg::kInfinity, beyond = csg::kInfinity;   // the nearest; of those ahead, beyond the tolerance
+        double own = csg::kInfinity, beyond = csg::kInfinity;  // the nearest; of those ahead, beyond the tolerance
         std::vector<std::uint32_t> faces;
         const std::vector<double> ends = answers_(ray, &faces);
         for (const double t : ends) {
@@ -214,8 +240,8 @@ private:
             if (t > tolerance) beyond = glm::min(beyond, t);
         }
         if (beyond < kFarStart * case_.size) {
-            // Where the start itself is not told it may be another crossing, which the oracle tells beside the start; that lies as
-            // far off as the solid's hits may be.
+            // Where the start itself is not told it may be another crossing, which the oracle tells beside the start;
+            // that lies as far off as the solid's hits may be.
             const double off = glm::max(tolerance, (case_.form ? 2.0 * case_.form->bar : 0.0) * case_.size / incidence);
             bool start = false, there = false;
             std::vector<double> places = ends;
@@ -226,14 +252,20 @@ private:
             }
             acne_ += start && there ? 0 : 1;
         }
-        if (own < kFarStart * case_.size) row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
-        // A hit's error puts the start beside the surface, which the ray is the longer on its way back to the flatter it leaves.
-        const double behind = glm::max(2.0 * own, (case_.form ? 2.0 * case_.form->bar : 1e-12) * case_.size / incidence);
-        // The oracle's own start is the nearest of its crossings: flatter than a blended normal tells it may be farther off than that.
+        if (own < kFarStart * case_.size)
+            row_.spawn = glm::max(row_.spawn, own / glm::max(case_.size, glm::length(ray.origin)));
+        // A hit's error puts the start beside the surface, which the ray is the longer on its way back to the flatter
+        // it leaves.
+        const double behind =
+            glm::max(2.0 * own, (case_.form ? 2.0 * case_.form->bar : 1e-12) * case_.size / incidence);
+        // The oracle's own start is the nearest of its crossings: flatter than a blended normal tells it may be farther
+        // off than that.
         const std::vector<Quad> truth = truth_of(ray, -tolerance, 20.0 * case_.size, 0.0, ends);
         const auto size = [](Quad t) { return t < 0 ? -t : t; };
-        const auto start = std::min_element(truth.begin(), truth.end(), [&](Quad a, Quad b) { return size(a) < size(b); });
-        for (auto t = truth.begin(); t != truth.end(); ++t) lost_ += t != start && *t > behind && *t < tolerance && !undrawn(*t, ends, faces) ? 1 : 0;
+        const auto start =
+            std::min_element(truth.begin(), truth.end(), [&](Quad a, Quad b) { return size(a) < size(b); });
+        for (auto t = truth.begin(); t != truth.end(); ++t)
+            lost_ += t != start && *t > behind && *t < tolerance && !undrawn(*t, ends, faces) ? 1 : 0;
         row_.acne = 1e6 * static_cast<double>(acne_) / static_cast<double>(spawns_);
         row_.lost = 1e6 * static_cast<double>(lost_) / static_cast<double>(spawns_);
     }
@@ -242,7 +274,8 @@ private:
     bool undrawn(Quad t, const std::vector<double>& ends, const std::vector<std::uint32_t>& faces) const
     {
         for (std::size_t i = 0; i < ends.size(); ++i)
-            if (faces[i] == csg::kUndrawnFace && std::abs(static_cast<double>(t - ends[i])) < 1e-9 * reach_) return true;
+            if (faces[i] == csg::kUndrawnFace && std::abs(static_cast<double>(t - ends[i])) < 1e-9 * reach_)
+                return true;
         return false;
     }
 
@@ -253,7 +286,8 @@ private:
         const glm::dvec3 p = ray.at(at);
         const bool held = std::visit([&](const auto& s) { return s.contains(p); }, case_.solid);
         if (case_.form && !case_.form->holds) return;
-        const bool is = case_.form ? holds(*case_.form, frame_of(case_.solid), p) : inside(parts(case_.solid, {p, glm::dvec3(0.0)}), 0);
+        const bool is = case_.form ? holds(*case_.form, frame_of(case_.solid), p)
+                                   : inside(parts(case_.solid, {p, glm::dvec3(0.0)}), 0);
         if (held != is && !(case_.form && blurred(*case_.form, frame_of(case_.solid), p))) ++row_.disagree;
     }
 
@@ -275,7 +309,7 @@ private:
     Row& row_;
     std::vector<double>& errors_;
     const double reach_;
-    const csg::Tolerance tolerance_;   ///< of a scene with nothing else in it
+    const csg::Tolerance tolerance_;  ///< of a scene with nothing else in it
     long spawns_ = 0, acne_ = 0, lost_ = 0;
 };
 
@@ -287,14 +321,17 @@ double nanoseconds(const csg::Solid& solid, const std::vector<Ray>& rays)
     while (spent < kLong) {
         const auto begin = Clock::now();
         std::uint64_t ends = 0;
-        std::visit([&](const auto& s) {
-            for (const Ray& ray : rays) {
-                csg::FixedSpans<kMostSpans> spans;
-                csg::intersect(s, ray, spans);
-                ends += spans.size();
-            }
-        }, solid);
-        const double took = std::chrono::duration<double, std::nano>(Clock::now() - begin).count() + (ends == ~std::uint64_t{0} ? 1.0 : 0.0);
+        std::visit(
+            [&](const auto& s) {
+                for (const Ray& ray : rays) {
+                    csg::FixedSpans<kMostSpans> spans;
+                    csg::intersect(s, ray, spans);
+                    ends += spans.size();
+                }
+            },
+            solid);
+        const double took = std::chrono::duration<double, std::nano>(Clock::now() - begin).count() +
+                            (ends == ~std::uint64_t{0} ? 1.0 : 0.0);
         best = glm::min(best, took);
         spent += took;
     }
@@ -310,14 +347,16 @@ bool Row::passes() const
     return missed == 0 && wrong == 0 && disagree == 0 && worst < bar_of(solid) && leaves;
 }
 
-Row measure(const Sweep& sweep, const std::string& solid, double value, long rays, bool timed, std::vector<Asked>* asked)
+Row measure(const Sweep& sweep, const std::string& solid, double value, long rays, bool timed,
+            std::vector<Asked>* asked)
 {
     const Case given = sweep.make(solid, value);
     Row row{.sweep = sweep.name, .solid = solid, .value = value};
     std::vector<double> errors;
     std::vector<Ray> first;
     Judge judge(given, row, errors);
-    csg_test::Rng rng(static_cast<std::uint32_t>(std::hash<std::string>{}(sweep.name + solid) + static_cast<std::size_t>(std::llround(100.0 * std::log10(value)))));
+    csg_test::Rng rng(static_cast<std::uint32_t>(std::hash<std::string>{}(sweep.name + solid) +
+                                                 static_cast<std::size_t>(std::llround(100.0 * std::log10(value)))));
     for (long i = 0; i < rays; ++i) {
         const glm::dvec3 origin = given.target + rng.direction() * given.distance;
         const glm::dvec3 aim = given.target + rng.point(given.spread);

@@ -19,20 +19,21 @@ Parts between(const glm::dvec3& lower, const glm::dvec3& upper, const Point& p)
             p.y - QuadPolynomial(upper.y), QuadPolynomial(lower.z) - p.z, p.z - QuadPolynomial(upper.z)};
 }
 
-/// (a + b t)^n by the binomial theorem: all terms of a coefficient have one sign, so it has n + 3 roundings of 113 bits.
+/// (a + b t)^n by the binomial theorem: all terms of a coefficient have one sign, so it has n + 3 roundings of 113
+/// bits.
 QuadPolynomial power(const QuadPolynomial& p, int n)
 {
     const auto count = static_cast<std::size_t>(n) + 1;
     const Quad a = p.c[0], b = p.c.size() > 1 ? p.c[1] : Quad(0);
     QuadPolynomial made;
     made.c.assign(count, 1);
-    Quad rising = 1, binomial = 1;   // b^k; n over k, whole and below 2^113
+    Quad rising = 1, binomial = 1;  // b^k; n over k, whole and below 2^113
     for (std::size_t k = 0; k < count; ++k) {
         made.c[k] = binomial * rising;
         rising *= b;
         binomial = binomial * static_cast<Quad>(n - static_cast<int>(k)) / static_cast<Quad>(k + 1);
     }
-    Quad falling = 1;                // a^(n - k)
+    Quad falling = 1;  // a^(n - k)
     for (std::size_t k = count; k-- > 0; falling *= a) made.c[k] *= falling;
     return made;
 }
@@ -40,7 +41,8 @@ QuadPolynomial power(const QuadPolynomial& p, int n)
 /// Powers 0 to n by repeated multiplication, or where first asked for.
 class Powers {
 public:
-    Powers(const QuadPolynomial& base, int n) : base_(base), made_(static_cast<std::size_t>(n) + 1, QuadPolynomial(0)), known_(made_.size())
+    Powers(const QuadPolynomial& base, int n)
+        : base_(base), made_(static_cast<std::size_t>(n) + 1, QuadPolynomial(0)), known_(made_.size())
     {
         if (!plain_judge) return;
         made_[0] = QuadPolynomial(1);
@@ -71,28 +73,35 @@ std::vector<Quad> changes_of(const QuadPolynomial& p, Quad low, Quad high)
 
 Point along(const csg::Ray& ray, double shift)
 {
-    const auto from = [&](int i) { return QuadPolynomial(ray.origin[i] + static_cast<Quad>(shift) * ray.direction[i], ray.direction[i]); };
+    const auto from = [&](int i) {
+        return QuadPolynomial(ray.origin[i] + static_cast<Quad>(shift) * ray.direction[i], ray.direction[i]);
+    };
     return {from(0), from(1), from(2)};
 }
 
 double foot(const csg::Transform& f, const csg::Ray& ray)
 {
     const Point p = local(f, along(ray, 0.0));
-    const auto coefficient = [&](std::size_t i, std::size_t k) { return p.x.c[i] * p.x.c[k] + p.y.c[i] * p.y.c[k] + p.z.c[i] * p.z.c[k]; };
+    const auto coefficient = [&](std::size_t i, std::size_t k) {
+        return p.x.c[i] * p.x.c[k] + p.y.c[i] * p.y.c[k] + p.z.c[i] * p.z.c[k];
+    };
     return static_cast<double>(-coefficient(0, 1) / coefficient(1, 1));
 }
 
 Point local(const csg::Transform& f, const Point& p)
 {
-    const Point from{p.x - QuadPolynomial(f.offset.x), p.y - QuadPolynomial(f.offset.y), p.z - QuadPolynomial(f.offset.z)};
-    const auto row = [&](int i) { return weighted({f.inverse_linear[0][i], f.inverse_linear[1][i], f.inverse_linear[2][i]}, from); };
+    const Point from{p.x - QuadPolynomial(f.offset.x), p.y - QuadPolynomial(f.offset.y),
+                     p.z - QuadPolynomial(f.offset.z)};
+    const auto row = [&](int i) {
+        return weighted({f.inverse_linear[0][i], f.inverse_linear[1][i], f.inverse_linear[2][i]}, from);
+    };
     return {row(0), row(1), row(2)};
 }
 
 Parts parts_of(const csg::Sphere& s, const Point& p)
 {
-    return {square(p.x - QuadPolynomial(s.center.x)) + square(p.y - QuadPolynomial(s.center.y)) + square(p.z - QuadPolynomial(s.center.z)) -
-            square(QuadPolynomial(s.radius))};
+    return {square(p.x - QuadPolynomial(s.center.x)) + square(p.y - QuadPolynomial(s.center.y)) +
+            square(p.z - QuadPolynomial(s.center.z)) - square(QuadPolynomial(s.radius))};
 }
 Parts parts_of(const csg::Ellipsoid& s, const Point& world)
 {
@@ -117,13 +126,15 @@ Parts parts_of(const csg::Torus& s, const Point& world)
     const Point p = local(s.frame, world);
     const Quad major = s.major, minor = s.minor;
     const QuadPolynomial across = square(p.x) + square(p.z);
-    return {square(across + square(p.y) + QuadPolynomial(major * major - minor * minor)) - QuadPolynomial(4 * major * major) * across};
+    return {square(across + square(p.y) + QuadPolynomial(major * major - minor * minor)) -
+            QuadPolynomial(4 * major * major) * across};
 }
 Parts parts_of(const csg::Quadric& s, const Point& world)
 {
     const Point p = local(s.frame, world);
     const Point squares{square(p.x), square(p.y), square(p.z)}, mixed{p.x * p.y, p.x * p.z, p.y * p.z};
-    return {weighted(s.square, squares) + weighted(s.mixed, mixed) + weighted(s.linear, p) + QuadPolynomial(s.constant)};
+    return {weighted(s.square, squares) + weighted(s.mixed, mixed) + weighted(s.linear, p) +
+            QuadPolynomial(s.constant)};
 }
 Parts parts_of(const csg::Polynomial& s, const Point& world)
 {
@@ -171,7 +182,9 @@ std::vector<Quad> crossings(const csg::Triangle& triangle, const csg::Ray& ray, 
     const auto cross = [](const Vector& a, const Vector& b) {
         return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     };
-    const auto sum = [](const Vector& a, const Vector& b, Quad sign) { return Vector{a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]}; };
+    const auto sum = [](const Vector& a, const Vector& b, Quad sign) {
+        return Vector{a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]};
+    };
     const Vector way = wide(ray.direction), a = sum(wide(triangle.corner), wide(ray.origin), -1);
     const Vector b = sum(a, wide(triangle.edge1), 1), c = sum(a, wide(triangle.edge2), 1);
     const Quad u = dot(way, cross(a, b)), v = dot(way, cross(b, c)), w = dot(way, cross(c, a));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/numerics/quad_polynomial.h"
-#include "csg/solid.h"
+#include "csg/solids/solid.h"
 
 namespace numerics {
 
@@ -12,12 +12,12 @@ struct Point {
     QuadPolynomial x, y, z;
 };
 
-/// The ray in world space, counted from `shift` on, and in a frame: from the doubles as they are stored. Near the object
-/// the polynomials keep their digits; from a far camera a quartic would lose all 113 bits.
+/// The ray in world space, counted from `shift` on, and in a frame: from the doubles as they are stored. Near the
+/// object the polynomials keep their digits; from a far camera a quartic would lose all 113 bits.
 Point along(const csg::Ray& ray, double shift);
 Point local(const csg::Transform& frame, const Point& p);
-/// Where a ray comes nearest to a frame's origin, in the frame's own lengths: a solid flattened 1e8 times is met near there,
-/// and a polynomial counted from farther off would lose its digits to the large direction.
+/// Where a ray comes nearest to a frame's origin, in the frame's own lengths: a solid flattened 1e8 times is met near
+/// there, and a polynomial counted from farther off would lose its digits to the large direction.
 double foot(const csg::Transform& frame, const csg::Ray& ray);
 
 Parts parts_of(const csg::Sphere&, const Point&);

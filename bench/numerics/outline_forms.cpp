@@ -1,5 +1,5 @@
 #include "bench/numerics/forms.h"
-#include "csg/freeform.h"
+#include "csg/freeform/freeform.h"
 
 #include <cmath>
 
@@ -89,16 +89,18 @@ private:
     struct Piece {
         WideCubic x, y;
         Stretches stretches;
-        Wide steepest;                          ///< |dx/dw| is nowhere more
-        double low_x, high_x, low_y, high_y;    ///< holds the piece, with the margin
+        Wide steepest;                        ///< |dx/dw| is nowhere more
+        double low_x, high_x, low_y, high_y;  ///< holds the piece, with the margin
 
         explicit Piece(const OutlinePiece& p)
-            : x{p.a.x, p.b.x, p.c.x, p.d.x}, y{p.a.y, p.b.y, p.c.y, p.d.y}, stretches(y), steepest(3 * std::abs(x.a) + 2 * std::abs(x.b) + std::abs(x.c))
+            : x{p.a.x, p.b.x, p.c.x, p.d.x}, y{p.a.y, p.b.y, p.c.y, p.d.y}, stretches(y),
+              steepest(3 * std::abs(x.a) + 2 * std::abs(x.b) + std::abs(x.c))
         {
             const auto range = [](const WideCubic& c, double& low, double& high) {
                 const Stretches s(c);
                 Wide least = c(0), most = c(0);
-                for (int i = 1; i <= s.count; ++i) least = std::min(least, c(s.ends[i])), most = std::max(most, c(s.ends[i]));
+                for (int i = 1; i <= s.count; ++i)
+                    least = std::min(least, c(s.ends[i])), most = std::max(most, c(s.ends[i]));
                 low = static_cast<double>(least) - kMargin;
                 high = static_cast<double>(most) + kMargin;
             };
@@ -112,7 +114,8 @@ private:
             bool is = false;
             for (int i = 0; i < stretches.count; ++i) {
                 const bool rises = level(stretches.ends[i + 1]) > 0;
-                if ((level(stretches.ends[i]) > 0) != rises) is ^= beyond(level, rises, at_x, stretches.ends[i], stretches.ends[i + 1]);
+                if ((level(stretches.ends[i]) > 0) != rises)
+                    is ^= beyond(level, rises, at_x, stretches.ends[i], stretches.ends[i + 1]);
             }
             return is;
         }
@@ -136,7 +139,8 @@ Outline spline(const std::vector<glm::dvec2>& points)
     Outline curve;
     for (std::size_t i = 0; i + 3 < points.size(); ++i) {
         const glm::dvec2 &p0 = points[i], &p1 = points[i + 1], &p2 = points[i + 2], &p3 = points[i + 3];
-        curve.push_back({-0.5 * p0 + 1.5 * p1 - 1.5 * p2 + 0.5 * p3, p0 - 2.5 * p1 + 2.0 * p2 - 0.5 * p3, 0.5 * (p2 - p0), p1, p1, p2});
+        curve.push_back({-0.5 * p0 + 1.5 * p1 - 1.5 * p2 + 0.5 * p3, p0 - 2.5 * p1 + 2.0 * p2 - 0.5 * p3,
+                         0.5 * (p2 - p0), p1, p1, p2});
     }
     return curve;
 }
@@ -147,12 +151,17 @@ Form extrusion(const std::string& name, const Outline& outline)
 {
     const auto shape = std::make_shared<csg::OutlineShape>(outline);
     return {.name = name,
-            .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Extrusion{shape, -0.5, 0.5, false, false, frame}); },
+            .make =
+                [shape](const Transform& frame, double) {
+                    return csg::Solid(csg::Extrusion{shape, -0.5, 0.5, false, false, frame});
+                },
             .holds = [outline](const WidePoint& p) { return p.z >= -0.5 && p.z <= 0.5 && odd(outline, p.x, p.y); },
-            .quick = [quick = QuickOutline(outline)](const WidePoint& p) { return p.z >= -0.5 && p.z <= 0.5 && quick.odd(p.x, p.y); }};
+            .quick = [quick = QuickOutline(outline)](
+                         const WidePoint& p) { return p.z >= -0.5 && p.z <= 0.5 && quick.odd(p.x, p.y); }};
 }
 
-const std::vector<glm::dvec2> kRing{{1, 0}, {0.3, 0.9}, {-0.8, 0.7}, {-0.6, -0.6}, {0.2, -0.3}, {0.4, -1}, {1, 0}, {0.3, 0.9}, {-0.8, 0.7}};
+const std::vector<glm::dvec2> kRing{{1, 0},    {0.3, 0.9}, {-0.8, 0.7}, {-0.6, -0.6}, {0.2, -0.3},
+                                    {0.4, -1}, {1, 0},     {0.3, 0.9},  {-0.8, 0.7}};
 
 Form prism_form() { return extrusion("prism", spline(kRing)); }
 
@@ -166,7 +175,20 @@ Form text_form()
             letter.push_back(2.0 * b == a + c ? OutlinePiece::line(a, c) : OutlinePiece::quadratic(a, b, c));
         }
     };
-    loop({{-1, -1}, {-0.4, -1}, {0.2, -1}, {1, -0.9}, {0.8, -0.2}, {0.7, 0}, {0.3, 0.1}, {0.9, 0.2}, {0.7, 0.8}, {0.4, 1}, {-0.3, 1}, {-0.65, 1}, {-1, 1}, {-1, 0}});
+    loop({{-1, -1},
+          {-0.4, -1},
+          {0.2, -1},
+          {1, -0.9},
+          {0.8, -0.2},
+          {0.7, 0},
+          {0.3, 0.1},
+          {0.9, 0.2},
+          {0.7, 0.8},
+          {0.4, 1},
+          {-0.3, 1},
+          {-0.65, 1},
+          {-1, 1},
+          {-1, 0}});
     loop({{-0.5, -0.6}, {-0.5, -0.3}, {-0.5, 0}, {0.4, 0.1}, {0.3, -0.4}, {0.2, -0.6}});
     return extrusion("text", letter);
 }
@@ -175,11 +197,17 @@ Form conic_prism_form()
 {
     const Outline outline = spline(kRing);
     constexpr glm::dvec2 kReach[2] = {glm::dvec2(-1.0), glm::dvec2(1.0)};
-    const auto shape = csg::make_freeform<csg::ConicPrism>(std::make_shared<csg::OutlineShape>(outline), 0.2, 1.0, false, kReach);
+    const auto shape =
+        csg::make_freeform<csg::ConicPrism>(std::make_shared<csg::OutlineShape>(outline), 0.2, 1.0, false, kReach);
     return {.name = "conic_prism",
-            .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Freeform{shape, frame * Transform::translate({0, -0.6, 0})}); },
-            .holds = [outline](const WidePoint& p) { return p.y >= 0.2 && p.y <= 1.0 && odd(outline, p.x / p.y, p.z / p.y); },
-            .quick = [quick = QuickOutline(outline)](const WidePoint& p) { return p.y >= 0.2 && p.y <= 1.0 && quick.odd(p.x / p.y, p.z / p.y); }};
+            .make =
+                [shape](const Transform& frame, double) {
+                    return csg::Solid(csg::Freeform{shape, frame * Transform::translate({0, -0.6, 0})});
+                },
+            .holds = [outline](
+                         const WidePoint& p) { return p.y >= 0.2 && p.y <= 1.0 && odd(outline, p.x / p.y, p.z / p.y); },
+            .quick = [quick = QuickOutline(outline)](
+                         const WidePoint& p) { return p.y >= 0.2 && p.y <= 1.0 && quick.odd(p.x / p.y, p.z / p.y); }};
 }
 
 Form lathe_form()
@@ -187,7 +215,10 @@ Form lathe_form()
     const Outline vase = spline({{0, -1.3}, {0, -1}, {1, -0.8}, {0.3, -0.1}, {0.9, 0.6}, {0, 1}, {-1, 1}});
     const auto shape = csg::make_freeform<csg::Lathe>(vase, csg::Aabb{}, 0.0);
     return {.name = "lathe",
-            .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Freeform{shape, frame}); },
+            .make =
+                [shape](const Transform& frame, double) {
+                    return csg::Solid(csg::Freeform{shape, frame});
+                },
             .holds = [vase](const WidePoint& p) { return odd(vase, rho(p), p.y); },
             .quick = [quick = QuickOutline(vase)](const WidePoint& p) { return quick.odd(rho(p), p.y); }};
 }
@@ -197,39 +228,54 @@ Form sor_form()
     const std::vector<glm::dvec2> points{{0.5, -1.3}, {0.6, -1}, {1, -0.5}, {0.3, 0.2}, {0.7, 0.9}, {0.5, 1.1}};
     const auto shape = csg::make_freeform<csg::Sor>(points, false);
     return {.name = "sor",
-            .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Freeform{shape, frame}); },
-            .holds = [points](const WidePoint& p) {
-                for (std::size_t i = 1; i + 2 < points.size(); ++i) {
-                    const glm::dvec2 &b = points[i - 1], &l = points[i], &h = points[i + 1], &n = points[i + 2];
-                    if (!(p.y >= l.y && p.y <= h.y)) continue;
-                    // Hermite's cubic of the squared radius; slopes from the neighbours (spec 5b, 8).
-                    const Wide height = static_cast<Wide>(h.y) - l.y, w = (p.y - l.y) / height;
-                    const Wide low = static_cast<Wide>(l.x) * l.x, high = static_cast<Wide>(h.x) * h.x;
-                    const Wide up = height * 2 * l.x * (static_cast<Wide>(h.x) - b.x) / (static_cast<Wide>(h.y) - b.y);
-                    const Wide down = height * 2 * h.x * (static_cast<Wide>(n.x) - l.x) / (static_cast<Wide>(n.y) - l.y);
-                    const Wide square = low * (1 + 2 * w) * (1 - w) * (1 - w) + up * w * (1 - w) * (1 - w) + high * w * w * (3 - 2 * w) - down * w * w * (1 - w);
-                    return p.x * p.x + p.z * p.z <= square;
-                }
-                return false;
-            }};
+            .make =
+                [shape](const Transform& frame, double) {
+                    return csg::Solid(csg::Freeform{shape, frame});
+                },
+            .holds =
+                [points](const WidePoint& p) {
+                    for (std::size_t i = 1; i + 2 < points.size(); ++i) {
+                        const glm::dvec2 &b = points[i - 1], &l = points[i], &h = points[i + 1], &n = points[i + 2];
+                        if (!(p.y >= l.y && p.y <= h.y)) continue;
+                        // Hermite's cubic of the squared radius; slopes from the neighbours (spec 5b, 8).
+                        const Wide height = static_cast<Wide>(h.y) - l.y, w = (p.y - l.y) / height;
+                        const Wide low = static_cast<Wide>(l.x) * l.x, high = static_cast<Wide>(h.x) * h.x;
+                        const Wide up = height * 2 * l.x * (static_cast<Wide>(h.x) - b.x) /
+                                        (static_cast<Wide>(h.y) - b.y);
+                        const Wide down = height * 2 * h.x * (static_cast<Wide>(n.x) - l.x) /
+                                          (static_cast<Wide>(n.y) - l.y);
+                        const Wide square = low * (1 + 2 * w) * (1 - w) * (1 - w) + up * w * (1 - w) * (1 - w) +
+                                            high * w * w * (3 - 2 * w) - down * w * w * (1 - w);
+                        return p.x * p.x + p.z * p.z <= square;
+                    }
+                    return false;
+                }};
 }
 
 Form ovus_form()
 {
     const auto shape = csg::make_freeform<csg::Ovus>(1.0, 0.5);
     return {.name = "ovus",
-            .make = [shape](const Transform& frame, double) { return csg::Solid(csg::Freeform{shape, frame}); },
-            .holds = [](const WidePoint& p) {
-                // Spec 5a, 5.12, for radii of 1 and 0.5.
-                const Wide around = p.x * p.x + p.z * p.z, arc = 2, height = -0.125L, offset = std::sqrt(1 - height * height);
-                if (around + p.y * p.y < 1 || around + (p.y - 1) * (p.y - 1) < 0.25L) return true;
-                const Wide r = std::sqrt(around) + offset;
-                return p.y > 0.125L && p.y < 1.375L && r * r + (p.y - height) * (p.y - height) < arc * arc;
-            }};
+            .make =
+                [shape](const Transform& frame, double) {
+                    return csg::Solid(csg::Freeform{shape, frame});
+                },
+            .holds =
+                [](const WidePoint& p) {
+                    // Spec 5a, 5.12, for radii of 1 and 0.5.
+                    const Wide around = p.x * p.x + p.z * p.z, arc = 2, height = -0.125L,
+                               offset = std::sqrt(1 - height * height);
+                    if (around + p.y * p.y < 1 || around + (p.y - 1) * (p.y - 1) < 0.25L) return true;
+                    const Wide r = std::sqrt(around) + offset;
+                    return p.y > 0.125L && p.y < 1.375L && r * r + (p.y - height) * (p.y - height) < arc * arc;
+                }};
 }
 
 }  // namespace
 
-std::vector<Form> outline_forms() { return {prism_form(), text_form(), conic_prism_form(), lathe_form(), sor_form(), ovus_form()}; }
+std::vector<Form> outline_forms()
+{
+    return {prism_form(), text_form(), conic_prism_form(), lathe_form(), sor_form(), ovus_form()};
+}
 
 }  // namespace numerics

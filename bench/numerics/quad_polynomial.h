@@ -45,7 +45,10 @@ struct QuadPolynomial {
             for (std::size_t j = 0; j < b.c.size(); ++j) p.c[i + j] += a.c[i] * b.c[j];
         return p;
     }
-    friend QuadPolynomial operator-(const QuadPolynomial& a, const QuadPolynomial& b) { return a + QuadPolynomial(-1) * b; }
+    friend QuadPolynomial operator-(const QuadPolynomial& a, const QuadPolynomial& b)
+    {
+        return a + QuadPolynomial(-1) * b;
+    }
 };
 
 /// The root of p between a and b, where its signs differ: bisection and Newton to the last bits.

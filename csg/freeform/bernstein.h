@@ -1,12 +1,12 @@
 #pragma once
 
-#include "csg/polynomial_roots.h"
+#include "csg/roots/polynomial_roots.h"
 
 #include <array>
 #include <functional>
 
-/// Polynomials on [0, 1] by their Bernstein ordinates: the first and the last are the values at the ends, and no value lies
-/// outside of them all (Farin, Curves and Surfaces for CAGD, 4). An array of n + 1 ordinates is one of degree n.
+/// Polynomials on [0, 1] by their Bernstein ordinates: the first and the last are the values at the ends, and no value
+/// lies outside of them all (Farin, Curves and Surfaces for CAGD, 4). An array of n + 1 ordinates is one of degree n.
 namespace csg {
 
 namespace detail {
@@ -55,7 +55,8 @@ inline double only_change(const std::array<double, count>& b)
         return std::min(std::max(first ? roots[0] : roots[1], 0.0), 1.0);
     } else if constexpr (count == 5) {
         const double c[5] = {b[0], 4.0 * (b[1] - b[0]), 6.0 * (b[2] - 2.0 * b[1] + b[0]),
-                             4.0 * (b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0]), b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
+                             4.0 * (b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0]),
+                             b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
         return bracketed(c, 4, 0.0, 1.0, b[0] <= 0.0, t, 1e-15);
     } else {
         constexpr double kClose = 1e-9;  // of the interval: the last of Newton's steps doubles its digits
@@ -112,8 +113,8 @@ inline void halve(const std::array<T, count>& b, std::array<T, count>& left, std
     }
 }
 
-/// How often the sign changes along the ordinates: at least as often as the polynomial's own in (0, 1), and odd where that
-/// is odd (Descartes). What is not positive counts as negative, NaN too.
+/// How often the sign changes along the ordinates: at least as often as the polynomial's own in (0, 1), and odd where
+/// that is odd (Descartes). What is not positive counts as negative, NaN too.
 template <std::size_t count>
 inline int ordinate_changes(const std::array<double, count>& b)
 {
@@ -124,8 +125,9 @@ inline int ordinate_changes(const std::array<double, count>& b)
 
 inline constexpr int kHalvings = 40;  ///< a fit `depth`: two changes nearer than 2^-40 of the interval count as a touch
 
-/// Calls found(t) in order where the polynomial, here on [low, high], changes its sign between positive and not; false from
-/// it ends the search. Halves the interval until one change at most is left, `depth` times; two nearer than that are not told.
+/// Calls found(t) in order where the polynomial, here on [low, high], changes its sign between positive and not; false
+/// from it ends the search. Halves the interval until one change at most is left, `depth` times; two nearer than that
+/// are not told.
 template <std::size_t count, class F>
 inline bool each_change(const std::array<double, count>& b, double low, double high, int depth, F&& found)
 {

@@ -6,26 +6,32 @@ namespace csg {
 
 /// The sphere or box that bounds an isosurface or a parametric surface (reference manual: contained_by).
 struct Container {
-    glm::dvec3 lower{-1.0}, upper{1.0};   ///< of the box, sorted
-    glm::dvec3 center{0.0};               ///< of the sphere
+    glm::dvec3 lower{-1.0}, upper{1.0};  ///< of the box, sorted
+    glm::dvec3 center{0.0};              ///< of the sphere
     double radius = 0.0;
-    bool ball = false;
+    bool is_sphere = false;
 
-    static constexpr std::uint32_t kBallFace = 6;   ///< the box has faces 0 to 5: axis * 2 + (1: the upper one)
+    static constexpr std::uint32_t kSphereFace = 6;  ///< the box has faces 0 to 5: axis * 2 + (1: the upper one)
 
-    static Container box(const glm::dvec3& a, const glm::dvec3& b) { return {.lower = glm::min(a, b), .upper = glm::max(a, b)}; }
-    static Container sphere(const glm::dvec3& center, double radius) { return {.center = center, .radius = std::abs(radius), .ball = true}; }
+    static Container box(const glm::dvec3& a, const glm::dvec3& b)
+    {
+        return {.lower = glm::min(a, b), .upper = glm::max(a, b)};
+    }
+    static Container sphere(const glm::dvec3& center, double radius)
+    {
+        return {.center = center, .radius = std::abs(radius), .is_sphere = true};
+    }
 
-    Aabb bounds() const { return ball ? Aabb{center - radius, center + radius} : Aabb{lower, upper}; }
+    Aabb bounds() const { return is_sphere ? Aabb{center - radius, center + radius} : Aabb{lower, upper}; }
     bool contains(const glm::dvec3& p) const
     {
-        if (ball) return glm::dot(p - center, p - center) <= radius * radius;
+        if (is_sphere) return glm::dot(p - center, p - center) <= radius * radius;
         return glm::all(glm::greaterThanEqual(p, lower)) && glm::all(glm::lessThanEqual(p, upper));
     }
     /// Along the whole line; false: not met, or where numbers end.
     bool interval(const Ray& ray, Interval& out) const
     {
-        if (ball) return ball_interval(ray, out);
+        if (is_sphere) return sphere_interval(ray, out);
         out = Interval{};
         for (int k = 0; k < 3; ++k) {
             Interval side;
@@ -38,14 +44,14 @@ struct Container {
     }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const
     {
-        if (face == kBallFace) return p - center;
+        if (face == kSphereFace) return p - center;
         glm::dvec3 n(0.0);
         n[static_cast<int>(face / 2)] = face % 2 == 0 ? -1.0 : 1.0;
         return n;
     }
 
 private:
-    bool ball_interval(const Ray& ray, Interval& out) const
+    bool sphere_interval(const Ray& ray, Interval& out) const
     {
         const glm::dvec3 away = ray.origin - center;
         const double a = glm::dot(ray.direction, ray.direction), foot = -glm::dot(away, ray.direction) / a;
@@ -53,7 +59,7 @@ private:
         const double below = radius * radius - glm::dot(nearest, nearest);
         if (!(below > 0.0) || !(a > 0.0)) return false;
         const double half = std::sqrt(below / a);
-        out = {foot - half, foot + half, kBallFace, kBallFace};
+        out = {foot - half, foot + half, kSphereFace, kSphereFace};
         return half < kInfinity;
     }
 };

@@ -22,7 +22,7 @@ public:
         Leaf& leaf = leaves_.emplace_back();
         leaf.solid = solid;
         for (std::size_t k = 0; k < batch.count; ++k) {
-            const RayRecord& record = batch.records[k];
+            const IntersectionList& record = batch.records[k];
             Part& part = leaf.parts[batch.place[k]];
             part = {record.from, record.to, static_cast<std::uint32_t>(ends_.size()), 0};
             record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
@@ -44,7 +44,8 @@ public:
             const Part& part = leaf.parts[static_cast<std::size_t>(ray_)];
             if (!(part.from <= from && to <= part.to)) return false;
             for (std::uint32_t i = part.first; i < part.first + part.count; ++i)
-                out.push({{.t = ends_[i].in, .face = ends_[i].in_face}, {.t = ends_[i].out, .face = ends_[i].out_face}});
+                out.push(
+                    {{.t = ends_[i].in, .face = ends_[i].in_face}, {.t = ends_[i].out, .face = ends_[i].out_face}});
             return true;
         }
         return false;
@@ -67,7 +68,7 @@ private:
         std::array<Part, kTileRays> parts;
     };
 
-    std::vector<Leaf> leaves_;   // kept for their memory
+    std::vector<Leaf> leaves_;  // kept for their memory
     std::vector<Ends> ends_;
     int ray_ = kNoRay;
 };

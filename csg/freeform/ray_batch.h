@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/freeform/ray_record.h"
-#include "csg/hit.h"
+#include "csg/freeform/intersection_list.h"
+#include "csg/base/hit.h"
 
 #include <array>
 #include <concepts>
@@ -10,19 +10,23 @@
 namespace csg {
 
 /// A shape that answers many rays sooner together than one by one, the optional hook of csg/freeform/README.md:
-///   meets_many()            whether this one does; some do for some of their parameters
-///   meet_many(rays, out)    meet() of each ray: out[k] begun with the range of rays[k], and told the same to the last bit
+///   intersects_many()            whether this one does; some do for some of their parameters
+///   intersect_many(rays, out)    intersect() of each ray: out[k] begun with the range of rays[k], and told the same to
+///   the last bit
 template <class T>
-concept MeetsMany = requires(const T& shape, std::span<const Ray> rays, RayRecord* out) {
-    { shape.meets_many() } -> std::same_as<bool>;
-    shape.meet_many(rays, out);
+concept IntersectsMany = requires(const T& shape, std::span<const Ray> rays, IntersectionList* out)
+{
+    {
+        shape.intersects_many()
+        } -> std::same_as<bool>;
+    shape.intersect_many(rays, out);
 };
 
 /// Rays of a tile that one solid is asked for together, and what it tells of each.
 struct RayBatch {
     std::array<Ray, kTileRays> rays;
-    std::array<RayRecord, kTileRays> records;
-    std::array<std::uint8_t, kTileRays> place;   ///< of the ray in its tile
+    std::array<IntersectionList, kTileRays> records;
+    std::array<std::uint8_t, kTileRays> place;  ///< of the ray in its tile
     std::size_t count = 0;
 
     void add(const Ray& ray, std::size_t at, double from, double to, bool first_only)

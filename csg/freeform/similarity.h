@@ -1,13 +1,13 @@
 #pragma once
 
-#include "csg/types.h"
+#include "csg/base/types.h"
 
 #include <cmath>
 
 namespace csg {
 
-/// Whether a linear map keeps balls balls; `factor` then tells by how much they grow.
-inline bool keeps_balls(const glm::dmat3& m, double& factor)
+/// Whether a linear map keeps spheres spheres; `factor` then tells by how much they grow.
+inline bool keeps_spheres(const glm::dmat3& m, double& factor)
 {
     constexpr double kFewRoundings = 1e-12;  // relative, squared lengths: a few roundings of products of rotations
     const glm::dmat3 square = glm::transpose(m) * m;

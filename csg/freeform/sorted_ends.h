@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/freeform/ray_record.h"
+#include "csg/freeform/intersection_list.h"
 
 #include <array>
 
@@ -29,10 +29,10 @@ public:
     const End* end() const { return ends_.data() + count_; }
 
 private:
-    static constexpr std::uint32_t kMost = 2 * RayRecord::kMostSpans;
+    static constexpr std::uint32_t kMost = 2 * IntersectionList::kMostSpans;
 
     std::uint32_t count_ = 0;
-    std::array<End, kMost> ends_;              // filled as far as the count says
+    std::array<End, kMost> ends_;  // filled as far as the count says
 };
 
 }  // namespace csg

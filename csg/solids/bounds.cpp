@@ -1,4 +1,4 @@
-#include "csg/solid.h"
+#include "csg/solids/solid.h"
 
 namespace csg {
 
@@ -19,20 +19,15 @@ Aabb Sphere::bounds() const
     return padded({center - radius, center + radius});
 }
 
-Aabb Ellipsoid::bounds() const
-{
-    return padded(ellipsoid_box(frame.linear, frame.offset));
-}
+Aabb Ellipsoid::bounds() const { return padded(ellipsoid_box(frame.linear, frame.offset)); }
 
 Aabb Plane::bounds() const
 {
     Aabb box = Aabb::everything();
     for (int i = 0; i < 3; ++i) {
         if (normal_out[(i + 1) % 3] != 0.0 || normal_out[(i + 2) % 3] != 0.0) continue;
-        if (normal_out[i] > 0.0)
-            box.upper[i] = offset / normal_out[i];
-        else
-            box.lower[i] = offset / normal_out[i];
+        if (normal_out[i] > 0.0) box.upper[i] = offset / normal_out[i];
+        else box.lower[i] = offset / normal_out[i];
     }
     return padded(box);
 }
@@ -54,11 +49,11 @@ Aabb Cone::bounds() const
 Aabb Torus::bounds() const
 {
     if (!(major > 0.0 && minor > 0.0)) return {};
-    // A ball swept along the circle: half extents add.
+    // A sphere swept along the circle: half extents add.
     const glm::dmat3& l = frame.linear;
     const Aabb circle = ellipsoid_box({l[0] * major, glm::dvec3(0.0), l[2] * major}, frame.offset);
-    const Aabb ball = ellipsoid_box(l * minor, glm::dvec3(0.0));
-    return padded({circle.lower + ball.lower, circle.upper + ball.upper});
+    const Aabb sphere = ellipsoid_box(l * minor, glm::dvec3(0.0));
+    return padded({circle.lower + sphere.lower, circle.upper + sphere.upper});
 }
 
 Aabb Quadric::bounds() const
@@ -83,10 +78,7 @@ Aabb Quadric::bounds() const
     return padded(transformed_box(frame, {center - half, center + half}));
 }
 
-Aabb Disc::drawn_bounds() const
-{
-    return padded(ring_box(frame, 0.0, radius));
-}
+Aabb Disc::drawn_bounds() const { return padded(ring_box(frame, 0.0, radius)); }
 
 Aabb Triangle::bounds() const
 {

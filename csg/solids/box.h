@@ -67,7 +67,7 @@ struct Box {
 /// A box under a transformation.
 struct OrientedBox {
     glm::dvec3 lower{0.0}, upper{1.0};
-    Transform frame;              ///< local to world
+    Transform frame;  ///< local to world
 
     bool interval(const Ray& ray, Interval& out) const
     {
@@ -75,10 +75,7 @@ struct OrientedBox {
     }
     bool contains(const glm::dvec3& p) const { return box_contains(frame.inverse_point(p), lower, upper); }
     bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
-    glm::dvec3 normal(const glm::dvec3&, std::uint32_t face) const
-    {
-        return unit_or_x(frame.normal(box_normal(face)));
-    }
+    glm::dvec3 normal(const glm::dvec3&, std::uint32_t face) const { return unit_or_x(frame.normal(box_normal(face))); }
     Aabb bounds() const { return padded(transformed_box(frame, {lower, upper})); }
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const
     {

@@ -20,8 +20,9 @@ Aabb transformed_box(const Transform& frame, const Aabb& local)
 {
     Aabb result;
     for (int corner = 0; corner < 8; ++corner)
-        result.include(frame.point({corner & 1 ? local.upper.x : local.lower.x, corner & 2 ? local.upper.y : local.lower.y,
-                                    corner & 4 ? local.upper.z : local.lower.z}));
+        result.include(
+            frame.point({corner & 1 ? local.upper.x : local.lower.x, corner & 2 ? local.upper.y : local.lower.y,
+                         corner & 4 ? local.upper.z : local.lower.z}));
     return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/span_list.h"
+#include "csg/spans/span_list.h"
 
 #include <cmath>
 

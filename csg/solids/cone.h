@@ -4,11 +4,11 @@
 
 namespace csg {
 
-/// x^2 + y^2 = z^2 between z = low and z = 1, in its own frame: apex at 0, the large end at 1. low < 0 is POV-Ray's double
-/// cone of a negative radius, which is not convex (spec 5a, 5.4). Surface held as by a cylinder.
+/// x^2 + y^2 = z^2 between z = low and z = 1, in its own frame: apex at 0, the large end at 1. low < 0 is POV-Ray's
+/// double cone of a negative radius, which is not convex (spec 5a, 5.4). Surface held as by a cylinder.
 struct Cone {
-    double low = 0.0;             ///< in (-1, 1)
-    Transform frame;              ///< local to world
+    double low = 0.0;  ///< in (-1, 1)
+    Transform frame;   ///< local to world
     bool open = false;
 
     bool convex() const { return low >= 0.0; }
@@ -28,7 +28,8 @@ struct Cone {
         Interval parts[2];
         const int n = convex() ? static_cast<int>(interval(ray, parts[0])) : pieces(ray, parts);
         for (int i = 0; i < n; ++i)
-            out.push({{.t = parts[i].entry, .face = parts[i].entry_face}, {.t = parts[i].exit, .face = parts[i].exit_face}});
+            out.push(
+                {{.t = parts[i].entry, .face = parts[i].entry_face}, {.t = parts[i].exit, .face = parts[i].exit_face}});
     }
     bool contains(const glm::dvec3& p) const { return open ? grown(p, Cylinder::kSkin) : grown(p, -Cylinder::kSkin); }
     bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }

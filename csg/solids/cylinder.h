@@ -14,7 +14,7 @@ Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double acro
 /// Radius 1 about z from z = 0 to z = 1, in its own frame. Without ends when open, but it bounds the same set. Closed
 /// ones leave their surface out, open ones hold it (spec 5a, 2.4).
 struct Cylinder {
-    Transform frame;              ///< local to world
+    Transform frame;  ///< local to world
     bool open = false;
 
     bool interval(const Ray& ray, Interval& out) const

@@ -4,11 +4,11 @@
 
 namespace csg {
 
-/// A flat ring: z = 0 and hole^2 <= x^2 + y^2 <= radius^2 in its own frame. What it bounds is the whole half-space z < 0
-/// (spec 5a, 5.6): a crossing beyond the rim is there, but not drawn.
+/// A flat ring: z = 0 and hole^2 <= x^2 + y^2 <= radius^2 in its own frame. What it bounds is the whole half-space z <
+/// 0 (spec 5a, 5.6): a crossing beyond the rim is there, but not drawn.
 struct Disc {
     double radius = 1.0, hole = 0.0;
-    Transform frame;              ///< local to world; local z is the disc's normal
+    Transform frame;  ///< local to world; local z is the disc's normal
 
     bool interval(const Ray& ray, Interval& out) const
     {
@@ -21,10 +21,8 @@ struct Disc {
         const double r2 = glm::dot(p, p);
         const bool drawn = r2 <= radius * radius && r2 >= hole * hole;
         const std::uint32_t face = drawn ? 0u : kUndrawnFace;
-        if (local.direction.z < 0.0)
-            out.entry = t, out.entry_face = face;
-        else
-            out.exit = t, out.exit_face = face;
+        if (local.direction.z < 0.0) out.entry = t, out.entry_face = face;
+        else out.exit = t, out.exit_face = face;
         return true;
     }
     bool contains(const glm::dvec3& p) const { return frame.inverse_point(p).z < 0.0; }
@@ -34,7 +32,8 @@ struct Disc {
     Aabb drawn_bounds() const;                          ///< of the ring
 
     /// Frame with local z along `normal` (any length but 0).
-    static Disc make(const glm::dvec3& center, const glm::dvec3& normal, double radius, double hole, const Transform& t);
+    static Disc make(const glm::dvec3& center, const glm::dvec3& normal, double radius, double hole,
+                     const Transform& t);
 
     static constexpr bool kClosed = false, kInverseClosed = true;
 };

@@ -1,10 +1,11 @@
 #include "csg/solids/extrusion.h"
 
-#include "csg/outline_crossings.h"
+#include "csg/solids/shared/outline_crossings.h"
 
 namespace csg {
 
-void Extrusion::meet_walls(const glm::dvec2& from, const glm::dvec2& along, double nearest, double farthest, bool first_only, Walls& out) const
+void Extrusion::meet_walls(const glm::dvec2& from, const glm::dvec2& along, double nearest, double farthest,
+                           bool first_only, Walls& out) const
 {
     OutlineLine line;
     line.side = {-along.y, along.x};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/outline_shape.h"
+#include "csg/solids/shared/outline_shape.h"
 #include "csg/solids/common.h"
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 
 namespace csg {
 
-/// A plane region swept along local z from `low` to `high`: text, linear prisms (spec 5b, 6 and 11). It holds its surface,
-/// its inverse does not. Faces: 0 at low, 1 at high, 2 + piece of the outline.
+/// A plane region swept along local z from `low` to `high`: text, linear prisms (spec 5b, 6 and 11). It holds its
+/// surface, its inverse does not. Faces: 0 at low, 1 at high, 2 + piece of the outline.
 struct Extrusion {
     std::shared_ptr<const OutlineShape> shape;
     double low = 0.0, high = 1.0;
-    bool open = false;             ///< the ends bound the solid but are not drawn
-    bool ends_up = false;          ///< the raw normal of both ends points along +z, as a prism's do
-    Transform frame;               ///< local to world
+    bool open = false;     ///< the ends bound the solid but are not drawn
+    bool ends_up = false;  ///< the raw normal of both ends points along +z, as a prism's do
+    Transform frame;       ///< local to world
 
     static constexpr std::uint32_t kLow = 0, kHigh = 1, kFirstWall = 2;
     /// Farther walls of one ray are not looked at.
@@ -35,10 +35,11 @@ struct Extrusion {
         });
     }
 
-    /// f(t in, face, t out, face) for the pieces of the ray inside, nearest first. Ends outside of [from, to] may stand for
-    /// others that lie there too; `first_only`: no more is wanted than the nearest end in it.
+    /// f(t in, face, t out, face) for the pieces of the ray inside, nearest first. Ends outside of [from, to] may stand
+    /// for others that lie there too; `first_only`: no more is wanted than the nearest end in it.
     template <class F>
-    void each_span(const Ray& ray, F&& f, double from = -kInfinity, double to = kInfinity, bool first_only = false) const
+    void each_span(const Ray& ray, F&& f, double from = -kInfinity, double to = kInfinity,
+                   bool first_only = false) const
     {
         const Ray local = local_ray(frame, ray);
         const glm::dvec3 &o = local.origin, &d = local.direction;
@@ -57,7 +58,8 @@ struct Extrusion {
         meet_walls(start, along, nearest, farthest, first_only, walls);
         const auto tell = [&](const Wall& a, const Wall& b) {
             if (b.t < within.entry || a.t > within.exit) return;
-            const bool entered = a.t < within.entry, left = b.t > within.exit;
+            const bool entered = a.t < within.entry;
+            const bool left = b.t > within.exit;
             f(entered ? within.entry : a.t, entered ? first : a.face, left ? within.exit : b.t, left ? last : b.face);
         };
         bool inside = walls.odd_before;
@@ -102,13 +104,14 @@ private:
     struct Walls {
         bool odd_before;
         std::size_t count;
-        std::array<Wall, kMostWalls> walls;   // filled as far as the count says
+        std::array<Wall, kMostWalls> walls;  // filled as far as the count says
     };
 
     std::uint32_t end_face(std::uint32_t face) const { return open ? kUndrawnFace : face; }
 
     /// Those in [nearest, farthest], beyond it maybe some.
-    void meet_walls(const glm::dvec2& from, const glm::dvec2& along, double nearest, double farthest, bool first_only, Walls& out) const;
+    void meet_walls(const glm::dvec2& from, const glm::dvec2& along, double nearest, double farthest, bool first_only,
+                    Walls& out) const;
 };
 
 }  // namespace csg

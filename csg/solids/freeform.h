@@ -9,38 +9,39 @@
 namespace csg {
 
 struct FreeformShape;
-struct Share;  // csg/hit.h
+struct Share;  // csg/base/hit.h
 
-/// A freeform shape in the world: lathe, blob, isosurface, ... (csg/freeform.h).
+/// A freeform shape in the world: lathe, blob, isosurface, ... (csg/freeform/freeform.h).
 struct Freeform {
     std::shared_ptr<const FreeformShape> shape;
-    Transform frame;               ///< local to world
+    Transform frame;  ///< local to world
 
-    static constexpr std::uint32_t kMostSpans = RayRecord::kMostSpans;
+    static constexpr std::uint32_t kMostSpans = IntersectionList::kMostSpans;
     std::uint32_t most_spans() const { return surface() ? 1u : kMostSpans + 1; }
     std::uint32_t most_crossings() const
     {
-        return (surface() ? 0 : 2 * kMostSpans + 2) + (touches() ? RayRecord::kMostTouches : 0);
+        return (surface() ? 0 : 2 * kMostSpans + 2) + (reports_touches() ? IntersectionList::kMostTouches : 0);
     }
 
     /// Drawn without an inside.
     bool surface() const;
     /// Crossings are told beside the surface, or the way there matters: a ray to a point of it must
     /// begin there.
-    bool beside() const;
-    /// Smooth where it is not made pointed on purpose: next to nothing of it lies near where a ray leaves it, and asking for that takes long.
+    bool has_open_surface() const;
+    /// Smooth where it is not made pointed on purpose: next to nothing of it lies near where a ray leaves it, and
+    /// asking for that takes long.
     bool round() const;
     /// Its normals may be blended between corners: not those of the surface.
     bool blends_normals() const;
     /// Some of it may be drawn that bounds nothing: what a lathe has at a negative radius.
-    bool touches() const;
+    bool reports_touches() const;
     bool closed() const;
     bool inverse_closed() const;
-    void meet(const Ray& ray, RayRecord& out) const;
+    void intersect(const Ray& ray, IntersectionList& out) const;
     /// Whether many rays are answered sooner together.
-    bool meets_many() const;
-    /// meet() of the rays of a batch, which are moved into the shape's space.
-    void meet_many(RayBatch& batch) const;
+    bool intersects_many() const;
+    /// intersect() of the rays of a batch, which are moved into the shape's space.
+    void intersect_many(RayBatch& batch) const;
     void intersect(const Ray& ray, SpanList& out) const { spans(ray, -kInfinity, kInfinity, out); }
     /// Those that meet [from, to]: correct within that range only.
     void spans(const Ray& ray, double from, double to, SpanList& out) const;
@@ -51,7 +52,7 @@ struct Freeform {
     /// Appends the shares of the shape's parts at world point p; nothing for a shape that has none.
     void shares(const glm::dvec3& p, std::vector<Share>& out) const;
     Aabb bounds() const;
-    Aabb drawn_bounds() const;     ///< of what can be seen of it
+    Aabb drawn_bounds() const;  ///< of what can be seen of it
 
 private:
     Aabb in_world(const Aabb& local) const;

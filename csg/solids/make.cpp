@@ -1,4 +1,4 @@
-#include "csg/solid.h"
+#include "csg/solids/solid.h"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 #include "csg/solids/mesh.h"
 
-#include "csg/mesh_query.h"
+#include "csg/mesh/mesh_query.h"
 
 #include <algorithm>
 
@@ -19,13 +19,15 @@ public:
         });
         const glm::dvec3 up = mesh.frame.inverse_vector(mesh.inside_vector);
         for (const auto& [a, b] : mesh.shape->open_edges()) meet_wall(local, a, b - a, up);
-        std::sort(met_, met_ + count_, [](const Met& a, const Met& b) { return a.t != b.t ? a.t < b.t : a.face < b.face; });
+        std::sort(met_, met_ + count_,
+                  [](const Met& a, const Met& b) { return a.t != b.t ? a.t < b.t : a.face < b.face; });
     }
 
     void spans(bool inverted, SpanList& out) const
     {
         const bool closed = mesh_.shape->open_edges().empty();
-        // An odd number of faces of a closed mesh: rounding lost one at a corner. The middles of the intervals know better.
+        // An odd number of faces of a closed mesh: rounding lost one at a corner. The middles of the intervals know
+        // better.
         const bool doubtful = closed && count_ % 2 != 0;
         bool open = (!closed && inside_at_first()) != inverted;
         Crossing begin{.t = -kInfinity};
@@ -90,7 +92,8 @@ void Mesh::spans(const Ray& ray, bool inverted, SpanList& out) const
 
 std::uint32_t Mesh::most_crossings() const
 {
-    return static_cast<std::uint32_t>(std::min<std::size_t>(shape->triangles() + shape->open_edges().size(), kMostCrossings));
+    return static_cast<std::uint32_t>(
+        std::min<std::size_t>(shape->triangles() + shape->open_edges().size(), kMostCrossings));
 }
 
 bool Mesh::holds(const glm::dvec3& p) const
@@ -119,9 +122,6 @@ Aabb Mesh::drawn_bounds() const
     return padded(frame.identity() ? shape->bounds() : transformed_box(frame, shape->bounds()));
 }
 
-Aabb Mesh::bounds() const
-{
-    return solid() && !shape->open_edges().empty() ? Aabb::everything() : drawn_bounds();
-}
+Aabb Mesh::bounds() const { return solid() && !shape->open_edges().empty() ? Aabb::everything() : drawn_bounds(); }
 
 }  // namespace csg

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/polynomial_shape.h"
+#include "csg/solids/shared/polynomial_shape.h"
 #include "csg/solids/common.h"
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace csg {
 /// surface.
 struct Polynomial {
     std::shared_ptr<const PolynomialShape> shape;
-    Transform frame;               ///< local to world
+    Transform frame;  ///< local to world
 
     static constexpr std::uint32_t kMostSpans = PolynomialShape::kMostDegree / 2 + 2;
     std::uint32_t most_spans() const { return static_cast<std::uint32_t>(shape->degree()) / 2 + 2; }
@@ -38,7 +38,7 @@ struct Polynomial {
         double roots[PolynomialShape::kMostDegree];
         const int count = degree > 0 ? sign_changes(c, degree, roots) : 0;
         const double last = c[static_cast<std::size_t>(degree)];
-        bool inside = degree % 2 == 0 ? last <= 0.0 : last > 0.0;   // where t goes to minus infinity
+        bool inside = degree % 2 == 0 ? last <= 0.0 : last > 0.0;  // where t goes to minus infinity
         double in = -kInfinity;
         for (int i = 0; i < count; ++i) {
             roots[i] = glm::max(shape->polished(p, d, roots[i]), i > 0 ? roots[i - 1] : -kInfinity);
@@ -56,7 +56,10 @@ struct Polynomial {
     {
         return unit_or_x(frame.normal(shape->gradient(frame.inverse_point(p))));
     }
-    Aabb bounds() const { return shape->box().finite() ? padded(transformed_box(frame, shape->box())) : Aabb::everything(); }
+    Aabb bounds() const
+    {
+        return shape->box().finite() ? padded(transformed_box(frame, shape->box())) : Aabb::everything();
+    }
 
     static constexpr bool kClosed = true, kInverseClosed = true;
 };

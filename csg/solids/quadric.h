@@ -10,7 +10,7 @@ namespace csg {
 struct Quadric {
     glm::dvec3 square{0.0}, mixed{0.0}, linear{0.0};
     double constant = 0.0;
-    Transform frame;              ///< local to world
+    Transform frame;  ///< local to world
 
     double value(const glm::dvec3& p) const
     {

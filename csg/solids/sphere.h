@@ -26,10 +26,10 @@ inline bool sphere_roots(const glm::dvec3& f, const glm::dvec3& d, double radius
     return near <= far && far < kInfinity && near > -kInfinity;
 }
 
-/// A ball in world space. Neither it nor its inverse holds its surface (spec 5a, 2.4).
+/// A sphere in world space. Neither it nor its inverse holds its surface (spec 5a, 2.4).
 struct Sphere {
     glm::dvec3 center{0.0};
-    double radius = 1.0;          ///< positive; 0 and less is never hit
+    double radius = 1.0;  ///< positive; 0 and less is never hit
 
     bool interval(const Ray& ray, Interval& out) const
     {
@@ -52,9 +52,9 @@ struct Sphere {
     static constexpr bool kClosed = false, kInverseClosed = false;
 };
 
-/// The unit ball under a transformation.
+/// The unit sphere under a transformation.
 struct Ellipsoid {
-    Transform frame;              ///< local to world
+    Transform frame;  ///< local to world
 
     bool interval(const Ray& ray, Interval& out) const
     {

@@ -29,7 +29,7 @@ struct Triangle {
     bool contains(const glm::dvec3&) const { return false; }
     bool contains_inverted(const glm::dvec3&) const { return false; }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t) const;
-    bool blends_normals() const { return smooth; }   ///< normal() may be another than the surface's
+    bool blends_normals() const { return smooth; }  ///< normal() may be another than the surface's
     Aabb bounds() const;
 
     static Triangle make(const std::array<glm::dvec3, 3>& vertices);

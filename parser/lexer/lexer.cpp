@@ -26,7 +26,8 @@ struct line_comment : seq<pegtl::two<'/'>, star<pegtl::not_one<'\n', '\r'>>> {};
 struct block_comment {
     using rule_t = block_comment;
     using subs_t = pegtl::type_list<>;
-    template <class Input> static bool match(Input& in)
+    template <class Input>
+    static bool match(Input& in)
     {
         const char* at = in.current();
         const char* const end = in.end();
@@ -66,12 +67,12 @@ struct text : seq<one<'"'>, star<text_char>, one<'"'>> {};
 struct open_text : one<'"'> {};
 
 struct pair : sor<pegtl::string<'<', '='>, pegtl::string<'>', '='>, pegtl::string<'!', '='>> {};
-struct mark : one<'{', '}', '(', ')', '[', ']', '<', '>', '=', '!', '&', '|', '?', ':', ',', ';', '.', '+', '-', '*', '/',
-                  '@', '%', '^', '$', '~', '\'', '`', '\\', '#'> {};
+struct mark : one<'{', '}', '(', ')', '[', ']', '<', '>', '=', '!', '&', '|', '?', ':', ',', ';', '.', '+', '-', '*',
+                  '/', '@', '%', '^', '$', '~', '\'', '`', '\\', '#'> {};
 struct illegal : pegtl::any {};
 
-struct item : sor<blanks, word, number_with_two_points, number, line_comment, block_comment, open_comment, text, open_text,
-                  pair, mark, illegal> {};
+struct item : sor<blanks, word, number_with_two_points, number, line_comment, block_comment, open_comment, text,
+                  open_text, pair, mark, illegal> {};
 struct whole : star<item> {};
 
 // --- what becomes of it ------------------------------------------------------------------------------------------
@@ -115,43 +116,54 @@ Kind mark_kind(char c)
 {
     static constexpr std::string_view kMarks = "{}()[]<>=!&|?:,;.+-*/@%^$~'`\\#";
     static constexpr Kind kKinds[] = {
-        Kind::LeftBrace, Kind::RightBrace, Kind::LeftParen, Kind::RightParen, Kind::LeftSquare, Kind::RightSquare,
-        Kind::Less, Kind::Greater, Kind::Equal, Kind::Exclamation, Kind::Ampersand, Kind::Bar, Kind::Question, Kind::Colon,
-        Kind::Comma, Kind::Semicolon, Kind::Period, Kind::Plus, Kind::Minus, Kind::Star, Kind::Slash, Kind::At,
-        Kind::Percent, Kind::Caret, Kind::Dollar, Kind::Tilde, Kind::Apostrophe, Kind::Backquote, Kind::Backslash,
-        Kind::Hash};
+        Kind::LeftBrace, Kind::RightBrace, Kind::LeftParen,  Kind::RightParen,  Kind::LeftSquare, Kind::RightSquare,
+        Kind::Less,      Kind::Greater,    Kind::Equal,      Kind::Exclamation, Kind::Ampersand,  Kind::Bar,
+        Kind::Question,  Kind::Colon,      Kind::Comma,      Kind::Semicolon,   Kind::Period,     Kind::Plus,
+        Kind::Minus,     Kind::Star,       Kind::Slash,      Kind::At,          Kind::Percent,    Kind::Caret,
+        Kind::Dollar,    Kind::Tilde,      Kind::Apostrophe, Kind::Backquote,   Kind::Backslash,  Kind::Hash};
     return kKinds[kMarks.find(c)];
 }
 
-template <class Rule> struct action {};
+template <class Rule>
+struct action {};
 
-template <> struct action<word> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<word> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         const std::uint32_t name = build.names.intern(in.string_view());
         build.add(build.names.kind(name), in.begin()).name = name;
     }
 };
-template <> struct action<number> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<number> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         build.add(Kind::Number, in.begin()).number = number_value(in.begin(), in.end());
     }
 };
-template <> struct action<number_with_two_points> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<number_with_two_points> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         build.add_bad(in.begin(), "this number has a second decimal point");
     }
 };
-template <> struct action<open_comment> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<open_comment> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         build.add_bad(in.begin(), "this comment is never closed by */");
     }
 };
-template <> struct action<text> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<text> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         std::string raw;
         const std::string_view body = in.string_view().substr(1, in.size() - 2);
@@ -166,27 +178,35 @@ template <> struct action<text> {
         build.add(Kind::String, in.begin()).name = index;
     }
 };
-template <> struct action<open_text> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<open_text> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         build.add_bad(in.begin(), "this text is never closed by \"");
     }
 };
-template <> struct action<pair> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<pair> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         const char c = *in.begin();
         build.add(c == '<' ? Kind::LessEqual : c == '>' ? Kind::GreaterEqual : Kind::NotEqual, in.begin());
     }
 };
-template <> struct action<mark> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<mark> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         build.add(mark_kind(*in.begin()), in.begin());
     }
 };
-template <> struct action<illegal> {
-    template <class Input> static void apply(const Input& in, Builder& build)
+template <>
+struct action<illegal> {
+    template <class Input>
+    static void apply(const Input& in, Builder& build)
     {
         char message[64];
         std::snprintf(message, sizeof message, "a byte with the value %02X cannot stand here",
@@ -198,15 +218,25 @@ template <> struct action<illegal> {
 /// Gives every branching directive the place of the next branch at its level.
 void link_branches(std::vector<Token>& tokens)
 {
-    struct Open { std::uint32_t last; bool conditional, choice; };
+    struct Open {
+        std::uint32_t last;
+        bool conditional, choice;
+    };
     std::vector<Open> open;
     for (std::uint32_t at = 0; at + 1 < tokens.size(); ++at) {
         if (tokens[at].kind != Kind::Hash) continue;
         switch (tokens[at + 1].kind) {
-        case Kind::If: case Kind::Ifdef: case Kind::Ifndef: open.push_back({at, true, false}); break;
+        case Kind::If:
+        case Kind::Ifdef:
+        case Kind::Ifndef: open.push_back({at, true, false}); break;
         case Kind::Switch: open.push_back({at, true, true}); break;
-        case Kind::While: case Kind::For: case Kind::Macro: open.push_back({at, false, false}); break;
-        case Kind::Else: case Kind::Elseif: case Kind::Case: case Kind::Range: {
+        case Kind::While:
+        case Kind::For:
+        case Kind::Macro: open.push_back({at, false, false}); break;
+        case Kind::Else:
+        case Kind::Elseif:
+        case Kind::Case:
+        case Kind::Range: {
             const bool choice = tokens[at + 1].kind == Kind::Case || tokens[at + 1].kind == Kind::Range;
             if (open.empty() || !open.back().conditional || (choice && !open.back().choice)) break;
             tokens[open.back().last].jump = at;

@@ -14,13 +14,15 @@ namespace parser {
 /// of the next branch at the same level (at last of `#end`), kNoIndex where the file ends first: a false branch is
 /// left in one step. For Hash tokens before other words it is kNoIndex.
 struct SourceFile {
-    std::string path;                       ///< as told in messages
+    std::string path;  ///< as told in messages
     std::string text;
-    std::vector<Token> tokens;              ///< ends with EndOfText
-    std::vector<std::string> strings;       ///< raw text of String tokens, messages of Bad tokens
-    std::vector<std::uint32_t> bad;         ///< indices of Bad tokens, ascending: skipped text must be well-formed too
+    std::vector<Token> tokens;         ///< ends with EndOfText
+    std::vector<std::string> strings;  ///< raw text of String tokens, messages of Bad tokens
+    std::vector<std::uint32_t> bad;    ///< indices of Bad tokens, ascending: skipped text must be well-formed too
 
-    struct Place { std::uint32_t line, column; };  ///< both from 1; column in bytes
+    struct Place {
+        std::uint32_t line, column;
+    };  ///< both from 1; column in bytes
     Place locate(std::uint32_t offset) const;
     std::string_view line_text(std::uint32_t line) const;  ///< without its line end
     /// The text of a token as the author wrote it (a word, a number, a string with its quotes).

@@ -5,7 +5,10 @@
 namespace parser {
 namespace {
 
-struct Word { std::string_view text; Kind kind; };
+struct Word {
+    std::string_view text;
+    Kind kind;
+};
 
 constexpr Word kWords[] = {
 #define WHITTLE_KEYWORD(word, kind, lexical_class) {word, Kind::kind},
@@ -23,11 +26,13 @@ constexpr LexicalClass kClasses[] = {
 #undef WHITTLE_SPELLING
 };
 
+// clang-format off
 constexpr std::string_view kPlain[] = {
     "end of text", "illegal text", "#", "identifier", "number", "string",
     "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "=", "!=", "!", "&", "|", "?", ":", ",", ";", ".",
     "+", "-", "*", "/", "@", "%", "^", "$", "~", "'", "`", "\\",
 };
+// clang-format on
 static_assert(std::size(kPlain) == static_cast<std::size_t>(kFirstKeyword));
 
 std::unordered_map<std::string_view, Kind> keyword_table()

@@ -18,10 +18,38 @@ enum class Kind : std::uint16_t {
     Identifier,  ///< a word that is not reserved: `name`
     Number,      ///< `number`
     String,      ///< `name` is the string index of the raw text (escapes not yet resolved, but \" is)
-    LeftBrace, RightBrace, LeftParen, RightParen, LeftSquare, RightSquare,
-    Less, Greater, LessEqual, GreaterEqual, Equal, NotEqual,
-    Exclamation, Ampersand, Bar, Question, Colon, Comma, Semicolon, Period,
-    Plus, Minus, Star, Slash, At, Percent, Caret, Dollar, Tilde, Apostrophe, Backquote, Backslash,
+    LeftBrace,
+    RightBrace,
+    LeftParen,
+    RightParen,
+    LeftSquare,
+    RightSquare,
+    Less,
+    Greater,
+    LessEqual,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    Exclamation,
+    Ampersand,
+    Bar,
+    Question,
+    Colon,
+    Comma,
+    Semicolon,
+    Period,
+    Plus,
+    Minus,
+    Star,
+    Slash,
+    At,
+    Percent,
+    Caret,
+    Dollar,
+    Tilde,
+    Apostrophe,
+    Backquote,
+    Backslash,
 #define WHITTLE_KEYWORD(word, kind, lexical_class) kind,
 #define WHITTLE_SPELLING(word, kind)
 #include "parser/lexer/keywords.inc"
@@ -37,18 +65,18 @@ inline constexpr std::size_t kKindCount = static_cast<std::size_t>(Kind::kCount)
 enum class LexicalClass : std::uint8_t { None, Float, Vector, Vector2, Vector4, Color, String, Other };
 
 constexpr bool is_keyword(Kind kind) { return kind >= kFirstKeyword; }
-LexicalClass lexical_class(Kind kind);       ///< None for what is no reserved word
-std::string_view spelling(Kind kind);        ///< "sphere", "{", "number", ...: for messages
+LexicalClass lexical_class(Kind kind);  ///< None for what is no reserved word
+std::string_view spelling(Kind kind);   ///< "sphere", "{", "number", ...: for messages
 
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
 struct Token {
     Kind kind = Kind::EndOfText;
-    std::uint16_t file = 0;          ///< index among the files of the parse
-    std::uint32_t name = kNoIndex;   ///< interned word (keywords too), or string index
+    std::uint16_t file = 0;         ///< index among the files of the parse
+    std::uint32_t name = kNoIndex;  ///< interned word (keywords too), or string index
     double number = 0;
-    std::uint32_t offset = 0;        ///< byte in the file; line and column are computed when a message needs them
-    std::uint32_t jump = kNoIndex;   ///< Hash only
+    std::uint32_t offset = 0;       ///< byte in the file; line and column are computed when a message needs them
+    std::uint32_t jump = kNoIndex;  ///< Hash only
 };
 static_assert(sizeof(Token) == 24);
 

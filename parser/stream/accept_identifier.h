@@ -5,7 +5,8 @@
 
 namespace parser {
 
-template <class T> std::optional<T> TokenStream::accept_identifier()
+template <class T>
+std::optional<T> TokenStream::accept_identifier()
 {
     if (peek().kind != Kind::Identifier) return std::nullopt;
     if (new_language())
@@ -30,7 +31,10 @@ template <class T> std::optional<T> TokenStream::accept_identifier()
     for (const Array* level = array->get(); level != nullptr;) {
         first = nullptr;
         for (const Value& element : level->elements)
-            if (element.set()) { first = &element; break; }
+            if (element.set()) {
+                first = &element;
+                break;
+            }
         const auto* inner = first ? first->template get_if<std::shared_ptr<Array>>() : nullptr;
         level = inner ? inner->get() : nullptr;
     }

@@ -16,8 +16,8 @@ public:
     virtual ~GrammarHooks() = default;
 
     /// The right-hand side of a declaration, a macro argument or an array element that is no expression, string, array,
-    /// function or spline: `sphere { ... }`, `texture { ... } texture { ... }`, `color_map { ... }`, `transform { ... }`.
-    /// stream.peek() is its first token. nullopt, with nothing consumed: no value begins here.
+    /// function or spline: `sphere { ... }`, `texture { ... } texture { ... }`, `color_map { ... }`, `transform { ...
+    /// }`. stream.peek() is its first token. nullopt, with nothing consumed: no value begins here.
     virtual std::optional<Value> parse_declared_value(TokenStream& stream) = 0;
 
     /// The block after `#default` (or `default`), braces included.
@@ -26,17 +26,28 @@ public:
     /// After `#version`: 3.8 begins with other defaults.
     virtual void version_changed(int /*version*/, const Options& /*options*/) {}
 
-    /// `pigment { ... }`, `pattern { ... }` or `transform { ... }` as the body of a function; stream.peek() is the word.
-    virtual std::optional<function::Outer> parse_function_thing(TokenStream& /*stream*/) { return std::nullopt; }
+    /// `pigment { ... }`, `pattern { ... }` or `transform { ... }` as the body of a function; stream.peek() is the
+    /// word.
+    virtual std::optional<function::SceneReference> parse_function_thing(TokenStream& /*stream*/)
+    {
+        return std::nullopt;
+    }
 
     /// Questions to a declared object; nullopt: cannot be answered (the stream makes it an error at the call).
     virtual std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>&, const glm::dvec3& /*origin*/,
-                                           const glm::dvec3& /*direction, unit length*/) { return std::nullopt; }
+                                           const glm::dvec3& /*direction, unit length*/)
+    {
+        return std::nullopt;
+    }
     /// Whether inside() can be asked of the object.
     virtual bool solid(const std::shared_ptr<const scene::Object>&) { return true; }
-    virtual std::optional<bool> inside(const std::shared_ptr<const scene::Object>&, const glm::dvec3&) { return std::nullopt; }
+    virtual std::optional<bool> inside(const std::shared_ptr<const scene::Object>&, const glm::dvec3&)
+    {
+        return std::nullopt;
+    }
     virtual std::optional<csg::Aabb> extent(const std::shared_ptr<const scene::Object>&) { return std::nullopt; }
-    virtual std::optional<glm::dvec3> turbulence(const glm::dvec3& /*point*/, int /*octaves*/, double /*lambda*/, double /*omega*/)
+    virtual std::optional<glm::dvec3> turbulence(const glm::dvec3& /*point*/, int /*octaves*/, double /*lambda*/,
+                                                 double /*omega*/)
     {
         return std::nullopt;
     }

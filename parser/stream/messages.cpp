@@ -15,7 +15,10 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u
 std::size_t character_length(std::string_view text, std::size_t at)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
-    const std::size_t length = byte(0) >= 0xF0 && byte(0) <= 0xF4 ? 4 : byte(0) >= 0xE0 && byte(0) < 0xF0 ? 3 : byte(0) >= 0xC2 && byte(0) < 0xE0 ? 2 : 0;
+    const std::size_t length = byte(0) >= 0xF0 && byte(0) <= 0xF4  ? 4
+                               : byte(0) >= 0xE0 && byte(0) < 0xF0 ? 3
+                               : byte(0) >= 0xC2 && byte(0) < 0xE0 ? 2
+                                                                   : 0;
     if (length == 0 || at + length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if (!continues(text[at + i])) return 0;
@@ -59,15 +62,16 @@ std::string render_message(const SourceFile& file, std::uint32_t line, std::uint
     std::string source = printable(file.line_text(line));  // as many bytes
     std::size_t caret = column - 1;
     if (source.size() > kLongestLine) {
-        const std::size_t cut = character_start(source, caret > kLongestLine / 2 ? std::min(caret - kLongestLine / 2, source.size()) : 0);
+        const std::size_t cut =
+            character_start(source, caret > kLongestLine / 2 ? std::min(caret - kLongestLine / 2, source.size()) : 0);
         source = source.substr(cut, character_start(std::string_view(source).substr(cut), kLongestLine));
         caret -= cut;
     }
     std::string below;  // a blank a character
     for (std::size_t i = 0; i < caret; ++i)
         if (i >= source.size() || !continues(source[i])) below += i < source.size() && source[i] == '\t' ? '\t' : ' ';
-    return fmt::format("{}:{}:{}: {}: {}\n{:>5} | {}\n{:>5} | {}^", file.path, line, column, kind, text, line, source, "",
-                       below);
+    return fmt::format("{}:{}:{}: {}: {}\n{:>5} | {}\n{:>5} | {}^", file.path, line, column, kind, text, line, source,
+                       "", below);
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b)
@@ -78,7 +82,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
             row[j] = std::min({previous[j] + 1, row[j - 1] + 1, previous[j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
         }
         before = previous;
         previous = row;
@@ -86,7 +91,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
     return previous[b.size()];
 }
 
-NearestName::NearestName(std::string_view word) : word_(word), distance_(std::min<std::size_t>(word.size() / 3, 2) + 1) {}
+NearestName::NearestName(std::string_view word) : word_(word), distance_(std::min<std::size_t>(word.size() / 3, 2) + 1)
+{}
 
 void NearestName::offer(std::string_view candidate)
 {

@@ -39,21 +39,25 @@ CellMemory& cell_memory()
     return memory;
 }
 
-template <class T> struct CellAllocator {
+template <class T>
+struct CellAllocator {
     using value_type = T;
     CellAllocator() = default;
-    template <class U> CellAllocator(const CellAllocator<U>&) {}
+    template <class U>
+    CellAllocator(const CellAllocator<U>&)
+    {}
     T* allocate(std::size_t count) { return static_cast<T*>(cell_memory().take(count * sizeof(T))); }
     void deallocate(T* one, std::size_t count) { cell_memory().give(one, count * sizeof(T)); }
-    template <class U> bool operator==(const CellAllocator<U>&) const { return true; }
+    template <class U>
+    bool operator==(const CellAllocator<U>&) const
+    {
+        return true;
+    }
 };
 
 }  // namespace
 
-Cell make_cell(Value value)
-{
-    return std::allocate_shared<Value>(CellAllocator<Value>(), std::move(value));
-}
+Cell make_cell(Value value) { return std::allocate_shared<Value>(CellAllocator<Value>(), std::move(value)); }
 
 void Symbols::grow(std::uint32_t name)
 {

@@ -69,8 +69,9 @@ private:
         current_[name] = bindings.empty() ? nullptr : bindings.back().cell.get();
     }
     std::vector<std::vector<Binding>> slots_;
-    std::vector<Value*> current_;                     // the last of each slot
-    std::vector<std::vector<std::uint32_t>> opened_;  // names bound in each scope above the global one; the rest is kept for later
+    std::vector<Value*> current_;  // the last of each slot
+    std::vector<std::vector<std::uint32_t>>
+        opened_;  // names bound in each scope above the global one; the rest is kept for later
     std::uint32_t depth_ = 0;
 };
 

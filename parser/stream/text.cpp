@@ -75,7 +75,8 @@ std::string printed(std::string text, int version)
 {
     if (is_ascii(text)) return text;
     std::string bytes;
-    for (const char16_t unit : units_of(text)) bytes += static_cast<char>(unit < 0x80 ? unit : version >= 350 ? ' ' : unit & 0xFF);
+    for (const char16_t unit : units_of(text))
+        bytes += static_cast<char>(unit < 0x80 ? unit : version >= 350 ? ' ' : unit & 0xFF);
     return bytes;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/expression.h"
+#include "parser/stream/expressions/expression.h"
 #include "parser/stream/token_stream.h"
 
 #include <tao/pegtl.hpp>
@@ -30,8 +30,13 @@ class OperandStack {
 public:
     using Operand = std::variant<double, glm::dvec2, glm::dvec3, glm::dvec4, scene::Color, std::string>;
 
-    template <class T> void push(T value) { operands_.emplace_back(std::move(value)); }
-    template <class T> T pop()
+    template <class T>
+    void push(T value)
+    {
+        operands_.emplace_back(std::move(value));
+    }
+    template <class T>
+    T pop()
     {
         T value = std::get<T>(std::move(operands_.back()));
         operands_.pop_back();
@@ -60,7 +65,8 @@ public:
     bool empty() const { return stream_.peek().kind == Kind::EndOfText; }
     scene::SourceRef position() const { return stream_.here(); }
 
-    template <pegtl::rewind_mode M> class Mark {
+    template <pegtl::rewind_mode M>
+    class Mark {
     public:
         static constexpr pegtl::rewind_mode next_rewind_mode =
             M == pegtl::rewind_mode::dontcare ? M : pegtl::rewind_mode::active;
@@ -78,7 +84,11 @@ public:
         const TokenStream& stream_;
         std::uint64_t taken_;
     };
-    template <pegtl::rewind_mode M> Mark<M> mark() const { return Mark<M>(stream_); }
+    template <pegtl::rewind_mode M>
+    Mark<M> mark() const
+    {
+        return Mark<M>(stream_);
+    }
 
 private:
     TokenStream& stream_;
@@ -86,10 +96,13 @@ private:
 
 /// What to say when a rule that must match does not: "expected <this>, found '...'". Every rule inside must<> or
 /// if_must<> needs one, or the grammar does not compile.
-template <class Rule> inline constexpr const char* expected = nullptr;
+template <class Rule>
+inline constexpr const char* expected = nullptr;
 
-template <class Rule> struct control : pegtl::normal<Rule> {
-    template <class... States> [[noreturn]] static void raise(const TokenInput& in, States&&...)
+template <class Rule>
+struct control : pegtl::normal<Rule> {
+    template <class... States>
+    [[noreturn]] static void raise(const TokenInput& in, States&&...)
     {
         static_assert(expected<Rule> != nullptr, "a rule that must match needs a message: expected<Rule>");
         in.stream().fail_expected(expected<Rule>);
@@ -97,25 +110,41 @@ template <class Rule> struct control : pegtl::normal<Rule> {
 };
 
 /// Shared by the leaf rules: tells PEGTL that there is nothing inside.
-template <class Self> struct leaf {
+template <class Self>
+struct leaf {
     using rule_t = Self;
     using subs_t = pegtl::type_list<>;
 };
 
 /// Takes one token of that kind.
-template <Kind kind> struct token : leaf<token<kind>> {
-    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class, class... States>
-    static bool match(TokenInput& in, States&&...) { return in.stream().accept(kind); }
+template <Kind kind>
+struct token : leaf<token<kind>> {
+    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class,
+              class... States>
+    static bool match(TokenInput& in, States&&...)
+    {
+        return in.stream().accept(kind);
+    }
 };
 /// Takes one token of any of these kinds.
-template <Kind... kinds> struct any_token : leaf<any_token<kinds...>> {
-    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class, class... States>
-    static bool match(TokenInput& in, States&&...) { return (in.stream().accept(kinds) || ...); }
+template <Kind... kinds>
+struct any_token : leaf<any_token<kinds...>> {
+    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class,
+              class... States>
+    static bool match(TokenInput& in, States&&...)
+    {
+        return (in.stream().accept(kinds) || ...);
+    }
 };
 /// Looks, takes nothing.
-template <Kind kind> struct next_is : leaf<next_is<kind>> {
-    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class, class... States>
-    static bool match(TokenInput& in, States&&...) { return in.stream().peek().kind == kind; }
+template <Kind kind>
+struct next_is : leaf<next_is<kind>> {
+    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class,
+              class... States>
+    static bool match(TokenInput& in, States&&...)
+    {
+        return in.stream().peek().kind == kind;
+    }
 };
 
 using comma = token<Kind::Comma>;
@@ -123,13 +152,18 @@ using opt_comma = pegtl::opt<comma>;
 using open_brace = token<Kind::LeftBrace>;
 using close_brace = token<Kind::RightBrace>;
 
-template <> inline constexpr auto expected<open_brace> = "'{'";
-template <> inline constexpr auto expected<close_brace> = "'}'";
-template <> inline constexpr auto expected<comma> = "','";
+template <>
+inline constexpr auto expected<open_brace> = "'{'";
+template <>
+inline constexpr auto expected<close_brace> = "'}'";
+template <>
+inline constexpr auto expected<comma> = "','";
 
 /// An expression leaf: fails without taking anything where Self::at says that none begins, else pushes Self::read.
-template <class Self> struct operand_rule : leaf<Self> {
-    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class, class... States>
+template <class Self>
+struct operand_rule : leaf<Self> {
+    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class,
+              class... States>
     static bool match(TokenInput& in, OperandStack& operands, States&&...)
     {
         if (!Self::at(in.stream())) return false;
@@ -168,11 +202,17 @@ struct string_expr : operand_rule<string_expr> {
 
 }  // namespace rules
 
-template <> inline constexpr auto expected<rules::float_expr> = "a number";
-template <> inline constexpr auto expected<rules::vector2_expr> = "two numbers, as in <0, 1>";
-template <> inline constexpr auto expected<rules::vector_expr> = "a vector, as in <0, 1, 0>";
-template <> inline constexpr auto expected<rules::vector4_expr> = "four numbers, as in <0, 1, 0, 1>";
-template <> inline constexpr auto expected<rules::color_expr> = "a colour, as in rgb <1, 0.5, 0>";
-template <> inline constexpr auto expected<rules::string_expr> = "a text, as in \"name\"";
+template <>
+inline constexpr auto expected<rules::float_expr> = "a number";
+template <>
+inline constexpr auto expected<rules::vector2_expr> = "two numbers, as in <0, 1>";
+template <>
+inline constexpr auto expected<rules::vector_expr> = "a vector, as in <0, 1, 0>";
+template <>
+inline constexpr auto expected<rules::vector4_expr> = "four numbers, as in <0, 1, 0, 1>";
+template <>
+inline constexpr auto expected<rules::color_expr> = "a colour, as in rgb <1, 0.5, 0>";
+template <>
+inline constexpr auto expected<rules::string_expr> = "a text, as in \"name\"";
 
 }  // namespace parser

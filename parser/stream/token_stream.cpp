@@ -54,7 +54,8 @@ void TokenStream::allow_more(const Token& next)
     if (options_.cancel && *options_.cancel) {
         const Token* loop = innermost_loop();
         const scene::SourceRef at = place(loop ? *loop : next);
-        report(Severity::Note, at, rendered(at, "note", loop ? "reading is cancelled, in this loop" : "reading is cancelled here"));
+        report(Severity::Note, at,
+               rendered(at, "note", loop ? "reading is cancelled, in this loop" : "reading is cancelled here"));
         throw Cancelled();
     }
     if (later_ == 0) fail(place(next), "the limit of tokens is reached: does this loop end?");
@@ -66,7 +67,8 @@ void TokenStream::allow_more(const Token& next)
 const Token* TokenStream::innermost_loop() const
 {
     for (std::size_t i = blocks_.size(); i-- > 0;)
-        if (blocks_[i].kind == BlockKind::While || blocks_[i].kind == BlockKind::For) return &files_[blocks_[i].file]->tokens[blocks_[i].branch];
+        if (blocks_[i].kind == BlockKind::While || blocks_[i].kind == BlockKind::For)
+            return &files_[blocks_[i].file]->tokens[blocks_[i].branch];
     return nullptr;
 }
 
@@ -214,15 +216,9 @@ scene::SourceRef TokenStream::place(const Token& token) const
     return {token.file, found.line, found.column};
 }
 
-scene::SourceRef TokenStream::here()
-{
-    return place(peek());
-}
+scene::SourceRef TokenStream::here() { return place(peek()); }
 
-scene::SourceRef TokenStream::last() const
-{
-    return place(*last_);
-}
+scene::SourceRef TokenStream::last() const { return place(*last_); }
 
 std::string TokenStream::line_of(const scene::SourceRef& at) const
 {
@@ -257,8 +253,9 @@ std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view k
     for (std::size_t i = cursors_.size(); i-- > 1 && notes < kMostNotes; ++again) {
         const Cursor& cursor = cursors_[i];
         const scene::SourceRef call = place(*cursor.call);
-        std::string next = fmt::format("{}:{}:{}: note: {}", files_[call.file]->path, call.line, call.column,
-                                       cursor.macro ? "in the expansion of macro " + names_.word(cursor.name) : "included here");
+        std::string next =
+            fmt::format("{}:{}:{}: note: {}", files_[call.file]->path, call.line, call.column,
+                        cursor.macro ? "in the expansion of macro " + names_.word(cursor.name) : "included here");
         if (next == note) continue;
         if (!note.empty()) end_note();
         note = std::move(next);
@@ -267,15 +264,9 @@ std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view k
     return all;
 }
 
-void TokenStream::fail(const scene::SourceRef& at, std::string_view text)
-{
-    throw Error(rendered(at, "error", text));
-}
+void TokenStream::fail(const scene::SourceRef& at, std::string_view text) { throw Error(rendered(at, "error", text)); }
 
-void TokenStream::fail_bad(const Token& token)
-{
-    fail(place(token), files_[token.file]->strings[token.name]);
-}
+void TokenStream::fail_bad(const Token& token) { fail(place(token), files_[token.file]->strings[token.name]); }
 
 void TokenStream::fail_expected(std::string_view what, std::string_view more)
 {
@@ -286,7 +277,9 @@ void TokenStream::fail_expected(std::string_view what, std::string_view more)
 void TokenStream::fail_expected_at(const Token& found, std::string_view what, std::string_view more)
 {
     if (found.kind == Kind::EndOfText) {
-        const std::string open = more.empty() && !open_blocks_.empty() ? fmt::format("; the '{{' in {} is not closed", line_of(open_blocks_.back())) : std::string(more);
+        const std::string open = more.empty() && !open_blocks_.empty()
+                                     ? fmt::format("; the '{{' in {} is not closed", line_of(open_blocks_.back()))
+                                     : std::string(more);
         fail(place(found), fmt::format("expected {}, found the end of the text{}", what, open));
     }
     std::string text = printable(files_[found.file]->token_text(found));
@@ -297,8 +290,8 @@ void TokenStream::fail_expected_at(const Token& found, std::string_view what, st
         for (std::uint32_t name = 0; name < names_.size(); ++name)
             if (names_.kind(name) != Kind::Identifier || symbols_.find(name)) nearest.offer(names_.word(name));
         if (!nearest.best().empty())
-            fail(place(found), fmt::format("expected {}, found '{}', which is not declared; did you mean '{}'?", what, text,
-                                           nearest.best()));
+            fail(place(found), fmt::format("expected {}, found '{}', which is not declared; did you mean '{}'?", what,
+                                           text, nearest.best()));
         fail(place(found), fmt::format("expected {}, found '{}', which is not declared", what, text));
     }
     fail(place(found), fmt::format("expected {}, found '{}'{}", what, text, more));
@@ -328,7 +321,8 @@ void TokenStream::warn(const scene::SourceRef& at, std::string_view text)
 
 std::string TokenStream::first_line(const scene::SourceRef& at, std::string_view text) const
 {
-    return fmt::format("{}:{}:{}: warning: {}", at.file < files_.size() ? files_[at.file]->path : "", at.line, at.column, text);
+    return fmt::format("{}:{}:{}: warning: {}", at.file < files_.size() ? files_[at.file]->path : "", at.line,
+                       at.column, text);
 }
 
 /// #warning: each time, but what it is and how it was reached only once.

@@ -2,9 +2,9 @@
 
 #include "parser/lexer/lexer.h"
 #include "parser/parse.h"
-#include "parser/stream/compiled.h"
+#include "parser/stream/expressions/compiled.h"
 #include "parser/stream/hooks.h"
-#include "parser/stream/kept_files.h"
+#include "parser/stream/files/kept_files.h"
 #include "parser/stream/language_state.h"
 #include "parser/stream/symbols.h"
 
@@ -26,8 +26,8 @@ public:
     TokenStream(const TokenStream&) = delete;
     TokenStream& operator=(const TokenStream&) = delete;
 
-    void open_file(const std::string& path);                          ///< the main scene; throws Error if unreadable
-    void open_text(const std::string& text, const std::string& name); ///< the same from memory
+    void open_file(const std::string& path);                           ///< the main scene; throws Error if unreadable
+    void open_text(const std::string& text, const std::string& name);  ///< the same from memory
 
     // ---- tokens ----------------------------------------------------------------------------------------------
     /// The next plain token; directives and macro calls before it have been executed.
@@ -36,31 +36,31 @@ public:
         if (!has_ahead_ ? !fetch_plain() : ahead_raw_) fetch();
         return *ahead_;
     }
-    const Token& next()                               ///< takes it
+    const Token& next()  ///< takes it
     {
         peek();
         if (ahead_->kind != Kind::EndOfText) has_ahead_ = false;
         ++taken_;
         return *(last_ = ahead_);
     }
-    bool accept(Kind kind)                            ///< takes it if it is of that kind
+    bool accept(Kind kind)  ///< takes it if it is of that kind
     {
         if (peek().kind != kind) return false;
         next();
         return true;
     }
-    void expect(Kind kind, std::string_view what)     ///< or fails with "expected <what>, found ..."
+    void expect(Kind kind, std::string_view what)  ///< or fails with "expected <what>, found ..."
     {
         if (!accept(kind)) fail_expected(what);
     }
     bool accept_comma() { return accept(Kind::Comma); }
     /// The next token where directives are not executed: `#` and a macro's name are returned as they stand.
     const Token& peek_raw();
-    std::uint64_t taken() const { return taken_; }    ///< tokens taken so far (a grammar may rewind only if unchanged)
+    std::uint64_t taken() const { return taken_; }  ///< tokens taken so far (a grammar may rewind only if unchanged)
 
     // ---- places and messages ---------------------------------------------------------------------------------
-    scene::SourceRef here();                          ///< of the token that peek() shows
-    scene::SourceRef last() const;                    ///< of the token taken last
+    scene::SourceRef here();        ///< of the token that peek() shows
+    scene::SourceRef last() const;  ///< of the token taken last
     scene::SourceRef start() const { return place(files_.front()->tokens.front()); }  ///< of the scene's first token
     scene::SourceRef place(const Token& token) const;
     const Token& taken_last() const { return *last_; }
@@ -79,7 +79,8 @@ public:
     const Value* value_of(const Token& token) const { return symbols_.find(token.name); }
     /// If the next token is an identifier (or array element) holding a T: takes it and gives the content, else nothing
     /// is taken. Array subscripts are read: `texture { T[2] }`.
-    template <class T> std::optional<T> accept_identifier();
+    template <class T>
+    std::optional<T> accept_identifier();
     /// Raw string token -> text (escapes resolved, characters as the charset says); `path`: backslashes stay.
     std::string string_text(const Token& token, bool path);
 
@@ -87,7 +88,7 @@ public:
     const Options& options() const { return options_; }
     GrammarHooks& hooks() { return hooks_; }
     std::vector<std::uint32_t>& random_streams() { return random_streams_; }
-    std::vector<std::string> files() const;           ///< paths in order of SourceRef::file
+    std::vector<std::string> files() const;  ///< paths in order of SourceRef::file
     std::vector<Message>& messages() { return messages_; }
     const Statistics& statistics() const { return statistics_; }
     std::vector<std::string>& data_files() { return data_files_; }  ///< opened for reading, in order
@@ -127,7 +128,7 @@ public:
     bool new_language() const { return language_.version > 370; }
     /// What the identifier ahead means; of a dictionary the member that the tokens behind it name.
     const Value* member_ahead();
-    bool is_new_constant(const Token& token) const;   ///< `tau`
+    bool is_new_constant(const Token& token) const;  ///< `tau`
     Kind at_pseudo_scope();
     Cell read_pseudo_cell(Token& name);
     Value read_pseudo_value();
@@ -135,19 +136,23 @@ public:
     void begin_statement();
     /// Blocks that are open, for the message about one that is never closed: its '{' was read; it was closed.
     void block_opened(const scene::SourceRef& brace) { open_blocks_.push_back(brace); }
-    void block_closed() { if (!open_blocks_.empty()) open_blocks_.pop_back(); }
+    void block_closed()
+    {
+        if (!open_blocks_.empty()) open_blocks_.pop_back();
+    }
     /// "; the '{' of 'sphere' stands in line 3", or nothing if that is the line that peek() shows.
     std::string where_opened(std::string_view what, const scene::SourceRef& brace);
     /// The '}' of that block, or fails with "expected <what>, found ..." and the place of its '{'.
     void expect_closing(std::string_view what, std::string_view block, const scene::SourceRef& brace);
-    /// After an error: stands behind the block of that statement, if it is sure where it ends and that skipping it skips
-    /// nothing but the block. Else false.
+    /// After an error: stands behind the block of that statement, if it is sure where it ends and that skipping it
+    /// skips nothing but the block. Else false.
     bool skip_statement();
     /// In a loop or macro: the expression that begins here, if it was compiled; takes it. False: nothing was taken.
     /// `out` must be new: only its components are written.
     bool run_compiled_here(int requested, bool full, Tuple& out)
     {
-        return !blocks_.empty() && blocks_.back().repeats && find_compiled(CompiledKey(requested, full, raw_operators_), out);
+        return !blocks_.empty() && blocks_.back().repeats &&
+               find_compiled(CompiledKey(requested, full, raw_operators_), out);
     }
     /// The name that a running declaration will create: a function that names it calls itself.
     std::uint32_t declaring() const { return declaring_; }
@@ -158,24 +163,24 @@ private:
     static inline const Token kNoToken;
     struct Cursor {
         std::uint16_t file = 0;
-        bool macro = false;                ///< else a whole text
-        std::uint32_t name = 0;            ///< of the macro
+        bool macro = false;      ///< else a whole text
+        std::uint32_t name = 0;  ///< of the macro
         std::uint32_t position = 0, end = 0;
-        const Token* tokens = nullptr;     ///< of the file
-        std::uint32_t* sites = nullptr;    ///< of the file, once asked for
-        std::size_t blocks = 0;            ///< blocks open when it was entered
-        const Token* call = &kNoToken;     ///< where the macro was called or the file included
+        const Token* tokens = nullptr;   ///< of the file
+        std::uint32_t* sites = nullptr;  ///< of the file, once asked for
+        std::size_t blocks = 0;          ///< blocks open when it was entered
+        const Token* call = &kNoToken;   ///< where the macro was called or the file included
     };
     enum class BlockKind : std::uint8_t { If, Switch, While, For, Macro };
     struct Block {
         BlockKind kind = BlockKind::If;
-        bool repeats = false;              ///< its text may be read again: a loop or macro, or in one
+        bool repeats = false;  ///< its text may be read again: a loop or macro, or in one
         std::uint16_t file = 0;
-        std::uint32_t branch = 0;          ///< Hash of the branch that is being read
-        std::uint32_t again = 0;           ///< While: token of its condition; For: first token of the body
-        std::size_t cursors = 0;           ///< depth of the cursor it began in
-        Cell variable;                     ///< For
-        double limit = 0, step = 0;        ///< For
+        std::uint32_t branch = 0;    ///< Hash of the branch that is being read
+        std::uint32_t again = 0;     ///< While: token of its condition; For: first token of the body
+        std::size_t cursors = 0;     ///< depth of the cursor it began in
+        Cell variable;               ///< For
+        double limit = 0, step = 0;  ///< For
     };
 
     void fetch();
@@ -183,7 +188,8 @@ private:
     bool fetch_plain()
     {
         Cursor& cursor = cursors_.back();
-        if (cursor.position >= cursor.end || cursor.tokens[cursor.position].kind <= Kind::Identifier || left_ == 0) return false;
+        if (cursor.position >= cursor.end || cursor.tokens[cursor.position].kind <= Kind::Identifier || left_ == 0)
+            return false;
         --left_;
         ahead_ = &cursor.tokens[cursor.position++];
         has_ahead_ = true;
@@ -205,12 +211,13 @@ private:
     bool is_macro(const Token& token) const;
     SourceFile& file() { return *files_[cursors_.back().file]; }
     const Token& raw_next();
-    void execute_directive();              ///< the cursor stands behind a Hash
+    void execute_directive();  ///< the cursor stands behind a Hash
     bool execute(Kind word, std::uint32_t hash);
     [[noreturn]] void fail_bad(const Token& token);
     std::string line_of(const Token& token) const { return line_of(place(token)); }
     [[noreturn]] void fail_expected_at(const Token& found, std::string_view what, std::string_view more = "");
-    std::string line_of(const scene::SourceRef& at) const;  ///< "line 3", or "line 3 of x.inc" if the text that is read is another
+    std::string line_of(
+        const scene::SourceRef& at) const;  ///< "line 3", or "line 3 of x.inc" if the text that is read is another
 
     // conditionals.cpp, loops.cpp; `hash` is the index of the directive's Hash in the file being read
     double condition();
@@ -252,9 +259,9 @@ private:
     void declare(bool local);
     struct Target {
         Token name;
-        bool known = false;                ///< the name means something already
-        Cell element;                      ///< the part of it that is written
-        std::shared_ptr<Array> array;      ///< that holds the element
+        bool known = false;                  ///< the name means something already
+        Cell element;                        ///< the part of it that is written
+        std::shared_ptr<Array> array;        ///< that holds the element
         bool global = false, local = false;  ///< `global.` or `local.` stood before the name
     };
     Target read_target_of_declaration();
@@ -279,9 +286,10 @@ private:
     // files.cpp
     void include();
     std::vector<std::string> searched_folders() const;
-    std::string nearest_file(const std::string& name, const std::vector<std::string>& folders, std::string_view extension) const;
-    std::string where_searched() const;               ///< " in the current folder, '/usr/share/...'"
-    const char* why_not_found() const;                ///< the end of a message about a file
+    std::string nearest_file(const std::string& name, const std::vector<std::string>& folders,
+                             std::string_view extension) const;
+    std::string where_searched() const;  ///< " in the current folder, '/usr/share/...'"
+    const char* why_not_found() const;   ///< the end of a message about a file
     void include_named(const std::string& name, const Token& call, const scene::SourceRef& at);
     void message_directive(Kind kind);
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
@@ -317,15 +325,16 @@ private:
     std::vector<Cursor> cursors_;
     std::vector<Block> blocks_;
     Symbols symbols_;
-    const Token* ahead_ = &kNoToken;       ///< tokens of files never move
+    const Token* ahead_ = &kNoToken;  ///< tokens of files never move
     const Token* last_ = &kNoToken;
     bool has_ahead_ = false, ahead_raw_ = false, raw_operators_ = false;
     std::uint64_t taken_ = 0;
-    std::uint64_t left_ = 0, later_ = 0;   ///< tokens that may be read before allow_more(), and after; Options::most_tokens in all
+    std::uint64_t left_ = 0,
+                  later_ = 0;  ///< tokens that may be read before allow_more(), and after; Options::most_tokens in all
     int nesting_ = 0;
     LanguageState language_;
     std::uint32_t declaring_ = kNoIndex;
-    std::uint32_t statement_ = kNoIndex;   ///< its first token in the main text
+    std::uint32_t statement_ = kNoIndex;         ///< its first token in the main text
     std::vector<scene::SourceRef> open_blocks_;  ///< of the statement
     std::unordered_map<std::uint32_t, Deprecation> deprecated_;
     std::vector<std::uint32_t> random_streams_;

@@ -15,9 +15,10 @@ std::string_view type_name(const Value& value)
         return kTuples[tuple->count - 1];
     }
     static constexpr std::string_view kNames[] = {
-        "nothing", "number", "string", "array", "object", "texture", "pigment", "normal", "finish", "interior", "material",
-        "color_map", "pigment_map", "normal_map", "slope_map", "texture_map", "transform", "camera", "fog", "sky_sphere",
-        "function", "spline", "macro", "file", "effect", "effect", "effect", "dictionary"};
+        "nothing",   "number",      "string",    "array",    "object",    "texture",     "pigment",
+        "normal",    "finish",      "interior",  "material", "color_map", "pigment_map", "normal_map",
+        "slope_map", "texture_map", "transform", "camera",   "fog",       "sky_sphere",  "function",
+        "spline",    "macro",       "file",      "effect",   "effect",    "effect",      "dictionary"};
     static_assert(std::size(kNames) == std::variant_size_v<Value::variant>);
     return kNames[value.index()];
 }
@@ -32,7 +33,8 @@ Value deep_copy(const Value& value)
 {
     if (const auto* dictionary = value.get_if<std::shared_ptr<Dictionary>>()) {
         auto copy = std::make_shared<Dictionary>();
-        for (const auto& [key, member] : (*dictionary)->members) copy->members.emplace(key, std::make_shared<Value>(deep_copy(*member)));
+        for (const auto& [key, member] : (*dictionary)->members)
+            copy->members.emplace(key, std::make_shared<Value>(deep_copy(*member)));
         return copy;
     }
     const auto* array = value.get_if<std::shared_ptr<Array>>();

@@ -14,7 +14,8 @@
 
 namespace parser {
 
-/// A number, vector or colour: `count` components of `at`, the rest 0. 1 float, 2 uv vector, 3 vector, 4 vector, 5 colour.
+/// A number, vector or colour: `count` components of `at`, the rest 0. 1 float, 2 uv vector, 3 vector, 4 vector, 5
+/// colour.
 struct Tuple {
     std::array<double, 5> at{};
     int count = 1;
@@ -54,36 +55,46 @@ using NormalMap = std::vector<scene::MapEntry<scene::NormalPtr>>;
 using SlopeMap = std::vector<scene::MapEntry<glm::dvec2>>;
 using TextureMap = std::vector<scene::MapEntry<scene::TexturePtr>>;
 
-struct Macro;    ///< token_stream.h
-struct DataFile; ///< data_file.h
+struct Macro;     ///< token_stream.h
+struct DataFile;  ///< data_file.h
 
 /// What an identifier may stand for. Scene things are shared and never changed in place.
 /// A texture identifier keeps its layers; a `color_map` and a colour list are both ColorMap.
-struct Value : std::variant<
-    std::monostate,                                 // never set
-    Tuple, std::string, std::shared_ptr<Array>,
-    std::shared_ptr<const scene::Object>, scene::TexturePtr, scene::PigmentPtr, scene::NormalPtr,
-    std::shared_ptr<const scene::Finish>, std::shared_ptr<const scene::Interior>, std::shared_ptr<const Material>,
-    std::shared_ptr<const scene::ColorMap>, std::shared_ptr<const scene::PigmentMap>, std::shared_ptr<const NormalMap>,
-    std::shared_ptr<const SlopeMap>, std::shared_ptr<const TextureMap>, std::shared_ptr<const csg::Transform>,
-    std::shared_ptr<const scene::Camera>, std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>,
-    function::FunctionPtr, std::shared_ptr<const function::Spline>,
-    std::shared_ptr<const Macro>, std::shared_ptr<DataFile>,
-    std::shared_ptr<const scene::Media>, std::shared_ptr<const scene::Density>, std::shared_ptr<const scene::Rainbow>,
-    std::shared_ptr<Dictionary>> {
+struct Value
+    : std::variant<std::monostate,  // never set
+                   Tuple, std::string, std::shared_ptr<Array>, std::shared_ptr<const scene::Object>, scene::TexturePtr,
+                   scene::PigmentPtr, scene::NormalPtr, std::shared_ptr<const scene::Finish>,
+                   std::shared_ptr<const scene::Interior>, std::shared_ptr<const Material>,
+                   std::shared_ptr<const scene::ColorMap>, std::shared_ptr<const scene::PigmentMap>,
+                   std::shared_ptr<const NormalMap>, std::shared_ptr<const SlopeMap>, std::shared_ptr<const TextureMap>,
+                   std::shared_ptr<const csg::Transform>, std::shared_ptr<const scene::Camera>,
+                   std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>, function::FunctionPtr,
+                   std::shared_ptr<const function::Spline>, std::shared_ptr<const Macro>, std::shared_ptr<DataFile>,
+                   std::shared_ptr<const scene::Media>, std::shared_ptr<const scene::Density>,
+                   std::shared_ptr<const scene::Rainbow>, std::shared_ptr<Dictionary>> {
     using variant::variant;
     using variant::operator=;
 
     bool set() const { return index() != 0; }
     /// Pointer to the content if it is a T, else null: value.get_if<scene::TexturePtr>().
-    template <class T> const T* get_if() const { return std::get_if<T>(static_cast<const variant*>(this)); }
-    template <class T> T* get_if() { return std::get_if<T>(static_cast<variant*>(this)); }
+    template <class T>
+    const T* get_if() const
+    {
+        return std::get_if<T>(static_cast<const variant*>(this));
+    }
+    template <class T>
+    T* get_if()
+    {
+        return std::get_if<T>(static_cast<variant*>(this));
+    }
 };
 
 /// A declared place: shared by a variable and the macro parameters that refer to it.
 using Cell = std::shared_ptr<Value>;
 
-struct Dictionary { std::map<std::string, Cell> members; };
+struct Dictionary {
+    std::map<std::string, Cell> members;
+};
 
 /// An array or dictionary: subscripts or a member's name may follow.
 inline bool is_container(const Value& value)

@@ -1,6 +1,6 @@
 #include "render/app/benchmark.h"
 
-#include "render/app/ini_file.h"
+#include "render/app/options/ini_file.h"
 #include "render/app/library_path.h"
 
 #include <filesystem>
@@ -13,7 +13,8 @@ void apply_benchmark(Settings& settings)
     for (const std::string& folder : default_library_path()) {
         const std::string base = folder + "/" + kScene;
         std::error_code ignored;
-        if (!std::filesystem::is_regular_file(base + ".pov", ignored) || !read_ini_file(settings, base + ".ini")) continue;
+        if (!std::filesystem::is_regular_file(base + ".pov", ignored) || !read_ini_file(settings, base + ".ini"))
+            continue;
         settings.input_file = base + ".pov";
         settings.output_file.clear();
         settings.output_to_file = false;

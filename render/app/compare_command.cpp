@@ -1,8 +1,8 @@
 #include "render/app/compare_command.h"
 
-#include "render/app/settings.h"
-#include "render/app/text.h"
-#include "render/image/compare.h"
+#include "render/app/options/settings.h"
+#include "render/app/options/text.h"
+#include "render/image/compare/compare.h"
 
 #include <fmt/format.h>
 
@@ -68,14 +68,17 @@ Request request_of(const std::vector<std::string>& arguments)
         }
         const std::size_t equals = word.find('=');
         const std::string option = word.substr(0, equals);
-        if (option != "--out" && option != "--tolerance" && option != "--share") throw OptionError("unknown option '" + word + "'");
+        if (option != "--out" && option != "--tolerance" && option != "--share")
+            throw OptionError("unknown option '" + word + "'");
         if (equals == std::string::npos && i + 1 == arguments.size()) throw OptionError(option + " wants a value");
         const std::string value = equals == std::string::npos ? arguments[++i] : word.substr(equals + 1);
         if (option == "--out") request.out_type = out_type_of(request.out = value);
         else if (option == "--tolerance") request.tolerance = number_in(option, value, 255.0);
         else request.share = number_in(option, value, 1.0);
     }
-    if (request.pictures.size() != 2) throw OptionError("compare wants two pictures: whittle compare A B [--out diff.png] [--tolerance n] [--share x]");
+    if (request.pictures.size() != 2)
+        throw OptionError(
+            "compare wants two pictures: whittle compare A B [--out diff.png] [--tolerance n] [--share x]");
     return request;
 }
 
@@ -83,21 +86,23 @@ double rounded_level(float v) { return std::round(static_cast<double>(v) * 10.0)
 
 std::string levels(const float (&pixel)[4], bool alpha)
 {
-    const std::string color = fmt::format("<{:g}, {:g}, {:g}>", rounded_level(pixel[0]), rounded_level(pixel[1]), rounded_level(pixel[2]));
+    const std::string color =
+        fmt::format("<{:g}, {:g}, {:g}>", rounded_level(pixel[0]), rounded_level(pixel[1]), rounded_level(pixel[2]));
     return alpha ? fmt::format("{} alpha {:g}", color, rounded_level(pixel[3])) : color;
 }
 
 void print(const Request& request, const image::Comparison& c, bool agree)
 {
-    fmt::print("agreeing  {:.4f} % of pixels within {:g}/255 in every channel\n", 100.0 * c.agreeing, request.tolerance);
+    fmt::print("agreeing  {:.4f} % of pixels within {:g}/255 in every channel\n", 100.0 * c.agreeing,
+               request.tolerance);
     fmt::print("rmse      {:.4f} of 255\n", c.rmse);
     fmt::print("psnr      {}\n", std::isinf(c.psnr) ? "infinite" : fmt::format("{:.2f} dB", c.psnr));
     fmt::print("ssim      {:.6f}\n", c.ssim);
     const bool alpha = c.worst_a[3] != c.worst_b[3];
     if (c.largest > 0.0)
-        fmt::print("worst     pixel ({}, {}): {} and {}, {:g} apart\n", c.worst_x, c.worst_y, levels(c.worst_a, alpha), levels(c.worst_b, alpha), std::round(c.largest * 10.0) / 10.0);
-    else
-        fmt::print("worst     none: the pictures are equal\n");
+        fmt::print("worst     pixel ({}, {}): {} and {}, {:g} apart\n", c.worst_x, c.worst_y, levels(c.worst_a, alpha),
+                   levels(c.worst_b, alpha), std::round(c.largest * 10.0) / 10.0);
+    else fmt::print("worst     none: the pictures are equal\n");
     fmt::print("{}: {:g} % asked for\n", agree ? "agree" : "differ", 100.0 * request.share);
 }
 
@@ -106,7 +111,8 @@ void print(const Request& request, const image::Comparison& c, bool agree)
 int compare_command(const std::vector<std::string>& arguments)
 {
     try {
-        if (std::find_first_of(arguments.begin(), arguments.end(), std::begin(kHelpWords), std::end(kHelpWords)) != arguments.end()) {
+        if (std::find_first_of(arguments.begin(), arguments.end(), std::begin(kHelpWords), std::end(kHelpWords)) !=
+            arguments.end()) {
             fmt::print("{}", kCompareUsage);
             return kAgree;
         }
@@ -117,7 +123,8 @@ int compare_command(const std::vector<std::string>& arguments)
         const bool agree = comparison.agreeing >= request.share;
         print(request, comparison, agree);
         if (!request.out.empty())
-            files.write(request.out, image::difference_picture(a, b, request.tolerance), request.out_type, image::TransferCurve::srgb());
+            files.write(request.out, image::difference_picture(a, b, request.tolerance), request.out_type,
+                        image::TransferCurve::srgb());
         return agree ? kAgree : kDiffer;
     } catch (const std::exception& error) {
         fmt::print(stderr, "whittle: error: {}\n", error.what());

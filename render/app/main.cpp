@@ -1,10 +1,10 @@
 #include "render/app/benchmark.h"
-#include "render/app/command_line.h"
+#include "render/app/options/command_line.h"
 #include "render/app/compare_command.h"
-#include "render/app/help.h"
-#include "render/app/ini_file.h"
-#include "render/app/narrator.h"
-#include "render/app/render_command.h"
+#include "render/app/options/help.h"
+#include "render/app/options/ini_file.h"
+#include "render/app/report/console_reporter.h"
+#include "render/app/run/render_command.h"
 
 #include <fmt/format.h>
 
@@ -27,21 +27,21 @@ void cancel(int)
 {
     const bool again = cancellation.requested.exchange(true);
     if (!again && cancellation.heeded) return cancellation.wake();
-    if (!again) {
-        [[maybe_unused]] const auto written = write(STDERR_FILENO, last_words, std::strlen(last_words));
-    }
+    if (!again) { [[maybe_unused]] const auto written = write(STDERR_FILENO, last_words, std::strlen(last_words)); }
     _exit(app::kCancelled);
 }
 
 bool has_word(const std::vector<std::string>& arguments, std::initializer_list<const char*> words)
 {
-    return std::any_of(arguments.begin(), arguments.end(), [&](const std::string& a) { return std::find(words.begin(), words.end(), a) != words.end(); });
+    return std::any_of(arguments.begin(), arguments.end(),
+                       [&](const std::string& a) { return std::find(words.begin(), words.end(), a) != words.end(); });
 }
 
 /// A link called povray, povray-3.7 or the like: a program that calls it wants POV-Ray's console.
 app::ConsoleStyle style_of(const std::string& program)
 {
-    return std::filesystem::path(program).filename().string().starts_with("povray") ? app::ConsoleStyle::Povray : app::ConsoleStyle::Whittle;
+    return std::filesystem::path(program).filename().string().starts_with("povray") ? app::ConsoleStyle::Povray
+                                                                                    : app::ConsoleStyle::Whittle;
 }
 
 /// What was printed has to arrive: `failure` where a status promises so and the file or pipe does not take it.
@@ -101,7 +101,8 @@ int main(int count, char** values)
         status = run(arguments, settings);
     } catch (const std::exception& error) {
         app::journal_option_error(settings, error.what());
-        app::tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")), error.what());
+        app::tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")),
+                               error.what());
     }
     status = with_output(status, is_compare(arguments) ? app::kNotCompared : app::kError);
     std::fflush(nullptr);

@@ -30,7 +30,8 @@ class Face {
 public:
     Face(const Library& library, const std::string& path)
     {
-        if (FT_New_Face(library.get(), path.c_str(), 0, &face_) != 0 || (face_->face_flags & FT_FACE_FLAG_SCALABLE) == 0) {
+        if (FT_New_Face(library.get(), path.c_str(), 0, &face_) != 0 ||
+            (face_->face_flags & FT_FACE_FLAG_SCALABLE) == 0) {
             if (face_ != nullptr) FT_Done_Face(face_);
             throw std::runtime_error("this is no TrueType font");
         }
@@ -109,7 +110,8 @@ std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, 
     FT_UInt before = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const FT_UInt index = face.glyph_of(text[i]);
-        if (FT_Load_Glyph(face.get(), index, FT_LOAD_NO_SCALE) != 0) throw std::runtime_error("a character of this font is broken");
+        if (FT_Load_Glyph(face.get(), index, FT_LOAD_NO_SCALE) != 0)
+            throw std::runtime_error("a character of this font is broken");
         const FT_GlyphSlot slot = face.get()->glyph;
         const double advance = scale * static_cast<double>(slot->metrics.horiAdvance);
         const double bearing = scale * static_cast<double>(slot->metrics.horiBearingX);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/outline_shape.h"
+#include "csg/solids/shared/outline_shape.h"
 
 #include <memory>
 #include <string>
@@ -10,7 +10,7 @@ namespace font {
 
 /// A character of a text: its region, one em a unit, and where its origin lies.
 struct Glyph {
-    std::shared_ptr<const csg::OutlineShape> outline;   ///< characters that are alike share it
+    std::shared_ptr<const csg::OutlineShape> outline;  ///< characters that are alike share it
     glm::dvec2 origin{0.0};
 };
 

@@ -1,12 +1,12 @@
 #include "render/image/files.h"
 
-#include "render/image/direct_readers.h"
-#include "render/image/file_types.h"
-#include "render/image/io_loader.h"
-#include "render/image/io_writer.h"
+#include "render/image/codecs/direct_readers.h"
+#include "render/image/codecs/file_types.h"
+#include "render/image/codecs/io_loader.h"
+#include "render/image/codecs/io_writer.h"
 #include "render/image/picture_writer.h"
-#include "render/image/png_writer.h"
-#include "render/image/ppm_writer.h"
+#include "render/image/codecs/png_writer.h"
+#include "render/image/codecs/ppm_writer.h"
 
 #include <algorithm>
 
@@ -34,9 +34,11 @@ const TypeFacts& facts(FileType type)
     return *std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeFacts& f) { return f.type == type; });
 }
 
-std::unique_ptr<RowSink> integer_sink(IoLoader& loader, FileType type, const std::string& path, const FileShape& shape, int jpeg_quality, bool quick)
+std::unique_ptr<RowSink> integer_sink(IoLoader& loader, FileType type, const std::string& path, const FileShape& shape,
+                                      int jpeg_quality, bool quick)
 {
-    if (type == FileType::Png) return std::make_unique<PngWriter>(path, shape, quick ? PngEffort::None : PngEffort::Usual);
+    if (type == FileType::Png)
+        return std::make_unique<PngWriter>(path, shape, quick ? PngEffort::None : PngEffort::Usual);
     if (type == FileType::Ppm) return std::make_unique<PpmWriter>(path, shape);
     WriteRequest request{};
     request.format = facts(type).format;
@@ -67,7 +69,8 @@ double least_bytes(FileType type, int width, int height, const Encoding& encodin
 
 int largest_side(FileType type) { return facts(type).largest_side; }
 
-std::unique_ptr<PictureWriter> Files::start(const std::string& path, int width, int height, const FileSettings& settings) const
+std::unique_ptr<PictureWriter> Files::start(const std::string& path, int width, int height,
+                                            const FileSettings& settings) const
 {
     return std::make_unique<PictureWriter>(*loader_, path, width, height, settings);
 }
@@ -79,12 +82,14 @@ void Files::write(const std::string& path, const Image& picture, const FileSetti
     writer.finish();
 }
 
-void Files::write(const std::string& path, const Raster& raster, FileType type, const TransferCurve& file_curve, int jpeg_quality) const
+void Files::write(const std::string& path, const Raster& raster, FileType type, const TransferCurve& file_curve,
+                  int jpeg_quality) const
 {
     Replacement replacement(path);
     try {
         const FileShape shape{raster.width, raster.height, raster.channels, raster.bits, file_curve, kSoftware};
-        const std::unique_ptr<RowSink> sink = integer_sink(*loader_, type, replacement.beside(), shape, jpeg_quality, false);
+        const std::unique_ptr<RowSink> sink =
+            integer_sink(*loader_, type, replacement.beside(), shape, jpeg_quality, false);
         for (int row = 0; row < raster.height; ++row) sink->put(raster.at(0, row));
         sink->finish();
     } catch (const FileError& error) {
@@ -110,7 +115,8 @@ Picture Files::read_by_library(const std::string& path, const char* kind) const
     ReadResult result{};
     // The library's own words name files, positions and formats that nobody asked for.
     if (module.read(path.c_str(), result) != nullptr)
-        throw FileError(kind ? std::string("the ") + kind + " file is broken, or of a variant that is not known" : "it is no picture of a known kind");
+        throw FileError(kind ? std::string("the ") + kind + " file is broken, or of a variant that is not known"
+                             : "it is no picture of a known kind");
     Picture picture;
     picture.width = result.width;
     picture.height = result.height;
@@ -118,7 +124,8 @@ Picture Files::read_by_library(const std::string& path, const char* kind) const
     picture.bits = result.bits;
     picture.file_gamma = result.gamma;
     picture.srgb = result.srgb;
-    const auto count = static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height) * static_cast<std::size_t>(result.channels);
+    const auto count = static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height) *
+                       static_cast<std::size_t>(result.channels);
     picture.samples.assign(result.samples, result.samples + count);
     module.release(result);
     return picture;

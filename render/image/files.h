@@ -2,7 +2,7 @@
 
 #include "render/image/image.h"
 #include "render/image/picture.h"
-#include "render/image/quantise.h"
+#include "render/image/levels/quantise.h"
 
 #include <memory>
 #include <string>
@@ -13,27 +13,36 @@ class IoLoader;
 class PictureWriter;
 
 /// POV-Ray's letters for output file types (spec 1, 18.11).
-enum class FileType : char { Png = 'N', Ppm = 'P', Targa = 'T', TargaRunLength = 'C', Jpeg = 'J', Bmp = 'B', OpenExr = 'E', RadianceHdr = 'H' };
+enum class FileType : char {
+    Png = 'N',
+    Ppm = 'P',
+    Targa = 'T',
+    TargaRunLength = 'C',
+    Jpeg = 'J',
+    Bmp = 'B',
+    OpenExr = 'E',
+    RadianceHdr = 'H'
+};
 
-const char* extension(FileType type);            ///< with the dot: ".png"
+const char* extension(FileType type);  ///< with the dot: ".png"
 bool stores_alpha(FileType type);
 bool stores_greyscale(FileType type);
-bool stores_linear_light(FileType type);         ///< OpenEXR and Radiance: floats, no gamma, no quantisation
+bool stores_linear_light(FileType type);  ///< OpenEXR and Radiance: floats, no gamma, no quantisation
 
 /// Bytes that a file of this type takes at least, going by what the type packs: few pictures get smaller.
 double least_bytes(FileType type, int width, int height, const Encoding& encoding);
-int largest_side(FileType type);                 ///< in pixels, that its header can hold
+int largest_side(FileType type);  ///< in pixels, that its header can hold
 
 /// Everything that turns a traced picture into a file.
 struct FileSettings {
     FileType type = FileType::Png;
     Encoding encoding;
     int jpeg_quality = 85;
-    bool quick = false;   ///< PNG: not compressed, for a picture that nobody keeps
+    bool quick = false;  ///< PNG: not compressed, for a picture that nobody keeps
 };
 
-/// Reads and writes picture files. PNG is the work of libpng itself, PPM is written by hand, direct_readers.h says what is
-/// read without OpenImageIO; all else waits for that library, which takes some 0.2 s to load: prepare() early. The
+/// Reads and writes picture files. PNG is the work of libpng itself, PPM is written by hand, direct_readers.h says what
+/// is read without OpenImageIO; all else waits for that library, which takes some 0.2 s to load: prepare() early. The
 /// destructor does not wait for it. Copies share it.
 class Files {
 public:
@@ -41,11 +50,13 @@ public:
     /// Starts to load in the background what writing this type needs.
     void prepare(FileType type) const;
     /// A picture of this size that comes row by row. Throws FileError, as its methods do.
-    std::unique_ptr<PictureWriter> start(const std::string& path, int width, int height, const FileSettings& settings) const;
+    std::unique_ptr<PictureWriter> start(const std::string& path, int width, int height,
+                                         const FileSettings& settings) const;
     /// Replaces `path` at once or not at all: the picture is written beside it and then renamed. Throws FileError.
     void write(const std::string& path, const Image& picture, const FileSettings& settings) const;
     /// The same for integers that are ready, tagged with the file curve.
-    void write(const std::string& path, const Raster& raster, FileType type, const TransferCurve& file_curve, int jpeg_quality = 85) const;
+    void write(const std::string& path, const Raster& raster, FileType type, const TransferCurve& file_curve,
+               int jpeg_quality = 85) const;
     /// Throws FileError.
     Picture read(const std::string& path) const;
 

@@ -18,19 +18,14 @@ float stored(float sample, int bits)
     return static_cast<float>(std::round(static_cast<double>(sample) * most) / most);
 }
 
-std::uint16_t level_of(double level)
-{
-    return static_cast<std::uint16_t>(std::clamp(level, 0.0, 65535.0));
-}
+std::uint16_t level_of(double level) { return static_cast<std::uint16_t>(std::clamp(level, 0.0, 65535.0)); }
 
-std::uint16_t grey_level(float share)
-{
-    return level_of(static_cast<double>(share * kMost));
-}
+std::uint16_t grey_level(float share) { return level_of(static_cast<double>(share * kMost)); }
 
 std::uint16_t brightness(float red, float green, float blue)
 {
-    return level_of(65535.0 * (0.297 * static_cast<double>(red) + 0.589 * static_cast<double>(green) + 0.114 * static_cast<double>(blue)));
+    return level_of(65535.0 * (0.297 * static_cast<double>(red) + 0.589 * static_cast<double>(green) +
+                               0.114 * static_cast<double>(blue)));
 }
 
 HeightLevels heights_of_places(const Picture& picture, bool halves)
@@ -46,8 +41,8 @@ HeightLevels heights_of_places(const Picture& picture, bool halves)
     return out;
 }
 
-/// A level of an 8-bit grey PNG: POV-Ray takes it through a conversion to grey in single precision, which loses one level
-/// for a third of all values (spec 5b, 10.1).
+/// A level of an 8-bit grey PNG: POV-Ray takes it through a conversion to grey in single precision, which loses one
+/// level for a third of all values (spec 5b, 10.1).
 std::uint16_t png_grey(float v)
 {
     const float grey = (0.297f * v + 0.589f * v) + 0.114f * v;
@@ -75,7 +70,8 @@ HeightLevels read_heights(const std::string& path, const TransferCurve& decode)
             const float* p = picture.at(x, y);
             const auto channel = [&](int i) { return decode.decode(stored(p[i], picture.bits)); };
             if (grey) {
-                out.levels.push_back(png && picture.channels == 1 && picture.bits <= 8 ? png_grey(channel(0)) : grey_level(channel(0)));
+                out.levels.push_back(png && picture.channels == 1 && picture.bits <= 8 ? png_grey(channel(0))
+                                                                                       : grey_level(channel(0)));
             } else if (picture.bits <= 8) {
                 const double red = static_cast<double>(channel(0)), green = static_cast<double>(channel(1));
                 out.levels.push_back(level_of((red * 256.0 + green) * 255.0));

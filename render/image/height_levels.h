@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/transfer_curve.h"
+#include "render/image/levels/transfer_curve.h"
 
 #include <cstdint>
 #include <string>
@@ -14,7 +14,8 @@ struct HeightLevels {
     std::vector<std::uint16_t> levels;
 };
 
-/// POV-Ray's rules for the kinds of picture (spec 5b, 10.1). `decode`: of the stored levels, none unless the scene asks.
+/// POV-Ray's rules for the kinds of picture (spec 5b, 10.1). `decode`: of the stored levels, none unless the scene
+/// asks.
 /// `.pot` files hold high bytes in the left half of a GIF and low bytes in the right. Throws FileError.
 HeightLevels read_heights(const std::string& path, const TransferCurve& decode);
 

@@ -15,7 +15,8 @@ struct PageAllocator {
 
     PageAllocator() = default;
     template <class U>
-    PageAllocator(const PageAllocator<U>&) {}
+    PageAllocator(const PageAllocator<U>&)
+    {}
 
     T* allocate(std::size_t count)
     {
@@ -25,7 +26,7 @@ struct PageAllocator {
         const std::size_t whole = (bytes + kPage - 1) / kPage * kPage;
         void* memory = std::aligned_alloc(kPage, whole);
         if (memory == nullptr) throw std::bad_alloc();
-        madvise(memory, whole, MADV_HUGEPAGE);   // where the kernel has none this changes nothing
+        madvise(memory, whole, MADV_HUGEPAGE);  // where the kernel has none this changes nothing
         return static_cast<T*>(memory);
     }
     void deallocate(T* memory, std::size_t count)

@@ -1,8 +1,8 @@
 #include "render/image/picture_writer.h"
 
-#include "render/image/file_types.h"
-#include "render/image/io_loader.h"
-#include "render/image/io_writer.h"
+#include "render/image/codecs/file_types.h"
+#include "render/image/codecs/io_loader.h"
+#include "render/image/codecs/io_writer.h"
 
 #include <unistd.h>
 
@@ -13,7 +13,9 @@
 
 namespace image {
 
-Replacement::Replacement(const std::string& path) : path_(path), beside_(path + "." + std::to_string(getpid()) + ".part") {}
+Replacement::Replacement(const std::string& path)
+    : path_(path), beside_(path + "." + std::to_string(getpid()) + ".part")
+{}
 
 Replacement::~Replacement()
 {
@@ -22,12 +24,14 @@ Replacement::~Replacement()
 
 void Replacement::put_in_place()
 {
-    if (std::rename(beside_.c_str(), path_.c_str()) != 0) throw FileError("cannot write '" + path_ + "': " + std::strerror(errno));
+    if (std::rename(beside_.c_str(), path_.c_str()) != 0)
+        throw FileError("cannot write '" + path_ + "': " + std::strerror(errno));
     placed_ = true;
 }
 
 /// The sinks' messages name no file.
-template <class Work> void PictureWriter::named(Work&& work) const
+template <class Work>
+void PictureWriter::named(Work&& work) const
 {
     try {
         work();
@@ -36,7 +40,8 @@ template <class Work> void PictureWriter::named(Work&& work) const
     }
 }
 
-PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int width, int height, const FileSettings& settings)
+PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int width, int height,
+                             const FileSettings& settings)
     : width_(width), height_(height), bottom_up_(settings.type == FileType::Bmp), replacement_(path)
 {
     const TypeFacts& type = facts(settings.type);
@@ -63,7 +68,10 @@ PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int widt
     shape.channels = rounding_->channels();
     shape.bits = rounding_->bits();
     row_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(shape.channels));
-    named([&] { sink_ = integer_sink(loader, settings.type, replacement_.beside(), shape, settings.jpeg_quality, settings.quick); });
+    named([&] {
+        sink_ =
+            integer_sink(loader, settings.type, replacement_.beside(), shape, settings.jpeg_quality, settings.quick);
+    });
     if (bottom_up_) from_below_.reserve(row_.size() * static_cast<std::size_t>(height));
 }
 

@@ -27,36 +27,37 @@ private:
     bool placed_ = false;
 };
 
-/// A picture on its way into a file, row by row: a few rows of memory, whatever the size. The file grows beside its final name and
-/// takes it in finish(); one that is not finished leaves nothing. Methods throw FileError.
+/// A picture on its way into a file, row by row: a few rows of memory, whatever the size. The file grows beside its
+/// final name and takes it in finish(); one that is not finished leaves nothing. Methods throw FileError.
 class PictureWriter {
 public:
     PictureWriter(IoLoader& loader, const std::string& path, int width, int height, const FileSettings& settings);
     ~PictureWriter();
     /// The row to come, from the top: BMP is rounded from the bottom up, the others from the top down.
     int next_row() const { return bottom_up_ ? height_ - 1 - taken_ : taken_; }
-    int taken() const { return taken_; }   ///< rows so far
-    const std::string& growing() const { return replacement_.beside(); }   ///< the file, while it is not finished
+    int taken() const { return taken_; }                                  ///< rows so far
+    const std::string& growing() const { return replacement_.beside(); }  ///< the file, while it is not finished
     /// \param pixels of next_row(), 4 * width, as Image has them
     void put(const float* pixels);
     void finish();
 
 private:
     void put_linear(const float* pixels);
-    template <class Work> void named(Work&& work) const;
+    template <class Work>
+    void named(Work&& work) const;
 
     const int width_, height_;
     const bool bottom_up_;
     int taken_ = 0;
     Replacement replacement_;
-    TransferCurve working_;                     ///< of pixels that are stored as linear light
+    TransferCurve working_;  ///< of pixels that are stored as linear light
     bool alpha_ = false;
-    std::unique_ptr<RowQuantiser> rounding_;    ///< null: linear light
+    std::unique_ptr<RowQuantiser> rounding_;  ///< null: linear light
     std::unique_ptr<RowSink> sink_;
-    class IoWriter* levels_ = nullptr;          ///< sink_, where it takes linear light
+    class IoWriter* levels_ = nullptr;  ///< sink_, where it takes linear light
     std::vector<std::uint16_t> row_;
     std::vector<float> level_row_;
-    std::vector<std::uint8_t> from_below_;      ///< BMP: rows of bytes that wait for those above
+    std::vector<std::uint8_t> from_below_;  ///< BMP: rows of bytes that wait for those above
 };
 
 }  // namespace image

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/transfer_curve.h"
+#include "render/image/levels/transfer_curve.h"
 
 #include <cstdint>
 #include <vector>
@@ -10,8 +10,8 @@ namespace image {
 /// What a file of rows has to know before the first.
 struct FileShape {
     int width = 0, height = 0, channels = 3;
-    int bits = 8;                 ///< of an integer: the largest is 2^bits - 1
-    TransferCurve curve;          ///< that the values are stored with
+    int bits = 8;         ///< of an integer: the largest is 2^bits - 1
+    TransferCurve curve;  ///< that the values are stored with
     const char* software = "";
 };
 
@@ -29,12 +29,13 @@ public:
     virtual void finish() = 0;
 };
 
-/// Integers of `bits` bits over 16: shorter ones stand at the top and repeat below, so that the largest stays the largest.
-/// For 8 stored bits the upper byte is what counts (spec 2, 12.4).
+/// Integers of `bits` bits over 16: shorter ones stand at the top and repeat below, so that the largest stays the
+/// largest. For 8 stored bits the upper byte is what counts (spec 2, 12.4).
 inline std::uint16_t widened(std::uint16_t value, int bits)
 {
     std::uint32_t filled = 0;
-    for (int shift = 16 - bits; shift > -bits; shift -= bits) filled |= shift >= 0 ? std::uint32_t{value} << shift : std::uint32_t{value} >> -shift;
+    for (int shift = 16 - bits; shift > -bits; shift -= bits)
+        filled |= shift >= 0 ? std::uint32_t{value} << shift : std::uint32_t{value} >> -shift;
     return static_cast<std::uint16_t>(filled);
 }
 

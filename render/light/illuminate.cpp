@@ -24,8 +24,7 @@ double spot(const Light& light, const Illumination& lit)
     if (lit.distance <= 0.0) u = -u;
     if (u <= 0.0) return 0.0;
     double factor = light.tightness == 0.0 ? 1.0 : std::pow(u, light.tightness);
-    if (light.cos_radius > 0.0 && u < light.cos_radius)
-        factor *= smooth_step(light.cos_falloff, light.cos_radius, u);
+    if (light.cos_radius > 0.0 && u < light.cos_radius) factor *= smooth_step(light.cos_falloff, light.cos_radius, u);
     return factor;
 }
 

@@ -6,9 +6,9 @@
 namespace light {
 
 struct Illumination {
-    glm::dvec3 direction{0};   ///< unit, from the point toward the light
-    double distance = 0;       ///< along direction; may be negative for parallel lights
-    glm::vec3 color{0};        ///< after cone and distance attenuation
+    glm::dvec3 direction{0};  ///< unit, from the point toward the light
+    double distance = 0;      ///< along direction; may be negative for parallel lights
+    glm::vec3 color{0};       ///< after cone and distance attenuation
 };
 
 /// `offset`: of a sample of an area light from its centre.
@@ -17,14 +17,16 @@ Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::
 /// Direction and distance alone, for the shadow rays of an area light's sample.
 Illumination toward(const Light& light, const glm::dvec3& point, const glm::dvec3& offset);
 
-/// Where the axes of a light that turns to the point it lights lie (`orient`): a and b are unit vectors, both as long as `size`.
+/// Where the axes of a light that turns to the point it lights lie (`orient`): a and b are unit vectors, both as long
+/// as `size`.
 struct AreaAxes {
     glm::dvec3 a, b;
     double size;
 };
 AreaAxes oriented_axes(const Light& light, const glm::dvec3& point);
 
-inline constexpr double kCircleShift = 0.001;   ///< of a circular light's nodes: really part of POV-Ray's positions (spec 3, 12.5)
+inline constexpr double kCircleShift =
+    0.001;  ///< of a circular light's nodes: really part of POV-Ray's positions (spec 3, 12.5)
 
 /// Offset of the node (i, j) of an area light; i and j may be moved by jitter (spec 3, 12.5).
 glm::dvec3 node_offset(const Light& light, const glm::dvec3& point, double i, double j);

@@ -13,13 +13,13 @@ struct Light {
     enum class Kind : std::uint8_t { Point, Spot, Cylinder } kind = Kind::Point;
     bool parallel = false, shadowless = false;
     bool area = false, circular = false, orient = false, jitter = false, area_illumination = false;
-    bool atmosphere = false;                   ///< media_attenuation and media_interaction: fog dims it where there is some
-    std::uint32_t group = 0;                   ///< of the light_group that it stands in; 0: none
+    bool atmosphere = false;  ///< media_attenuation and media_interaction: fog dims it where there is some
+    std::uint32_t group = 0;  ///< of the light_group that it stands in; 0: none
     glm::dvec3 location{0}, point_at{0, 0, 1};
-    glm::dvec3 axis{0, 0, 1};                  ///< unit, from location to point_at
+    glm::dvec3 axis{0, 0, 1};  ///< unit, from location to point_at
     glm::vec3 color{1};
-    double cos_radius = 0, cos_falloff = 0;    ///< Spot
-    double radius = 0, falloff = 0;            ///< Cylinder: lengths
+    double cos_radius = 0, cos_falloff = 0;  ///< Spot
+    double radius = 0, falloff = 0;          ///< Cylinder: lengths
     double tightness = 0;
     double fade_distance = 0, fade_power = 0;  ///< fade_power 0: no fading
     glm::dvec3 axis1{0}, axis2{0};             ///< area light: edges
@@ -31,7 +31,7 @@ struct Light {
 };
 
 struct LightSet {
-    std::vector<Light> lights;                 ///< in order of declaration
+    std::vector<Light> lights;  ///< in order of declaration
 };
 
 }  // namespace light

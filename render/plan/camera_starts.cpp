@@ -5,11 +5,14 @@
 namespace plan {
 namespace {
 
-/// Whether anything depends on the interiors that a ray is inside of: fog does, and light that surfaces let through or mirror by fresnel.
+/// Whether anything depends on the interiors that a ray is inside of: fog does, and light that surfaces let through or
+/// mirror by fresnel.
 bool interiors_matter(const CompiledScene& scene)
 {
-    return !scene.fogs.empty() || std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return !s.opaque; }) ||
-           std::any_of(scene.textures.finishes.begin(), scene.textures.finishes.end(), [](const texture::Finish& f) { return f.fresnel; });
+    return !scene.fogs.empty() ||
+           std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return !s.opaque; }) ||
+           std::any_of(scene.textures.finishes.begin(), scene.textures.finishes.end(),
+                       [](const texture::Finish& f) { return f.fresnel; });
 }
 
 /// Items that hold some place where rays start, where it may depend on the place.
@@ -20,7 +23,8 @@ void find_start_holders(CompiledScene& scene)
     for (std::uint32_t i = 0; i < scene.geometry.items.size(); ++i) {
         const ObjectInfo& object = scene.objects[scene.geometry.items[i].object];
         if (object.interior == kNone || object.holds_starts.intersected(starts).empty()) continue;
-        if (scene.world().item_may_hold(i, starts)) scene.start_holders.push_back({i, object.interior, object.holds_starts});
+        if (scene.world().item_may_hold(i, starts))
+            scene.start_holders.push_back({i, object.interior, object.holds_starts});
     }
 }
 
@@ -35,7 +39,8 @@ csg::Aabb camera_starts(const scene::Camera& camera, const MeshCamera* mesh)
             for (const MeshCamera::Ray& ray : corners.rays) box.include(ray.origin);
         return box;
     }
-    const bool plane = camera.kind == scene::Camera::Kind::Orthographic, cylinder = camera.kind == scene::Camera::Kind::Cylinder;
+    const bool plane = camera.kind == scene::Camera::Kind::Orthographic,
+               cylinder = camera.kind == scene::Camera::Kind::Cylinder;
     // Starts reach half of these to each side, and samples of small pictures a good way farther.
     const glm::dvec3 right = plane || (cylinder && camera.cylinder_type == 4) ? camera.right : glm::dvec3(0);
     const glm::dvec3 up = plane || (cylinder && camera.cylinder_type == 3) ? camera.up : glm::dvec3(0);
@@ -56,8 +61,9 @@ void find_camera_interiors(CompiledScene& scene)
     for (std::uint32_t i = 0; i < scene.geometry.items.size(); ++i) {
         const ObjectInfo& object = scene.objects[scene.geometry.items[i].object];
         const std::uint32_t interior = object.interior;
-        if (interior == kNone || !within(object.holds_starts, start) || !scene.world().item_holds_start(i, start)) continue;
-        scene.camera_interiors.push_back(interior);   // as often as there are objects that share it
+        if (interior == kNone || !within(object.holds_starts, start) || !scene.world().item_holds_start(i, start))
+            continue;
+        scene.camera_interiors.push_back(interior);  // as often as there are objects that share it
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/types.h"
+#include "csg/base/types.h"
 #include "render/plan/compiled_scene.h"
 
 namespace plan {

@@ -1,6 +1,6 @@
 #include "render/plan/camera_starts.h"
 #include "render/plan/compiled_scene.h"
-#include "render/plan/geometry.h"
+#include "render/plan/geometry/geometry.h"
 
 #include <fmt/format.h>
 
@@ -62,9 +62,11 @@ CompiledScene compile(const scene::Description& description, const Options& opti
 std::string explain(const CompiledScene& scene, const std::vector<std::string>& files)
 {
     const csg::WorldData& world = scene.geometry;
-    std::string text = fmt::format("kept: {} objects as {} items ({} CSG programs, {} outside the hierarchy), {} surfaces, {} textures, {} lights\n",
-                                   scene.objects.size(), world.items.size(), world.programs.size(), world.unbounded.size(),
-                                   scene.surfaces.size(), scene.textures.textures.size(), scene.lights.lights.size());
+    std::string text = fmt::format("kept: {} objects as {} items ({} CSG programs, {} outside the hierarchy), {} "
+                                   "surfaces, {} textures, {} lights\n",
+                                   scene.objects.size(), world.items.size(), world.programs.size(),
+                                   world.unbounded.size(), scene.surfaces.size(), scene.textures.textures.size(),
+                                   scene.lights.lights.size());
     for (const Decision& d : scene.decisions) {
         if (d.source.line != 0 && d.source.file < files.size())
             text += fmt::format("{}:{}:{}: ", files[d.source.file], d.source.line, d.source.column);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "csg/tolerance.h"
-#include "csg/world.h"
-#include "csg/world_data.h"
+#include "csg/base/tolerance.h"
+#include "csg/world/world.h"
+#include "csg/world/world_data.h"
 #include "render/light/light_set.h"
-#include "render/plan/interior.h"
+#include "render/plan/textures/interior.h"
 #include "render/plan/mesh_camera.h"
 #include "render/plan/surface.h"
 #include "render/scene/description.h"
@@ -19,26 +19,28 @@ namespace plan {
 
 /// How samples are added where the picture is not smooth (spec 2, 8).
 struct Antialiasing {
-    int method = 0;            ///< 0 off, 1 or 2
-    double threshold = 0.3;    ///< [0, 1]
-    int depth = 3;             ///< [1, 9]
-    double jitter = 1.0;       ///< [0, 1]; 0 is off
-    double gamma = 2.5;        ///< Antialias_Gamma
+    int method = 0;          ///< 0 off, 1 or 2
+    double threshold = 0.3;  ///< [0, 1]
+    int depth = 3;           ///< [1, 9]
+    double jitter = 1.0;     ///< [0, 1]; 0 is off
+    double gamma = 2.5;      ///< Antialias_Gamma
 };
 
 /// What the command line says about the picture.
 struct Options {
     int width = 320, height = 240;
-    int quality = 9;                       ///< +Q, 0 to 11 (spec 3, 16)
-    bool alpha = false;                    ///< +UA: the background is transparent
+    int quality = 9;     ///< +Q, 0 to 11 (spec 3, 16)
+    bool alpha = false;  ///< +UA: the background is transparent
     Antialiasing antialiasing;
-    int start_row = 0, start_column = 0;   ///< from 0
-    int end_row = -1, end_column = -1;     ///< from 0, inclusive; -1: the last
-    int block_size = 32;                   ///< +BS; antialiasing depends on it as in POV-Ray
-    bool split_unions = false;             ///< +SU: bounds of unions of finite parts are dropped
-    bool faithful = false;                 ///< POV-Ray's constants where better ones are usual (docs/faithful.md)
-    bool grain_stream = false;             ///< crand as POV-Ray on one thread: pixels depend on those before, so for one thread alone
-    bool scalar_light = false;             ///< every surface goes through the lights by itself, as most do in vector lanes: tests compare the two
+    int start_row = 0, start_column = 0;  ///< from 0
+    int end_row = -1, end_column = -1;    ///< from 0, inclusive; -1: the last
+    int block_size = 32;                  ///< +BS; antialiasing depends on it as in POV-Ray
+    bool split_unions = false;            ///< +SU: bounds of unions of finite parts are dropped
+    bool faithful = false;                ///< POV-Ray's constants where better ones are usual (docs/faithful.md)
+    bool grain_stream =
+        false;  ///< crand as POV-Ray on one thread: pixels depend on those before, so for one thread alone
+    bool scalar_light =
+        false;  ///< every surface goes through the lights by itself, as most do in vector lanes: tests compare the two
 };
 
 /// One decision of the compiler, for --explain: "left out 12 operands: their bounds never meet the rest".
@@ -50,16 +52,16 @@ struct Decision {
 
 /// A top-level object after splitting unions, in order of declaration.
 struct ObjectInfo {
-    std::uint32_t interior = kNone;        ///< index into CompiledScene::interiors
+    std::uint32_t interior = kNone;  ///< index into CompiledScene::interiors
     scene::SourceRef source;
-    csg::Aabb holds_starts = csg::Aabb::everything();   ///< only here does it hold the start of a camera ray
+    csg::Aabb holds_starts = csg::Aabb::everything();  ///< only here does it hold the start of a camera ray
 };
 
 /// A part of an object that may hold the start of a camera ray, and what it is filled with.
 struct StartHolder {
-    std::uint32_t item;                    ///< of the geometry
+    std::uint32_t item;  ///< of the geometry
     std::uint32_t interior;
-    csg::Aabb only;                        ///< ObjectInfo::holds_starts
+    csg::Aabb only;  ///< ObjectInfo::holds_starts
 };
 
 /// Whether the closed box holds the point.
@@ -81,22 +83,23 @@ struct Settings {
 /// Everything a render needs; immutable, shared by all threads.
 struct CompiledScene {
     csg::Tolerance tolerance;
-    csg::WorldData geometry;               ///< ask through world()
-    std::vector<Surface> surfaces;         ///< by csg::SurfaceId
+    csg::WorldData geometry;                   ///< ask through world()
+    std::vector<Surface> surfaces;             ///< by csg::SurfaceId
     std::vector<std::uint32_t> part_textures;  ///< see Surface::first_part
-    std::vector<ObjectInfo> objects;       ///< by Surface::object
+    std::vector<ObjectInfo> objects;           ///< by Surface::object
     texture::TextureSet textures;
-    std::vector<Interior> interiors;       ///< by Surface::interior; identity decides refraction
+    std::vector<Interior> interiors;  ///< by Surface::interior; identity decides refraction
     light::LightSet lights;
     texture::Sky sky;
     std::vector<texture::Fog> fogs;
     scene::Camera camera;
     std::shared_ptr<const MeshCamera> mesh_camera;  ///< null for other cameras
-    std::uint32_t camera_normal = kNone;   ///< index into textures.normals
+    std::uint32_t camera_normal = kNone;            ///< index into textures.normals
     Settings settings;
     Options options;
     std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)
-    std::vector<StartHolder> start_holders;       ///< what each ray of a camera whose rays start at different places may be inside of
+    std::vector<StartHolder>
+        start_holders;  ///< what each ray of a camera whose rays start at different places may be inside of
     std::vector<Decision> decisions;
 
     csg::World world() const { return csg::World(geometry); }

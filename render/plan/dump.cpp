@@ -7,40 +7,42 @@
 namespace plan {
 namespace {
 
-constexpr const char* kSolidNames[] = {"sphere", "ellipsoid", "box", "oriented box", "plane", "cylinder",
-                                       "cone", "torus", "quadric", "disc", "triangle", "mesh", "extrusion",
-                                       "polynomial", "freeform"};
+constexpr const char* kSolidNames[] = {"sphere",   "ellipsoid", "box",       "oriented box", "plane",
+                                       "cylinder", "cone",      "torus",     "quadric",      "disc",
+                                       "triangle", "mesh",      "extrusion", "polynomial",   "freeform"};
 static_assert(std::size(kSolidNames) == csg::kSolidKinds);
 
 constexpr const char* kOpNames[] = {"leaf", "union", "merge", "intersection", "clip"};
 
 std::string box(const csg::Aabb& b)
 {
-    return fmt::format("<{:g} {:g} {:g}>..<{:g} {:g} {:g}>", b.lower.x, b.lower.y, b.lower.z, b.upper.x, b.upper.y, b.upper.z);
+    return fmt::format("<{:g} {:g} {:g}>..<{:g} {:g} {:g}>", b.lower.x, b.lower.y, b.lower.z, b.upper.x, b.upper.y,
+                       b.upper.z);
 }
 
 std::string leaf(const csg::SolidStore& store, csg::PartId part, bool inverted)
 {
     const csg::SurfaceId surface = store.surface(part);
     const std::string look = surface == csg::kNoSurface ? "no surface" : fmt::format("surface {}", surface);
-    return fmt::format("{}{} {}, {}", inverted ? "outside of " : "", kSolidNames[static_cast<std::size_t>(csg::kind_of(part))],
-                       csg::index_of(part), look);
+    return fmt::format("{}{} {}, {}", inverted ? "outside of " : "",
+                       kSolidNames[static_cast<std::size_t>(csg::kind_of(part))], csg::index_of(part), look);
 }
 
-/// What the flat form makes of the object (docs/flat_csg.md).
-std::string flat(const csg::FlatForm& form)
+/// What the sum of products makes of the object (docs/flat_csg.md).
+std::string flat(const csg::SumOfProducts& form)
 {
     if (!form.usable()) return "";
     const std::size_t cuts = static_cast<std::size_t>(
-        std::count_if(form.cuts.begin(), form.cuts.end(), [](const csg::FlatCut& cut) { return cut.count != 0; }));
+        std::count_if(form.cuts.begin(), form.cuts.end(), [](const csg::ProductCut& cut) { return cut.count != 0; }));
     if (form.merged) return fmt::format(", merge of {} solids", cuts);
     if (form.simple() && form.terms[0].plain()) return ", convex";
-    return fmt::format(", flat: {} term{}, {} cut{}", form.terms.size(), form.terms.size() == 1 ? "" : "s", cuts, cuts == 1 ? "" : "s");
+    return fmt::format(", flat: {} term{}, {} cut{}", form.terms.size(), form.terms.size() == 1 ? "" : "s", cuts,
+                       cuts == 1 ? "" : "s");
 }
 
 void program(const csg::SolidStore& store, const csg::Program& p, std::string& text)
 {
-    text += fmt::format("program{}, {}\n", flat(p.flat), box(p.bounds));
+    text += fmt::format("program{}, {}\n", flat(p.products), box(p.bounds));
     std::vector<std::uint32_t> open;  // ends of the operators that hold the node
     for (std::uint32_t i = 0; i < p.nodes.size(); ++i) {
         while (!open.empty() && open.back() <= i) open.pop_back();
@@ -70,9 +72,9 @@ std::string dump(const CompiledScene& scene)
     }
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
         const Surface& s = scene.surfaces[i];
-        text += fmt::format("surface {}: object {}, texture {}, interior {}{}{}{}{}\n", i, s.object, s.texture, s.interior,
-                            s.opaque ? ", opaque" : "", s.no_shadow ? ", no shadow" : "", s.no_image ? ", no image" : "",
-                            s.no_reflection ? ", no reflection" : "");
+        text += fmt::format("surface {}: object {}, texture {}, interior {}{}{}{}{}\n", i, s.object, s.texture,
+                            s.interior, s.opaque ? ", opaque" : "", s.no_shadow ? ", no shadow" : "",
+                            s.no_image ? ", no image" : "", s.no_reflection ? ", no reflection" : "");
     }
     text += fmt::format("interiors {}, lights {}, textures {}\n", scene.interiors.size(), scene.lights.lights.size(),
                         scene.textures.textures.size());

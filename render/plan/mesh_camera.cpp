@@ -17,7 +17,8 @@ struct Launch {
     {
         const glm::dvec3 n = glm::normalize(normal);
         const glm::dvec3 direction = camera.direction.z < -kTiny ? -n : n;
-        return {to_world.point(p + camera.location.z * n), glm::normalize(glm::transpose(to_world.inverse_linear) * direction)};
+        return {to_world.point(p + camera.location.z * n),
+                glm::normalize(glm::transpose(to_world.inverse_linear) * direction)};
     }
 };
 

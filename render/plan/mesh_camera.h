@@ -11,19 +11,26 @@ namespace plan {
 /// A camera whose rays leave the faces of meshes (spec 2, section 5), faces of all meshes in one row.
 struct MeshCamera {
     enum class Method { MeshPerRay, AllInOne, SideBySide, ByUv };
-    struct Range { std::uint32_t first = 0, count = 0; };
-    struct Ray { glm::dvec3 origin, direction; };           ///< world, unit length
-    struct Corners { std::array<glm::dvec2, 3> uv; std::array<Ray, 3> rays; };  ///< rays as at the corners
+    struct Range {
+        std::uint32_t first = 0, count = 0;
+    };
+    struct Ray {
+        glm::dvec3 origin, direction;
+    };  ///< world, unit length
+    struct Corners {
+        std::array<glm::dvec2, 3> uv;
+        std::array<Ray, 3> rays;
+    };  ///< rays as at the corners
 
     int rays_per_pixel = 1;
     Method method = Method::MeshPerRay;
-    double max_distance = 0;                                ///< what is farther is sky; 0: no limit
+    double max_distance = 0;  ///< what is farther is sky; 0: no limit
     std::vector<Range> meshes;
-    std::vector<Ray> faces;                                 ///< at the centroids; ByUv: none
-    std::vector<Corners> corners;                           ///< ByUv alone
+    std::vector<Ray> faces;        ///< at the centroids; ByUv: none
+    std::vector<Corners> corners;  ///< ByUv alone
     /// ByUv: cells of the unit square, row by row; each lists faces of `corners` that touch it, in order.
     static constexpr int kCells = 64;
-    std::vector<std::uint32_t> cell_first;                  ///< kCells * kCells + 1
+    std::vector<std::uint32_t> cell_first;  ///< kCells * kCells + 1
     std::vector<std::uint32_t> cell_faces;
 
     static int cell_of(double v) { return std::clamp(static_cast<int>(v * kCells), 0, kCells - 1); }

@@ -1,17 +1,17 @@
 #include "render/plan/probe.h"
 
-#include "csg/scratch.h"
+#include "csg/base/scratch.h"
 #include "function/field.h"
-#include "render/plan/textures.h"
+#include "render/plan/textures/textures.h"
 #include "render/texture/function_host.h"
-#include "render/texture/noise.h"
+#include "render/texture/noise/noise.h"
 
 #include <stdexcept>
 
 namespace plan {
 namespace {
 
-constexpr double kMinDistance = 1e-4;     // nearer crossings do not count (spec 3, 3.1)
+constexpr double kMinDistance = 1e-4;  // nearer crossings do not count (spec 3, 3.1)
 constexpr std::uint8_t kEveryRay = 0xff;
 
 /// The geometry alone: a texture costs time and says nothing here.
@@ -35,8 +35,7 @@ CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSett
 
 ObjectProbe::ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global)
     : compiled_(compile_alone(object, global)), scratch_(std::make_unique<csg::Scratch>())
-{
-}
+{}
 ObjectProbe::~ObjectProbe() = default;
 
 ObjectProbe::Answer ObjectProbe::trace(const glm::dvec3& origin, const glm::dvec3& direction)
@@ -79,7 +78,8 @@ FunctionProbe::FunctionProbe(const function::FunctionPtr& called, const scene::D
     std::vector<scene::Unsupported> notes;
     TextureCompiler compiler(description, kFullQuality, set_, notes);
     if (compiler.function(called) == kNone)
-        throw std::runtime_error(notes.empty() ? "this function cannot be evaluated" : notes.front().what + " is not available yet");
+        throw std::runtime_error(notes.empty() ? "this function cannot be evaluated"
+                                               : notes.front().what + " is not available yet");
 }
 
 function::Values FunctionProbe::evaluate(const double* arguments) const

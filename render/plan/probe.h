@@ -16,7 +16,10 @@ public:
     explicit ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global = {});
     ~ObjectProbe();
 
-    struct Answer { bool hit = false; glm::dvec3 point{0}, normal{0}; };
+    struct Answer {
+        bool hit = false;
+        glm::dvec3 point{0}, normal{0};
+    };
     /// `direction` of unit length. The normal is raw: it is not turned toward the ray.
     Answer trace(const glm::dvec3& origin, const glm::dvec3& direction);
     // These two may be asked from many threads at once.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/types.h"
+#include "csg/base/types.h"
 
 #include <array>
 #include <cstdint>
@@ -12,8 +12,9 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 /// What a csg::SurfaceId means: one entry per (texture, interior, flags, ...) combination in use.
 /// Two leaves of one object share an entry; two objects never share an interior they did not share in the text.
 struct Surface {
-    std::uint32_t texture = kNone;           ///< index into TextureSet::textures; kNone: contributes black
-    /// What the second and third corner of a mesh's face show, mixed with `texture` by nearness; kNone: `texture` alone.
+    std::uint32_t texture = kNone;  ///< index into TextureSet::textures; kNone: contributes black
+    /// What the second and third corner of a mesh's face show, mixed with `texture` by nearness; kNone: `texture`
+    /// alone.
     std::array<std::uint32_t, 2> corner_textures{kNone, kNone};
     /// Textures of the parts of a shape (a blob's components) in CompiledScene::part_textures, mixed by their shares.
     std::uint32_t first_part = 0, part_count = 0;
@@ -21,10 +22,10 @@ struct Surface {
     std::uint32_t interior = kNone;          ///< index into CompiledScene::interiors; identity decides refraction
     std::uint32_t object = kNone;            ///< top-level object after splitting unions, in order of declaration
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
-    bool opaque = true;                      ///< spec 3, 13.2: a shadow ray may stop here
+    bool opaque = true;  ///< spec 3, 13.2: a shadow ray may stop here
     bool uv_mapping = false;
-    std::uint32_t light_group = 0;           ///< the innermost light_group that it stands in; 0: none
-    bool global_lights = true;               ///< lights outside of all groups reach it
+    std::uint32_t light_group = 0;  ///< the innermost light_group that it stands in; 0: none
+    bool global_lights = true;      ///< lights outside of all groups reach it
     bool blends() const { return corner_textures[0] != kNone || part_count != 0; }
 };
 

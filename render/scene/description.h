@@ -13,37 +13,58 @@
 namespace scene {
 
 /// The shape of points out of focus; null: as without it.
-struct Bokeh { std::shared_ptr<const Pigment> pigment; SourceRef source; };
-
-struct Camera {
-    enum class Kind { Perspective, Orthographic, Fisheye, UltraWideAngle, Omnimax, Panoramic, Cylinder, Spherical, Mesh };
-    Kind kind = Kind::Perspective;
-    int cylinder_type = 1;
-    glm::dvec3 location{0}, direction{0, 0, 1}, right{4.0 / 3.0, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
-    double angle_deg = 0;                  ///< as written, 0 if not; direction already holds its effect for perspective
-    double angle2_deg = 0;                 ///< spherical: vertical
-    /// Focal blur; off while aperture is 0.
-    double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
-    int blur_samples = 0, blur_fewest = 0; ///< at most and at least, a sample of the picture
-    std::shared_ptr<const MeshCamera> mesh;
-    std::optional<Normal> normal;          ///< bends the rays
-    std::optional<Bokeh> bokeh;            ///< read, not used yet
+struct Bokeh {
+    std::shared_ptr<const Pigment> pigment;
     SourceRef source;
 };
 
-struct SkySphere { std::vector<Pigment> layers; glm::vec3 emission{1}; SourceRef source; };
+struct Camera {
+    enum class Kind {
+        Perspective,
+        Orthographic,
+        Fisheye,
+        UltraWideAngle,
+        Omnimax,
+        Panoramic,
+        Cylinder,
+        Spherical,
+        Mesh
+    };
+    Kind kind = Kind::Perspective;
+    int cylinder_type = 1;
+    glm::dvec3 location{0}, direction{0, 0, 1}, right{4.0 / 3.0, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
+    double angle_deg = 0;   ///< as written, 0 if not; direction already holds its effect for perspective
+    double angle2_deg = 0;  ///< spherical: vertical
+    /// Focal blur; off while aperture is 0.
+    double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
+    int blur_samples = 0, blur_fewest = 0;  ///< at most and at least, a sample of the picture
+    std::shared_ptr<const MeshCamera> mesh;
+    std::optional<Normal> normal;  ///< bends the rays
+    std::optional<Bokeh> bokeh;    ///< read, not used yet
+    SourceRef source;
+};
+
+struct SkySphere {
+    std::vector<Pigment> layers;
+    glm::vec3 emission{1};
+    SourceRef source;
+};
 
 struct Fog {
     int type = 1;
     double distance = 0, offset = 0, altitude = 0;
     Color color;
-    Turbulence turbulence; double turb_depth = 0.5;
+    Turbulence turbulence;
+    double turb_depth = 0.5;
     glm::dvec3 up{0, 1, 0};
     SourceRef source;
 };
 
 /// assumed_gamma as written (spec 2, 10.1).
-struct AssumedGamma { enum class Kind { Unset, Power, Srgb } kind = Kind::Unset; double exponent = 1.0; };
+struct AssumedGamma {
+    enum class Kind { Unset, Power, Srgb } kind = Kind::Unset;
+    double exponent = 1.0;
+};
 
 struct GlobalSettings {
     AssumedGamma assumed_gamma;
@@ -61,27 +82,30 @@ struct GlobalSettings {
 };
 
 /// A thing the text asks for that the renderer does not do yet: told once, never dropped in silence.
-struct Unsupported { std::string what; SourceRef source; };
+struct Unsupported {
+    std::string what;
+    SourceRef source;
+};
 
 /// The whole scene: everything the parser knows, immutable afterwards.
 struct Description {
-    std::vector<std::string> files;        ///< SourceRef::file
-    int version = 370;                     ///< language version * 100 at the end of the text
+    std::vector<std::string> files;  ///< SourceRef::file
+    int version = 370;               ///< language version * 100 at the end of the text
     /// The version that gamma, background, layers and sky follow: `version` if the text or the command line set one,
     /// else 362 (spec 1, 15.1).
     int effective_version = 362;
     Camera camera;
-    std::vector<Object> objects;           ///< in order; lights among them
-    TexturePtr default_texture;            ///< in force at the end
+    std::vector<Object> objects;  ///< in order; lights among them
+    TexturePtr default_texture;   ///< in force at the end
     Color background{0, 0, 0, 0, 1};
     bool background_given = false;
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;
     GlobalSettings global;
     std::vector<Unsupported> unsupported;
-    std::vector<Object> undrawn;           ///< objects of kinds that are not drawn yet, wherever they stood
-    std::vector<Media> media;              ///< of the whole scene: read, not drawn yet
-    std::vector<Rainbow> rainbows;         ///< the like
+    std::vector<Object> unsupported_objects;  ///< objects of kinds that are not drawn yet, wherever they stood
+    std::vector<Media> media;                 ///< of the whole scene: read, not drawn yet
+    std::vector<Rainbow> rainbows;            ///< the like
 };
 
 /// The description as text, one fact a line, defaults included: --dump=scene. The same description gives the same text.

@@ -1,26 +1,28 @@
 #pragma once
 
 #include "render/scene/color.h"
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 #include "render/scene/source_ref.h"
 
 #include <optional>
 
-/// Settings of light that is not direct: radiosity, photons, light below surfaces (reference manual: Global Settings; spec 6).
+/// Settings of light that is not direct: radiosity, photons, light below surfaces (reference manual: Global Settings;
+/// spec 6).
 namespace scene {
 
 /// `radiosity` of global_settings (spec 6, 4.1).
 struct RadiositySettings {
-    double pretrace_start = 0.08, pretrace_end = 0.04;    ///< block sizes, shares of the picture
-    double brightness = 1.0, gray_threshold = 0.0;        ///< threshold: 0 to 1, share of grey in gathered light
-    int count = 35;                                       ///< rays of a sample
-    int pool = 0;                                         ///< directions to choose from; 0: 1600, or count if that is more
-    double error_bound = 1.8, low_error_factor = 0.5;     ///< factor: of error_bound in the pretrace
-    int nearest_count = 5, adaptive_count = 0;            ///< samples to mix; adaptive: pretrace goes on until there are so many
-    int recursion_limit = 2;                              ///< bounces, 1 to 20
-    double minimum_reuse = 0.015, maximum_reuse = 0.2;    ///< a sample's reach, shares of the picture; minimum below maximum
+    double pretrace_start = 0.08, pretrace_end = 0.04;  ///< block sizes, shares of the picture
+    double brightness = 1.0, gray_threshold = 0.0;      ///< threshold: 0 to 1, share of grey in gathered light
+    int count = 35;                                     ///< rays of a sample
+    int pool = 0;                                      ///< directions to choose from; 0: 1600, or count if that is more
+    double error_bound = 1.8, low_error_factor = 0.5;  ///< factor: of error_bound in the pretrace
+    int nearest_count = 5, adaptive_count = 0;  ///< samples to mix; adaptive: pretrace goes on until there are so many
+    int recursion_limit = 2;                    ///< bounces, 1 to 20
+    double minimum_reuse = 0.015,
+           maximum_reuse = 0.2;  ///< a sample's reach, shares of the picture; minimum below maximum
     double adc_bailout = 0.01;
-    double max_sample = -1.0;                             ///< brightest gathered colour; below 0: no limit
+    double max_sample = -1.0;  ///< brightest gathered colour; below 0: no limit
     bool normal = false, media = false, subsurface = false, always_sample = false;
     SourceRef source;
 
@@ -30,18 +32,18 @@ struct RadiositySettings {
 
 /// `photons` of global_settings (spec 6, 3.1).
 struct PhotonSettings {
-    double spacing = 1.0;                                 ///< scene units between photons on a target
-    double count = 0.0;                                   ///< photons to aim at, sets the spacing; 0: by spacing
-    int gather_least = 20, gather_most = 100;             ///< photons of a point; most 0: none at all
+    double spacing = 1.0;                      ///< scene units between photons on a target
+    double count = 0.0;                        ///< photons to aim at, sets the spacing; 0: by spacing
+    int gather_least = 20, gather_most = 100;  ///< photons of a point; most 0: none at all
     /// Gathering radius on surfaces and in media, scene units; not above 0: found out. Multipliers of it.
     double radius = 0.0, radius_factor = 1.0, media_radius = 0.0, media_radius_factor = 1.0;
-    int media_steps = 0;                                  ///< photons left in media on each interval; 0: none
+    int media_steps = 0;  ///< photons left in media on each interval; 0: none
     double media_factor = 1.0;
     double jitter = 0.4;
-    double autostop = 0.5;                                ///< share of a target's outer ring without hits that ends shooting
-    double expand_increase = 0.2, expand_least = 35.0;    ///< expand_thresholds
-    std::optional<int> max_trace_level;                   ///< nothing: the scene's
-    std::optional<double> adc_bailout;                    ///< nothing: the scene's
+    double autostop = 0.5;  ///< share of a target's outer ring without hits that ends shooting
+    double expand_increase = 0.2, expand_least = 35.0;  ///< expand_thresholds
+    std::optional<int> max_trace_level;                 ///< nothing: the scene's
+    std::optional<double> adc_bailout;                  ///< nothing: the scene's
     SourceRef source;
 
     void dump(DumpWriter& out) const;
@@ -59,10 +61,10 @@ struct SubsurfaceSettings {
 /// `photons` of an object or a light.
 struct PhotonFlags {
     bool of_light = false;
-    std::optional<double> target;                         ///< an object's density of photons; nothing or 0: no target
-    std::optional<bool> reflection, refraction;           ///< nothing: as the other side, light or object, says
-    bool collect = true, pass_through = false;            ///< objects
-    bool area_light = false;                              ///< lights: shot from all of its area
+    std::optional<double> target;                ///< an object's density of photons; nothing or 0: no target
+    std::optional<bool> reflection, refraction;  ///< nothing: as the other side, light or object, says
+    bool collect = true, pass_through = false;   ///< objects
+    bool area_light = false;                     ///< lights: shot from all of its area
     SourceRef source;
 
     void dump(DumpWriter& out) const;
@@ -70,8 +72,8 @@ struct PhotonFlags {
 
 /// `subsurface` of a finish.
 struct Subsurface {
-    glm::vec3 translucency{0};                            ///< mm, the way that light goes on average
-    glm::vec3 anisotropy{0};                              ///< read, of no effect in POV-Ray
+    glm::vec3 translucency{0};  ///< mm, the way that light goes on average
+    glm::vec3 anisotropy{0};    ///< read, of no effect in POV-Ray
     SourceRef source;
 
     void dump(DumpWriter& out) const;

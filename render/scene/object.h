@@ -1,8 +1,8 @@
 #pragma once
 
-#include "csg/outline_shape.h"
-#include "csg/polynomial_shape.h"
-#include "csg/types.h"
+#include "csg/solids/shared/outline_shape.h"
+#include "csg/solids/shared/polynomial_shape.h"
+#include "csg/base/types.h"
 #include "render/scene/texture.h"
 
 #include <array>
@@ -18,42 +18,72 @@ struct FreeformShape;
 /// Objects as the author wrote them: a tree, each node with the transformation into its parent's space.
 namespace scene {
 
-/// POV-Ray turns the boxes of some kinds of object with every statement and takes the box around each time: half its edges become those of
-/// the first box times this, wider with each turn. 1 if it was never transformed.
+/// POV-Ray turns the boxes of some kinds of object with every statement and takes the box around each time: half its
+/// edges become those of the first box times this, wider with each turn. 1 if it was never transformed.
 struct BoxGrowth {
     glm::dmat3 edges{1.0};
 
     void add(const BoxGrowth& later) { edges = later.edges * edges; }
-    static BoxGrowth of(const csg::Transform& t) { return {{glm::abs(t.linear[0]), glm::abs(t.linear[1]), glm::abs(t.linear[2])}}; }
+    static BoxGrowth of(const csg::Transform& t)
+    {
+        return {{glm::abs(t.linear[0]), glm::abs(t.linear[1]), glm::abs(t.linear[2])}};
+    }
 };
 
-struct Sphere { glm::dvec3 center{0}; double radius = 1; };
-struct Box { glm::dvec3 lower{0}, upper{1}; };                 ///< corners sorted
-/// Unit normal; inside: dot(normal, p) <= offset. moved_clips: clips were there when it was transformed; POV-Ray's box of it is then
-/// that of the first clip (spec 5a, 7).
-struct Plane { glm::dvec3 normal{0, 1, 0}; double offset = 0; bool moved_clips = false; };
-struct Cylinder { glm::dvec3 base{0}, cap{0, 1, 0}; double radius = 1; bool open = false; };
-struct Cone { glm::dvec3 base{0}; double base_radius = 1; glm::dvec3 cap{0, 1, 0}; double cap_radius = 0; bool open = false; };
-struct Torus { double major = 1, minor = 0.25; };               ///< axis y
-/// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0: square <A,B,C>, mixed <D,E,F>, linear <G,H,I>.
+struct Sphere {
+    glm::dvec3 center{0};
+    double radius = 1;
+};
+struct Box {
+    glm::dvec3 lower{0}, upper{1};
+};  ///< corners sorted
+/// Unit normal; inside: dot(normal, p) <= offset. moved_clips: clips were there when it was transformed; POV-Ray's box
+/// of it is then that of the first clip (spec 5a, 7).
+struct Plane {
+    glm::dvec3 normal{0, 1, 0};
+    double offset = 0;
+    bool moved_clips = false;
+};
+struct Cylinder {
+    glm::dvec3 base{0}, cap{0, 1, 0};
+    double radius = 1;
+    bool open = false;
+};
+struct Cone {
+    glm::dvec3 base{0};
+    double base_radius = 1;
+    glm::dvec3 cap{0, 1, 0};
+    double cap_radius = 0;
+    bool open = false;
+};
+struct Torus {
+    double major = 1, minor = 0.25;
+};  ///< axis y
+/// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0: square <A,B,C>, mixed <D,E,F>, linear
+/// <G,H,I>.
 struct Quadric {
     glm::dvec3 square{0}, mixed{0}, linear{0};
     double constant = 0;
-    /// Its clips as they stood before it was transformed with them, and its transformation until then: POV-Ray worked out its box
-    /// then (spec 5a, 7.1). Null: it was not.
+    /// Its clips as they stood before it was transformed with them, and its transformation until then: POV-Ray worked
+    /// out its box then (spec 5a, 7.1). Null: it was not.
     std::shared_ptr<const struct FirstClips> first_clips = nullptr;
     BoxGrowth growth;
 };
 /// A polynomial of x, y and z that is not positive.
-struct Polynomial { std::shared_ptr<const csg::PolynomialShape> shape; };
-/// What is kept in a shape of its own kind (csg/freeform.h); the object's `written` tells how it was given.
+struct Polynomial {
+    std::shared_ptr<const csg::PolynomialShape> shape;
+};
+/// What is kept in a shape of its own kind (csg/freeform/freeform.h); the object's `written` tells how it was given.
 struct Freeform {
     std::shared_ptr<const csg::FreeformShape> shape;
-    /// Of the shape's parts, mixed by their shares (csg::Share), in the shape's space; null: the object's. Null or empty: it
-    /// has one texture.
+    /// Of the shape's parts, mixed by their shares (csg::Share), in the shape's space; null: the object's. Null or
+    /// empty: it has one texture.
     std::shared_ptr<const std::vector<TexturePtr>> part_textures = nullptr;
 };
-struct Disc { glm::dvec3 center{0}, normal{0, 0, 1}; double radius = 1, hole = 0; };
+struct Disc {
+    glm::dvec3 center{0}, normal{0, 0, 1};
+    double radius = 1, hole = 0;
+};
 struct Triangle {
     std::array<glm::dvec3, 3> vertex;
     std::array<glm::dvec3, 3> normal;
@@ -64,9 +94,9 @@ struct Triangle {
 struct MeshData {
     struct Face {
         std::array<std::uint32_t, 3> vertex;
-        std::array<std::uint32_t, 3> normal;       ///< equal to {kNone,...} on a flat face
+        std::array<std::uint32_t, 3> normal;  ///< equal to {kNone,...} on a flat face
         std::array<std::uint32_t, 3> uv;
-        std::array<std::uint32_t, 3> texture;      ///< index into textures or kNone
+        std::array<std::uint32_t, 3> texture;  ///< index into textures or kNone
     };
     static constexpr std::uint32_t kNone = 0xffffffffu;
     std::vector<glm::dvec3> vertices, normals;
@@ -76,13 +106,15 @@ struct MeshData {
     bool has_inside_vector = false;
     glm::dvec3 inside_vector{0};
 };
-struct Mesh { std::shared_ptr<const MeshData> data; };
+struct Mesh {
+    std::shared_ptr<const MeshData> data;
+};
 /// A plane region swept along z from low to high: one character of a text, a linear prism (turned so that its z is y).
 struct Extrusion {
     std::shared_ptr<const csg::OutlineShape> outline;
     double low = 0, high = 1;
-    bool open = false, ends_up = false;            ///< as in csg::Extrusion
-    bool bezier = false;                           ///< its extent holds the control points too
+    bool open = false, ends_up = false;  ///< as in csg::Extrusion
+    bool bezier = false;                 ///< its extent holds the control points too
 };
 
 struct Object;
@@ -96,8 +128,8 @@ struct Csg {
     std::shared_ptr<const std::vector<Object>> operands;
     bool split_union = true;
     bool cutaway_textures = false;
-    /// A light_group: its operands are lit by the lights that are its operands too, and by those outside of all groups if
-    /// global_lights is set. What stands in a group within goes by the lights of that (spec 3, 12.10).
+    /// A light_group: its operands are lit by the lights that are its operands too, and by those outside of all groups
+    /// if global_lights is set. What stands in a group within goes by the lights of that (spec 3, 12.10).
     bool light_group = false, global_lights = false;
     BoxGrowth growth;
 };
@@ -118,8 +150,8 @@ struct Light {
     std::shared_ptr<const Object> looks_like, projected_through;
 };
 
-using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion, Polynomial, Freeform, Csg,
-                           Light>;
+using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion,
+                           Polynomial, Freeform, Csg, Light>;
 
 struct Flags {
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
@@ -134,22 +166,23 @@ struct Object {
     Shape shape;
     csg::Transform transform;
     bool inverse = false;
-    TexturePtr texture;                 ///< null: inherits from the parent, else the default texture
+    TexturePtr texture;  ///< null: inherits from the parent, else the default texture
     TexturePtr interior_texture;
     std::shared_ptr<const Interior> interior;
     std::vector<Object> clipped_by, bounded_by;
-    bool bounded_by_clip = false;       ///< bounded_by { clipped_by } and the like: one set, both uses
+    bool bounded_by_clip = false;  ///< bounded_by { clipped_by } and the like: one set, both uses
     Flags flags;
     /// The default texture in force when the outermost statement that holds this object was added to the scene
     /// (spec 3, 15.1); set on top-level objects only. What is untextured after inheritance from parents gets it.
     TexturePtr default_texture;
     /// Keyword of a kind that the renderer cannot draw yet; empty for all others. Such an object stands whole, with its
-    /// parameters in `written`, in Description::undrawn and never in Description::objects or among the operands of a Csg.
-    std::string undrawn;
+    /// parameters in `written`, in Description::unsupported_objects and never in Description::objects or among the
+    /// operands of a Csg.
+    std::string unsupported;
     /// Parameters of a solid in scene::AnySolid; null for shapes that hold their own.
     std::shared_ptr<const WrittenSolid> written;
-    std::shared_ptr<const PhotonFlags> photons;     ///< read, not used yet; null if not written
-    std::optional<double> radiosity_importance;     ///< above 0 to 1; not used yet. Nothing: the parent's, at last 1
+    std::shared_ptr<const PhotonFlags> photons;  ///< read, not used yet; null if not written
+    std::optional<double> radiosity_importance;  ///< above 0 to 1; not used yet. Nothing: the parent's, at last 1
     SourceRef source;
 
     /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.
@@ -160,7 +193,7 @@ struct Object {
 
 struct FirstClips {
     std::vector<Object> clips;
-    csg::Transform transform;   ///< of the quadric
+    csg::Transform transform;  ///< of the quadric
     BoxGrowth growth;
 };
 

@@ -26,41 +26,34 @@ namespace scene {
 
 /// What the parameters of a solid must have: the keywords that begin it, and lines of a dump.
 template <class T>
-concept SolidParameters = std::default_initializable<T> && requires(const T& parameters, DumpWriter& out) {
-    { *std::begin(T::kKeywords) } -> std::convertible_to<std::string_view>;
+concept SolidParameters = std::default_initializable<T> && requires(const T& parameters, DumpWriter& out)
+{
+    {
+        *std::begin(T::kKeywords)
+        } -> std::convertible_to<std::string_view>;
     parameters.dump(out);
 };
 
 // What they may have beside that, each a `static constexpr bool`.
-template <class T> concept TakesSturm = T::kTakesSturm;             ///< `sturm` may stand among the modifiers
-template <class T> concept TakesHierarchy = T::kTakesHierarchy;     ///< `hierarchy` may
-template <class T> concept ForgetsInverse = T::kForgetsInverse;     ///< `inverse` in its own block has no effect
+template <class T>
+concept TakesSturm = T::kTakesSturm;  ///< `sturm` may stand among the modifiers
+template <class T>
+concept TakesHierarchy = T::kTakesHierarchy;  ///< `hierarchy` may
+template <class T>
+concept ForgetsInverse = T::kForgetsInverse;  ///< `inverse` in its own block has no effect
 
 /// A variant of what meets the concept: the compiler names the solid that does not.
-template <SolidParameters... Solids> using SolidList = std::variant<Solids...>;
+template <SolidParameters... Solids>
+using SolidList = std::variant<Solids...>;
 
-/// Every solid of the kind, in the order of their names: a new one is a line here and the #include of its file. Its grammar
-/// is parser/grammar/solid_reader.h's read_solid(); docs/extending.md shows one from end to end.
-using AnySolid = SolidList<
-    BicubicPatch,
-    Blob,
-    HeightField,
-    Isosurface,
-    JuliaFractal,
-    Lathe,
-    Ovus,
-    Parametric,
-    Polygon,
-    PolynomialSurface,
-    Prism,
-    Sor,
-    SphereSweep,
-    Superellipsoid,
-    Text>;
+/// Every solid of the kind, in the order of their names: a new one is a line here and the #include of its file. Its
+/// grammar is parser/grammar/core/solid_reader.h's read_solid(); docs/extending.md shows one from end to end.
+using AnySolid = SolidList<BicubicPatch, Blob, HeightField, Isosurface, JuliaFractal, Lathe, Ovus, Parametric, Polygon,
+                           PolynomialSurface, Prism, Sor, SphereSweep, Superellipsoid, Text>;
 
 /// A solid as it was given; Object::shape is what is drawn of it.
 struct WrittenSolid {
-    std::string_view keyword;   ///< one of kKeywords
+    std::string_view keyword;  ///< one of kKeywords
     AnySolid parameters;
     SourceRef source;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/types.h"
+#include "csg/base/types.h"
 #include "function/program.h"
 #include "render/scene/color.h"
 #include "render/scene/source_ref.h"
@@ -23,15 +23,19 @@ struct Turbulence {
     double lambda = 2.0, omega = 0.5;
 };
 
-struct RepeatWarp { glm::dvec3 width{0}, offset{0}, flip{0}; };
+struct RepeatWarp {
+    glm::dvec3 width{0}, offset{0}, flip{0};
+};
 struct BlackHoleWarp {
-    glm::dvec3 center{0}; double radius = 1, strength = 1, falloff = 2;
-    bool inverse = false; glm::dvec3 repeat{0}, turbulence{0};
+    glm::dvec3 center{0};
+    double radius = 1, strength = 1, falloff = 2;
+    bool inverse = false;
+    glm::dvec3 repeat{0}, turbulence{0};
 };
 struct MappingWarp {
     enum class Kind { Planar, Cylindrical, Spherical, Toroidal, Cubic } kind = Kind::Planar;
     glm::dvec3 orientation{0, 0, 1};
-    double distance = 0;          ///< planar only
+    double distance = 0;  ///< planar only
     double dist_exp = 0, major_radius = 1;
 };
 
@@ -46,22 +50,23 @@ struct Subsurface;
 struct Pigment;
 
 /// What a pattern looks its values up in: image_map, image_pattern, bump_map, material_map; density_file; object.
-using PatternData = std::variant<std::monostate, std::shared_ptr<const ImageMap>, std::shared_ptr<const DensityFile>, std::shared_ptr<const Object>>;
+using PatternData = std::variant<std::monostate, std::shared_ptr<const ImageMap>, std::shared_ptr<const DensityFile>,
+                                 std::shared_ptr<const Object>>;
 
 /// One entry of a catalogue: `name` is POV-Ray's keyword ("checker", "gradient", "granite", ...).
 /// Parameters have fixed meanings per pattern, see docs/patterns.md.
 struct Pattern {
     std::string name;
-    glm::dvec3 vector{0};               ///< gradient's axis, brick size, julia's complex number, slope's direction, ...
-    std::vector<double> numbers;        ///< mortar, control values, exponents, ...
+    glm::dvec3 vector{0};         ///< gradient's axis, brick size, julia's complex number, slope's direction, ...
+    std::vector<double> numbers;  ///< mortar, control values, exponents, ...
     std::shared_ptr<const Pigment> pigment;  ///< pigment_pattern only
-    function::FunctionPtr function;     ///< `function` only: of x, y, z
+    function::FunctionPtr function;          ///< `function` only: of x, y, z
     PatternData data;
-    int noise_generator = 0;            ///< 0: the scene's
+    int noise_generator = 0;  ///< 0: the scene's
     double frequency = 1, phase = 0;
     WaveForm wave = WaveForm::Ramp;
     double poly_exponent = 1;
-    std::vector<WarpStep> warps;        ///< front to back = order of evaluation; classic turbulence, if any, last
+    std::vector<WarpStep> warps;           ///< front to back = order of evaluation; classic turbulence, if any, last
     std::optional<Turbulence> turbulence;  ///< classic turbulence: after all warps
     SourceRef source;
 
@@ -69,7 +74,11 @@ struct Pattern {
     void transform(const csg::Transform& t);
 };
 
-template <class T> struct MapEntry { double key = 0; T value; };
+template <class T>
+struct MapEntry {
+    double key = 0;
+    T value;
+};
 
 using PigmentPtr = std::shared_ptr<const Pigment>;
 
@@ -78,8 +87,8 @@ using ColorMap = std::vector<MapEntry<Color>>;
 using PigmentMap = std::vector<MapEntry<PigmentPtr>>;
 
 struct PatternedPigment {
-    Pattern pattern;                               ///< name "average" and "uv_mapping" included
-    std::variant<ColorMap, PigmentMap> map;        ///< defaults filled in, never empty but for image_map
+    Pattern pattern;                         ///< name "average" and "uv_mapping" included
+    std::variant<ColorMap, PigmentMap> map;  ///< defaults filled in, never empty but for image_map
 };
 
 struct Pigment {
@@ -87,17 +96,18 @@ struct Pigment {
     std::optional<Color> quick_color;
     SourceRef source;
 
-    void transform(const csg::Transform& t);       ///< deep: a pigment_map's entries stay in the map's space
+    void transform(const csg::Transform& t);  ///< deep: a pigment_map's entries stay in the map's space
 };
 
 struct Normal;
 using NormalPtr = std::shared_ptr<const Normal>;
 struct Normal {
     Pattern pattern;
-    double amount = 0.5;                           ///< bump size
+    double amount = 0.5;  ///< bump size
     double accuracy = 0.02;
     bool no_bump_scale = false;
-    std::variant<std::monostate, std::vector<MapEntry<NormalPtr>>, std::vector<MapEntry<glm::dvec2>>> map;  ///< normal_map, slope_map
+    std::variant<std::monostate, std::vector<MapEntry<NormalPtr>>, std::vector<MapEntry<glm::dvec2>>>
+        map;  ///< normal_map, slope_map
     SourceRef source;
     void transform(const csg::Transform& t);
 };
@@ -121,7 +131,7 @@ struct Finish {
     std::shared_ptr<const Subsurface> subsurface;  ///< read, not drawn yet
     /// Legacy finish keywords, moved to the interior of the object (spec 3, 8.7); unset if negative.
     float legacy_ior = -1, legacy_caustics = -1;
-    float legacy_refraction = 1;                   ///< `refraction`: always moved to the interior
+    float legacy_refraction = 1;  ///< `refraction`: always moved to the interior
     SourceRef source;
 };
 
@@ -138,7 +148,7 @@ using TexturePtr = std::shared_ptr<const Texture>;
 struct PatternedTexture {
     Pattern pattern;
     std::vector<MapEntry<TexturePtr>> map;
-    bool no_bump_scale = false;        ///< its transformations leave the length of normals alone
+    bool no_bump_scale = false;  ///< its transformations leave the length of normals alone
 };
 
 /// Layers in the order written: the last is the top. Exactly one of the two kinds.
@@ -150,13 +160,13 @@ struct Texture {
 
 /// What fills an object (reference manual 3.5.8). Identity matters for refraction: compare pointers.
 struct Interior {
-    float ior = 0;         ///< 0: not given; then 1, and nothing disperses
+    float ior = 0;  ///< 0: not given; then 1, and nothing disperses
     float dispersion = 1;
     int dispersion_samples = 7;
     float caustics = 0, fade_distance = 0, fade_power = 0;
     glm::vec3 fade_color{0};
     bool hollow = false;
-    float refraction = 1;  ///< legacy factor on transmitted light (spec 3, 8.7)
+    float refraction = 1;                             ///< legacy factor on transmitted light (spec 3, 8.7)
     std::vector<std::shared_ptr<const Media>> media;  ///< read, not drawn yet; in the space that the object stands in
     SourceRef source;
 

@@ -22,10 +22,7 @@ void Pigment::transform(const csg::Transform& t)
     if (auto* patterned = std::get_if<PatternedPigment>(&kind)) patterned->pattern.transform(t);
 }
 
-void Normal::transform(const csg::Transform& t)
-{
-    pattern.transform(t);
-}
+void Normal::transform(const csg::Transform& t) { pattern.transform(t); }
 
 void Texture::transform(const csg::Transform& t)
 {
@@ -98,7 +95,8 @@ void Object::transform_by(const csg::Transform& t, const BoxGrowth& growth)
 {
     if (auto* quadric = std::get_if<Quadric>(&shape)) {
         if (!clipped_by.empty() && !quadric->first_clips) {
-            quadric->first_clips = std::make_shared<const FirstClips>(FirstClips{clipped_by, transform, quadric->growth});
+            quadric->first_clips =
+                std::make_shared<const FirstClips>(FirstClips{clipped_by, transform, quadric->growth});
             quadric->growth = {};
         }
         quadric->growth.add(growth);
@@ -106,10 +104,8 @@ void Object::transform_by(const csg::Transform& t, const BoxGrowth& growth)
         csg->growth.add(growth);
     }
     // A light keeps no transformation of its own: items written later must not be moved.
-    if (auto* light = std::get_if<Light>(&shape))
-        transform_light(*light, t);
-    else
-        transform = t * transform;
+    if (auto* light = std::get_if<Light>(&shape)) transform_light(*light, t);
+    else transform = t * transform;
 
     if (auto* plane = std::get_if<Plane>(&shape); plane != nullptr && !clipped_by.empty()) plane->moved_clips = true;
     // Textures of a uv-mapped object live on its surface (spec 5a, 6).
@@ -117,7 +113,8 @@ void Object::transform_by(const csg::Transform& t, const BoxGrowth& growth)
         texture = transformed(texture, t);
         interior_texture = transformed(interior_texture, t);
     }
-    // The interior of an object that has moved is one of its own, as in POV-Ray; without media there is nothing to move.
+    // The interior of an object that has moved is one of its own, as in POV-Ray; without media there is nothing to
+    // move.
     if (interior && !interior->media.empty()) {
         auto moved = std::make_shared<Interior>(*interior);
         moved->transform(t);

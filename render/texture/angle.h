@@ -18,8 +18,8 @@ inline double turn(double x, double z)
     return z < 0.0 ? 1.0 - a : a;
 }
 
-/// sin(2 pi v) for 0 <= v <= 1, by its series about the nearest quarter; 2e-16 from it at most. One for a number and for vector
-/// lanes, so that both have the same bits. select(where, a, b): a or b.
+/// sin(2 pi v) for 0 <= v <= 1, by its series about the nearest quarter; 2e-16 from it at most. One for a number and
+/// for vector lanes, so that both have the same bits. select(where, a, b): a or b.
 template <class T, class Select>
 inline T turn_sine(const T& v, Select&& select)
 {
@@ -27,14 +27,19 @@ inline T turn_sine(const T& v, Select&& select)
     const T quarter = floor(T(4.0) * v + T(0.5)), x = T(kTau) * (v - T(0.25) * quarter), z = x * x;
     // 1 / n! with alternating signs
     T sine(-1.0 / 1307674368000.0), cosine(1.0 / 20922789888000.0);
-    for (const double c : {1.0 / 6227020800.0, -1.0 / 39916800.0, 1.0 / 362880.0, -1.0 / 5040.0, 1.0 / 120.0, -1.0 / 6.0}) sine = sine * z + T(c);
-    for (const double c : {-1.0 / 87178291200.0, 1.0 / 479001600.0, -1.0 / 3628800.0, 1.0 / 40320.0, -1.0 / 720.0, 1.0 / 24.0, -0.5}) cosine = cosine * z + T(c);
+    for (const double c :
+         {1.0 / 6227020800.0, -1.0 / 39916800.0, 1.0 / 362880.0, -1.0 / 5040.0, 1.0 / 120.0, -1.0 / 6.0})
+        sine = sine * z + T(c);
+    for (const double c :
+         {-1.0 / 87178291200.0, 1.0 / 479001600.0, -1.0 / 3628800.0, 1.0 / 40320.0, -1.0 / 720.0, 1.0 / 24.0, -0.5})
+        cosine = cosine * z + T(c);
     const auto upright = (quarter == T(1.0)) | (quarter == T(3.0)), below = (quarter == T(2.0)) | (quarter == T(3.0));
     const T size = select(upright, T(1.0) + z * cosine, x + x * z * sine);
     return select(below, -size, size);
 }
 
-/// sin(2 pi v), by way of the fraction: the library's, which POV-Ray asks too. Ripples in glass make another last bit visible.
+/// sin(2 pi v), by way of the fraction: the library's, which POV-Ray asks too. Ripples in glass make another last bit
+/// visible.
 inline double cycle(double v)
 {
     return v >= 0.0 ? std::sin(kTau * (v - std::floor(v))) : -std::sin(kTau * (-v - std::floor(-v)));
@@ -43,7 +48,8 @@ inline double cycle(double v)
 /// The same by turn_sine(), for colours.
 inline double series_cycle(double v)
 {
-    const double size = std::abs(v), s = turn_sine(size - std::floor(size), [](bool where, double a, double b) { return where ? a : b; });
+    const double size = std::abs(v),
+                 s = turn_sine(size - std::floor(size), [](bool where, double a, double b) { return where ? a : b; });
     return v >= 0.0 ? s : -s;
 }
 

@@ -7,11 +7,11 @@ namespace texture {
 
 /// What a pattern may ask beyond its point: slope and aoi read it, uv_mapping takes `uv`.
 struct Surroundings {
-    glm::dvec3 point{0};         ///< the hit, world space
-    glm::dvec3 normal{0};        ///< current normal of the hit (spec 4, 15.1); unit
-    glm::dvec3 direction{0};     ///< of the ray, unit
+    glm::dvec3 point{0};      ///< the hit, world space
+    glm::dvec3 normal{0};     ///< current normal of the hit (spec 4, 15.1); unit
+    glm::dvec3 direction{0};  ///< of the ray, unit
     glm::dvec2 uv{0};
-    bool surface = false;        ///< false for skies: slope and aoi give 0
+    bool surface = false;  ///< false for skies: slope and aoi give 0
 };
 
 /// `p` after the pattern's warps and classic turbulence (spec 4, section 8), components within +-1e17.
@@ -48,8 +48,8 @@ scene::Color divided(const scene::Color& sum, float weights);
 scene::Color pigment_color(const TextureSet& set, std::uint32_t pigment, const glm::dvec3& p,
                            const Surroundings& around);
 
-/// Whether the pigment is a picture that is not at `p`: then its colour is clear, and light passes the layer unchanged. The
-/// layer's highlights and mirroring stay (spec 4, 11).
+/// Whether the pigment is a picture that is not at `p`: then its colour is clear, and light passes the layer unchanged.
+/// The layer's highlights and mirroring stay (spec 4, 11).
 bool pigment_missing(const TextureSet& set, std::uint32_t pigment, const glm::dvec3& p, const Surroundings& around);
 
 /// The texture of a material_map that a point of pattern space shows (spec 4, 12.8).

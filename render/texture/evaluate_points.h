@@ -10,7 +10,8 @@ namespace texture {
 /// What surrounds each point.
 using Around = std::array<const Surroundings*, kMostPoints>;
 
-/// warp_point of each. `live`: components that are asked for (bit 0: x); classic turbulence leaves the others as they were. Padded.
+/// warp_point of each. `live`: components that are asked for (bit 0: x); classic turbulence leaves the others as they
+/// were. Padded.
 void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsigned live);
 
 /// pattern_value of each warped point.
@@ -20,6 +21,7 @@ void pattern_values(const TextureSet& set, const Pattern& pattern, const Points&
 void perturb_points(const TextureSet& set, std::uint32_t normal, const Points& p, const Around& around, Points& n);
 
 /// pigment_color of each point; p.count colours are written.
-void pigment_colors(const TextureSet& set, std::uint32_t pigment, const Points& p, const Around& around, ColorPoints& out);
+void pigment_colors(const TextureSet& set, std::uint32_t pigment, const Points& p, const Around& around,
+                    ColorPoints& out);
 
 }  // namespace texture

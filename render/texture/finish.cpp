@@ -24,11 +24,11 @@ double grazing_weight(double cosine)
 
 namespace {
 
-/// A cosine to a normal longer than 1 may be larger than 1, and its power larger than a float holds. POV-Ray goes on with what a double holds
-/// as with a number, and so do we.
+/// A cosine to a normal longer than 1 may be larger than 1, and its power larger than a float holds. POV-Ray goes on
+/// with what a double holds as with a number, and so do we.
 double highlight_power(double c, double n)
 {
-    constexpr double kMost = 1e30;   // white whatever it is multiplied by, and far from what a float holds at most
+    constexpr double kMost = 1e30;  // white whatever it is multiplied by, and far from what a float holds at most
     if (highlight_vanishes(c, n)) return 0.0;
     const double power = std::pow(c, n);
     return power > kMost && std::isfinite(power) ? kMost : power;
@@ -102,9 +102,9 @@ glm::vec3 film(const Finish& finish, double h, double cos_light, double cos_view
 {
     glm::vec3 out;
     for (int k = 0; k < 3; ++k)
-        out[k] = static_cast<float>(1.0 + static_cast<double>(finish.irid) *
-                                              std::cos(kTau * h * (cos_light + cos_view) /
-                                                       static_cast<double>(wavelength[k])));
+        out[k] = static_cast<float>(
+            1.0 + static_cast<double>(finish.irid) *
+                      std::cos(kTau * h * (cos_light + cos_view) / static_cast<double>(wavelength[k])));
     return out;
 }
 

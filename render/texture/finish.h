@@ -14,15 +14,16 @@ double grazing_weight(double cosine);
 
 /// c^n for a cosine is below 1e-13, and no picture shows it: c^n <= exp(-n (1 - c)).
 inline constexpr double kVanishes = 30.0;
-inline bool highlight_vanishes(double c, double n)
-{
-    return n * (1.0 - c) > kVanishes;
-}
+inline bool highlight_vanishes(double c, double n) { return n * (1.0 - c) > kVanishes; }
 
 /// No Phong highlight at this cosine. POV-Ray skips powers that would vanish anyway.
-inline bool phong_vanishes(const Finish& finish, double c) { return !(c > 0.0) || (finish.phong_size >= 60.0f && c <= 0.0008); }
+inline bool phong_vanishes(const Finish& finish, double c)
+{
+    return !(c > 0.0) || (finish.phong_size >= 60.0f && c <= 0.0008);
+}
 
-/// Cosines that the highlights are powers of: of the mirrored ray to the light, and of the halfway vector to the normal.
+/// Cosines that the highlights are powers of: of the mirrored ray to the light, and of the halfway vector to the
+/// normal.
 inline double phong_cosine(const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
 {
     const glm::dvec3 mirrored = d - 2.0 * glm::dot(d, n) * n;

@@ -36,7 +36,8 @@ bool project(const Image& image, const glm::dvec3& p, const glm::dvec2& size, gl
     case Image::Projection::Spherical: {
         const double length = glm::length(p);
         if (length == 0.0) return false;
-        at = {beside == 0.0 ? 0.0 : turn(p.x, p.z) * size.x, (0.5 + std::asin(p.y / length) / std::numbers::pi) * size.y};
+        at = {beside == 0.0 ? 0.0 : turn(p.x, p.z) * size.x,
+              (0.5 + std::asin(p.y / length) / std::numbers::pi) * size.y};
         return true;
     }
     case Image::Projection::Cylindrical:
@@ -72,7 +73,10 @@ struct Line {
 Line cubic_line(long i, double p)
 {
     const double q = 1.0 - p;
-    return {i - 2, 4, {-p * q * q / 2.0, q * (q * (3.0 * p + 1.0) + 1.0) / 2.0, p * (p * (3.0 * q + 1.0) + 1.0) / 2.0, -q * p * p / 2.0}};
+    return {i - 2,
+            4,
+            {-p * q * q / 2.0, q * (q * (3.0 * p + 1.0) + 1.0) / 2.0, p * (p * (3.0 * q + 1.0) + 1.0) / 2.0,
+             -q * p * p / 2.0}};
 }
 
 std::size_t texel_at(const Image& image, long column, long row)
@@ -83,7 +87,8 @@ std::size_t texel_at(const Image& image, long column, long row)
         const long r = v % n;
         return r < 0 ? r + n : r;
     };
-    return static_cast<std::size_t>(inside(row, image.height)) * image.width + static_cast<std::size_t>(inside(column, image.width));
+    return static_cast<std::size_t>(inside(row, image.height)) * image.width +
+           static_cast<std::size_t>(inside(column, image.width));
 }
 
 void cross(const Image& image, const Line& columns, const Line& rows, Taps& taps)
@@ -91,7 +96,9 @@ void cross(const Image& image, const Line& columns, const Line& rows, Taps& taps
     // From the far corner on, as POV-Ray adds them: places in a palette are truncated, so that the last bit tells.
     for (int r = rows.count - 1; r >= 0; --r)
         for (int c = columns.count - 1; c >= 0; --c)
-            taps.all[taps.count++] = {texel_at(image, columns.first + c, rows.first + r), columns.share[static_cast<std::size_t>(c)] * rows.share[static_cast<std::size_t>(r)]};
+            taps.all[taps.count++] = {texel_at(image, columns.first + c, rows.first + r),
+                                      columns.share[static_cast<std::size_t>(c)] *
+                                          rows.share[static_cast<std::size_t>(r)]};
 }
 
 /// Shares that fall with the squared distance from the texels' centres.
@@ -174,7 +181,8 @@ scene::Color image_color(const Image& image, const glm::dvec2& place)
         sum[3] += w * static_cast<double>(c.filter);
         sum[4] += w * static_cast<double>(c.transmit);
     }
-    return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), static_cast<float>(sum[3]), static_cast<float>(sum[4])};
+    return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]),
+            static_cast<float>(sum[3]), static_cast<float>(sum[4])};
 }
 
 scene::Color image_pigment(const Image& image, const glm::dvec2& place)
@@ -203,7 +211,9 @@ double image_value(const Image& image, const glm::dvec3& p)
     glm::dvec2 place;
     if (!image_place(image, p, place)) return 0.0;
     const scene::Color c = image_color(image, place);
-    const float v = image.value == Image::Value::Grey ? scene::grey(c.rgb()) : image.value == Image::Value::Red ? c.red : c.transmit;
+    const float v = image.value == Image::Value::Grey  ? scene::grey(c.rgb())
+                    : image.value == Image::Value::Red ? c.red
+                                                       : c.transmit;
     return std::clamp(static_cast<double>(v), 0.0, 1.0);
 }
 
@@ -211,7 +221,8 @@ glm::dvec3 image_bump(const Image& image, double size, const glm::dvec3& n, cons
 {
     glm::dvec2 place;
     if (!image_place(image, p, place)) return n;
-    const double here = height_at(image, place), left = height_at(image, place + glm::dvec2(-1, 1)), right = height_at(image, place + glm::dvec2(1, 1));
+    const double here = height_at(image, place), left = height_at(image, place + glm::dvec2(-1, 1)),
+                 right = height_at(image, place + glm::dvec2(1, 1));
     const glm::dvec3 bump = glm::normalize(glm::dvec3(-size * (right - left), 2.0, size * (2.0 * here - left - right)));
     glm::dvec3 up = n, x = glm::cross(n, {0, 1, 0});
     if (glm::length(x) < kTiny) {

@@ -13,10 +13,15 @@ namespace texture {
 /// Colours decoded, settings resolved; built once by plan/.
 struct Image {
     enum class Projection : std::uint8_t { Planar, Spherical, Cylindrical, Torus } projection = Projection::Planar;
-    enum class Interpolation : std::uint8_t { None, Bilinear, Bicubic, NormalizedDistance } interpolation = Interpolation::None;
-    bool once = false;                    ///< nothing outside the picture
-    bool by_place = false;                ///< `use_index` of a picture with a palette
-    bool premultiplied = false;           ///< colours of a pigment are divided by their alpha
+    enum class Interpolation : std::uint8_t {
+        None,
+        Bilinear,
+        Bicubic,
+        NormalizedDistance
+    } interpolation = Interpolation::None;
+    bool once = false;           ///< nothing outside the picture
+    bool by_place = false;       ///< `use_index` of a picture with a palette
+    bool premultiplied = false;  ///< colours of a pigment are divided by their alpha
     enum class Value : std::uint8_t { Grey, Red, Transmit } value = Value::Grey;  ///< what image_pattern shows
     bool opaque = true;                   ///< no texel lets light through, and the picture covers everything
     std::uint32_t width = 0, height = 0;  ///< texels, not 0

@@ -16,7 +16,8 @@ struct BlendPoints {
 /// blend_at() for rising keys: as many lie below a value as there are steps up to its place.
 void blend_points(const float* keys, std::uint32_t entries, const Values& values, std::size_t count, BlendPoints& out)
 {
-    const Double last_key(static_cast<double>(keys[entries - 1])), zero(0.0), one(1.0), last(static_cast<double>(entries - 1));
+    const Double last_key(static_cast<double>(keys[entries - 1])), zero(0.0), one(1.0),
+        last(static_cast<double>(entries - 1));
     alignas(64) double lower[kLanes], upper[kLanes];
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Double v = Double::load_aligned(values.data() + i);
@@ -52,10 +53,16 @@ void mix_points(const float* entries, const BlendPoints& blends, std::size_t cou
 {
     const __m256 table = _mm256_load_ps(entries);
     for (std::size_t i = 0; i < count; i += 8) {
-        const auto entry = [&](const auto& places) { return _mm256_permutevar8x32_ps(table, _mm256_load_si256(reinterpret_cast<const __m256i*>(places.data() + i))); };
+        const auto entry = [&](const auto& places) {
+            return _mm256_permutevar8x32_ps(table,
+                                            _mm256_load_si256(reinterpret_cast<const __m256i*>(places.data() + i)));
+        };
         const __m256 low = entry(blends.lower), step = _mm256_sub_ps(entry(blends.upper), low);
-        const auto part = [&](__m128 steps, std::size_t at) { return _mm256_cvtpd_ps(_mm256_mul_pd(_mm256_load_pd(blends.share.data() + at), _mm256_cvtps_pd(steps))); };
-        const __m128 first = part(_mm256_castps256_ps128(step), i), second = part(_mm256_extractf128_ps(step, 1), i + 4);
+        const auto part = [&](__m128 steps, std::size_t at) {
+            return _mm256_cvtpd_ps(_mm256_mul_pd(_mm256_load_pd(blends.share.data() + at), _mm256_cvtps_pd(steps)));
+        };
+        const __m128 first = part(_mm256_castps256_ps128(step), i),
+                     second = part(_mm256_extractf128_ps(step, 1), i + 4);
         _mm256_store_ps(out + i, _mm256_add_ps(low, _mm256_insertf128_ps(_mm256_castps128_ps256(first), second, 1)));
     }
 }
@@ -84,7 +91,8 @@ Double fused_rest(const Double& v, const Double& q, const Double& m)
 /// Frequency and phase, and the remainder by kModulus; false where that takes the library's own for some value.
 bool fold(Double& v, const Pattern& pattern)
 {
-    const Double modulus(kModulus), zero(0.0), moved = v * Double(pattern.frequency) + Double(pattern.phase), size = xsimd::abs(moved);
+    const Double modulus(kModulus), zero(0.0), moved = v * Double(pattern.frequency) + Double(pattern.phase),
+                                               size = xsimd::abs(moved);
     constexpr std::uint32_t kAll = (1u << kLanes) - 1;
     Double rest;
     if (csg::lanes::mask(size < Double(2.0 * kModulus)) == kAll) {
@@ -100,7 +108,7 @@ bool fold(Double& v, const Pattern& pattern)
         return false;
 #endif
     }
-    v = rest | (moved & Double(-0.0));   // its sign
+    v = rest | (moved & Double(-0.0));  // its sign
     return true;
 }
 
@@ -109,7 +117,8 @@ bool fold(Double& v, const Pattern& pattern)
 void waved_points(const Pattern& pattern, std::size_t count, Values& values)
 {
     using scene::WaveForm;
-    const bool by_library = pattern.wave == WaveForm::Sine || pattern.wave == WaveForm::Scallop || pattern.wave == WaveForm::Poly;
+    const bool by_library = pattern.wave == WaveForm::Sine || pattern.wave == WaveForm::Scallop ||
+                            pattern.wave == WaveForm::Poly;
     const Double zero(0.0), half(0.5), one(1.0), two(2.0);
     for (std::size_t i = 0; i < count; i += kLanes) {
         Double v = Double::load_aligned(values.data() + i);
@@ -128,14 +137,16 @@ void waved_points(const Pattern& pattern, std::size_t count, Values& values)
     }
 }
 
-void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values, std::size_t count, ColorPoints& out)
+void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
+                      std::size_t count, ColorPoints& out)
 {
     const float* keys = set.keys.data() + first;
     const scene::Color* colors = set.colors.data() + first;
     if (entries > kMostEntries || !std::is_sorted(keys, keys + entries)) {
         for (std::size_t i = 0; i < count; ++i) {
             const Blend b = blend_at(set, first, entries, values[i]);
-            out.set(i, b.lower == b.upper ? set.colors[b.lower] : mix(set.colors[b.lower], set.colors[b.upper], b.share));
+            out.set(i,
+                    b.lower == b.upper ? set.colors[b.lower] : mix(set.colors[b.lower], set.colors[b.upper], b.share));
         }
         return;
     }

@@ -10,6 +10,7 @@ namespace texture {
 void waved_points(const Pattern& pattern, std::size_t count, Values& values);
 
 /// The colours that a map of colours, entries first to first + entries, has at the values.
-void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values, std::size_t count, ColorPoints& out);
+void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
+                      std::size_t count, ColorPoints& out);
 
 }  // namespace texture

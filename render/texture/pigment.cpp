@@ -84,7 +84,8 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm
 bool pigment_missing(const TextureSet& set, std::uint32_t index, const glm::dvec3& p, const Surroundings& around)
 {
     const Pigment& pigment = set.pigments[index];
-    if (pigment.kind == Pigment::Kind::Uv) return pigment_missing(set, set.children[pigment.first], {around.uv.x, around.uv.y, 0.0}, around);
+    if (pigment.kind == Pigment::Kind::Uv)
+        return pigment_missing(set, set.children[pigment.first], {around.uv.x, around.uv.y, 0.0}, around);
     if (pigment.kind != Pigment::Kind::Image) return false;
     const Pattern& pattern = set.patterns[pigment.pattern];
     glm::dvec2 place;

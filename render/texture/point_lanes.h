@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/lanes.h"
+#include "csg/base/lanes.h"
 #include "render/texture/angle.h"
 
 #include <cstddef>
@@ -14,7 +14,10 @@ inline constexpr std::size_t kLanes = static_cast<std::size_t>(csg::lanes::kDoub
 /// Of each.
 inline Double series_cycle(const Double& v)
 {
-    const Double size = xsimd::abs(v), s = turn_sine(size - xsimd::floor(size), [](const auto& where, const Double& a, const Double& b) { return xsimd::select(where, a, b); });
+    const Double size = xsimd::abs(v),
+                 s = turn_sine(size - xsimd::floor(size), [](const auto&where, const Double&a, const Double&b) {
+                     return xsimd::select(where, a, b);
+                 });
     return xsimd::select(v >= Double(0.0), s, -s);
 }
 

@@ -40,7 +40,8 @@ struct Points {
     /// Repeats the last point up to the end of its vector, so that nothing there is in a cell of its own.
     void pad()
     {
-        for (std::size_t i = size(), end = std::min<std::size_t>((i + 7) & ~std::size_t{7}, kMostPoints); i < end; ++i) set(i, at(size() - 1));
+        for (std::size_t i = size(), end = std::min<std::size_t>((i + 7) & ~std::size_t{7}, kMostPoints); i < end; ++i)
+            set(i, at(size() - 1));
     }
 };
 

@@ -10,10 +10,10 @@ namespace texture {
 
 /// What a ray sees that hits nothing (spec 2, sections 14 and 15).
 struct Sky {
-    scene::Color background{0, 0, 0, 0, 1};   ///< as it is to be used: version and alpha rules applied
-    std::vector<std::uint32_t> layers;        ///< pigments, the last is the top
+    scene::Color background{0, 0, 0, 0, 1};  ///< as it is to be used: version and alpha rules applied
+    std::vector<std::uint32_t> layers;       ///< pigments, the last is the top
     glm::vec3 emission{1};
-    bool legacy = false;                      ///< language version below 3.7
+    bool legacy = false;  ///< language version below 3.7
     bool alpha_output = false;
 };
 

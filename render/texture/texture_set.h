@@ -5,7 +5,7 @@
 #include "render/scene/volume.h"
 #include "render/texture/image.h"
 #include "render/texture/inside_test.h"
-#include "render/texture/pattern.h"
+#include "render/texture/patterns/pattern.h"
 
 #include <memory>
 #include <vector>
@@ -16,9 +16,9 @@ namespace texture {
 /// What a pigment, a normal or a texture with a pattern looks its value up in.
 struct Pigment {
     enum class Kind : std::uint8_t { Solid, ColorMap, PigmentMap, Average, Uv, Image } kind = Kind::Solid;
-    scene::Color color;                    ///< Solid
+    scene::Color color;  ///< Solid
     std::uint32_t pattern = kNone;
-    std::uint32_t first = 0, count = 0;    ///< entries: keys[first..], and colors (ColorMap) or children beside them
+    std::uint32_t first = 0, count = 0;  ///< entries: keys[first..], and colors (ColorMap) or children beside them
 };
 
 struct Normal {
@@ -26,7 +26,7 @@ struct Normal {
     std::uint32_t pattern = kNone;
     double amount = 0.5, accuracy = 0.02;  ///< single precision values
     bool no_bump_scale = false;
-    std::uint32_t first = 0, count = 0;    ///< keys and children (Normals, Average, Uv) or slopes
+    std::uint32_t first = 0, count = 0;  ///< keys and children (Normals, Average, Uv) or slopes
 };
 
 /// The author's finish with albedo forms resolved and every exponent as used.
@@ -36,7 +36,7 @@ struct Finish {
     float phong = 0, phong_size = 40, specular = 0, specular_exponent = 20, metallic = 0;
     glm::vec3 reflection_min{0}, reflection_max{0};
     float reflection_falloff = 1, reflection_metallic = 0;
-    float reflection_power = 1;            ///< the mirrored colour is raised to it
+    float reflection_power = 1;  ///< the mirrored colour is raised to it
     bool fresnel = false, conserve_energy = false;
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
 
@@ -51,12 +51,12 @@ struct Layer {
 /// Either layers (the last is the top) or a pattern over other textures.
 struct Texture {
     enum class Kind : std::uint8_t { Layers, Map, Average, Uv, Material } kind = Kind::Layers;
-    bool opaque = true;                    ///< spec 3, 13.2: stops light outright
-    bool plain = false;                    ///< one layer that can neither let light through nor reflect, no normal: the small kernel
-    bool lit = true;                       ///< some layer asks for light sources
-    bool no_bump_scale = false;            ///< its pattern's transformations leave the length of normals within alone
+    bool opaque = true;  ///< spec 3, 13.2: stops light outright
+    bool plain = false;  ///< one layer that can neither let light through nor reflect, no normal: the small kernel
+    bool lit = true;     ///< some layer asks for light sources
+    bool no_bump_scale = false;  ///< its pattern's transformations leave the length of normals within alone
     std::uint32_t pattern = kNone;
-    std::uint32_t first = 0, count = 0;    ///< layers, or keys and children
+    std::uint32_t first = 0, count = 0;  ///< layers, or keys and children
 };
 
 /// Fields named by the structs above. `keys`, `colors`, `children` and `slopes` share one index space per map:
@@ -81,8 +81,8 @@ struct TextureSet {
     std::vector<glm::dvec3> wave_sources;
     std::vector<double> wave_frequencies;
     glm::vec3 irid_wavelength{0.70f, 0.52f, 0.48f};
-    bool legacy_opacity = false;           ///< language version below 3.7 (spec 3, 7.2)
-    int noise_generator = 2;               ///< the scene's: fog, irid, crackle's `solid`
+    bool legacy_opacity = false;  ///< language version below 3.7 (spec 3, 7.2)
+    int noise_generator = 2;      ///< the scene's: fog, irid, crackle's `solid`
 };
 
 }  // namespace texture

@@ -17,9 +17,9 @@ public:
     Blocks() = default;
     explicit Blocks(const plan::Options& options);
     std::size_t size() const { return per_row_ * rows_; }
-    std::size_t rows() const { return rows_; }         ///< of blocks
+    std::size_t rows() const { return rows_; }  ///< of blocks
     std::size_t per_row() const { return per_row_; }
-    int side() const { return side_; }                 ///< of a whole block
+    int side() const { return side_; }  ///< of a whole block
     Block operator[](std::size_t number) const;
 
 private:

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/hit.h"
-#include "csg/world.h"
+#include "csg/base/hit.h"
+#include "csg/world/world.h"
 #include "render/plan/surface.h"
 
 /// What shading asks of geometry, under the names that shading uses.

@@ -20,7 +20,7 @@ inline double random_at(const glm::dvec3& p, std::uint32_t purpose)
     std::uint64_t h = stir(std::bit_cast<std::uint64_t>(p.x) + 0x9e3779b97f4a7c15u * (purpose + 1u));
     h = stir(h ^ std::bit_cast<std::uint64_t>(p.y));
     h = stir(h + std::bit_cast<std::uint64_t>(p.z));
-    return static_cast<double>(static_cast<std::int64_t>(h >> 11)) * 0x1p-53;   // signed numbers are converted in lanes
+    return static_cast<double>(static_cast<std::int64_t>(h >> 11)) * 0x1p-53;  // signed numbers are converted in lanes
 }
 
 }  // namespace trace

@@ -1,6 +1,6 @@
 #include "render/trace/render.h"
 
-#include "render/trace/kernel_module.h"
+#include "render/trace/kernel/kernel_module.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -46,9 +46,10 @@ void prepare(Isa isa, int threads)
 {
     load_kernel(isa);
     const int count = threads > 0 ? threads : tbb::info::default_concurrency();
-    // As long as the program runs: TBB takes its number of workers from what is allowed when the first of them starts, and complains
-    // in words of its own of a later wish for more.
-    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+    // As long as the program runs: TBB takes its number of workers from what is allowed when the first of them starts,
+    // and complains in words of its own of a later wish for more.
+    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                             static_cast<std::size_t>(count));
     tbb::task_arena arena(count);
     arena.execute([count] { tbb::parallel_for(0, 4 * count, [](int) {}); });
 }
@@ -67,7 +68,8 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
     const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::enumerable_thread_specific<Worker> workers([&] {
-        return Worker{std::unique_ptr<BlockTracer, FreeTracer>(kernel.make(scene, options.cancel), FreeTracer{&kernel}), {}};
+        return Worker{std::unique_ptr<BlockTracer, FreeTracer>(kernel.make(scene, options.cancel), FreeTracer{&kernel}),
+                      {}};
     });
 
     const Blocks blocks(scene.options);

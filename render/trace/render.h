@@ -3,7 +3,7 @@
 #include "render/image/image.h"
 #include "render/plan/compiled_scene.h"
 #include "render/trace/blocks.h"
-#include "render/trace/scratch.h"
+#include "render/trace/queue/scratch.h"
 
 #include <atomic>
 #include <functional>
@@ -15,13 +15,13 @@ namespace trace {
 enum class Isa { Auto, V2, V3, V4 };
 
 struct RenderOptions {
-    int threads = 0;                              ///< 0: all cores
+    int threads = 0;  ///< 0: all cores
     Isa isa = Isa::Auto;
     /// Called now and then from any thread with the share of blocks done in [0, 1]; may be empty.
     std::function<void(double)> progress;
     /// Set to true to stop early: looked at once a tile of rays at the latest, whatever a block costs; null: never.
     const std::atomic<bool>* cancel = nullptr;
-    std::size_t first = 0, last = ~std::size_t{0};   ///< blocks [first, last) alone, by number of Blocks
+    std::size_t first = 0, last = ~std::size_t{0};  ///< blocks [first, last) alone, by number of Blocks
     /// By number of Blocks: true for those that the picture handed in holds already; empty: it holds none.
     std::vector<bool> done;
     /// Called from any thread with the number of a block that has just been put into the picture; may be empty.
@@ -30,9 +30,9 @@ struct RenderOptions {
 
 struct RenderStatistics {
     RayCounts rays;
-    double seconds_trace = 0;                     ///< wall clock
+    double seconds_trace = 0;  ///< wall clock
     int threads = 1;
-    std::string isa;                              ///< "v2", "v3" or "v4"
+    std::string isa;  ///< "v2", "v3" or "v4"
     bool cancelled = false;
 
     /// Of two parts of one picture.
@@ -48,9 +48,9 @@ struct RenderStatistics {
 };
 
 /// Traces the picture: same bytes for any number of threads and any instruction set.
-/// `image` is made unless it has the picture's size; then the blocks asked for lie in the rows that it holds. Pixels outside of them and of the
-/// window of plan::Options stay as they are: black and opaque. Throws std::runtime_error if the kernel module
-/// for the asked instruction set is missing or the processor cannot run it.
+/// `image` is made unless it has the picture's size; then the blocks asked for lie in the rows that it holds. Pixels
+/// outside of them and of the window of plan::Options stay as they are: black and opaque. Throws std::runtime_error if
+/// the kernel module for the asked instruction set is missing or the processor cannot run it.
 RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image);
 
 /// Loads the kernel module and starts the threads ahead of time. The loader serves one at a time: call this before

@@ -1,4 +1,4 @@
-#include "csg/lane_solids.h"
+#include "csg/packet/lane_solids.h"
 #include "tests/csg/support.h"
 
 #include <catch2/catch.hpp>
@@ -18,15 +18,17 @@ glm::dvec3 direction(Rng& rng, const glm::dvec3& origin, const glm::dvec3& targe
 {
     glm::dvec3 d = glm::normalize(target + rng.point(1.5) - origin);
     switch (rng.below(6)) {
-        case 0: {
-            glm::dvec3 axis(0.0);
-            axis[rng.below(3)] = rng.coin() ? 1.0 : -1.0;
-            if (rng.coin()) axis = frame.vector(axis);
-            return glm::normalize(axis);
-        }
-        case 1: d[rng.below(3)] = rng.coin() ? 0.0 : -0.0; return glm::normalize(d);
-        case 2: d = glm::normalize(target + glm::dvec3(rng.below(3) - 1, rng.below(3) - 1, rng.below(3) - 1) - origin); return d;
-        default: return d;
+    case 0: {
+        glm::dvec3 axis(0.0);
+        axis[rng.below(3)] = rng.coin() ? 1.0 : -1.0;
+        if (rng.coin()) axis = frame.vector(axis);
+        return glm::normalize(axis);
+    }
+    case 1: d[rng.below(3)] = rng.coin() ? 0.0 : -0.0; return glm::normalize(d);
+    case 2:
+        d = glm::normalize(target + glm::dvec3(rng.below(3) - 1, rng.below(3) - 1, rng.below(3) - 1) - origin);
+        return d;
+    default: return d;
     }
 }
 
@@ -66,15 +68,17 @@ int check_lanes(const T& solid, const glm::dvec3& target, const Transform& frame
         }
         for (int at = 0; at < 8; at += lanes::kDoubles) {
             const auto part = [&](auto& all) { return all.data() + at; };
-            const lanes::Intervals in = test({lanes::Double::load_aligned(part(x)), lanes::Double::load_aligned(part(y)),
-                                              lanes::Double::load_aligned(part(z))});
+            const lanes::Intervals in =
+                test({lanes::Double::load_aligned(part(x)), lanes::Double::load_aligned(part(y)),
+                      lanes::Double::load_aligned(part(z))});
             in.entry.store_aligned(part(entry));
             in.exit.store_aligned(part(exit));
             in.entry_face.store_aligned(part(entry_face));
             in.exit_face.store_aligned(part(exit_face));
             for (int lane = 0; lane < lanes::kDoubles; ++lane) {
                 const auto i = static_cast<std::size_t>(at + lane);
-                INFO("seed " << seed << ", round " << round << ", ray " << i << ": direction " << x[i] << ' ' << y[i] << ' ' << z[i]);
+                INFO("seed " << seed << ", round " << round << ", ray " << i << ": direction " << x[i] << ' ' << y[i]
+                             << ' ' << z[i]);
                 Interval alone;
                 const Ray ray{origin, {x[i], y[i], z[i]}};
                 if (((lanes::mask(in.unclear) >> lane) & 1u) != 0) continue;
@@ -114,17 +118,33 @@ TEST_CASE("intervals in lanes are those of single rays, bit for bit", "[csg][lan
 #elif defined(__AVX2__)
     if (!__builtin_cpu_supports("avx2")) return;
 #endif
-    SECTION("sphere") { check_kind([](Rng& rng, const Transform&, const glm::dvec3& p) { return Sphere{p, rng.uniform(0.5, 1.5)}; }); }
-    SECTION("unit sphere") { check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Sphere{p, 1.0}; }); }
-    SECTION("ellipsoid") { check_kind([](Rng&, const Transform& frame, const glm::dvec3&) { return Ellipsoid{frame}; }); }
-    SECTION("box") { check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Box{p - 1.0, p + 1.0}; }); }
+    SECTION("sphere")
+    {
+        check_kind([](Rng& rng, const Transform&, const glm::dvec3& p) { return Sphere{p, rng.uniform(0.5, 1.5)}; });
+    }
+    SECTION("unit sphere")
+    {
+        check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Sphere{p, 1.0}; });
+    }
+    SECTION("ellipsoid")
+    {
+        check_kind([](Rng&, const Transform& frame, const glm::dvec3&) { return Ellipsoid{frame}; });
+    }
+    SECTION("box")
+    {
+        check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Box{p - 1.0, p + 1.0}; });
+    }
     SECTION("flat box")
     {
-        check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Box{p - glm::dvec3(1, 0, 1), p + glm::dvec3(1, 0, 1)}; });
+        check_kind([](Rng&, const Transform&, const glm::dvec3& p) {
+            return Box{p - glm::dvec3(1, 0, 1), p + glm::dvec3(1, 0, 1)};
+        });
     }
     SECTION("oriented box")
     {
-        check_kind([](Rng&, const Transform& frame, const glm::dvec3&) { return OrientedBox{glm::dvec3(-1), glm::dvec3(1), frame}; });
+        check_kind([](Rng&, const Transform& frame, const glm::dvec3&) {
+            return OrientedBox{glm::dvec3(-1), glm::dvec3(1), frame};
+        });
     }
     SECTION("plane")
     {
@@ -133,10 +153,15 @@ TEST_CASE("intervals in lanes are those of single rays, bit for bit", "[csg][lan
             return Plane{n, glm::dot(n, p)};
         });
     }
-    SECTION("cylinder") { check_kind([](Rng& rng, const Transform& frame, const glm::dvec3&) { return Cylinder{frame, rng.coin()}; }); }
+    SECTION("cylinder")
+    {
+        check_kind([](Rng& rng, const Transform& frame, const glm::dvec3&) { return Cylinder{frame, rng.coin()}; });
+    }
     SECTION("upright cylinder")
     {
-        check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Cylinder{Transform::translate(p), false}; });
+        check_kind([](Rng&, const Transform&, const glm::dvec3& p) {
+            return Cylinder{Transform::translate(p), false};
+        });
     }
     SECTION("cone")
     {
@@ -147,11 +172,17 @@ TEST_CASE("intervals in lanes are those of single rays, bit for bit", "[csg][lan
     SECTION("quadric")
     {
         check_kind([](Rng& rng, const Transform& frame, const glm::dvec3&) {
-            return Quadric{{1, rng.uniform(-1, 1), 1}, {0.1, rng.uniform(-1, 1), 0}, {0, rng.uniform(-1, 1), 0}, rng.uniform(-1, 0.5), frame};
+            return Quadric{{1, rng.uniform(-1, 1), 1},
+                           {0.1, rng.uniform(-1, 1), 0},
+                           {0, rng.uniform(-1, 1), 0},
+                           rng.uniform(-1, 0.5),
+                           frame};
         });
     }
     SECTION("upright cone")
     {
-        check_kind([](Rng&, const Transform&, const glm::dvec3& p) { return Cone{0.0, Transform::translate(p), false}; });
+        check_kind([](Rng&, const Transform&, const glm::dvec3& p) {
+            return Cone{0.0, Transform::translate(p), false};
+        });
     }
 }

@@ -11,12 +11,12 @@
 namespace csg_test {
 
 struct Check {
-    glm::dvec3 target{0.0};       ///< rays pass near it
-    double size = 1.5;            ///< within this distance
-    double distance = 5.0;        ///< from so far away
-    double tolerance = 1e-12;     ///< of a crossing from the surface, in the solid's own units
+    glm::dvec3 target{0.0};    ///< rays pass near it
+    double size = 1.5;         ///< within this distance
+    double distance = 5.0;     ///< from so far away
+    double tolerance = 1e-12;  ///< of a crossing from the surface, in the solid's own units
     std::uint32_t rays = 2000;
-    int least_hits = 200;         ///< of them, so that a test cannot pass by missing
+    int least_hits = 200;  ///< of them, so that a test cannot pass by missing
 };
 
 inline bool within(const csg::Aabb& box, const glm::dvec3& p, double slack)
@@ -26,8 +26,8 @@ inline bool within(const csg::Aabb& box, const glm::dvec3& p, double slack)
     return true;
 }
 
-/// The laws of any solid: crossings lie on the surface, span middles are inside, points just beyond are not, bounds hold
-/// every span, normals have unit length and point out, and scaling the direction scales the parameter.
+/// The laws of any solid: crossings lie on the surface, span middles are inside, points just beyond are not, bounds
+/// hold every span, normals have unit length and point out, and scaling the direction scales the parameter.
 template <class T>
 void check_solid(const T& solid, const Check& how = {})
 {
@@ -52,7 +52,8 @@ void check_solid(const T& solid, const Check& how = {})
                 const double along = glm::dot(n, ray.direction);  // 1e-4: a grazing ray's crossing is that far off
                 if (end.face != csg::kUndrawnFace) REQUIRE((end.t == span.in.t ? along <= 1e-4 : along >= -1e-4));
             }
-            const double first = std::max(span.in.t, -1e3 * how.distance), last = std::min(span.out.t, 1e3 * how.distance);
+            const double first = std::max(span.in.t, -1e3 * how.distance),
+                         last = std::min(span.out.t, 1e3 * how.distance);
             if (last - first > 4.0 * just) {
                 REQUIRE(solid.contains(ray.at(0.5 * (first + last))));
                 REQUIRE_FALSE(solid.contains_inverted(ray.at(0.5 * (first + last))));

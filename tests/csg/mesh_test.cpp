@@ -1,5 +1,5 @@
-#include "csg/mesh_query.h"
-#include "csg/mesh_edges.h"
+#include "csg/mesh/mesh_query.h"
+#include "csg/mesh/mesh_edges.h"
 #include "csg/solids/mesh.h"
 #include "tests/csg/support.h"
 
@@ -12,8 +12,8 @@ using csg_test::Rng;
 
 namespace {
 
-/// A closed bumpy ball whose corners have round coordinates, so that rays can be aimed at corners and edges exactly.
-MeshInput ball(int rings, Rng& rng)
+/// A closed bumpy sphere whose corners have round coordinates, so that rays can be aimed at corners and edges exactly.
+MeshInput sphere(int rings, Rng& rng)
 {
     MeshInput input;
     input.solid = true;
@@ -23,11 +23,14 @@ MeshInput ball(int rings, Rng& rng)
     for (int i = 1; i < rings; ++i)
         for (int j = 0; j < around; ++j) {
             const double a = 3.14159265 * i / rings, b = 6.2831853 * j / around, r = rng.uniform(0.7, 1.3);
-            input.vertices.push_back(rounded({r * std::sin(a) * std::cos(b), std::cos(a), r * std::sin(a) * std::sin(b)}));
+            input.vertices.push_back(
+                rounded({r * std::sin(a) * std::cos(b), std::cos(a), r * std::sin(a) * std::sin(b)}));
         }
     input.vertices.push_back({0, -1, 0});
     const auto at = [&](int i, int j) {
-        return static_cast<std::uint32_t>(i == 0 ? 0 : i == rings ? 1 + (rings - 1) * around : 1 + (i - 1) * around + j % around);
+        return static_cast<std::uint32_t>(i == 0       ? 0
+                                          : i == rings ? 1 + (rings - 1) * around
+                                                       : 1 + (i - 1) * around + j % around);
     };
     for (int i = 0; i < rings; ++i)
         for (int j = 0; j < around; ++j) {
@@ -85,13 +88,16 @@ TEST_CASE("a ray through corners and along edges of a closed mesh meets an even 
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         INFO("seed " << seed);
         Rng rng(seed);
-        const MeshInput input = ball(5, rng);
+        const MeshInput input = sphere(5, rng);
         const MeshShape shape(input);
         REQUIRE(shape.open_edges().empty());
         for (int i = 0; i < 200; ++i) {
-            const auto corner = [&] { return input.vertices[static_cast<std::size_t>(rng.below(static_cast<int>(input.vertices.size())))]; };
+            const auto corner = [&] {
+                return input.vertices[static_cast<std::size_t>(rng.below(static_cast<int>(input.vertices.size())))];
+            };
             const glm::dvec3 a = corner(), b = corner();
-            const glm::dvec3 origin = rng.coin() ? glm::dvec3(rng.below(3) + 2, rng.below(3), rng.below(3)) : corner() * 4.0;
+            const glm::dvec3 origin = rng.coin() ? glm::dvec3(rng.below(3) + 2, rng.below(3), rng.below(3))
+                                                 : corner() * 4.0;
             for (const glm::dvec3& target : {a, 0.5 * (a + b), glm::dvec3(a.x, b.y, 0)}) {
                 const Ray ray{origin, target - origin};
                 if (ray.direction == glm::dvec3(0.0)) continue;
@@ -105,7 +111,7 @@ TEST_CASE("a ray through corners and along edges of a closed mesh meets an even 
 TEST_CASE("a mesh meets what its triangles meet one by one", "[csg][mesh]")
 {
     Rng rng(7);
-    const MeshInput input = ball(12, rng);
+    const MeshInput input = sphere(12, rng);
     const MeshShape shape(input);
     for (int i = 0; i < 3000; ++i) {
         const Ray ray = csg_test::ray_near(rng, {0, 0, 0}, 1.4, 5.0);
@@ -113,7 +119,8 @@ TEST_CASE("a mesh meets what its triangles meet one by one", "[csg][mesh]")
         for (const MeshInput::Face& face : input.faces) {
             double t = 0.0;
             const auto& v = input.vertices;
-            if (Triangle::make({v[face.vertex[0]], v[face.vertex[1]], v[face.vertex[2]]}).crossing(ray, t)) expected.push_back(t);
+            if (Triangle::make({v[face.vertex[0]], v[face.vertex[1]], v[face.vertex[2]]}).crossing(ray, t))
+                expected.push_back(t);
         }
         std::sort(expected.begin(), expected.end());
         const auto met = all_met(shape, ray);
@@ -128,20 +135,21 @@ TEST_CASE("spans of a mesh hold what its inside vector says", "[csg][mesh]")
         INFO("seed " << seed);
         Rng rng(seed);
         const bool torn = seed % 2 == 1;
-        MeshInput input = ball(6, rng);
+        MeshInput input = sphere(6, rng);
         for (int i = 0; torn && i < 3; ++i)
             input.faces.erase(input.faces.begin() + rng.below(static_cast<int>(input.faces.size())));
         const Mesh mesh = mesh_of(input, csg_test::random_transform(rng));
         REQUIRE(mesh.shape->open_edges().empty() != torn);
         REQUIRE(mesh.bounds().finite() != torn);
-        for (int i = 0; i < 40; ++i) check_spans(mesh, csg_test::ray_near(rng, mesh.frame.offset, 1.5, 6.0), rng.coin());
+        for (int i = 0; i < 40; ++i)
+            check_spans(mesh, csg_test::ray_near(rng, mesh.frame.offset, 1.5, 6.0), rng.coin());
     }
 }
 
 TEST_CASE("a mesh without an inside vector has no inside, inverted or not", "[csg][mesh]")
 {
     Rng rng(3);
-    Mesh mesh = mesh_of(ball(4, rng));
+    Mesh mesh = mesh_of(sphere(4, rng));
     mesh.inside_vector = glm::dvec3(0.0);
     FixedSpans<4> spans;
     mesh.spans({{0, 0, -5}, {0, 0, 1}}, true, spans);
@@ -152,7 +160,10 @@ TEST_CASE("a mesh without an inside vector has no inside, inverted or not", "[cs
 
 TEST_CASE("edges of a mesh: a seam within rounding is closed, a missing face is not", "[csg][mesh]")
 {
-    MeshInput box{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1.0 + 2e-16, -1e-16, 0}}, .normals = {}, .uvs = {}, .faces = {}};
+    MeshInput box{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1.0 + 2e-16, -1e-16, 0}},
+                  .normals = {},
+                  .uvs = {},
+                  .faces = {}};
     box.faces = {{.vertex = {0, 1, 2}}, {.vertex = {0, 2, 3}}, {.vertex = {0, 3, 4}}, {.vertex = {4, 2, 3}}};
     CHECK(open_edges(box).empty());
     box.faces.pop_back();
@@ -161,7 +172,10 @@ TEST_CASE("edges of a mesh: a seam within rounding is closed, a missing face is 
 
 TEST_CASE("a smooth mesh bends its normals, three equal ones leave a face flat", "[csg][mesh]")
 {
-    MeshInput input{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .normals = {{0, 0, -2}, {0, 1, -1}, {0, 1, -1}}, .uvs = {{0, 0}, {2, 0}, {0, 3}}, .faces = {}};
+    MeshInput input{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                    .normals = {{0, 0, -2}, {0, 1, -1}, {0, 1, -1}},
+                    .uvs = {{0, 0}, {2, 0}, {0, 3}},
+                    .faces = {}};
     input.faces = {{.vertex = {0, 1, 2}, .normal = {0, 1, 1}, .uv = {0, 1, 2}}};
     const Mesh smooth = mesh_of(input);
     CHECK(glm::length(smooth.normal({0, 0, 0}, 0) - glm::dvec3(0, 0, -1)) < 1e-7);

@@ -1,5 +1,5 @@
-#include "csg/freeform/conic_prism.h"
-#include "csg/outline_crossings.h"
+#include "csg/freeform/sweep/conic_prism.h"
+#include "csg/solids/shared/outline_crossings.h"
 #include "csg/solids/extrusion.h"
 #include "tests/csg/support.h"
 
@@ -30,8 +30,11 @@ std::vector<OutlinePiece> wavy_ring(Rng& rng, int degree, int corners)
             const auto at = [&](int k) { return corner[static_cast<std::size_t>((i + k + corners) % corners)]; };
             const glm::dvec2 p = at(-1), q = at(0), r = at(1), s = at(2);
             if (degree == 1) pieces.push_back(OutlinePiece::line(q, r));
-            else if (degree == 2) pieces.push_back(OutlinePiece::quadratic(q, 0.55 * (q + r) + glm::dvec2(rng.uniform(-0.1, 0.1)), r));
-            else pieces.push_back({-0.5 * p + 1.5 * q - 1.5 * r + 0.5 * s, p - 2.5 * q + 2.0 * r - 0.5 * s, 0.5 * (r - p), q, q, r});
+            else if (degree == 2)
+                pieces.push_back(OutlinePiece::quadratic(q, 0.55 * (q + r) + glm::dvec2(rng.uniform(-0.1, 0.1)), r));
+            else
+                pieces.push_back(
+                    {-0.5 * p + 1.5 * q - 1.5 * r + 0.5 * s, p - 2.5 * q + 2.0 * r - 0.5 * s, 0.5 * (r - p), q, q, r});
         }
     }
     return pieces;
@@ -49,7 +52,8 @@ struct Drawn {
     bool operator==(const Drawn& other) const { return std::memcmp(&t, &other.t, sizeof t) == 0 && face == other.face; }
 };
 
-/// OutlineEnds that are drawn in a range, in the order they are told; `first`: the nearest alone, of equal ones the last.
+/// OutlineEnds that are drawn in a range, in the order they are told; `first`: the nearest alone, of equal ones the
+/// last.
 class OutlineEnds {
 public:
     OutlineEnds(double from, double to, bool first) : from_(from), to_(to), first_(first) {}
@@ -75,10 +79,15 @@ private:
 template <class Tell>
 int check_ranges(Rng& rng, const Tell& tell)
 {
-    Ray ray = rng.below(60) == 0 ? csg_test::hostile_ray(rng) : csg_test::ray_near(rng, glm::dvec3(0.0), 1.2, rng.below(8) == 0 ? 1e6 : rng.coin() ? 6.0 : 0.5);
+    Ray ray = rng.below(60) == 0 ? csg_test::hostile_ray(rng)
+                                 : csg_test::ray_near(rng, glm::dvec3(0.0), 1.2,
+                                                      rng.below(8) == 0 ? 1e6
+                                                      : rng.coin()      ? 6.0
+                                                                        : 0.5);
     if (rng.below(8) == 0) ray.direction[rng.below(3)] = 0.0;
     if (rng.below(8) == 0) ray.direction[rng.below(3)] *= 1e-9;
-    const double from = rng.below(3) == 0 ? 0.0 : rng.uniform(-2.0, 7.0), to = rng.coin() ? kInfinity : from + rng.uniform(0.0, 4.0);
+    const double from = rng.below(3) == 0 ? 0.0 : rng.uniform(-2.0, 7.0),
+                 to = rng.coin() ? kInfinity : from + rng.uniform(0.0, 4.0);
     int ends = 0;
     for (const bool first : {false, true}) {
         OutlineEnds whole(from, to, first), asked(from, to, first);
@@ -92,7 +101,9 @@ int check_ranges(Rng& rng, const Tell& tell)
 
 }  // namespace
 
-TEST_CASE("outline: a stretch of a line holds the same crossings as the whole line, and before it an odd number or an even one", "[csg][outline]")
+TEST_CASE("outline: a stretch of a line holds the same crossings as the whole line, and before it an odd number or an "
+          "even one",
+          "[csg][outline]")
 {
     int found = 0;
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(4000)); ++seed) {
@@ -103,13 +114,17 @@ TEST_CASE("outline: a stretch of a line holds the same crossings as the whole li
         const OutlineLine whole{side, rng.uniform(-1, 1), {-side.y, side.x}};
         std::vector<Met> all;
         OutlineLine line = whole;
-        REQUIRE_FALSE(outline_crossings(shape, line, [&](double w, std::uint32_t piece) { all.push_back({w, piece}); }));
+        REQUIRE_FALSE(outline_crossings(shape, line, [&](double w, std::uint32_t piece) {
+            all.push_back({w, piece});
+        }));
         REQUIRE(all.size() % 2 == 0);
         // The same piece by piece: a joint counts to one side, and what crosses lies on the line.
         std::size_t joints = 0;
-        for (const OutlinePiece& piece : shape.pieces()) joints += (glm::dot(side, piece.start) < whole.level) != (glm::dot(side, piece.end) < whole.level);
+        for (const OutlinePiece& piece : shape.pieces())
+            joints += (glm::dot(side, piece.start) < whole.level) != (glm::dot(side, piece.end) < whole.level);
         REQUIRE(all.size() >= joints);
-        for (const Met& one : all) REQUIRE(std::abs(glm::dot(side, shape.pieces()[one.piece].at(one.w)) - whole.level) < 1e-13);
+        for (const Met& one : all)
+            REQUIRE(std::abs(glm::dot(side, shape.pieces()[one.piece].at(one.w)) - whole.level) < 1e-13);
 
         line.lo = rng.uniform(-1.5, 1.0);
         line.hi = line.lo + rng.uniform(0.0, 1.0);
@@ -118,10 +133,11 @@ TEST_CASE("outline: a stretch of a line holds the same crossings as the whole li
         bool odd = outline_crossings(shape, line, [&](double w, std::uint32_t piece) {
             if (const Met one{w, piece}; along(one) >= line.lo) kept.push_back(one);
         });
-        OutlineLine before = line;   // those near the stretch's start that were told and not only counted
+        OutlineLine before = line;  // those near the stretch's start that were told and not only counted
         before.hi = kInfinity;
         outline_crossings(shape, before, [&](double w, std::uint32_t piece) { odd ^= along({w, piece}) < line.lo; });
-        REQUIRE(odd == (std::count_if(all.begin(), all.end(), [&](const Met& one) { return along(one) < line.lo; }) % 2 == 1));
+        REQUIRE(odd ==
+                (std::count_if(all.begin(), all.end(), [&](const Met& one) { return along(one) < line.lo; }) % 2 == 1));
         std::erase_if(kept, [&](const Met& one) { return along(one) > line.hi; });
         std::erase_if(all, [&](const Met& one) { return along(one) < line.lo || along(one) > line.hi; });
         REQUIRE(kept == all);
@@ -143,7 +159,12 @@ TEST_CASE("extrusion: a range of a ray has the ends that the whole ray has there
         solid.open = rng.coin();
         rng = Rng(seed + 77);
         ends += check_ranges(rng, [&](const Ray& ray, double from, double to, bool first, OutlineEnds& out) {
-            solid.each_span(ray, [&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) { out(in, in_face, end, end_face); }, from, to, first);
+            solid.each_span(
+                ray,
+                [&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) {
+                    out(in, in_face, end, end_face);
+                },
+                from, to, first);
         });
     }
     CHECK(ends > share(20000) / 2);
@@ -162,9 +183,11 @@ TEST_CASE("conic prism: a range of a ray has the ends that the whole ray has the
         const ConicPrism solid(outline, height[0], height[1], rng.coin(), reach);
         rng = Rng(seed + 77);
         ends += check_ranges(rng, [&](const Ray& ray, double from, double to, bool first, OutlineEnds& out) {
-            RayRecord record(from, to, first);
-            solid.meet(ray, record);
-            record.each_span([&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) { out(in, in_face, end, end_face); });
+            IntersectionList record(from, to, first);
+            solid.intersect(ray, record);
+            record.each_span([&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) {
+                out(in, in_face, end, end_face);
+            });
         });
     }
     CHECK(ends > share(20000) / 4);

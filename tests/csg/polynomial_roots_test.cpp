@@ -1,4 +1,4 @@
-#include "csg/polynomial_roots.h"
+#include "csg/roots/polynomial_roots.h"
 #include "tests/csg/degrees.h"
 
 #include <catch2/catch.hpp>
@@ -78,7 +78,8 @@ TEST_CASE("sign changes are the roots that were multiplied out", "[csg][polynomi
         REQUIRE(count == static_cast<int>(known.roots.size()));
         // What rounding the coefficients does to a root: 1e-16 (middle / apart)^degree.
         const double slack = degree <= 4 ? 1e-9 : 1e-5;
-        for (int i = 0; i < count; ++i) REQUIRE(std::abs(found[i] - known.roots[static_cast<std::size_t>(i)]) < slack * known.scale);
+        for (int i = 0; i < count; ++i)
+            REQUIRE(std::abs(found[i] - known.roots[static_cast<std::size_t>(i)]) < slack * known.scale);
     });
 }
 
@@ -90,13 +91,16 @@ TEST_CASE("roots of sizes from 1e-6 to 1e12 are found together, up to degree 35"
         const int least = degree % 2 == 0 ? 2 : 1;
         for (int left = least + 2 * rng.below(2); left > 0; --left) {
             const double size = std::pow(10.0, rng.uniform(-6, 12));
-            if (std::any_of(roots.begin(), roots.end(), [&](double r) { return size > 0.3 * std::abs(r) && size < 3.0 * std::abs(r); })) ++left;
+            if (std::any_of(roots.begin(), roots.end(),
+                            [&](double r) { return size > 0.3 * std::abs(r) && size < 3.0 * std::abs(r); }))
+                ++left;
             else roots.push_back(rng.coin() ? size : -size);
         }
         std::sort(roots.begin(), roots.end());
         Product product;
         for (const double r : roots) product.linear(r);
-        for (int left = degree - static_cast<int>(roots.size()); left > 0; left -= 2) product.pair(rng.uniform(-0.5, 0.5), rng.uniform(0.5, 2.0));
+        for (int left = degree - static_cast<int>(roots.size()); left > 0; left -= 2)
+            product.pair(rng.uniform(-0.5, 0.5), rng.uniform(0.5, 2.0));
         double found[PolynomialShape::kMostDegree];
         const int count = sign_changes(product.rounded(), degree, found);
         REQUIRE(count == static_cast<int>(roots.size()));
@@ -119,7 +123,8 @@ TEST_CASE("cubics and quartics by formula are rarely unsure and never wrong", "[
         // Signs where nothing but the number of roots below decides.
         const auto value = [&](double t) {
             long double v = 0;
-            for (int i = degree; i >= 0; --i) v = v * static_cast<long double>(t) + static_cast<long double>(c[static_cast<std::size_t>(i)]);
+            for (int i = degree; i >= 0; --i)
+                v = v * static_cast<long double>(t) + static_cast<long double>(c[static_cast<std::size_t>(i)]);
             return v;
         };
         bool positive = (degree % 2 == 0) == (c[static_cast<std::size_t>(degree)] > 0.0);
@@ -127,7 +132,9 @@ TEST_CASE("cubics and quartics by formula are rarely unsure and never wrong", "[
         for (int i = 0; i <= count; ++i) {
             const double after = i < count ? found[i] : 1e6;
             CHECK((value(0.5 * (before + after)) > 0) == positive);
-            if (i < count) CHECK(std::abs(value(after)) < 1e-10L * (1 + std::pow(std::abs(static_cast<long double>(after)), degree)));
+            if (i < count)
+                CHECK(std::abs(value(after)) <
+                      1e-10L * (1 + std::pow(std::abs(static_cast<long double>(after)), degree)));
             positive = !positive;
             before = after;
         }

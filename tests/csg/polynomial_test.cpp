@@ -26,10 +26,12 @@ TEST_CASE("polynomial: the laws of a solid, from degree 3 to 8", "[csg][solid]")
         std::vector<double> c(static_cast<std::size_t>((degree + 1) * (degree + 2) * (degree + 3) / 6));
         for (double& v : c) v = rng.uniform(-0.1, 0.1);
         // Closed around the middle where the degree is even, open where it is odd.
-        for (const int axis : {0, 1, 2}) c[term(degree, axis == 0 ? degree : 0, axis == 1 ? degree : 0, axis == 2 ? degree : 0)] += 1.0;
+        for (const int axis : {0, 1, 2})
+            c[term(degree, axis == 0 ? degree : 0, axis == 1 ? degree : 0, axis == 2 ? degree : 0)] += 1.0;
         c.back() -= 1.0;
         const Transform frame = csg_test::random_transform(rng);
-        check_solid(Polynomial{std::make_shared<PolynomialShape>(degree, c), frame}, {.target = frame.offset, .tolerance = 1e-10});
+        check_solid(Polynomial{std::make_shared<PolynomialShape>(degree, c), frame},
+                    {.target = frame.offset, .tolerance = 1e-10});
     });
 }
 
@@ -42,8 +44,9 @@ TEST_CASE("polynomial: the laws of a solid where the leading coefficient along a
         c[term(degree, degree, 0, 0)] = c[term(degree, 0, degree, 0)] = c[term(degree, 0, 0, degree)] = 1.0;
         c[term(degree, 1, 1, 1)] = 0.3;
         c.back() = -0.7;
-        check_solid(Polynomial{std::make_shared<PolynomialShape>(degree, c), Transform::rotate_degrees({30, 40, 50})},
-                    {.tolerance = 1e-12, .rays = 400, .least_hits = 40});  // measured: 1e-13; 1e-10 by the powers of t alone
+        check_solid(
+            Polynomial{std::make_shared<PolynomialShape>(degree, c), Transform::rotate_degrees({30, 40, 50})},
+            {.tolerance = 1e-12, .rays = 400, .least_hits = 40});  // measured: 1e-13; 1e-10 by the powers of t alone
     }
 }
 
@@ -52,7 +55,8 @@ TEST_CASE("polynomial: one 10000 units wide has coefficients 1e16 times its firs
     std::vector<double> c(35);
     c[term(4, 4, 0, 0)] = c[term(4, 0, 4, 0)] = c[term(4, 0, 0, 4)] = 1.0;
     c.back() = -1e16;
-    check_solid(Polynomial{std::make_shared<PolynomialShape>(4, c), {}}, {.size = 1.2e4, .distance = 5e4, .tolerance = 1e-8});
+    check_solid(Polynomial{std::make_shared<PolynomialShape>(4, c), {}},
+                {.size = 1.2e4, .distance = 5e4, .tolerance = 1e-8});
 }
 
 TEST_CASE("polynomial: a torus as a quartic meets rays where the torus does", "[csg][solid]")
@@ -65,7 +69,8 @@ TEST_CASE("polynomial: a torus as a quartic meets rays where the torus does", "[
             const auto power = [&](int axis) { return 2 * (a == axis) + 2 * (b == axis); };
             c[term(4, power(0), power(1), power(2))] += 1.0;
         }
-    for (int a = 0; a < 3; ++a) c[term(4, 2 * (a == 0), 2 * (a == 1), 2 * (a == 2))] += 2.0 * k - (a == 1 ? 0.0 : 4.0 * r2);
+    for (int a = 0; a < 3; ++a)
+        c[term(4, 2 * (a == 0), 2 * (a == 1), 2 * (a == 2))] += 2.0 * k - (a == 1 ? 0.0 : 4.0 * r2);
     c[34] += k * k;
     const Polynomial quartic{std::make_shared<PolynomialShape>(4, c), {}};
     const Torus torus{major, minor, {}};
@@ -117,12 +122,15 @@ TEST_CASE("polynomial: the box of what has an end is near it, and holds it", "[c
         const int degree = 2 * (1 + rng.below(3));
         std::vector<double> any(static_cast<std::size_t>((degree + 1) * (degree + 2) * (degree + 3) / 6));
         for (double& v : any) v = rng.uniform(-1.0, 1.0);
-        for (const int axis : {0, 1, 2}) any[term(degree, axis == 0 ? degree : 0, axis == 1 ? degree : 0, axis == 2 ? degree : 0)] += rng.uniform(0.0, 4.0);
+        for (const int axis : {0, 1, 2})
+            any[term(degree, axis == 0 ? degree : 0, axis == 1 ? degree : 0, axis == 2 ? degree : 0)] +=
+                rng.uniform(0.0, 4.0);
         const PolynomialShape shape(degree, any);
         if (!shape.box().finite()) continue;
         for (int i = 0; i < 300; ++i) {
             const glm::dvec3 p = rng.direction() * std::exp(rng.uniform(-2.0, 6.0));
-            const bool within = glm::all(glm::lessThanEqual(shape.box().lower, p)) && glm::all(glm::lessThanEqual(p, shape.box().upper));
+            const bool within = glm::all(glm::lessThanEqual(shape.box().lower, p)) &&
+                                glm::all(glm::lessThanEqual(p, shape.box().upper));
             if (!within) CHECK(shape.value(p) > 0.0);
         }
     }

@@ -1,4 +1,4 @@
-#include "csg/quadric_box.h"
+#include "csg/solids/shared/quadric_box.h"
 #include "support.h"
 
 #include <catch2/catch.hpp>
@@ -36,7 +36,8 @@ TEST_CASE("the box of a quadric between planes holds every point of it", "[csg][
         INFO("seed " << seed);
         Rng rng(seed);
         Quadric quadric;
-        for (int i = 0; i < 3; ++i) quadric.square[i] = coefficient(rng), quadric.linear[i] = rng.coin() ? 0.0 : coefficient(rng);
+        for (int i = 0; i < 3; ++i)
+            quadric.square[i] = coefficient(rng), quadric.linear[i] = rng.coin() ? 0.0 : coefficient(rng);
         quadric.constant = coefficient(rng);
         quadric.frame = csg_test::random_transform(rng);
         std::vector<Plane> planes;

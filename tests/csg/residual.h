@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/solid.h"
+#include "csg/solids/solid.h"
 
 #include <cmath>
 
@@ -61,7 +61,8 @@ inline Quad off(const csg::Extrusion& s, const Quad3& p, std::uint32_t face)
     const glm::dvec2 near{static_cast<double>(l.x), static_cast<double>(l.y)};
     const Quad w = s.shape->parameter(face - csg::Extrusion::kFirstWall, near);
     // Across the curve: along it the nearest point is not known exactly, and need not be.
-    const Quad x = ((c.a.x * w + c.b.x) * w + c.c.x) * w + c.d.x - l.x, y = ((c.a.y * w + c.b.y) * w + c.c.y) * w + c.d.y - l.y;
+    const Quad x = ((c.a.x * w + c.b.x) * w + c.c.x) * w + c.d.x - l.x,
+               y = ((c.a.y * w + c.b.y) * w + c.c.y) * w + c.d.y - l.y;
     const Quad sx = (3 * c.a.x * w + 2 * c.b.x) * w + c.c.x, sy = (3 * c.a.y * w + 2 * c.b.y) * w + c.c.y;
     return (x * sy - y * sx) / root(sx * sx + sy * sy);
 }
@@ -81,7 +82,8 @@ inline Quad off(const csg::Polynomial& s, const Quad3& p, std::uint32_t)
                 for (int m = 0; m < k; ++m) term *= l.z;
                 value += term;
             }
-    const glm::dvec3 slope = s.shape->gradient({static_cast<double>(l.x), static_cast<double>(l.y), static_cast<double>(l.z)});
+    const glm::dvec3 slope =
+        s.shape->gradient({static_cast<double>(l.x), static_cast<double>(l.y), static_cast<double>(l.z)});
     return value / glm::length(slope);
 }
 inline Quad off(const csg::Plane& s, const Quad3& p, std::uint32_t)

@@ -155,7 +155,9 @@ std::shared_ptr<const OutlineShape> ring(std::uint32_t seed, int degree)
             const glm::dvec2 p = at(-1), q = at(0), r = at(1), s = at(2);
             if (degree == 1) pieces.push_back(OutlinePiece::line(q, r));
             else if (degree == 2) pieces.push_back(OutlinePiece::quadratic(q, 0.55 * (q + r), r));
-            else pieces.push_back({-0.5 * p + 1.5 * q - 1.5 * r + 0.5 * s, p - 2.5 * q + 2.0 * r - 0.5 * s, 0.5 * (r - p), q, q, r});
+            else
+                pieces.push_back(
+                    {-0.5 * p + 1.5 * q - 1.5 * r + 0.5 * s, p - 2.5 * q + 2.0 * r - 0.5 * s, 0.5 * (r - p), q, q, r});
         }
     };
     loop(1.2, false);

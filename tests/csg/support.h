@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/program.h"
+#include "csg/tree/program.h"
 
 #include <cmath>
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace csg_test {
 
-/// Of `cases` those that are run: all of them, or an eighth under the sanitizers, which take ten times as long and watch
-/// memory and overflow, not laws.
+/// Of `cases` those that are run: all of them, or an eighth under the sanitizers, which take ten times as long and
+/// watch memory and overflow, not laws.
 constexpr int share(int cases)
 {
 #ifdef __SANITIZE_ADDRESS__
@@ -50,7 +50,8 @@ inline csg::Ray ray_near(Rng& rng, const glm::dvec3& target, double size, double
 /// A ray whose numbers are of the kind that breaks arithmetic.
 inline csg::Ray hostile_ray(Rng& rng)
 {
-    const double values[] = {0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, -1e308, csg::kInfinity, -csg::kInfinity, std::nan(""), 1e-160, 0.5};
+    const double values[] = {0.0,          -0.0,   1.0, -1.0, 1e-320, 1e308, -1e308, csg::kInfinity, -csg::kInfinity,
+                             std::nan(""), 1e-160, 0.5};
     csg::Ray ray{};
     for (int i = 0; i < 3; ++i) ray.origin[i] = values[rng.below(12)], ray.direction[i] = values[rng.below(12)];
     return ray;

@@ -52,7 +52,8 @@ TEST_CASE("torus by factors and by search find the same crossings", "[csg][solid
             REQUIRE(detail::torus_by_search(ray, -1.1 - minor, 1.1 + minor, sure) == n);
             for (int i = 0; i < n; ++i) {
                 REQUIRE(std::abs(fast.roots[i] - sure[i]) < 1e-6 * minor);  // where the ray grazes; else far closer
-                REQUIRE(csg_test::residual(torus, {{ray.px, ray.py, ray.pz}, {ray.dx, ray.dy, ray.dz}}, fast.roots[i], 0) < 1e-14);
+                REQUIRE(csg_test::residual(torus, {{ray.px, ray.py, ray.pz}, {ray.dx, ray.dy, ray.dz}}, fast.roots[i],
+                                           0) < 1e-14);
             }
         }
     }

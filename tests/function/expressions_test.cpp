@@ -1,6 +1,6 @@
 #include "support.h"
 
-#include "function/listing.h"
+#include "function/build/listing.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,10 +13,9 @@ using function_test::compiled;
 namespace {
 
 constexpr double kArguments[] = {0.7, -1.3, 2.2, 0.4, -3.1};
-const std::string kAuxiliary =
-    "#declare F1=function(q){q*2+1} #declare F2=function(x,y,z){x-y*z} "
-    "#declare VT=function{transform{translate <1,2,3> scale 2}} "
-    "#declare SP=function{spline{linear_spline 0,<1,2> 1,<3,5>}} ";
+const std::string kAuxiliary = "#declare F1=function(q){q*2+1} #declare F2=function(x,y,z){x-y*z} "
+                               "#declare VT=function{transform{translate <1,2,3> scale 2}} "
+                               "#declare SP=function{spline{linear_spline 0,<1,2> 1,<3,5>}} ";
 
 double value_of(const std::string& body, std::vector<double> arguments = {})
 {
@@ -98,7 +97,8 @@ TEST_CASE("what is no number stays silent and compares as POV-Ray's", "[function
 TEST_CASE("parameters: x and u are one, what is none of them is 0", "[function]")
 {
     const auto of = [](const std::string& head, const std::string& body, std::vector<double> a) {
-        return function::evaluate(*compiled("#declare F=function(" + head + "){" + body + "}", "F"), a.data(), function::no_host());
+        return function::evaluate(*compiled("#declare F=function(" + head + "){" + body + "}", "F"), a.data(),
+                                  function::no_host());
     };
     CHECK(of("x,y,z,u", "x", {1, 2, 3, 4}) == 4);
     CHECK(of("a", "x+a", {5}) == 5);
@@ -109,7 +109,8 @@ TEST_CASE("parameters: x and u are one, what is none of them is 0", "[function]"
 
 TEST_CASE("what POV-Ray refuses is refused", "[function]")
 {
-    for (const char* body : {"x*--y", "!x", "sqr(x)", "<1,2,3>", "x?1:2", "1/0", "min(x)", "sin(x,y)", "vlength(x)", "F(x)", ""}) {
+    for (const char* body :
+         {"x*--y", "!x", "sqr(x)", "<1,2,3>", "x?1:2", "1/0", "min(x)", "sin(x,y)", "vlength(x)", "F(x)", ""}) {
         INFO(body);
         CHECK(error_of(std::string("#declare F=function{") + body + "}") != "no error");
     }
@@ -128,7 +129,8 @@ TEST_CASE("a long chain of functions is called, not copied, and has an end", "[f
 {
     const std::string chain =
         "#declare A=array[500]; #declare A[0]=function(x,y,z){x*2+sin(y)} #local I=1; #while(I<500) "
-        "#declare A[I]=function(x,y,z){A[I-1](y,x,z)+pow(x-I,2)*0.001} #local I=I+1; #end #declare F=function{A[N](x,y,z)} ";
+        "#declare A[I]=function(x,y,z){A[I-1](y,x,z)+pow(x-I,2)*0.001} #local I=I+1; #end #declare "
+        "F=function{A[N](x,y,z)} ";
     const double at[] = {0.5, -0.25, 1.0};
     double expected = 0;
     for (int n = 499; n >= 1; --n) expected += std::pow(((499 - n) % 2 == 0 ? 0.5 : -0.25) - n, 2) * 0.001;
@@ -139,7 +141,9 @@ TEST_CASE("a long chain of functions is called, not copied, and has an end", "[f
 
 TEST_CASE("what nests too deeply is told", "[function]")
 {
-    const auto nested = [](std::size_t n) { return "#declare F=function{" + std::string(n, '(') + "x" + std::string(n, ')') + "}"; };
+    const auto nested = [](std::size_t n) {
+        return "#declare F=function{" + std::string(n, '(') + "x" + std::string(n, ')') + "}";
+    };
     CHECK(error_of(nested(200)) == "no error");
     CHECK(error_of(nested(20'000)).find("nested too deeply") != std::string::npos);
 }
@@ -150,6 +154,6 @@ TEST_CASE("a program can be read", "[function]")
     CHECK(function::listing(*compiled("#declare F=function{x*2+sin(y)}", "F")) ==
           Lines{"r0 = multiply p0 2", "r1 = sin p1", "r2 = add r0 r1", "result r2"});
     CHECK(function::listing(*compiled("#declare F=function{select(x,-y,sum(i,1,z,i*x))}", "F")) ==
-          Lines{"r0 = select p0 [1, 2) r1 [2, 4) r3", "r1 = negate p1", "r3 = loop sum r2 from 1 to p2 [3, 4) r4", "r4 = multiply p0 r2",
-                "result r0"});
+          Lines{"r0 = select p0 [1, 2) r1 [2, 4) r3", "r1 = negate p1", "r3 = loop sum r2 from 1 to p2 [3, 4) r4",
+                "r4 = multiply p0 r2", "result r0"});
 }

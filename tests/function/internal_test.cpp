@@ -1,7 +1,7 @@
 #include "support.h"
 
-#include "function/builder.h"
-#include "function/internal.h"
+#include "function/build/builder.h"
+#include "function/internal/internal.h"
 
 #include <catch2/catch.hpp>
 
@@ -30,5 +30,6 @@ TEST_CASE("internal functions end where the library ends", "[function]")
 {
     CHECK(function::make_internal(78));
     CHECK_FALSE(function::make_internal(79));
-    CHECK(function::evaluate(*function::make_internal(77), std::vector<double>(3, 0.5).data(), function::no_host()) == 0);
+    CHECK(function::evaluate(*function::make_internal(77), std::vector<double>(3, 0.5).data(), function::no_host()) ==
+          0);
 }

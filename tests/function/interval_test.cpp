@@ -1,7 +1,7 @@
 #include "support.h"
 
-#include "function/builder.h"
-#include "function/interval.h"
+#include "function/build/builder.h"
+#include "function/intervals/interval.h"
 
 #include <catch2/catch.hpp>
 
@@ -27,7 +27,9 @@ void check_eight(const function::Function& f, const std::vector<Interval>& box, 
     function::evaluate_intervals(f, low, high, host, out_low, out_high);
     for (std::size_t lane = 0; lane < 8; ++lane) {
         std::vector<double> middle;
-        for (std::size_t i = 0; i < box.size(); ++i) middle.push_back(std::clamp(low[i][lane] + 0.5 * (high[i][lane] - low[i][lane]), low[i][lane], high[i][lane]));
+        for (std::size_t i = 0; i < box.size(); ++i)
+            middle.push_back(
+                std::clamp(low[i][lane] + 0.5 * (high[i][lane] - low[i][lane]), low[i][lane], high[i][lane]));
         const double v = function::evaluate(f, middle.data(), host);
         INFO("value " << v << " in slice [" << out_low[lane] << ", " << out_high[lane] << "]");
         REQUIRE((std::isnan(v) || (out_low[lane] <= v && v <= out_high[lane])));
@@ -50,7 +52,10 @@ void check_boxes(const function::Function& f, const std::vector<double>& centre,
         check_eight(f, box, host);
         for (int i = 0; i < 40; ++i) {
             std::vector<double> point;
-            for (const Interval& side : box) point.push_back(i == 0 ? side.low : i == 1 ? side.high : std::min(side.high, side.low + (side.high - side.low) * unit(random)));
+            for (const Interval& side : box)
+                point.push_back(i == 0   ? side.low
+                                : i == 1 ? side.high
+                                         : std::min(side.high, side.low + (side.high - side.low) * unit(random)));
             const double v = function::evaluate(f, point.data(), host);
             INFO("value " << v << " in [" << all.low << ", " << all.high << "], box of size " << size);
             REQUIRE((std::isnan(v) || all.contains(v)));
@@ -61,25 +66,26 @@ void check_boxes(const function::Function& f, const std::vector<double>& centre,
 Interval over(const std::string& body, const Interval& x)
 {
     const Interval box[] = {x, 0.0, 0.0};
-    return function::evaluate_interval(*function_test::compiled("#declare F=function{" + body + "}", "F"), box, function::no_host());
+    return function::evaluate_interval(*function_test::compiled("#declare F=function{" + body + "}", "F"), box,
+                                       function::no_host());
 }
 
 }  // namespace
 
 TEST_CASE("no value of an expression lies outside of its interval", "[function]")
 {
-    const std::string auxiliary =
-        "#declare F1=function(q){q*2+1} #declare F2=function(x,y,z){x-y*z} "
-        "#declare VT=function{transform{translate <1,2,3> scale 2}} "
-        "#declare SP=function{spline{linear_spline 0,<1,2> 1,<3,5>}} ";
+    const std::string auxiliary = "#declare F1=function(q){q*2+1} #declare F2=function(x,y,z){x-y*z} "
+                                  "#declare VT=function{transform{translate <1,2,3> scale 2}} "
+                                  "#declare SP=function{spline{linear_spline 0,<1,2> 1,<3,5>}} ";
     std::mt19937 random(11);
     for (const auto& row : function_test::table("expressions.csv")) {
         INFO(row[0]);
         const auto f = function_test::compiled(auxiliary + "#declare F=function(x,y,z,a,b){" + row[0] + "}", "F");
         check_boxes(*f, {0.7, -1.3, 2.2, 0.4, -3.1}, random);
     }
-    for (const char* body : {"sum(i,1,x+3,i*y)", "prod(i,0,z+2,y+i)", "select(x,y,select(y,z,x))", "tan(x)+atan2(y,z)", "mod(x,0.3)-mod(y,-2)",
-                             "pow(x,z)+pow(y,3)-pow(z,9)", "int(x*2)+div(y,z)+floor(z)-ceil(x)", "acos(x)+asin(y)+acosh(z)+atanh(x)+ln(y)+log(z)"}) {
+    for (const char* body : {"sum(i,1,x+3,i*y)", "prod(i,0,z+2,y+i)", "select(x,y,select(y,z,x))", "tan(x)+atan2(y,z)",
+                             "mod(x,0.3)-mod(y,-2)", "pow(x,z)+pow(y,3)-pow(z,9)", "int(x*2)+div(y,z)+floor(z)-ceil(x)",
+                             "acos(x)+asin(y)+acosh(z)+atanh(x)+ln(y)+log(z)"}) {
         INFO(body);
         const auto f = function_test::compiled(std::string("#declare F=function{") + body + "}", "F");
         for (int round = 0; round < 50; ++round) {
@@ -106,7 +112,9 @@ TEST_CASE("no value of an internal function lies outside of its interval", "[fun
 
 TEST_CASE("intervals are narrow where they can be", "[function]")
 {
-    const auto near = [](const Interval& v, double low, double high) { return std::abs(v.low - low) < 1e-8 && std::abs(v.high - high) < 1e-8; };
+    const auto near = [](const Interval& v, double low, double high) {
+        return std::abs(v.low - low) < 1e-8 && std::abs(v.high - high) < 1e-8;
+    };
     CHECK(near(over("x*x+1", {1, 2}), 2, 5));
     CHECK(near(over("sin(x)", {0, 3.1}), 0, 1));
     CHECK(near(over("cos(x)", {-0.5, 0.5}), std::cos(0.5), 1));
@@ -129,7 +137,8 @@ TEST_CASE("eight intervals are as narrow as one", "[function]")
             for (std::size_t lane = 0; lane < 8; ++lane) high[i][lane] = low[i][lane] + 0.1 * any(random);
         function::evaluate_intervals(*f, low, high, function::no_host(), out_low, out_high);
         for (std::size_t lane = 0; lane < 8; ++lane) {
-            const Interval box[] = {{low[0][lane], high[0][lane]}, {low[1][lane], high[1][lane]}, {low[2][lane], high[2][lane]}};
+            const Interval box[] = {
+                {low[0][lane], high[0][lane]}, {low[1][lane], high[1][lane]}, {low[2][lane], high[2][lane]}};
             const Interval one = function::evaluate_interval(*f, box, function::no_host());
             CHECK(out_low[lane] >= one.low - 1e-12);
             CHECK(out_high[lane] <= one.high + 1e-12);
@@ -139,7 +148,9 @@ TEST_CASE("eight intervals are as narrow as one", "[function]")
 
 TEST_CASE("what does not narrow is known", "[function]")
 {
-    const auto narrows = [](const std::string& body) { return function::narrows(*function_test::compiled("#declare F=function{" + body + "}", "F")); };
+    const auto narrows = [](const std::string& body) {
+        return function::narrows(*function_test::compiled("#declare F=function{" + body + "}", "F"));
+    };
     CHECK(narrows("sin(x)+select(y,1,z)*pow(x,2)"));
     CHECK_FALSE(function::narrows(*function::make_internal(76)));
     CHECK(function::narrows(*function::make_internal(61)));

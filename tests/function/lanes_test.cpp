@@ -1,6 +1,6 @@
 #include "support.h"
 
-#include "function/builder.h"
+#include "function/build/builder.h"
 #include "render/texture/function_host.h"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,8 @@ void check_lanes(const function::Function& f, std::mt19937& random, double range
         std::vector<double> one;
         for (std::uint32_t i = 0; i < f.parameters; ++i) one.push_back(arguments[i][lane]);
         const double alone = function::evaluate(f, one.data(), host);
-        const bool same = std::memcmp(&alone, &out[lane], sizeof alone) == 0 || (alone != alone && out[lane] != out[lane]);
+        const bool same = std::memcmp(&alone, &out[lane], sizeof alone) == 0 ||
+                          (alone != alone && out[lane] != out[lane]);
         INFO("lane " << lane << ": " << out[lane] << ", alone " << alone);
         REQUIRE(same);
     }
@@ -35,17 +36,17 @@ void check_lanes(const function::Function& f, std::mt19937& random, double range
 
 TEST_CASE("eight points in lanes have the bits of eight single points", "[function]")
 {
-    const std::string auxiliary =
-        "#declare F1=function(q){q*2+1} #declare F2=function(x,y,z){x-y*z} "
-        "#declare VT=function{transform{translate <1,2,3> scale 2}} "
-        "#declare SP=function{spline{linear_spline 0,<1,2> 1,<3,5>}} ";
+    const std::string auxiliary = "#declare F1=function(q){q*2+1} #declare F2=function(x,y,z){x-y*z} "
+                                  "#declare VT=function{transform{translate <1,2,3> scale 2}} "
+                                  "#declare SP=function{spline{linear_spline 0,<1,2> 1,<3,5>}} ";
     std::mt19937 random(7);
     for (const auto& row : function_test::table("expressions.csv")) {
         INFO(row[0]);
-        check_lanes(*function_test::compiled(auxiliary + "#declare F=function(x,y,z,a,b){" + row[0] + "}", "F"), random, 4.0);
+        check_lanes(*function_test::compiled(auxiliary + "#declare F=function(x,y,z,a,b){" + row[0] + "}", "F"), random,
+                    4.0);
     }
-    for (const char* body : {"select(x,sin(y),select(z,x*y,exp(z)))", "sum(i,x,y+3,prod(j,0,i,z+j))", "select(x-1,sum(i,0,4,x*i),y)",
-                             "sum(i,0,3,select(i-x,i*y,z))"}) {
+    for (const char* body : {"select(x,sin(y),select(z,x*y,exp(z)))", "sum(i,x,y+3,prod(j,0,i,z+j))",
+                             "select(x-1,sum(i,0,4,x*i),y)", "sum(i,0,3,select(i-x,i*y,z))"}) {
         INFO(body);
         const auto f = function_test::compiled(std::string("#declare F=function{") + body + "}", "F");
         for (int round = 0; round < 100; ++round) check_lanes(*f, random, 4.0);
@@ -64,16 +65,22 @@ TEST_CASE("internal functions in lanes", "[function]")
 TEST_CASE("octaves of f_ridged_mf with constant parameters", "[function]")
 {
     std::mt19937 random(9);
-    for (const char* parameters : {"0.4,2.1,6.5,0.9,1.3,2", "0.1,3,7,0.7,0.7,1", "1,2,1,1,2,3", "-0.5,0.5,4,1,1,x", "0.5,y,3,1,1,2"}) {
+    for (const char* parameters :
+         {"0.4,2.1,6.5,0.9,1.3,2", "0.1,3,7,0.7,0.7,1", "1,2,1,1,2,3", "-0.5,0.5,4,1,1,x", "0.5,y,3,1,1,2"}) {
         INFO(parameters);
         const std::string body = std::string("R(x,y,z,") + parameters + ")";
-        const auto f = function_test::compiled("#declare R=function{internal(59)} #declare F=function{" + body + "}", "F");
+        const auto f =
+            function_test::compiled("#declare R=function{internal(59)} #declare F=function{" + body + "}", "F");
         for (int round = 0; round < 20; ++round) check_lanes(*f, random, 4.0);
         // Against weights worked out call by call.
         const auto plain = function::make_internal(59);
         const double p[] = {0.3, -1.2, 0.7};
-        const std::vector<double> all = parameters == std::string("0.4,2.1,6.5,0.9,1.3,2") ? std::vector<double>{0.3, -1.2, 0.7, 0.4, 2.1, 6.5, 0.9, 1.3, 2} : std::vector<double>{};
-        if (!all.empty()) CHECK(function::evaluate(*f, p, function_test::NoiseHost()) == function::evaluate(*plain, all.data(), function_test::NoiseHost()));
+        const std::vector<double> all = parameters == std::string("0.4,2.1,6.5,0.9,1.3,2")
+                                            ? std::vector<double>{0.3, -1.2, 0.7, 0.4, 2.1, 6.5, 0.9, 1.3, 2}
+                                            : std::vector<double>{};
+        if (!all.empty())
+            CHECK(function::evaluate(*f, p, function_test::NoiseHost()) ==
+                  function::evaluate(*plain, all.data(), function_test::NoiseHost()));
     }
 }
 

@@ -40,7 +40,8 @@ TEST_CASE("splines have the values that POV-Ray prints", "[function]")
     check(natural, 0.5, 0.28906, 1.25781, 1.875);
     check(natural, 2, 3.9375, 1.1875, 1.875);
     check(natural, 3.5, 3.44531, 0.28906, 0.21875);
-    const auto cubic = spline(Kind::Cubic, {{0, {0, 0, 0}}, {1, {1, 2, 3}}, {3, {5, 0, 0}}, {4, {1, 1, 1}}, {6, {2, 2, 2}}});
+    const auto cubic =
+        spline(Kind::Cubic, {{0, {0, 0, 0}}, {1, {1, 2, 3}}, {3, {5, 0, 0}}, {4, {1, 1, 1}}, {6, {2, 2, 2}}});
     check(cubic, 0.5, 1, 2, 3);
     check(cubic, 2, 3.625, 1.125, 1.75);
     check(cubic, 3.5, 3.09375, 0.40625, 0.375);

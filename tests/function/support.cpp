@@ -7,7 +7,7 @@ namespace {
 struct Grammar : parser::GrammarHooks {
     std::optional<parser::Value> parse_declared_value(parser::TokenStream&) override { return std::nullopt; }
     void parse_default(parser::TokenStream& stream) override { stream.expect(parser::Kind::LeftBrace, "'{'"); }
-    std::optional<function::Outer> parse_function_thing(parser::TokenStream& stream) override
+    std::optional<function::SceneReference> parse_function_thing(parser::TokenStream& stream) override
     {
         while (stream.peek().kind != parser::Kind::RightBrace) stream.next();
         stream.next();

@@ -2,8 +2,8 @@
 
 #include "function/evaluate.h"
 #include "parser/parse.h"
-#include "parser/stream/function.h"
-#include "render/texture/noise.h"
+#include "parser/stream/functions/function.h"
+#include "render/texture/noise/noise.h"
 #include "tests/support/csv_table.h"
 
 #include <string>
@@ -19,7 +19,10 @@ inline std::vector<std::vector<std::string>> table(const std::string& name)
 
 /// The scene's noise, generator 2, and nothing else.
 struct NoiseHost final : function::Host {
-    double noise(const glm::dvec3& p, int generator) const override { return texture::noise(p, generator ? generator : 2); }
+    double noise(const glm::dvec3& p, int generator) const override
+    {
+        return texture::noise(p, generator ? generator : 2);
+    }
     double pattern(std::uint32_t, const glm::dvec3&) const override { return 0.0; }
     std::array<double, 5> pigment(std::uint32_t, const glm::dvec3&) const override { return {}; }
 };

@@ -1,5 +1,5 @@
-// Expressions that a loop reads again are compiled at their second reading. The bytes choose the statements of a loop's body; the
-// loop has to say what the same statements say when each pass is written out, where nothing is read twice.
+// Expressions that a loop reads again are compiled at their second reading. The bytes choose the statements of a loop's
+// body; the loop has to say what the same statements say when each pass is written out, where nothing is read twice.
 #include "parser/parse.h"
 #include "tests/fuzz/target.h"
 
@@ -42,9 +42,12 @@ private:
 
     std::string number(int depth)
     {
-        static constexpr std::array kPlain = {"I", "A", "B", "L[mod(I,3)]", "U", "V.x", "K.green", "1", "0", "2.5", "1e9", "0.3333333", "pi", "Q[mod(I,2)].z", "K.filter", "rand(R)"};
+        static constexpr std::array kPlain = {
+            "I", "A",   "B",   "L[mod(I,3)]", "U",  "V.x",           "K.green",  "1",
+            "0", "2.5", "1e9", "0.3333333",   "pi", "Q[mod(I,2)].z", "K.filter", "rand(R)"};
         static constexpr std::array kSigns = {"+", "-", "*", "/", "<", ">", "<=", ">=", "=", "!=", "&", "|"};
-        static constexpr std::array kOne = {"sin", "abs", "floor", "int", "exp", "F", "degrees", "-", "!", "ceil", "atan"};
+        static constexpr std::array kOne = {"sin",     "abs", "floor", "int",  "exp", "F",
+                                            "degrees", "-",   "!",     "ceil", "atan"};
         static constexpr std::array kTwo = {"max", "min", "mod", "pow", "atan2", "G", "div"};
         const std::size_t form = choice(12);
         if (depth > 4 || form < 4) return kPlain[choice(kPlain.size())];
@@ -92,8 +95,10 @@ private:
     std::size_t at_ = 0;
 };
 
-constexpr const char* kStart = "#version 3.7;\n#declare A=1.5;#declare B=-2;#declare V=<1,2,3>;#declare W=<4,5>;#declare L=array[3]{1,-2,5}#declare Q=array[2]{<1,2,3>,<4,5,6>}\n"
-                               "#declare K=rgbft<.1,.2,.3,.4,.5>;#declare U=3;#declare R=seed(7);#declare F=function(x){x*x-1}#declare G=function(x,y){x-y/2}\n"
+constexpr const char* kStart = "#version 3.7;\n#declare A=1.5;#declare B=-2;#declare V=<1,2,3>;#declare "
+                               "W=<4,5>;#declare L=array[3]{1,-2,5}#declare Q=array[2]{<1,2,3>,<4,5,6>}\n"
+                               "#declare K=rgbft<.1,.2,.3,.4,.5>;#declare U=3;#declare R=seed(7);#declare "
+                               "F=function(x){x*x-1}#declare G=function(x,y){x-y/2}\n"
                                "#macro M(P,Q)#debug vstr(5,P+Q*2,\" \",0,17)#end\n";
 
 struct Said {
@@ -128,8 +133,12 @@ void fuzz::one(const Bytes& bytes)
     const std::string body = Writer(bytes).body();
     std::string unrolled = kStart;
     for (int i = 0; i < kPasses; ++i) unrolled += "#declare I=" + std::to_string(i) + ";\n" + body;
-    const Said plain = said_by(unrolled), looped = said_by(kStart + ("#declare I=0;#while(I<" + std::to_string(kPasses) + ")\n") + body + "#declare I=I+1;#end\n");
-    if (plain.text != looped.text || plain.refused != looped.refused) fail("a loop says otherwise than its passes:\n" + body + "\nlooped: " + looped.text + "\npasses: " + plain.text);
+    const Said plain = said_by(unrolled),
+               looped = said_by(kStart + ("#declare I=0;#while(I<" + std::to_string(kPasses) + ")\n") + body +
+                                "#declare I=I+1;#end\n");
+    if (plain.text != looped.text || plain.refused != looped.refused)
+        fail("a loop says otherwise than its passes:\n" + body + "\nlooped: " + looped.text +
+             "\npasses: " + plain.text);
 }
 
 std::vector<fuzz::Bytes> fuzz::seeds()
@@ -138,7 +147,8 @@ std::vector<fuzz::Bytes> fuzz::seeds()
     for (std::uint32_t seed = 1; seed < 40; ++seed) {
         std::uint32_t state = seed * 2654435761u;
         all.emplace_back();
-        for (int i = 0; i < 60; ++i) all.back().push_back(static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24));
+        for (int i = 0; i < 60; ++i)
+            all.back().push_back(static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24));
     }
     return all;
 }

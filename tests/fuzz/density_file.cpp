@@ -1,13 +1,16 @@
 // df3 files of density patterns.
-#include "parser/grammar/density_file.h"
+#include "parser/grammar/textures/density_file.h"
 #include "tests/fuzz/target.h"
 
 void fuzz::one(const Bytes& bytes)
 {
     const auto volume = parser::decode_density_file(bytes);
     if (!volume) return;
-    require(volume->samples.size() == std::size_t{volume->size[0]} * volume->size[1] * volume->size[2] && !volume->samples.empty(), "samples do not fit the sizes");
-    for (const std::uint32_t sample : volume->samples) require(static_cast<double>(sample) <= volume->most, "a sample above the largest");
+    require(volume->samples.size() == std::size_t{volume->size[0]} * volume->size[1] * volume->size[2] &&
+                !volume->samples.empty(),
+            "samples do not fit the sizes");
+    for (const std::uint32_t sample : volume->samples)
+        require(static_cast<double>(sample) <= volume->most, "a sample above the largest");
 }
 
 std::vector<fuzz::Bytes> fuzz::seeds()

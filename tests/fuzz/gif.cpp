@@ -2,7 +2,8 @@
 
 namespace {
 
-/// 4x5 pixels of four colours in one block of codes of three bits, none longer than a pixel: a clear code stands before each pair.
+/// 4x5 pixels of four colours in one block of codes of three bits, none longer than a pixel: a clear code stands before
+/// each pair.
 fuzz::Bytes small_gif(std::uint8_t flags, bool control)
 {
     fuzz::Bytes bytes = fuzz::bytes_of("GIF89a");
@@ -36,8 +37,7 @@ void fuzz::one(const Bytes& bytes)
 {
     try {
         check_picture(image::decode_gif(bytes));
-    } catch (const image::FileError&) {
-    }
+    } catch (const image::FileError&) {}
 }
 
 std::vector<fuzz::Bytes> fuzz::seeds() { return {small_gif(0, false), small_gif(0x40, true), small_gif(0x81, true)}; }

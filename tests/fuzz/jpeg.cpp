@@ -4,8 +4,7 @@ void fuzz::one(const Bytes& bytes)
 {
     try {
         if (const auto picture = image::decode_jpeg(bytes)) check_picture(*picture);
-    } catch (const image::FileError&) {
-    }
+    } catch (const image::FileError&) {}
 }
 
 std::vector<fuzz::Bytes> fuzz::seeds()

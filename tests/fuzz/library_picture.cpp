@@ -1,4 +1,5 @@
-// Pictures that OpenImageIO reads for us: TIFF, OpenEXR, Radiance, BMP, PPM, Targa with opacity. The first byte chooses the ending.
+// Pictures that OpenImageIO reads for us: TIFF, OpenEXR, Radiance, BMP, PPM, Targa with opacity. The first byte chooses
+// the ending.
 #include "tests/fuzz/picture_checks.h"
 
 #include <array>
@@ -20,7 +21,8 @@ fuzz::Bytes tiff()
 {
     fuzz::Bytes bytes = {'I', 'I', '*', 0, 8, 0, 0, 0, 10, 0};
     const auto entry = [&](unsigned tag, unsigned type, unsigned count, unsigned value) {
-        for (const unsigned part : {tag, tag >> 8, type, 0u, count, 0u, 0u, 0u, value, value >> 8, 0u, 0u}) bytes.push_back(static_cast<std::uint8_t>(part));
+        for (const unsigned part : {tag, tag >> 8, type, 0u, count, 0u, 0u, 0u, value, value >> 8, 0u, 0u})
+            bytes.push_back(static_cast<std::uint8_t>(part));
     };
     entry(256, 3, 1, 2);
     entry(257, 3, 1, 2);
@@ -48,8 +50,7 @@ void fuzz::one(const Bytes& bytes)
     const ScratchFile& file = scratch.try_emplace(ending, kEndings[ending]).first->second;
     try {
         check_picture(files.read(file.holding({bytes.begin() + 1, bytes.end()})));
-    } catch (const image::FileError&) {
-    }
+    } catch (const image::FileError&) {}
 }
 
 std::vector<fuzz::Bytes> fuzz::seeds()
@@ -59,7 +60,8 @@ std::vector<fuzz::Bytes> fuzz::seeds()
     traced.height = 3;
     for (int i = 0; i < 60; ++i) traced.pixels.push_back(static_cast<float>(i) / 20.0f);
     std::vector<Bytes> all = {chosen(0, tiff())};
-    for (const auto& [ending, type] : {std::pair{std::uint8_t{1}, image::FileType::OpenExr}, std::pair{std::uint8_t{2}, image::FileType::RadianceHdr}}) {
+    for (const auto& [ending, type] : {std::pair{std::uint8_t{1}, image::FileType::OpenExr},
+                                       std::pair{std::uint8_t{2}, image::FileType::RadianceHdr}}) {
         const ScratchFile file(image::extension(type));
         image::FileSettings settings;
         settings.type = type;

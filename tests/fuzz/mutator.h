@@ -6,8 +6,8 @@
 
 namespace fuzz {
 
-/// Input `number` of those that begin with `seeds`: the seeds as they are, then seeds with a few changes. The same number gives
-/// the same bytes everywhere.
+/// Input `number` of those that begin with `seeds`: the seeds as they are, then seeds with a few changes. The same
+/// number gives the same bytes everywhere.
 class Mutator {
 public:
     Mutator(const std::vector<Bytes>& seeds, std::uint32_t number) : seeds_(seeds), number_(number), random_(number) {}
@@ -27,7 +27,10 @@ private:
     std::size_t below(std::size_t count) { return random_() % count; }
 
     /// Headers stand in front: half of all changes are made there.
-    std::size_t place(const Bytes& bytes) { return below(below(2) ? bytes.size() : std::min<std::size_t>(bytes.size(), 64)); }
+    std::size_t place(const Bytes& bytes)
+    {
+        return below(below(2) ? bytes.size() : std::min<std::size_t>(bytes.size(), 64));
+    }
 
     void change(Bytes& bytes)
     {
@@ -42,7 +45,10 @@ private:
         case 0: bytes[at] ^= static_cast<std::uint8_t>(1u << below(8)); break;
         case 1: bytes[at] = static_cast<std::uint8_t>(random_()); break;
         case 2: bytes[at] = kOdd[below(std::size(kOdd))]; break;
-        case 3: std::fill(from, from + static_cast<std::ptrdiff_t>(std::min<std::size_t>(run, 4)), kOdd[below(std::size(kOdd))]); break;
+        case 3:
+            std::fill(from, from + static_cast<std::ptrdiff_t>(std::min<std::size_t>(run, 4)),
+                      kOdd[below(std::size(kOdd))]);
+            break;
         case 4: bytes.erase(from, to); break;
         case 5: {
             const Bytes copy(from, to);
@@ -53,7 +59,8 @@ private:
         case 7: {
             const Bytes& other = seeds_[below(seeds_.size())];
             const std::size_t cut = other.empty() ? 0 : below(other.size());
-            bytes.insert(from, other.begin() + static_cast<std::ptrdiff_t>(cut), other.begin() + static_cast<std::ptrdiff_t>(std::min(other.size(), cut + run)));
+            bytes.insert(from, other.begin() + static_cast<std::ptrdiff_t>(cut),
+                         other.begin() + static_cast<std::ptrdiff_t>(std::min(other.size(), cut + run)));
             break;
         }
         default: bytes[at] = static_cast<std::uint8_t>(bytes[at] + below(35) - 17);

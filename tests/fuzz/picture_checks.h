@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/direct_readers.h"
+#include "render/image/codecs/direct_readers.h"
 #include "render/image/files.h"
 #include "tests/fuzz/scratch_file.h"
 
@@ -10,16 +10,19 @@ namespace fuzz {
 inline void check_picture(const image::Picture& picture)
 {
     require(picture.width > 0 && picture.height > 0 && picture.channels > 0, "a picture without pixels");
-    require(picture.samples.size() == picture.count() * static_cast<std::size_t>(picture.channels), "samples do not fit the size");
+    require(picture.samples.size() == picture.count() * static_cast<std::size_t>(picture.channels),
+            "samples do not fit the size");
     require(picture.indices.empty() || picture.indices.size() == picture.count(), "places do not fit the size");
-    require(picture.palette.size() % 4 == 0 && picture.palette.empty() == picture.indices.empty(), "a palette without places");
+    require(picture.palette.size() % 4 == 0 && picture.palette.empty() == picture.indices.empty(),
+            "a palette without places");
 }
 
 /// 11x7 pixels of a picture that has something of everything.
 inline image::Raster any_raster(int channels, int bits)
 {
     image::Raster raster{11, 7, channels, bits, {}};
-    for (int i = 0; i < 77 * channels; ++i) raster.samples.push_back(static_cast<std::uint16_t>((i * i * 37 + i % 5 * 11) % (1 << bits)));
+    for (int i = 0; i < 77 * channels; ++i)
+        raster.samples.push_back(static_cast<std::uint16_t>((i * i * 37 + i % 5 * 11) % (1 << bits)));
     for (std::size_t i = 0; i < raster.samples.size() / 3; ++i) raster.samples[i] = raster.samples[0];  // runs
     return raster;
 }

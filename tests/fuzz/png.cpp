@@ -11,9 +11,14 @@ fuzz::Bytes stored(int type, int depth, bool interlaced)
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);
     png_set_write_fn(
-        png, &out, [](png_structp from, png_bytep bytes, std::size_t count) { static_cast<fuzz::Bytes*>(png_get_io_ptr(from))->insert(static_cast<fuzz::Bytes*>(png_get_io_ptr(from))->end(), bytes, bytes + count); },
+        png, &out,
+        [](png_structp from, png_bytep bytes, std::size_t count) {
+            static_cast<fuzz::Bytes*>(png_get_io_ptr(from))
+                ->insert(static_cast<fuzz::Bytes*>(png_get_io_ptr(from))->end(), bytes, bytes + count);
+        },
         nullptr);
-    png_set_IHDR(png, info, 9, 6, depth, type, interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, 9, 6, depth, type, interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_color colors[16];
     for (int i = 0; i < 16; ++i) colors[i] = {static_cast<png_byte>(i * 16), static_cast<png_byte>(i), 77};
     png_byte alpha[] = {0, 100, 255};
@@ -35,8 +40,7 @@ void fuzz::one(const Bytes& bytes)
 {
     try {
         check_picture(image::decode_png(bytes));
-    } catch (const image::FileError&) {
-    }
+    } catch (const image::FileError&) {}
 }
 
 std::vector<fuzz::Bytes> fuzz::seeds()

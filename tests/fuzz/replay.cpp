@@ -1,4 +1,5 @@
-// The driver of ./check: TARGET COUNT reads that many inputs, TARGET --write N FILE writes input N, TARGET FILE... reads files.
+// The driver of ./check: TARGET COUNT reads that many inputs, TARGET --write N FILE writes input N, TARGET FILE...
+// reads files.
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/target.h"
 
@@ -16,7 +17,8 @@ extern "C" void __sanitizer_set_death_callback(void (*)()) __attribute__((weak))
 
 namespace {
 
-constexpr unsigned kSecondsPerInput = 60;  // hundreds of times what the slowest takes, on a machine that does other things too
+constexpr unsigned kSecondsPerInput =
+    60;  // hundreds of times what the slowest takes, on a machine that does other things too
 
 char at_hand[128];  // said when the program dies
 
@@ -57,8 +59,10 @@ int main(int count, char** values)
         return 0;
     }
     if (count == 4 && std::strcmp(values[1], "--write") == 0) {
-        const fuzz::Bytes bytes = fuzz::Mutator(seeds, static_cast<std::uint32_t>(std::strtoul(values[2], nullptr, 10))).input();
-        std::ofstream(values[3], std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        const fuzz::Bytes bytes =
+            fuzz::Mutator(seeds, static_cast<std::uint32_t>(std::strtoul(values[2], nullptr, 10))).input();
+        std::ofstream(values[3], std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
         return 0;
     }
     char* end = nullptr;

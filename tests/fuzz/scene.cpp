@@ -14,8 +14,7 @@ void fuzz::one(const Bytes& bytes)
     options.write_nothing = true;
     try {
         parser::parse_text(text_of(bytes), "fuzz.pov", options);
-    } catch (const parser::Error&) {
-    }
+    } catch (const parser::Error&) {}
 }
 
 std::vector<fuzz::Bytes> fuzz::seeds()

@@ -15,7 +15,9 @@ public:
     explicit ScratchFile(const std::string& ending)
     {
         std::error_code ignored;
-        const std::filesystem::path memory = "/dev/shm", folder = std::filesystem::is_directory(memory, ignored) ? memory : std::filesystem::temp_directory_path();
+        const std::filesystem::path memory = "/dev/shm", folder = std::filesystem::is_directory(memory, ignored)
+                                                                      ? memory
+                                                                      : std::filesystem::temp_directory_path();
         path_ = (folder / ("whittle-fuzz-" + std::to_string(getpid()) + ending)).string();
     }
     ScratchFile(const ScratchFile&) = delete;
@@ -27,7 +29,8 @@ public:
     const std::string& holding(const Bytes& bytes) const
     {
         std::FILE* file = std::fopen(path_.c_str(), "wb");
-        const bool written = file != nullptr && (bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size());
+        const bool written = file != nullptr &&
+                             (bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size());
         require(written && std::fclose(file) == 0, "cannot write the scratch file");
         return path_;
     }

@@ -1,6 +1,6 @@
-// The finished blocks that an interrupted render keeps. The first byte is odd where the magic, the sizes and the checksums are put
-// right first: else few inputs would come past them.
-#include "render/app/state_file.h"
+// The finished blocks that an interrupted render keeps. The first byte is odd where the magic, the sizes and the
+// checksums are put right first: else few inputs would come past them.
+#include "render/app/output/state_file.h"
 #include "tests/fuzz/scratch_file.h"
 
 #include <algorithm>
@@ -35,7 +35,8 @@ image::Image picture()
 fuzz::Bytes kept(std::size_t count)
 {
     const fuzz::ScratchFile file(".kept");
-    app::StateFile state(file.path(), [] { return kIdentity; }, blocks(), 0.0);
+    app::StateFile state(
+        file.path(), [] { return kIdentity; }, blocks(), 0.0);
     const image::Image whole = picture();
     for (std::size_t i = 0; i < count; ++i) state.finished(i, whole);
     std::FILE* in = std::fopen(file.path().c_str(), "rb");
@@ -45,7 +46,8 @@ fuzz::Bytes kept(std::size_t count)
     return bytes;
 }
 
-template <class T> T taken(const fuzz::Bytes& bytes, std::size_t at)
+template <class T>
+T taken(const fuzz::Bytes& bytes, std::size_t at)
 {
     T value;
     std::memcpy(&value, &bytes[at], sizeof value);
@@ -61,7 +63,8 @@ void put_right(fuzz::Bytes& bytes)
     for (std::size_t at = kHeaderSize; at + kRecordSize <= bytes.size();) {
         const auto number = taken<std::uint64_t>(bytes, at);
         if (number >= all.size()) return;
-        const std::size_t size = 16 * static_cast<std::size_t>(all[number].width) * static_cast<std::size_t>(all[number].height);
+        const std::size_t size = 16 * static_cast<std::size_t>(all[number].width) *
+                                 static_cast<std::size_t>(all[number].height);
         if (at + kRecordSize + size > bytes.size()) return;
         const std::uint64_t check = app::hash_of(&bytes[at + kRecordSize], size, app::hash_of(&number, sizeof number));
         std::memcpy(&bytes[at + 8], &check, sizeof check);
@@ -77,15 +80,19 @@ void fuzz::one(const Bytes& bytes)
     Bytes file_bytes(bytes.begin() + 1, bytes.end());
     if (bytes[0] % 2 == 1) put_right(file_bytes);
     static const ScratchFile file(".whittle-state");
-    app::StateFile state(file.holding(file_bytes), [] { return kIdentity; }, blocks(), 0.0);
+    app::StateFile state(
+        file.holding(file_bytes), [] { return kIdentity; }, blocks(), 0.0);
     const std::atomic<bool> cancel = false;
     const auto found = [&](app::StateFile& file_of_blocks, image::Image& image) {
         image = picture();
         std::size_t shown = 0;
-        const app::StateFile::Found what = file_of_blocks.resume(kWide, kHigh, cancel, [&](const trace::Block& block, const float* samples) {
-            require(block.left >= 0 && block.top >= 0 && block.left + block.width <= kWide && block.top + block.height <= kHigh && samples != nullptr, "a block outside the picture");
-            ++shown;
-        });
+        const app::StateFile::Found what =
+            file_of_blocks.resume(kWide, kHigh, cancel, [&](const trace::Block& block, const float* samples) {
+                require(block.left >= 0 && block.top >= 0 && block.left + block.width <= kWide &&
+                            block.top + block.height <= kHigh && samples != nullptr,
+                        "a block outside the picture");
+                ++shown;
+            });
         require(shown >= file_of_blocks.resumed(), "blocks are not shown");
         file_of_blocks.load(0, blocks().size(), image);
         return what;
@@ -93,13 +100,16 @@ void fuzz::one(const Bytes& bytes)
     image::Image image;
     const app::StateFile::Found what = found(state, image);
     const auto done = static_cast<std::size_t>(std::count(state.done().begin(), state.done().end(), true));
-    require((what == app::StateFile::Found::Blocks) == (state.resumed() > 0) && done == state.resumed(), "the count of blocks is wrong");
+    require((what == app::StateFile::Found::Blocks) == (state.resumed() > 0) && done == state.resumed(),
+            "the count of blocks is wrong");
     // The render goes on: what was not there is added, and all of it is found again.
     const image::Image whole = picture();
     for (std::size_t i = 0; i < blocks().size(); ++i)
         if (done == 0 || !state.done()[i]) state.finished(i, whole);
-    app::StateFile again(file.path(), [] { return kIdentity; }, blocks(), 0.0);
-    require(found(again, image) == app::StateFile::Found::Blocks && again.resumed() == blocks().size(), "blocks are lost");
+    app::StateFile again(
+        file.path(), [] { return kIdentity; }, blocks(), 0.0);
+    require(found(again, image) == app::StateFile::Found::Blocks && again.resumed() == blocks().size(),
+            "blocks are lost");
 }
 
 std::vector<fuzz::Bytes> fuzz::seeds()

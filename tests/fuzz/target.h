@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-/// What each reader of foreign bytes defines for the two drivers, libfuzzer.cpp and replay.cpp. Whatever the bytes, the reader
-/// answers or refuses with an exception of its own; anything else is a fault.
+/// What each reader of foreign bytes defines for the two drivers, libfuzzer.cpp and replay.cpp. Whatever the bytes, the
+/// reader answers or refuses with an exception of its own; anything else is a fault.
 namespace fuzz {
 
 using Bytes = std::vector<std::uint8_t>;

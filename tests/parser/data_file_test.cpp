@@ -1,4 +1,4 @@
-#include "parser/stream/data_file.h"
+#include "parser/stream/files/data_file.h"
 #include "stream_support.h"
 
 #include <catch2/catch.hpp>
@@ -14,10 +14,22 @@ namespace {
 
 /// A folder of its own that is the current one while it lives.
 struct Folder {
-    fs::path before = fs::current_path(), here = fs::temp_directory_path() / ("whittle_data_" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directory(here); fs::current_path(here); }
-    ~Folder() { fs::current_path(before); fs::remove_all(here); }
-    void write(const std::string& name, const std::string& text) const { std::ofstream(here / name, std::ios::binary) << text; }
+    fs::path before = fs::current_path(),
+             here = fs::temp_directory_path() / ("whittle_data_" + std::to_string(std::random_device{}()));
+    Folder()
+    {
+        fs::create_directory(here);
+        fs::current_path(here);
+    }
+    ~Folder()
+    {
+        fs::current_path(before);
+        fs::remove_all(here);
+    }
+    void write(const std::string& name, const std::string& text) const
+    {
+        std::ofstream(here / name, std::ios::binary) << text;
+    }
     std::string read(const std::string& name) const
     {
         std::ifstream in(here / name, std::ios::binary);
@@ -40,11 +52,16 @@ std::string trouble_of(const std::string& text)
 TEST_CASE("what a scene writes", "[parser][file]")
 {
     const Folder folder;
-    debug_of("#declare V=<1,2,3>; #fopen F \"a.txt\" write #write(F,\"n \",1/3,\",\",V,\",\",<1,2.5>,\"\\n\") #fclose F "
-             "#fopen F \"a.txt\" append #write(F, 12, -0.5) #fclose F");
+    debug_of(
+        "#declare V=<1,2,3>; #fopen F \"a.txt\" write #write(F,\"n \",1/3,\",\",V,\",\",<1,2.5>,\"\\n\") #fclose F "
+        "#fopen F \"a.txt\" append #write(F, 12, -0.5) #fclose F");
     CHECK(folder.read("a.txt") == "n 0.333333,<1,2,3> ,<1,2.5> \n12-0.5");
     debug_of("#fopen F \"b.bin\" write #write(F, sint8 -200, 127.5 uint16be 258 uint16le <258,3>) #fclose F");
-    CHECK(folder.read("b.bin") == std::string("\x80" "127.5" "\x01\x02" "\x02\x01\x03\x00", 12));
+    CHECK(folder.read("b.bin") == std::string("\x80"
+                                              "127.5"
+                                              "\x01\x02"
+                                              "\x02\x01\x03\x00",
+                                              12));
 }
 
 TEST_CASE("what a scene reads: items need commas, the end closes", "[parser][file]")
@@ -53,13 +70,16 @@ TEST_CASE("what a scene reads: items need commas, the end closes", "[parser][fil
     folder.write("a.txt", "1 2 3 4 5 6");
     CHECK(debug_of("#fopen F \"a.txt\" read #read(F,A,B,C) #debug concat(str(A,0,0),str(B,0,0),str(C,0,0))") == "135");
     folder.write("b.txt", "1,2,/* no */3 // end");
-    const std::string loop = "#declare N=0; #while(defined(F)) #read(F,A) #declare N=N+1; #end #debug concat(str(N,0,0),\" \",str(A,0,0))";
+    const std::string loop =
+        "#declare N=0; #while(defined(F)) #read(F,A) #declare N=N+1; #end #debug concat(str(N,0,0),\" \",str(A,0,0))";
     CHECK(debug_of("#fopen F \"b.txt\" read " + loop) == "3 3");
     folder.write("c.txt", "1,2,3,\n");
     CHECK(debug_of("#fopen F \"c.txt\" read " + loop) == "4 3");
     folder.write("d.txt", "-1.5e1, <1,-2,3>, \"two \\\"words\\\"\"");
-    CHECK(debug_of("#fopen F \"d.txt\" read #read(F,A,V,S) #debug concat(str(A,0,1),vstr(3,V,\",\",0,0),S)") == "-15.01,-2,3two \"words\"");
-    CHECK(debug_of("#declare A=array[2]{0,0} #fopen F \"b.txt\" read #read(F,A[1],A[0]) #debug concat(str(A[0],0,0),str(A[1],0,0))") == "21");
+    CHECK(debug_of("#fopen F \"d.txt\" read #read(F,A,V,S) #debug concat(str(A,0,1),vstr(3,V,\",\",0,0),S)") ==
+          "-15.01,-2,3two \"words\"");
+    CHECK(debug_of("#declare A=array[2]{0,0} #fopen F \"b.txt\" read #read(F,A[1],A[0]) #debug "
+                   "concat(str(A[0],0,0),str(A[1],0,0))") == "21");
 }
 
 TEST_CASE("a variable past the end of the data stays as it was", "[parser][file]")
@@ -77,7 +97,8 @@ TEST_CASE("files are refused with a reason", "[parser][file]")
     CHECK(trouble_of("#fopen F \"no.txt\" read").find("cannot open 'no.txt' for reading") != std::string::npos);
     CHECK(trouble_of("#fopen F \"../up.txt\" write").find("may not write") != std::string::npos);
     CHECK(trouble_of("#fopen F \"/up.txt\" append").find("may not write") != std::string::npos);
-    CHECK(trouble_of("#fopen F \"a.txt\" read #read(F,A)").find("a.txt: expected a number, found 'x'") != std::string::npos);
+    CHECK(trouble_of("#fopen F \"a.txt\" read #read(F,A)").find("a.txt: expected a number, found 'x'") !=
+          std::string::npos);
     CHECK(trouble_of("#fopen F \"a.txt\" read #write(F,1)").find("opened for reading") != std::string::npos);
     CHECK(trouble_of("#declare F=1; #fopen F \"a.txt\" read").find("declared already") != std::string::npos);
     CHECK(debug_of("#fclose Nothing #debug \"on\"") == "on");

@@ -40,15 +40,21 @@ TEST_CASE("expressions have POV-Ray's values", "[parser][expression]")
 // Names change their type and their value between passes; what is compiled must notice.
 TEST_CASE("a compiled expression follows its names", "[parser][expression]")
 {
-    CHECK(parser_test::debug_of("#declare V=array[4]; #declare A=1; #for(I,0,3) #declare A=A+I; #debug str(A*2-1,0,0) #debug \" \" #end") == "1 3 7 13 ");
+    CHECK(
+        parser_test::debug_of(
+            "#declare V=array[4]; #declare A=1; #for(I,0,3) #declare A=A+I; #debug str(A*2-1,0,0) #debug \" \" #end") ==
+        "1 3 7 13 ");
     CHECK(parser_test::debug_of("#macro M(P) #local Q=P*2; #debug vstr(3,Q,\",\",0,0) #debug \" \" #end\n"
-                                "M(1) M(2) M(<1,2,3>) M(<4,5>) M(3) M(x) M(4)") == "2,0,0 4,0,0 2,4,6 8,10,0 6,0,0 2,0,0 8,0,0 ");
-    CHECK(parser_test::debug_of("#declare R=seed(1); #for(I,1,3) #debug str(rand(R)/(I-2+(I=2)*5),0,4) #debug \" \" #end") ==
+                                "M(1) M(2) M(<1,2,3>) M(<4,5>) M(3) M(x) M(4)") ==
+          "2,0,0 4,0,0 2,4,6 8,10,0 6,0,0 2,0,0 8,0,0 ");
+    CHECK(parser_test::debug_of(
+              "#declare R=seed(1); #for(I,1,3) #debug str(rand(R)/(I-2+(I=2)*5),0,4) #debug \" \" #end") ==
           "-0.4220 0.0974 0.6659 ");
-    CHECK(parser_test::debug_of("#declare A=array[3]{1,2,3}; #for(I,0,5) #if (I<3) #declare B=A[I]+I; #else #declare B=-1; #end #debug str(B,0,0) #end") ==
-          "135-1-1-1");
+    CHECK(parser_test::debug_of("#declare A=array[3]{1,2,3}; #for(I,0,5) #if (I<3) #declare B=A[I]+I; #else #declare "
+                                "B=-1; #end #debug str(B,0,0) #end") == "135-1-1-1");
     CHECK(parser_test::debug_of("#macro Op() +2 #end #for(I,1,3) #debug str(I Op(),0,0) #end") == "345");
-    CHECK(parser_test::debug_of("#macro Two() I+1 #end #for(I,1,3) #debug str(2*Two(),0,0) #debug \" \" #end") == "3 5 7 ");
+    CHECK(parser_test::debug_of("#macro Two() I+1 #end #for(I,1,3) #debug str(2*Two(),0,0) #debug \" \" #end") ==
+          "3 5 7 ");
 }
 
 TEST_CASE("a division by zero warns also where it is compiled, and once", "[parser][expression]")
@@ -67,11 +73,13 @@ TEST_CASE("a division by zero warns also where it is compiled, and once", "[pars
 TEST_CASE("five components are single precision once they are stored", "[parser][expression]")
 {
     const auto x_of = [](const std::string& text) { return parser_test::debug_of(text); };
-    CHECK(x_of("#declare V=<4.47,1/3,0,0,pi>; #debug concat(str(V.x,0,10),\" \",str(V.y,0,10),\" \",str(V.transmit,0,10))") == "4.4699997902 0.3333333433 3.1415927410");
+    CHECK(x_of("#declare V=<4.47,1/3,0,0,pi>; #debug concat(str(V.x,0,10),\" \",str(V.y,0,10),\" "
+               "\",str(V.transmit,0,10))") == "4.4699997902 0.3333333433 3.1415927410");
     CHECK(x_of("#declare V=<4.47,1/3,0,pi>; #debug str(V.x,0,10)") == "4.4700000000");
     CHECK(x_of("#declare V=<4.47,1/3,0,0,pi>+.1; #debug str(V.x,0,10)") == "4.5700001717");
     CHECK(x_of("#debug str(<4.47,1/3,0,0,pi>.x,0,10)") == "4.4700000000");
     CHECK(x_of("#declare A=array[1]{<4.47,1/3,0,0,pi>}; #debug str(A[0].x,0,10)") == "4.4699997902");
-    CHECK(x_of("#macro M(X) #debug concat(str(X.x,0,10),\" \") #end M(<4.47,1/3,0,0,pi>) #for(I,1,3) M(<4.47,1/3,0,0,pi>) #declare V=<4.47,I,0,0,pi>; #debug concat(str(V.x,0,6),\" \") #end") ==
+    CHECK(x_of("#macro M(X) #debug concat(str(X.x,0,10),\" \") #end M(<4.47,1/3,0,0,pi>) #for(I,1,3) "
+               "M(<4.47,1/3,0,0,pi>) #declare V=<4.47,I,0,0,pi>; #debug concat(str(V.x,0,6),\" \") #end") ==
           "4.4699997902 4.4699997902 4.470000 4.4699997902 4.470000 4.4699997902 4.470000 ");
 }

@@ -1,6 +1,6 @@
 #include "tests/parser/stream_support.h"
 
-#include "parser/stream/expression.h"
+#include "parser/stream/expressions/expression.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,8 +20,7 @@ void drive(const std::string& text)
             if (parser::at_expression(stream)) parser::untyped_expr(stream, parser::Level::Full);
             else stream.next();
         }
-    } catch (const parser::Error&) {
-    }
+    } catch (const parser::Error&) {}
 }
 
 }  // namespace
@@ -41,10 +40,13 @@ TEST_CASE("no tokens crash the stream", "[parser][fuzz]")
 {
     // No #while and no #for: those may loop for ever without a token, as the language allows.
     static const char* const kPieces[] = {
-        "#if(", "#else", "#elseif(", "#end", "#macro M(", "#declare", "#local", "#undef", "A", "B", "M", "(", ")", "[", "]", "<",
-        ">", "{", "}", "=", ";", ",", "1", "0.5", "+", "-", "*", "/", "\"s\"", "str(", "concat(", "array", "function", "x", "t",
-        "rgb", "color", "#switch(", "#case(", "#break", "?", ":", "&", "|", ".", "sin(", "rand(", "seed(", "vstr(", "#ifdef(",
-        "#range(", "defined(", "min(", "#version", "3.7", "M(", "!", "#debug", "#include", "select(", "sphere", "dimensions("};
+        "#if(",  "#else",    "#elseif(", "#end",    "#macro M(", "#declare", "#local",   "#undef",     "A",
+        "B",     "M",        "(",        ")",       "[",         "]",        "<",        ">",          "{",
+        "}",     "=",        ";",        ",",       "1",         "0.5",      "+",        "-",          "*",
+        "/",     "\"s\"",    "str(",     "concat(", "array",     "function", "x",        "t",          "rgb",
+        "color", "#switch(", "#case(",   "#break",  "?",         ":",        "&",        "|",          ".",
+        "sin(",  "rand(",    "seed(",    "vstr(",   "#ifdef(",   "#range(",  "defined(", "min(",       "#version",
+        "3.7",   "M(",       "!",        "#debug",  "#include",  "select(",  "sphere",   "dimensions("};
     for (std::uint32_t seed = 0; seed < 20000; ++seed) {
         INFO("seed " << seed);
         std::mt19937 random(seed);

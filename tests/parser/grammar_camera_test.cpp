@@ -10,10 +10,7 @@ namespace {
 
 /// Direction of the ray through the centre of a pixel of a 4x3 picture, as the real program printed them: the corner
 /// pixel (0, 0) lies at x = -3/8, y = 1/3 of right and up.
-glm::dvec3 corner_ray(const scene::Camera& c)
-{
-    return c.direction - 0.375 * c.right + c.up / 3.0;
-}
+glm::dvec3 corner_ray(const scene::Camera& c) { return c.direction - 0.375 * c.right + c.up / 3.0; }
 void check_near(const glm::dvec3& a, const glm::dvec3& b, double within)
 {
     INFO(a.x << " " << a.y << " " << a.z << " against " << b.x << " " << b.y << " " << b.z);
@@ -88,7 +85,8 @@ TEST_CASE("before version 3.5 items act where they stand", "[parser][camera]")
 
 TEST_CASE("a declared camera takes only transformations", "[parser][camera]")
 {
-    CHECK(parsed("#declare C = camera { location z }\ncamera { C translate x }").camera.location == glm::dvec3(1, 0, 1));
+    CHECK(parsed("#declare C = camera { location z }\ncamera { C translate x }").camera.location ==
+          glm::dvec3(1, 0, 1));
     CHECK(grammar_test::error_of("#declare C = camera { location z }\ncamera { C location x }") ==
           "2:12: error: expected an item of 'camera' or '}', found 'location'");
 }

@@ -7,10 +7,7 @@
 /// What the grammar's tests share: text in, description or message out.
 namespace grammar_test {
 
-inline scene::Description parsed(const std::string& text)
-{
-    return parser::parse_text(text, "test.pov", {}).scene;
-}
+inline scene::Description parsed(const std::string& text) { return parser::parse_text(text, "test.pov", {}).scene; }
 
 /// First line of the error's text without the file's name; empty if the text is accepted.
 inline std::string error_of(const std::string& text)

@@ -11,10 +11,7 @@ const std::vector<scene::Layer>& layers(const scene::TexturePtr& texture)
     REQUIRE(texture);
     return std::get<std::vector<scene::Layer>>(texture->kind);
 }
-scene::Color plain(const scene::Pigment& pigment)
-{
-    return std::get<scene::Color>(pigment.kind);
-}
+scene::Color plain(const scene::Pigment& pigment) { return std::get<scene::Color>(pigment.kind); }
 const scene::Object& only_object(const scene::Description& d)
 {
     REQUIRE(d.objects.size() == 1);
@@ -33,10 +30,13 @@ glm::dvec3 in_pattern(const scene::Object& o, const glm::dvec3& p)
 TEST_CASE("a transformation moves the textures present", "[parser][texture]")
 {
     const char* gradient = "pigment { gradient x }";
-    const auto seen = [&](const std::string& text) { return in_pattern(only_object(parsed(text)), glm::dvec3(0.1, 0, 0)).x; };
+    const auto seen = [&](const std::string& text) {
+        return in_pattern(only_object(parsed(text)), glm::dvec3(0.1, 0, 0)).x;
+    };
     CHECK(seen(std::string("sphere { 0, 1 ") + gradient + " translate 0.25*x }") == Approx(-0.15));
     CHECK(seen(std::string("sphere { 0, 1 translate 0.25*x ") + gradient + " }") == Approx(0.1));
-    CHECK(seen(std::string("#declare S = sphere { 0, 1 ") + gradient + " }\nobject { S translate 0.25*x }") == Approx(-0.15));
+    CHECK(seen(std::string("#declare S = sphere { 0, 1 ") + gradient + " }\nobject { S translate 0.25*x }") ==
+          Approx(-0.15));
     CHECK(seen("sphere { 0, 1 uv_mapping pigment { gradient x } translate 0.25*x }") == Approx(0.1));
 }
 
@@ -61,8 +61,9 @@ TEST_CASE("classic turbulence stands apart, warps in order of evaluation", "[par
 
 TEST_CASE("pigment and finish outside of texture change the top layer", "[parser][texture]")
 {
-    const scene::Description d = parsed("#declare T = texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } finish { phong 1 } }\n"
-                                        "sphere { 0, 1 texture { T } pigment { rgb x } }");
+    const scene::Description d =
+        parsed("#declare T = texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } finish { phong 1 } }\n"
+               "sphere { 0, 1 texture { T } pigment { rgb x } }");
     const auto& all = layers(only_object(d).texture);
     REQUIRE(all.size() == 2);
     CHECK(plain(all[0].pigment) == scene::Color{1, 1, 1, 0, 0});
@@ -82,8 +83,9 @@ TEST_CASE("an untextured object gets the default of the moment it is added", "[p
 
 TEST_CASE("a declared texture can be used by the declaration right behind it", "[parser][texture]")
 {
-    const scene::Description d = parsed("#declare A = texture { pigment { rgb x } }\n#declare B = texture { A finish { phong 1 } }\n"
-                                        "sphere { 0, 1 texture { B } }");
+    const scene::Description d =
+        parsed("#declare A = texture { pigment { rgb x } }\n#declare B = texture { A finish { phong 1 } }\n"
+               "sphere { 0, 1 texture { B } }");
     CHECK(layers(only_object(d).texture).front().finish.phong == 1.0f);
 }
 
@@ -100,7 +102,8 @@ TEST_CASE("list patterns fill up with their defaults", "[parser][texture]")
 
 TEST_CASE("the old form of a colour map gives two entries", "[parser][texture]")
 {
-    const scene::Description d = parsed("sphere { 0, 1 pigment { bozo color_map { [0, 0.5 color rgb 0 color rgb 1] [0.5 rgb x] } } }");
+    const scene::Description d =
+        parsed("sphere { 0, 1 pigment { bozo color_map { [0, 0.5 color rgb 0 color rgb 1] [0.5 rgb x] } } }");
     const auto& p = std::get<scene::PatternedPigment>(layers(only_object(d).texture).front().pigment.kind);
     CHECK(std::get<scene::ColorMap>(p.map).size() == 3);
 }

@@ -61,7 +61,8 @@ TEST_CASE("what POV-Ray accepts and rejects, and what it prints", "[parser][lang
         INFO(one.text);
         std::string debug, error;
         try {
-            const parser::Result result = parser::parse_text((one.raw ? "" : prologue) + trimmed(one.text), "t.pov", {});
+            const parser::Result result =
+                parser::parse_text((one.raw ? "" : prologue) + trimmed(one.text), "t.pov", {});
             for (const parser::Message& message : result.messages)
                 if (message.severity == parser::Severity::Debug) debug += message.text;
         } catch (const parser::Error& failed) {
@@ -70,7 +71,8 @@ TEST_CASE("what POV-Ray accepts and rejects, and what it prints", "[parser][lang
         INFO(error);
         CHECK(error.empty() == one.accepted);
         if (one.accepted) CHECK(trimmed(debug) == trimmed(one.debug));
-        else if (one.line > 0) CHECK(error.rfind("t.pov:" + std::to_string(one.line + (one.raw ? 0 : 1)) + ":", 0) == 0);
+        else if (one.line > 0)
+            CHECK(error.rfind("t.pov:" + std::to_string(one.line + (one.raw ? 0 : 1)) + ":", 0) == 0);
     }
 }
 
@@ -84,7 +86,9 @@ TEST_CASE("every standard include file can be included", "[parser][language]")
         if (entry.path().extension() != ".inc") continue;
         INFO(entry.path());
         // Some ask for these two, as their own texts say.
-        const std::string text = "#version 3.7; global_settings { assumed_gamma 1 } #include \"colors.inc\" #include \"shapes.inc\" #include \"" + entry.path().filename().string() + "\" sphere { 0, 1 }";
+        const std::string text = "#version 3.7; global_settings { assumed_gamma 1 } #include \"colors.inc\" #include "
+                                 "\"shapes.inc\" #include \"" +
+                                 entry.path().filename().string() + "\" sphere { 0, 1 }";
         CHECK_NOTHROW(parser::parse_text(text, "test.pov", options));
     }
 }

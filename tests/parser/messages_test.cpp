@@ -26,9 +26,13 @@ std::vector<std::string> warnings(const std::string& path)
 {
     std::vector<std::string> all;
     try {
-        parser::parse_file(path, {}, [](void* to, const parser::Message& message) { static_cast<std::vector<std::string>*>(to)->push_back(message.text); }, &all);
-    } catch (const parser::Error&) {
-    }
+        parser::parse_file(
+            path, {},
+            [](void* to, const parser::Message& message) {
+                static_cast<std::vector<std::string>*>(to)->push_back(message.text);
+            },
+            &all);
+    } catch (const parser::Error&) {}
     return all;
 }
 
@@ -43,8 +47,8 @@ TEST_CASE("a missing include names the folders and the nearest file", "[parser][
     options.library_path = {library.path()};
     support::write_text(folder / "a.pov", "#include \"colors.inc\"");
     CHECK(error_of_file(folder / "a.pov", options) ==
-          (folder / "a.pov") + ":1:10: error: cannot find the include file 'colors.inc' in the current folder, '" + library.path() + "', '" + folder.path() +
-              "'; did you mean 'colours.inc'?");
+          (folder / "a.pov") + ":1:10: error: cannot find the include file 'colors.inc' in the current folder, '" +
+              library.path() + "', '" + folder.path() + "'; did you mean 'colours.inc'?");
     support::write_text(folder / "a.pov", "#include \"OTHR\"");
     CHECK_THAT(error_of_file(folder / "a.pov", options), Catch::EndsWith("; did you mean 'other.inc'?"));
     support::write_text(folder / "a.pov", "#include \"nothing_like_it.inc\"");
@@ -56,7 +60,8 @@ TEST_CASE("a scene that is not there is said to be absent", "[parser][messages]"
     const support::TemporaryFolder folder;
     CHECK(error_of_file(folder / "nothere.pov") == (folder / "nothere.pov") + ": error: there is no such file");
     support::write_text(folder / "nowhere.pov", "");
-    CHECK_THAT(error_of_file(folder / "nothere.pov"), Catch::EndsWith(": error: there is no such file; did you mean '" + (folder / "nowhere.pov") + "'?"));
+    CHECK_THAT(error_of_file(folder / "nothere.pov"),
+               Catch::EndsWith(": error: there is no such file; did you mean '" + (folder / "nowhere.pov") + "'?"));
 }
 
 TEST_CASE("a loop whose reading is cancelled is named by its line", "[parser][messages]")
@@ -65,18 +70,27 @@ TEST_CASE("a loop whose reading is cancelled is named by its line", "[parser][me
     parser::Options options;
     options.cancel = &cancel;
     std::string told;
-    const auto listen = [](void* to, const parser::Message& message) { *static_cast<std::string*>(to) += message.text; };
-    CHECK_THROWS_AS(parser::parse_text(kBegin + "\n#declare I = 0;\n#while (I >= 0)\n #declare I = I + 1;\n#end", "t.pov", options, listen, &told), parser::Cancelled);
+    const auto listen = [](void* to, const parser::Message& message) {
+        *static_cast<std::string*>(to) += message.text;
+    };
+    CHECK_THROWS_AS(parser::parse_text(kBegin + "\n#declare I = 0;\n#while (I >= 0)\n #declare I = I + 1;\n#end",
+                                       "t.pov", options, listen, &told),
+                    parser::Cancelled);
     CHECK_THAT(told, Catch::StartsWith("t.pov:"));
     std::atomic<bool> later{false};
     options.cancel = &later;
     told.clear();
     const auto cancel_at_debug = [](void* to, const parser::Message& message) {
-        if (message.severity == parser::Severity::Debug) static_cast<std::pair<std::atomic<bool>*, std::string*>*>(to)->first->store(true);
+        if (message.severity == parser::Severity::Debug)
+            static_cast<std::pair<std::atomic<bool>*, std::string*>*>(to)->first->store(true);
         else *static_cast<std::pair<std::atomic<bool>*, std::string*>*>(to)->second += message.text;
     };
     std::pair<std::atomic<bool>*, std::string*> both{&later, &told};
-    CHECK_THROWS_AS(parser::parse_text(kBegin + "\n#debug \"go\"\n#declare I = 0;\n#while (I >= 0)\n #if (1) #declare I = I + 1; #end\n#end", "t.pov", options, cancel_at_debug, &both), parser::Cancelled);
+    CHECK_THROWS_AS(
+        parser::parse_text(
+            kBegin + "\n#debug \"go\"\n#declare I = 0;\n#while (I >= 0)\n #if (1) #declare I = I + 1; #end\n#end",
+            "t.pov", options, cancel_at_debug, &both),
+        parser::Cancelled);
     CHECK(told == "t.pov:4:1: note: reading is cancelled, in this loop\n    4 | #while (I >= 0)\n      | ^");
 }
 
@@ -91,8 +105,13 @@ TEST_CASE("source lines keep their characters", "[parser][messages]")
         all = error.what();
     }
     // One blank a character: the caret stands below its word.
-    CHECK_THAT(all, Catch::Contains("\n    2 | #declare A = \"gr\xC3\xBC\xC3\x9F\xE2\x82\xAC\" shpere { }\n      |                      ^"));
-    CHECK(parser::printable("a\tb\x01\x7F\xC3\xBC\xC3(\xFF\xC0\xAF\xED\xA0\x80\xF0\x9F\x98\x80\xC2\x85") == "a\tb??\xC3\xBC?(???" "???\xF0\x9F\x98\x80??");
+    CHECK_THAT(
+        all,
+        Catch::Contains(
+            "\n    2 | #declare A = \"gr\xC3\xBC\xC3\x9F\xE2\x82\xAC\" shpere { }\n      |                      ^"));
+    CHECK(parser::printable("a\tb\x01\x7F\xC3\xBC\xC3(\xFF\xC0\xAF\xED\xA0\x80\xF0\x9F\x98\x80\xC2\x85") ==
+          "a\tb??\xC3\xBC?(???"
+          "???\xF0\x9F\x98\x80??");
     CHECK(parser::character_start("a\xE2\x82\xAC", 3) == 1);
     CHECK(parser::character_start("a\xE2\x82\xAC", 1) == 1);
 }
@@ -100,7 +119,9 @@ TEST_CASE("source lines keep their characters", "[parser][messages]")
 TEST_CASE("a warning is told once, a #warning each time but in short", "[parser][messages]")
 {
     const support::TemporaryFolder folder;
-    support::write_text(folder / "w.pov", kBegin + "sphere { 0, 1 }\n#for (I, 1, 5)\n union { sphere { 0, 1 } }\n #warning \"again\"\n#end");
+    support::write_text(folder / "w.pov",
+                        kBegin +
+                            "sphere { 0, 1 }\n#for (I, 1, 5)\n union { sphere { 0, 1 } }\n #warning \"again\"\n#end");
     const std::vector<std::string> all = warnings(folder / "w.pov");
     REQUIRE(all.size() == 6);
     CHECK_THAT(all[0], Catch::Contains("should have at least two objects\n"));
@@ -111,7 +132,8 @@ TEST_CASE("a warning is told once, a #warning each time but in short", "[parser]
 TEST_CASE("a file that includes itself is told in few words", "[parser][messages]")
 {
     const support::TemporaryFolder folder;
-    for (const char* body : {"", "camera { location -z }\nunion { sphere { 0, 1 } }\n", "#warning \"again\"\n", "union { sphere { 0, 1 } }\nlight_source { 0, 1 orient }\n#declare\nversion = 3;"}) {
+    for (const char* body : {"", "camera { location -z }\nunion { sphere { 0, 1 } }\n", "#warning \"again\"\n",
+                             "union { sphere { 0, 1 } }\nlight_source { 0, 1 orient }\n#declare\nversion = 3;"}) {
         INFO(body);
         support::write_text(folder / "s.pov", body + std::string("#include \"") + (folder / "s.pov") + "\"\n");
         std::size_t bytes = error_of_file(folder / "s.pov").size();

@@ -75,7 +75,8 @@ private:
 
     void change(Pieces& scene)
     {
-        static constexpr std::array kOddNumbers{"0 ", "-1 ", "1e308 ", "1e-320 ", "-1e9 ", "(0/1) ", "<0,0,0> ", "3.7 "};
+        static constexpr std::array kOddNumbers{"0 ",    "-1 ",    "1e308 ",   "1e-320 ",
+                                                "-1e9 ", "(0/1) ", "<0,0,0> ", "3.7 "};
         static constexpr std::array kOddTokens{"\"\" ", "#end ", "} ", "{ ", "( ", "x ", "<1,2,3,4,5> ", "rgbft "};
         if (scene.empty()) return;
         const std::size_t at = below(scene.size());
@@ -153,6 +154,7 @@ TEST_CASE("a loop without end is stopped where a limit of tokens is set", "[pars
 {
     parser::Options options;
     options.most_tokens = 1000;
-    for (const char* text : {"#while (1) #end", "#while (1) sphere { 0 1 } #end", "#macro M() M() #end M()", "#for (I, 0, 1e9) #end"})
+    for (const char* text :
+         {"#while (1) #end", "#while (1) sphere { 0 1 } #end", "#macro M() M() #end M()", "#for (I, 0, 1e9) #end"})
         CHECK_THROWS_AS(parser::parse_text(text, "loop.pov", options), parser::Error);
 }

@@ -19,7 +19,8 @@ std::string said(const std::string& text)
 
 TEST_CASE("the words of 3.8 are names before it", "[parser][language]")
 {
-    CHECK(parser_test::debug_of("#declare tau = 1; #declare optional = 2; #declare dictionary = 3; #debug str(tau+optional+dictionary,0,0)") == "6");
+    CHECK(parser_test::debug_of("#declare tau = 1; #declare optional = 2; #declare dictionary = 3; #debug "
+                                "str(tau+optional+dictionary,0,0)") == "6");
     CHECK(said("#debug str(tau,0,9)") == "6.283185307");
     CHECK(said("#declare tau = 1; #debug str(tau,0,0)") == "1");
     CHECK(said("#declare F = function(x) { x*tau }; #debug str(F(2),0,6)") == "12.566371");
@@ -29,17 +30,23 @@ TEST_CASE("the words of 3.8 are names before it", "[parser][language]")
 TEST_CASE("#version 3.8 stands first", "[parser][language]")
 {
     CHECK(said("#debug str(version,0,2)") == "3.80");
-    CHECK(parser_test::error_of("sphere\n#version 3.8;").find("test.pov:2:2: error: #version 3.8 must be the first statement") == 0);
+    CHECK(parser_test::error_of("sphere\n#version 3.8;")
+              .find("test.pov:2:2: error: #version 3.8 must be the first statement") == 0);
     CHECK(parser_test::error_of("#version 3.9;").find("later version of the language than 3.8") != std::string::npos);
 }
 
 TEST_CASE("dictionaries hold members of any type", "[parser][language]")
 {
-    const std::string made = "#declare D = dictionary { .Size: 3, [\"Name\"]: \"ball\", .At: <1,2,3>, .Inner: dictionary { .Deep: 7 } }\n";
-    CHECK(said(made + "#debug concat(str(D.Size,0,0),D.Name,str(D[\"Size\"]+1,0,0),vstr(3,D.At,\",\",0,0),str(D.Inner.Deep*2,0,0))") ==
-          "3ball41,2,314");
+    const std::string made =
+        "#declare D = dictionary { .Size: 3, [\"Name\"]: \"ball\", .At: <1,2,3>, .Inner: dictionary { .Deep: 7 } }\n";
+    CHECK(
+        said(made +
+             "#debug "
+             "concat(str(D.Size,0,0),D.Name,str(D[\"Size\"]+1,0,0),vstr(3,D.At,\",\",0,0),str(D.Inner.Deep*2,0,0))") ==
+        "3ball41,2,314");
     CHECK(said(made + "#declare D.Size = 9; #declare D.New = \"x\"; #debug concat(str(D.Size,0,0),D.New)") == "9x");
-    CHECK(said(made + "#undef D.Size #ifdef(D.Size) #debug \"yes\" #else #debug \"no\" #end #ifdef(D.Name) #debug \"yes\" #end") == "noyes");
+    CHECK(said(made + "#undef D.Size #ifdef(D.Size) #debug \"yes\" #else #debug \"no\" #end #ifdef(D.Name) #debug "
+                      "\"yes\" #end") == "noyes");
     CHECK(said(made + "#declare E = D; #declare E.Size = 1; #debug str(D.Size,0,0)") == "3");
     CHECK(said(made + "#debug str(D.Nothing,0,0)").find("error: ") != std::string::npos);
     CHECK(said("#macro M(T) #declare T.A = 5; #end #declare D = dictionary; M(D) #debug str(D.A,0,0)") == "5");
@@ -47,7 +54,8 @@ TEST_CASE("dictionaries hold members of any type", "[parser][language]")
 
 TEST_CASE("optional parameters may be left out", "[parser][language]")
 {
-    const std::string macro = "#macro M(A, optional B) #ifdef(local.B) #debug str(A+B,0,0) #else #debug str(A,0,0) #end #debug \" \" #end\n";
+    const std::string macro =
+        "#macro M(A, optional B) #ifdef(local.B) #debug str(A+B,0,0) #else #debug str(A,0,0) #end #debug \" \" #end\n";
     CHECK(said(macro + "M(1) M(1,) M(1,2) M(1,Unknown)") == "1 1 3 1 ");
     CHECK(said("#declare B = 5;\n" + macro + "M(1)") == "1 ");
     CHECK(said("#macro M(A) #end M()").find("error: expected argument 'A' of macro M") != std::string::npos);
@@ -55,14 +63,18 @@ TEST_CASE("optional parameters may be left out", "[parser][language]")
 
 TEST_CASE("scopes by name", "[parser][language]")
 {
-    CHECK(said("#declare X = 1; #macro M() #local X = 2; #debug concat(str(X,0,0),str(local.X,0,0),str(3*global.X,0,0)) #declare global.X = 9; #end M() #debug str(X,0,0)") == "2239");
-    CHECK(said("#macro M() #ifdef(local.X) #debug \"l\" #end #ifdef(global.X) #debug \"g\" #end #end #declare X = 1; M()") == "g");
+    CHECK(
+        said("#declare X = 1; #macro M() #local X = 2; #debug concat(str(X,0,0),str(local.X,0,0),str(3*global.X,0,0)) "
+             "#declare global.X = 9; #end M() #debug str(X,0,0)") == "2239");
+    CHECK(said("#macro M() #ifdef(local.X) #debug \"l\" #end #ifdef(global.X) #debug \"g\" #end #end #declare X = 1; "
+               "M()") == "g");
 }
 
 TEST_CASE("several names are assigned at once", "[parser][language]")
 {
     CHECK(said("#declare (A, B) = (1, \"two\"); #debug concat(str(A,0,0),B)") == "1two");
-    CHECK(said("#declare A = 1; #declare B = 2; #declare (A, B) = (B, A); #debug concat(str(A,0,0),str(B,0,0))") == "21");
+    CHECK(said("#declare A = 1; #declare B = 2; #declare (A, B) = (B, A); #debug concat(str(A,0,0),str(B,0,0))") ==
+          "21");
     CHECK(said("#declare V = array[3] {4,5,6}; #declare { A, , C } = V; #debug concat(str(A,0,0),str(C,0,0))") == "46");
     CHECK(said("#declare A = 1; #declare (optional A, B) = (, 2); #debug concat(str(A,0,0),str(B,0,0))") == "12");
     CHECK(said("#declare (A, B) = (1);").find("error: ") != std::string::npos);
@@ -70,12 +82,18 @@ TEST_CASE("several names are assigned at once", "[parser][language]")
 
 TEST_CASE("arrays grow, mix types, have gaps", "[parser][language]")
 {
-    CHECK(said("#declare A = array; #declare A[0] = 1; #declare A[1] = 2; #debug concat(str(A[1],0,0),str(dimension_size(A,1),0,0))") == "22");
-    CHECK(said("#declare A = array {1,2,3}; #for(I,3,40) #declare A[I] = I*I; #end #debug str(A[40]+dimension_size(A,1),0,0)") == "1641");
+    CHECK(said("#declare A = array; #declare A[0] = 1; #declare A[1] = 2; #debug "
+               "concat(str(A[1],0,0),str(dimension_size(A,1),0,0))") == "22");
+    CHECK(said("#declare A = array {1,2,3}; #for(I,3,40) #declare A[I] = I*I; #end #debug "
+               "str(A[40]+dimension_size(A,1),0,0)") == "1641");
     CHECK(said("#declare A = array; #declare A[1] = 1;").find("its size there is 0") != std::string::npos);
-    CHECK(said("#declare A = array mixed [3] {1,\"two\",<3,3,3>}; #debug concat(str(A[0],0,0),vstr(3,A[2],\"\",0,0))") == "1333");
-    CHECK(said("#declare A = array[3] optional {1,,3}; #ifdef(A[1]) #debug \"yes\" #else #debug str(A[2],0,0) #end") == "3");
-    CHECK(parser_test::error_of("#declare A = array {1,2};").find("expected '[' and the array's size") != std::string::npos);
+    CHECK(
+        said("#declare A = array mixed [3] {1,\"two\",<3,3,3>}; #debug concat(str(A[0],0,0),vstr(3,A[2],\"\",0,0))") ==
+        "1333");
+    CHECK(said("#declare A = array[3] optional {1,,3}; #ifdef(A[1]) #debug \"yes\" #else #debug str(A[2],0,0) #end") ==
+          "3");
+    CHECK(parser_test::error_of("#declare A = array {1,2};").find("expected '[' and the array's size") !=
+          std::string::npos);
 }
 
 TEST_CASE("a backslash in a file's name is an escape", "[parser][language]")

@@ -11,7 +11,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.most_tokens = 20'000;  // a loop need not end
     try {
         parser::parse_text(std::string(reinterpret_cast<const char*>(data), size), "fuzz.pov", options);
-    } catch (const parser::Error&) {
-    }
+    } catch (const parser::Error&) {}
     return 0;
 }

@@ -23,7 +23,8 @@ TEST_CASE("loops count as the language does", "[parser][stream]")
     CHECK(debug_of("#for(I,0,1,0.1) #debug \"x\" #end #debug str(I,0,3)") == "xxxxxxxxxxx1.100");
     CHECK(debug_of("#for(I,3,1,-1) #debug str(I,0,0) #end") == "321");
     CHECK(debug_of("#for(I,1,9) #if(I=4) #break #end #debug str(I,0,0) #end #debug str(I,0,0)") == "1234");
-    CHECK(debug_of("#declare N=0; #while(N<3) #declare N=N+1; #if(N=2) #debug \"!\" #end #debug str(N,0,0) #end") == "1!23");
+    CHECK(debug_of("#declare N=0; #while(N<3) #declare N=N+1; #if(N=2) #debug \"!\" #end #debug str(N,0,0) #end") ==
+          "1!23");
 }
 
 TEST_CASE("macros are text with arguments by value or by reference", "[parser][stream]")
@@ -67,7 +68,8 @@ TEST_CASE("errors name place, need and find", "[parser][error]")
     CHECK(error_of("/* a /* b */").starts_with("test.pov:1:1: error: this comment is never closed"));
     CHECK(error_of("#macro A() A() #end A()").find("does a recursion never end?") != std::string::npos);
     CHECK(error_of("#declare A=" + std::string(100000, '(')).find("nested too deeply") != std::string::npos);
-    CHECK(error_of("#include \"no such file\"").find("cannot find the include file 'no such file'") != std::string::npos);
+    CHECK(error_of("#include \"no such file\"").find("cannot find the include file 'no such file'") !=
+          std::string::npos);
 }
 
 TEST_CASE("functions", "[parser][function]")

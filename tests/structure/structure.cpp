@@ -22,7 +22,8 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"parser", {"csg", "function", "parser/grammar", "parser/lexer", "parser/stream", "render/scene"}},
     {"parser/lexer", {}},
     {"parser/stream", {"csg", "function", "parser/lexer", "parser", "render/scene"}},
-    {"parser/grammar", {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene", "render/font", "render/image"}},
+    {"parser/grammar",
+     {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene", "render/font", "render/image"}},
     // Pictures that a scene reads: image knows nothing of scenes, and is what comes last as well as what comes in.
     {"render/scene", {"csg", "function", "render/image"}},
     {"render/font", {"csg"}},
@@ -30,7 +31,8 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"render/texture", {"csg", "function", "render/scene"}},
     {"render/light", {"csg", "function", "render/scene", "render/texture"}},
     {"render/plan", {"csg", "function", "render/scene", "render/texture", "render/light", "render/image"}},
-    {"render/trace", {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image"}},
+    {"render/trace",
+     {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image"}},
     {"render/app", {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace"}},
 };
 
@@ -46,7 +48,7 @@ struct Include {
     std::string file;  ///< from the root
     int line;
     std::string target;
-    bool quoted;       ///< "ours", or <a library's>
+    bool quoted;  ///< "ours", or <a library's>
 };
 
 std::optional<std::string> folder_in_table(std::string path)
@@ -127,9 +129,11 @@ TEST_CASE("no source file includes what its folder may not depend on", "[structu
 
 TEST_CASE("an include that points upward is found", "[structure]")
 {
-    CHECK(objection({"csg/solid.cpp", 1, "render/plan/surface.h", true}) == "csg may not depend on render/plan");
-    CHECK(objection({"parser/lexer/lexer.cpp", 1, "parser/grammar/grammar.h", true}) == "parser/lexer may not depend on parser/grammar");
-    CHECK(objection({"render/trace/render.cpp", 1, "OpenImageIO/imageio.h", false}) == "OpenImageIO/ belongs to render/image");
+    CHECK(objection({"csg/solids/solid.cpp", 1, "render/plan/surface.h", true}) == "csg may not depend on render/plan");
+    CHECK(objection({"parser/lexer/lexer.cpp", 1, "parser/grammar/grammar.h", true}) ==
+          "parser/lexer may not depend on parser/grammar");
+    CHECK(objection({"render/trace/render.cpp", 1, "OpenImageIO/imageio.h", false}) ==
+          "OpenImageIO/ belongs to render/image");
     CHECK(objection({"render/app/main.cpp", 1, "help.h", true}) == "our headers are named by their path from the root");
     CHECK_FALSE(objection({"parser/grammar/grammar.cpp", 1, "render/scene/object.h", true}));
     CHECK_FALSE(objection({"parser/grammar/grammar.cpp", 1, "tao/pegtl.hpp", false}));
@@ -143,7 +147,8 @@ TEST_CASE("the table of folders has no cycle", "[structure]")
     for (auto& [folder, uses] : left) uses.erase("parser");
     left["render/app"].insert({"parser/grammar", "parser/stream", "parser/lexer"});
     while (!left.empty()) {
-        const auto free = std::find_if(left.begin(), left.end(), [](const auto& entry) { return entry.second.empty(); });
+        const auto free =
+            std::find_if(left.begin(), left.end(), [](const auto& entry) { return entry.second.empty(); });
         REQUIRE(free != left.end());
         const std::string name = free->first;
         left.erase(free);

@@ -26,7 +26,10 @@ inline std::string text_of(const std::string& path)
     return out.str();
 }
 
-inline void write_text(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+inline void write_text(const std::string& path, const std::string& text)
+{
+    std::ofstream(path, std::ios::binary) << text;
+}
 
 inline bool ascii(const std::string& text)
 {
@@ -37,20 +40,30 @@ inline bool ascii(const std::string& text)
 struct Ended {
     int status;
     std::string out, err;
-    double cpu_seconds = 0.0;   ///< of all its threads
+    double cpu_seconds = 0.0;  ///< of all its threads
 };
 
-/// A program that runs in a folder, without a shell: the arguments arrive as they stand. HOME is the folder, there is no
-/// display and no POVINI. What it writes goes to files beside the folder, or nowhere if `err` is a pipe's end.
+/// A program that runs in a folder, without a shell: the arguments arrive as they stand. HOME is the folder, there is
+/// no display and no POVINI. What it writes goes to files beside the folder, or nowhere if `err` is a pipe's end.
 class RunningProgram {
 public:
     /// \param input what standard input holds \param error_end a file descriptor for standard error instead of a file
-    RunningProgram(const std::string& folder, const std::string& program, std::vector<std::string> arguments, const std::string& input = {}, int error_end = -1)
+    RunningProgram(const std::string& folder, const std::string& program, std::vector<std::string> arguments,
+                   const std::string& input = {}, int error_end = -1)
         : base_(folder + ".streams")
     {
         write_text(base_ + ".in", input);
         arguments.insert(arguments.begin(), program);
+        // A signal may come before the program itself has begun: none of the test's own handlers may see it.
+        sigset_t all, before;
+        sigfillset(&all);
+        sigprocmask(SIG_SETMASK, &all, &before);
         process_ = fork();
+        if (process_ == 0) {
+            for (const int handled : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGABRT, SIGFPE, SIGILL})
+                ::signal(handled, SIG_DFL);
+        }
+        sigprocmask(SIG_SETMASK, &before, nullptr);
         if (process_ < 0) throw std::runtime_error("no process");
         if (process_ == 0) become(folder, arguments, error_end);
     }
@@ -89,13 +102,16 @@ public:
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         process_ = 0;
-        return {WIFEXITED(result_) ? WEXITSTATUS(result_) : -WTERMSIG(result_), text_of(base_ + ".out"), text_of(base_ + ".err"), seconds(usage_.ru_utime) + seconds(usage_.ru_stime)};
+        return {WIFEXITED(result_) ? WEXITSTATUS(result_) : -WTERMSIG(result_), text_of(base_ + ".out"),
+                text_of(base_ + ".err"), seconds(usage_.ru_utime) + seconds(usage_.ru_stime)};
     }
 
 private:
     [[noreturn]] void become(const std::string& folder, const std::vector<std::string>& arguments, int error_end) const
     {
-        const auto redirect = [](const std::string& path, int flags, int to) { dup2(open(path.c_str(), flags, 0600), to); };
+        const auto redirect = [](const std::string& path, int flags, int to) {
+            dup2(open(path.c_str(), flags, 0600), to);
+        };
         redirect(base_ + ".in", O_RDONLY, STDIN_FILENO);
         redirect(base_ + ".out", O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
         if (error_end >= 0) dup2(error_end, STDERR_FILENO);
@@ -110,7 +126,10 @@ private:
         _exit(127);
     }
 
-    static double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
+    static double seconds(const timeval& time)
+    {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    }
 
     std::string base_;
     pid_t process_ = 0;
@@ -118,7 +137,8 @@ private:
     rusage usage_{};
 };
 
-inline Ended run_program(const std::string& folder, const std::string& program, const std::vector<std::string>& arguments, const std::string& input = {})
+inline Ended run_program(const std::string& folder, const std::string& program,
+                         const std::vector<std::string>& arguments, const std::string& input = {})
 {
     return RunningProgram(folder, program, arguments, input).wait();
 }

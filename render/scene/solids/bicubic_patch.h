@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 
 #include <array>
 
@@ -11,12 +11,12 @@ struct BicubicPatch {
     static constexpr std::string_view kKeywords[] = {"bicubic_patch"};
 
     int type = 1;
-    double flatness = 0.0;               ///< scene units: a part that is flatter is not divided further; 0: never
-    int u_steps = 0, v_steps = 0;        ///< halvings at most along each parameter
-    double accuracy = 0.01;              ///< of POV-Ray's type 2 and 3, which are no more
+    double flatness = 0.0;         ///< scene units: a part that is flatter is not divided further; 0: never
+    int u_steps = 0, v_steps = 0;  ///< halvings at most along each parameter
+    double accuracy = 0.01;        ///< of POV-Ray's type 2 and 3, which are no more
     bool has_uv = false;
-    std::array<glm::dvec2, 4> uv{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};   ///< of its corners, round the patch
-    std::array<glm::dvec3, 16> points{};                              ///< row by row
+    std::array<glm::dvec2, 4> uv{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};  ///< of its corners, round the patch
+    std::array<glm::dvec3, 16> points{};                             ///< row by row
 
     void dump(DumpWriter& out) const
     {

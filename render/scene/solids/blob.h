@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 #include "render/scene/texture.h"
 
 #include <cstdint>
@@ -14,12 +14,12 @@ struct Blob {
     static constexpr bool kTakesSturm = true, kTakesHierarchy = true;
 
     struct Component {
-        /// Plain: `component`, the old way of writing a ball, without modifiers.
+        /// Plain: `component`, the old way of writing a sphere, without modifiers.
         enum class Kind : std::uint8_t { Plain, Sphere, Cylinder } kind = Kind::Sphere;
-        glm::dvec3 center{0.0}, end{0.0};   ///< end: of a cylinder's axis
+        glm::dvec3 center{0.0}, end{0.0};  ///< end: of a cylinder's axis
         double radius = 1.0, strength = 1.0;
-        csg::Transform transform;           ///< to the blob's space
-        TexturePtr texture;                 ///< null: the blob's
+        csg::Transform transform;  ///< to the blob's space
+        TexturePtr texture;        ///< null: the blob's
     };
 
     double threshold = 1.0;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 
 namespace scene {
 
 /// contained_by { box { corners } } or { sphere { center, radius } }.
 struct Container {
-    enum class Kind { Unwritten, Box, Sphere } kind = Kind::Unwritten;   ///< Unwritten: the box
+    enum class Kind { Unwritten, Box, Sphere } kind = Kind::Unwritten;  ///< Unwritten: the box
     glm::dvec3 corner[2] = {glm::dvec3(-1.0), glm::dvec3(1.0)};         ///< in the order written
     glm::dvec3 center{0.0};
     double radius = 1.0;

@@ -10,9 +10,9 @@ struct HeightField {
     static constexpr bool kTakesHierarchy = true;
 
     ImageSource source;
-    double water_level = 0.0;   ///< below it nothing is drawn; share of the heights' range
-    bool smooth = false;        ///< normals are blended
-    bool premultiplied = false; ///< colours are times alpha; heights have none
+    double water_level = 0.0;    ///< below it nothing is drawn; share of the heights' range
+    bool smooth = false;         ///< normals are blended
+    bool premultiplied = false;  ///< colours are times alpha; heights have none
 
     void dump(DumpWriter& out) const
     {

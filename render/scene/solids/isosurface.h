@@ -12,15 +12,15 @@ struct Isosurface {
     static constexpr std::string_view kKeywords[] = {"isosurface"};
 
     static constexpr int kMostTraced = 10;
-    function::FunctionPtr function;       ///< of x, y and z
+    function::FunctionPtr function;  ///< of x, y and z
     Container container;
     double threshold = 0.0;
-    double accuracy = 0.001;              ///< scene units; what is not above 0 was told and is the default
-    double max_gradient = 1.1;            ///< the like
-    std::optional<glm::dvec3> evaluate;   ///< how max_gradient grows: least, factor, share kept
-    int max_trace = 1;                    ///< crossings drawn on one ray, 1 to kMostTraced
-    bool all_intersections = false;       ///< written so: kMostTraced of them
-    bool open = false;                    ///< the container's wall is not drawn
+    double accuracy = 0.001;             ///< scene units; what is not above 0 was told and is the default
+    double max_gradient = 1.1;           ///< the like
+    std::optional<glm::dvec3> evaluate;  ///< how max_gradient grows: least, factor, share kept
+    int max_trace = 1;                   ///< crossings drawn on one ray, 1 to kMostTraced
+    bool all_intersections = false;      ///< written so: kMostTraced of them
+    bool open = false;                   ///< the container's wall is not drawn
 
     void dump(DumpWriter& out) const
     {

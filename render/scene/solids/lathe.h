@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 #include "render/scene/solids/curve.h"
 
 #include <vector>
@@ -13,7 +13,7 @@ struct Lathe {
     static constexpr bool kTakesSturm = true;
 
     Curve curve = Curve::Linear;
-    std::vector<glm::dvec2> points;   ///< (distance from the axis, height), control points among them
+    std::vector<glm::dvec2> points;  ///< (distance from the axis, height), control points among them
 
     void dump(DumpWriter& out) const
     {

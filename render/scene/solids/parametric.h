@@ -15,10 +15,10 @@ struct Parametric {
     std::array<function::FunctionPtr, 3> function;   ///< x, y and z of u and v
     glm::dvec2 range[2] = {{0.0, 0.0}, {1.0, 1.0}};  ///< corners of the parameters' rectangle, as written
     Container container;
-    double accuracy = 0.001;                         ///< scene units; what is not above 0 was told and is the default
+    double accuracy = 0.001;  ///< scene units; what is not above 0 was told and is the default
     double max_gradient = 1.0;
-    int precompute = 0;                              ///< levels, 1 to 20; 0: nothing is computed beforehand
-    std::string precomputed;                         ///< letters of the coordinates
+    int precompute = 0;       ///< levels, 1 to 20; 0: nothing is computed beforehand
+    std::string precomputed;  ///< letters of the coordinates
 
     void dump(DumpWriter& out) const
     {

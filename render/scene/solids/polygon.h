@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace scene {
 struct Polygon {
     static constexpr std::string_view kKeywords[] = {"polygon"};
 
-    std::vector<glm::dvec3> points;   ///< as written: a loop ends where its first point comes again
+    std::vector<glm::dvec3> points;  ///< as written: a loop ends where its first point comes again
 
     void dump(DumpWriter& out) const { out.list("points", points); }
 };

@@ -1,23 +1,26 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 
 #include <array>
 #include <vector>
 
 namespace scene {
 
-/// Where a polynomial of x, y and z is not positive (reference manual: Poly, Cubic, Quartic, Polynomial). What is drawn is
-/// scene::Polynomial.
+/// Where a polynomial of x, y and z is not positive (reference manual: Poly, Cubic, Quartic, Polynomial). What is drawn
+/// is scene::Polynomial.
 struct PolynomialSurface {
     static constexpr std::string_view kKeywords[] = {"poly", "cubic", "quartic", "polynomial"};
     static constexpr bool kTakesSturm = true;
 
-    struct Term { std::array<int, 3> powers{}; double coefficient = 0.0; };
+    struct Term {
+        std::array<int, 3> powers{};
+        double coefficient = 0.0;
+    };
 
-    int order = 2;                        ///< 2 to 35
-    std::vector<double> coefficients;     ///< all, in POV-Ray's order (spec 5a, 5.9)
-    std::vector<Term> terms;              ///< of `polynomial`, as written: of those with the same powers the last counts
+    int order = 2;                     ///< 2 to 35
+    std::vector<double> coefficients;  ///< all, in POV-Ray's order (spec 5a, 5.9)
+    std::vector<Term> terms;           ///< of `polynomial`, as written: of those with the same powers the last counts
 
     /// Number of coefficients of a polynomial of that order.
     static int count_of(int order) { return (order + 1) * (order + 2) * (order + 3) / 6; }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 #include "render/scene/solids/curve.h"
 
 #include <vector>
@@ -13,10 +13,11 @@ struct Prism {
     static constexpr bool kTakesSturm = true;
 
     Curve curve = Curve::Linear;
-    bool conic = false;               ///< it grows with the height from nothing at 0; else it is the same at each height
-    double low = 0.0, high = 1.0;     ///< heights of its ends, in the order written
-    std::vector<glm::dvec2> points;   ///< (x, z), control points among them; a loop ends where its first point comes again
-    bool open = false;                ///< without caps
+    bool conic = false;            ///< it grows with the height from nothing at 0; else it is the same at each height
+    double low = 0.0, high = 1.0;  ///< heights of its ends, in the order written
+    std::vector<glm::dvec2>
+        points;         ///< (x, z), control points among them; a loop ends where its first point comes again
+    bool open = false;  ///< without caps
 
     void dump(DumpWriter& out) const
     {

@@ -1,28 +1,31 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace scene {
 
-/// What a ball covers whose centre and radius follow a spline (reference manual: Sphere Sweep).
+/// What a sphere covers whose centre and radius follow a spline (reference manual: Sphere Sweep).
 struct SphereSweep {
     static constexpr std::string_view kKeywords[] = {"sphere_sweep"};
 
     enum class Spline : std::uint8_t { Linear, Cubic, B };
-    struct Ball { glm::dvec3 center{0.0}; double radius = 1.0; };
+    struct SweptSphere {
+        glm::dvec3 center{0.0};
+        double radius = 1.0;
+    };
 
     Spline spline = Spline::Linear;
-    std::vector<Ball> balls;
-    double tolerance = 1e-6;   ///< of POV-Ray's root finder; ours needs none
+    std::vector<SweptSphere> spheres;
+    double tolerance = 1e-6;  ///< of POV-Ray's root finder; ours needs none
 
     void dump(DumpWriter& out) const
     {
         static constexpr std::string_view kNames[] = {"linear_spline", "cubic_spline", "b_spline"};
         out.word(kNames[static_cast<std::size_t>(spline)]);
-        for (const Ball& ball : balls) out.words("sphere", ball.center, ball.radius);
+        for (const SweptSphere& sphere : spheres) out.words("sphere", sphere.center, sphere.radius);
         out.changed("tolerance", tolerance, SphereSweep().tolerance);
     }
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 
 namespace scene {
 
@@ -8,7 +8,7 @@ namespace scene {
 struct Superellipsoid {
     static constexpr std::string_view kKeywords[] = {"superellipsoid"};
 
-    glm::dvec2 powers{1.0};   ///< e, east to west; n, north to south
+    glm::dvec2 powers{1.0};  ///< e, east to west; n, north to south
 
     void dump(DumpWriter& out) const { out.words("-", powers); }
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/dump_writer.h"
+#include "render/scene/dump/dump_writer.h"
 
 #include <string>
 
@@ -10,11 +10,11 @@ namespace scene {
 struct Text {
     static constexpr std::string_view kKeywords[] = {"text"};
 
-    std::string font;              ///< file; empty: one that comes with POV-Ray
-    double internal_font = 1.0;    ///< which of those, as written
+    std::string font;            ///< file; empty: one that comes with POV-Ray
+    double internal_font = 1.0;  ///< which of those, as written
     std::string characters;
-    double thickness = 1.0;        ///< along z, either way
-    glm::dvec3 offset{0.0};        ///< between one character and the next, beside what the font asks for
+    double thickness = 1.0;  ///< along z, either way
+    glm::dvec3 offset{0.0};  ///< between one character and the next, beside what the font asks for
 
     void dump(DumpWriter& out) const
     {

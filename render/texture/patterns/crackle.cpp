@@ -1,8 +1,8 @@
-#include "csg/lanes.h"
-#include "csg/types.h"
+#include "csg/base/lanes.h"
+#include "csg/base/types.h"
 #include "render/texture/angle.h"
-#include "render/texture/nearest_cells.h"
-#include "render/texture/noise.h"
+#include "render/texture/noise/nearest_cells.h"
+#include "render/texture/noise/noise.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
@@ -39,7 +39,8 @@ double crackle_in(const Pattern& pattern, const glm::dvec3& p, CellPoints& cells
 {
     const int count = wanted(pattern);
     const NearestCells found = nearest_cells(p, cells, pattern.numbers[0], false, count);
-    return solid(pattern) ? std::clamp(noise(found.point, pattern.noise_generator), 0.0, 1.0) : value_of(pattern, found.powered, count);
+    return solid(pattern) ? std::clamp(noise(found.point, pattern.noise_generator), 0.0, 1.0)
+                          : value_of(pattern, found.powered, count);
 }
 
 /// The smallest distances of as many points as there are lanes.
@@ -60,12 +61,14 @@ template <int Count, bool Squared>
 void shared_cell(const Points& p, CellPoints& cells, Values& first, Values& second, Values& third)
 {
     for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
-        const Double x = Double::load_aligned(p.x.data() + i), y = Double::load_aligned(p.y.data() + i), z = Double::load_aligned(p.z.data() + i);
+        const Double x = Double::load_aligned(p.x.data() + i), y = Double::load_aligned(p.y.data() + i),
+                     z = Double::load_aligned(p.z.data() + i);
         Nearest found;
         const auto search = [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = begin; c < end; ++c) {
                 const Double dx = x - Double(cells.x[c]), dy = y - Double(cells.y[c]), dz = z - Double(cells.z[c]);
-                found.take(Squared ? dx * dx + dy * dy + dz * dz : xsimd::abs(dx) + xsimd::abs(dy) + xsimd::abs(dz), Count);
+                found.take(Squared ? dx * dx + dy * dy + dz * dz : xsimd::abs(dx) + xsimd::abs(dy) + xsimd::abs(dz),
+                           Count);
             }
         };
         search(0, CellPoints::kNear);
@@ -90,7 +93,7 @@ void shared_cell(const Points& p, CellPoints& cells, int count, Values& first, V
 /// All points lie in the cell `base`.
 void values_in(const Pattern& pattern, const glm::dvec3& base, Points& p, Values& out)
 {
-    constexpr int kFew = 2;   // up to so many points cells fill the lanes better
+    constexpr int kFew = 2;  // up to so many points cells fill the lanes better
     CellPoints cells(base);
     const double metric = pattern.numbers[0];
     if (solid(pattern) || (metric != 1.0 && metric != 2.0) || p.count <= kFew) {
@@ -137,7 +140,7 @@ void crackle_values(const Pattern& pattern, const Points& p, Values& out)
                 left[kept++] = i;
             }
         }
-        if (kept == count) break;   // a point that is no number is in no cell
+        if (kept == count) break;  // a point that is no number is in no cell
         count = kept;
         values_in(pattern, cell, group, found);
         for (std::size_t k = 0; k < group.size(); ++k) out[owner[k]] = found[k];

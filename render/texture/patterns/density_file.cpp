@@ -63,7 +63,8 @@ double tricubic(const Volume& v, const Corner& c)
     std::array<float, 4> rows{}, planes{}, along{};
     for (std::uint64_t i = 0; i < 4; ++i) {
         for (std::uint64_t j = 0; j < 4; ++j) {
-            for (std::uint64_t k = 0; k < 4; ++k) rows[k] = static_cast<float>(sample(v, neighbour(0, i), neighbour(1, j), neighbour(2, k)));
+            for (std::uint64_t k = 0; k < 4; ++k)
+                rows[k] = static_cast<float>(sample(v, neighbour(0, i), neighbour(1, j), neighbour(2, k)));
             planes[j] = cubic(rows[0], rows[1], rows[2], rows[3], t(2));
         }
         along[i] = cubic(planes[0], planes[1], planes[2], planes[3], t(1));

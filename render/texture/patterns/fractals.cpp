@@ -23,8 +23,8 @@ Complex operator/(Complex x, Complex y)
     return {(x.a * y.a + x.b * y.b) / q, (x.b * y.a - x.a * y.b) / q};
 }
 
-constexpr double kEscape = 4.0;              // |z|^2 of mandel and julia
-constexpr double kMagnetEscape = 10000.0;    // |z|^2 of the magnets
+constexpr double kEscape = 4.0;                 // |z|^2 of mandel and julia
+constexpr double kMagnetEscape = 10000.0;       // |z|^2 of the magnets
 constexpr double kMagnetFixed = 1.0 / 10000.0;  // |z - 1|^2 below which a magnet has converged
 
 double exterior(const Pattern& pattern, int k, Complex z)
@@ -154,7 +154,8 @@ void power_set_values(const Pattern& pattern, const Points& p, Values& out)
 {
     for (std::size_t i = 0; i < p.size(); i += kLanes) {
         const ComplexLanes z{Double::load_aligned(p.x.data() + i), Double::load_aligned(p.y.data() + i)};
-        const ComplexLanes c = pattern.kind == PatternKind::Mandel ? z : ComplexLanes{Double(pattern.vector.x), Double(pattern.vector.y)};
+        const ComplexLanes c =
+            pattern.kind == PatternKind::Mandel ? z : ComplexLanes{Double(pattern.vector.x), Double(pattern.vector.y)};
         power_set_lanes(pattern, z, c, std::min(kLanes, p.size() - i), out.data() + i);
     }
 }

@@ -1,5 +1,5 @@
 #include "render/texture/angle.h"
-#include "render/texture/noise.h"
+#include "render/texture/noise/noise.h"
 #include "render/texture/patterns/patterns.h"
 #include "render/texture/quilt.h"
 
@@ -53,8 +53,8 @@ double leopard(const glm::dvec3& p)
 double cells(const glm::dvec3& p)
 {
     const glm::dvec3 cell = glm::floor(p + kTiny);
-    return pattern_random(cell_hash(static_cast<long long>(cell.x), static_cast<long long>(cell.y),
-                                    static_cast<long long>(cell.z)));
+    return pattern_random(
+        cell_hash(static_cast<long long>(cell.x), static_cast<long long>(cell.y), static_cast<long long>(cell.z)));
 }
 
 double quilted(const Pattern& pattern, const glm::dvec3& p)

@@ -81,12 +81,9 @@ double triangular(const glm::dvec3& p)
     const double a = std::floor(x);
     x -= a;
     double c;
-    if (z >= q * x)
-        c = floor_mod(1.0 + 2.0 * a, 6.0);
-    else if (z >= q * (1.0 - x))
-        c = floor_mod(3.0 + 2.0 * a, 6.0);
-    else
-        c = floor_mod(-2.0 * a, 6.0);
+    if (z >= q * x) c = floor_mod(1.0 + 2.0 * a, 6.0);
+    else if (z >= q * (1.0 - x)) c = floor_mod(3.0 + 2.0 * a, 6.0);
+    else c = floor_mod(-2.0 * a, 6.0);
     return upper ? 5.0 - c : c;
 }
 

@@ -1,6 +1,6 @@
 #include "render/texture/angle.h"
-#include "render/texture/noise.h"
-#include "render/texture/noise_points.h"
+#include "render/texture/noise/noise.h"
+#include "render/texture/noise/noise_points.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
@@ -42,11 +42,20 @@ double dents(const Pattern& pattern, const glm::dvec3& p)
     return n * n * n;
 }
 
-double granite(const Pattern& pattern, const glm::dvec3& p) { return octaves_at(p, OctaveSum::Granite, pattern.noise_generator); }
+double granite(const Pattern& pattern, const glm::dvec3& p)
+{
+    return octaves_at(p, OctaveSum::Granite, pattern.noise_generator);
+}
 
-double wrinkles(const Pattern& pattern, const glm::dvec3& p) { return octaves_at(p, OctaveSum::Wrinkles, pattern.noise_generator); }
+double wrinkles(const Pattern& pattern, const glm::dvec3& p)
+{
+    return octaves_at(p, OctaveSum::Wrinkles, pattern.noise_generator);
+}
 
-double agate(const Pattern& pattern, const glm::dvec3& p) { return agate_band(pattern, p.z, turbulence_at(pattern, p)); }
+double agate(const Pattern& pattern, const glm::dvec3& p)
+{
+    return agate_band(pattern, p.z, turbulence_at(pattern, p));
+}
 
 double agate_power(double c) { return c < 0.0 ? 0.0 : std::pow(std::min(1.0, c), 0.77); }
 

@@ -32,8 +32,8 @@ constexpr auto kRulePlaces = [] {
     std::array<std::uint8_t, 7 * (kMostTiles + 1) * (kMostPatterns + 1)> places{};
     for (std::size_t i = 0; i < std::size(kPavements); ++i) {
         const PavementRule& rule = kPavements[i];
-        places[static_cast<std::size_t>((rule.sides * (kMostTiles + 1) + rule.tiles) * (kMostPatterns + 1) + rule.pattern)] =
-            static_cast<std::uint8_t>(i);
+        places[static_cast<std::size_t>((rule.sides * (kMostTiles + 1) + rule.tiles) * (kMostPatterns + 1) +
+                                        rule.pattern)] = static_cast<std::uint8_t>(i);
     }
     return places;
 }();
@@ -48,7 +48,8 @@ unsigned cell_flags(const PavementRule& rule, double column, double row)
     long long index = 0;
     switch (rule.numbering) {
     case Numbering::Rows:
-        index = positive_remainder(i + rule.a * floor_division(j, rule.p), rule.m) + rule.m * positive_remainder(j, rule.p);
+        index = positive_remainder(i + rule.a * floor_division(j, rule.p), rule.m) +
+                rule.m * positive_remainder(j, rule.p);
         break;
     case Numbering::Skewed:
         index = positive_remainder(i + rule.a * j, rule.m) + rule.m * positive_remainder(j, rule.p);
@@ -63,7 +64,10 @@ unsigned cell_flags(const PavementRule& rule, double column, double row)
 
 bool flag(unsigned flags, std::size_t bit) { return flags >> bit & 1u; }
 /// `value` as one of 0, 1, ..., count - 1.
-int choice(double value, int count) { return static_cast<int>(positive_remainder(static_cast<long long>(value), count)); }
+int choice(double value, int count)
+{
+    return static_cast<int>(positive_remainder(static_cast<long long>(value), count));
+}
 
 /// Greatest, summed or straight distance.
 double norm(int kind, double a, double b)
@@ -75,14 +79,18 @@ double norm(int kind, double a, double b)
 double square_pavement(const PavementRule& rule, const Pattern& pattern, double x, double z)
 {
     // Walls are bits 0 to 3 (+z, +x, -z, -x), corners 4 to 7 (-x+z, +x+z, +x-z, -x-z).
-    static constexpr std::array<std::array<std::size_t, 2>, 4> kBeside{{{0, 3}, {0, 1}, {2, 1}, {2, 3}}}, kAcross{{{1, 2}, {2, 3}, {0, 3}, {0, 1}}};
+    static constexpr std::array<std::array<std::size_t, 2>, 4> kBeside{{{0, 3}, {0, 1}, {2, 1}, {2, 3}}},
+        kAcross{{{1, 2}, {2, 3}, {0, 3}, {0, 1}}};
     const double column = std::floor(x), row = std::floor(z);
     const double u = 2.0 * (x - column) - 1.0, w = 2.0 * (z - row) - 1.0;
     const unsigned flags = cell_flags(rule, column, row);
     const std::array<double, 4> toward{w, u, -w, -u};
     // Twice the distances from a corner along x and z.
-    const auto to_corner = [&](std::size_t corner, int kind) { return norm(kind, 1.0 - toward[kBeside[corner][1]], 1.0 - toward[kBeside[corner][0]]); };
-    const int exterior = choice(pattern.numbers[3], 3), interior = choice(pattern.numbers[4], 3), form = choice(pattern.numbers[5], 4);
+    const auto to_corner = [&](std::size_t corner, int kind) {
+        return norm(kind, 1.0 - toward[kBeside[corner][1]], 1.0 - toward[kBeside[corner][0]]);
+    };
+    const int exterior = choice(pattern.numbers[3], 3), interior = choice(pattern.numbers[4], 3),
+              form = choice(pattern.numbers[5], 4);
 
     if (form < 3)
         for (std::size_t c = 0; c < 4; ++c)
@@ -152,14 +160,17 @@ double triangle_pavement(const PavementRule& rule, const Pattern& pattern, doubl
     const TriangleCell cell = triangle_cell(x, z);
     const unsigned flags = cell_flags(rule, cell.column, cell.row);
     const glm::dvec2& p = cell.at;
-    const int exterior = choice(pattern.numbers[3], 3), interior = choice(pattern.numbers[4], 3), form = choice(pattern.numbers[5], 3);
+    const int exterior = choice(pattern.numbers[3], 3), interior = choice(pattern.numbers[4], 3),
+              form = choice(pattern.numbers[5], 3);
     const double inverse_radius = 2.0 * kRoot3;
     // Walls left, right, bottom.
     const std::array<double, 3> shade{1.0 - inverse_radius * (kRoot3 * p.x - p.y) / 2.0,
-                                      1.0 - inverse_radius * (kRoot3 * (1.0 - p.x) - p.y) / 2.0, 1.0 - inverse_radius * p.y};
+                                      1.0 - inverse_radius * (kRoot3 * (1.0 - p.x) - p.y) / 2.0,
+                                      1.0 - inverse_radius * p.y};
     if (form != 0) {
         // K about O: a tile turns at O, and the region of K shows it.
-        static constexpr std::array<std::array<std::size_t, 2>, 6> kAbout{{{0, 1}, {1, 0}, {0, 2}, {2, 0}, {1, 2}, {2, 1}}};
+        static constexpr std::array<std::array<std::size_t, 2>, 6> kAbout{
+            {{0, 1}, {1, 0}, {0, 2}, {2, 0}, {1, 2}, {2, 1}}};
         for (std::size_t f = 0; f < 6; ++f) {
             const auto [corner, about] = kAbout[f];
             if (!flag(flags, 6 + f) || !in_region(corner, p, false)) continue;
@@ -174,7 +185,8 @@ double triangle_pavement(const PavementRule& rule, const Pattern& pattern, doubl
     for (std::size_t corner = 0; corner < 3; ++corner)
         if (flag(flags, 3 + corner)) v = std::max(v, triangle_interior(interior, corner, p));
     if (rule.sides != 3 || exterior == 0) return v;
-    static constexpr std::array<std::array<std::size_t, 3>, 3> kSharp{{{0, 0, 1}, {2, 1, 2}, {1, 0, 2}}};  // corner, its two walls
+    static constexpr std::array<std::array<std::size_t, 3>, 3> kSharp{
+        {{0, 0, 1}, {2, 1, 2}, {1, 0, 2}}};  // corner, its two walls
     for (const auto& [corner, one, other] : kSharp) {
         if (!flag(flags, one) || !flag(flags, other)) continue;
         const glm::dvec2 g = p - kCentroid;
@@ -191,7 +203,8 @@ double pavement(const Pattern& pattern, const glm::dvec3& p)
 {
     if (!std::isfinite(p.x + p.z)) return 0.0;  // a warp's singular point
     const auto& n = pattern.numbers;
-    const auto place = static_cast<std::size_t>((static_cast<int>(n[0]) * (kMostTiles + 1) + static_cast<int>(n[1])) * (kMostPatterns + 1) +
+    const auto place = static_cast<std::size_t>((static_cast<int>(n[0]) * (kMostTiles + 1) + static_cast<int>(n[1])) *
+                                                    (kMostPatterns + 1) +
                                                 static_cast<int>(n[2]));
     const PavementRule& rule = kPavements[kRulePlaces[place]];
     return rule.sides == 4 ? square_pavement(rule, pattern, p.x, p.z) : triangle_pavement(rule, pattern, p.x, p.z);

@@ -15,15 +15,21 @@ constexpr double kMargin = 1e-6;  // keeps the ranges of two shapes apart
 /// Sine, cosine and tangent of whole degrees, all multiples of 18, made once.
 struct Degrees {
     explicit Degrees(int degrees)
-        : sine(std::sin(degrees * std::numbers::pi / 180.0)), cosine(std::cos(degrees * std::numbers::pi / 180.0)), tangent(sine / cosine)
-    {
-    }
+        : sine(std::sin(degrees * std::numbers::pi / 180.0)), cosine(std::cos(degrees * std::numbers::pi / 180.0)),
+          tangent(sine / cosine)
+    {}
     double sine, cosine, tangent;
 };
 const Degrees k18(18), k36(36), k54(54), k72(72), k108(108), k126(126), k144(144), k162(162);
 
-glm::dvec2 left(const Degrees& t, const glm::dvec2& p) { return {p.x * t.cosine - p.y * t.sine, p.x * t.sine + p.y * t.cosine}; }
-glm::dvec2 right(const Degrees& t, const glm::dvec2& p) { return {p.x * t.cosine + p.y * t.sine, p.y * t.cosine - p.x * t.sine}; }
+glm::dvec2 left(const Degrees& t, const glm::dvec2& p)
+{
+    return {p.x * t.cosine - p.y * t.sine, p.x * t.sine + p.y * t.cosine};
+}
+glm::dvec2 right(const Degrees& t, const glm::dvec2& p)
+{
+    return {p.x * t.cosine + p.y * t.sine, p.y * t.cosine - p.x * t.sine};
+}
 glm::dvec2 upward(const glm::dvec2& p) { return {p.x, std::abs(p.y)}; }
 
 /// Into the sector of 36 degrees above the x axis, of which ten with their mirror images make the plane.
@@ -36,7 +42,10 @@ glm::dvec2 five_fold(glm::dvec2 p)
 }
 
 /// Distance from the line through (x0, 0) at the angle t.
-double from_line(const Degrees& t, double x0, const glm::dvec2& p) { return std::abs(t.sine * (p.x - x0) - t.cosine * p.y); }
+double from_line(const Degrees& t, double x0, const glm::dvec2& p)
+{
+    return std::abs(t.sine * (p.x - x0) - t.cosine * p.y);
+}
 /// Whether the point lies below that line, by its slope.
 bool below(const Degrees& t, double x0, const glm::dvec2& p) { return p.y < (p.x - x0) * t.tangent; }
 
@@ -71,7 +80,8 @@ double kites(bool rhombs, glm::dvec2 p)
     p = upward(p);
     if (!rhombs) {
         constexpr double k = 4.46;
-        return kite ? low(k * from_line(k36, 0, p), k * from_line(k108, 1, p)) : high(k * p.y, k * from_line(k144, 1, p));
+        return kite ? low(k * from_line(k36, 0, p), k * from_line(k108, 1, p))
+                    : high(k * p.y, k * from_line(k144, 1, p));
     }
     constexpr double k = 5.55;
     if (!kite) return low(k * from_line(k36, 0, p), k * from_line(k144, 1, p));
@@ -82,8 +92,8 @@ double kites(bool rhombs, glm::dvec2 p)
 /// Pieces of the pentagon tiling, by the letters of spec 4, 6.2.
 enum class Piece { A, B, B2, C, C2, S, O, O2, D1, D2 };
 
-const double kCorner = 1.0 / (2.0 * k36.sine);    // of a pentagon with sides of 1: from its middle to a corner,
-const double kSide = 1.0 / (2.0 * k36.tangent);   // to a side
+const double kCorner = 1.0 / (2.0 * k36.sine);   // of a pentagon with sides of 1: from its middle to a corner,
+const double kSide = 1.0 / (2.0 * k36.tangent);  // to a side
 
 /// One level down: which piece of the piece holds the point, and the point in its space before it grows.
 void divide(Piece& piece, glm::dvec2& p)
@@ -119,9 +129,7 @@ void divide(Piece& piece, glm::dvec2& p)
     case Piece::S:
         if (p.x < m / kGolden) return become(Piece::A, p);
         return become(Piece::C2, {-(p.x - 2.0 * m / kGolden), p.y});
-    case Piece::O:
-        p = left(k72, p);
-        return become(Piece::C2, {p.x + a, p.y});
+    case Piece::O: p = left(k72, p); return become(Piece::C2, {p.x + a, p.y});
     case Piece::O2:
         if (p.x > kGolden * a * k108.cosine) return become(Piece::A, {-p.x, p.y});
         return become(Piece::C2, {p.x + a, p.y});

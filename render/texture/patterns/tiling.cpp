@@ -10,9 +10,9 @@ namespace {
 
 /// As tilings.inc writes it.
 struct WrittenPolygon {
-    double value;              ///< of its class, some with a tiny offset
-    double least;              ///< the value with its shade is at least this
-    unsigned wide_edges;       ///< a bit each: the radius is 1/3 (a flaw of POV-Ray's dodecagon in tiling 22)
+    double value;         ///< of its class, some with a tiny offset
+    double least;         ///< the value with its shade is at least this
+    unsigned wide_edges;  ///< a bit each: the radius is 1/3 (a flaw of POV-Ray's dodecagon in tiling 22)
     std::vector<glm::dvec2> corners;
 };
 struct WrittenTiling {
@@ -23,7 +23,7 @@ struct WrittenTiling {
 };
 
 struct TileEdge {
-    glm::dvec2 inward;         ///< unit
+    glm::dvec2 inward;  ///< unit
     double offset, radius;
     double distance(const glm::dvec2& q) const { return glm::dot(inward, q) - offset; }
 };
@@ -49,7 +49,8 @@ struct ReadyTiling {
     std::vector<std::vector<unsigned>> grid;
 
     explicit ReadyTiling(const WrittenTiling& from);
-    /// The tile at `q`; on an edge the one that `lean`, a tiny step, leads into, or the class with the greater `favour`.
+    /// The tile at `q`; on an edge the one that `lean`, a tiny step, leads into, or the class with the greater
+    /// `favour`.
     const Tile& tile_at(const glm::dvec2& q, const glm::dvec2& cell, const glm::dvec2& lean, double favour) const
     {
         const auto column = std::min(static_cast<std::size_t>(cell.x * kGrid), std::size_t{kGrid - 1});
@@ -96,7 +97,8 @@ ReadyTiling::ReadyTiling(const WrittenTiling& from) : classes(from.classes), fir
                     for (int column = 0; column < kGrid; ++column) {
                         const glm::dvec2 middle = ((column + 0.5) * first + (row + 0.5) * second) / double(kGrid);
                         if (tile.depth(middle) < -reach) continue;
-                        grid[static_cast<std::size_t>(row * kGrid + column)].push_back(static_cast<unsigned>(tiles.size()));
+                        grid[static_cast<std::size_t>(row * kGrid + column)].push_back(
+                            static_cast<unsigned>(tiles.size()));
                         used = true;
                     }
                 if (used) tiles.push_back(tile);
@@ -114,8 +116,9 @@ const std::vector<ReadyTiling>& ready_tilings()
     return all;
 }
 
-/// Which side an edge belongs to, in units of the tiles: far below what a picture shows, far above rounding. Measured at
-/// the corners of the tiles: toward +z and +x; tiling 12 is mirrored in the middle of its period; tiling 8 prefers its squares.
+/// Which side an edge belongs to, in units of the tiles: far below what a picture shows, far above rounding. Measured
+/// at the corners of the tiles: toward +z and +x; tiling 12 is mirrored in the middle of its period; tiling 8 prefers
+/// its squares.
 constexpr double kLean = 1e-10;
 
 double polygon_tiling(int kind, const glm::dvec2& p)

@@ -1,6 +1,6 @@
-#include "render/trace/antialias.h"
+#include "render/trace/antialias/antialias.h"
 
-#include "render/trace/jitter.h"
+#include "render/trace/antialias/jitter.h"
 
 #include <catch2/catch.hpp>
 
@@ -101,7 +101,9 @@ TEST_CASE("method 1 never refines the border of a block", "[render][antialias]")
 TEST_CASE("a pixel is refined at most once", "[render][antialias]")
 {
     Formula picture{[](double x, double y) {
-                        return (static_cast<int>(std::floor(x + 0.5)) + static_cast<int>(std::floor(y + 0.5))) % 2 == 0 ? 1.0f : 0.0f;
+                        return (static_cast<int>(std::floor(x + 0.5)) + static_cast<int>(std::floor(y + 0.5))) % 2 == 0
+                                   ? 1.0f
+                                   : 0.0f;
                     },
                     {}};
     run(picture, settings(1, 2, 0), {0, 0, 6, 6});
@@ -141,8 +143,8 @@ TEST_CASE("colours differ by the sum over channels after the display curve", "[r
     const trace::ColorDistance distance(settings(1, 3, 0), {});
     const scene::Color black{}, dark{0.001f, 0.001f, 0.001f, 0, 0}, dim{0.0005f, 0, 0, 0, 0};
     CHECK_FALSE(distance.differ(black, black));
-    CHECK_FALSE(distance.differ(black, dim));  // 0.0005^(1/2.5) = 0.048
-    CHECK_FALSE(distance.differ(black, dark));  // 3 * 0.063 = 0.19
+    CHECK_FALSE(distance.differ(black, dim));                       // 0.0005^(1/2.5) = 0.048
+    CHECK_FALSE(distance.differ(black, dark));                      // 3 * 0.063 = 0.19
     CHECK(distance.differ(black, {0.004f, 0.004f, 0.004f, 0, 0}));  // 3 * 0.110 = 0.33
     CHECK(distance.differ(black, {0, 0, 0, 0, 1}));
 }

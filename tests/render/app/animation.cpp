@@ -1,6 +1,7 @@
 // Animations as POV-Ray 3.7.0.10 runs them. Each animation is what it printed and which files it made for
 //     povray a.pov OPTIONS +W4 +H3 -D
-// with the scene below. (Where its clock is no number, for one frame, Whittle has the initial clock: tests/.../frames.cpp.)
+// with the scene below. (Where its clock is no number, for one frame, Whittle has the initial clock:
+// tests/.../frames.cpp.)
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -12,11 +13,12 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr const char* kFrameScene =
-    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
-    "#debug concat(\"f \", str(frame_number,0,0), \" \", str(initial_frame,0,0), \" \", str(final_frame,0,0), \" c \", str(clock,0,6),"
-    " \" ic \", str(initial_clock,0,4), \" fc \", str(final_clock,0,4), \" cd \", str(clock_delta,0,6), \" on \", str(clock_on,0,0), \"\\n\")\n"
-    "camera { location -z }\n";
+constexpr const char* kFrameScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
+                                    "#debug concat(\"f \", str(frame_number,0,0), \" \", str(initial_frame,0,0), \" "
+                                    "\", str(final_frame,0,0), \" c \", str(clock,0,6),"
+                                    " \" ic \", str(initial_clock,0,4), \" fc \", str(final_clock,0,4), \" cd \", "
+                                    "str(clock_delta,0,6), \" on \", str(clock_on,0,0), \"\\n\")\n"
+                                    "camera { location -z }\n";
 
 struct Animation {
     const char* options;
@@ -58,9 +60,7 @@ const std::vector<Animation>& animations()
          "f 7 1 10 c 0.666667 ic 0.0000 fc 1.0000 cd 0.111111 on 1\n"
          "f 10 1 10 c 1.000000 ic 0.0000 fc 1.0000 cd 0.111111 on 1\n",
          {"a01.png", "a04.png", "a07.png", "a10.png"}},
-        {"+K0.5",
-         "f 0 0 0 c 0.500000 ic 0.0000 fc 0.0000 cd 0.000000 on 1\n",
-         {"a.png"}},
+        {"+K0.5", "f 0 0 0 c 0.500000 ic 0.0000 fc 0.0000 cd 0.000000 on 1\n", {"a.png"}},
         {"+KFI0 +KFF2 +K7",
          "f 0 0 2 c 0.000000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n"
          "f 1 0 2 c 0.500000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n"
@@ -76,15 +76,9 @@ const std::vector<Animation>& animations()
          "f 0 0 1 c 0.000000 ic 0.0000 fc 1.0000 cd 1.000000 on 1\n"
          "f 1 0 1 c 1.000000 ic 0.0000 fc 1.0000 cd 1.000000 on 1\n",
          {"a0.png", "a1.png"}},
-        {"+KI2 +KF3",
-         "f 0 0 0 c 0.000000 ic 0.0000 fc 0.0000 cd 0.000000 on 0\n",
-         {"a.png"}},
-        {"+KFI1 +KFF1",
-         "f 0 0 0 c 0.000000 ic 0.0000 fc 0.0000 cd 0.000000 on 0\n",
-         {"a.png"}},
-        {"+KFI0 +KFF0",
-         "f 0 0 0 c 0.000000 ic 0.0000 fc 0.0000 cd 0.000000 on 0\n",
-         {"a.png"}},
+        {"+KI2 +KF3", "f 0 0 0 c 0.000000 ic 0.0000 fc 0.0000 cd 0.000000 on 0\n", {"a.png"}},
+        {"+KFI1 +KFF1", "f 0 0 0 c 0.000000 ic 0.0000 fc 0.0000 cd 0.000000 on 0\n", {"a.png"}},
+        {"+KFI0 +KFF0", "f 0 0 0 c 0.000000 ic 0.0000 fc 0.0000 cd 0.000000 on 0\n", {"a.png"}},
         {"+KFF3 +KI1 +KF0",
          "f 1 1 3 c 1.000000 ic 1.0000 fc 0.0000 cd -0.500000 on 1\n"
          "f 2 1 3 c 0.500000 ic 1.0000 fc 0.0000 cd -0.500000 on 1\n"
@@ -94,17 +88,13 @@ const std::vector<Animation>& animations()
          "f 1 1 4 c 0.000000 ic 0.0000 fc 1.0000 cd 0.333333 on 1\n"
          "f 2 1 4 c 0.333333 ic 0.0000 fc 1.0000 cd 0.333333 on 1\n",
          {"a1.png", "a2.png"}},
-        {"+KFF3 +SF5",
-         "f 5 1 3 c 2.000000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n",
-         {"a5.png"}},
+        {"+KFF3 +SF5", "f 5 1 3 c 2.000000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n", {"a5.png"}},
         {"+KFF2 +KC +EF3",
          "f 1 1 3 c 0.000000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n"
          "f 2 1 3 c 0.500000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n"
          "f 3 1 3 c 1.000000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n",
          {"a1.png", "a2.png", "a3.png"}},
-        {"+KFF2 +KC +SF3",
-         "f 3 1 3 c 1.000000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n",
-         {"a3.png"}},
+        {"+KFF2 +KC +SF3", "f 3 1 3 c 1.000000 ic 0.0000 fc 1.0000 cd 0.500000 on 1\n", {"a3.png"}},
     };
     return all;
 }
@@ -127,7 +117,8 @@ TEST_CASE("frames, clocks and names of animations are POV-Ray's", "[program][ani
         INFO(animation.options);
         const support::TemporaryFolder folder;
         support::write_text(folder / "a.pov", kFrameScene);
-        const support::Ended ended = support::run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", animation.options, "+W4 +H3 -D"});
+        const support::Ended ended =
+            support::run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", animation.options, "+W4 +H3 -D"});
         CHECK(ended.status == 0);
         CHECK(debug_lines(ended.err) == animation.printed);
         Words names = folder.names();

@@ -18,9 +18,11 @@ using support::write_text;
 constexpr const char* kEmptyScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -z }\n";
 
 /// Minutes, if nobody ends it.
-constexpr const char* kEndless = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\n"
-                                 "light_source { <-5, 5, -5>, 1 area_light x*3, y*3, 17, 17 }\nplane { y, -1 pigment { granite } finish { reflection 0.3 } }\n"
-                                 "sphere { 0, 1 pigment { rgb 1 } finish { reflection 0.5 } }\n";
+constexpr const char* kEndless =
+    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\n"
+    "light_source { <-5, 5, -5>, 1 area_light x*3, y*3, 17, 17 }\nplane { y, -1 pigment { granite } finish { "
+    "reflection 0.3 } }\n"
+    "sphere { 0, 1 pigment { rgb 1 } finish { reflection 0.5 } }\n";
 
 }  // namespace
 
@@ -30,7 +32,8 @@ TEST_CASE("an error in a scene is one line with file and line number, then lines
     write_text(folder / "x.pov", std::string(kEmptyScene) + "shpere { 0, 1 }\n");
     const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov", "-D", "Width=1024", "Height=768"});
     CHECK(ended.status == 1);
-    // The problem matcher of vscode-povray; Emacs looks for "Error:", VMD's and LeoCAD's callers for the lines at the end.
+    // The problem matcher of vscode-povray; Emacs looks for "Error:", VMD's and LeoCAD's callers for the lines at the
+    // end.
     CHECK(std::regex_search(ended.err, std::regex("\nFile 'x\\.pov' line 4: Parse Error: [^\n]+\n [^\n]+\n")));
     CHECK_THAT(ended.err, Catch::Contains("\nFatal error in parser: Cannot parse input.\nRender failed\n"));
     CHECK_THAT(ended.err, !Catch::Contains("POV-Ray finished"));
@@ -40,8 +43,10 @@ TEST_CASE("an error in a scene is one line with file and line number, then lines
 TEST_CASE("a long message is not wrapped, and a name beyond ASCII is shown in ASCII", "[callers]")
 {
     const support::TemporaryFolder folder;
-    const std::string name = "a_scene_whose_name_is_rather_long_\xC3\xA4\xC3\xB6\xC3\xBC_so_that_a_line_of_eighty_columns_does_not_hold_it.pov";
-    write_text(folder / name, std::string(kEmptyScene) + "#warning \"gr\xC3\xBC\xC3\x9F" "e\"\nshpere { 0, 1 }\n");
+    const std::string name = "a_scene_whose_name_is_rather_long_\xC3\xA4\xC3\xB6\xC3\xBC_so_that_a_line_of_eighty_"
+                             "columns_does_not_hold_it.pov";
+    write_text(folder / name, std::string(kEmptyScene) + "#warning \"gr\xC3\xBC\xC3\x9F"
+                                                         "e\"\nshpere { 0, 1 }\n");
     const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {name, "-D"});
     CHECK(ended.status == 1);
     CHECK(support::ascii(ended.err));
@@ -51,21 +56,25 @@ TEST_CASE("a long message is not wrapped, and a name beyond ASCII is shown in AS
 TEST_CASE("a scene that includes itself writes at most 16 kB, and one that is absent is said to be", "[callers]")
 {
     const support::TemporaryFolder folder;
-    write_text(folder / "x.pov", std::string(kEmptyScene) + "union { sphere { 0, 1 } }\n#warning \"again\"\n#include \"x.pov\"\n");
+    write_text(folder / "x.pov",
+               std::string(kEmptyScene) + "union { sphere { 0, 1 } }\n#warning \"again\"\n#include \"x.pov\"\n");
     const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov", "-D"});
     CHECK(ended.status == 1);
     CHECK(ended.err.size() < 16 * 1024);
-    CHECK(std::regex_search(ended.err, std::regex("\nFile 'x\\.pov' line 6: Parse Error: files include each other too deeply")));
+    CHECK(std::regex_search(ended.err,
+                            std::regex("\nFile 'x\\.pov' line 6: Parse Error: files include each other too deeply")));
     const Ended absent = run_program(folder.path(), WHITTLE_AS_POVRAY, {"+Inothere.pov", "-D"});
     CHECK(absent.status == 1);
-    CHECK_THAT(absent.err, Catch::Contains("nothere.pov: error: there is no such file\n") && Catch::Contains("\nFatal error in parser: Cannot parse input.\nRender failed\n"));
+    CHECK_THAT(absent.err, Catch::Contains("nothere.pov: error: there is no such file\n") &&
+                               Catch::Contains("\nFatal error in parser: Cannot parse input.\nRender failed\n"));
 }
 
 TEST_CASE("options that cannot be understood end with status 1 at once, without a picture", "[callers]")
 {
     const support::TemporaryFolder folder;
     write_text(folder / "x.pov", kEmptyScene);
-    for (const char* bad : {"+ZZ", "Widht=3", "Antialias=maybe", "+SR5 +ER2", "+A5", "--jsno", "nothing.ini", "+W", "+FX", "+ER0"}) {
+    for (const char* bad :
+         {"+ZZ", "Widht=3", "Antialias=maybe", "+SR5 +ER2", "+A5", "--jsno", "nothing.ini", "+W", "+FX", "+ER0"}) {
         INFO(bad);
         const Ended ended = run_program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov", bad, "+W8", "+H6"});
         CHECK(ended.status == 1);
@@ -82,7 +91,8 @@ TEST_CASE("a caller that ends the render gets status 2 and no picture", "[caller
         const support::TemporaryFolder folder;
         write_text(folder / "x.pov", kEndless);
         RunningProgram program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov", "-d", "+W1600", "+H1200", "+A0.0", "+R5"});
-        while (program.error_so_far().find("Rendered ") == std::string::npos && program.running()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        while (program.error_so_far().find("Rendered ") == std::string::npos && program.running())
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
         program.kill(signal);
         const Ended ended = program.wait();
         INFO(ended.err);
@@ -98,7 +108,8 @@ TEST_CASE("a caller that ends the reading of a scene gets status 2, and its comm
     write_text(folder / "x.pov", "#debug \"reading\\n\"\n#declare I = 0;\n#while (I >= 0) #declare I = I + 1; #end\n");
     write_text(folder / "x.ini", "Input_File_Name=x.pov\nUser_Abort_Command=touch told\n");
     RunningProgram program(folder.path(), WHITTLE_AS_POVRAY, {"x.ini", "--allow-commands"});
-    while (program.error_so_far().find("reading") == std::string::npos && program.running()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    while (program.error_so_far().find("reading") == std::string::npos && program.running())
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
     program.kill(SIGINT);
     const Ended ended = program.wait();
     INFO(ended.err);
@@ -111,7 +122,8 @@ TEST_CASE("a caller that never reads what is written does not hold the render up
 {
     const support::TemporaryFolder folder;
     write_text(folder / "x.pov", kEmptyScene);
-    write_text(folder / "x.pov.ini", "Input_File_Name=x.pov\nWidth=320\nHeight=240\nRender_Block_Size=4\nDisplay=true\nPause_When_Done=true\nVerbose=true\n");
+    write_text(folder / "x.pov.ini", "Input_File_Name=x.pov\nWidth=320\nHeight=240\nRender_Block_Size=4\nDisplay="
+                                     "true\nPause_When_Done=true\nVerbose=true\n");
     int ends[2];
     REQUIRE(pipe(ends) == 0);
     RunningProgram program(folder.path(), WHITTLE_AS_POVRAY, {"x.pov.ini"}, "", ends[1]);
@@ -124,7 +136,8 @@ TEST_CASE("a caller that never reads what is written does not hold the render up
     close(ends[1]);
 }
 
-TEST_CASE("the version is told on standard error, in one line that names POV-Ray and says that it is not official", "[callers]")
+TEST_CASE("the version is told on standard error, in one line that names POV-Ray and says that it is not official",
+          "[callers]")
 {
     const support::TemporaryFolder folder;
     for (const char* word : {"--version", "-version", "--V"}) {
@@ -139,7 +152,8 @@ TEST_CASE("LeoCAD watches the picture grow in a mapped file", "[callers]")
 {
     const support::TemporaryFolder folder;
     write_text(folder / "x.pov", std::string(kEmptyScene) + "background { rgb <1, 0, 1> }\n");
-    CHECK(run_program(folder.path(), WHITTLE_AS_POVRAY, {"+I\"x.pov\"", "+W20", "+H10", "+SM\"map\"", "-F"}).status == 0);
+    CHECK(run_program(folder.path(), WHITTLE_AS_POVRAY, {"+I\"x.pov\"", "+W20", "+H10", "+SM\"map\"", "-F"}).status ==
+          0);
     const std::string map = support::text_of(folder / "map");
     REQUIRE(map.size() == 20 + 4 * 20 * 10);
     std::uint32_t header[5];

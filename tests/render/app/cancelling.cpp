@@ -17,11 +17,12 @@ using support::text_of;
 using support::write_text;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kHead = "#version 3.7;\n#include \"functions.inc\"\nglobal_settings { assumed_gamma 1 max_trace_level 20 }\ncamera { location <0, 0, -4> look_at 0 }\n";
+constexpr const char* kHead = "#version 3.7;\n#include \"functions.inc\"\nglobal_settings { assumed_gamma 1 "
+                              "max_trace_level 20 }\ncamera { location <0, 0, -4> look_at 0 }\n";
 
 struct Stopped {
     Ended ended;
-    double seconds, cpu_seconds;   ///< from the signal to the end
+    double seconds, cpu_seconds;  ///< from the signal to the end
 };
 
 Stopped stop(RunningProgram& program, int signal)
@@ -33,7 +34,8 @@ Stopped stop(RunningProgram& program, int signal)
     return {ended, std::chrono::duration<double>(Clock::now() - sent).count(), ended.cpu_seconds - used};
 }
 
-/// Half a second is promised. Where others want the processors too the end has to wait for its turn, so then its work counts.
+/// Half a second is promised. Where others want the processors too the end has to wait for its turn, so then its work
+/// counts.
 void check_at_once(const Stopped& stopped)
 {
     INFO(stopped.seconds << " s after the signal, " << stopped.cpu_seconds << " s of work\n" << stopped.ended.err);
@@ -63,9 +65,12 @@ void check_part_of(const std::string& partial, const std::string& whole, int lea
 TEST_CASE("20 signals at random moments: the run ends at once, and +C goes on to the same bytes", "[cancel]")
 {
     const support::TemporaryFolder folder;
-    write_text(folder / "s.pov", std::string(kHead) + "background { rgb <0.2, 0.3, 0.4> }\nlight_source { <-5, 5, -5>, 1 area_light x*3, y*3, 2, 2 }\nplane { y, -1 pigment { checker rgb 0.2 rgb 1 } finish { reflection 0.3 } }\n"
-                                                      "sphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } finish { reflection 0.5 } }\n");
-    const std::vector<std::string> words{"s.pov", "+W96", "+H72", "+BS8", "+A1", "+AM2", "+R9"};
+    write_text(folder / "s.pov",
+               std::string(kHead) +
+                   "background { rgb <0.2, 0.3, 0.4> }\nlight_source { <-5, 5, -5>, 1 area_light x*3, y*3, 2, 2 "
+                   "}\nplane { y, -1 pigment { checker rgb 0.2 rgb 1 } finish { reflection 0.3 } }\n"
+                   "sphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } finish { reflection 0.5 } }\n");
+    const std::vector<std::string> words{"s.pov", "+W96", "+H72", "+BS8", "+A0.2", "+AM2", "+R9"};
     const auto with = [&](const char* more) {
         std::vector<std::string> all = words;
         all.emplace_back(more);
@@ -79,12 +84,14 @@ TEST_CASE("20 signals at random moments: the run ends at once, and +C goes on to
     for (int i = 0; i < 20; ++i) {
         INFO("signal " << i);
         RunningProgram program(folder.path(), WHITTLE_PROGRAM, words);
-        std::this_thread::sleep_for(std::chrono::duration<double>(whole_seconds * std::uniform_real_distribution(0.05, 1.0)(random)));
+        std::this_thread::sleep_for(
+            std::chrono::duration<double>(whole_seconds * std::uniform_real_distribution(0.05, 1.0)(random)));
         const int signal = i % 2 ? SIGTERM : SIGINT;
         const Stopped stopped = stop(program, signal);
         check_at_once(stopped);
         INFO("status " << stopped.ended.status << "\n" << stopped.ended.err);
-        // On a busy machine a signal may come before the program itself has begun: the system ends it, and nothing was done.
+        // On a busy machine a signal may come before the program itself has begun: the system ends it, and nothing was
+        // done.
         const bool too_early = stopped.ended.status == -signal && stopped.ended.err.empty();
         REQUIRE((stopped.ended.status == 2 || stopped.ended.status == 0 || too_early));
         stopped_early += stopped.ended.status == 2;
@@ -114,23 +121,28 @@ TEST_CASE("a signal ends what takes minutes", "[cancel]")
     const std::string lamp = "light_source { <-5, 5, -5>, 1 }\n";
     const std::string costly[] = {
         // One block: samples of samples of samples.
-        lamp + "light_source { <5, 5, -5>, 1 area_light x*3, y*3, 17, 17 }\nplane { y, -1 pigment { granite } finish { reflection 0.3 } }\n"
+        lamp + "light_source { <5, 5, -5>, 1 area_light x*3, y*3, 17, 17 }\nplane { y, -1 pigment { granite } finish { "
+               "reflection 0.3 } }\n"
                "sphere { 0, 1 pigment { rgbt 0.5 } finish { reflection 0.5 } interior { ior 1.5 } }\n",
         // One point of one pigment.
         lamp + "plane { y, -1 pigment { function { sum(i, 1, 1e10, sin(x*i)) } } }\n",
         // Text: a loop of tokens, one of rays, a height field.
         "#declare I = 0;\n#while (I >= 0) #declare I = I + 1; #end\n",
-        "#declare Normal = y;\n#declare Ball = isosurface { function { x*x + y*y + z*z - 1 + f_noise3d(x*9, y*9, z*9)*0.3 } contained_by { box { -2, 2 } } max_gradient 8 }\n"
-        "#declare I = 0;\n#while (I >= 0) #declare Met = trace(Ball, <sin(I), 5, cos(I)>, -y, Normal); #declare I = I + 1; #end\n",
+        "#declare Normal = y;\n#declare Ball = isosurface { function { x*x + y*y + z*z - 1 + f_noise3d(x*9, y*9, "
+        "z*9)*0.3 } contained_by { box { -2, 2 } } max_gradient 8 }\n"
+        "#declare I = 0;\n#while (I >= 0) #declare Met = trace(Ball, <sin(I), 5, cos(I)>, -y, Normal); #declare I = I "
+        "+ 1; #end\n",
         "height_field { function 6000, 6000 { f_ridged_mf(x*5, y*5, 0, 0.5, 2, 9, 0.7, 0.7, 2) } }\n",
     };
     for (const std::string& scene : costly) {
         INFO(scene);
         const support::TemporaryFolder folder;
         write_text(folder / "s.pov", kHead + scene);
-        RunningProgram program(folder.path(), WHITTLE_PROGRAM, {"s.pov", "+W64", "+H48", "+BS64", "+A0.0", "+AM2", "+R9"});
+        RunningProgram program(folder.path(), WHITTLE_PROGRAM,
+                               {"s.pov", "+W64", "+H48", "+BS64", "+A0.0", "+AM2", "+R9"});
         const Clock::time_point begun = Clock::now();
-        while (program.cpu_seconds() < 0.2 && program.running() && Clock::now() - begun < std::chrono::seconds(20)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        while (program.cpu_seconds() < 0.2 && program.running() && Clock::now() - begun < std::chrono::seconds(20))
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
         const Stopped stopped = stop(program, SIGINT);
         check_at_once(stopped);
         CHECK(stopped.ended.status == 2);

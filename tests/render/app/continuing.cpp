@@ -1,5 +1,5 @@
-// A render that ends early, by a signal that asks or one that does not, goes on with +C: what was finished is not traced
-// again, and the picture is that of a run from start to end, byte for byte.
+// A render that ends early, by a signal that asks or one that does not, goes on with +C: what was finished is not
+// traced again, and the picture is that of a run from start to end, byte for byte.
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -17,9 +17,11 @@ using support::write_text;
 using Words = std::vector<std::string>;
 
 /// Some tenths of a second: an area light of 49 samples.
-constexpr const char* kSlowScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\n"
-                                   "light_source { <-5, 5, -5>, 1 area_light x*3, y*3, 7, 7 }\nplane { y, -1 pigment { granite } finish { reflection 0.3 } }\n"
-                                   "sphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } finish { reflection 0.5 } }\n";
+constexpr const char* kSlowScene =
+    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\n"
+    "light_source { <-5, 5, -5>, 1 area_light x*3, y*3, 7, 7 }\nplane { y, -1 pigment { granite } finish { reflection "
+    "0.3 } }\n"
+    "sphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } finish { reflection 0.5 } }\n";
 
 const Words kWhole{"s.pov", "+W200", "+H152", "+BS8"};
 
@@ -38,12 +40,14 @@ std::uintmax_t size_of(const std::string& path)
 
 /// Starts a render and sends the signal once some blocks of the picture `name` are on disk. A busy machine may let it
 /// finish before: then once more.
-Ended interrupted(const support::TemporaryFolder& folder, int signal, const Words& words = kWhole, const std::string& name = "s")
+Ended interrupted(const support::TemporaryFolder& folder, int signal, const Words& words = kWhole,
+                  const std::string& name = "s")
 {
     constexpr int kMostTries = 20;
     for (int i = 0; i < kMostTries; ++i) {
         RunningProgram program(folder.path(), WHITTLE_PROGRAM, with(words, {"--state-after=0"}));
-        while (size_of(folder / (name + ".whittle-state")) < 20'000 && program.running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        while (size_of(folder / (name + ".whittle-state")) < 20'000 && program.running())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
         program.kill(signal);
         const Ended ended = program.wait();
         if (std::filesystem::exists(folder / (name + ".whittle-state"))) return ended;
@@ -56,7 +60,8 @@ Ended interrupted(const support::TemporaryFolder& folder, int signal, const Word
 int taken_over(const std::string& text)
 {
     std::smatch found;
-    return std::regex_search(text, found, std::regex("note: (\\d+) of \\d+ blocks taken from")) ? std::stoi(found[1]) : 0;
+    return std::regex_search(text, found, std::regex("note: (\\d+) of \\d+ blocks taken from")) ? std::stoi(found[1])
+                                                                                                : 0;
 }
 
 }  // namespace
@@ -87,7 +92,9 @@ TEST_CASE("an animation goes on with the frame that was interrupted", "[continue
 {
     const Words frames = with(kWhole, {"+KFF3"});
     const support::TemporaryFolder folder, other;
-    for (const auto* place : {&folder, &other}) write_text(*place / "s.pov", std::string(kSlowScene) + "cylinder { 0, y*(clock + 1), 0.3 pigment { rgb 1 } }\n");
+    for (const auto* place : {&folder, &other})
+        write_text(*place / "s.pov",
+                   std::string(kSlowScene) + "cylinder { 0, y*(clock + 1), 0.3 pigment { rgb 1 } }\n");
     REQUIRE(support::run_program(other.path(), WHITTLE_PROGRAM, frames).status == 0);
     interrupted(folder, SIGKILL, frames, "s2");
     std::filesystem::remove(folder / "s3.png");  // of an earlier try
@@ -128,7 +135,8 @@ TEST_CASE("a state of another scene or of other options is not used", "[continue
     const auto says_other = [&](const Words& words) {
         write_text(folder / "s.whittle-state", state);
         std::filesystem::remove(folder / "s.png");
-        return support::run_program(folder.path(), WHITTLE_PROGRAM, with(words, {"+C"})).err.find("is of another picture or of other options") != std::string::npos;
+        return support::run_program(folder.path(), WHITTLE_PROGRAM, with(words, {"+C"}))
+                   .err.find("is of another picture or of other options") != std::string::npos;
     };
     CHECK(says_other(with(kWhole, {"+A0.2"})));
     CHECK(says_other(with(kWhole, {"+K0.5"})));

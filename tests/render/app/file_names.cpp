@@ -88,7 +88,8 @@ void make(const support::TemporaryFolder& folder)
 {
     for (const char* name : {"sub", "out", "a.b"}) fs::create_directory(folder / name);
     for (const char* name : {"s.pov", "sub/d.pov", "UP.POV", "two.dots.pov", "noext", "sp ace.pov", "a.b/e.pov"})
-        support::write_text(folder / name, "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -z }\n");
+        support::write_text(folder / name,
+                            "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -z }\n");
     support::write_text(folder / "i.ini", "Input_File_Name=s.pov\n");
 }
 

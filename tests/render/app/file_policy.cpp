@@ -13,7 +13,10 @@ using support::run_program;
 using support::write_text;
 using Words = std::vector<std::string>;
 
-std::string writes(const std::string& path) { return "#fopen F \"" + path + "\" write\n#write(F, \"text\")\n#fclose F\ncamera { location -z }\n"; }
+std::string writes(const std::string& path)
+{
+    return "#fopen F \"" + path + "\" write\n#write(F, \"text\")\n#fclose F\ncamera { location -z }\n";
+}
 
 int status(const support::TemporaryFolder& folder, Words words)
 {
@@ -30,7 +33,8 @@ void make(const support::TemporaryFolder& folder, const std::string& scene)
 
 }  // namespace
 
-TEST_CASE("a scene writes below the current folder and the picture's, elsewhere only with --allow-write", "[program][policy]")
+TEST_CASE("a scene writes below the current folder and the picture's, elsewhere only with --allow-write",
+          "[program][policy]")
 {
     const support::TemporaryFolder folder;
     make(folder, writes("out/x.txt"));
@@ -64,14 +68,19 @@ TEST_CASE("--check reads again what a scene would have written", "[program][poli
 {
     const support::TemporaryFolder folder;
     const std::string file = "\"" + (folder / "here/out/part.inc") + "\"";
-    const std::string scene = "#fopen F " + file + " write\n#write(F, \"#declare A = 1;\\n\")\n#fclose F\n#include " + file + "\n"
-                              "#fopen F " + file + " append\n#write(F, \"#declare B = 2;\\n\")\n#fclose F\n#include " + file + "\n"
+    const std::string scene = "#fopen F " + file + " write\n#write(F, \"#declare A = 1;\\n\")\n#fclose F\n#include " +
+                              file +
+                              "\n"
+                              "#fopen F " +
+                              file + " append\n#write(F, \"#declare B = 2;\\n\")\n#fclose F\n#include " + file +
+                              "\n"
                               "#if (A + B != 3) #error \"lost\" #end\n";
     make(folder, scene + "camera { location -z }\n");
     CHECK(status(folder, {"s.pov", "--check"}) == 0);
     CHECK(std::filesystem::is_empty(folder / "here/out"));
     CHECK(status(folder, {"s.pov"}) == 0);
-    make(folder, "#fopen F " + file + " write\n#write(F, \"#declare C = 1;\\n\")\n#fclose F\n#include " + file + "\n#declare A = B;\n");
+    make(folder, "#fopen F " + file + " write\n#write(F, \"#declare C = 1;\\n\")\n#fclose F\n#include " + file +
+                     "\n#declare A = B;\n");
     CHECK(status(folder, {"s.pov", "--check"}) == 1);
     CHECK(status(folder, {"s.pov"}) == 1);
 }

@@ -1,4 +1,5 @@
-// Pictures that memory does not hold are rendered in strips, to the same bytes; what fits nowhere is refused before anything is read.
+// Pictures that memory does not hold are rendered in strips, to the same bytes; what fits nowhere is refused before
+// anything is read.
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -16,8 +17,10 @@ using support::text_of;
 using support::write_text;
 using Words = std::vector<std::string>;
 
-constexpr const char* kScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\nlight_source { <-5, 5, -5>, 1 }\n"
-                               "plane { y, -1 pigment { granite } }\nsphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } finish { reflection 0.5 } }\n";
+constexpr const char* kScene =
+    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\nlight_source { <-5, "
+    "5, -5>, 1 }\n"
+    "plane { y, -1 pigment { granite } }\nsphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } finish { reflection 0.5 } }\n";
 
 Words joined(Words words, const Words& more)
 {
@@ -44,16 +47,29 @@ TEST_CASE("a picture in strips has the bytes of one made as a whole", "[large]")
     write_text(folder / "s.pov", kScene);
     // 120 pixels of 16 bytes, 16 rows: 31 kB a strip of one row of blocks.
     const Words size{"s.pov", "+W120", "+H90", "+BS16"};
-    const Words kinds[] = {{"+FN"},          {"+FN16", "+UA"}, {"+FNg"},         {"+FN", "Dither=on", "Dither_Method=FS"},  {"+FP"},
-                           {"+FP16"},        {"+FE"},          {"+FE", "+UA"},   {"+FH"},                                   {"+FJ"},
-                           {"+FT", "+UA"},   {"+FC"},          {"+FN", "+A0.1", "+AM1"}, {"+FN", "+A0.1", "+AM2", "+R3"},
+    const Words kinds[] = {{"+FN"},
+                           {"+FN16", "+UA"},
+                           {"+FNg"},
+                           {"+FN", "Dither=on", "Dither_Method=FS"},
+                           {"+FP"},
+                           {"+FP16"},
+                           {"+FE"},
+                           {"+FE", "+UA"},
+                           {"+FH"},
+                           {"+FJ"},
+                           {"+FT", "+UA"},
+                           {"+FC"},
+                           {"+FN", "+A0.1", "+AM1"},
+                           {"+FN", "+A0.1", "+AM2", "+R3"},
                            {"+FN", "+SR21", "+ER70", "+SC13", "+EC99"}};
     bool narrow = false;
     for (const Words& kind : kinds) {
         INFO(kind.front() << ' ' << kind.back());
         narrow = !narrow;  // strips of one row of blocks, and of two
         REQUIRE(run_program(folder.path(), WHITTLE_PROGRAM, joined(joined(size, kind), {"+Owhole"})).status == 0);
-        const Ended ended = run_program(folder.path(), WHITTLE_PROGRAM, joined(joined(size, kind), {"+Ostrips", narrow ? "--memory=0.035" : "--memory=0.07"}));
+        const Ended ended =
+            run_program(folder.path(), WHITTLE_PROGRAM,
+                        joined(joined(size, kind), {"+Ostrips", narrow ? "--memory=0.035" : "--memory=0.07"}));
         INFO(ended.err);
         REQUIRE(ended.status == 0);
         const Words names = folder.names();
@@ -63,7 +79,8 @@ TEST_CASE("a picture in strips has the bytes of one made as a whole", "[large]")
         for (const std::string& name : {names[1], names[2]}) std::filesystem::remove(folder / name);
     }
     const Words streamed = joined(size, {"+O-", "+FN"});
-    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, joined(streamed, {"--memory=0.035"})).out == run_program(folder.path(), WHITTLE_PROGRAM, streamed).out);
+    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, joined(streamed, {"--memory=0.035"})).out ==
+          run_program(folder.path(), WHITTLE_PROGRAM, streamed).out);
 }
 
 TEST_CASE("a picture in strips that was interrupted goes on with +C", "[large]")
@@ -78,7 +95,9 @@ TEST_CASE("a picture in strips that was interrupted goes on with +C", "[large]")
             std::filesystem::remove(folder / "s.png");
             RunningProgram program(folder.path(), WHITTLE_PROGRAM, words);
             std::error_code error;
-            while (program.running() && (std::filesystem::file_size(folder / "s.whittle-state", error) < 600'000 || error)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            while (program.running() &&
+                   (std::filesystem::file_size(folder / "s.whittle-state", error) < 600'000 || error))
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
             program.kill(signal);
             interrupted = program.wait().status != 0 && std::filesystem::exists(folder / "s.whittle-state");
         }
@@ -109,13 +128,18 @@ TEST_CASE("what cannot fit is refused at once, with a sentence", "[large]")
         CHECK(ended.cpu_seconds < 0.1);
         CHECK(folder.names() == Words{"s.pov"});
     };
-    refused({"+W1000000", "+H1000000", "+FP"}, "a picture of 1000000x1000000 takes at least 3.0 TB on disk, and there is room for ");
-    refused({"+W50000", "+H50000", "+FB", "--memory=1000"}, "a picture of 50000x50000 takes 40.0 GB of memory, and 1.0 GB may be used: a BMP cannot grow row by row");
-    refused({"+W70000", "+H50", "+FJ"}, "a picture of 70000x50 does not fit into this output file type, whose sides are at most 65500");
-    refused({"+W50000", "+H50000", "--memory=20"}, "a row of blocks of a picture of 50000x50000 takes 25.6 MB of memory, and 20.0 MB may be used");
+    refused({"+W1000000", "+H1000000", "+FP"},
+            "a picture of 1000000x1000000 takes at least 3.0 TB on disk, and there is room for ");
+    refused({"+W50000", "+H50000", "+FB", "--memory=1000"},
+            "a picture of 50000x50000 takes 40.0 GB of memory, and 1.0 GB may be used: a BMP cannot grow row by row");
+    refused({"+W70000", "+H50", "+FJ"},
+            "a picture of 70000x50 does not fit into this output file type, whose sides are at most 65500");
+    refused({"+W50000", "+H50000", "--memory=20"},
+            "a row of blocks of a picture of 50000x50000 takes 25.6 MB of memory, and 20.0 MB may be used");
 }
 
-TEST_CASE("beyond the picture itself a render takes less than 8 bytes a pixel, and in strips no more than was allowed", "[large]")
+TEST_CASE("beyond the picture itself a render takes less than 8 bytes a pixel, and in strips no more than was allowed",
+          "[large]")
 {
     const support::TemporaryFolder folder;
     write_text(folder / "s.pov", "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nbackground { rgb 0.5 }\n");
@@ -124,11 +148,13 @@ TEST_CASE("beyond the picture itself a render takes less than 8 bytes a pixel, a
     for (const char* type : {"+FN", "+FN16", "+FP", "+FE", "+FB"}) {
         INFO(type);
         const Words words{"s.pov", "-D", type, "Dither=on"};
-        const double program = peak_memory(folder, joined(words, {"+W64", "+H48"})), whole = peak_memory(folder, joined(words, size));
+        const double program = peak_memory(folder, joined(words, {"+W64", "+H48"})),
+                     whole = peak_memory(folder, joined(words, size));
         CHECK((whole - program) / kPixels < kPicture + 8.0);
         if (std::string(type) == "+FB") continue;
-        // A strip of 8 MB and a partial picture of every fourth pixel (12 MB); the rest is what the heap keeps and the file's library
-        // buffers: 1 to 8.4 MB, measured on two machines with all types. Half of what the whole picture may take is the bound.
+        // A strip of 8 MB and a partial picture of every fourth pixel (12 MB); the rest is what the heap keeps and the
+        // file's library buffers: 1 to 8.4 MB, measured on two machines with all types. Half of what the whole picture
+        // may take is the bound.
         const double strips = peak_memory(folder, joined(joined(words, size), {"--memory=8"})) - program;
         CHECK(strips < 0.5 * (kPicture + 8.0) * kPixels);
     }

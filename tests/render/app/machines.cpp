@@ -1,4 +1,5 @@
-// What editors, build tools and farms read: JSON of a run, the files of a scene, a check without a render, exit statuses.
+// What editors, build tools and farms read: JSON of a run, the files of a scene, a check without a render, exit
+// statuses.
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -14,7 +15,8 @@ using support::text_of;
 using support::write_text;
 using Words = std::vector<std::string>;
 
-constexpr const char* kTwoFileScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#include \"part.inc\"\ncamera { location -z*4 }\nsphere { 0, Size pigment { rgb 1 } }\n";
+constexpr const char* kTwoFileScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#include "
+                                      "\"part.inc\"\ncamera { location -z*4 }\nsphere { 0, Size pigment { rgb 1 } }\n";
 
 void make_scene(const support::TemporaryFolder& folder)
 {
@@ -120,7 +122,9 @@ TEST_CASE("--werror ends a run that warns; --quiet leaves only errors", "[progra
 TEST_CASE("what is not rendered yet is told by --check, --werror, --explain and --json", "[program][machines]")
 {
     const support::TemporaryFolder folder;
-    write_text(folder / "m.pov", "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nsphere { 0, 1\n interior { media { emission 1 } } }\n");
+    write_text(
+        folder / "m.pov",
+        "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nsphere { 0, 1\n interior { media { emission 1 } } }\n");
     const std::string told = "m.pov:4:13: warning: media: not rendered yet, the picture is made without it\n";
     const Ended check = run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "--check"});
     CHECK(check.status == 0);
@@ -129,7 +133,8 @@ TEST_CASE("what is not rendered yet is told by --check, --werror, --explain and 
     CHECK(strict.status == 1);
     CHECK_THAT(strict.err, Catch::StartsWith(told));
     CHECK(folder.names() == Words{"m.pov"});
-    const Ended render = run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "+W8", "+H6", "--explain", "--json=m.json"});
+    const Ended render =
+        run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "+W8", "+H6", "--explain", "--json=m.json"});
     CHECK(render.status == 0);
     CHECK_THAT(render.err, Catch::StartsWith(told) && Catch::Contains("\nm.pov:4:13: media: not rendered yet\n"));
     CHECK(render.err.find(told, 1) == std::string::npos);
@@ -149,7 +154,8 @@ TEST_CASE("what POV-Ray leaves out as too far is told once a run, and left out o
         const Ended ended = run_program(folder.path(), WHITTLE_PROGRAM, words);
         CHECK(ended.status == 0);
         std::size_t found = 0;
-        for (std::size_t at = ended.err.find("1e7"); at != std::string::npos; at = ended.err.find("1e7", at + 1)) ++found;
+        for (std::size_t at = ended.err.find("1e7"); at != std::string::npos; at = ended.err.find("1e7", at + 1))
+            ++found;
         return found;
     };
     CHECK(far_notes({}) == 1);
@@ -157,7 +163,8 @@ TEST_CASE("what POV-Ray leaves out as too far is told once a run, and left out o
     CHECK(far_notes({"--faithful"}) == 0);
 }
 
-TEST_CASE("a missing folder of the picture is named before the scene is read, and made on demand", "[program][machines]")
+TEST_CASE("a missing folder of the picture is named before the scene is read, and made on demand",
+          "[program][machines]")
 {
     const support::TemporaryFolder folder;
     make_scene(folder);
@@ -165,7 +172,8 @@ TEST_CASE("a missing folder of the picture is named before the scene is read, an
     CHECK(missing.status == 1);
     CHECK_THAT(missing.err, Catch::Contains("there is no folder 'new/deep' (--make-folders makes it)"));
     CHECK_THAT(missing.err, !Catch::Contains("from the part"));
-    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", "+W8", "+H6", "+Onew/deep/x.png", "--make-folders"}).status == 0);
+    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", "+W8", "+H6", "+Onew/deep/x.png", "--make-folders"})
+              .status == 0);
     CHECK(std::filesystem::exists(folder / "new/deep/x.png"));
 }
 
@@ -174,11 +182,15 @@ TEST_CASE("streams go to files beside the picture; Create_Ini gives the run agai
     const support::TemporaryFolder folder;
     make_scene(folder);
     std::filesystem::create_directory(folder / "out");
-    REQUIRE(run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", "+W8", "+H6", "+FN16", "+Oout/", "+GWwarn.txt", "Statistic_File=on", "+GAall.txt", "+GIagain.ini"}).status == 0);
+    REQUIRE(run_program(folder.path(), WHITTLE_PROGRAM,
+                        {"a.pov", "+W8", "+H6", "+FN16", "+Oout/", "+GWwarn.txt", "Statistic_File=on", "+GAall.txt",
+                         "+GIagain.ini"})
+                .status == 0);
     CHECK_THAT(text_of(folder / "out/warn.txt"), Catch::Contains("from the part") && !Catch::Contains("camera"));
     CHECK_THAT(text_of(folder / "out/stats.out"), Catch::Contains("camera 48"));
     CHECK_THAT(text_of(folder / "out/all.txt"), Catch::Contains("from the part") && Catch::Contains("camera 48"));
-    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", "+GAout/x.txt"}).status == 1);  // the picture's folder only
+    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, {"a.pov", "+GAout/x.txt"}).status ==
+          1);  // the picture's folder only
     const std::string picture = text_of(folder / "out/a.png");
     std::filesystem::remove(folder / "out/a.png");
     REQUIRE(run_program(folder.path(), WHITTLE_PROGRAM, {"again.ini"}).status == 0);

@@ -15,14 +15,16 @@ namespace {
 
 using support::write_text;
 
-constexpr const char* kPlainScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\n"
-                               "sphere { 0, 1 pigment { rgb 1 } finish { ambient 1 } }\n";
+constexpr const char* kPlainScene =
+    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -4> look_at 0 }\n"
+    "sphere { 0, 1 pigment { rgb 1 } finish { ambient 1 } }\n";
 
 /// With standard output on a device that takes nothing.
 support::Ended run_on_full_device(const support::TemporaryFolder& folder, const std::string& arguments)
 {
     const support::TemporaryFolder streams;
-    const std::string command = "cd " + folder.path() + " && HOME=" + folder.path() + " " WHITTLE_PROGRAM " " + arguments + " >/dev/full 2>" + (streams / "err");
+    const std::string command = "cd " + folder.path() + " && HOME=" + folder.path() + " " WHITTLE_PROGRAM " " +
+                                arguments + " >/dev/full 2>" + (streams / "err");
     const int result = std::system(command.c_str());
     return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, {}, support::text_of(streams / "err")};
 }
@@ -36,7 +38,9 @@ support::Ended run_in(const support::TemporaryFolder& folder, const std::vector<
 void write_grey(const std::string& path, std::size_t clear)
 {
     image::Raster raster{4, 4, 4, 8, {}};
-    for (std::size_t i = 0; i < 16; ++i) raster.samples.insert(raster.samples.end(), {128, 128, 128, static_cast<std::uint16_t>(i + clear < 16 ? 255 : 0)});
+    for (std::size_t i = 0; i < 16; ++i)
+        raster.samples.insert(raster.samples.end(),
+                              {128, 128, 128, static_cast<std::uint16_t>(i + clear < 16 ? 255 : 0)});
     image::Files().write(path, raster, image::FileType::Png, image::TransferCurve::srgb());
 }
 
@@ -47,8 +51,9 @@ TEST_CASE("what standard output does not take is an error", "[program][output]")
     const support::TemporaryFolder folder;
     write_text(folder / "scene.pov", kPlainScene);
     write_grey(folder / "a.png", 0);
-    for (const char* arguments : {"--help", "--version", "--man", "scene.pov --deps", "scene.pov --dump=tokens", "scene.pov --dump=scene", "scene.pov --dump=plan",
-                                  "scene.pov +W8 +H6 --json=-", "scene.pov +W8 +H6 +O-"}) {
+    for (const char* arguments :
+         {"--help", "--version", "--man", "scene.pov --deps", "scene.pov --dump=tokens", "scene.pov --dump=scene",
+          "scene.pov --dump=plan", "scene.pov +W8 +H6 --json=-", "scene.pov +W8 +H6 +O-"}) {
         const support::Ended ended = run_on_full_device(folder, arguments);
         INFO(arguments << "\n" << ended.err);
         CHECK(ended.status == 1);
@@ -64,7 +69,8 @@ TEST_CASE("a journal that cannot be written is an error, and the picture stays",
     write_text(folder / "scene.pov", kPlainScene);
     const support::Ended ended = run_in(folder, {"scene.pov", "+W8", "+H6", "--json=/nonexistent/x.json"});
     CHECK(ended.status == 1);
-    CHECK_THAT(ended.err, Catch::Contains("whittle: error: cannot write '/nonexistent/x.json': No such file or directory\n"));
+    CHECK_THAT(ended.err,
+               Catch::Contains("whittle: error: cannot write '/nonexistent/x.json': No such file or directory\n"));
     CHECK(folder.names() == std::vector<std::string>{"scene.png", "scene.pov"});
 }
 
@@ -77,13 +83,20 @@ TEST_CASE("pictures that cannot be read are told in the program's words", "[prog
     struct Broken {
         std::string name, kind, head;
     };
-    const std::vector<Broken> broken = {{"a.png", "PNG", "\x89PNG\r\n\x1a\n"}, {"a.gif", "GIF", "GIF89a"}, {"a.jpg", "JPEG", "\xff\xd8\xff\xe0"}, {"a.tif", "TIFF", std::string("II*\0\x08", 5)},
-                                        {"a.exr", "OpenEXR", "\x76\x2f\x31\x01"}, {"a.hdr", "Radiance", "#?RADIANCE\n"}, {"a.bmp", "BMP", "BM12"}, {"a.ppm", "PPM", "P6\n"}};
+    const std::vector<Broken> broken = {{"a.png", "PNG", "\x89PNG\r\n\x1a\n"},
+                                        {"a.gif", "GIF", "GIF89a"},
+                                        {"a.jpg", "JPEG", "\xff\xd8\xff\xe0"},
+                                        {"a.tif", "TIFF", std::string("II*\0\x08", 5)},
+                                        {"a.exr", "OpenEXR", "\x76\x2f\x31\x01"},
+                                        {"a.hdr", "Radiance", "#?RADIANCE\n"},
+                                        {"a.bmp", "BMP", "BM12"},
+                                        {"a.ppm", "PPM", "P6\n"}};
     const auto told = [&](const std::string& name) {
         const support::Ended ended = run_in(folder, {"compare", name, name});
         INFO(name << "\n" << ended.err);
         CHECK(ended.status == 2);
-        CHECK_THAT(ended.err, Catch::StartsWith("whittle: error: cannot read '" + name + "': ") && !Catch::Contains("OpenImageIO"));
+        CHECK_THAT(ended.err, Catch::StartsWith("whittle: error: cannot read '" + name + "': ") &&
+                                  !Catch::Contains("OpenImageIO"));
         CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
         return ended.err;
     };
@@ -99,7 +112,8 @@ TEST_CASE("pictures that cannot be read are told in the program's words", "[prog
     write_text(folder / "a.tga", noise);  // has no signature
     CHECK_THAT(told("a.tga"), Catch::Contains("the Targa file is broken"));
     write_text(folder / "scene.pov", "#version 3.7;\nplane { y, 0 pigment { image_map { tiff \"a.tif\" } } }\n");
-    CHECK_THAT(run_in(folder, {"scene.pov"}).err, Catch::Contains("scene.pov:2:41: error: cannot read 'a.tif': it is no picture of a known kind"));
+    CHECK_THAT(run_in(folder, {"scene.pov"}).err,
+               Catch::Contains("scene.pov:2:41: error: cannot read 'a.tif': it is no picture of a known kind"));
 }
 
 TEST_CASE("more threads than the machine has leave the console clean", "[program][output]")
@@ -118,12 +132,14 @@ TEST_CASE("a cyclic animation counts the frames that it renders", "[program][out
     for (const char* console : {"--console=whittle", "--console=povray"}) {
         const support::Ended ended = run_in(folder, {"scene.pov", "+W8", "+H6", "+KFF3", "+KC", console});
         CHECK(ended.status == 0);
-        CHECK_THAT(ended.err, Catch::Contains("frame 3 of 3, clock 0.66") || Catch::Contains("Final Frame:        3\n"));
+        CHECK_THAT(ended.err,
+                   Catch::Contains("frame 3 of 3, clock 0.66") || Catch::Contains("Final Frame:        3\n"));
         CHECK_THAT(ended.err, !Catch::Contains("of 4,") && !Catch::Contains("Final Frame:        4"));
     }
 }
 
-TEST_CASE("compare explains itself, shows alpha where it differs and draws in the type of the name", "[program][output]")
+TEST_CASE("compare explains itself, shows alpha where it differs and draws in the type of the name",
+          "[program][output]")
 {
     const support::TemporaryFolder folder;
     const support::Ended help = run_in(folder, {"compare", "--help"});
@@ -135,9 +151,12 @@ TEST_CASE("compare explains itself, shows alpha where it differs and draws in th
     write_grey(folder / "b.png", 1);
     const support::Ended compared = run_in(folder, {"compare", "a.png", "b.png"});
     CHECK(compared.status == 1);
-    CHECK_THAT(compared.out, Catch::Contains("pixel (3, 3): <128, 128, 128> alpha 255 and <128, 128, 128> alpha 0, 255 apart"));
+    CHECK_THAT(compared.out,
+               Catch::Contains("pixel (3, 3): <128, 128, 128> alpha 255 and <128, 128, 128> alpha 0, 255 apart"));
 
-    const std::pair<const char*, std::string> types[] = {{"d.jpg", "\xff\xd8\xff"}, {"d.JPEG", "\xff\xd8\xff"}, {"d.png", "\x89PNG"}, {"d.ppm", "P6"}, {"d.bmp", "BM"}, {"d", "\x89PNG"}};
+    const std::pair<const char*, std::string> types[] = {{"d.jpg", "\xff\xd8\xff"}, {"d.JPEG", "\xff\xd8\xff"},
+                                                         {"d.png", "\x89PNG"},      {"d.ppm", "P6"},
+                                                         {"d.bmp", "BM"},           {"d", "\x89PNG"}};
     for (const auto& [name, signature] : types) {
         INFO(name);
         CHECK(run_in(folder, {"compare", "a.png", "b.png", "--out", name}).status == 1);
@@ -147,5 +166,6 @@ TEST_CASE("compare explains itself, shows alpha where it differs and draws in th
     CHECK(image::Files().read(folder / "d.tga").width == 4);
     const support::Ended other = run_in(folder, {"compare", "a.png", "b.png", "--out", "d.exr"});
     CHECK(other.status == 2);
-    CHECK_THAT(other.err, Catch::Contains("--out wants a name that ends in .png, .ppm, .tga, .jpg or .bmp, found 'd.exr'"));
+    CHECK_THAT(other.err,
+               Catch::Contains("--out wants a name that ends in .png, .ppm, .tga, .jpg or .bmp, found 'd.exr'"));
 }

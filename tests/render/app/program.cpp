@@ -23,7 +23,8 @@ Run run(const support::TemporaryFolder& folder, const std::string& arguments)
 {
     const support::TemporaryFolder streams;
     const std::string out = streams / "out", err = streams / "err";
-    const std::string command = "cd " + folder.path() + " && HOME=" + folder.path() + " " WHITTLE_PROGRAM " " + arguments + " >" + out + " 2>" + err;
+    const std::string command = "cd " + folder.path() + " && HOME=" + folder.path() + " " WHITTLE_PROGRAM " " +
+                                arguments + " >" + out + " 2>" + err;
     const int result = std::system(command.c_str());
     return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, text_of(out), text_of(err)};
 }
@@ -54,7 +55,8 @@ TEST_CASE("a scene becomes a picture beside it", "[program]")
     CHECK(std::lround(255.0 * static_cast<double>(corner[0])) == 99);
     CHECK(std::lround(255.0 * static_cast<double>(corner[1])) == 165);
     CHECK(std::lround(255.0 * static_cast<double>(corner[2])) == 240);
-    for (const char* word : {"parse ", "trace ", "rays ", "camera 1200", "million rays per second"}) CHECK_THAT(result.err, Catch::Contains(word));
+    for (const char* word : {"parse ", "trace ", "rays ", "camera 1200", "million rays per second"})
+        CHECK_THAT(result.err, Catch::Contains(word));
     CHECK_THAT(result.err, !Catch::Contains("\r"));  // no progress bar in a pipe
 }
 
@@ -73,7 +75,8 @@ TEST_CASE("a failed run has status 1 and leaves an existing picture as it was", 
     const support::TemporaryFolder folder;
     write_text(folder / "scene.pov", "sphere { 0 1");
     write_text(folder / "scene.png", "old");
-    for (const char* arguments : {"scene.pov", "scene.pov +W0", "scene.pov +ZZ", "scene.pov Widht=3", "scene.pov +W8 +H8 +EC9"}) {
+    for (const char* arguments :
+         {"scene.pov", "scene.pov +W0", "scene.pov +ZZ", "scene.pov Widht=3", "scene.pov +W8 +H8 +EC9"}) {
         const Run result = run(folder, arguments);
         INFO(arguments);
         CHECK(result.status == 1);
@@ -102,7 +105,8 @@ TEST_CASE("options without effect are named in one line", "[program]")
     write_text(folder / "scene.pov", kScene);
     const Run result = run(folder, "scene.pov +W8 +H6 +RFO +RFI -D");
     CHECK(result.status == 0);
-    CHECK_THAT(result.err, Catch::Contains("note: accepted without effect for now: Radiosity_To_File, Radiosity_From_File\n"));
+    CHECK_THAT(result.err,
+               Catch::Contains("note: accepted without effect for now: Radiosity_To_File, Radiosity_From_File\n"));
 }
 
 TEST_CASE("an animation writes a picture per frame and continues where it stopped", "[program]")
@@ -157,10 +161,10 @@ TEST_CASE("the picture stands where POV-Ray puts it", "[program]")
     };
     write_text(folder / "sub/d.pov", kScene);
     using Names = std::vector<std::string>;
-    CHECK(pictures("sub/d.pov") == Names{"sub/d.png"});      // beside the scene
+    CHECK(pictures("sub/d.pov") == Names{"sub/d.png"});  // beside the scene
     CHECK(pictures("+Isub/d") == Names{"sub/d.png"});
     CHECK(pictures("+Isub/d.pov +Oe.png") == Names{"e.png"});
     CHECK(pictures("sub/d.pov +Osub/") == Names{"sub/d.png"});
     CHECK(pictures("sub/d.pov +Osub") == Names{"sub.png"});  // a folder needs its slash
-    CHECK(pictures("+Lsub +Id.pov") == Names{"d.png"});      // found by the library path: the name as it was given counts
+    CHECK(pictures("+Lsub +Id.pov") == Names{"d.png"});  // found by the library path: the name as it was given counts
 }

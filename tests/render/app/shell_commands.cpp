@@ -14,9 +14,10 @@ using support::write_text;
 constexpr const char* kEmptyScene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -z }\n";
 
 /// All six commands leave a line in the file `log`.
-constexpr const char* kCommands = "Pre_Scene_Command=echo prescene %s %o %w %h >>log\nPre_Frame_Command=echo preframe %n %k %o >>log\n"
-                                  "Post_Frame_Command=echo postframe %n 100%% >>log\nPost_Scene_Command=echo postscene >>log\n"
-                                  "User_Abort_Command=echo abort >>log\nFatal_Error_Command=echo fatal >>log\n";
+constexpr const char* kCommands =
+    "Pre_Scene_Command=echo prescene %s %o %w %h >>log\nPre_Frame_Command=echo preframe %n %k %o >>log\n"
+    "Post_Frame_Command=echo postframe %n 100%% >>log\nPost_Scene_Command=echo postscene >>log\n"
+    "User_Abort_Command=echo abort >>log\nFatal_Error_Command=echo fatal >>log\n";
 
 struct Outcome {
     int status;
@@ -43,7 +44,8 @@ TEST_CASE("commands run around the scene and each frame", "[program][commands]")
 {
     const Outcome ran = outcome("");
     CHECK(ran.status == 0);
-    CHECK(ran.log == "prescene a a.png 4 3\npreframe 1 0 a1.png\npostframe 1 100%\npreframe 2 1 a2.png\npostframe 2 100%\npostscene\n");
+    CHECK(ran.log == "prescene a a.png 4 3\npreframe 1 0 a1.png\npostframe 1 100%\npreframe 2 1 a2.png\npostframe 2 "
+                     "100%\npostscene\n");
 }
 
 TEST_CASE("commands do not run unless allowed", "[program][commands]")
@@ -67,7 +69,8 @@ TEST_CASE("the exit status of a command acts as its return action says", "[progr
     check("Pre_Scene_Return=-Q\n", 0, begin);
     check("Pre_Scene_Return=!U\n", 2, begin + "abort\n");
     check("Pre_Scene_Return=-F\n", 1, begin + "fatal\n");
-    check("Pre_Scene_Return=F\n", 0, begin + one + "preframe 2 1 a2.png\npostframe 2 100%\npostscene\n");  // its status was 0
+    check("Pre_Scene_Return=F\n", 0,
+          begin + one + "preframe 2 1 a2.png\npostframe 2 100%\npostscene\n");  // its status was 0
     check("Pre_Frame_Return=-S\n", 0, begin + "preframe 1 0 a1.png\npreframe 2 1 a2.png\npostscene\n");
     check("Pre_Frame_Return=-A\n", 0, begin + "preframe 1 0 a1.png\npostscene\n");
     check("Post_Frame_Return=-S\n", 0, begin + one + "postscene\n");

@@ -21,7 +21,8 @@ std::string shown_on_terminal(const support::TemporaryFolder& folder, const std:
     fcntl(master, F_SETFL, O_NONBLOCK);
     std::string text;
     char block[4096];
-    for (ssize_t count; (count = read(master, block, sizeof block)) > 0;) text.append(block, static_cast<std::size_t>(count));
+    for (ssize_t count; (count = read(master, block, sizeof block)) > 0;)
+        text.append(block, static_cast<std::size_t>(count));
     close(slave);
     close(master);
     return text;
@@ -37,7 +38,8 @@ TEST_CASE("source lines are shown as they are on a terminal of UTF-8 alone", "[p
     {
         support::ScopedVariable locale("LC_ALL", "C.UTF-8");
         CHECK_THAT(shown_on_terminal(folder, {"u.pov", "--check"}), Catch::Contains("\"gr\xC3\xBC\xC3\x9F\" shpere"));
-        CHECK_THAT(support::run_program(folder.path(), WHITTLE_PROGRAM, {"u.pov", "--check"}).err, Catch::Contains("\"gr??\" shpere"));
+        CHECK_THAT(support::run_program(folder.path(), WHITTLE_PROGRAM, {"u.pov", "--check"}).err,
+                   Catch::Contains("\"gr??\" shpere"));
     }
     support::ScopedVariable locale("LC_ALL", "C");
     CHECK_THAT(shown_on_terminal(folder, {"u.pov", "--check"}), Catch::Contains("\"gr??\" shpere"));

@@ -1,5 +1,5 @@
 #include "parser/parse.h"
-#include "render/trace/camera_rays.h"
+#include "render/trace/camera/camera_rays.h"
 
 #include <catch2/catch.hpp>
 
@@ -44,7 +44,8 @@ std::map<std::string, std::vector<Measured>> measurements()
             at = next;
         }
         REQUIRE(fields.size() == 5);
-        Measured ray{std::stod(fields[0]), std::stod(fields[1]), fields[2].find_first_of("0123456789") != std::string::npos, {}};
+        Measured ray{
+            std::stod(fields[0]), std::stod(fields[1]), fields[2].find_first_of("0123456789") != std::string::npos, {}};
         if (ray.found) ray.direction = {std::stod(fields[2]), std::stod(fields[3]), std::stod(fields[4])};
         cameras[block].push_back(ray);
     }
@@ -56,7 +57,8 @@ trace::CameraRays camera_of(const std::string& block)
     parser::Options options;
     options.image_width = kWidth;
     options.image_height = kHeight;
-    const auto result = parser::parse_text("#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { " + block + " }\n", "camera.pov", options);
+    const auto result = parser::parse_text(
+        "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { " + block + " }\n", "camera.pov", options);
     return {result.scene.camera, kWidth, kHeight};
 }
 
@@ -86,7 +88,8 @@ TEST_CASE("every kind of camera sends its rays where POV-Ray's goes", "[trace][c
 
 TEST_CASE("rays of a camera with one eye start there", "[trace][camera]")
 {
-    for (const char* block : {"", "fisheye angle 360 right x up y", "ultra_wide_angle angle 140", "omnimax", "panoramic", "cylinder 1", "cylinder 2", "spherical"}) {
+    for (const char* block : {"", "fisheye angle 360 right x up y", "ultra_wide_angle angle 140", "omnimax",
+                              "panoramic", "cylinder 1", "cylinder 2", "spherical"}) {
         INFO("camera { " << block << " }");
         const trace::CameraRays camera = camera_of(std::string(block) + " translate <1, 2, 3>");
         CHECK(camera.common_origin());
@@ -94,7 +97,8 @@ TEST_CASE("rays of a camera with one eye start there", "[trace][camera]")
             for (int x = 0; x < kWidth; ++x)
                 if (csg::Ray ray; camera.ray(x, y, ray)) CHECK(ray.origin == glm::dvec3(1, 2, 3));
     }
-    for (const char* block : {"orthographic", "cylinder 3", "cylinder 4"}) CHECK_FALSE(camera_of(block).common_origin());
+    for (const char* block : {"orthographic", "cylinder 3", "cylinder 4"})
+        CHECK_FALSE(camera_of(block).common_origin());
 }
 
 TEST_CASE("orthographic rays are parallel and start in the picture's plane", "[trace][camera]")

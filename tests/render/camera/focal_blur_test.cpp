@@ -1,4 +1,4 @@
-#include "render/trace/focal_blur.h"
+#include "render/trace/camera/focal_blur.h"
 
 #include <catch2/catch.hpp>
 
@@ -65,11 +65,11 @@ TEST_CASE("focal blur is certain of what does not change, and of nothing at vari
         same.add({0.5f, 0.5f, 0.5f, 0, 0}, true);
         mixed.add({n % 2 == 0 ? 1.0f : 0.0f, 0, 0, 0, 0}, true);
     }
-    CHECK(FocalBlur(lens(37)).certain(same));
-    CHECK_FALSE(FocalBlur(lens(37)).certain(mixed));
-    CHECK_FALSE(FocalBlur(lens(37, 0.0)).certain(same));
+    CHECK(FocalBlur(lens(37)).converged(same));
+    CHECK_FALSE(FocalBlur(lens(37)).converged(mixed));
+    CHECK_FALSE(FocalBlur(lens(37, 0.0)).converged(same));
     scene::Camera patient = lens(37);
     patient.blur_fewest = 20;
-    CHECK_FALSE(FocalBlur(patient).certain(same));
+    CHECK_FALSE(FocalBlur(patient).converged(same));
     CHECK(mixed.mean().red == Approx(4.0 / 7.0));
 }

@@ -1,8 +1,9 @@
-#include "render/trace/mesh_camera_ray.h"
+#include "render/trace/camera/mesh_camera_ray.h"
 
 #include <catch2/catch.hpp>
 
-// A plane of unit squares' halves as a mesh camera: which face a pixel shows, and from where its ray starts (spec 2, section 5).
+// A plane of unit squares' halves as a mesh camera: which face a pixel shows, and from where its ray starts (spec 2,
+// section 5).
 namespace {
 
 using plan::MeshCamera;
@@ -18,14 +19,18 @@ scene::MeshCamera::Member row_of(int count, double at_y)
             data->vertices.push_back({k + corner.x, at_y + corner.y, 0.0});
             data->uvs.push_back({(k + corner.x) / count, corner.y});
         }
-        data->faces.push_back({{first, first + 1, first + 2}, {kNone, kNone, kNone}, {first, first + 1, first + 2}, {kNone, kNone, kNone}});
+        data->faces.push_back({{first, first + 1, first + 2},
+                               {kNone, kNone, kNone},
+                               {first, first + 1, first + 2},
+                               {kNone, kNone, kNone}});
     }
     scene::Object object;
     object.shape = scene::Mesh{data};
     return {std::make_shared<const scene::Object>(object), "mesh"};
 }
 
-std::shared_ptr<const MeshCamera> camera_of(int rays, int method, std::vector<scene::MeshCamera::Member> meshes, double location_z = 0.0, double direction_z = 1.0)
+std::shared_ptr<const MeshCamera> camera_of(int rays, int method, std::vector<scene::MeshCamera::Member> meshes,
+                                            double location_z = 0.0, double direction_z = 1.0)
 {
     auto written = std::make_shared<scene::MeshCamera>();
     written->rays_per_pixel = rays;
@@ -43,7 +48,9 @@ std::shared_ptr<const MeshCamera> camera_of(int rays, int method, std::vector<sc
 int face_at(const MeshCamera& camera, double px, double py, int width, int height)
 {
     csg::Ray ray;
-    return trace::mesh_camera_ray(camera, px, py, width, height, 0, ray) ? static_cast<int>(std::floor(ray.origin.x) + 100 * std::floor(ray.origin.y)) : -1;
+    return trace::mesh_camera_ray(camera, px, py, width, height, 0, ray)
+               ? static_cast<int>(std::floor(ray.origin.x) + 100 * std::floor(ray.origin.y))
+               : -1;
 }
 
 }  // namespace
@@ -76,7 +83,8 @@ TEST_CASE("the first two rows show the same faces, the last row is never shown",
 
 TEST_CASE("meshes side by side are counted by the column of the whole picture", "[camera][mesh]")
 {
-    const auto camera = camera_of(1, 2, {row_of(4, 0), row_of(4, 1)});  // spec 2, 5: mesh 1 faces 0, 1, then mesh 2 faces 2, 3
+    const auto camera =
+        camera_of(1, 2, {row_of(4, 0), row_of(4, 1)});  // spec 2, 5: mesh 1 faces 0, 1, then mesh 2 faces 2, 3
     CHECK(face_at(*camera, 0, 0, 4, 1) == 0);
     CHECK(face_at(*camera, 1, 0, 4, 1) == 1);
     CHECK(face_at(*camera, 2, 0, 4, 1) == 102);

@@ -1,4 +1,4 @@
-#include "render/image/compare.h"
+#include "render/image/compare/compare.h"
 
 #include <catch2/catch.hpp>
 
@@ -47,7 +47,8 @@ TEST_CASE("one changed pixel is named, counted and drawn", "[image][compare]")
     Picture b = a;
     float& changed = sample(b, 13, 4, 1);
     changed = changed > 0.5f ? 0.0f : 1.0f;
-    const double difference = 255.0 * std::fabs(static_cast<double>(a.at(13, 4)[1]) - static_cast<double>(b.at(13, 4)[1]));
+    const double difference = 255.0 *
+                              std::fabs(static_cast<double>(a.at(13, 4)[1]) - static_cast<double>(b.at(13, 4)[1]));
     const Comparison result = compare(a, b, 3.0);
     CHECK(result.agreeing == Approx(199.0 / 200.0));
     CHECK(result.worst_x == 13);

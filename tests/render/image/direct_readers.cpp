@@ -1,7 +1,7 @@
-#include "render/image/direct_readers.h"
+#include "render/image/codecs/direct_readers.h"
 
 #include "render/image/files.h"
-#include "render/image/io_loader.h"
+#include "render/image/codecs/io_loader.h"
 #include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
@@ -37,7 +37,10 @@ ByteList counted(std::size_t size)
     return bytes;
 }
 
-int level(const Picture& picture, int x, int y, std::size_t channel) { return static_cast<int>(std::lround(255.0f * picture.at(x, y)[channel])); }
+int level(const Picture& picture, int x, int y, std::size_t channel)
+{
+    return static_cast<int>(std::lround(255.0f * picture.at(x, y)[channel]));
+}
 
 }  // namespace
 
@@ -48,7 +51,8 @@ TEST_CASE("JPEG is read as OpenImageIO reads it", "[image][files]")
     for (const int channels : {1, 3}) {
         INFO(channels << " channels");
         Raster raster{67, 41, channels, 8, {}};
-        for (int i = 0; i < 67 * 41 * channels; ++i) raster.samples.push_back(static_cast<std::uint16_t>((i * 7 + i / 67 * 3) % 256));
+        for (int i = 0; i < 67 * 41 * channels; ++i)
+            raster.samples.push_back(static_cast<std::uint16_t>((i * 7 + i / 67 * 3) % 256));
         Files().write(path, raster, FileType::Jpeg, TransferCurve::srgb());
         const auto picture = decode_directly(path, bytes_of_file(path));
         REQUIRE(picture);
@@ -57,7 +61,8 @@ TEST_CASE("JPEG is read as OpenImageIO reads it", "[image][files]")
         REQUIRE(library.get().read(path.c_str(), other) == nullptr);
         REQUIRE(picture->channels == other.channels);
         float most = 0.0f;
-        for (std::size_t i = 0; i < picture->samples.size(); ++i) most = std::max(most, std::abs(picture->samples[i] - other.samples[i]));
+        for (std::size_t i = 0; i < picture->samples.size(); ++i)
+            most = std::max(most, std::abs(picture->samples[i] - other.samples[i]));
         library.get().release(other);
         CHECK(most <= 6.0e-8f);
     }
@@ -96,7 +101,8 @@ TEST_CASE("Targa pixels stand where the descriptor says", "[image][files]")
         REQUIRE(picture.channels == 3);
         for (int y = 0; y < 3; ++y)
             for (int x = 0; x < 5; ++x) {
-                const int row = order & 0x20 ? y : 2 - y, column = order & 0x10 ? 4 - x : x, first = 3 * (5 * row + column);
+                const int row = order & 0x20 ? y : 2 - y, column = order & 0x10 ? 4 - x : x,
+                          first = 3 * (5 * row + column);
                 CHECK(level(picture, x, y, 2) == first);  // blue first
                 CHECK(level(picture, x, y, 0) == first + 2);
             }
@@ -145,7 +151,8 @@ ByteList gif(bool interlaced)
     GifFileType* file = EGifOpen(&out, append, &error);
     REQUIRE(file);
     GifColorType colors[16];
-    for (int i = 0; i < 16; ++i) colors[i] = {static_cast<GifByteType>(16 * i), static_cast<GifByteType>(255 - i), static_cast<GifByteType>(i)};
+    for (int i = 0; i < 16; ++i)
+        colors[i] = {static_cast<GifByteType>(16 * i), static_cast<GifByteType>(255 - i), static_cast<GifByteType>(i)};
     ColorMapObject* palette = GifMakeMapObject(16, colors);
     EGifSetGifVersion(file, true);
     REQUIRE(EGifPutScreenDesc(file, 5, 9, 4, 0, palette) == GIF_OK);
@@ -189,7 +196,8 @@ TEST_CASE("the places and colours of a GIF, interlaced or not", "[image][files]"
 TEST_CASE("a broken GIF is told from a whole one", "[image][files]")
 {
     const ByteList whole = gif(false);
-    for (std::size_t length = 0; length + 4 < whole.size(); ++length) CHECK_THROWS_AS(decode_gif({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}), FileError);
+    for (std::size_t length = 0; length + 4 < whole.size(); ++length)
+        CHECK_THROWS_AS(decode_gif({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}), FileError);
     for (std::size_t at = 0; at < whole.size(); ++at)
         for (const std::uint8_t change : ByteList{0x01, 0x40, 0xff}) {
             ByteList changed = whole;

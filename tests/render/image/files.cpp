@@ -16,7 +16,9 @@ Raster ramp(int width, int height, int channels, int bits)
 {
     Raster raster{width, height, channels, bits, {}};
     const auto count = static_cast<std::size_t>(width * height * channels);
-    for (std::size_t i = 0; i < count; ++i) raster.samples.push_back(static_cast<std::uint16_t>(i * 40503u % (static_cast<unsigned>(raster.maximum()) + 1u)));
+    for (std::size_t i = 0; i < count; ++i)
+        raster.samples.push_back(
+            static_cast<std::uint16_t>(i * 40503u % (static_cast<unsigned>(raster.maximum()) + 1u)));
     return raster;
 }
 
@@ -48,7 +50,8 @@ TEST_CASE("a written picture reads back as the same integers", "[image][files]")
     const support::TemporaryFolder folder;
     const Files files;
     for (const int bits : {8, 16}) {
-        for (const int channels : {1, 3, 4}) check_round_trip(files, folder / "picture.png", ramp(37, 11, channels, bits), FileType::Png);
+        for (const int channels : {1, 3, 4})
+            check_round_trip(files, folder / "picture.png", ramp(37, 11, channels, bits), FileType::Png);
     }
     check_round_trip(files, folder / "picture.ppm", ramp(37, 11, 3, 8), FileType::Ppm);
     check_round_trip(files, folder / "raw.tga", ramp(37, 11, 4, 8), FileType::Targa);
@@ -100,7 +103,8 @@ TEST_CASE("a picture that cannot be written leaves the old one and nothing else"
     CHECK_THROWS_AS(files.write(folder / "old.png", empty, FileType::Png, TransferCurve::srgb()), FileError);
     CHECK(text_of(folder / "old.png") == "old");
     CHECK(folder.names() == std::vector<std::string>{"old.png"});
-    CHECK_THROWS_AS(files.write(folder / "missing/new.png", ramp(4, 4, 3, 8), FileType::Png, TransferCurve::srgb()), FileError);
+    CHECK_THROWS_AS(files.write(folder / "missing/new.png", ramp(4, 4, 3, 8), FileType::Png, TransferCurve::srgb()),
+                    FileError);
 }
 
 TEST_CASE("a file that is no picture is named in the message", "[image][files]")

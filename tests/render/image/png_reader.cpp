@@ -1,5 +1,5 @@
-#include "render/image/direct_readers.h"
-#include "render/image/io_loader.h"
+#include "render/image/codecs/direct_readers.h"
+#include "render/image/codecs/io_loader.h"
 
 #include "tests/support/temporary_folder.h"
 
@@ -22,7 +22,8 @@ struct Kind {
 
 constexpr int kWidth = 37, kHeight = 5;
 
-/// Written by libpng with nothing but what `kind` says; samples packed as the file has them, most significant bits first.
+/// Written by libpng with nothing but what `kind` says; samples packed as the file has them, most significant bits
+/// first.
 void write_file(const std::string& path, const Kind& kind)
 {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -30,12 +31,14 @@ void write_file(const std::string& path, const Kind& kind)
     std::FILE* file = std::fopen(path.c_str(), "wb");
     REQUIRE(file != nullptr);
     png_init_io(png, file);
-    png_set_IHDR(png, info, kWidth, kHeight, kind.depth, kind.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, kWidth, kHeight, kind.depth, kind.color_type, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (kind.color_type == PNG_COLOR_TYPE_PALETTE) {
         std::vector<png_color> palette;
         std::vector<png_byte> alpha;
         for (int i = 0; i < 1 << kind.depth; ++i) {
-            palette.push_back({static_cast<png_byte>(i * 7), static_cast<png_byte>(255 - i), static_cast<png_byte>(i * 31)});
+            palette.push_back(
+                {static_cast<png_byte>(i * 7), static_cast<png_byte>(255 - i), static_cast<png_byte>(i * 31)});
             if (i < 3) alpha.push_back(static_cast<png_byte>(i * 100));
         }
         png_set_PLTE(png, info, palette.data(), static_cast<int>(palette.size()));
@@ -70,7 +73,9 @@ TEST_CASE("every kind of PNG is read as OpenImageIO reads it", "[image][files]")
         for (const int depth : {1, 2, 4, 8}) kinds.push_back({PNG_COLOR_TYPE_PALETTE, depth, 1, clear});
         for (const int depth : {8, 16}) kinds.push_back({PNG_COLOR_TYPE_RGB, depth, 3, clear});
     }
-    for (const int depth : {8, 16}) kinds.push_back({PNG_COLOR_TYPE_GRAY_ALPHA, depth, 2, false}), kinds.push_back({PNG_COLOR_TYPE_RGB_ALPHA, depth, 4, false});
+    for (const int depth : {8, 16})
+        kinds.push_back({PNG_COLOR_TYPE_GRAY_ALPHA, depth, 2, false}),
+            kinds.push_back({PNG_COLOR_TYPE_RGB_ALPHA, depth, 4, false});
     for (const Kind& kind : kinds) {
         INFO("colour type " << kind.color_type << ", " << kind.depth << " bits" << (kind.clear ? ", tRNS" : ""));
         write_file(path, kind);
@@ -81,10 +86,12 @@ TEST_CASE("every kind of PNG is read as OpenImageIO reads it", "[image][files]")
         REQUIRE(library.get().read(path.c_str(), other) == nullptr);
         CHECK(picture->bits == other.bits);
         REQUIRE(picture->channels == other.channels);
-        const std::vector<float> samples(other.samples, other.samples + picture->count() * static_cast<std::size_t>(other.channels));
+        const std::vector<float> samples(other.samples,
+                                         other.samples + picture->count() * static_cast<std::size_t>(other.channels));
         library.get().release(other);
         float most = 0.0f;  // OpenImageIO multiplies by 1 / 255, which is not the same to the last bit
-        for (std::size_t i = 0; i < samples.size(); ++i) most = std::max(most, std::abs(picture->samples[i] - samples[i]));
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            most = std::max(most, std::abs(picture->samples[i] - samples[i]));
         CHECK(most <= 6.0e-8f);
     }
 }
@@ -97,8 +104,10 @@ TEST_CASE("a broken PNG is told from a whole one", "[image][files]")
     std::ifstream in(path, std::ios::binary);
     const ByteList whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     CHECK(decode_png(whole).width == kWidth);
-    for (std::size_t length = 0; length + 12 < whole.size(); length += 5) CHECK_THROWS_AS(decode_png({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}), FileError);
-    ByteList remark = {whole.begin(), whole.begin() + 33};  // signature and header, then a chunk that is said to have 2 GB
+    for (std::size_t length = 0; length + 12 < whole.size(); length += 5)
+        CHECK_THROWS_AS(decode_png({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}), FileError);
+    ByteList remark = {whole.begin(),
+                       whole.begin() + 33};  // signature and header, then a chunk that is said to have 2 GB
     for (const std::uint8_t byte : ByteList{0x7f, 0xff, 0xff, 0xf0, 't', 'E', 'X', 't', 'a'}) remark.push_back(byte);
     CHECK_THROWS_WITH(decode_png(remark), "the PNG file is broken (it ends too early)");
     ByteList huge = whole;

@@ -1,7 +1,7 @@
 #include "render/image/files.h"
-#include "render/image/io_loader.h"
-#include "render/image/io_writer.h"
-#include "render/image/png_writer.h"
+#include "render/image/codecs/io_loader.h"
+#include "render/image/codecs/io_writer.h"
+#include "render/image/codecs/png_writer.h"
 
 #include "tests/support/temporary_folder.h"
 
@@ -19,7 +19,8 @@ Raster ramp(int channels, int bits)
 {
     Raster raster{29, 17, channels, bits, {}};
     for (unsigned i = 0; i < static_cast<unsigned>(29 * 17 * channels); ++i)
-        raster.samples.push_back(static_cast<std::uint16_t>(i * 40503u % (static_cast<unsigned>(raster.maximum()) + 1u)));
+        raster.samples.push_back(
+            static_cast<std::uint16_t>(i * 40503u % (static_cast<unsigned>(raster.maximum()) + 1u)));
     return raster;
 }
 
@@ -35,7 +36,8 @@ std::vector<std::string> entries(const std::string& path)
         std::ostringstream text;
         text << bytes.substr(at + 4, 4);
         if (text.str() != "IDAT") text << ' ';
-        for (std::size_t i = 0; i < size && text.str().substr(0, 4) != "IDAT"; ++i) text << "0123456789abcdef"[byte(at + 8 + i) >> 4] << "0123456789abcdef"[byte(at + 8 + i) & 15];
+        for (std::size_t i = 0; i < size && text.str().substr(0, 4) != "IDAT"; ++i)
+            text << "0123456789abcdef"[byte(at + 8 + i) >> 4] << "0123456789abcdef"[byte(at + 8 + i) & 15];
         found.push_back(text.str());
         at += size + 12;
     }
@@ -62,7 +64,8 @@ TEST_CASE("PNG through libpng and through OpenImageIO are the same picture", "[i
     IoLoader library;
     for (const int bits : {8, 16}) {
         for (const int channels : {1, 2, 3, 4}) {
-            for (const TransferCurve& curve : {TransferCurve::srgb(), TransferCurve::power(1.8f), TransferCurve::linear()}) {
+            for (const TransferCurve& curve :
+                 {TransferCurve::srgb(), TransferCurve::power(1.8f), TransferCurve::linear()}) {
                 INFO(channels << " channels of " << bits << " bits, gamma " << curve.approximate_gamma());
                 const Raster raster = ramp(channels, bits);
                 const std::string direct = folder / "direct.png", other = folder / "library.png";
@@ -70,7 +73,8 @@ TEST_CASE("PNG through libpng and through OpenImageIO are the same picture", "[i
 
                 WriteRequest request{};
                 request.format = "png";
-                IoWriter writer(library.get(), other, {raster.width, raster.height, channels, bits, curve, "test"}, request);
+                IoWriter writer(library.get(), other, {raster.width, raster.height, channels, bits, curve, "test"},
+                                request);
                 for (int row = 0; row < raster.height; ++row) writer.put(raster.at(0, row));
                 writer.finish();
                 check_same_meaning(files.read(direct), files.read(other));
@@ -89,10 +93,10 @@ TEST_CASE("a PNG has the entries that POV-Ray 3.7.0.10 writes, but for its offse
         return entries(path);
     };
     using Entries = std::vector<std::string>;
-    CHECK(written(3, 8, TransferCurve::srgb()) ==
-          Entries{"IHDR 0000001d000000110802000000", "gAMA 0000b18f", "sRGB 00", "sBIT 080808", software, "IDAT", "IEND "});
-    CHECK(written(3, 5, TransferCurve::srgb()) ==
-          Entries{"IHDR 0000001d000000110802000000", "gAMA 0000b18f", "sRGB 00", "sBIT 050505", software, "IDAT", "IEND "});
+    CHECK(written(3, 8, TransferCurve::srgb()) == Entries{"IHDR 0000001d000000110802000000", "gAMA 0000b18f", "sRGB 00",
+                                                          "sBIT 080808", software, "IDAT", "IEND "});
+    CHECK(written(3, 5, TransferCurve::srgb()) == Entries{"IHDR 0000001d000000110802000000", "gAMA 0000b18f", "sRGB 00",
+                                                          "sBIT 050505", software, "IDAT", "IEND "});
     CHECK(written(4, 12, TransferCurve::power(1.8f)) ==
           Entries{"IHDR 0000001d000000111006000000", "gAMA 0000d904", "sBIT 0c0c0c0c", software, "IDAT", "IEND "});
     CHECK(written(1, 16, TransferCurve::linear()) ==

@@ -1,5 +1,5 @@
-#include "render/image/level_table.h"
-#include "render/image/quantise.h"
+#include "render/image/levels/level_table.h"
+#include "render/image/levels/quantise.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,9 +15,13 @@ namespace {
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
-Image one_pixel(float red, float green, float blue, float transmit = 0.0f) { return {1, 1, {red, green, blue, transmit}}; }
+Image one_pixel(float red, float green, float blue, float transmit = 0.0f)
+{
+    return {1, 1, {red, green, blue, transmit}};
+}
 
-std::vector<std::uint16_t> encoded(const Image& picture, const TransferCurve& file, int bits = 8, bool alpha = false, bool grey = false)
+std::vector<std::uint16_t> encoded(const Image& picture, const TransferCurve& file, int bits = 8, bool alpha = false,
+                                   bool grey = false)
 {
     return quantise(picture, {{TransferCurve::linear(), file}, bits, alpha, grey}).samples;
 }
@@ -28,10 +32,12 @@ using Samples = std::vector<std::uint16_t>;
 
 TEST_CASE("eight bits of four levels under three file curves", "[image][quantise]")
 {
-    const Image levels{4, 1, {.125f, .125f, .125f, 0, .375f, .375f, .375f, 0, .625f, .625f, .625f, 0, .875f, .875f, .875f, 0}};
+    const Image levels{
+        4, 1, {.125f, .125f, .125f, 0, .375f, .375f, .375f, 0, .625f, .625f, .625f, 0, .875f, .875f, .875f, 0}};
     CHECK(encoded(levels, TransferCurve::srgb()) == Samples{99, 99, 99, 165, 165, 165, 207, 207, 207, 240, 240, 240});
     CHECK(encoded(levels, TransferCurve::linear()) == Samples{32, 32, 32, 96, 96, 96, 159, 159, 159, 223, 223, 223});
-    CHECK(encoded(levels, TransferCurve::power(2.2f)) == Samples{99, 99, 99, 163, 163, 163, 206, 206, 206, 240, 240, 240});
+    CHECK(encoded(levels, TransferCurve::power(2.2f)) ==
+          Samples{99, 99, 99, 163, 163, 163, 206, 206, 206, 240, 240, 240});
 }
 
 TEST_CASE("what is no number or out of range is clamped", "[image][quantise]")
@@ -44,16 +50,25 @@ TEST_CASE("what is no number or out of range is clamped", "[image][quantise]")
 
 TEST_CASE("a table of levels rounds as the curves do", "[image][quantise]")
 {
-    const TransferCurve linear = TransferCurve::linear(), srgb = TransferCurve::srgb(), power = TransferCurve::power(2.2f), steep = TransferCurve::power(0.4f);
+    const TransferCurve linear = TransferCurve::linear(), srgb = TransferCurve::srgb(),
+                        power = TransferCurve::power(2.2f), steep = TransferCurve::power(0.4f);
     std::mt19937 random(1);
     std::uniform_real_distribution<float> spread(-30.0f, 3.0f);
-    for (const auto& [working, file] : {std::pair{linear, srgb}, {linear, power}, {linear, linear}, {power, power}, {srgb, linear}, {power, srgb}, {steep, srgb}, {linear, steep}})
+    for (const auto& [working, file] : {std::pair{linear, srgb},
+                                        {linear, power},
+                                        {linear, linear},
+                                        {power, power},
+                                        {srgb, linear},
+                                        {power, srgb},
+                                        {steep, srgb},
+                                        {linear, steep}})
         for (const int bits : {5, 7, 8}) {
             const Transcoder curve(working, file);
             const LevelTable table(curve, bits);
             int differ = 0, levels = 0;
             const auto compare = [&](float x) { differ += table(x) != quantised(curve.to_file(x), bits); };
-            for (const float x : {0.0f, -0.0f, -1.0f, 1.0f, 1.5f, 1e30f, 1e-40f, kInfinite, -kInfinite, kNotANumber}) compare(x);
+            for (const float x : {0.0f, -0.0f, -1.0f, 1.0f, 1.5f, 1e30f, 1e-40f, kInfinite, -kInfinite, kNotANumber})
+                compare(x);
             for (int i = 0; i < 20000; ++i) compare(std::exp2(spread(random)));
             // On both sides of where a level begins.
             for (int level = 1; level < 1 << bits; ++level) {
@@ -66,7 +81,8 @@ TEST_CASE("a table of levels rounds as the curves do", "[image][quantise]")
                 const std::uint32_t at = std::bit_cast<std::uint32_t>(high);
                 for (std::uint32_t k = at > 40 ? at - 40 : 0; k < at + 40; ++k) compare(std::bit_cast<float>(k));
             }
-            INFO("working " << static_cast<int>(working.kind) << ' ' << working.gamma << " file " << static_cast<int>(file.kind) << ' ' << file.gamma << " bits " << bits);
+            INFO("working " << static_cast<int>(working.kind) << ' ' << working.gamma << " file "
+                            << static_cast<int>(file.kind) << ' ' << file.gamma << " bits " << bits);
             CHECK(differ == 0);
             CHECK(levels == (1 << bits) - 1);
         }

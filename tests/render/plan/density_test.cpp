@@ -1,5 +1,5 @@
 #include "parser/parse.h"
-#include "render/plan/textures.h"
+#include "render/plan/textures/textures.h"
 #include "render/texture/evaluate.h"
 #include "tests/support/csv_table.h"
 #include "tests/support/temporary_folder.h"
@@ -8,7 +8,8 @@
 
 #include <fstream>
 
-// Density files and objects as patterns against POV-Ray's answers; the file is 3x4x5, sample (37x + 91y + 53z + 11) mod 256.
+// Density files and objects as patterns against POV-Ray's answers; the file is 3x4x5, sample (37x + 91y + 53z + 11) mod
+// 256.
 namespace {
 
 void write_big_endian(std::ofstream& out, std::uint64_t value, int bytes)
@@ -39,7 +40,10 @@ struct Compiled {
             parser::parse_text("#version 3.7; sphere { 0, 1 pigment { " + pigment + " } }", "test.pov", options).scene;
         std::vector<scene::Unsupported> notes;
         plan::TextureCompiler compiler(scene, 9, set, notes);
-        pattern = set.pigments.at(compiler.pigment(std::get<std::vector<scene::Layer>>(scene.objects.at(0).texture->kind).at(0).pigment)).pattern;
+        pattern = set.pigments
+                      .at(compiler.pigment(
+                          std::get<std::vector<scene::Layer>>(scene.objects.at(0).texture->kind).at(0).pigment))
+                      .pattern;
         CHECK(notes.empty());
     }
     double at(const glm::dvec3& p) const { return texture::raw_pattern(set, set.patterns.at(pattern), p, {}); }
@@ -53,12 +57,15 @@ TEST_CASE("densities answer as POV-Ray's do", "[plan][density]")
     for (const int bytes : {1, 2, 4}) {
         write_density(folder / "cells.df3", bytes);
         for (int interpolate = 0; interpolate < 3; ++interpolate) {
-            const Compiled compiled(folder.path(), "density_file df3 \"cells.df3\" interpolate " + std::to_string(interpolate));
+            const Compiled compiled(folder.path(),
+                                    "density_file df3 \"cells.df3\" interpolate " + std::to_string(interpolate));
             for (const auto& row : test_support::csv_table(WHITTLE_TEST_DATA "/densities.csv")) {
                 const glm::dvec3 p{std::stod(row[0]), std::stod(row[1]), std::stod(row[2])};
-                INFO(bytes << " bytes, interpolate " << interpolate << " at " << row[0] << ' ' << row[1] << ' ' << row[2]);
+                INFO(bytes << " bytes, interpolate " << interpolate << " at " << row[0] << ' ' << row[1] << ' '
+                           << row[2]);
                 const double expected = std::stod(row[3 + static_cast<std::size_t>(interpolate)]);
-                CHECK(compiled.at(p) == Approx(expected).margin(interpolate == 2 ? 1e-7 : 1e-10));  // cubic: single precision
+                CHECK(compiled.at(p) ==
+                      Approx(expected).margin(interpolate == 2 ? 1e-7 : 1e-10));  // cubic: single precision
             }
             CHECK(compiled.at({1.0, 0.5, 0.5}) == 0.0);
             CHECK(compiled.at({0.5, -1e-9, 0.5}) == 0.0);

@@ -25,12 +25,13 @@ struct Queries final : parser::SceneQueries {
     {
         return plan::turbulence(point, octaves, lambda, omega);
     }
-    function::Values evaluate(const function::FunctionPtr& called, const double* arguments, const scene::Description& so_far) override
+    function::Values evaluate(const function::FunctionPtr& called, const double* arguments,
+                              const scene::Description& so_far) override
     {
         return plan::FunctionProbe(called, so_far).evaluate(arguments);
     }
-    void evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points, std::span<function::Values> values,
-                  const scene::Description& so_far) override
+    void evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points,
+                  std::span<function::Values> values, const scene::Description& so_far) override
     {
         for (std::size_t i = 0; i < points.size(); ++i) values[i] = evaluate(called, &points[i].x, so_far);
     }
@@ -52,36 +53,47 @@ std::string debug_of(const std::string& text, parser::Options options = {})
 TEST_CASE("functions made of patterns", "[plan][function]")
 {
     CHECK(debug_of("#declare F=function{pattern{cells}} #debug str(F(.5,.5,.5),0,10)") == "0.7118189153");
-    CHECK(debug_of("#declare F=function{pattern{gradient x}} #debug concat(str(F(1,0,0),0,6),str(F(2,0,0),0,6),str(F(-.25,0,0),0,6))") ==
-          "1.0000000.0000000.750000");
+    CHECK(debug_of("#declare F=function{pattern{gradient x}} #debug "
+                   "concat(str(F(1,0,0),0,6),str(F(2,0,0),0,6),str(F(-.25,0,0),0,6))") == "1.0000000.0000000.750000");
     // lambda and omega are in single precision.
-    CHECK(debug_of("#debug vstr(3,vturbulence(2.3,.7,5,<1.3,2.7,3.1>),\" \",0,7)") == "-0.2029233 0.0076947 -0.0360532");
+    CHECK(debug_of("#debug vstr(3,vturbulence(2.3,.7,5,<1.3,2.7,3.1>),\" \",0,7)") ==
+          "-0.2029233 0.0076947 -0.0360532");
     // However many waves the scene has, functions in the text use 10.
-    CHECK(debug_of("global_settings{number_of_waves 3} #declare F=function{pattern{ripples}} #debug str(F(.3,.4,.5),0,9)") == "0.273188179");
+    CHECK(debug_of(
+              "global_settings{number_of_waves 3} #declare F=function{pattern{ripples}} #debug str(F(.3,.4,.5),0,9)") ==
+          "0.273188179");
 }
 
 TEST_CASE("functions made of pigments, alone and within others", "[plan][function]")
 {
-    CHECK(debug_of("#declare F=function{pigment{gradient x color_map{[0 rgb 0][1 rgb <1,.5,.25>]}}} #declare V=F(.5,0,0);"
-                   "#debug vstr(5,V,\" \",0,4) #debug concat(\" \",str(F(.5,0,0).green,0,4))") == "0.5000 0.2500 0.1250 0.0000 0.0000 0.2500");
-    CHECK(debug_of("#declare F=function{pigment{rgb <.5,.25,1>}} #declare G=function{F(x,y,z).red+10*F(x,y,z).y+100*F(z,y,x).blue}"
+    CHECK(
+        debug_of("#declare F=function{pigment{gradient x color_map{[0 rgb 0][1 rgb <1,.5,.25>]}}} #declare V=F(.5,0,0);"
+                 "#debug vstr(5,V,\" \",0,4) #debug concat(\" \",str(F(.5,0,0).green,0,4))") ==
+        "0.5000 0.2500 0.1250 0.0000 0.0000 0.2500");
+    CHECK(debug_of("#declare F=function{pigment{rgb <.5,.25,1>}} #declare "
+                   "G=function{F(x,y,z).red+10*F(x,y,z).y+100*F(z,y,x).blue}"
                    "#debug str(G(1,2,3),0,3)") == "103.000");
 }
 
 TEST_CASE("noise follows the generator of the scene", "[plan][function]")
 {
     const std::string noise = "#declare N=function{internal(76)} #debug str(N(.5,.25,-.125),0,9)";
-    const std::string two = debug_of("global_settings{noise_generator 2}" + noise), three = debug_of("global_settings{noise_generator 3}" + noise);
+    const std::string two = debug_of("global_settings{noise_generator 2}" + noise),
+                      three = debug_of("global_settings{noise_generator 3}" + noise);
     CHECK(two == "0.334707373");
     CHECK(three != two);
 }
 
 TEST_CASE("the generator of noise asked while the text is read follows #version", "[plan][function]")
 {
-    const std::string bozo = "#declare B=function{pattern{bozo}} ", print = " #debug concat(str(B(1.3,2.16,.55),0,6),\" \")";
-    CHECK(debug_of("#version 3.1;" + bozo + print + "#version 3.7;" + print + "#version 3.1;" + print) == "0.254745 0.395394 0.254745 ");
-    CHECK(debug_of("#version 3.1; global_settings{noise_generator 2}" + bozo + print + "#version 3.7;" + print) == "0.395394 0.395394 ");
-    CHECK(debug_of("#version 3.1; #declare P=function{pigment{bozo color_map{[0 rgb 0][1 rgb 1]}}} #debug str(P(1.3,2.16,.55).red,0,6)") == "0.254745");
+    const std::string bozo = "#declare B=function{pattern{bozo}} ",
+                      print = " #debug concat(str(B(1.3,2.16,.55),0,6),\" \")";
+    CHECK(debug_of("#version 3.1;" + bozo + print + "#version 3.7;" + print + "#version 3.1;" + print) ==
+          "0.254745 0.395394 0.254745 ");
+    CHECK(debug_of("#version 3.1; global_settings{noise_generator 2}" + bozo + print + "#version 3.7;" + print) ==
+          "0.395394 0.395394 ");
+    CHECK(debug_of("#version 3.1; #declare P=function{pigment{bozo color_map{[0 rgb 0][1 rgb 1]}}} #debug "
+                   "str(P(1.3,2.16,.55).red,0,6)") == "0.254745");
     // A version given beside the text does not count until the picture is made.
     parser::Options options;
     options.version = 310;
@@ -90,22 +102,29 @@ TEST_CASE("the generator of noise asked while the text is read follows #version"
 
 TEST_CASE("so does an isosurface made of noise", "[plan][function]")
 {
-    const std::string surface = "#declare N=function{internal(76)} #declare I=isosurface{function{y-N(x,0,z)} contained_by{box{-2,2}} max_gradient 4}";
-    const std::string print = "#debug concat(str(trace(I,<.3,3,.4>,-y).y,0,2),\" \",str(inside(I,<.3,.45,.4>),0,0),\"; \")";
-    CHECK(debug_of(surface + print + "#version 3.1;" + print + "global_settings{noise_generator 3}" + print) == "0.49 1; 0.44 0; 0.69 1; ");
+    const std::string surface = "#declare N=function{internal(76)} #declare I=isosurface{function{y-N(x,0,z)} "
+                                "contained_by{box{-2,2}} max_gradient 4}";
+    const std::string print =
+        "#debug concat(str(trace(I,<.3,3,.4>,-y).y,0,2),\" \",str(inside(I,<.3,.45,.4>),0,0),\"; \")";
+    CHECK(debug_of(surface + print + "#version 3.1;" + print + "global_settings{noise_generator 3}" + print) ==
+          "0.49 1; 0.44 0; 0.69 1; ");
 }
 
 // In a loop they are compiled at the second pass: written out pass by pass they are not.
 TEST_CASE("trace and inside answer in a loop as outside of one", "[plan][function]")
 {
-    const std::string head = "#version 3.7; #declare S=sphere{0,1} #declare B=box{-1,<1,1,.5>} #declare O=object{S} #declare N=<9,9,9>; #declare I=0;";
+    const std::string head = "#version 3.7; #declare S=sphere{0,1} #declare B=box{-1,<1,1,.5>} #declare O=object{S} "
+                             "#declare N=<9,9,9>; #declare I=0;";
     for (const std::string body : {
              "#declare P=trace(O,<.1*I,.2,-3>,z,N); #debug concat(vstr(3,P,\" \",0,9),\"/\",vstr(3,N,\" \",0,9),\";\")",
              "#declare P=trace(O,<.1*I,.2,-3>,z).z+I; #debug str(P.x,0,9)",
              "#declare P=trace(O,<.1*I,.2,-3>,<.1,0,1>,N)+N; #debug vstr(3,P,\" \",0,9)",
-             "#declare P=trace(O,<.7*I,.2,-3>,z,N); #debug concat(str(P.z,0,9),str(vlength(N),0,3),\";\") #if (I=1) #declare O=object{B} #end",
-             "#if (inside(O,<.35*I,.5,.5>)) #debug \"in \" #else #debug \"out \" #end #if (I=1) #declare O=object{B rotate 20*y} #end",
-             "#local P=trace(O,<.1*I,.2,-3>,z,N); #debug vstr(3,P+N,\" \",0,9) #if (I=2) #undef N #declare N=<1,2,3>; #end",
+             "#declare P=trace(O,<.7*I,.2,-3>,z,N); #debug concat(str(P.z,0,9),str(vlength(N),0,3),\";\") #if (I=1) "
+             "#declare O=object{B} #end",
+             "#if (inside(O,<.35*I,.5,.5>)) #debug \"in \" #else #debug \"out \" #end #if (I=1) #declare O=object{B "
+             "rotate 20*y} #end",
+             "#local P=trace(O,<.1*I,.2,-3>,z,N); #debug vstr(3,P+N,\" \",0,9) #if (I=2) #undef N #declare N=<1,2,3>; "
+             "#end",
          }) {
         INFO(body);
         std::string unrolled = head;

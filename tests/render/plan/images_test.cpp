@@ -1,6 +1,6 @@
 #include "parser/parse.h"
-#include "render/image/transfer_curve.h"
-#include "render/plan/textures.h"
+#include "render/image/levels/transfer_curve.h"
+#include "render/plan/textures/textures.h"
 #include "render/texture/evaluate.h"
 
 #include <catch2/catch.hpp>
@@ -59,7 +59,8 @@ TEST_CASE("pictures answer as POV-Ray's do", "[plan][image]")
     for (const Answer& answer : all) {
         INFO(answer.statement << " at " << answer.at.x << ' ' << answer.at.y << ' ' << answer.at.z);
         const bool value = answer.statement.starts_with("image_pattern");
-        const scene::Description scene = parsed(value ? answer.statement + " color_map { [0 rgb 0] [1 rgb 1] }" : answer.statement, kHead);
+        const scene::Description scene =
+            parsed(value ? answer.statement + " color_map { [0 rgb 0] [1 rgb 1] }" : answer.statement, kHead);
         texture::TextureSet set;
         std::vector<scene::Unsupported> notes;
         plan::TextureCompiler compiler(scene, 9, set, notes);
@@ -67,11 +68,13 @@ TEST_CASE("pictures answer as POV-Ray's do", "[plan][image]")
         CHECK(notes.empty());
         const scene::Color c = texture::pigment_color(set, pigment, answer.at, {});
         if (value) {
-            CHECK(texture::image_value(set.images.at(0), answer.at) == Approx(answer.expected.at(0)).margin(2e-7));  // told in single precision
+            CHECK(texture::image_value(set.images.at(0), answer.at) ==
+                  Approx(answer.expected.at(0)).margin(2e-7));  // told in single precision
             continue;
         }
         const float got[5] = {c.red, c.green, c.blue, c.filter, c.transmit};
-        for (std::size_t k = 0; k < 5; ++k) CHECK(static_cast<double>(got[k]) == Approx(answer.expected.at(k)).margin(2e-7));
+        for (std::size_t k = 0; k < 5; ++k)
+            CHECK(static_cast<double>(got[k]) == Approx(answer.expected.at(k)).margin(2e-7));
     }
 }
 
@@ -81,7 +84,9 @@ TEST_CASE("levels of pictures are decoded by the version of the scene", "[plan][
         const scene::Description scene = parsed("image_map { png \"vrgb.png\" " + options + " }", head);
         texture::TextureSet set;
         std::vector<scene::Unsupported> notes;
-        return texture::pigment_color(set, plan::TextureCompiler(scene, 9, set, notes).pigment(pigment_of(scene)), {0.1, 0.9, 0}, {}).blue;
+        return texture::pigment_color(set, plan::TextureCompiler(scene, 9, set, notes).pigment(pigment_of(scene)),
+                                      {0.1, 0.9, 0}, {})
+            .blue;
     };
     const float stored = 200.0f / 255.0f;
     CHECK(first("#version 3.7;", "") == Approx(image::TransferCurve::srgb().decode(stored)));

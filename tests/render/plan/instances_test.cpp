@@ -1,4 +1,4 @@
-#include "csg/scratch.h"
+#include "csg/base/scratch.h"
 #include "parser/parse.h"
 #include "render/plan/compiled_scene.h"
 
@@ -12,10 +12,12 @@ namespace {
 /// Copies of two objects, turned and stretched. `apart`: each a statement of its own.
 std::string text_of(int copies, bool apart)
 {
-    const std::string tall = R"( difference { union { cylinder { -y, y, 0.4 } torus { 0.5, 0.1 } box { <-0.2, 0, -1>, <0.2, 0.3, 1> } }
+    const std::string tall =
+        R"( difference { union { cylinder { -y, y, 0.4 } torus { 0.5, 0.1 } box { <-0.2, 0, -1>, <0.2, 0.3, 1> } }
         sphere { y, 0.35 } sphere { -y, 0.3 } sphere { x/2, 0.2 } sphere { -x/2, 0.2 } box { -0.1, 0.1 } pigment { rgb x } }
     )";
-    const std::string loose = R"( union { sphere { 0, 0.3 } sphere { x, 0.2 } sphere { y, 0.2 } sphere { z, 0.2 } sphere { -x, 0.1 }
+    const std::string loose =
+        R"( union { sphere { 0, 0.3 } sphere { x, 0.2 } sphere { y, 0.2 } sphere { z, 0.2 } sphere { -x, 0.1 }
         box { -0.2, -0.1 pigment { rgbt 0.5 } } cone { -y, 0.3, -0.5*y, 0 } mesh { triangle { x, y, z } pigment { rgb z } } pigment { rgbt 0.7 } }
     )";
     const auto declared = [&](const std::string& name, const std::string& body) {
@@ -23,8 +25,10 @@ std::string text_of(int copies, bool apart)
     };
     const std::string call = apart ? "()" : "";
     return "#version 3.7; camera { location -40*z }\n" + declared("Tall", tall) + declared("Loose", loose) +
-           "#for (I, 0, " + std::to_string(copies - 1) + ") object { #if (mod(I, 2)) Tall" + call + " #else Loose" + call +
-           " #end rotate <31*I, 17*I, 5*I> scale <1 + 0.3*sin(I), 1, 0.7> translate <mod(I, 30), mod(int(I/30), 30), int(I/900)>*1.5 - 20 } #end\n";
+           "#for (I, 0, " + std::to_string(copies - 1) + ") object { #if (mod(I, 2)) Tall" + call + " #else Loose" +
+           call +
+           " #end rotate <31*I, 17*I, 5*I> scale <1 + 0.3*sin(I), 1, 0.7> translate <mod(I, 30), mod(int(I/30), 30), "
+           "int(I/900)>*1.5 - 20 } #end\n";
 }
 
 plan::CompiledScene compiled(int copies, bool apart)
@@ -49,15 +53,22 @@ TEST_CASE("what looks at the scene's own axes or lengths is not shared", "[plan]
     const auto copies = [](const std::string& part) {
         std::string body = "union { " + part;
         for (int k = 0; k < 8; ++k) body += " sphere { " + std::to_string(k) + "*y, 0.1 }";
-        return plan::compile(parser::parse_text("#version 3.7; #declare T = " + body + " }\n#for (I, 0, 299) object { T rotate 90*z scale 3 translate 20*I*x } #end",
-                                                "test.pov", {}).scene, {});
+        return plan::compile(
+            parser::parse_text("#version 3.7; #declare T = " + body +
+                                   " }\n#for (I, 0, 299) object { T rotate 90*z scale 3 translate 20*I*x } #end",
+                               "test.pov", {})
+                .scene,
+            {});
     };
     // A cube that is closed along x alone: turned, it holds what its inside_vector, which does not turn, says.
-    const std::string open = R"(mesh { triangle { <-1, -1, -1>, <-1, 1, -1>, <-1, 1, 1> } triangle { <-1, -1, -1>, <-1, 1, 1>, <-1, -1, 1> }
+    const std::string open =
+        R"(mesh { triangle { <-1, -1, -1>, <-1, 1, -1>, <-1, 1, 1> } triangle { <-1, -1, -1>, <-1, 1, 1>, <-1, -1, 1> }
         triangle { <1, -1, -1>, <1, 1, -1>, <1, 1, 1> } triangle { <1, -1, -1>, <1, 1, 1>, <1, -1, 1> } inside_vector x })";
     CHECK(copies("sphere { 0, 0.2 }").geometry.instances.size() == 300 - 256);
     CHECK(copies(open).geometry.instances.empty());
-    CHECK(copies("parametric { function { u } function { v } function { u*v } <0, 0>, <1, 1> contained_by { sphere { 0, 2 } } }").geometry.instances.empty());
+    CHECK(copies("parametric { function { u } function { v } function { u*v } <0, 0>, <1, 1> contained_by { sphere { "
+                 "0, 2 } } }")
+              .geometry.instances.empty());
 }
 
 TEST_CASE("rays meet copies that share their parts where they meet copies that do not", "[plan][instances]")
@@ -74,7 +85,8 @@ TEST_CASE("rays meet copies that share their parts where they meet copies that d
         const glm::dvec3 aim = glm::dvec3(random() % 30u, random() % 24u, 0) * 1.5 - 20.0 + 0.5 * direction();
         const csg::Ray ray{aim - 60.0 * direction(), {}};
         const csg::Ray at{ray.origin, glm::normalize(aim - ray.origin)};
-        const csg::Hit a = one.nearest(at, 1e-4, csg::kInfinity, 1, scratch), b = other.nearest(at, 1e-4, csg::kInfinity, 1, scratch);
+        const csg::Hit a = one.nearest(at, 1e-4, csg::kInfinity, 1, scratch),
+                       b = other.nearest(at, 1e-4, csg::kInfinity, 1, scratch);
         REQUIRE(a.found() == b.found());
         if (a.found()) {
             ++hits;

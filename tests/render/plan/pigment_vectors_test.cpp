@@ -1,5 +1,5 @@
 #include "parser/parse.h"
-#include "render/plan/textures.h"
+#include "render/plan/textures/textures.h"
 #include "render/texture/evaluate.h"
 
 #include <catch2/catch.hpp>
@@ -37,7 +37,9 @@ scene::Description parsed(const std::string& part)
 {
     parser::Options options;
     options.library_path = {WHITTLE_TEST_DATA};
-    return parser::parse_text("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 " + part + " }", "test.pov", options).scene;
+    return parser::parse_text("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 " + part + " }",
+                              "test.pov", options)
+        .scene;
 }
 
 const scene::Layer& layer_of(const scene::Description& scene)
@@ -46,7 +48,8 @@ const scene::Layer& layer_of(const scene::Description& scene)
 }
 
 /// The index that `make` gets from a compiler of the scene's textures, which has nothing to complain of.
-template <class Make> std::uint32_t compiled(const scene::Description& scene, texture::TextureSet& set, Make&& make)
+template <class Make>
+std::uint32_t compiled(const scene::Description& scene, texture::TextureSet& set, Make&& make)
 {
     std::vector<scene::Unsupported> notes;
     plan::TextureCompiler compiler(scene, 9, set, notes);
@@ -64,9 +67,11 @@ TEST_CASE("pigments answer as POV-Ray's do", "[plan][pigment]")
     for (const Measured& one : all) {
         const scene::Description scene = parsed("pigment { " + one.statement + " }");
         texture::TextureSet set;
-        const std::uint32_t pigment = compiled(scene, set, [&](plan::TextureCompiler& c) { return c.pigment(layer_of(scene).pigment); });
+        const std::uint32_t pigment =
+            compiled(scene, set, [&](plan::TextureCompiler& c) { return c.pigment(layer_of(scene).pigment); });
         // In the origin alone these answer as nowhere beside it.
-        const bool odd_origin = one.statement.starts_with("tiling 12") || one.statement.starts_with("tiling 13") || one.statement.starts_with("tiling 14");
+        const bool odd_origin = one.statement.starts_with("tiling 12") || one.statement.starts_with("tiling 13") ||
+                                one.statement.starts_with("tiling 14");
         for (const auto& row : one.rows) {
             if (odd_origin && row[0] == 0 && row[2] == 0) continue;
             INFO(one.statement << " at " << row[0] << ' ' << row[1] << ' ' << row[2]);
@@ -85,12 +90,14 @@ TEST_CASE("normals with maps answer as POV-Ray's do", "[plan][normal]")
     for (const Measured& one : all) {
         const scene::Description scene = parsed("normal { " + one.statement + " }");
         texture::TextureSet set;
-        const std::uint32_t normal = compiled(scene, set, [&](plan::TextureCompiler& c) { return c.normal(*layer_of(scene).normal, false); });
+        const std::uint32_t normal =
+            compiled(scene, set, [&](plan::TextureCompiler& c) { return c.normal(*layer_of(scene).normal, false); });
         for (const auto& row : one.rows) {
             INFO(one.statement << " at " << row[0] << ' ' << row[1]);
             texture::Surroundings around;
             const glm::dvec3 n = glm::normalize(texture::perturb(set, normal, {0, 0, -1}, {row[0], row[1], 0}, around));
-            for (int k = 0; k < 3; ++k) CHECK(n[k] == Approx(row[2 + static_cast<std::size_t>(k)]).margin(1e-4));  // 16 bits of a picture
+            for (int k = 0; k < 3; ++k)
+                CHECK(n[k] == Approx(row[2 + static_cast<std::size_t>(k)]).margin(1e-4));  // 16 bits of a picture
         }
     }
 }

@@ -1,5 +1,5 @@
 #include "parser/parse.h"
-#include "render/plan/extent.h"
+#include "render/plan/geometry/extent.h"
 #include "render/plan/probe.h"
 #include "tests/support/csv_table.h"
 
@@ -17,7 +17,10 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::vector<Row> table(const std::string& name) { return test_support::csv_table(std::string(WHITTLE_TEST_DATA "/") + name); }
+std::vector<Row> table(const std::string& name)
+{
+    return test_support::csv_table(std::string(WHITTLE_TEST_DATA "/") + name);
+}
 
 glm::dvec3 vector(const std::string& text)
 {
@@ -70,9 +73,11 @@ TEST_CASE("a text's extent grows by the thousandth of a degree that POV-Ray turn
     if (!std::filesystem::exists(folder / "timrom.ttf")) return;
     parser::Options options;
     options.library_path.push_back(folder.string());
-    const parser::Result read = parser::parse_text("text{ttf \"timrom.ttf\" \"Whittle\" .3,0 rotate 33*z scale <1.3,2,1>}", "test.pov", options);
+    const parser::Result read = parser::parse_text(
+        "text{ttf \"timrom.ttf\" \"Whittle\" .3,0 rotate 33*z scale <1.3,2,1>}", "test.pov", options);
     const csg::Aabb box = plan::described_extent(read.scene.objects.front());
-    const double lower[3] = {-0.492840141, -0.026859473, -0.000054267}, upper[3] = {3.321403027, 4.474572182, 0.300013155};
+    const double lower[3] = {-0.492840141, -0.026859473, -0.000054267},
+                 upper[3] = {3.321403027, 4.474572182, 0.300013155};
     for (int k = 0; k < 3; ++k) {
         CHECK(box.lower[k] == Approx(lower[k]).margin(k == 2 ? 2e-6 : 1e-6));
         CHECK(box.upper[k] == Approx(upper[k]).margin(k == 2 ? 2e-6 : 1e-6));
@@ -102,7 +107,9 @@ TEST_CASE("trace() meets what POV-Ray meets", "[plan]")
         const auto answer = probe->trace(vector(row[1]), glm::normalize(vector(row[2])));
         CHECK(answer.hit == (row[3] == "1"));
         if (!answer.hit || row[3] != "1") continue;
-        const auto told = [&](std::size_t at) { return glm::dvec3(std::stod(row[at]), std::stod(row[at + 1]), std::stod(row[at + 2])); };
+        const auto told = [&](std::size_t at) {
+            return glm::dvec3(std::stod(row[at]), std::stod(row[at + 1]), std::stod(row[at + 2]));
+        };
         CHECK(glm::length(answer.point - told(4)) < 1e-6);
         CHECK(glm::length(answer.normal - told(7)) < 1e-5);
         ++checked;

@@ -1,9 +1,9 @@
 #include "render/texture/angle.h"
 #include "render/texture/evaluate_points.h"
-#include "render/texture/nearest_cells.h"
-#include "render/texture/noise.h"
-#include "render/texture/noise_points.h"
-#include "render/texture/noise_tables.h"
+#include "render/texture/noise/nearest_cells.h"
+#include "render/texture/noise/noise.h"
+#include "render/texture/noise/noise_points.h"
+#include "render/texture/noise/noise_tables.h"
 
 #include <catch2/catch.hpp>
 
@@ -23,7 +23,10 @@ std::uint32_t bits(float v) { return std::bit_cast<std::uint32_t>(v); }
 struct Rng {
     std::mt19937 engine;
     explicit Rng(std::uint32_t seed) : engine(seed) {}
-    double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(engine()) / 4294967296.0); }
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * (static_cast<double>(engine()) / 4294967296.0);
+    }
     int below(int n) { return static_cast<int>(engine() % static_cast<std::uint32_t>(n)); }
     bool flip() { return below(2) == 0; }
     glm::dvec3 vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
@@ -81,7 +84,8 @@ std::array<double, 3> plain_lattice(const glm::dvec3& p)
                 const double share = (high[0] ? s.x : 1 - s.x) * (high[1] ? s.y : 1 - s.y) * (high[2] ? s.z : 1 - s.z);
                 return factor * share * kNoiseTables.lattice[cell.rows[c] + 4 * r + e];
             };
-            part[e] = ((corner(0) + corner(1)) + (corner(2) + corner(3))) + ((corner(4) + corner(5)) + (corner(6) + corner(7)));
+            part[e] = ((corner(0) + corner(1)) + (corner(2) + corner(3))) +
+                      ((corner(4) + corner(5)) + (corner(6) + corner(7)));
         }
         sums[r] = (part[0] + part[1]) + (part[2] + part[3]);
     }
@@ -98,11 +102,13 @@ std::array<long double, 3> precise_lattice(const glm::dvec3& p)
         for (std::size_t c = 0; c < 8; ++c) {
             const double* row = kNoiseTables.lattice.data() + cell.rows[c] + 4 * r;
             corner[c] = 0.5L * row[0];
-            for (int k = 0; k < 3; ++k) corner[c] += (static_cast<long double>(cell.fraction[k]) - ((c >> k) & 1)) * row[1 + k];
+            for (int k = 0; k < 3; ++k)
+                corner[c] += (static_cast<long double>(cell.fraction[k]) - ((c >> k) & 1)) * row[1 + k];
         }
         for (int k = 0; k < 3; ++k) {
             const long double f = cell.fraction[k], s = f * f * (3 - 2 * f);
-            for (std::size_t c = 0; c < std::size_t{4} >> k; ++c) corner[c] = corner[2 * c] * (1 - s) + corner[2 * c + 1] * s;
+            for (std::size_t c = 0; c < std::size_t{4} >> k; ++c)
+                corner[c] = corner[2 * c] * (1 - s) + corner[2 * c + 1] * s;
         }
         sums[r] = corner[0];
     }
@@ -112,8 +118,9 @@ std::array<long double, 3> precise_lattice(const glm::dvec3& p)
 Pattern random_pattern(Rng& rng, TextureSet& set)
 {
     using K = PatternKind;
-    constexpr std::array kKinds{K::Bozo, K::Dents, K::Granite, K::Wrinkles, K::Agate, K::Marble, K::Wood, K::Crackle, K::Crackle,
-                                K::Mandel, K::Julia, K::Gradient, K::Planar, K::Cylindrical, K::Checker, K::Leopard, K::Spiral1, K::Cells};
+    constexpr std::array kKinds{K::Bozo,   K::Dents,       K::Granite, K::Wrinkles, K::Agate,   K::Marble,
+                                K::Wood,   K::Crackle,     K::Crackle, K::Mandel,   K::Julia,   K::Gradient,
+                                K::Planar, K::Cylindrical, K::Checker, K::Leopard,  K::Spiral1, K::Cells};
     constexpr std::array kMetrics{2.0, 2.0, 1.0, 3.0, 1.5, 0.7, 130.0};
     Pattern p;
     p.kind = kKinds[static_cast<std::size_t>(rng.below(kKinds.size()))];
@@ -130,15 +137,23 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
     p.vector = rng.vector(1.0);
     if (rng.flip()) p.vector.z = 0.0;
     if (rng.flip()) p.vector.y = 0.0;
-    if (p.kind == K::Crackle) p.numbers = {kMetrics[static_cast<std::size_t>(rng.below(kMetrics.size()))], rng.flip() ? 0.0 : 0.3, rng.below(4) == 0 ? 1.0 : 0.0};
+    if (p.kind == K::Crackle)
+        p.numbers = {kMetrics[static_cast<std::size_t>(rng.below(kMetrics.size()))], rng.flip() ? 0.0 : 0.3,
+                     rng.below(4) == 0 ? 1.0 : 0.0};
     else if (p.kind == K::Mandel || p.kind == K::Julia)
-        p.numbers = {1.0 + rng.below(40), 2.0 + rng.below(3), double(rng.below(9)), rng.uniform(0.5, 3.0), double(rng.below(7)), rng.uniform(-1.0, 1.0)};
+        p.numbers = {1.0 + rng.below(40),   2.0 + rng.below(3),   double(rng.below(9)),
+                     rng.uniform(0.5, 3.0), double(rng.below(7)), rng.uniform(-1.0, 1.0)};
     else p.numbers = {rng.uniform(0.0, 2.0)};
     p.first_warp = static_cast<std::uint32_t>(set.warps.size());
     p.warp_count = static_cast<std::uint32_t>(rng.below(3));
     for (std::uint32_t i = 0; i < p.warp_count; ++i) switch (rng.below(3)) {
-        case 0: set.warps.push_back(Affine{glm::dmat3(rng.vector(1.0), rng.vector(1.0), rng.vector(1.0)), rng.vector(1.0)}); break;
-        case 1: set.warps.push_back(scene::Turbulence{rng.flip() ? glm::dvec3(0, 0.5, 0) : rng.vector(1.0), 1 + rng.below(6)}); break;
+        case 0:
+            set.warps.push_back(Affine{glm::dmat3(rng.vector(1.0), rng.vector(1.0), rng.vector(1.0)), rng.vector(1.0)});
+            break;
+        case 1:
+            set.warps.push_back(
+                scene::Turbulence{rng.flip() ? glm::dvec3(0, 0.5, 0) : rng.vector(1.0), 1 + rng.below(6)});
+            break;
         default: set.warps.push_back(scene::RepeatWarp{{0, 1.5, 0}, {0.3, 0, 0}, {0, 1, 0}});
         }
     return p;
@@ -149,8 +164,13 @@ std::uint32_t random_pigment(Rng& rng, TextureSet& set, int depth)
 {
     using Kind = Pigment::Kind;
     Pigment pigment;
-    pigment.kind = depth == 0 || rng.flip() ? (rng.below(6) == 0 ? Kind::Solid : Kind::ColorMap) : rng.below(4) == 0 ? Kind::Average : Kind::PigmentMap;
-    const auto color = [&] { return scene::Color{float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), 0.1f, float(rng.uniform(0, 1))}; };
+    pigment.kind = depth == 0 || rng.flip() ? (rng.below(6) == 0 ? Kind::Solid : Kind::ColorMap)
+                   : rng.below(4) == 0      ? Kind::Average
+                                            : Kind::PigmentMap;
+    const auto color = [&] {
+        return scene::Color{float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), 0.1f,
+                            float(rng.uniform(0, 1))};
+    };
     pigment.color = color();
     pigment.count = static_cast<std::uint32_t>(1 + rng.below(rng.below(4) == 0 ? 12 : 5));
     std::vector<std::uint32_t> children(pigment.count, 0);
@@ -183,7 +203,8 @@ TEST_CASE("noise in lanes has the bits of the plain sum over corners", "[texture
         vector_noise_points(p, kAllLive, vectors);
         for (std::size_t i = 0; i < p.size(); ++i) {
             const auto sums = plain_lattice(p.at(i));
-            const double expected = std::clamp(generator == 1 ? sums[0] + 0.5 : (sums[0] + 1.05242) * 0.48985582, 0.0, 1.0);
+            const double expected =
+                std::clamp(generator == 1 ? sums[0] + 0.5 : (sums[0] + 1.05242) * 0.48985582, 0.0, 1.0);
             REQUIRE(bits(noise(p.at(i), generator)) == bits(expected));
             REQUIRE(bits(many[i]) == bits(expected));
             const glm::dvec3 one = vector_noise(p.at(i));
@@ -202,7 +223,8 @@ TEST_CASE("vector noise is the formula's to the last bits", "[texture][noise]")
         Rng rng(seed);
         const glm::dvec3 p = rng.vector(1000.0), n = vector_noise(p);
         const auto precise = precise_lattice(p);
-        for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, static_cast<double>(std::abs(precise[k] - n[static_cast<int>(k)])));
+        for (std::size_t k = 0; k < 3; ++k)
+            worst = std::max(worst, static_cast<double>(std::abs(precise[k] - n[static_cast<int>(k)])));
     }
     INFO("largest error " << worst);
     CHECK(worst < 5e-16);  // measured: 3.97e-16
@@ -218,7 +240,7 @@ TEST_CASE("the sine of a turn is the sine to the last bits", "[texture][pattern]
         REQUIRE(series_cycle(-v) == -series_cycle(v));
     }
     INFO("largest error " << worst);
-    CHECK(worst < 2e-16);   // measured: 1.77e-16
+    CHECK(worst < 2e-16);  // measured: 1.77e-16
 }
 
 TEST_CASE("the nearest of scattered points are those of a search through all cells", "[texture][crackle]")
@@ -235,12 +257,15 @@ TEST_CASE("the nearest of scattered points are those of a search through all cel
                 for (int c = -2; c <= 2; ++c) {
                     if ((std::abs(a) == 2) + (std::abs(b) == 2) + (std::abs(c) == 2) > 1) continue;
                     const glm::dvec3 cell = base + glm::dvec3(a, b, c);
-                    const int hash = cell_hash(static_cast<long long>(cell.x), static_cast<long long>(cell.y), static_cast<long long>(cell.z));
-                    const glm::dvec3 at = cell + glm::dvec3(pattern_random(hash), pattern_random(hash + 1), pattern_random(hash + 2));
+                    const int hash = cell_hash(static_cast<long long>(cell.x), static_cast<long long>(cell.y),
+                                               static_cast<long long>(cell.z));
+                    const glm::dvec3 at =
+                        cell + glm::dvec3(pattern_random(hash), pattern_random(hash + 1), pattern_random(hash + 2));
                     const glm::dvec3 d = glm::abs(p - at);
-                    const double powered = metric == 2.0   ? d.x * d.x + d.y * d.y + d.z * d.z
-                                           : metric == 1.0 ? d.x + d.y + d.z
-                                                           : std::pow(d.x, metric) + std::pow(d.y, metric) + std::pow(d.z, metric);
+                    const double powered = metric == 2.0 ? d.x * d.x + d.y * d.y + d.z * d.z
+                                           : metric == 1.0
+                                               ? d.x + d.y + d.z
+                                               : std::pow(d.x, metric) + std::pow(d.y, metric) + std::pow(d.z, metric);
                     if (all.empty() || powered < *std::min_element(all.begin(), all.end())) nearest = at;
                     all.push_back(powered);
                 }
@@ -248,7 +273,8 @@ TEST_CASE("the nearest of scattered points are those of a search through all cel
         const int wanted = 1 + rng.below(3);
         CellPoints cells(base);
         const NearestCells found = nearest_cells(p, cells, metric, false, wanted);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(wanted); ++i) REQUIRE(bits(found.powered[i]) == bits(all[i]));
+        for (std::size_t i = 0; i < static_cast<std::size_t>(wanted); ++i)
+            REQUIRE(bits(found.powered[i]) == bits(all[i]));
         REQUIRE(found.point == nearest);
     }
 }
@@ -310,11 +336,13 @@ TEST_CASE("normals of many points have the bits of each bent alone", "[texture][
         Rng rng(seed);
         TextureSet set;
         Normal normal;
-        normal.map = std::array{Map::None, Map::None, Map::Slopes, Map::Average}[static_cast<std::size_t>(rng.below(4))];
+        normal.map =
+            std::array{Map::None, Map::None, Map::Slopes, Map::Average}[static_cast<std::size_t>(rng.below(4))];
         normal.amount = rng.uniform(-1.0, 1.0);
         normal.no_bump_scale = rng.flip();
         normal.count = 1 + static_cast<std::uint32_t>(rng.below(3));
-        if (normal.map == Map::Average) set.normals.push_back({Map::None, 0, 0.3});  // of its own, bent by the first pattern
+        if (normal.map == Map::Average)
+            set.normals.push_back({Map::None, 0, 0.3});  // of its own, bent by the first pattern
         for (std::uint32_t i = 0; i < normal.count; ++i) {
             set.keys.push_back((float(i) + 0.5f) / float(normal.count));
             set.slopes.emplace_back(rng.uniform(0.0, 1.0), rng.uniform(-1.0, 1.0));
@@ -322,8 +350,11 @@ TEST_CASE("normals of many points have the bits of each bent alone", "[texture][
         }
         Pattern pattern = random_pattern(rng, set);
         using K = PatternKind;
-        if (rng.flip()) pattern.kind = std::array{K::Bumps, K::Dents, K::Wrinkles, K::Quilted, K::Facets}[static_cast<std::size_t>(rng.below(5))];
-        if (pattern.kind == K::Facets || pattern.kind == K::Quilted) pattern.numbers = {rng.uniform(0.1, 1.0), rng.uniform(0.1, 1.0), 2.0};
+        if (rng.flip())
+            pattern.kind = std::array{K::Bumps, K::Dents, K::Wrinkles, K::Quilted,
+                                      K::Facets}[static_cast<std::size_t>(rng.below(5))];
+        if (pattern.kind == K::Facets || pattern.kind == K::Quilted)
+            pattern.numbers = {rng.uniform(0.1, 1.0), rng.uniform(0.1, 1.0), 2.0};
         set.patterns.push_back(pattern);
         set.normals.push_back(normal);
         const auto index = static_cast<std::uint32_t>(set.normals.size() - 1);
@@ -340,7 +371,8 @@ TEST_CASE("normals of many points have the bits of each bent alone", "[texture][
         for (std::size_t i = 0; i < p.size(); ++i) {
             Surroundings own = none;
             const glm::dvec3 one = perturb(set, index, before.at(i), p.at(i), own);
-            for (int k = 0; k < 3; ++k) REQUIRE((bits(many.at(i)[k]) == bits(one[k]) || (one[k] != one[k] && many.at(i)[k] != many.at(i)[k])));
+            for (int k = 0; k < 3; ++k)
+                REQUIRE((bits(many.at(i)[k]) == bits(one[k]) || (one[k] != one[k] && many.at(i)[k] != many.at(i)[k])));
         }
     }
 }

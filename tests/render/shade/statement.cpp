@@ -57,7 +57,8 @@ private:
     bool at_number() const
     {
         const std::string w = peek();
-        return !w.empty() && (std::isdigit(static_cast<unsigned char>(w[0])) || w[0] == '.' || (w[0] == '-' && w.size() > 1));
+        return !w.empty() &&
+               (std::isdigit(static_cast<unsigned char>(w[0])) || w[0] == '.' || (w[0] == '-' && w.size() > 1));
     }
     double number() { return std::stod(next()); }
 
@@ -124,9 +125,9 @@ private:
     bool wave(const std::string& w)
     {
         using Form = scene::WaveForm;
-        static const std::map<std::string, Form> forms{{"sine_wave", Form::Sine}, {"triangle_wave", Form::Triangle},
-                                                       {"scallop_wave", Form::Scallop}, {"cubic_wave", Form::Cubic},
-                                                       {"poly_wave", Form::Poly}, {"ramp_wave", Form::Ramp}};
+        static const std::map<std::string, Form> forms{
+            {"sine_wave", Form::Sine},   {"triangle_wave", Form::Triangle}, {"scallop_wave", Form::Scallop},
+            {"cubic_wave", Form::Cubic}, {"poly_wave", Form::Poly},         {"ramp_wave", Form::Ramp}};
         const auto found = forms.find(w);
         if (found == forms.end()) return false;
         out_.pattern.wave = found->second;
@@ -138,7 +139,8 @@ private:
     {
         scene::Pattern& p = out_.pattern;
         static const std::map<std::string, std::size_t> places{{"agate_turb", 0}, {"mortar", 0}, {"control0", 0},
-                                                               {"control1", 1}, {"offset", 1}, {"size", 0}, {"coords", 1}};
+                                                               {"control1", 1},   {"offset", 1}, {"size", 0},
+                                                               {"coords", 1}};
         if (w == "metric") p.numbers.at(p.name == "facets" ? 2 : 0) = number();
         else if (w == "solid") p.numbers.at(2) = 1;
         else if (w == "form" || w == "brick_size") p.vector = vector();
@@ -168,7 +170,8 @@ private:
         else if (w == "rotate") p.transform(csg::Transform::rotate_degrees(vector()));
         else if (w == "translate") p.transform(csg::Transform::translate(vector()));
         else if (w == "warp") warp();
-        else if (!w.empty() && (std::isdigit(static_cast<unsigned char>(w[0])) || w[0] == '.')) out_.amount = std::stod(w);
+        else if (!w.empty() && (std::isdigit(static_cast<unsigned char>(w[0])) || w[0] == '.'))
+            out_.amount = std::stod(w);
         else throw std::runtime_error("unknown word " + w);
     }
 
@@ -225,8 +228,10 @@ private:
     scene::MappingWarp mapping(const std::string& kind)
     {
         using Kind = scene::MappingWarp::Kind;
-        static const std::map<std::string, Kind> kinds{{"planar", Kind::Planar}, {"cylindrical", Kind::Cylindrical},
-                                                       {"spherical", Kind::Spherical}, {"toroidal", Kind::Toroidal},
+        static const std::map<std::string, Kind> kinds{{"planar", Kind::Planar},
+                                                       {"cylindrical", Kind::Cylindrical},
+                                                       {"spherical", Kind::Spherical},
+                                                       {"toroidal", Kind::Toroidal},
                                                        {"cubic", Kind::Cubic}};
         scene::MappingWarp m;
         m.kind = kinds.at(kind);

@@ -9,7 +9,7 @@ namespace test {
 
 struct Statement {
     scene::Pattern pattern;
-    double amount = 0.5, accuracy = 0.02;   ///< normals: the number after the pattern
+    double amount = 0.5, accuracy = 0.02;  ///< normals: the number after the pattern
 };
 
 /// Throws std::runtime_error on a word that it does not know.

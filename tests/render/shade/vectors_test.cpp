@@ -1,6 +1,6 @@
-#include "render/plan/pattern_kinds.h"
+#include "render/plan/textures/pattern_kinds.h"
 #include "render/texture/evaluate.h"
-#include "render/texture/noise.h"
+#include "render/texture/noise/noise.h"
 #include "statement.h"
 
 #include <catch2/catch.hpp>
@@ -62,9 +62,11 @@ TEST_CASE("noise agrees with the measured points", "[texture][noise]")
         const glm::dvec3 p = point(m);
         INFO(p.x << ' ' << p.y << ' ' << p.z);
         for (int generator = 1; generator <= 3; ++generator)
-            CHECK(texture::noise(p, generator) == Approx(m.numbers[2 + static_cast<std::size_t>(generator)]).margin(6e-16).epsilon(0));
+            CHECK(texture::noise(p, generator) ==
+                  Approx(m.numbers[2 + static_cast<std::size_t>(generator)]).margin(6e-16).epsilon(0));
         const glm::dvec3 v = texture::vector_noise(p);
-        for (int k = 0; k < 3; ++k) CHECK(v[k] == Approx(m.numbers[6 + static_cast<std::size_t>(k)]).margin(6e-13).epsilon(0));
+        for (int k = 0; k < 3; ++k)
+            CHECK(v[k] == Approx(m.numbers[6 + static_cast<std::size_t>(k)]).margin(6e-13).epsilon(0));
     }
 }
 
@@ -96,7 +98,8 @@ TEST_CASE("warps agree with the measured points", "[texture][warp]")
         const texture::Pattern pattern = compiled(test::read_statement(m.statement).pattern, set);
         const glm::dvec3 q = texture::warp_point(set, pattern, point(m));
         INFO(m.statement << " at " << m.numbers[0] << ' ' << m.numbers[1] << ' ' << m.numbers[2]);
-        for (int k = 0; k < 3; ++k) CHECK(q[k] == Approx(m.numbers[3 + static_cast<std::size_t>(k)]).margin(1e-9).epsilon(0));
+        for (int k = 0; k < 3; ++k)
+            CHECK(q[k] == Approx(m.numbers[3 + static_cast<std::size_t>(k)]).margin(1e-9).epsilon(0));
     }
 }
 
@@ -116,6 +119,7 @@ TEST_CASE("normals agree with the measured ones", "[texture][normal]")
         const glm::dvec3 n = texture::perturb(set, 0, {0, 0, -1}, point(m), around);
         INFO(m.statement << " at " << m.numbers[0] << ' ' << m.numbers[1]);
         // The table has five digits, measured at places of six; the worst is off by less than 4e-5.
-        for (int k = 0; k < 3; ++k) CHECK(n[k] == Approx(m.numbers[3 + static_cast<std::size_t>(k)]).margin(5e-5).epsilon(0));
+        for (int k = 0; k < 3; ++k)
+            CHECK(n[k] == Approx(m.numbers[3 + static_cast<std::size_t>(k)]).margin(5e-5).epsilon(0));
     }
 }

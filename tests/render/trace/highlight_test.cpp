@@ -1,4 +1,4 @@
-#include "render/trace/highlight_lanes.h"
+#include "render/trace/light/highlight_lanes.h"
 
 #include <catch2/catch.hpp>
 
@@ -29,7 +29,8 @@ TEST_CASE("powers in lanes are the library's", "[trace][highlight]")
             c[i] = round % 2 ? share(random) : 1.0 - 30.0 * share(random) / std::max(n[i], 30.0);
         }
         using csg::lanes::Double;
-        for (std::size_t i = 0; i < 64; i += csg::lanes::kDoubles) power(Double::load_aligned(&c[i]), Double::load_aligned(&n[i])).store_aligned(&out[i]);
+        for (std::size_t i = 0; i < 64; i += csg::lanes::kDoubles)
+            power(Double::load_aligned(&c[i]), Double::load_aligned(&n[i])).store_aligned(&out[i]);
         for (std::size_t i = 0; i < 64; ++i) {
             if (texture::highlight_vanishes(c[i], n[i])) continue;
             const double truth = std::pow(c[i], n[i]);
@@ -69,13 +70,17 @@ TEST_CASE("highlights of a tile are those of its hits alone", "[trace][highlight
         const double* const normals[3] = {hits->nx.data(), hits->ny.data(), hits->nz.data()};
         // Of one finish, then of all at once.
         for (std::size_t first = 0; first <= finishes.size(); ++first) {
-            const auto finish_of = [&](std::size_t k) { return finishes[first < finishes.size() ? first : k % finishes.size()]; };
+            const auto finish_of = [&](std::size_t k) {
+                return finishes[first < finishes.size() ? first : k % finishes.size()];
+            };
             if (first < finishes.size()) shine->fill(finishes[first]);
-            else for (std::size_t k = 0; k < csg::kTileRays; ++k) shine->set(k, finish_of(k));
+            else
+                for (std::size_t k = 0; k < csg::kTileRays; ++k) shine->set(k, finish_of(k));
             find_highlights(*rays, normals, *light, *shine, ~HitMask{0}, strength);
             for (std::size_t k = 0; k < count; ++k) {
                 const texture::Finish finish = finish_of(k);
-                const glm::dvec3 d = rays->ray(static_cast<int>(k)).direction, n = hits->normal(k), l = light->direction(k);
+                const glm::dvec3 d = rays->ray(static_cast<int>(k)).direction, n = hits->normal(k),
+                                 l = light->direction(k);
                 double alone = 0.0;
                 if (finish.phong > 0.0f) alone += texture::phong(finish, d, n, l);
                 if (finish.specular > 0.0f) alone += texture::specular(finish, d, n, l);

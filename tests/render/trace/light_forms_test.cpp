@@ -33,30 +33,37 @@ public:
         std::string out = "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
                           "camera { location <0,2,-6> look_at 0 }\n";
         out += "light_source { <-5,6,-5> rgb <1,.9,.6> " +
-               one_of({"", "spotlight radius 20 falloff 30 point_at 0", "fade_power 2 fade_distance 9", "area_light x, z, 3, 3 adaptive 0",
-                       "area_light x, y, 3, 3 area_illumination on"}) + " }\n";
+               one_of({"", "spotlight radius 20 falloff 30 point_at 0", "fade_power 2 fade_distance 9",
+                       "area_light x, z, 3, 3 adaptive 0", "area_light x, y, 3, 3 area_illumination on"}) +
+               " }\n";
         out += "light_source { <4,5,-2> rgb .6 " +
                one_of({"", "shadowless", "parallel point_at 0", "cylinder radius 3 falloff 4 point_at 0"}) + " }\n";
         out += "plane { y,-1 " + texture() + "}\n";
         for (int i = 0; i < 3; ++i)
             out += one_of({"sphere { 0,.9 ", "box { -.8,.8 ", "torus { .7,.25 ", "cone { -y,.9,y,.2 "}) + texture() +
-                   one_of({"", "texture { pigment { agate color_map { [0 rgbt <.3,1,.6,.7>] [1 rgbt <1,1,1,.2>] } } " + finish() + "} "}) +
+                   one_of({"", "texture { pigment { agate color_map { [0 rgbt <.3,1,.6,.7>] [1 rgbt <1,1,1,.2>] } } " +
+                                   finish() + "} "}) +
                    "translate <" + number(-2, 2) + "," + number(-.5, .5) + "," + number(-2, 2) + "> }\n";
         return out;
     }
 
 private:
-    std::string number(double low, double high) { return std::to_string(low + (high - low) * std::generate_canonical<double, 32>(random_)) + " "; }
+    std::string number(double low, double high)
+    {
+        return std::to_string(low + (high - low) * std::generate_canonical<double, 32>(random_)) + " ";
+    }
     std::string one_of(std::vector<std::string> of) { return of[random_() % of.size()]; }
     std::string finish()
     {
-        return "finish { ambient " + number(0, .2) + "diffuse " + number(0, 1) + "brilliance " + one_of({"1 ", "2.5 ", ".7 "}) + "phong " +
-               one_of({"0 ", "1.2 ", ".4 "}) + "phong_size " + number(3, 90) + "specular " + one_of({"0 ", ".8 "}) + "roughness " + number(.003, .1) +
-               "metallic " + one_of({"0 ", "1 ", ".5 "}) + "reflection " + one_of({"0 ", ".3 "}) + "} ";
+        return "finish { ambient " + number(0, .2) + "diffuse " + number(0, 1) + "brilliance " +
+               one_of({"1 ", "2.5 ", ".7 "}) + "phong " + one_of({"0 ", "1.2 ", ".4 "}) + "phong_size " +
+               number(3, 90) + "specular " + one_of({"0 ", ".8 "}) + "roughness " + number(.003, .1) + "metallic " +
+               one_of({"0 ", "1 ", ".5 "}) + "reflection " + one_of({"0 ", ".3 "}) + "} ";
     }
     std::string texture()
     {
-        return "texture { pigment { " + one_of({"bozo", "checker", "gradient x", "agate", "rgb <1,.5,.2>", "rgbf <.9,.5,.7,.6>"}) + " } " +
+        return "texture { pigment { " +
+               one_of({"bozo", "checker", "gradient x", "agate", "rgb <1,.5,.2>", "rgbf <.9,.5,.7,.6>"}) + " } " +
                one_of({"", "normal { bumps .6 scale .2 } ", "normal { wrinkles .8 } "}) + finish() + "} ";
     }
 
@@ -85,30 +92,32 @@ TEST_CASE("rows of light in lanes and by themselves give one picture", "[trace][
 
 TEST_CASE("an area light of four by four nodes casts the shadows of sixteen lights", "[trace][light]")
 {
-    // With sides of a power of two and no node left out the division in four gives the plain mean. brilliance 0: the lamp's direction, which
-    // is its centre's for the whole area light, does not matter.
-    const std::string things = "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,5,-9> look_at <0,-1,0> }\n"
-                               "plane { y,-1 pigment { rgb 1 } finish { ambient 0 diffuse 1 brilliance 0 } }\n"
-                               "sphere { <-1.5,1,0>,.8 no_image } box { <.4,.2,-.5>,<1.4,1.6,.6> rotate 20*y no_image }\n"
-                               "sphere { <.2,2,1>,.6 pigment { rgbf <1,.4,.2,.9> } no_image }\n"
-                               "difference { torus { .9,.3 } plane { x,0 } translate <-.5,2.5,-1.5> pigment { rgbt <1,1,1,.5> } no_image }\n";
+    // With sides of a power of two and no node left out the division in four gives the plain mean. brilliance 0: the
+    // lamp's direction, which is its centre's for the whole area light, does not matter.
+    const std::string things =
+        "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,5,-9> look_at <0,-1,0> }\n"
+        "plane { y,-1 pigment { rgb 1 } finish { ambient 0 diffuse 1 brilliance 0 } }\n"
+        "sphere { <-1.5,1,0>,.8 no_image } box { <.4,.2,-.5>,<1.4,1.6,.6> rotate 20*y no_image }\n"
+        "sphere { <.2,2,1>,.6 pigment { rgbf <1,.4,.2,.9> } no_image }\n"
+        "difference { torus { .9,.3 } plane { x,0 } translate <-.5,2.5,-1.5> pigment { rgbt <1,1,1,.5> } no_image }\n";
     const std::string area = things + "light_source { <0.3,8,0.1> rgb 1 area_light 4*x, 3*z, 4, 4 adaptive 9 }\n";
     std::string points = things;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-            points += "light_source { <" + std::to_string(0.3 + 4 * (i / 3.0 - 0.5)) + ",8," + std::to_string(0.1 + 3 * (j / 3.0 - 0.5)) +
-                      "> rgb 1/16 }\n";
-    const image::Image one = picture_of(grammar_test::parsed(area), false), many = picture_of(grammar_test::parsed(points), false);
+            points += "light_source { <" + std::to_string(0.3 + 4 * (i / 3.0 - 0.5)) + ",8," +
+                      std::to_string(0.1 + 3 * (j / 3.0 - 0.5)) + "> rgb 1/16 }\n";
+    const image::Image one = picture_of(grammar_test::parsed(area), false),
+                       many = picture_of(grammar_test::parsed(points), false);
     double farthest = 0, least = 1, most = 0;
     int off = 0;
-    for (std::size_t k = 0; k < one.pixels.size(); k += 4) {   // red
+    for (std::size_t k = 0; k < one.pixels.size(); k += 4) {  // red
         const double a = static_cast<double>(one.pixels[k]), b = static_cast<double>(many.pixels[k]);
         farthest = std::max(farthest, std::abs(a - b));
         off += std::abs(a - b) > 1e-5 ? 1 : 0;
         least = std::min(least, a);
         most = std::max(most, a);
     }
-    CHECK(off <= 3);               // to_string rounds the places of the sixteen: an edge may fall on a pixel
+    CHECK(off <= 3);  // to_string rounds the places of the sixteen: an edge may fall on a pixel
     CHECK(farthest < 0.1);
     CHECK((least < 0.3 && most > 0.99));
 }

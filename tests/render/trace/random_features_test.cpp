@@ -105,8 +105,15 @@ TEST_CASE("jitter moves the points of an area light by half a step at most", "[t
             double seen = 0;
             for (int row = 0; row < 60; ++row) seen += red(shaded, column, row) / red(bright, column, row) / 60;
             INFO("jitter " << jitter << " x " << x);
-            if (jitter) CHECK(seen == Approx((2.0 - x) / 4.0).margin(0.13));  // 4 standard errors of 60 throws for a half: 4 * 0.5 * 0.5 / sqrt(60)
-            else CHECK(seen == Approx(x < -1 ? 1.0 : x > 1 ? 0.0 : 0.5).margin(std::abs(std::abs(x) - 1) < 0.06 ? 0.51 : 0.01));
+            if (jitter)
+                CHECK(seen ==
+                      Approx((2.0 - x) / 4.0)
+                          .margin(0.13));  // 4 standard errors of 60 throws for a half: 4 * 0.5 * 0.5 / sqrt(60)
+            else
+                CHECK(seen == Approx(x < -1  ? 1.0
+                                     : x > 1 ? 0.0
+                                             : 0.5)
+                                  .margin(std::abs(std::abs(x) - 1) < 0.06 ? 0.51 : 0.01));
         }
     }
 }

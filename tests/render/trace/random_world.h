@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/world.h"
-#include "csg/world_data.h"
+#include "csg/world/world.h"
+#include "csg/world/world_data.h"
 
 #include <cstdint>
 #include <random>
@@ -34,18 +34,20 @@ inline csg::Solid solid(Rng& rng, const glm::dvec3& center, double size)
     const csg::Transform frame = csg::Transform::translate(center) * csg::Transform::rotate_degrees(rng.point(180.0)) *
                                  csg::Transform::scale(half);
     switch (rng.below(9)) {
-        case 0: return csg::Sphere{center, size};
-        case 1: return csg::Box{center - half, center + half};
-        case 2: return csg::Cylinder::make(center, center + 2.0 * size * rng.direction(), 0.5 * size, rng.below(4) == 0);
-        case 3: return csg::Torus{size, 0.3 * size, csg::Transform::translate(center)};
-        case 4: return csg::Ellipsoid{frame};
-        case 5: return csg::OrientedBox{glm::dvec3(-1.0), glm::dvec3(1.0), frame};
-        case 7: return csg::Quadric{{1, rng.uniform(-1, 1), 1}, {0.1, 0, 0}, {0, rng.uniform(-1, 1), 0}, rng.uniform(-1, 0.1), frame};
-        case 6: return csg::Cone{rng.uniform(0.0, 0.8), frame, rng.below(4) == 0};
-        default: {
-            const glm::dvec3 a = center + size * rng.direction(), b = center + size * rng.direction();
-            return csg::Triangle::make({center, a, b});
-        }
+    case 0: return csg::Sphere{center, size};
+    case 1: return csg::Box{center - half, center + half};
+    case 2: return csg::Cylinder::make(center, center + 2.0 * size * rng.direction(), 0.5 * size, rng.below(4) == 0);
+    case 3: return csg::Torus{size, 0.3 * size, csg::Transform::translate(center)};
+    case 4: return csg::Ellipsoid{frame};
+    case 5: return csg::OrientedBox{glm::dvec3(-1.0), glm::dvec3(1.0), frame};
+    case 7:
+        return csg::Quadric{
+            {1, rng.uniform(-1, 1), 1}, {0.1, 0, 0}, {0, rng.uniform(-1, 1), 0}, rng.uniform(-1, 0.1), frame};
+    case 6: return csg::Cone{rng.uniform(0.0, 0.8), frame, rng.below(4) == 0};
+    default: {
+        const glm::dvec3 a = center + size * rng.direction(), b = center + size * rng.direction();
+        return csg::Triangle::make({center, a, b});
+    }
     }
 }
 
@@ -54,12 +56,13 @@ inline csg::Solid block(Rng& rng, const glm::dvec3& center, double size)
 {
     const auto step = [&] { return 0.5 * size * static_cast<double>(1 + rng.below(2)); };
     if (rng.below(4) == 0) return csg::Plane{{0.0, 1.0, 0.0}, center.y + step()};
-    if (rng.below(3) == 0) return csg::Cylinder::make(center - glm::dvec3(0, step(), 0), center + glm::dvec3(0, step(), 0), step(), false);
+    if (rng.below(3) == 0)
+        return csg::Cylinder::make(center - glm::dvec3(0, step(), 0), center + glm::dvec3(0, step(), 0), step(), false);
     return csg::Box{center - glm::dvec3(step(), step(), step()), center + glm::dvec3(step(), step(), step())};
 }
 
-/// Lone solids, some CSG objects and two planes; one surface in `clear_one_in` is clear, some items are hidden from shadow
-/// rays.
+/// Lone solids, some CSG objects and two planes; one surface in `clear_one_in` is clear, some items are hidden from
+/// shadow rays.
 inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear_one_in = 5)
 {
     std::uint32_t object = 0;
@@ -71,7 +74,8 @@ inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear
     for (int i = 0; i < count; ++i) {
         const glm::dvec3 center = rng.point(10.0);
         if (rng.below(3) != 0) {
-            world.add_solid(world.store.add(solid(rng, center, rng.uniform(0.2, 1.2)), next_surface()), false, object++, visible());
+            world.add_solid(world.store.add(solid(rng, center, rng.uniform(0.2, 1.2)), next_surface()), false, object++,
+                            visible());
             continue;
         }
         csg::Tree tree;
@@ -79,8 +83,8 @@ inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear
         tree.op = kOps[rng.below(3)];
         const bool blocks = rng.below(3) == 0;
         for (std::uint32_t k = 0; k < 2 + rng.below(3); ++k) {
-            const csg::Solid operand =
-                blocks ? block(rng, center, 1.0) : solid(rng, center + rng.point(0.5), rng.uniform(0.5, 1.2));
+            const csg::Solid operand = blocks ? block(rng, center, 1.0)
+                                              : solid(rng, center + rng.point(0.5), rng.uniform(0.5, 1.2));
             tree.operands.push_back(csg::Tree::leaf(world.store.add(operand, next_surface())));
         }
         csg::Program program = csg::build(tree, world.store);
@@ -91,7 +95,8 @@ inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear
     const glm::dvec3 middle = rng.point(6.0);
     pitted.operands.push_back(csg::Tree::leaf(world.store.add(csg::Box{middle - 2.0, middle + 2.0}, next_surface())));
     for (int i = 0; i < 60; ++i)
-        pitted.operands.push_back(csg::Tree::leaf(world.store.add(csg::Sphere{middle + rng.point(2.2), rng.uniform(0.1, 0.6)}, next_surface())));
+        pitted.operands.push_back(csg::Tree::leaf(
+            world.store.add(csg::Sphere{middle + rng.point(2.2), rng.uniform(0.1, 0.6)}, next_surface())));
     world.add_program(csg::build(pitted, world.store), object++, visible());
     world.add_solid(world.store.add(csg::Plane{{0, 1, 0}, -9.0}, next_surface()), false, object++, 7);
     world.add_solid(world.store.add(csg::Plane{{0, 0, -1}, -12.0}, next_surface()), false, object++, 7);

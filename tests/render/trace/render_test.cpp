@@ -35,7 +35,8 @@ scene::Description description()
     d.camera.direction = {0, -0.1, 1};
     d.background = {0.2f, 0.3f, 0.5f, 0, 0};
     for (int i = 0; i < 40; ++i)
-        d.objects.push_back(object(scene::Sphere{{i % 8 - 3.5, 0.3, i / 8}, 0.3 + 0.01 * i}, plain(0.02f * static_cast<float>(i), 0.5f, 0.4f, i % 5 == 0 ? 0.4f : 0.0f)));
+        d.objects.push_back(object(scene::Sphere{{i % 8 - 3.5, 0.3, i / 8}, 0.3 + 0.01 * i},
+                                   plain(0.02f * static_cast<float>(i), 0.5f, 0.4f, i % 5 == 0 ? 0.4f : 0.0f)));
     scene::Csg cut;
     cut.op = scene::CsgOp::Difference;
     std::vector<scene::Object> operands{object(scene::Box{{-1, 1, 0}, {1, 3, 2}}, plain(1, 0, 0, 0))};
@@ -138,7 +139,8 @@ TEST_CASE("a scene looks the same at any scale", "[trace][render]")
     for (const int power : {-30, -20, -10, 10, 20, 30}) {
         const image::Image other = picture(plan::compile(scaled(std::ldexp(1.0, power)), options), 2, trace::Isa::Auto);
         int differ = 0;
-        for (std::size_t i = 0; i < usual.pixels.size(); ++i) differ += std::abs(usual.pixels[i] - other.pixels[i]) > 1e-3f;
+        for (std::size_t i = 0; i < usual.pixels.size(); ++i)
+            differ += std::abs(usual.pixels[i] - other.pixels[i]) > 1e-3f;
         INFO("scale 2^" << power);
         CHECK(differ == 0);  // of 32400; with tolerances of one size 113 at 2^-10, 4299 at 2^-20
     }
@@ -152,7 +154,8 @@ TEST_CASE("glass has two sides however thin it is", "[trace][render]")
     const auto behind = [&](double thickness) {
         scene::Description d = description();
         scene::Object glass = object(scene::Box{{-4, 0.5, -4}, {4, 4, -4 + thickness}}, plain(1, 1, 1, 0));
-        std::get<std::vector<scene::Layer>>(const_cast<scene::Texture&>(*glass.texture).kind)[0].pigment.kind = scene::Color{1, 1, 1, 0.9f, 0};
+        std::get<std::vector<scene::Layer>>(const_cast<scene::Texture&>(*glass.texture).kind)[0].pigment.kind =
+            scene::Color{1, 1, 1, 0.9f, 0};
         auto interior = std::make_shared<scene::Interior>();
         interior->ior = 1.5f;
         glass.interior = interior;

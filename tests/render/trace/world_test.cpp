@@ -1,6 +1,6 @@
 #include "tests/render/trace/random_world.h"
 
-#include "csg/world_item.h"
+#include "csg/world/world_item.h"
 
 #include <catch2/catch.hpp>
 
@@ -25,7 +25,8 @@ csg::Hit by_force(const csg::WorldData& world, const csg::Ray& ray, double t_min
     return best;
 }
 
-csg::Shadow shadow_by_force(const csg::WorldData& world, const csg::Ray& ray, double t_min, double t_max, csg::Scratch& scratch)
+csg::Shadow shadow_by_force(const csg::WorldData& world, const csg::Ray& ray, double t_min, double t_max,
+                            csg::Scratch& scratch)
 {
     csg::Shadow found = csg::Shadow::Clear;
     for (const csg::WorldItem& item : world.items) {
@@ -64,7 +65,8 @@ csg::RayTile camera_tile(Rng& rng, double spread)
 {
     csg::RayTile tile{};
     const glm::dvec3 eye = rng.point(20.0), towards = glm::normalize(rng.point(6.0) - eye);
-    const glm::dvec3 right = glm::normalize(glm::cross(towards, glm::dvec3(0.3, 1.0, 0.2))), up = glm::cross(right, towards);
+    const glm::dvec3 right = glm::normalize(glm::cross(towards, glm::dvec3(0.3, 1.0, 0.2))),
+                     up = glm::cross(right, towards);
     tile.common_origin = true;
     tile.count = rng.below(4) == 0 ? 1 + static_cast<int>(rng.below(64)) : 64;
     for (int i = 0; i < tile.count; ++i) {
@@ -113,14 +115,16 @@ TEST_CASE("the hierarchy finds what a loop over all items finds", "[trace][world
         for (int i = 0; i < 400; ++i) {
             INFO("ray " << i);
             const csg::Ray ray = random_ray(rng);
-            check_same(world.nearest(ray, 1e-4, csg::kInfinity, kImage, scratch), by_force(data, ray, 1e-4, csg::kInfinity, scratch));
+            check_same(world.nearest(ray, 1e-4, csg::kInfinity, kImage, scratch),
+                       by_force(data, ray, 1e-4, csg::kInfinity, scratch));
             const double t_max = rng.uniform(0.5, 25.0);
             const csg::Shadow shadow = shadow_by_force(data, ray, 1e-3, t_max, scratch);
             REQUIRE(world.shadow(ray, 1e-3, t_max, scratch) == shadow);
             REQUIRE(world.shadow_crossings(ray, 1e-3, t_max, scratch, crossings) == shadow);
             if (shadow == csg::Shadow::Blocked) continue;
             REQUIRE(crossings.empty() == (shadow == csg::Shadow::Clear));
-            REQUIRE(std::is_sorted(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.t < b.t; }));
+            REQUIRE(std::is_sorted(crossings.begin(), crossings.end(),
+                                   [](const auto& a, const auto& b) { return a.t < b.t; }));
         }
     }
 }
@@ -168,7 +172,8 @@ TEST_CASE("a tile of shadow rays crosses what its rays cross one by one", "[trac
             for (int i = 0; i < tile.count; ++i) {
                 INFO("tile " << k << " ray " << i);
                 const auto at = static_cast<std::size_t>(i);
-                REQUIRE(found->ending[at] == world.shadow_crossings(tile.ray(i), tile.t_min[at], tile.t_max[at], scratch, expected));
+                REQUIRE(found->ending[at] ==
+                        world.shadow_crossings(tile.ray(i), tile.t_min[at], tile.t_max[at], scratch, expected));
                 if (found->ending[at] != csg::Shadow::Filtered) continue;
                 if (found->count[at] == csg::CrossingTile::kTooMany) {
                     REQUIRE(expected.size() > csg::CrossingTile::kMost);

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "csg/tree/program.h"  // csg::Scratch: what one thread needs to answer rays; reused, never shared

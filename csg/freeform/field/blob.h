@@ -1,0 +1,90 @@
+#pragma once
+
+#include "csg/bvh/bvh.h"
+#include "csg/freeform/intersection_list.h"
+
+#include <vector>
+
+namespace csg {
+
+struct Share;
+
+/// Where the fields of spheres and capsules add up to the threshold (spec 5a, 5.11; manual: Blob). A component's field
+/// is strength (1 - q)^2, q the squared distance from its centre or axis over the squared radius, and nothing from q =
+/// 1 on.
+class Blob {
+public:
+    struct Component {
+        Transform frame;         ///< to the blob's space
+        double length = 0.0;     ///< of the axis, along z from the frame's origin; 0: a sphere
+        double radius = 1.0;     ///< its sign does not matter
+        double strength = 1.0;   ///< negative: takes away
+        std::uint32_t part = 0;  ///< which of the blob's textures it has
+    };
+
+    /// Components that cannot be seen (no strength, no radius, numbers that are not finite) are left out.
+    Blob(double threshold, const std::vector<Component>& components);
+
+    void intersect(const Ray& ray, IntersectionList& out) const;
+    bool contains(const glm::dvec3& p) const;
+    glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t) const;
+    /// The parts' shares of |field| at p.
+    void shares(const glm::dvec3& p, std::vector<Share>& out) const;
+    Aabb bounds() const { return box_; }
+    Aabb extent() const { return extent_; }
+
+    static constexpr bool kRound = true;  ///< not asked for its own crossings beside a start (Freeform::round)
+    static constexpr bool kSurface = false, kClosed = true, kInverseClosed = false;
+
+private:
+    /// q = x^2 + y^2 + (z - nearest of [0, length])^2 with (x, y, z) = rows * p + offset.
+    struct Field {
+        glm::dmat3 to_unit;
+        glm::dvec3 offset;
+        double length, strength;
+        std::uint32_t part;
+        glm::dvec3 middle;  ///< of a sphere around all that the field reaches,
+        double reach2;      ///< and its radius squared: that of the field itself where it is a sphere
+        bool is_sphere;
+
+        glm::dvec3 unit(const glm::dvec3& p) const { return to_unit * p + offset; }
+        /// From the nearest point of centre or axis, in units of the radius.
+        glm::dvec3 arm(const glm::dvec3& p) const
+        {
+            glm::dvec3 u = unit(p);
+            u.z -= glm::clamp(u.z, 0.0, length);
+            return u;
+        }
+    };
+    /// The field of a component along a stretch of the ray: strength w^2, w = w0 + w1 s + w2 s^2, s = t - ref.
+    struct Stretch {
+        double enter, leave, ref, w0, w1, w2, strength, most;
+
+        double w(double t) const { return w0 + (t - ref) * (w1 + (t - ref) * w2); }
+        /// The middle Bernstein ordinate between two places.
+        double between(double a, double b) const
+        {
+            return w0 + 0.5 * w1 * ((a - ref) + (b - ref)) + w2 * (a - ref) * (b - ref);
+        }
+    };
+    struct Walk;
+
+    void add(const Component& component);
+    void bound();
+    void gather(const Field& field, const Ray& ray, double inverse, double from, double to,
+                std::vector<Stretch>& out) const;
+    void gather_capsule(const Field& field, const Ray& ray, double from, double to, std::vector<Stretch>& out) const;
+    template <class F>
+    void each_near(const glm::dvec3& p, F&& f) const;
+
+    static constexpr std::size_t kMostLoose = 12;  ///< more components go through a hierarchy
+
+    double threshold_;
+    std::vector<Field> fields_;
+    std::vector<Aabb> boxes_;
+    Bvh tree_;  ///< empty below that number
+    Aabb box_, extent_;
+    glm::dvec3 middle_{0.0};
+};
+
+}  // namespace csg

@@ -1,0 +1,140 @@
+#include "csg/freeform/field/isosurface_search.h"
+
+#include "csg/roots/fused_at.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace csg {
+namespace {
+
+constexpr int kParts = 8;
+constexpr double kRoom = 4 * 0x1p-52;  // relative error of a point of the ray, generously
+
+/// Sides of the boxes between t[k] and t[k + 1], with room for rounding.
+void sides(double origin, double direction, double from, double step, EightRanges& out)
+{
+    for (int k = 0; k < kParts; ++k) {
+        const double a = origin + (from + k * step) * direction, b = origin + (from + (k + 1) * step) * direction;
+        const double room = kRoom * (std::abs(origin) + std::abs(a) + std::abs(b));
+        out.low.v[k] = std::min(a, b) - room;
+        out.high.v[k] = std::max(a, b) + room;
+    }
+}
+
+}  // namespace
+
+bool IsosurfaceSearch::is_far(const Container& container, const Ray& ray)
+{
+    // Sizes of the container; from there on points rounded twice are off by more than 1e-11 of it, and farther out a
+    // shallow crossing falls apart into many.
+    constexpr double kFar = 1e5;
+    const Aabb box = container.bounds();
+    const glm::dvec3 size = box.upper - box.lower, away = ray.origin - 0.5 * (box.lower + box.upper);
+    return glm::dot(away, away) > kFar * kFar * glm::dot(size, size);
+}
+
+double IsosurfaceSearch::accuracy_along(const IsosurfaceTerms& terms, const Interval& way)
+{
+    constexpr double kLeastPart = 0x1p-40;  // of a ray's way through the container is told apart
+    return std::max(terms.accuracy, (way.exit - way.entry) * kLeastPart);
+}
+
+IsosurfaceSearch::IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, const Interval& way, double to)
+    : terms_(terms), ray_(ray), to_(to), speed_(std::sqrt(glm::dot(ray.direction, ray.direction))),
+      gradient_(terms.max_gradient), accuracy_(accuracy_along(terms, way)), far_(is_far(terms.container, ray))
+{}
+
+glm::dvec3 IsosurfaceSearch::near_point(double t) const { return fused_at(ray_, t); }
+
+void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const
+{
+    EightPoints p;
+    for (int k = 0; k < kParts; ++k) {
+        p.x.v[k] = ray_.origin.x + t.v[k] * ray_.direction.x;
+        p.y.v[k] = ray_.origin.y + t.v[k] * ray_.direction.y;
+        p.z.v[k] = ray_.origin.z + t.v[k] * ray_.direction.z;
+    }
+    if (far_)
+        for (int k = 0; k < kParts; ++k) {
+            const glm::dvec3 near = near_point(t.v[k]);
+            p.x.v[k] = near.x, p.y.v[k] = near.y, p.z.v[k] = near.z;
+        }
+    terms_.field->values(p, f);
+    for (double& v : f.v) v = sign * (v - terms_.threshold);
+}
+
+bool IsosurfaceSearch::first(double from, double end, double sign, double& found)
+{
+    if (terms_.field->ranged() && !terms_.trusting) {
+        int halvings = 0;
+        for (double length = end - from; length >= accuracy_; length *= 0.5) ++halvings;
+        // Eighths as fine as POV-Ray's last halves, or up to four times finer.
+        const int levels = std::max(1, (halvings + 2) / 3);
+        const Grid grid{from, (end - from) / std::ldexp(1.0, 3 * levels), 3 * levels - halvings};
+        return eighths(grid, 0, levels, sign, found);
+    }
+    if (terms_.evaluate && gradient_ > terms_.growth.x) gradient_ *= terms_.growth.z;
+    return bisect({from, sign * value(from)}, {end, sign * value(end)}, sign, found);
+}
+
+bool IsosurfaceSearch::eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found)
+{
+    const std::int64_t width = std::int64_t{1} << (3 * (level - 1));
+    const double from = grid.at(first), step = grid.step * static_cast<double>(width);
+    EightBoxes boxes;
+    sides(ray_.origin.x, ray_.direction.x, from, step, boxes.x);
+    sides(ray_.origin.y, ray_.direction.y, from, step, boxes.y);
+    sides(ray_.origin.z, ray_.direction.z, from, step, boxes.z);
+    EightRanges f;
+    terms_.field->ranges(boxes, f);
+    const auto clear = [&](int k) {
+        return (sign > 0.0 ? f.low.v[k] - terms_.threshold : terms_.threshold - f.high.v[k]) > 0.0;
+    };
+    if (level > 1) {
+        for (int k = 0; k < kParts && from + k * step <= to_; ++k)
+            if (!clear(k) && eighths(grid, first + k * width, level - 1, sign, found)) return true;
+        return false;
+    }
+    bool all_clear = true;
+    for (int k = 0; k < kParts; ++k) all_clear = all_clear && clear(k);
+    return !all_clear && in_leaves(grid, first, sign, found);
+}
+
+bool IsosurfaceSearch::in_leaves(const Grid& grid, std::int64_t first, double sign, double& found) const
+{
+    Eight t, f;
+    for (int k = 0; k < kParts; ++k) t.v[k] = grid.at(first + k + 1);
+    sample(t, sign, f);
+    for (int k = 0; k < kParts; ++k) {
+        if (!(f.v[k] < 0.0)) continue;
+        // POV-Ray's interval that ends here or behind; what is thinner than it is found all the same.
+        const std::int64_t leaf = first + k + 1, end = ((leaf + (std::int64_t{1} << grid.finer) - 1) >> grid.finer)
+                                                       << grid.finer;
+        found = end == leaf || !(sign * value(grid.at(end)) < 0.0) ? t.v[k] : grid.at(end);
+        return true;
+    }
+    return false;
+}
+
+/// POV-Ray's own rule (spec 5b, 13.2): halves, the nearer one first, while the ends allow a root under the gradient.
+bool IsosurfaceSearch::bisect(const Sample& left, const Sample& right, double sign, double& found)
+{
+    if (left.t > to_) return false;
+    const double length = right.t - left.t, world = speed_ * length;
+    if (terms_.evaluate) {
+        const double slope = std::abs(right.f - left.f) / world;
+        if (gradient_ < slope * terms_.growth.y) gradient_ = slope * terms_.growth.y * terms_.growth.y;
+    }
+    const double t = left.t + 0.5 * length;
+    // From far off no number may lie between, however long the accuracy.
+    if (length < accuracy_ || t == left.t || t == right.t) {
+        found = right.t;
+        return right.f < 0.0;
+    }
+    if (!(left.f + right.f - gradient_ * world < 0.0)) return false;
+    const Sample middle{t, sign * value(t)};
+    return bisect(left, middle, sign, found) || bisect(middle, right, sign, found);
+}
+
+}  // namespace csg

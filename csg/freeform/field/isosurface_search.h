@@ -1,0 +1,51 @@
+#pragma once
+
+#include "csg/freeform/field/isosurface.h"
+
+#include <cstdint>
+
+namespace csg {
+
+/// One ray through the field of an isosurface.
+class IsosurfaceSearch {
+public:
+    /// Of a ray that is within the container along `way`. Nothing beyond `to` matters.
+    IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, const Interval& way, double to);
+
+    /// No interval is parted that is shorter: the scene's, unless the way is so long that numbers are coarser.
+    double accuracy() const { return accuracy_; }
+    static double accuracy_along(const IsosurfaceTerms& terms, const Interval& way);
+    /// Whether the ray begins so far off that its points need one rounding each.
+    static bool is_far(const Container& container, const Ray& ray);
+
+    /// The field above the threshold.
+    double value(double t) const { return terms_.field->value(far_ ? near_point(t) : ray_.at(t)) - terms_.threshold; }
+
+    /// Where sign * value first falls below 0 between `from` and `end`, as POV-Ray tells it: the farther end of the
+    /// interval, shorter than the accuracy, that halving leads to.
+    bool first(double from, double end, double sign, double& found);
+
+private:
+    struct Sample {
+        double t, f;
+    };
+    /// Where intervals end. POV-Ray's are 2^finer of these.
+    struct Grid {
+        double from, step;
+        int finer;
+        double at(std::int64_t i) const { return from + step * static_cast<double>(i); }
+    };
+    bool eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found);
+    bool in_leaves(const Grid& grid, std::int64_t first, double sign, double& found) const;
+    bool bisect(const Sample& left, const Sample& right, double sign, double& found);
+    void sample(const Eight& t, double sign, Eight& f) const;
+    /// With one rounding of where it is, whatever the ray comes from.
+    glm::dvec3 near_point(double t) const;
+
+    const IsosurfaceTerms& terms_;
+    const Ray& ray_;
+    double to_, speed_, gradient_, accuracy_;
+    bool far_;  ///< the ray begins so far off that its points need near_point()
+};
+
+}  // namespace csg

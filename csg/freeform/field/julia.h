@@ -1,0 +1,82 @@
+#pragma once
+
+#include "csg/freeform/intersection_list.h"
+
+#include <span>
+
+namespace csg {
+
+/// What a julia_fractal is made of (spec 5b, 12; reference manual: Julia Fractal).
+struct JuliaTerms {
+    enum class Function : std::uint8_t {
+        Square,
+        Cube,
+        HyperSquare,
+        HyperCube,
+        Reciprocal,
+        Exp,
+        Ln,
+        Sin,
+        Asin,
+        Cos,
+        Acos,
+        Tan,
+        Atan,
+        Sinh,
+        Asinh,
+        Cosh,
+        Acosh,
+        Tanh,
+        Atanh,
+        Power
+    };
+    glm::dvec4 constant{0.0};
+    Function function = Function::Square;  ///< the first two of quaternions, the others hypercomplex
+    glm::dvec2 exponent{0.0};              ///< of Power
+    int iterations = 20;                   ///< above 0
+    double precision = 20.0;               ///< at least 1: steps of a ray are no shorter than one part of so many
+    glm::dvec4 slice{0.0, 0.0, 0.0, 1.0};  ///< normal of the slice through four dimensions; the last is not 0
+    double slice_distance = 0.0;
+};
+
+/// A slice of the points of four dimensions that stay near the origin under q -> f(q) + constant. Rays are marched as
+/// POV-Ray does it: which of the set's hairs they meet depends on the steps.
+class Julia {
+public:
+    explicit Julia(const JuliaTerms& terms);
+
+    void intersect(const Ray& ray, IntersectionList& out) const;
+    /// Polynomials; of the other functions the C library works out most.
+    bool intersects_many() const { return terms_.function <= JuliaTerms::Function::HyperCube; }
+    void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
+    bool contains(const glm::dvec3& p) const;
+    glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
+    Aabb bounds() const { return {glm::dvec3(-radius_), glm::dvec3(radius_)}; }
+
+    static constexpr bool kSurface = false;
+    static constexpr bool kOpenSurface = true;  ///< what a ray meets depends on where its steps began
+    static constexpr bool kClosed = true, kInverseClosed = false;
+
+private:
+    class Lanes;
+    struct March {
+        bool inside;
+        double step;  ///< to where the next look is worth while
+    };
+    bool quaternion() const { return terms_.function <= JuliaTerms::Function::Cube; }
+    glm::dvec4 lifted(const glm::dvec3& p) const { return {p, offset_ - glm::dot(tilt_, p)}; }
+    glm::dvec4 plain_start(const glm::dvec3& p) const;
+    bool gone(const glm::dvec4& q) const { return !(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w <= escape_); }
+    bool stays(const glm::dvec3& p) const;
+    March look(const glm::dvec3& p, const glm::dvec3& way) const;
+    March look_quaternion(const glm::dvec3& p) const;
+    glm::dvec3 quaternion_slope(glm::dvec4 q) const;
+    struct Orbit;
+    Orbit follow(glm::dvec4 q) const;
+
+    JuliaTerms terms_;
+    glm::dvec3 tilt_;  ///< the fourth coordinate is offset - dot(tilt, p)
+    double offset_, radius_, escape_, step_;
+};
+
+}  // namespace csg

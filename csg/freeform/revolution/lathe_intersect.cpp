@@ -1,0 +1,338 @@
+#include "csg/freeform/revolution/lathe_point.h"
+#include "csg/freeform/revolution/lathe_reach.h"
+#include "csg/freeform/sorted_ends.h"
+
+#include <array>
+
+namespace csg {
+
+/// Arcs all of whose circles lie on one side of what a ray sweeps about the axis or, where the nearest end is enough,
+/// which the ray passes out of the range that is asked for.
+class Lathe::Sweep {
+public:
+    Sweep(const AxisRay& ray, double from, double to, bool first_only)
+        : foot_(ray.foot), rise_(ray.rise), run_(ray.run), nearest_(ray.nearest), by_range_(first_only && !ray.level())
+    {
+        if (!by_range_) return;
+        // The heights of the range, a little more: an arc passed there is none of rounding.
+        const double earliest = ray.sooner(from), latest = ray.later(to),
+                     room = kRoom * (std::abs(ray.foot) + ray.nearest);
+        const double below = ray.height_at(earliest), over = ray.height_at(latest);
+        const auto wider = [&](double height, double sign) {
+            return height + sign * (room + kRoom * std::abs(height));
+        };
+        low_ = Double(wider(glm::min(below, over), -1.0));
+        high_ = Double(wider(glm::max(below, over), 1.0));
+    }
+
+    std::uint32_t misses(const Reaches& reach, int at) const
+    {
+        const Double low = Double::load_aligned(reach.low + at), high = Double::load_aligned(reach.high + at);
+        const Double below = low - foot_, over = high - foot_;
+        const Double least = xsimd::max(Double(0.0), xsimd::max(below, -over)), most = xsimd::max(-below, over);
+        auto missed = (beyond(Double::load_aligned(reach.farthest + at), least) < Double(0.0)) |
+                      (beyond(Double::load_aligned(reach.nearest + at), most) > Double(0.0));
+        if (by_range_) missed = missed | (high < low_) | (low > high_);
+        return lanes::mask(missed);
+    }
+
+private:
+    using Double = lanes::Double;
+    static constexpr double kRoom = 1e-9;
+
+    /// AxisRay::beyond() in lanes.
+    Double beyond(const Double& r, const Double& above) const
+    {
+        const Double across = run_ * above;
+        return rise_ * rise_ * (r - nearest_) * (r + nearest_) - across * across;
+    }
+
+    Double foot_, rise_, run_, nearest_, low_, high_;
+    bool by_range_;
+};
+
+/// One ray through a lathe.
+class Lathe::Meeting {
+public:
+    Meeting(const Lathe& lathe, const Ray& ray, const IntersectionList& wanted)
+        : lathe_(lathe), ray_(ray), from_(wanted.from), best_{wanted.to, kUndrawnFace}, first_only_(wanted.first_only)
+    {}
+
+    void find()
+    {
+        if (!ray_.valid()) return;
+        const Sweep sweep(ray_, from_, best_.t, first_only_);
+        lathe_.each_near(sweep, [&](std::size_t arc) { meet_arc(static_cast<std::uint32_t>(arc)); });
+        for (std::uint32_t i = 0; i < waiting_count_; ++i) resolve(waiting_[i]);
+        if (ray_.level() || first_only_) return;
+        for (const glm::dvec2& rim : lathe_.rims_)
+            if (ray_.beyond(rim.x, rim.y - ray_.foot) > 0.0) add(ray_.at_height(rim.y), kUndrawnFace);
+    }
+
+    void tell(IntersectionList& out) const
+    {
+        if (first_only_) {  // whether it leads in or out does not matter
+            out.touch(best_.t, best_.face);
+            return;
+        }
+        double from = kInfinity, to = kInfinity;  // what the hole takes away
+        if (lathe_.hole_ > 0.0 && ray_.valid()) ray_.within(lathe_.hole_, from, to);
+        const Event* in = nullptr;
+        for (const Event& event : events_) {
+            if (event.face != kUndrawnFace && lathe_.arcs_[event.face].negative) {
+                out.touch(event.t, event.face);
+            } else if (in == nullptr) {
+                in = &event;
+            } else {
+                if (!span(*in, event, from, to, out)) return;
+                in = nullptr;
+            }
+        }
+    }
+
+private:
+    using Event = SortedEnds::End;
+
+    /// A crossing between two points of an arc that is still to be found, no nearer than `nearest`.
+    struct Waiting {
+        double nearest, side;
+        std::uint32_t face;
+        LathePoint start, end;
+    };
+
+    /// False: no more is wanted.
+    static bool span(const Event& in, const Event& end, double from, double to, IntersectionList& out)
+    {
+        const auto push = [&](const Event& a, const Event& b) {
+            return !(a.t <= b.t) || (out.enter(a.t, a.face) && out.leave(b.t, b.face));
+        };
+        if (!(from < end.t && to > in.t)) return push(in, end);
+        return (from <= in.t || push(in, {from, kUndrawnFace})) && (to >= end.t || push({to, kUndrawnFace}, end));
+    }
+
+    void add(double t, std::uint32_t face)
+    {
+        if (!first_only_) events_.add(t, face);
+        else if (t >= from_ && t <= best_.t && t < kInfinity) best_ = {t, face};
+    }
+
+    LathePoint point(const Arc& arc, double w, double radius, double height, double above) const
+    {
+        return point(arc.slope(w), w, radius, height, above);
+    }
+    LathePoint point(const glm::dvec2& slope, double w, double radius, double height, double above) const
+    {
+        return {w, radius, height, above, slope.x, slope.y, ray_.beyond(radius, above)};
+    }
+    /// A crossing lies between these. Out of the range that was asked for it matters only that there is one. Where one
+    /// is enough, the others wait for their turn, the nearest first.
+    void add_between(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
+    {
+        const double a = ray_.at(start.radius, start.height, side), b = ray_.at(end.radius, end.height, side);
+        if (glm::max(a, b) < from_ || glm::min(a, b) > best_.t) return first_only_ ? void() : events_.add(a, face_);
+        if (!first_only_) return add_at(arc, refined(arc, start, end), side);
+        const Waiting one{glm::min(a, b), side, face_, start, end};
+        if (waiting_count_ == kMostWaiting) return resolve(one);
+        std::uint32_t at = waiting_count_++;
+        for (; at > 0 && waiting_[at - 1].nearest > one.nearest; --at) waiting_[at] = waiting_[at - 1];
+        waiting_[at] = one;
+    }
+    void resolve(const Waiting& one)
+    {
+        if (one.nearest > best_.t) return;
+        const Arc& arc = lathe_.arcs_[one.face];
+        face_ = one.face;
+        add_at(arc, refined(arc, one.start, one.end), one.side);
+    }
+    void add_at(const Arc& arc, double w, double side)
+    {
+        const glm::dvec2 p = arc.at(w);
+        add(ray_.polished(ray_.at(p.x, p.y, side), p, arc.slope(w)), face_);
+    }
+
+    void meet_arc(std::uint32_t index)
+    {
+        face_ = index;
+        const Arc& arc = lathe_.arcs_[index];
+        const double above_start = arc.start.y - ray_.foot, above_end = arc.end.y - ray_.foot;
+        const bool passes = (above_start < 0.0) != (above_end < 0.0);
+        if (ray_.level()) {
+            if (!passes) return;
+            const double radius = arc.at(level_parameter(arc, above_start, above_end)).x;
+            if (!(std::abs(radius) > ray_.nearest)) return;
+            add(ray_.at(radius, ray_.foot, -1.0), index);
+            add(ray_.at(radius, ray_.foot, 1.0), index);
+            return;
+        }
+        const LathePoint start = point(arc.start_slope, arc.lo, arc.start.x, arc.start.y, above_start);
+        const LathePoint end = point(arc.end_slope, arc.hi, arc.end.x, arc.end.y, above_end);
+        if (!passes) {
+            meet_cell(arc, start, end, above_start + above_end);
+            return;
+        }
+        // Below and above the foot the ray meets a circle on different sides; a nearly level ray does so close
+        // together.
+        const double w = level_parameter(arc, above_start, above_end);
+        const double radius =
+            glm::clamp(arc.at(w).x, glm::min(arc.start.x, arc.end.x), glm::max(arc.start.x, arc.end.x));
+        const LathePoint foot = point(arc, w, radius, ray_.foot, 0.0);
+        meet_cell(arc, start, foot, above_start < 0.0 ? -1.0 : 1.0);
+        meet_cell(arc, foot, end, above_start < 0.0 ? 1.0 : -1.0);
+    }
+
+    void meet_cell(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
+    {
+        if (arc.straight) {
+            meet_line(arc, start, end, side);
+        } else {
+            cells_left_ = kMostCells;
+            meet_curve(arc, start, end, side);
+        }
+    }
+
+    /// Where the arc has the height of the foot.
+    double level_parameter(const Arc& arc, double above_start, double above_end) const
+    {
+        double lo = arc.lo, hi = arc.hi, w = lo + (hi - lo) * (above_start / (above_start - above_end));
+        for (int i = 0; i < 60 && !arc.straight; ++i) {
+            const double above = arc.at(w).y - ray_.foot;
+            if (above == 0.0) break;
+            ((above < 0.0) == (above_start < 0.0) ? lo : hi) = w;
+            double next = w - above / arc.slope(w).y;
+            if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+            const double moved = std::abs(next - w);
+            w = next;
+            if (moved <= kClose) break;
+        }
+        return w;
+    }
+
+    /// beyond() along a straight arc is a quadratic whose discriminant needs no difference of nearly equal numbers but
+    /// where the ray is a tangent.
+    void meet_line(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
+    {
+        const double r = arc.d.x, u = arc.d.y - ray_.foot, dr = arc.c.x, du = arc.c.y;
+        const double rise2 = ray_.rise * ray_.rise, run2 = ray_.run * ray_.run;
+        const double a = rise2 * dr * dr - run2 * du * du, b = rise2 * r * dr - run2 * u * du, c = ray_.beyond(r, u);
+        const double cross = ray_.run * (r * du - u * dr),
+                     discriminant = rise2 * (cross * cross + ray_.nearest * ray_.nearest * a);
+        const bool changes = start.out() != end.out();
+        if (!changes && (!(discriminant > 0.0) || start.out() != (a > 0.0))) return;
+        const double q = -(b + std::copysign(std::sqrt(glm::max(discriminant, 0.0)), b));
+        const double one = q / a, other = q != 0.0 ? c / q : 0.0;
+        const double first = glm::min(one, other), last = glm::max(one, other);
+        if (!changes) {
+            if (!(first > start.w && last < end.w)) return;
+            add_at(arc, first, side);
+            add_at(arc, last, side);
+            return;
+        }
+        double w = a == 0.0 ? other : start.out() == (a > 0.0) ? first : last;
+        if (!(w >= start.w)) w = start.w;
+        if (!(w <= end.w)) w = end.w;
+        add_at(arc, w, side);
+    }
+
+    /// Bisects until beyond() rises or falls all the way, or cannot be 0.
+    void meet_curve(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
+    {
+        const double rise2 = ray_.rise * ray_.rise, run2 = ray_.run * ray_.run;
+        // Half of its slope is the difference of these.
+        SlopeRange gain = slope_range(start.radius, end.radius, start.slope_radius, end.slope_radius);
+        SlopeRange loss = slope_range(start.above, end.above, start.slope_above, end.slope_above);
+        gain.least *= rise2, gain.most *= rise2;
+        loss.least *= run2, loss.most *= run2;
+        const bool changes = start.out() != end.out();
+        const double width = end.w - start.w;
+        if (!changes) {
+            // Cheaper than the questions below, which would end in the same.
+            const double steepest = 2.0 * glm::max(gain.most - loss.least, loss.most - gain.least);
+            if (std::abs(start.beyond) + std::abs(end.beyond) > width * steepest) return;
+        }
+        if (apart(gain, loss) || falls_by_roots(start, end, gain.negative) || width < kNarrow || --cells_left_ < 0) {
+            if (changes) add_between(arc, start, end, side);
+            return;
+        }
+        const double w = 0.5 * (start.w + end.w);
+        const glm::dvec2 p = arc.at(w);
+        const LathePoint middle = point(arc, w, p.x, p.y, p.y - ray_.foot);
+        meet_curve(arc, start, middle, side);
+        meet_curve(arc, middle, end, side);
+    }
+
+    /// Whether rise sqrt(r^2 - nearest^2) - run |above| rises or falls all the way: the better question of rays that
+    /// are nearly level.
+    bool falls_by_roots(const LathePoint& start, const LathePoint& end, bool toward_axis) const
+    {
+        const double c = ray_.nearest, r0 = std::abs(start.radius), r1 = std::abs(end.radius);
+        const double least = glm::min(r0, r1), most = glm::max(r0, r1);
+        if (!(least > c)) return false;
+        const double factor_least = most / std::sqrt((most - c) * (most + c)),
+                     factor_most = least / std::sqrt((least - c) * (least + c));
+        SlopeRange gain =
+            slope_range(ray_.rise * factor_least, ray_.rise * factor_most, start.slope_radius, end.slope_radius);
+        gain.negative = toward_axis;
+        SlopeRange loss = slope_range(ray_.run, ray_.run, start.slope_above, end.slope_above);
+        loss.negative = (start.slope_above + end.slope_above < 0.0) != (start.above + end.above < 0.0);
+        return apart(gain, loss);
+    }
+
+    /// The root between two points of which one is out.
+    double refined(const Arc& arc, const LathePoint& start, const LathePoint& end) const
+    {
+        const double c = ray_.nearest, sign = start.above + end.above < 0.0 ? -1.0 : 1.0;
+        const bool by_roots = ray_.rise < ray_.run && std::abs(start.radius) > c && std::abs(end.radius) > c;
+        double across = 0.0;  // how far from the ray's nearest point
+        const auto value = [&](double radius, double above) {
+            if (!by_roots) return ray_.beyond(radius, above);
+            across = std::sqrt(glm::max((radius - c) * (radius + c), 0.0));
+            return ray_.rise * across - ray_.run * std::abs(above);
+        };
+        double lo = start.w, hi = end.w;
+        const double before = value(start.radius, start.above), after = value(end.radius, end.above);
+        double w = before != after ? lo + (hi - lo) * (before / (before - after)) : 0.5 * (lo + hi);
+        if (!(w > lo && w < hi)) w = 0.5 * (lo + hi);
+        for (int i = 0; i < 80; ++i) {
+            const glm::dvec2 p = arc.at(w), d = arc.slope(w);
+            const double above = p.y - ray_.foot, now = value(p.x, above);
+            if (now == 0.0) break;
+            ((now > 0.0) == start.out() ? lo : hi) = w;
+            const double slope = by_roots
+                                     ? ray_.rise * d.x * p.x / across - ray_.run * sign * d.y
+                                     : 2.0 * (ray_.rise * ray_.rise * p.x * d.x - ray_.run * ray_.run * above * d.y);
+            double next = w - now / slope;
+            if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+            const double moved = std::abs(next - w);
+            w = next;
+            if (moved <= kClose) break;
+        }
+        return w;
+    }
+
+    // Of the parameter, 0 to 1 along a segment: the step that is this small has squared the error before it.
+    static constexpr double kClose = 1e-12;
+    static constexpr double kNarrow = 1e-9;  // the same: what turns twice within that is a tangent
+    static constexpr int kMostCells = 400;   // a tangent takes some 60; more are rounding alone
+
+    static constexpr std::uint32_t kMostWaiting = 8;
+
+    const Lathe& lathe_;
+    const AxisRay ray_;
+    const double from_;
+    Event best_;  // of all so far, if one is enough
+    const bool first_only_;
+    std::uint32_t face_ = 0;
+    int cells_left_ = 0;
+    std::uint32_t waiting_count_ = 0;
+    SortedEnds events_;
+    std::array<Waiting, kMostWaiting> waiting_;
+};
+
+void Lathe::intersect(const Ray& ray, IntersectionList& out) const
+{
+    Meeting meeting(*this, ray, out);
+    meeting.find();
+    meeting.tell(out);
+}
+
+}  // namespace csg

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "csg/freeform/intersection_list.h"
+
+namespace csg {
+
+/// An egg: a sphere at the origin, another on its top, and what an arc turned about the y axis adds between them (spec
+/// 5a, 5.12; manual: Ovus). It is convex and does not hold its surface, its inverse does. Faces: 0 the sphere below, 1
+/// the sphere above, 2 between.
+class Ovus {
+public:
+    /// Radii; 0 <= top < 2 bottom.
+    Ovus(double bottom, double top);
+
+    void intersect(const Ray& ray, IntersectionList& out) const;
+    bool contains(const glm::dvec3& p) const;
+    bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
+    glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
+    glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
+    Aabb bounds() const;
+
+    static constexpr bool kSurface = false;
+    static constexpr bool kClosed = false, kInverseClosed = true;
+
+private:
+    static constexpr std::uint32_t kBelow = 0, kAbove = 1, kBetween = 2;
+
+    bool between(const glm::dvec3& o, const glm::dvec3& e, double& from, double& to, bool both) const;
+
+    double bottom_, top_;
+    double arc_;  ///< radius of the arc: (rho + offset)^2 + (y - height)^2 = arc^2
+    double offset_, height_;
+    double low_, high_;  ///< heights between which it is used
+};
+
+}  // namespace csg

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "csg/freeform/intersection_list.h"
+
+#include <vector>
+
+namespace csg {
+
+/// A plane region between loops of corners, even-odd: drawn, without an inside (spec 5b, 4; manual: Polygon).
+class Polygon {
+public:
+    /// Loops one after the other, each ended by a copy of its first corner. What is not flat to 1e-10 or has no area is
+    /// never met.
+    explicit Polygon(std::vector<glm::dvec3> corners);
+
+    void intersect(const Ray& ray, IntersectionList& out) const;
+    bool contains(const glm::dvec3&) const { return false; }
+    bool contains_inverted(const glm::dvec3&) const { return false; }
+    glm::dvec3 gradient(const glm::dvec3&, std::uint32_t) const { return axes_[2]; }
+    Aabb bounds() const { return box_; }
+    Aabb extent() const { return corner_box_; }
+
+    static constexpr bool kSurface = true;  ///< touched, never entered
+    static constexpr bool kClosed = false, kInverseClosed = false;
+
+private:
+    void find_plane(const std::vector<glm::dvec3>& corners);
+    bool holds(const glm::dvec2& q) const;
+
+    glm::dvec3 origin_{0.0};
+    glm::dmat3 axes_{1.0};             ///< columns: two of the plane, its normal
+    std::vector<glm::dvec2> corners_;  ///< empty: nothing to draw
+    Aabb corner_box_, box_;            ///< the second a little thick
+};
+
+}  // namespace csg

@@ -1,0 +1,141 @@
+#pragma once
+
+#include "csg/packet/lane_front.h"
+#include "csg/packet/lane_torus.h"
+#include "csg/packet/tile_walk.h"
+#include "csg/world/world_item.h"
+
+/// What a leaf block means to a tile. Compiled once per instruction set.
+namespace csg {
+
+/// Opens leaf blocks for Query:
+///   query.solid(item index, rays, at)  a convex solid; at(i) gives lanes::Intervals of the rays from i on
+///   query.ask(front, item, form, rays) a CSG object in lanes; only where query.lanes_serve(item)
+///   query.program(item index, front)   what came of it
+///   query.record(item index, ray, told)  what a lone solid that answers many rays together has told of one;
+///   query.first_only(item)             whether the nearest drawn end of it is enough
+///   query.each(item index, ray)        anything else, ray by ray
+template <class Rays, class Query>
+struct TileLeaf {
+    const WorldData& world;
+    const Beam& beam;
+    Rays& rays;
+    Query& query;
+    std::uint32_t kinds;
+    LaneFront<Rays>& front;
+
+    void operator()(ChildWord leaf, const glm::dvec3& lower, const glm::dvec3& upper, int first, int last) const
+    {
+        if (leaf.kind() == LeafKind::Spheres) {
+            spheres(world.spheres[leaf.index()], first, last);
+            return;
+        }
+        const RayMask mask = rays.meet(lower, upper, rays_of_groups(first, last));
+        if (mask == 0) return;
+        if (leaf.kind() == LeafKind::Item) {
+            item(leaf.index(), mask);
+            return;
+        }
+        const auto& start = world.bvh.triangle_first;
+        for (RayMask left = mask; left != 0; left &= left - 1)
+            for (std::uint32_t k = start[leaf.index()]; k < start[leaf.index() + 1]; ++k)
+                each(world.bvh.triangle_members[k], std::countr_zero(left));
+    }
+
+    /// An item against the rays of the mask.
+    void item(std::uint32_t index, RayMask mask) const
+    {
+        const WorldItem& item = world.items[index];
+        if ((item.visible & kinds) == 0) return;
+        const bool guarded = item.guard != WorldItem::kNoGuard;
+        if (item.solid != kNoPart && !guarded && lanes::has_test(world.store, item.solid)) {
+            lanes::with_test(world.store, item.solid, rays, [&](const auto& at) { query.solid(index, mask, at); });
+            return;
+        }
+        if (kind_of(item.solid) == SolidKind::Torus && !guarded && torus(index, mask)) return;
+        if (item.many && !guarded && (mask & (mask - 1)) != 0) {
+            if (item.solid != kNoPart) return together(index, mask);
+            return fetched(index, mask);
+        }
+        if (item.simple && (mask & (mask - 1)) != 0 && query.lanes_serve(item)) {
+            query.ask(front, item, world.programs[item.program].products, mask);
+            query.program(index, front);
+            mask = front.undecided;
+        }
+        for (; mask != 0; mask &= mask - 1) each(index, std::countr_zero(mask));
+    }
+
+private:
+    /// A lone solid that answers many rays together.
+    void together(std::uint32_t index, RayMask mask) const
+    {
+        const WorldItem& item = world.items[index];
+        const RayBatch& batch =
+            told_of(world.store.all<Freeform>()[index_of(item.solid)], mask, query.first_only(item));
+        for (std::size_t k = 0; k < batch.count; ++k) query.record(index, batch.place[k], batch.records[k]);
+    }
+
+    /// A CSG object of which some leaf answers many rays together: these first, then ray by ray.
+    void fetched(std::uint32_t index, RayMask mask) const
+    {
+        FetchedSpans& known = query.scratch().fetched;
+        for (const Node& node : world.programs[world.items[index].program].nodes) {
+            if (node.op != Op::Leaf || kind_of(node.solid) != SolidKind::Freeform) continue;
+            const Freeform& solid = world.store.all<Freeform>()[index_of(node.solid)];
+            if (!solid.intersects_many()) continue;
+            const auto corner = [](const std::array<float, 3>& c) { return glm::dvec3(c[0], c[1], c[2]); };
+            const RayMask asked = node.test_box ? rays.meet(corner(node.lower), corner(node.upper), mask) : mask;
+            if ((asked & (asked - 1)) != 0) known.add(&solid, told_of(solid, asked, false));
+        }
+        for (; mask != 0; mask &= mask - 1) {
+            known.select(std::countr_zero(mask));
+            each(index, std::countr_zero(mask));
+        }
+        known.clear();
+    }
+
+    const RayBatch& told_of(const Freeform& solid, RayMask asked, bool first_only) const
+    {
+        RayBatch& batch = query.scratch().batch();
+        each_ray(asked, [&](std::size_t k) {
+            if (!(rays.limit[k] < 0.0))
+                batch.add(rays.ray(static_cast<int>(k)), k, rays.t_min[k], rays.limit[k], first_only);
+        });
+        solid.intersect_many(batch);
+        return batch;
+    }
+
+    /// False: its solver is not for lanes.
+    bool torus(std::uint32_t index, RayMask mask) const
+    {
+        const Torus& solid = world.store.all<Torus>()[index_of(world.items[index].solid)];
+        if (!detail::factors_serve(solid)) return false;
+        const TorusEnds ends(solid, rays, mask);
+        for (int which = 0; which < 2; ++which)
+            query.solid(index, ends.met[which], [&](int i) { return ends.piece(which, i); });
+        for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));
+        return true;
+    }
+
+    void spheres(const SphereBlock& block, int first, int last) const
+    {
+        for (std::uint32_t mask = beam.meet(block); mask != 0; mask &= mask - 1) {
+            const int k = std::countr_zero(mask);
+            if ((world.items[block.item[k]].visible & kinds) == 0) continue;
+            const glm::dvec3 center(block.x[k], block.y[k], block.z[k]);
+            query.solid(block.item[k], rays_of_groups(first, last), [&](int i) {
+                const auto inverse_a = lanes::Double::load_aligned(rays.inverse_a.data() + i);
+                return lanes::sphere_roots(lanes::difference(rays.origins(i), center), rays.directions(i), inverse_a,
+                                           block.radius[k]);
+            });
+        }
+    }
+
+    void each(std::uint32_t item, int ray) const
+    {
+        if ((world.items[item].visible & kinds) != 0 && !(rays.limit[static_cast<std::size_t>(ray)] < 0.0))
+            query.each(item, ray);
+    }
+};
+
+}  // namespace csg

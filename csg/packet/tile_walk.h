@@ -1,0 +1,93 @@
+#pragma once
+
+#include "csg/packet/beam.h"
+
+/// A tile through the hierarchy. Compiled once per instruction set.
+namespace csg {
+
+/// Walks for the whole tile at once, nearest box first, up to a budget of leaf blocks; then each group of eight rays
+/// goes on alone from the stack as it stands (a beam that sees hundreds of small things is slower than packets).
+/// leaf(child, lower, upper, first group, last group) opens a block and lowers rays.limit.
+template <class Rays, class Leaf>
+class TileWalk {
+public:
+    TileWalk(const Bvh& bvh, const Beam& beam, const Rays& rays, std::uint32_t kinds, Leaf& leaf)
+        : bvh_(bvh), beam_(beam), rays_(rays), kinds_(kinds), leaf_(leaf)
+    {}
+
+    void run()
+    {
+        if (bvh_.nodes.empty()) return;
+        stack_[0] = {ChildWord::node(0), 0, -std::numeric_limits<float>::infinity()};
+        const int left = walk(stack_, 1, 0, rays_.groups, kBeamBlocks);
+        if (left == 0) return;
+        Entry own[kBvhStack];
+        for (int g = 0; g < rays_.groups; ++g) {
+            std::copy(stack_, stack_ + left, own);
+            walk(own, left, g, g + 1, std::numeric_limits<int>::max());
+        }
+    }
+
+private:
+    static constexpr int kBeamBlocks = 32;
+
+    struct Entry {
+        ChildWord child;
+        std::uint32_t slot;  ///< node * 8 + place: where its box is
+        float near;
+    };
+
+    /// Until the stack is empty or the budget is used up; returns what is left on the stack.
+    int walk(Entry* stack, int top, int first, int last, int budget)
+    {
+        const bool packet = last - first == 1;
+        float limit = rounded_up(rays_.farthest(first, last));
+        while (top > 0 && limit >= 0.0f) {
+            if (budget == 0) return top;
+            const Entry entry = stack[--top];
+            if (!(entry.near <= limit)) continue;
+            if (entry.child.is_leaf()) {
+                --budget;
+                leaf_(entry.child, corner(entry.slot, 0), corner(entry.slot, 3), first, last);
+                limit = rounded_up(rays_.farthest(first, last));
+            } else {
+                top = push_children(entry.child.index(), stack, top, limit, packet ? first : -1);
+            }
+        }
+        return 0;
+    }
+
+    int push_children(std::uint32_t index, Entry* stack, int top, float limit, int packet)
+    {
+        const BvhNode& node = bvh_.nodes[index];
+        alignas(32) float near[8];
+        const int bottom = top;
+        for (std::uint32_t mask = beam_.meet(node.bounds, limit, near); mask != 0; mask &= mask - 1) {
+            const auto i = static_cast<std::uint32_t>(std::countr_zero(mask));
+            if ((node.kinds[i] & kinds_) == 0) continue;
+            const Entry made{node.child[i], index * 8 + i, near[i]};
+            if (packet >= 0 &&
+                rays_.meet(corner(made.slot, 0), corner(made.slot, 3), rays_of_groups(packet, packet + 1)) == 0)
+                continue;
+            int at = top++;
+            for (; at > bottom && stack[at - 1].near < made.near; --at) stack[at] = stack[at - 1];
+            stack[at] = made;
+        }
+        return top;
+    }
+
+    glm::dvec3 corner(std::uint32_t slot, int row) const
+    {
+        const auto& bounds = bvh_.nodes[slot / 8].bounds;
+        return {bounds[row][slot % 8], bounds[row + 1][slot % 8], bounds[row + 2][slot % 8]};
+    }
+
+    const Bvh& bvh_;
+    const Beam& beam_;
+    const Rays& rays_;
+    std::uint32_t kinds_;
+    Leaf& leaf_;
+    Entry stack_[kBvhStack];
+};
+
+}  // namespace csg

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "csg/solids/common.h"
+
+namespace csg {
+
+/// Axis y, y^2 + (sqrt(x^2 + z^2) - major)^2 <= minor^2, in its own frame. A spindle torus (minor > major) also draws
+/// the inner sheet, inside the solid (spec 5a, 5.7). It holds its surface, its inverse does not.
+struct Torus {
+    double major = 1.0, minor = 0.25;  ///< both positive
+    Transform frame;                   ///< local to world
+
+    bool spindle() const { return minor > major; }
+
+    /// Signed: negative inside. For a spindle negative on both sides of the inner sheet.
+    double distance_like(const glm::dvec3& p) const
+    {
+        const double rho = std::sqrt(p.x * p.x + p.z * p.z) - major;
+        return rho * rho + (p.y - minor) * (p.y + minor);
+    }
+
+    /// All crossings of both sheets in order, at most 4; an even number for a true torus.
+    int roots(const Ray& ray, double (&out)[4]) const;
+
+    void intersect(const Ray& ray, SpanList& out) const;
+    /// Parameters where the inner sheet of a spindle is crossed: drawn, but no end of a span.
+    int inner_sheet(const Ray& ray, double (&out)[4]) const;
+
+    bool contains(const glm::dvec3& p) const { return distance_like(frame.inverse_point(p)) <= 0.0; }
+    bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
+    glm::dvec3 normal(const glm::dvec3& p, std::uint32_t) const
+    {
+        const glm::dvec3 l = frame.inverse_point(p);
+        const double rho = std::sqrt(l.x * l.x + l.z * l.z);
+        const double k = rho > 0.0 ? 1.0 - major / rho : 1.0;
+        return unit_or_x(frame.normal({k * l.x, l.y, k * l.z}));
+    }
+    Aabb bounds() const;
+    glm::dvec2 uv(const glm::dvec3& p, std::uint32_t) const;  ///< spec 5a, 6
+
+    static constexpr bool kClosed = true, kInverseClosed = false;
+
+private:
+    bool on_inner_sheet(const glm::dvec3& local) const;
+};
+
+}  // namespace csg
+
+#include "csg/solids/torus/torus_roots.h"

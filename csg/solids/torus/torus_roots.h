@@ -1,0 +1,225 @@
+#pragma once
+
+// Continues torus.h: the inline solver.
+#include "csg/solids/torus/torus.h"
+#include "csg/solids/torus/torus_quartic.h"
+
+namespace csg {
+
+namespace detail {
+
+/// Root of a function with opposite signs at lo and hi: Newton, kept inside the bracket by bisection, until it moves by
+/// no more than `close`.
+template <class Function>
+double bracketed_root(const Function& f, double lo, double hi, bool negative_at_lo, double close)
+{
+    double t = 0.5 * (lo + hi);
+    for (int i = 0; i < 80; ++i) {
+        double value = 0.0, slope = 0.0;
+        f(t, value, slope);
+        if (value == 0.0) return t;
+        ((value < 0.0) == negative_at_lo ? lo : hi) = t;
+        double next = t - value / slope;
+        if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+        if (next == t || next == lo || next == hi) return next;
+        const double moved = std::abs(next - t);
+        t = next;
+        if (moved <= close) return t;
+    }
+    return t;
+}
+
+/// Turns of the quartic inside (lo, hi), in order: they separate its roots. How far they are off costs only its square.
+inline int torus_turns(const TorusRay<>& torus, double lo, double hi, double (&out)[3])
+{
+    const double close = 1e-10 * (hi - lo);
+    const auto slope = [&](double t, double& value, double& derivative) {
+        value = torus.derivative(t);
+        derivative = 2.0 * torus.square + 12.0 * t * t;
+    };
+    double ends[4] = {lo, hi, hi, hi};
+    int n = 1;
+    if (torus.square < 0.0) {
+        const double bend = std::sqrt(torus.square / -6.0);
+        if (-bend > lo && -bend < hi) ends[n++] = -bend;
+        if (bend > lo && bend < hi) ends[n++] = bend;
+    }
+    ends[n] = hi;
+    int found = 0;
+    double before = torus.derivative(lo);
+    for (int i = 0; i < n; ++i) {
+        const double after = torus.derivative(ends[i + 1]);
+        if ((before < 0.0) != (after < 0.0))
+            out[found++] = bracketed_root(slope, ends[i], ends[i + 1], before < 0.0, close);
+        before = after;
+    }
+    return found;
+}
+
+/// Crossings in (lo, hi) by sign changes between the turns: sure, but slower than by factors.
+inline int torus_by_search(const TorusRay<>& torus, double lo, double hi, double (&out)[4])
+{
+    double turns[3];
+    double ends[5] = {lo, hi, hi, hi, hi};
+    const int n = torus_turns(torus, lo, hi, turns);
+    for (int i = 0; i < n; ++i) ends[i + 1] = turns[i];
+    ends[n + 1] = hi;
+    const auto surface = [&](double t, double& value, double& slope) { torus.sheets(t, value, slope); };
+    int found = 0;
+    double before = 0.0, unused = 0.0;
+    torus.sheets(lo, before, unused);
+    for (int i = 0; i <= n && found < 4; ++i) {
+        double after = 0.0;
+        torus.sheets(ends[i + 1], after, unused);
+        if ((before < 0.0) != (after < 0.0))
+            out[found++] = bracketed_root(surface, ends[i], ends[i + 1], before < 0.0, 1e-17);
+        before = after;
+    }
+    return found & ~1;  // an odd count would swap inside and outside for the rest of the ray
+}
+
+/// The power of two that brings a length into [1/2, 1): scaling by it is exact.
+inline double scale_to_one(double length)
+{
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(length) >> 52;
+    if (exponent < 64 || exponent > 1980) return std::ldexp(1.0, -std::ilogb(length) - 1);
+    return std::bit_cast<double>((2045 - exponent) << 52);
+}
+
+/// Where rays may meet a torus: about the foot of the perpendicular, scaled.
+template <class Ops>
+struct TorusCourse {
+    using T = typename Ops::Number;
+
+    TorusRay<Ops> ray;
+    T shift, rest, length;  ///< t = (shift + (rest + root / scale)) / length
+    T lo, hi;               ///< roots lie between, scaled
+    double scale;
+    typename Ops::Bool possible;  ///< false: it is clear of the torus
+
+    T t(T root) const { return (shift + (rest + root * T(1.0 / scale))) / length; }
+};
+
+/// Of |direction|^2: whether the rays come near the sphere around the torus. Most that miss end here, before any square
+/// root. In the torus' own frame.
+template <class Ops>
+inline typename Ops::Bool near_torus(const Torus& torus, const typename Ops::Number (&o)[3],
+                                     const typename Ops::Number (&d)[3], typename Ops::Number length2)
+{
+    using T = typename Ops::Number;
+    const double outer = torus.major + torus.minor;
+    const T foot = (o[0] * d[0] + o[1] * d[1] + o[2] * d[2]) / length2;
+    const T x = o[0] - foot * d[0], y = o[1] - foot * d[1], z = o[2] - foot * d[2];
+    const T limit = T(outer * outer * (1.0 + 1e-6)) + T(1e-12) * (o[0] * o[0] + o[1] * o[1] + o[2] * o[2]);
+    return Ops::both(Ops::both(length2 > T(0.0), length2 < T(kInfinity)), x * x + y * y + z * z <= limit);
+}
+
+/// Sets rays up that are near_torus().
+template <class Ops>
+inline TorusCourse<Ops> torus_course(const Torus& torus, const typename Ops::Number (&o)[3],
+                                     const typename Ops::Number (&direction)[3], typename Ops::Number length2)
+{
+    using T = typename Ops::Number;
+    const double outer = torus.major + torus.minor;
+    TorusCourse<Ops> out;
+    out.length = Ops::sqrt(length2);
+    const T dx = direction[0] / out.length, dy = direction[1] / out.length, dz = direction[2] / out.length;
+    // Foot of the perpendicular, with one correction; what is left over is added to the roots, not to the shift.
+    out.shift = T(0.0) - (o[0] * dx + o[1] * dy + o[2] * dz);
+    T px = o[0] + out.shift * dx, py = o[1] + out.shift * dy, pz = o[2] + out.shift * dz;
+    out.rest = T(0.0) - (px * dx + py * dy + pz * dz);
+    px = px + out.rest * dx;
+    py = py + out.rest * dy;
+    pz = pz + out.rest * dz;
+    const T distance = Ops::sqrt(px * px + py * py + pz * pz);
+    const T room = (T(outer) - distance) * (T(outer) + distance);
+    const T half = Ops::sqrt(room) * T(1.0 + 1e-12);  // a little more: the ends must lie outside
+    T lo = T(0.0) - half, hi = half;
+    const typename Ops::Bool crosses = dy != T(0.0);
+    const T inverse = T(1.0) / dy, reach = Ops::abs(T(torus.minor) * inverse), middle = (T(0.0) - py) * inverse;
+    const T low = middle - reach, high = middle + reach;
+    lo = Ops::pick(Ops::both(crosses, lo < low), low, lo);
+    hi = Ops::pick(Ops::both(crosses, high < hi), high, hi);
+    out.possible =
+        Ops::both(Ops::both(room > T(0.0), lo <= hi), Ops::either(crosses, !(Ops::abs(py) > T(torus.minor))));
+
+    out.scale = scale_to_one(outer);
+    const T scale(out.scale);
+    out.ray = {px * scale, py * scale, pz * scale, dx, dy, dz, torus.major * out.scale, torus.minor * out.scale};
+    out.ray.expand();
+    lo = lo * scale;
+    hi = hi * scale;
+    const T margin = T(1e-9) * (hi - lo) + T(1e-14);
+    out.lo = lo - margin;
+    out.hi = hi + margin;
+    out.possible = Ops::both(out.possible, !out.ray.misses(out.lo, out.hi));
+    return out;
+}
+
+/// A thinner tube, or a spindle's inner sheet, asks for the search.
+inline bool factors_serve(const Torus& torus)
+{
+    constexpr double kThin = 1e-3;
+    return torus.major > 0.0 && torus.minor > kThin * torus.major && !torus.spindle();
+}
+
+}  // namespace detail
+
+inline int Torus::roots(const Ray& ray, double (&out)[4]) const
+{
+    using detail::OneRay;
+    if (!(major > 0.0 && minor > 0.0)) return 0;
+    const Ray local = local_ray(frame, ray);
+    const double o[3] = {local.origin.x, local.origin.y, local.origin.z};
+    const double d[3] = {local.direction.x, local.direction.y, local.direction.z};
+    const double length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    if (!detail::near_torus<OneRay>(*this, o, d, length2)) return 0;
+    const detail::TorusCourse<OneRay> course = detail::torus_course<OneRay>(*this, o, d, length2);
+    if (!course.possible) return 0;
+    int found = -1;
+    if (detail::factors_serve(*this)) {
+        const auto factors = detail::torus_by_factors(course.ray);
+        if (factors.safe) {
+            found = factors.four ? 4 : factors.two ? 2 : 0;
+            for (int i = 0; i < found; ++i) out[i] = factors.roots[i];
+        }
+    }
+    if (found < 0) found = detail::torus_by_search(course.ray, course.lo, course.hi, out);
+    for (int i = 0; i < found; ++i) out[i] = course.t(out[i]);
+    return found;
+}
+
+inline bool Torus::on_inner_sheet(const glm::dvec3& l) const
+{
+    // On the inner sheet (rho + major)^2 + y^2 = minor^2; on the outer one (rho - major)^2 + y^2 = minor^2.
+    const double rho = std::sqrt(l.x * l.x + l.z * l.z), y = (l.y - minor) * (l.y + minor);
+    return std::abs((rho + major) * (rho + major) + y) < std::abs((rho - major) * (rho - major) + y);
+}
+
+inline void Torus::intersect(const Ray& ray, SpanList& out) const
+{
+    double t[4];
+    const int n = roots(ray, t);
+    if (!spindle()) {
+        for (int i = 0; i + 1 < n; i += 2) out.push({{.t = t[i]}, {.t = t[i + 1]}});
+        return;
+    }
+    if (n == 0) return;
+    double outer[4];
+    int kept = 0;
+    for (int i = 0; i < n; ++i)
+        if (!on_inner_sheet(frame.inverse_point(ray.at(t[i])))) outer[kept++] = t[i];
+    for (int i = 0; i + 1 < kept; i += 2) out.push({{.t = outer[i]}, {.t = outer[i + 1]}});
+}
+
+inline int Torus::inner_sheet(const Ray& ray, double (&out)[4]) const
+{
+    double t[4];
+    const int n = spindle() ? roots(ray, t) : 0;
+    int kept = 0;
+    for (int i = 0; i < n; ++i)
+        if (on_inner_sheet(frame.inverse_point(ray.at(t[i])))) out[kept++] = t[i];
+    return kept;
+}
+
+}  // namespace csg

@@ -1,0 +1,215 @@
+#pragma once
+
+// The crossings of a boolean form; inline because it is compiled once per instruction set.
+#include "csg/tree/evaluate.h"
+#include "csg/tree/product_intersector.h"
+
+namespace csg {
+
+/// One ray through a tree: the ends of all leaves in order, and at each which leaves hold the point behind it. Ends
+/// that lie in one place are left to the general evaluation.
+class BooleanWalk {
+public:
+    BooleanWalk(const Program& program, const SolidStore& store, const Ray& ray, double t_min, double t_max,
+                Scratch& scratch)
+        : program_(program), form_(program.boolean), store_(store), ray_(ray), inverse_(1.0 / ray.direction),
+          t_min_(t_min), t_max_(t_max), scratch_(scratch)
+    {
+        scratch.prepare(program);
+        const glm::dvec3 o = glm::abs(ray.origin), d = glm::abs(ray.direction);
+        reach_ = glm::max(o.x, glm::max(o.y, o.z)) / glm::max(d.x, glm::max(d.y, d.z));
+    }
+
+    ProductAnswer nearest(Crossing& out)
+    {
+        ProductAnswer answer = ProductAnswer::Nothing;
+        const bool decided = walk([&](const Crossing& c) {
+            out = c;
+            answer = ProductAnswer::Found;
+            return false;
+        });
+        return decided ? answer : ProductAnswer::Undecided;
+    }
+
+    /// f(Crossing) for every crossing in range, nearest first. False: undecided, after some of them perhaps.
+    template <class F>
+    bool crossings(F&& f)
+    {
+        return walk([&](const Crossing& c) {
+            f(c);
+            return true;
+        });
+    }
+
+private:
+    struct End {
+        double t;
+        std::uint32_t face;
+        std::uint32_t leaf;
+    };
+
+    double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
+
+    /// Calls f(crossing) in order until it returns false. False: two ends are in one place.
+    template <class F>
+    bool walk(F&& f)
+    {
+        if (!find_ends()) return true;
+        std::uint32_t i = 0;
+        while (i < count_ && ends_[i].t < t_min_) ++i;
+        for (; i < count_ && ends_[i].t <= t_max_; ++i) {
+            const End& end = ends_[i];
+            const BooleanLeaf& leaf = form_.leaves[end.leaf];
+            state_ ^= std::uint64_t{1} << end.leaf;
+            if (leaf.drawn && end.face != kUndrawnFace) {
+                if (shares_place(i)) return false;
+                if (seen(leaf) && !f({.t = end.t,
+                                      .part = leaf.solid,
+                                      .face = end.face,
+                                      .inverted = leaf.normal_flipped,
+                                      .closed = leaf.closed}))
+                    return true;
+            } else if (shares_place(i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Whether an end of another leaf is in the same place.
+    bool shares_place(std::uint32_t i) const
+    {
+        const double room = slack(ends_[i].t);
+        for (std::uint32_t k = i; k-- > 0 && ends_[i].t - ends_[k].t <= room;)
+            if (ends_[k].leaf != ends_[i].leaf) return true;
+        for (std::uint32_t k = i + 1; k < count_ && ends_[k].t - ends_[i].t <= room; ++k)
+            if (ends_[k].leaf != ends_[i].leaf) return true;
+        return false;
+    }
+
+    bool seen(const BooleanLeaf& leaf) const
+    {
+        if ((leaf.inside & ~state_) != 0 || (leaf.outside & state_) != 0) return false;
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+            if (holds(form_.conditions[k].node) != form_.conditions[k].inside) return false;
+        return true;
+    }
+
+    /// Whether the point at hand is inside of the subtree at node i.
+    bool holds(std::uint32_t i) const
+    {
+        const Node& node = program_.nodes[i];
+        if (node.op == Op::Leaf) return (state_ >> form_.first_leaf[i] & 1) != 0;
+        const bool all = node.op == Op::Intersection || node.op == Op::Clip;
+        for (std::uint32_t k = i + 1; k < node.end; k = program_.nodes[k].end)
+            if (holds(k) != all) return !all;
+        return all;
+    }
+
+    /// Ends of all leaves in order, and the leaves that hold the ray before the first of them in range. False: nothing
+    /// is met.
+    bool find_ends()
+    {
+        count_ = 0;
+        state_ = 0;
+        if (!add_node(0)) return false;
+        for (std::uint32_t i = 1; i < count_; ++i) {
+            const End end = ends_[i];
+            std::uint32_t at = i;
+            for (; at > 0 && ends_[at - 1].t > end.t; --at) ends_[at] = ends_[at - 1];
+            ends_[at] = end;
+        }
+        return true;
+    }
+
+    /// Adds the ends of a subtree. False: it holds nothing of the range and draws nothing there; none is left then.
+    bool add_node(std::uint32_t i)
+    {
+        const Node& node = program_.nodes[i];
+        if (!meets(node)) return set_all(i, node.inside_beyond);
+        if (node.op == Op::Leaf) return add_leaf(form_.first_leaf[i]);
+        const bool both = node.op == Op::Intersection || node.op == Op::Clip;
+        const std::uint32_t mark = count_;
+        bool some = both;
+        for (std::uint32_t k = i + 1; k < node.end; k = program_.nodes[k].end) {
+            const bool met = add_node(k);
+            if (both && !met) {
+                count_ = mark;
+                return set_all(i, false);
+            }
+            some = some || met;
+        }
+        return some;
+    }
+
+    /// All leaves of a subtree hold the range, or none does: so does the subtree.
+    bool set_all(std::uint32_t i, bool inside)
+    {
+        const std::uint32_t first = form_.first_leaf[i], last = form_.first_leaf[program_.nodes[i].end];
+        const std::uint64_t below = last < BooleanForm::kMostLeaves ? (std::uint64_t{1} << last) - 1
+                                                                    : ~std::uint64_t{0};
+        const std::uint64_t bits = below & ~((std::uint64_t{1} << first) - 1);
+        state_ = inside ? state_ | bits : state_ & ~bits;
+        return inside;
+    }
+
+    bool add_leaf(std::uint32_t which)
+    {
+        const BooleanLeaf& leaf = form_.leaves[which];
+        SpanList spans(scratch_.spans_.get(), program_.nodes[leaf.node].max_spans);
+        with_solid(store_, leaf.solid, [&](const auto& solid) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(solid)>, Freeform>) {
+                if (!scratch_.fetched.spans(&solid, t_min_, t_max_, spans)) solid.spans(ray_, t_min_, t_max_, spans);
+            } else if constexpr (!std::is_same_v<std::decay_t<decltype(solid)>, Mesh>) {
+                intersect(solid, ray_, spans);
+            }
+        });
+        bool inside = false, reached = false;
+        for (const Span& span : spans) {
+            if (span.out.t < t_min_ - slack(t_min_) || span.in.t > t_max_ + slack(t_max_)) continue;
+            reached = true;
+            inside = inside || (span.in.t < t_min_ && span.out.t >= t_min_);
+            add_end({span.in.t, span.in.face, which});
+            add_end({span.out.t, span.out.face, which});
+        }
+        if (inside != leaf.inverted) state_ |= std::uint64_t{1} << which;
+        return reached || leaf.inverted;
+    }
+
+    void add_end(const End& end)
+    {
+        if (end.t > -kInfinity && end.t < kInfinity) ends_[count_++] = end;
+    }
+
+    /// Whether the line from the ray's origin on, to the end of the range, meets the node's box.
+    bool meets(const Node& node) const
+    {
+        if (!node.test_box) return true;
+        double first = t_min_, last = t_max_;
+        for (int i = 0; i < 3; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const bool backward = std::signbit(inverse_[i]);
+            const double a = (static_cast<double>(backward ? node.upper[k] : node.lower[k]) - ray_.origin[i]) *
+                             inverse_[i];
+            const double b = (static_cast<double>(backward ? node.lower[k] : node.upper[k]) - ray_.origin[i]) *
+                             inverse_[i];
+            if (a > first) first = a;  // NaN keeps what was there
+            if (b < last) last = b;
+        }
+        return first <= last + kCoincidence * std::abs(last);
+    }
+
+    const Program& program_;
+    const BooleanForm& form_;
+    const SolidStore& store_;
+    const Ray& ray_;
+    const glm::dvec3 inverse_;
+    double t_min_, t_max_;
+    double reach_ = 0.0;
+    Scratch& scratch_;
+    std::uint64_t state_ = 0;
+    std::uint32_t count_ = 0;
+    End ends_[2 * BooleanForm::kMostSpans];
+};
+
+}  // namespace csg

@@ -1,0 +1,273 @@
+#include "csg/tree/program.h"
+
+#include "csg/solids/shared/polyhedron_box.h"
+#include "csg/solids/shared/quadric_box.h"
+
+#include <cmath>
+#include <optional>
+
+namespace csg {
+
+namespace {
+
+/// A tree without Difference and without inversion above the leaves.
+struct Draft {
+    Op op = Op::Leaf;
+    std::vector<Draft> operands = {};
+    PartId solid = kNoPart;
+    bool inverted = false;
+    Aabb box = {};
+    std::optional<Plane> half_space = {};  ///< a plane's leaf, turned round if inverted
+    bool inside_beyond = false;
+};
+
+bool apart(const Aabb& a, const Aabb& b) { return a.intersected(b).empty(); }
+
+/// Whether a solid has an inside at all.
+template <class T>
+bool bounds_space(const T& solid)
+{
+    if constexpr (std::is_same_v<T, Mesh>) return solid.solid();
+    else if constexpr (std::is_same_v<T, Freeform>) return !solid.surface();
+    else return !std::is_same_v<T, Triangle>;
+}
+
+Draft leaf(PartId part, bool inverted, const SolidStore& store)
+{
+    Draft made{.solid = part, .inverted = inverted};
+    with_solid(store, part, [&](const auto& solid) {
+        using T = std::decay_t<decltype(solid)>;
+        if constexpr (std::is_same_v<T, Plane>) {  // the other half-space is as good a solid
+            made.half_space = inverted ? Plane{-solid.normal_out, -solid.offset} : solid;
+            made.box = made.half_space->bounds();
+        } else {
+            made.box = solid.bounds();
+            made.inside_beyond = inverted && bounds_space(solid);
+        }
+    });
+    return made;
+}
+
+/// Box of an intersection whose operands' boxes leave some axis open.
+Aabb closed_box(const Draft& draft, const SolidStore& store)
+{
+    std::vector<Plane> planes;
+    for (const Draft& operand : draft.operands)
+        if (operand.half_space) planes.push_back(*operand.half_space);
+    Aabb box = polyhedron_box(planes, draft.box);
+    for (const Draft& operand : draft.operands)
+        if (operand.op == Op::Leaf && !operand.inverted && kind_of(operand.solid) == SolidKind::Quadric)
+            box = quadric_box(store.all<Quadric>()[index_of(operand.solid)], planes, box);
+    return box;
+}
+
+/// Box and what lies beyond it, from the operands'.
+void enclose(Draft& draft, const SolidStore& store)
+{
+    if (draft.op == Op::Guard) {
+        draft.box = draft.operands[0].box;
+        draft.inside_beyond = draft.operands[0].inside_beyond;
+        return;
+    }
+    const bool both = draft.op == Op::Intersection || draft.op == Op::Clip;
+    Aabb hull, common = Aabb::everything();
+    bool any_beyond = false, all_beyond = true;
+    for (const Draft& operand : draft.operands) {
+        hull.include(operand.box);
+        any_beyond = any_beyond || operand.inside_beyond;
+        all_beyond = all_beyond && operand.inside_beyond;
+        if (!operand.inside_beyond) common = common.intersected(operand.box);
+    }
+    draft.inside_beyond = both ? all_beyond : any_beyond;
+    draft.box = both && !all_beyond ? common : hull;
+    if (both && !draft.box.empty() && !draft.box.finite()) draft.box = closed_box(draft, store);
+    if (draft.box.empty()) draft.box = Aabb{};
+}
+
+/// Operands of an intersection that hold all of it and draw nothing in it: subtrahends elsewhere.
+void drop_useless(Draft& draft)
+{
+    if (draft.op == Op::Intersection && !draft.inside_beyond)
+        std::erase_if(draft.operands,
+                      [&](const Draft& operand) { return operand.inside_beyond && apart(operand.box, draft.box); });
+    if (draft.op == Op::Union || draft.op == Op::Merge)
+        std::erase_if(draft.operands,
+                      [](const Draft& operand) { return !operand.inside_beyond && operand.box.empty(); });
+}
+
+/// Operands of the same operator join their parent. An intersection reverses the crossings of its operands, so the
+/// operands of one inside another join in reverse: which of two coincident faces is last stays the same.
+void join(Draft& draft, Draft operand)
+{
+    if (operand.op != draft.op || draft.op == Op::Clip || draft.op == Op::Guard || draft.op == Op::Merge) {
+        draft.operands.push_back(std::move(operand));
+        return;
+    }
+    if (draft.op == Op::Intersection) std::reverse(operand.operands.begin(), operand.operands.end());
+    for (Draft& inner : operand.operands) draft.operands.push_back(std::move(inner));
+}
+
+/// How often a tree was turned inside out, its parents' turns counted.
+struct Turns {
+    bool inverted = false, ever = false;
+    Turns turned(bool again) const { return again ? Turns{!inverted, true} : *this; }
+};
+
+Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store);
+
+Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store)
+{
+    const bool inverted = turns.inverted;
+    if (tree.op == Tree::Op::Leaf) return leaf(tree.solid, inverted, store);
+    Draft made;
+    const bool unites = tree.op == Tree::Op::Union || tree.op == Tree::Op::Merge;
+    if (unites)
+        made.op = inverted                                    ? Op::Intersection
+                  : tree.op == Tree::Op::Union && !turns.ever ? Op::Union
+                                                              : Op::Merge;  // twice turned it has no inner surfaces
+    else made.op = inverted ? Op::Merge : Op::Intersection;
+    for (std::size_t i = 0; i < tree.operands.size(); ++i) {
+        const bool subtracted = tree.op == Tree::Op::Difference && i > 0;
+        join(made, draft_of(tree.operands[i], turns.turned(subtracted), store));
+    }
+    enclose(made, store);
+    drop_useless(made);
+    if (made.operands.size() == 1) {
+        Draft only = std::move(made.operands.front());
+        return only;
+    }
+    return made;
+}
+
+/// The shape with others that do something to it and are not drawn.
+Draft under(Op op, Draft shape, const std::vector<Tree>& others, const SolidStore& store)
+{
+    if (others.empty()) return shape;
+    Draft made{.op = op};
+    made.operands.push_back(std::move(shape));
+    for (const Tree& other : others) made.operands.push_back(draft_of(other, {}, store));
+    enclose(made, store);
+    return made;
+}
+
+Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store)
+{
+    Draft clipped = under(Op::Clip, shape_of(tree, turns.turned(tree.inverse), store), tree.clips, store);
+    return under(Op::Guard, std::move(clipped), tree.bounds, store);
+}
+
+float down(double v)
+{
+    const float f = static_cast<float>(v);
+    return static_cast<double>(f) > v ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+}
+
+float up(double v)
+{
+    const float f = static_cast<float>(v);
+    return static_cast<double>(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+}
+
+bool box_worth_testing(const Draft& draft)
+{
+    if (draft.op != Op::Leaf) return true;
+    const SolidKind kind = kind_of(draft.solid);
+    return kind == SolidKind::Torus || kind == SolidKind::Quadric || kind == SolidKind::Cone ||
+           kind == SolidKind::Cylinder || kind == SolidKind::OrientedBox || kind == SolidKind::Ellipsoid ||
+           kind == SolidKind::Mesh || kind == SolidKind::Extrusion || kind == SolidKind::Freeform;
+}
+
+std::uint32_t leaf_spans(PartId part, const SolidStore& store)
+{
+    return with_solid(store, part, [](const auto& solid) -> std::uint32_t {
+        if constexpr (requires { solid.most_spans(); }) return solid.most_spans();
+        else return 3;
+    });
+}
+
+std::uint32_t leaf_crossings(PartId part, const SolidStore& store)
+{
+    return with_solid(store, part, [](const auto& solid) -> std::uint32_t {
+        if constexpr (requires { solid.most_crossings(); }) return solid.most_crossings();
+        else return 8;
+    });
+}
+
+/// Appends the draft's nodes; returns how many spans it may have.
+std::uint32_t flatten(const Draft& draft, const SolidStore& store, Program& program)
+{
+    const std::size_t at = program.nodes.size();
+    program.nodes.emplace_back();
+    std::uint32_t max_spans = 1;
+    if (draft.op == Op::Leaf) max_spans = leaf_spans(draft.solid, store);
+    for (const Draft& operand : draft.operands) max_spans += flatten(operand, store, program);
+    Node& node = program.nodes[at];
+    for (int i = 0; i < 3; ++i) {
+        node.lower[static_cast<std::size_t>(i)] = down(draft.box.lower[i]);
+        node.upper[static_cast<std::size_t>(i)] = up(draft.box.upper[i]);
+    }
+    node.end = static_cast<std::uint32_t>(program.nodes.size());
+    node.solid = draft.solid;
+    node.max_spans = max_spans;
+    node.op = draft.op;
+    node.inverted = draft.inverted;
+    node.inside_beyond = draft.inside_beyond;
+    node.test_box = box_worth_testing(draft);
+    program.span_memory += 3 * max_spans;  // an operator's operand and two buffers, or a leaf's own
+    program.crossing_memory += draft.op == Op::Leaf ? leaf_crossings(draft.solid, store) : 0;
+    return max_spans;
+}
+
+/// Whether p is inside node i.
+bool contains(const std::vector<Node>& nodes, std::uint32_t i, const SolidStore& store, const glm::dvec3& p)
+{
+    const Node& node = nodes[i];
+    if (node.op == Op::Leaf)
+        return with_solid(store, node.solid, [&](const auto& solid) {
+            return node.inverted ? solid.contains_inverted(p) : solid.contains(p);
+        });
+    if (node.op == Op::Guard) return contains(nodes, i + 1, store, p);
+    const bool both = node.op == Op::Intersection || node.op == Op::Clip;
+    for (std::uint32_t k = i + 1; k < node.end; k = nodes[k].end)
+        if (contains(nodes, k, store, p) != both) return !both;
+    return both;
+}
+
+}  // namespace
+
+Program build(const Tree& tree, const SolidStore& store)
+{
+    const Draft draft = draft_of(tree, {}, store);
+    Program program;
+    if (draft.op != Op::Leaf && draft.operands.empty()) return program;
+    if (draft.op == Op::Leaf && draft.solid == kNoPart) return program;
+    flatten(draft, store, program);
+    program.bounds = draft.box;
+    program.inside_beyond = draft.inside_beyond;
+    program.products = sum_of_products(program, store);
+    program.boolean = boolean_form(program, store);
+    return program;
+}
+
+void Scratch::grow(const Program& program)
+{
+    span_capacity_ = std::max<std::size_t>(span_capacity_, program.span_memory);
+    crossing_capacity_ = std::max<std::size_t>(crossing_capacity_, program.crossing_memory);
+    record_capacity_ = std::max(record_capacity_, program.nodes.size());
+    spans_ = std::make_unique<Span[]>(span_capacity_);
+    crossings_ = std::make_unique<Crossing[]>(crossing_capacity_);
+    records_ = std::make_unique<Record[]>(record_capacity_);
+}
+
+void Scratch::grow_pieces(std::size_t count)
+{
+    piece_capacity_ = count;
+    pieces_ = std::make_unique<ProductPiece[]>(count);
+}
+
+bool contains(const Program& program, const SolidStore& store, const glm::dvec3& p)
+{
+    return !program.nodes.empty() && contains(program.nodes, 0, store, p);
+}
+
+}  // namespace csg

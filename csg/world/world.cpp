@@ -1,0 +1,472 @@
+#include "csg/world/world.h"
+
+#include "csg/world/spawn_epsilon.h"
+#include "csg/base/reach.h"
+#include "csg/packet/shaft.h"
+#include "csg/packet/tile_clusters.h"
+#include "csg/packet/tile_crossings.h"
+#include "csg/bvh/traverse.h"
+#include "csg/world/world_item.h"
+
+#include <algorithm>
+
+namespace csg {
+namespace {
+
+/// What a leaf block means to a query: calls each(item index) for the members that must be asked one by one, and
+/// sphere(item index, near, far) for spheres already intersected.
+template <class Each, class EachSphere>
+inline void open_block(const WorldData& world, ChildWord leaf, const Ray& ray, Each&& each, EachSphere&& sphere)
+{
+    switch (leaf.kind()) {
+    case LeafKind::Item: each(leaf.index()); return;
+    case LeafKind::Triangles:
+        for (std::uint32_t k = world.bvh.triangle_first[leaf.index()]; k < world.bvh.triangle_first[leaf.index() + 1];
+             ++k)
+            each(world.bvh.triangle_members[k]);
+        return;
+    case LeafKind::Spheres: {
+        alignas(64) double near[8], far[8];
+        const SphereBlock& block = world.spheres[leaf.index()];
+        for (std::uint32_t mask = sphere_block(block, ray, near, far); mask != 0; mask &= mask - 1) {
+            const int k = std::countr_zero(mask);
+            if (near[k] <= far[k]) sphere(block.item[k], near[k], far[k]);
+        }
+        return;
+    }
+    }
+}
+
+/// One shadow ray: how it ends, and keep(hit) for every crossing of a transparent surface until an opaque one is met.
+template <class Keep>
+inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, double t_max, Scratch& scratch,
+                          Keep&& keep)
+{
+    scratch.cancel.look();
+    Shadow found = Shadow::Clear;
+    const RaySlabs slabs(ray);
+    const auto meet = [&](const Hit& hit) {
+        if (world.faithful && !reach_of(world, hit).holds(hit.t)) return;
+        if (world.surface_opaque[hit.surface] != 0) {
+            found = Shadow::Blocked;
+        } else {
+            if (found == Shadow::Clear) found = Shadow::Filtered;
+            keep(hit);
+        }
+    };
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & world.shadow_kinds) == 0) return;
+        if (item.all_opaque && !world.faithful) {
+            if (item_nearest(world, item, ray, t_min, t_max, scratch, &slabs, t_max).found()) found = Shadow::Blocked;
+            return;
+        }
+        item_crossings(world, item, ray, t_min, t_max, scratch, &slabs, meet);
+    };
+    const auto sphere = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & world.shadow_kinds) == 0) return;
+        const SurfaceId surface = world.store.surface(item.solid);
+        if (near >= t_min && near <= t_max) meet({near, surface, item.solid, 0, false});
+        if (far >= t_min && far <= t_max) meet({far, surface, item.solid, 0, false});
+    };
+    for (const std::uint32_t i : world.unbounded) {
+        each(i);
+        if (found == Shadow::Blocked) return found;
+    }
+    traverse(world.bvh, slabs, t_min, t_max, world.shadow_kinds, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, sphere);
+        return found == Shadow::Blocked ? -1.0 : t_max;
+    });
+    return found;
+}
+
+/// Whether answered(TileRays) is: only enough rays make a beam.
+template <class Answered>
+inline bool in_lanes(const WorldData& world, const RayTile& rays, Answered&& answered)
+{
+    if (rays.count < fewest_for_beam(world)) return false;
+    return rays.common_origin ? answered(TileRays<SharedOrigin>(rays)) : answered(TileRays<OwnOrigins>(rays));
+}
+
+/// Shadow rays that are about as long as each other: as one beam if they can be.
+void shadow_of_cluster(const World& world, const WorldData& data, const RayTile& rays, Scratch& scratch, Shadow* out)
+{
+    const auto answered = [&](auto&& lanes) {
+        ShadowOfTile query(data, lanes, scratch);
+        if (!ask_tile(data, lanes, data.shadow_kinds, query)) return false;
+        for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
+        return true;
+    };
+    if (!data.faithful && in_lanes(data, rays, answered)) return;
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        out[i] = world.shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
+    }
+}
+
+void crossings_of_cluster(const World& world, const WorldData& data, const RayTile& rays, Scratch& scratch,
+                          CrossingTile& out)
+{
+    const auto answered = [&](auto&& lanes) {
+        CrossingsOfTile query(data, lanes, scratch, out);
+        if (!ask_tile(data, lanes, data.shadow_kinds, query)) return false;
+        query.finish();
+        return true;
+    };
+    if (!data.faithful && in_lanes(data, rays, answered)) return;
+    std::vector<Hit>& hits = scratch.hits();
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        out.ending[k] = world.shadow_crossings(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch, hits);
+        const bool fits = hits.size() <= CrossingTile::kMost;
+        out.count[k] = fits ? static_cast<std::uint8_t>(hits.size()) : CrossingTile::kTooMany;
+        if (fits) std::copy(hits.begin(), hits.end(), out.hits[k].begin());
+    }
+}
+
+/// As its own world knows it, at the start of the ray.
+Hit alone(const Hit& hit)
+{
+    Hit own = hit;
+    own.t = 0.0;
+    own.instance = Hit::kNoInstance;
+    return own;
+}
+
+/// A ray in an instance's space; directions there have unit length.
+struct LocalRay {
+    Ray ray;
+    double length;  ///< of what a length of 1 here is there
+
+    LocalRay(const Instance& one, const Ray& given)
+        : ray(local_ray(one.frame, given)), length(std::sqrt(glm::dot(ray.direction, ray.direction)))
+    {
+        ray.direction /= length;
+    }
+};
+
+/// A hit of an instance's world as one of ours.
+Hit here(const WorldData& world, const WorldItem& item, const LocalRay& local, Hit hit, double t_min, double t_max)
+{
+    hit.t = glm::clamp(hit.t / local.length, t_min, t_max);
+    hit.surface = world.instance_surfaces[world.instances[item.instance].first_surface + hit.surface];
+    hit.instance = item.instance & Hit::kNoInstance;
+    return hit;
+}
+
+}  // namespace
+
+Hit instance_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
+                     Scratch& scratch)
+{
+    const Instance& one = world.instances[item.instance];
+    const LocalRay local(one, ray);
+    const Hit hit = World(*one.world).nearest(local.ray, t_min * local.length, t_max * local.length, 0xff, scratch);
+    return hit.found() ? here(world, item, local, hit, t_min, t_max) : hit;
+}
+
+void instance_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
+                        Scratch& scratch, std::vector<Hit>& out)
+{
+    const Instance& one = world.instances[item.instance];
+    const LocalRay local(one, ray);
+    const double from = t_min * local.length, to = t_max * local.length;
+    const RaySlabs slabs(local.ray);
+    const auto keep = [&](const Hit& hit) { out.push_back(here(world, item, local, hit, t_min, t_max)); };
+    const auto each = [&](std::uint32_t i) {
+        item_crossings(*one.world, one.world->items[i], local.ray, from, to, scratch, &slabs, keep);
+    };
+    const auto sphere = [&](std::uint32_t i, double near, double far) {
+        const PartId solid = one.world->items[i].solid;
+        for (const double t : {near, far})
+            if (t >= from && t <= to) keep({t, one.world->store.surface(solid), solid, 0, false});
+    };
+    traverse(one.world->bvh, slabs, from, to, 0xff, [&](ChildWord leaf) {
+        open_block(*one.world, leaf, local.ray, each, sphere);
+        return to;
+    });
+}
+
+Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
+{
+    const Hit hit = first(ray, t_min, t_max, kind_bit, scratch);
+    if (data_->faithful && hit.found() && !reach_of(*data_, hit).holds(hit.t))
+        return first_in_reach(ray, t_min, t_max, kind_bit, scratch);
+    return hit;
+}
+
+/// Of all crossings those that count, as none before them does.
+Hit World::first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
+{
+    const WorldData& world = *data_;
+    const RaySlabs slabs(ray);
+    Nearest best(ray, t_max);
+    const auto offer = [&](const Hit& hit, std::uint32_t i) {
+        if (reach_of(world, hit).holds(hit.t)) best.offer(hit, i);
+    };
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) != 0)
+            item_crossings(world, item, ray, t_min, best.limit, scratch, &slabs,
+                           [&](const Hit& hit) { offer(hit, i); });
+    };
+    const auto sphere = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) == 0) return;
+        for (const double t : {near, far})
+            if (t >= t_min) offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, sphere);
+        return best.limit;
+    });
+    return best.hit;
+}
+
+/// As first(), but items with ordered guards are asked after all others, in the order of their boxes along the ray, up
+/// to the nearest hit.
+Hit World::first_in_order(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
+{
+    const WorldData& world = *data_;
+    const RaySlabs slabs(ray);
+    Nearest best(ray, t_max);
+    const auto ask = [&](std::uint32_t i) {
+        best.offer(item_nearest(world, world.items[i], ray, t_min, best.limit, scratch, &slabs), i);
+    };
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) != 0 && !(item.guard != WorldItem::kNoGuard && world.guards[item.guard].ordered))
+            ask(i);
+    };
+    const auto sphere = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        const double t = near >= t_min ? near : far;
+        if (t < t_min || t > best.limit || (item.visible & kind_bit) == 0) return;
+        best.offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, sphere);
+        return best.limit;
+    });
+    std::vector<OrderedItem>& waiting = scratch.ordered_items();
+    waiting.clear();
+    for (const std::uint32_t i : world.ordered)
+        if (const double entry = box_entry(world.guards[world.items[i].guard], ray, t_min);
+            (world.items[i].visible & kind_bit) != 0 && entry <= best.limit)
+            waiting.push_back({entry, i});
+    std::sort(waiting.begin(), waiting.end(), [](const OrderedItem& a, const OrderedItem& b) {
+        return a.entry != b.entry ? a.entry < b.entry : a.item < b.item;
+    });
+    for (const OrderedItem& next : waiting) {
+        if (next.entry > best.limit) break;
+        ask(next.item);
+    }
+    return best.hit;
+}
+
+Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
+{
+    const WorldData& world = *data_;
+    scratch.cancel.look();
+    const RaySlabs slabs(ray);
+    Nearest best(ray, t_max);
+    const auto each = [&](std::uint32_t i) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) != 0)
+            best.offer(item_nearest(world, item, ray, t_min, best.limit, scratch, &slabs), i);
+    };
+    const auto sphere = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        const double t = near >= t_min ? near : far;
+        if (t < t_min || t > best.limit || (item.visible & kind_bit) == 0) return;
+        best.offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, sphere);
+        return best.limit;
+    });
+    if (!world.ordered.empty() && best.hit.found() && before_box(world, best.item, ray, t_min, best.hit.t))
+        return first_in_order(ray, t_min, t_max, kind_bit, scratch);
+    return best.hit;
+}
+
+bool World::too_far(const Hit& hit) const { return hit.t > reach_of(*data_, hit).to; }
+
+HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
+{
+    HitDetails out;
+    out.point = ray.at(hit.t);
+    if (hit.instance != Hit::kNoInstance) {
+        const Instance& one = data_->instances[hit.instance];
+        const glm::dvec3 p = one.frame.inverse_point(out.point);
+        const HitDetails local = World(*one.world).details({p, glm::dvec3(0.0)}, alone(hit), false);
+        out.normal = unit_or_x(one.frame.normal(local.normal));
+        out.weights = local.weights;
+        if (with_uv) out.uv = uv_at(one.world->store, hit.part, hit.face, p, out.point);
+        return out;
+    }
+    out.normal = normal_at(data_->store, hit.part, hit.face, hit.inverted, out.point);
+    if (with_uv) out.uv = uv_at(data_->store, hit.part, hit.face, out.point, out.point);
+    if (kind_of(hit.part) == SolidKind::Mesh) {
+        const Mesh& mesh = data_->store.all<Mesh>()[index_of(hit.part)];
+        if (mesh.blends) out.weights = glm::vec3(mesh.weights(out.point, hit.face));
+    }
+    return out;
+}
+
+double World::start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const
+{
+    if (data_->faithful) return usual;
+    if (hit.instance != Hit::kNoInstance) {
+        const Instance& one = data_->instances[hit.instance];
+        const LocalRay local(one, ray);
+        Hit own = alone(hit);
+        own.t = hit.t * local.length;
+        return World(*one.world).start(local.ray, own, incidence, inward, usual * local.length) / local.length;
+    }
+    return with_solid(data_->store, hit.part,
+                      [&](const auto& solid) { return spawn_epsilon(solid, ray, hit.t, incidence, inward, usual); });
+}
+
+void World::shares(const Hit& hit, const glm::dvec3& point, std::vector<Share>& out) const
+{
+    if (hit.instance != Hit::kNoInstance) {
+        const Instance& one = data_->instances[hit.instance];
+        return World(*one.world).shares(alone(hit), one.frame.inverse_point(point), out);
+    }
+    if (kind_of(hit.part) == SolidKind::Freeform) data_->store.all<Freeform>()[index_of(hit.part)].shares(point, out);
+}
+
+Shadow World::shadow(const Ray& ray, double t_min, double t_max, Scratch& scratch) const
+{
+    return shadow_walk(*data_, ray, t_min, t_max, scratch, [](const Hit&) {});
+}
+
+Shadow World::shadow_crossings(const Ray& ray, double t_min, double t_max, Scratch& scratch,
+                               std::vector<Hit>& out) const
+{
+    out.clear();
+    const Shadow found = shadow_walk(*data_, ray, t_min, t_max, scratch, [&](const Hit& hit) { out.push_back(hit); });
+    if (found != Shadow::Filtered) return found;
+    sort_crossings(out.data(), out.size());
+    return found;
+}
+
+bool World::seen_by_all(std::uint8_t kinds) const { return (data_->visible_everywhere & kinds) == kinds; }
+
+void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
+{
+    scratch.cancel.look();
+    const auto answered = [&](auto&& lanes) {
+        NearestOfTile query(*data_, lanes, scratch, out);
+        if (!ask_tile(*data_, lanes, kind_bit, query)) return false;
+        query.finish();
+        if (!data_->ordered.empty()) {
+            for (int i = 0; i < rays.count; ++i) {
+                const auto k = static_cast<std::size_t>(i);
+                if (out.surface[k] == kNoSurface ||
+                    !before_box(*data_, query.item(k), rays.ray(i), rays.t_min[k], out.t[k]))
+                    continue;
+                out.set(i, first_in_order(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
+            }
+        }
+        return true;
+    };
+    if (in_lanes(*data_, rays, answered)) {
+        if (data_->faithful) recheck(rays, kind_bit, scratch, out);
+        return;
+    }
+    // Too far apart for one beam: perhaps not for several.
+    const TileClusters clusters = rays.count < 2 * fewest_for_beam(*data_) ? TileClusters()
+                                                                           : TileClusters::by_direction(rays);
+    if (clusters.size() == 1) {
+        for (int i = 0; i < rays.count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            out.set(i, nearest(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
+        }
+        return;
+    }
+    RayTile part;
+    HitTile found;
+    std::uint8_t place[kTileRays];
+    for (int c = 0; c < clusters.size(); ++c) {
+        clusters.part(rays, c, part, place);
+        nearest(part, kind_bit, scratch, found);
+        for (int i = 0; i < part.count; ++i) out.set(place[i], found.at(i));
+    }
+}
+
+void World::recheck(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
+{
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Hit hit = out.at(i);
+        if (hit.found() && !reach_of(*data_, hit).holds(hit.t))
+            out.set(i, first_in_reach(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
+    }
+}
+
+void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
+{
+    scratch.cancel.look();
+    const TileClusters clusters = TileClusters::by_distance(rays);
+    if (clusters.size() == 1) {
+        shadow_of_cluster(*this, *data_, rays, scratch, out);
+        return;
+    }
+    RayTile part;
+    std::uint8_t place[kTileRays];
+    Shadow answers[kTileRays];
+    for (int c = 0; c < clusters.size(); ++c) {
+        clusters.part(rays, c, part, place);
+        shadow_of_cluster(*this, *data_, part, scratch, answers);
+        for (int i = 0; i < part.count; ++i) out[place[i]] = answers[i];
+    }
+}
+
+void World::shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile& out) const
+{
+    scratch.cancel.look();
+    const TileClusters clusters = TileClusters::by_distance(rays);
+    if (clusters.size() == 1) {
+        crossings_of_cluster(*this, *data_, rays, scratch, out);
+        return;
+    }
+    RayTile part;
+    CrossingTile found;
+    std::uint8_t place[kTileRays];
+    for (int c = 0; c < clusters.size(); ++c) {
+        clusters.part(rays, c, part, place);
+        crossings_of_cluster(*this, *data_, part, scratch, found);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
+            out.ending[place[i]] = found.ending[i];
+            out.count[place[i]] = found.count[i];
+            if (found.ending[i] == Shadow::Filtered && found.count[i] <= CrossingTile::kMost)
+                std::copy_n(found.hits[i].begin(), found.count[i], out.hits[place[i]].begin());
+        }
+    }
+}
+
+void World::shadow(const RayTile& rays, const Shaft& shaft, Scratch& scratch, Shadow* out) const
+{
+    scratch.cancel.look();
+    TileRays<OwnOrigins> lanes(rays);
+    ShadowOfTile query(*data_, lanes, scratch);
+    shaft.ask(*data_, lanes, query);
+    for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
+}
+
+void World::shadow_crossings(const RayTile& rays, const Shaft& shaft, Scratch& scratch, CrossingTile& out) const
+{
+    scratch.cancel.look();
+    TileRays<OwnOrigins> lanes(rays);
+    CrossingsOfTile query(*data_, lanes, scratch, out);
+    shaft.ask(*data_, lanes, query);
+    query.finish();
+}
+
+}  // namespace csg

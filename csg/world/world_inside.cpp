@@ -1,0 +1,58 @@
+#include "csg/world/world.h"
+#include "csg/world/world_item.h"
+
+// What a point is inside of: asked for the starts of rays.
+namespace csg {
+
+void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out) const
+{
+    out.clear();
+    for (std::uint32_t i = 0; i < data_->items.size(); ++i) {
+        const std::uint32_t object = data_->items[i].object;
+        if ((out.empty() || out.back() != object) && item_holds(i, point)) out.push_back(object);
+    }
+}
+
+bool World::item_holds(std::uint32_t index, const glm::dvec3& point) const
+{
+    const WorldItem& item = data_->items[index];
+    if (item.instance != Hit::kNoInstance) {
+        const Instance& one = data_->instances[item.instance];
+        const glm::dvec3 own = one.frame.inverse_point(point);
+        for (std::uint32_t i = 0; i < one.world->items.size(); ++i)
+            if (World(*one.world).item_holds(i, own)) return true;
+        return false;
+    }
+    if (item.solid == kNoPart) return contains(data_->programs[item.program], data_->store, point);
+    return with_solid(data_->store, item.solid, [&](const auto& solid) {
+        return item.inverted ? solid.contains_inverted(point) : solid.contains(point);
+    });
+}
+
+bool World::item_holds_start(std::uint32_t index, const glm::dvec3& point) const
+{
+    const WorldItem& item = data_->items[index];
+    return item.unclipped != WorldItem::kNoProgram ? contains(data_->programs[item.unclipped], data_->store, point)
+                                                   : item_holds(index, point);
+}
+
+bool World::item_may_hold(std::uint32_t index, const Aabb& box) const
+{
+    const WorldItem& item = data_->items[index];
+    if (item.unclipped != WorldItem::kNoProgram) return true;
+    if (item.instance != Hit::kNoInstance) {
+        const Instance& one = data_->instances[item.instance];
+        const Aabb own = transformed_box(one.frame.inverted(), box);
+        for (std::uint32_t i = 0; i < one.world->items.size(); ++i)
+            if (World(*one.world).item_may_hold(i, own)) return true;
+        return false;
+    }
+    if (item.solid == kNoPart) {
+        const Program& program = data_->programs[item.program];
+        return program.inside_beyond || !program.bounds.intersected(box).empty();
+    }
+    return item.inverted || with_solid(data_->store, item.solid,
+                                       [&](const auto& solid) { return !solid.bounds().intersected(box).empty(); });
+}
+
+}  // namespace csg

@@ -1,0 +1,266 @@
+#include "function/batch.h"
+#include "function/internal/internal_ranges.h"
+#include "function/intervals/interval_arithmetic.h"
+#include "function/intervals/interval_rules.h"
+
+/// Eight intervals at once: what arithmetic needs runs in vector registers, the rest lane by lane.
+namespace function {
+
+struct EightIntervals {
+    alignas(64) double low[kLanes], high[kLanes];
+    EightIntervals() = default;
+    EightIntervals(double v)  // implicit: constants of formulas
+    {
+        std::fill_n(low, kLanes, v);
+        std::fill_n(high, kLanes, v);
+    }
+    Interval lane(std::size_t i) const { return {low[i], high[i]}; }
+    void set(std::size_t i, const Interval& v) { low[i] = v.low, high[i] = v.high; }
+};
+
+namespace {
+
+struct Ends {
+    Batch low, high;
+};
+
+Ends ends(const EightIntervals& a, std::size_t i)
+{
+    return {Batch::load_aligned(a.low + i), Batch::load_aligned(a.high + i)};
+}
+
+Batch below(const Batch& v) { return v - (xsimd::abs(v) * Batch(kRelative) + Batch(kAbsolute)); }
+Batch above(const Batch& v) { return v + (xsimd::abs(v) * Batch(kRelative) + Batch(kAbsolute)); }
+
+/// With room for rounding; what is no number may be any.
+Ends widened(const Batch& low, const Batch& high)
+{
+    const Batch l = below(low), h = above(high);
+    const auto known = (l == l) & (h == h);
+    return {xsimd::select(known, l, Batch(-kInf)), xsimd::select(known, h, Batch(kInf))};
+}
+
+template <class F>
+EightIntervals batchwise(const EightIntervals& a, const EightIntervals& b, F&& f)
+{
+    EightIntervals out;
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const Ends one = f(ends(a, i), ends(b, i));
+        one.low.store_aligned(out.low + i);
+        one.high.store_aligned(out.high + i);
+    }
+    return out;
+}
+
+template <class F>
+EightIntervals each_lane(F&& f)
+{
+    EightIntervals out;
+    for (std::size_t i = 0; i < kLanes; ++i) out.set(i, f(i));
+    return out;
+}
+
+/// 0 times infinity is 0: the infinite end stands for large numbers.
+Batch product(const Batch& a, const Batch& b)
+{
+    const Batch p = a * b;
+    return xsimd::select(p == p, p, Batch(0.0));
+}
+
+Ends multiply(const Ends& a, const Ends& b)
+{
+    const Batch p = product(a.low, b.low), q = product(a.low, b.high), r = product(a.high, b.low),
+                s = product(a.high, b.high);
+    return widened(xsimd::min(xsimd::min(p, q), xsimd::min(r, s)), xsimd::max(xsimd::max(p, q), xsimd::max(r, s)));
+}
+
+Ends absolute(const Ends& a)
+{
+    const Batch l = xsimd::abs(a.low), h = xsimd::abs(a.high);
+    const auto through = (a.low <= Batch(0.0)) & (a.high >= Batch(0.0));
+    return {xsimd::select(through, Batch(0.0), xsimd::min(l, h)), xsimd::max(l, h)};
+}
+
+Ends square(const Ends& a)
+{
+    const Ends s = absolute(a);
+    const Ends out = widened(s.low * s.low, s.high * s.high);
+    return {xsimd::max(out.low, Batch(0.0)), out.high};
+}
+
+Ends divide(const Ends& a, const Ends& b)
+{
+    const auto through = (b.low <= Batch(0.0)) & (b.high >= Batch(0.0));
+    const Batch p = a.low / b.low, q = a.low / b.high, r = a.high / b.low, s = a.high / b.high;
+    const auto known = (p == p) & (q == q) & (r == r) & (s == s);
+    const Ends w =
+        widened(xsimd::min(xsimd::min(p, q), xsimd::min(r, s)), xsimd::max(xsimd::max(p, q), xsimd::max(r, s)));
+    const auto good = known & !through;
+    return {xsimd::select(good, w.low, Batch(-kInf)), xsimd::select(good, w.high, Batch(kInf))};
+}
+
+}  // namespace
+
+/// The square of what is written twice.
+EightIntervals squared(const EightIntervals& a)
+{
+    return batchwise(a, a, [](const Ends& x, const Ends&) { return square(x); });
+}
+EightIntervals absolute(const EightIntervals& a)
+{
+    return batchwise(a, a, [](const Ends& x, const Ends&) { return absolute(x); });
+}
+EightIntervals sqrt(const EightIntervals& a)
+{
+    return batchwise(a, a, [](const Ends& x, const Ends&) {
+        return widened(xsimd::sqrt(xsimd::max(x.low, Batch(0.0))),
+                       xsimd::sqrt(x.high));  // no root of a wholly negative number: it may be any
+    });
+}
+EightIntervals larger(const EightIntervals& a, const EightIntervals& b)
+{
+    return batchwise(a, b, [](const Ends& x, const Ends& y) {
+        return Ends{xsimd::max(x.low, y.low), xsimd::max(x.high, y.high)};
+    });
+}
+EightIntervals field_limit(const EightIntervals& a)
+{
+    const auto limit = [](const Batch& v) { return xsimd::min(Batch(10.0), xsimd::max(Batch(-10.0), v)); };
+    return batchwise(a, a, [&](const Ends& x, const Ends&) { return Ends{limit(x.low), limit(x.high)}; });
+}
+
+EightIntervals operator+(const EightIntervals& a, const EightIntervals& b)
+{
+    return batchwise(a, b, [](const Ends& x, const Ends& y) { return widened(x.low + y.low, x.high + y.high); });
+}
+EightIntervals operator-(const EightIntervals& a, const EightIntervals& b)
+{
+    return batchwise(a, b, [](const Ends& x, const Ends& y) { return widened(x.low - y.high, x.high - y.low); });
+}
+EightIntervals operator*(const EightIntervals& a, const EightIntervals& b)
+{
+    return &a == &b ? squared(a) : batchwise(a, b, multiply);  // a number times itself is no product of two
+}
+
+template <>
+struct Rules<EightIntervals> {
+    static EightIntervals constant(double c) { return c; }
+
+    template <Op op>
+    static EightIntervals binary(const EightIntervals& a, const EightIntervals& b)
+    {
+        if constexpr (op == Op::Add) return a + b;
+        else if constexpr (op == Op::Subtract) return a - b;
+        else if constexpr (op == Op::Multiply) return a * b;
+        else if constexpr (op == Op::Divide) return batchwise(a, b, divide);
+        else if constexpr (op == Op::Min)
+            return batchwise(a, b, [](const Ends& x, const Ends& y) {
+                return Ends{xsimd::min(x.low, y.low), xsimd::min(x.high, y.high)};
+            });
+        else if constexpr (op == Op::Max) return larger(a, b);
+        else return each_lane([&](std::size_t i) { return interval_binary(op, a.lane(i), b.lane(i)); });
+    }
+
+    template <Op op>
+    static EightIntervals unary(const EightIntervals& a)
+    {
+        if constexpr (op == Op::Negate)
+            return batchwise(a, a, [](const Ends& x, const Ends&) { return Ends{-x.high, -x.low}; });
+        else if constexpr (op == Op::Abs) return absolute(a);
+        else if constexpr (op == Op::Sqrt) return sqrt(a);
+        else return each_lane([&](std::size_t i) { return interval_unary(op, a.lane(i)); });
+    }
+
+    /// Every branch that can be taken, lane by lane.
+    static void select(Machine<EightIntervals>& m, const Branching& b, std::uint32_t dst)
+    {
+        const EightIntervals c = m.reg(b.condition);
+        EightIntervals all = constant(0.0);
+        bool some[kLanes] = {};
+        for (std::size_t k = 0; k < b.count; ++k) {
+            bool can[kLanes], any = false;
+            for (std::size_t i = 0; i < kLanes; ++i) any = (can[i] = branch_possible(c.lane(i), b.count, k)) || any;
+            if (!any) continue;
+            m.run(b.begin[k], b.end[k]);
+            const EightIntervals& value = m.reg(b.result[k]);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                if (!can[i]) continue;
+                all.set(i, some[i] ? all.lane(i).hull(value.lane(i)) : value.lane(i));
+                some[i] = true;
+            }
+        }
+        for (std::size_t i = 0; i < kLanes; ++i)
+            if (!some[i]) all.set(i, Interval::everything());
+        m.reg(dst) = all;
+    }
+
+    /// As for one interval, while all lanes begin at one number.
+    static void loop(Machine<EightIntervals>& m, const Loop& l, std::uint32_t dst)
+    {
+        const EightIntervals from = m.reg(l.from), to = m.reg(l.to);
+        double last = -kInf;
+        bool known = true;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            known = known && from.lane(i).point() && from.low[i] == from.low[0];
+            last = std::max(last, to.high[i]);
+        }
+        if (!known || !(last - from.low[0] < kMostRounds)) {
+            m.reg(dst) = each_lane([](std::size_t) { return Interval::everything(); });
+            return;
+        }
+        EightIntervals all = constant(l.product ? 1.0 : 0.0);
+        for (double k = from.low[0]; k <= last; k += 1.0) {
+            m.reg(l.counter) = constant(k);
+            m.run(l.begin, l.end);
+            const EightIntervals& value = m.reg(l.result);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                if (!(k <= to.high[i])) continue;
+                const Interval next = l.product ? all.lane(i) * value.lane(i) : all.lane(i) + value.lane(i);
+                all.set(i, k <= to.low[i] ? next : all.lane(i).hull(next));
+            }
+        }
+        m.reg(dst) = all;
+    }
+
+    static EightIntervals internal(std::uint32_t n, std::uint32_t count, const EightIntervals* a, const Host&,
+                                   const double*)
+    {
+        EightIntervals out;
+        if (arithmetic_range(n, a, out)) return out;
+        return each_lane([&](std::size_t lane) {
+            Interval one[kMostParameters];
+            for (std::uint32_t i = 0; i < count; ++i) one[i] = a[i].lane(lane);
+            return internal_interval(n, one);
+        });
+    }
+
+    static void outer(const SceneReference& what, const EightIntervals* a, const Host&, EightIntervals* out)
+    {
+        const std::size_t count = std::holds_alternative<std::shared_ptr<const Spline>>(what) ? 1 : 3;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            Interval one[3], found[5];
+            for (std::size_t i = 0; i < count; ++i) one[i] = a[i].lane(lane);
+            outer_interval(what, one, found);
+            for (std::size_t k = 0; k < 5; ++k) out[k].set(lane, found[k]);
+        }
+    }
+
+private:
+    static constexpr std::size_t kMostParameters = 16;
+};
+
+void evaluate_intervals(const Function& function, const double (*low)[kLanes], const double (*high)[kLanes],
+                        const Host& host, double* out_low, double* out_high)
+{
+    constexpr std::size_t kMostArguments = 64;
+    EightIntervals loaded[kMostArguments];
+    for (std::uint32_t i = 0; i < function.parameters; ++i) {
+        std::copy_n(low[i], kLanes, loaded[i].low);
+        std::copy_n(high[i], kLanes, loaded[i].high);
+    }
+    const EightIntervals value = run_function<EightIntervals>(function, loaded, host);
+    std::copy_n(value.low, kLanes, out_low);
+    std::copy_n(value.high, kLanes, out_high);
+}
+
+}  // namespace function

@@ -1,0 +1,262 @@
+#include "csg/freeform/freeform.h"
+#include "parser/grammar/scene/effects.h"
+#include "parser/grammar/core/rules.h"
+#include "parser/grammar/core/solid_reader.h"
+
+#include <fmt/format.h>
+
+/// Modifiers of any object, in the order written: each acts on what is there (spec 1, 14.3; 5a, 10).
+namespace parser {
+namespace {
+
+using Layers = std::vector<scene::Layer>;
+
+struct ObjectState : BlockState {
+    ObjectState(SceneBuilder& b, scene::Object& o) : BlockState(b), object(o) {}
+    scene::Object& object;
+
+    /// The top layer of the object's own texture; the default texture is copied if there is none.
+    template <class Change>
+    void change_top(const char* what, Change&& change)
+    {
+        const auto copy = std::make_shared<scene::Texture>(object.texture ? *object.texture : *build.default_texture());
+        auto* layers = std::get_if<Layers>(&copy->kind);
+        if (!layers) stream().fail(stream().last(), fmt::format("'{}' cannot change a patterned texture", what));
+        change(layers->back());
+        object.texture = copy;
+    }
+};
+
+struct texture : item<Kind::Texture> {
+    static void act(ObjectState& s)
+    {
+        const scene::SourceRef at = s.stream().last();
+        s.object.texture = layered(s.build, s.object.texture, read_texture(s.build), at);
+    }
+};
+struct interior_texture : item<Kind::InteriorTexture> {
+    static void act(ObjectState& s)
+    {
+        const scene::SourceRef at = s.stream().last();
+        s.object.interior_texture = layered(s.build, s.object.interior_texture, read_texture(s.build), at);
+    }
+};
+struct pigment : item<Kind::Pigment> {
+    static void act(ObjectState& s)
+    {
+        s.change_top("pigment", [&](scene::Layer& top) { top.pigment = read_pigment(s.build, top.pigment); });
+    }
+};
+struct normal : item<Kind::Normal> {
+    static void act(ObjectState& s)
+    {
+        s.change_top("normal", [&](scene::Layer& top) { top.normal = read_normal(s.build, top.normal); });
+    }
+};
+struct finish : item<Kind::Finish> {
+    static void act(ObjectState& s)
+    {
+        s.change_top("finish", [&](scene::Layer& top) { top.finish = read_finish(s.build, top.finish); });
+    }
+};
+struct interior : item<Kind::Interior> {
+    static void act(ObjectState& s)
+    {
+        const scene::Interior base = s.object.interior ? *s.object.interior : scene::Interior{};
+        s.object.interior = std::make_shared<scene::Interior>(read_interior(s.build, base));
+    }
+};
+struct material : item<Kind::Material> {
+    static void act(ObjectState& s)
+    {
+        Material m = read_material(s.build, {s.object.texture, s.object.interior_texture, s.object.interior});
+        s.object.texture = std::move(m.texture);
+        s.object.interior_texture = std::move(m.interior_texture);
+        s.object.interior = std::move(m.interior);
+    }
+};
+
+// ---- clipped_by, bounded_by -----------------------------------------------------------------------------------
+/// What bounds or clips is a solid without a texture.
+void check_bare(ObjectState& s, const scene::Object& object, const char* what)
+{
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    const bool patch = is_patch(object) && !(freeform && std::holds_alternative<csg::Polygon>(freeform->shape->kind));
+    if (patch || std::holds_alternative<scene::Light>(object.shape) || object.texture)
+        s.stream().fail(object.source, std::string("an object in ") + what + " must be a solid without a texture");
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg && csg->operands)
+        for (const scene::Object& operand : *csg->operands) check_bare(s, operand, what);
+}
+
+std::vector<scene::Object> read_group(ObjectState& s, const char* what)
+{
+    std::vector<scene::Object> group;
+    scene::Object all;  // transformations after the objects move each of them
+    while (auto object = read_object(s.build)) {
+        check_bare(s, *object, what);
+        if (object->unsupported.empty()) group.push_back(std::move(*object));
+        else s.build.set_aside(std::move(*object));
+        all.unsupported = "read";
+    }
+    if (all.unsupported.empty()) s.build.fail_unknown((std::string("an object of ") + what).c_str());
+    while (const auto t = read_transformation(s.build))
+        for (scene::Object& object : group) object.transform_by(*t);
+    return group;
+}
+void append(std::vector<scene::Object>& to, std::vector<scene::Object> more)
+{
+    for (scene::Object& object : more) to.push_back(std::move(object));
+}
+struct clipped_by : item<Kind::ClippedBy> {
+    static void act(ObjectState& s)
+    {
+        const auto opened = s.build.open_block("clipped_by");
+        if (s.stream().accept(Kind::BoundedBy)) {
+            if (!s.object.clipped_by.empty())
+                s.stream().fail(s.stream().last(), "clips cannot be linked to the bounds: there are clips already");
+            s.object.clipped_by = std::move(s.object.bounded_by);
+            s.object.bounded_by.clear();
+            s.object.bounded_by_clip = true;
+        } else {
+            if (s.object.bounded_by_clip)
+                s.stream().fail(s.stream().last(), "no clips can be added after they were linked with the bounds");
+            append(s.object.clipped_by, read_group(s, "clipped_by"));
+        }
+        s.build.close_block("clipped_by", opened);
+    }
+};
+struct bounded_by : item<Kind::BoundedBy> {
+    static void act(ObjectState& s)
+    {
+        const auto opened = s.build.open_block("bounded_by");
+        if (s.stream().accept(Kind::ClippedBy)) {
+            if (!s.object.bounded_by.empty())
+                s.stream().fail(s.stream().last(), "bounds cannot be linked to the clips: there are bounds already");
+            s.object.bounded_by_clip = true;
+        } else {
+            if (s.object.bounded_by_clip)
+                s.stream().fail(s.stream().last(), "no bounds can be added after they were linked with the clips");
+            append(s.object.bounded_by, read_group(s, "bounded_by"));
+        }
+        s.build.close_block("bounded_by", opened);
+    }
+};
+
+// ---- flags ----------------------------------------------------------------------------------------------------
+struct no_shadow : item<Kind::NoShadow> {
+    static void act(ObjectState& s) { s.object.flags.no_shadow = true; }
+};
+template <Kind kind, bool scene::Flags::*member>
+struct flag : item<kind> {
+    static void act(ObjectState& s) { s.object.flags.*member = optional_flag(s.stream()); }
+};
+struct hollow : item<Kind::Hollow> {
+    static void act(ObjectState& s) { s.object.flags.hollow = optional_flag(s.stream()); }
+};
+struct inverse : item<Kind::Inverse> {
+    static void act(ObjectState& s)
+    {
+        if (is_patch(s.object)) s.stream().warn(s.stream().last(), "what has no inside cannot be inverted");
+        s.object.inverse = !s.object.inverse;
+        // Turned twice it has lost its inner surfaces (spec 5a, 8.1).
+        auto* csg = std::get_if<scene::Csg>(&s.object.shape);
+        if (csg != nullptr && csg->op == scene::CsgOp::Union && !s.object.inverse) csg->op = scene::CsgOp::Merge;
+    }
+};
+/// Choices of a root solver or a bounding method: ours need none, and only some objects may have them.
+void read_choice(ObjectState& s, const char* name, bool allowed)
+{
+    if (!allowed) s.stream().fail(s.stream().last(), std::string("'") + name + "' means nothing for this object");
+    optional_flag(s.stream());
+}
+struct sturm : item<Kind::Sturm> {
+    static void act(ObjectState& s)
+    {
+        read_choice(s, "sturm", std::holds_alternative<scene::Torus>(s.object.shape) || takes_sturm(s.object));
+    }
+};
+struct hierarchy : item<Kind::Hierarchy> {
+    static void act(ObjectState& s)
+    {
+        read_choice(s, "hierarchy", std::holds_alternative<scene::Mesh>(s.object.shape) || takes_hierarchy(s.object));
+    }
+};
+struct uv_mapping : item<Kind::UvMapping> {
+    static void act(ObjectState& s)
+    {
+        s.object.flags.uv_mapping = optional_flag(s.stream());
+        if (s.object.texture) s.stream().fail(s.stream().last(), "'uv_mapping' must stand before the texture");
+    }
+};
+struct split_union : item<Kind::SplitUnion, a_number> {
+    static void act(ObjectState& s)
+    {
+        const bool split = s.pop_float() > 0;
+        if (auto* csg = std::get_if<scene::Csg>(&s.object.shape)) csg->split_union = split;
+        else s.stream().fail(s.stream().last(), "'split_union' needs a union or merge");
+    }
+};
+struct cutaway_textures : item<Kind::CutawayTextures> {
+    static void act(ObjectState& s)
+    {
+        auto* csg = std::get_if<scene::Csg>(&s.object.shape);
+        if (csg && (csg->op == scene::CsgOp::Intersection || csg->op == scene::CsgOp::Difference))
+            csg->cutaway_textures = true;
+        else s.stream().fail(s.stream().last(), "'cutaway_textures' needs an intersection or difference");
+    }
+};
+struct photons : item<Kind::Photons> {
+    static void act(ObjectState& s)
+    {
+        s.object.photons = read_photon_flags(s.build, std::holds_alternative<scene::Light>(s.object.shape));
+    }
+};
+struct radiosity : item<Kind::Radiosity> {
+    static void act(ObjectState& s) { s.object.radiosity_importance = read_object_radiosity(s.build); }
+};
+struct dtag : item<Kind::Dtag, a_text> {
+    static void act(ObjectState& s) { s.pop_string(); }
+};
+
+struct ModifierItems {
+    static bool match(SceneBuilder& build, ObjectState& s)
+    {
+        using Items = table<ObjectState, texture, interior_texture, pigment, normal, finish, interior, material,
+                            clipped_by, bounded_by, no_shadow, flag<Kind::NoImage, &scene::Flags::no_image>,
+                            flag<Kind::NoReflection, &scene::Flags::no_reflection>,
+                            flag<Kind::NoRadiosity, &scene::Flags::no_radiosity>,
+                            flag<Kind::DoubleIlluminate, &scene::Flags::double_illuminate>, hollow, inverse, sturm,
+                            hierarchy, uv_mapping, split_union, cutaway_textures, photons, radiosity, dtag>;
+        if (const auto t = read_transformation(build)) {
+            s.object.transform_by(*t);
+            return true;
+        }
+        if (Items::match(build, s)) return true;
+        if (lexical_class(build.stream().peek().kind) != LexicalClass::Color) return false;
+        build.stream().warn(build.stream().here(), "a colour belongs in a pigment; this one is ignored");
+        parser::color_expr(build.stream());
+        return true;
+    }
+};
+
+}  // namespace
+
+void read_component_modifiers(SceneBuilder& build, scene::Object& object)
+{
+    using Items = table<ObjectState, texture, pigment, normal, finish>;
+    ObjectState s(build, object);
+    for (;;) {
+        if (const auto t = read_transformation(build)) object.transform_by(*t);
+        else if (!Items::match(build, s)) return;
+    }
+}
+
+void read_modifiers(SceneBuilder& build, scene::Object& object)
+{
+    ObjectState s(build, object);
+    while (ModifierItems::match(build, s)) {}
+    if (object.interior_texture && !object.texture)
+        build.stream().fail(object.source, "an interior_texture needs a texture on the same object");
+}
+
+}  // namespace parser

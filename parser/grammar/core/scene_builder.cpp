@@ -1,0 +1,103 @@
+#include "parser/grammar/core/scene_builder.h"
+
+#include <fmt/format.h>
+
+namespace parser {
+
+SceneBuilder::SceneBuilder()
+{
+    auto texture = std::make_shared<scene::Texture>();
+    texture->kind = std::vector<scene::Layer>{scene::Layer{}};
+    default_texture_ = texture;
+    default_camera.right = {1.33, 0, 0};  // not 4/3 (spec 2, 3.1)
+    default_camera.variance = 1.0 / 10000.0;
+    default_camera.focal_distance = 1.0;
+    description.camera = default_camera;
+}
+
+const scene::Layer& SceneBuilder::default_layer() const
+{
+    return std::get<std::vector<scene::Layer>>(default_texture_->kind).back();
+}
+
+void SceneBuilder::set_default_layer(scene::Layer layer)
+{
+    auto texture = std::make_shared<scene::Texture>();
+    texture->kind = std::vector<scene::Layer>{std::move(layer)};
+    default_texture_ = std::move(texture);
+}
+
+int SceneBuilder::default_noise_generator() const { return stream_->language().version < 350 ? 1 : 2; }
+
+void SceneBuilder::version_changed(int version, const Options& options)
+{
+    // A version from the command line alone is too late for what is asked while the text is read (spec 4, 2.6).
+    if (!noise_generator_given) description.global.noise_generator = default_noise_generator();
+    constexpr int kNewDefaults = 380;
+    if (version < kNewDefaults || default_given || !description.objects.empty()) return;
+    scene::Layer layer = default_layer();
+    layer.pigment.kind = scene::Color{1, 1, 1, 0, 0};
+    layer.finish.ambient = glm::vec3(0);
+    set_default_layer(std::move(layer));
+    default_camera.right = {static_cast<double>(options.image_width) / options.image_height, 0, 0};
+    if (!camera_given) description.camera = default_camera;
+}
+
+void SceneBuilder::add(scene::Object object)
+{
+    if (!object.unsupported.empty()) {
+        set_aside(std::move(object));
+        return;
+    }
+    object.default_texture = default_texture_;
+    description.objects.push_back(std::move(object));
+}
+
+void SceneBuilder::set_aside(scene::Object object)
+{
+    if (!object.default_texture) object.default_texture = default_texture_;
+    description.unsupported_objects.push_back(std::move(object));
+}
+
+void SceneBuilder::unsupported(const std::string& what, const scene::SourceRef& source)
+{
+    if (told_.insert(what).second) description.unsupported.push_back({what, source});
+}
+
+scene::Description SceneBuilder::take()
+{
+    const LanguageState& language = stream_->language();
+    description.version = language.version < 350 ? 350 : language.version;
+    description.effective_version = language.version_set ? description.version : 362;
+    if (!noise_generator_given) description.global.noise_generator = default_noise_generator();
+    description.global.assumed_gamma = language.assumed_gamma;
+    description.default_texture = default_texture_;
+    description.files = stream_->files();
+    return std::move(description);
+}
+
+scene::SourceRef SceneBuilder::open_block(const char* what)
+{
+    const scene::SourceRef at = stream_->here();
+    stream_->expect(Kind::LeftBrace, fmt::format("'{{' after {}", what));
+    stream_->block_opened(at);
+    return at;
+}
+
+void SceneBuilder::close_block(const char* what, const scene::SourceRef& opened)
+{
+    if (stream_->accept(Kind::RightBrace)) return stream_->block_closed();
+    if (stream_->peek().kind == Kind::EndOfText)
+        stream_->fail(opened, fmt::format("this block of '{}' is not closed: the text ends before its '}}'", what));
+    fail_unknown(fmt::format("an item of '{}' or '}}'", what).c_str(),
+                 stream_->where_opened(fmt::format("'{}'", what), opened));
+}
+
+void SceneBuilder::fail_unknown(const char* expected, const std::string& more)
+{
+    const Token token = stream_->peek();
+    if (token.kind == Kind::Identifier && !stream_->value_of(token)) stream_->fail_undeclared(token);
+    stream_->fail_expected(expected, more);
+}
+
+}  // namespace parser

@@ -1,0 +1,267 @@
+#include "parser/grammar/core/rules.h"
+
+namespace parser {
+namespace {
+
+using Data = scene::MeshData;
+constexpr std::uint32_t kNone = Data::kNone;
+const std::array<std::uint32_t, 3> kNoIndices{kNone, kNone, kNone};
+
+/// A declared vector, or element of an array of them: the next face, no texture's number.
+bool at_vector(TokenStream& in)
+{
+    const Value* value = in.peek().kind == Kind::Identifier ? in.value_of(in.peek()) : nullptr;
+    while (const auto* array = value ? value->get_if<std::shared_ptr<Array>>() : nullptr) {
+        value = nullptr;
+        for (const Value& element : (*array)->elements)
+            if (element.set()) value = &element;
+    }
+    const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
+    return tuple && tuple->count > 1;
+}
+
+struct MeshState : BlockState {
+    using BlockState::BlockState;
+    std::shared_ptr<Data> data = std::make_shared<Data>();
+    std::uint32_t add_texture(scene::TexturePtr t)
+    {
+        data->textures.push_back(std::move(t));
+        return static_cast<std::uint32_t>(data->textures.size() - 1);
+    }
+    glm::dvec3 vector()
+    {
+        stream().accept_comma();
+        if (!at_expression(stream())) build.fail_unknown("a vector, as in <0, 1, 0>");
+        return parser::vector_expr(stream());
+    }
+    glm::dvec2 pair()
+    {
+        stream().accept_comma();
+        return parser::vector2_expr(stream());
+    }
+    std::size_t count()
+    {
+        stream().accept_comma();
+        const double n = parser::float_expr(stream());
+        if (!(n >= 0) || n > 1e9) stream().fail(stream().last(), "a count must be 0 or more");
+        return static_cast<std::size_t>(n);
+    }
+};
+
+scene::TexturePtr accept_texture_name(TokenStream& in)
+{
+    const auto name = in.accept_identifier<scene::TexturePtr>();
+    return name ? *name : nullptr;
+}
+
+// ---- mesh -----------------------------------------------------------------------------------------------------
+void read_face(MeshState& s, bool smooth)
+{
+    TokenStream& in = s.stream();
+    const char* what = smooth ? "smooth_triangle" : "triangle";
+    const auto opened = s.build.open_block(what);
+    Data::Face face{kNoIndices, kNoIndices, kNoIndices, kNoIndices};
+    for (std::size_t i = 0; i < 3; ++i) {
+        face.vertex[i] = static_cast<std::uint32_t>(s.data->vertices.size());
+        s.data->vertices.push_back(s.vector());
+        if (!smooth) continue;
+        face.normal[i] = static_cast<std::uint32_t>(s.data->normals.size());
+        s.data->normals.push_back(s.vector());
+    }
+    for (bool more = true; more;) {
+        if (in.accept(Kind::UvVectors)) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                face.uv[i] = static_cast<std::uint32_t>(s.data->uvs.size());
+                s.data->uvs.push_back(s.pair());
+            }
+        } else if (in.accept(Kind::Texture)) {
+            face.texture.fill(s.add_texture(read_textures(s.build)));
+        } else if (in.accept(Kind::TextureList)) {
+            const auto list = s.build.open_block("texture_list");
+            for (std::size_t i = 0; i < 3; ++i) {
+                const scene::TexturePtr name = accept_texture_name(in);
+                if (!name) in.expect(Kind::Texture, "a texture");
+                face.texture[i] = s.add_texture(name ? name : read_texture(s.build));
+                in.accept_comma();
+            }
+            s.build.close_block("texture_list", list);
+        } else {
+            more = false;
+        }
+    }
+    s.data->faces.push_back(face);
+    s.build.close_block(what, opened);
+}
+
+// ---- mesh2 ----------------------------------------------------------------------------------------------------
+struct Indices {
+    std::array<std::uint32_t, 3> at;
+    std::array<std::uint32_t, 3> texture;
+};
+
+/// `{ count, <a,b,c> [, t [, t, t]], ... }`
+std::vector<Indices> read_indices(MeshState& s, const char* what, std::size_t limit, bool textures)
+{
+    TokenStream& in = s.stream();
+    const auto opened = s.build.open_block(what);
+    std::vector<Indices> all(s.count());
+    for (Indices& one : all) {
+        const glm::dvec3 v = s.vector();
+        for (int i = 0; i < 3; ++i) {
+            if (v[i] < 0 || v[i] >= static_cast<double>(limit))
+                in.fail(in.last(), std::string("an index of ") + what + " is out of range");
+            one.at[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(v[i]);
+        }
+        one.texture = kNoIndices;
+        if (!textures) continue;
+        // After a face up to three numbers name the textures of its corners.
+        for (std::size_t t = 0; t < 3; ++t) {
+            in.accept_comma();
+            if (in.peek().kind == Kind::Less || in.peek().kind == Kind::RightBrace || !at_expression(in) ||
+                at_vector(in))
+                break;
+            const auto index = static_cast<std::uint32_t>(parser::float_expr(in));
+            if (index >= s.data->textures.size()) in.fail(in.last(), "a texture index of face_indices is out of range");
+            if (t == 0) one.texture.fill(index);
+            else one.texture[t] = index;
+        }
+    }
+    in.accept_comma();
+    s.build.close_block(what, opened);
+    return all;
+}
+
+template <class Vector, class Read>
+std::vector<Vector> read_vectors(MeshState& s, const char* what, Read&& read)
+{
+    const auto opened = s.build.open_block(what);
+    std::vector<Vector> all(s.count());
+    for (Vector& v : all) v = read();
+    s.stream().accept_comma();
+    s.build.close_block(what, opened);
+    return all;
+}
+
+struct vertex_vectors : item<Kind::VertexVectors> {
+    static void act(MeshState& s)
+    {
+        s.data->vertices = read_vectors<glm::dvec3>(s, "vertex_vectors", [&] { return s.vector(); });
+    }
+};
+struct normal_vectors : item<Kind::NormalVectors> {
+    static void act(MeshState& s)
+    {
+        s.data->normals = read_vectors<glm::dvec3>(s, "normal_vectors", [&] { return s.vector(); });
+    }
+};
+struct uv_vectors : item<Kind::UvVectors> {
+    static void act(MeshState& s)
+    {
+        s.data->uvs = read_vectors<glm::dvec2>(s, "uv_vectors", [&] { return s.pair(); });
+    }
+};
+struct texture_list : item<Kind::TextureList> {
+    static void act(MeshState& s)
+    {
+        TokenStream& in = s.stream();
+        const auto opened = s.build.open_block("texture_list");
+        for (std::size_t left = s.count(); left > 0; --left) {
+            in.accept_comma();
+            scene::TexturePtr name = accept_texture_name(in);
+            if (!name) in.expect(Kind::Texture, "a texture");
+            s.add_texture(name ? name : read_texture(s.build));
+        }
+        in.accept_comma();
+        s.build.close_block("texture_list", opened);
+    }
+};
+struct face_indices : item<Kind::FaceIndices> {
+    static void act(MeshState& s)
+    {
+        for (const Indices& one : read_indices(s, "face_indices", s.data->vertices.size(), true))
+            s.data->faces.push_back({one.at, kNoIndices, kNoIndices, one.texture});
+    }
+};
+template <Kind kind, std::array<std::uint32_t, 3> Data::Face::*member>
+struct more_indices : item<kind> {
+    static void act(MeshState& s)
+    {
+        const bool normals = kind == Kind::NormalIndices;
+        const std::size_t limit = normals ? s.data->normals.size() : s.data->uvs.size();
+        const auto all = read_indices(s, normals ? "normal_indices" : "uv_indices", limit, false);
+        for (std::size_t i = 0; i < all.size() && i < s.data->faces.size(); ++i) s.data->faces[i].*member = all[i].at;
+    }
+};
+struct inside_vector : item<Kind::InsideVector, a_vector> {
+    static void act(MeshState& s)
+    {
+        s.data->inside_vector = s.pop_vector();
+        s.data->has_inside_vector = true;
+    }
+};
+using Mesh2Items = table<MeshState, vertex_vectors, normal_vectors, uv_vectors, texture_list, face_indices,
+                         more_indices<Kind::NormalIndices, &Data::Face::normal>,
+                         more_indices<Kind::UvIndices, &Data::Face::uv>, inside_vector>;
+
+/// Where there are as many normals (uvs) as vertices and no indices for them, the face's own are meant.
+void share_indices(Data& data)
+{
+    for (Data::Face& face : data.faces) {
+        if (face.normal == kNoIndices && !data.normals.empty() && data.normals.size() == data.vertices.size())
+            face.normal = face.vertex;
+        if (face.uv == kNoIndices && !data.uvs.empty() && data.uvs.size() == data.vertices.size())
+            face.uv = face.vertex;
+    }
+}
+
+scene::Object finish_mesh(MeshState& s, scene::Object object, bool declared)
+{
+    if (!declared) object.shape = scene::Mesh{s.data};
+    read_modifiers(s.build, object);
+    return object;
+}
+bool declared_mesh(TokenStream& in, scene::Object& object)
+{
+    const auto declared = in.accept_identifier<std::shared_ptr<const scene::Object>>();
+    if (declared) object = **declared;
+    return declared.has_value();
+}
+
+}  // namespace
+
+scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source)
+{
+    TokenStream& in = build.stream();
+    MeshState s(build);
+    scene::Object object;
+    object.source = source;
+    const auto opened = build.open_block("mesh");
+    const bool declared = declared_mesh(in, object);
+    for (bool more = !declared; more;) {
+        if (in.accept(Kind::Triangle)) read_face(s, false);
+        else if (in.accept(Kind::SmoothTriangle)) read_face(s, true);
+        else if (table<MeshState, inside_vector>::match(build, s)) continue;
+        else more = false;
+    }
+    if (!declared && s.data->faces.empty()) build.stream().fail(source, "this mesh has no triangles");
+    object = finish_mesh(s, std::move(object), declared);
+    build.close_block("mesh", opened);
+    return object;
+}
+
+scene::Object read_mesh2(SceneBuilder& build, const scene::SourceRef& source)
+{
+    MeshState s(build);
+    scene::Object object;
+    object.source = source;
+    const auto opened = build.open_block("mesh2");
+    const bool declared = declared_mesh(build.stream(), object);
+    if (!declared)
+        while (Mesh2Items::match(build, s)) {}
+    share_indices(*s.data);
+    object = finish_mesh(s, std::move(object), declared);
+    build.close_block("mesh2", opened);
+    return object;
+}
+
+}  // namespace parser

@@ -1,0 +1,171 @@
+#include "parser/grammar/scene/effects.h"
+#include "parser/grammar/core/rules.h"
+
+namespace parser {
+namespace {
+
+struct FinishState : BlockState {
+    using BlockState::BlockState;
+    scene::Finish finish;
+    glm::vec3 read_rgb() { return parser::rgb_expr(stream()).rgb(); }
+    bool albedo() { return stream().accept(Kind::Albedo); }
+    float number()
+    {
+        read_rule<a_number>(build, *this);
+        return pop_single();
+    }
+    float number_or(float otherwise) { return at_expression(stream()) ? number() : otherwise; }
+};
+
+/// A keyword with a number that a member takes as it is.
+template <Kind kind, float scene::Finish::*member>
+struct number_of : item<kind, a_number> {
+    static void act(FinishState& s) { s.finish.*member = s.pop_single(); }
+};
+struct ambient : item<Kind::Ambient> {
+    static void act(FinishState& s) { s.finish.ambient = s.read_rgb(); }
+};
+struct emission : item<Kind::Emission> {
+    static void act(FinishState& s) { s.finish.emission = s.read_rgb(); }
+};
+struct diffuse : item<Kind::Diffuse> {
+    static void act(FinishState& s)
+    {
+        s.finish.diffuse_albedo = s.albedo() || s.finish.diffuse_albedo;
+        s.finish.diffuse = s.number();
+        s.stream().accept_comma();
+        s.finish.diffuse_back = s.number_or(0);
+    }
+};
+struct phong : item<Kind::Phong> {
+    static void act(FinishState& s)
+    {
+        s.finish.phong_albedo = s.albedo() || s.finish.phong_albedo;
+        s.finish.phong = s.number();
+    }
+};
+struct specular : item<Kind::Specular> {
+    static void act(FinishState& s)
+    {
+        s.finish.specular_albedo = s.albedo() || s.finish.specular_albedo;
+        s.finish.specular = s.number();
+    }
+};
+struct roughness : item<Kind::Roughness, a_number> {
+    static void act(FinishState& s)
+    {
+        s.finish.roughness = s.pop_single();
+        if (s.finish.roughness == 0.0f) s.stream().warn(s.stream().last(), "a roughness of zero");
+    }
+};
+struct metallic : item<Kind::Metallic> {
+    static void act(FinishState& s) { s.finish.metallic = s.number_or(1); }
+};
+struct conserve_energy : item<Kind::ConserveEnergy> {
+    static void act(FinishState& s) { s.finish.conserve_energy = true; }
+};
+
+struct fresnel : item<Kind::Fresnel> {
+    static void act(FinishState& s) { s.finish.reflection.fresnel = static_cast<int>(s.number_or(1)) != 0; }
+};
+struct falloff : item<Kind::Falloff, a_number> {
+    static void act(FinishState& s) { s.finish.reflection.falloff = s.pop_single(); }
+};
+/// Stored as the power that the reflected colour is raised to: 1/e (spec 3, 7.9).
+float exponent_of(FinishState& s)
+{
+    const float e = s.pop_single();
+    if (e == 0) s.stream().fail(s.stream().last(), "the reflection's exponent must not be 0");
+    return e;
+}
+struct exponent : item<Kind::Exponent, a_number> {
+    static void act(FinishState& s) { s.finish.reflection.exponent = exponent_of(s); }
+};
+struct reflection_metallic : item<Kind::Metallic> {
+    static void act(FinishState& s) { s.finish.reflection.metallic = s.number_or(1); }
+};
+using ReflectionItems = table<FinishState, fresnel, falloff, exponent, reflection_metallic>;
+
+struct reflection : item<Kind::Reflection> {
+    static void act(FinishState& s)
+    {
+        scene::Reflection& r = s.finish.reflection;
+        if (s.stream().peek().kind != Kind::LeftBrace) {
+            r.min = r.max = s.read_rgb();
+            r.falloff = 1;
+            r.fresnel = false;
+            return;
+        }
+        bool range = false;
+        const auto opened = s.build.open_block("reflection");
+        if (at_color(s.stream())) {
+            r.min = r.max = s.read_rgb();
+            s.stream().accept_comma();
+            range = at_color(s.stream());
+            if (range) r.max = s.read_rgb();
+        } else {
+            r.min = r.max = glm::vec3(0);
+        }
+        while (ReflectionItems::match(s.build, s)) {}
+        if (r.fresnel && !range) r.min = glm::vec3(0);
+        s.build.close_block("reflection", opened);
+    }
+};
+struct reflection_exponent : item<Kind::ReflectionExponent, a_number> {
+    static void act(FinishState& s) { s.finish.reflection.exponent = exponent_of(s); }
+};
+
+struct thickness : item<Kind::Thickness, a_number> {
+    static void act(FinishState& s) { s.finish.irid_thickness = s.pop_single(); }
+};
+struct irid_turbulence : item<Kind::Turbulence, a_vector> {
+    static void act(FinishState& s) { s.finish.irid_turbulence = static_cast<float>(s.pop_vector().x); }
+};
+struct irid : item<Kind::Irid> {
+    static void act(FinishState& s)
+    {
+        read_block<table<FinishState, thickness, irid_turbulence>>(s.build, s, "irid",
+                                                                   [&] { s.finish.irid = s.number(); });
+    }
+};
+struct subsurface : item<Kind::Subsurface> {
+    static void act(FinishState& s)
+    {
+        s.build.unsupported_in_objects = true;
+        s.finish.subsurface = read_finish_subsurface(s.build);
+    }
+};
+/// Keywords that moved to the interior in version 3.1.
+template <Kind kind, float scene::Finish::*member>
+struct moved : item<kind, a_number> {
+    static void act(FinishState& s)
+    {
+        s.stream().warn(s.stream().last(), std::string(spelling(kind)) + " belongs in an interior");
+        s.finish.*member = s.pop_single();
+    }
+};
+using ior = moved<Kind::Ior, &scene::Finish::legacy_ior>;
+using caustics = moved<Kind::Caustics, &scene::Finish::legacy_caustics>;
+using refraction = moved<Kind::Refraction, &scene::Finish::legacy_refraction>;
+
+using FinishItems =
+    table<FinishState, ambient, emission, diffuse, phong, specular, roughness, metallic, conserve_energy, reflection,
+          reflection_exponent, irid, subsurface, ior, caustics, refraction,
+          number_of<Kind::Brilliance, &scene::Finish::brilliance>, number_of<Kind::Crand, &scene::Finish::crand>,
+          number_of<Kind::PhongSize, &scene::Finish::phong_size>>;
+
+}  // namespace
+
+scene::Finish read_finish(SceneBuilder& build, const scene::Finish& before)
+{
+    FinishState s(build);
+    const scene::SourceRef source = build.stream().last();
+    read_block<FinishItems>(build, s, "finish", [&] {
+        const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Finish>>();
+        s.finish = declared ? **declared : before;
+    });
+    s.finish.source = source;
+    return s.finish;
+}
+
+}  // namespace parser

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "parser/grammar/core/block_reader.h"
+#include "render/scene/image_map.h"
+
+/// Blocks that name a picture, a volume or an object that a pattern looks its values up in. The keyword has been taken.
+namespace parser {
+
+/// What stands first in an image's block: a kind and a file that must exist, a file whose name tells its kind, or
+/// `function w, h { }`. The picture itself is not read.
+scene::ImageSource read_image_source(BlockReader& s);
+/// `gamma` with a number or srgb if it is next.
+bool read_gamma(BlockReader& s, std::optional<scene::FileGamma>& gamma);
+/// image_map, bump_map, image_pattern: the whole block. `colors`: filter and transmit may stand in it.
+std::shared_ptr<const scene::ImageMap> read_image_block(SceneBuilder& build, bool colors);
+/// `materials`: its textures.
+std::shared_ptr<const scene::ImageMap> read_material_map(SceneBuilder& build, TextureMap& materials);
+std::shared_ptr<const scene::DensityFile> read_density_file(SceneBuilder& build);
+/// Stops before what the object's outside and inside have; close_list() takes the brace behind that.
+std::shared_ptr<const scene::Object> read_object_pattern(SceneBuilder& build);
+
+}  // namespace parser

@@ -1,0 +1,126 @@
+#include "parser/grammar/core/rules.h"
+
+/// color_map, pigment_map, normal_map, slope_map, texture_map: keys in the order written, never sorted (spec 4, 9.1).
+namespace parser {
+namespace {
+
+constexpr std::size_t kMostEntries = 256;
+
+/// `{ NAME }` or `{ [...] [...] }`; `entry` reads what stands between the brackets and appends to the map.
+template <class Map, class Entry>
+Map read_map(SceneBuilder& build, const char* what, Entry&& entry)
+{
+    TokenStream& in = build.stream();
+    const auto guard = in.nest();
+    const scene::SourceRef opened = build.open_block(what);
+    if (const auto declared = in.accept_identifier<std::shared_ptr<const Map>>()) {
+        build.close_block(what, opened);
+        return **declared;
+    }
+    Map map;
+    while (in.accept(Kind::LeftSquare)) {
+        entry(map);
+        in.expect(Kind::RightSquare, "']' at the end of the map's entry");
+        in.accept_comma();
+        if (map.size() > kMostEntries) in.fail(in.last(), "a map has at most 256 entries");
+    }
+    if (map.empty()) build.fail_unknown("'[' and the first entry of the map");
+    build.close_block(what, opened);
+    return map;
+}
+
+/// Keys are kept in single precision.
+double read_key(SceneBuilder& build)
+{
+    if (!at_expression(build.stream())) build.fail_unknown("the entry's key (a number)");
+    const double key = static_cast<float>(parser::float_expr(build.stream()));
+    build.stream().accept_comma();
+    return key;
+}
+
+/// A colour in a map begins with a colour word or a declared colour.
+bool at_map_color(TokenStream& in)
+{
+    const Token& token = in.peek();
+    if (token.kind != Kind::Identifier) return lexical_class(token.kind) == LexicalClass::Color;
+    const Value* value = in.value_of(token);
+    const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
+    return tuple ? tuple->count == 5 : at_expression(in);
+}
+
+/// Of `average`: the weight may be left out.
+double read_weight(SceneBuilder& build, bool weights)
+{
+    TokenStream& in = build.stream();
+    if (!weights) return read_key(build);
+    const Token& token = in.peek();
+    const bool number = token.kind == Kind::Identifier ? in.value_of(token) && in.value_of(token)->get_if<Tuple>()
+                                                       : at_expression(in);
+    return number ? read_key(build) : 1.0;
+}
+
+}  // namespace
+
+scene::ColorMap read_color_map(SceneBuilder& build)
+{
+    TokenStream& in = build.stream();
+    return read_map<scene::ColorMap>(build, "color_map", [&](scene::ColorMap& map) {
+        const double key = read_key(build);
+        if (at_map_color(in)) {
+            map.push_back({key, parser::color_expr(in)});
+            return;
+        }
+        // Old form [k1, k2 color A color B]; POV-Ray asks the second colour alone for its word.
+        if (!at_expression(in)) build.fail_unknown("the entry's colour, as in rgb <1, 0.5, 0>");
+        const double second = static_cast<float>(parser::float_expr(in));
+        if (!at_expression(in)) build.fail_unknown("the entry's first colour, as in color rgb <1, 0.5, 0>");
+        map.push_back({key, parser::color_expr(in)});
+        if (in.peek().kind != Kind::Color)
+            in.fail_expected("'color' and the entry's second colour, as in color rgb <1, 0.5, 0>");
+        map.push_back({second, parser::color_expr(in)});
+    });
+}
+
+scene::PigmentMap read_density_map(SceneBuilder& build, bool weights)
+{
+    return read_map<scene::PigmentMap>(build, "density_map", [&](scene::PigmentMap& map) {
+        const double key = read_weight(build, weights);
+        scene::Pigment white;
+        white.kind = scene::Color{1, 1, 1, 0, 0};
+        map.push_back({key, std::make_shared<scene::Pigment>(read_density_body(build, white))});
+    });
+}
+
+scene::PigmentMap read_pigment_map(SceneBuilder& build, bool weights)
+{
+    return read_map<scene::PigmentMap>(build, "pigment_map", [&](scene::PigmentMap& map) {
+        const double key = read_weight(build, weights);
+        map.push_back({key, std::make_shared<scene::Pigment>(read_pigment_body(build, build.default_layer().pigment))});
+    });
+}
+
+NormalMap read_normal_map(SceneBuilder& build, bool weights)
+{
+    return read_map<NormalMap>(build, "normal_map", [&](NormalMap& map) {
+        const double key = read_weight(build, weights);
+        map.push_back({key, std::make_shared<scene::Normal>(read_normal_body(build, build.default_layer().normal))});
+    });
+}
+
+SlopeMap read_slope_map(SceneBuilder& build)
+{
+    return read_map<SlopeMap>(build, "slope_map", [&](SlopeMap& map) {
+        const double key = read_key(build);
+        map.push_back({key, parser::vector2_expr(build.stream())});
+    });
+}
+
+TextureMap read_texture_map(SceneBuilder& build, bool weights)
+{
+    return read_map<TextureMap>(build, "texture_map", [&](TextureMap& map) {
+        const double key = read_weight(build, weights);
+        map.push_back({key, read_texture_body(build)});
+    });
+}
+
+}  // namespace parser

@@ -1,0 +1,108 @@
+#include "parser/grammar/textures/images.h"
+#include "parser/grammar/core/rules.h"
+
+namespace parser {
+namespace {
+
+struct NormalState : BlockState {
+    using BlockState::BlockState;
+    scene::Normal normal;
+};
+struct bump_size : item<Kind::BumpSize, a_number> {
+    static void act(NormalState& s) { s.normal.amount = s.pop_float(); }
+};
+struct accuracy : item<Kind::Accuracy, a_number> {
+    static void act(NormalState& s) { s.normal.accuracy = s.pop_float(); }
+};
+struct no_bump_scale : item<Kind::NoBumpScale> {
+    static void act(NormalState& s) { s.normal.no_bump_scale = optional_flag(s.stream()); }
+};
+struct normal_map : item<Kind::NormalMap> {
+    static void act(NormalState& s) { s.normal.map = read_normal_map(s.build, s.normal.pattern.name == "average"); }
+};
+struct slope_map : item<Kind::SlopeMap> {
+    static void act(NormalState& s) { s.normal.map = read_slope_map(s.build); }
+};
+using NormalItems = table<NormalState, bump_size, accuracy, no_bump_scale, normal_map, slope_map>;
+
+void read_list(NormalState& s, int count)
+{
+    TokenStream& in = s.stream();
+    s.normal.accuracy = 0.02;
+    s.normal.map = std::monostate{};
+    if (in.peek().kind != Kind::Normal) return;
+    NormalMap map;
+    while (static_cast<int>(map.size()) < count && in.accept(Kind::Normal)) {
+        map.push_back({static_cast<double>(map.size()),
+                       std::make_shared<scene::Normal>(read_normal(s.build, s.build.default_layer().normal))});
+        in.accept_comma();
+    }
+    while (static_cast<int>(map.size()) < count)
+        map.push_back({static_cast<double>(map.size()),
+                       std::make_shared<scene::Normal>(s.build.default_layer().normal.value_or(scene::Normal{}))});
+    s.normal.map = std::move(map);
+}
+
+void read_head(NormalState& s)
+{
+    TokenStream& in = s.stream();
+    if (in.accept(Kind::BumpMap)) {
+        s.normal.pattern = {};
+        s.normal.pattern.name = "bump_map";
+        s.normal.pattern.source = in.last();
+        const auto bumps = read_image_block(s.build, false);
+        s.normal.pattern.data = bumps;
+        s.normal.map = std::monostate{};
+        if (bumps->bump_size) s.normal.amount = *bumps->bump_size;
+        in.accept_comma();
+        if (at_expression(in)) s.normal.amount = parser::float_expr(in);
+        return;
+    }
+    if (in.accept(Kind::UvMapping)) {
+        s.normal = {};
+        s.normal.source = s.normal.pattern.source = in.last();
+        s.normal.pattern.name = "uv_mapping";
+        s.normal.map = NormalMap{{0, std::make_shared<scene::Normal>(read_normal_body(s.build, std::nullopt))}};
+        return;
+    }
+    if (!read_pattern_type(s.build, s.normal.pattern, true)) {
+        if (!s.normal.pattern.name.empty() && at_expression(in))
+            s.normal.amount = parser::float_expr(in);  // normal { N 0.9 }
+        return;
+    }
+    if (const int count = list_size(s.normal.pattern)) read_list(s, count);
+    close_list(s.build, s.normal.pattern);
+    const bool comma = in.accept_comma();
+    if (at_expression(in)) s.normal.amount = parser::float_expr(in);
+    else if (comma) s.build.fail_unknown("the normal's amount (a number)");
+}
+
+}  // namespace
+
+scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::Normal>& base)
+{
+    TokenStream& in = build.stream();
+    const auto guard = in.nest();
+    NormalState s(build);
+    if (base) s.normal = *base;
+    s.normal.source = in.here();
+    if (const auto declared = in.accept_identifier<scene::NormalPtr>()) s.normal = **declared;
+    read_head(s);
+    while (NormalItems::match(build, s) || read_pattern_modifier(build, s.normal.pattern)) {}
+    check_pavement(build, s.normal.pattern);
+    if (s.normal.pattern.name == "average" && std::holds_alternative<std::monostate>(s.normal.map))
+        in.fail(s.normal.source, "'average' needs a normal_map");
+    if (s.normal.pattern.name.empty() && !std::holds_alternative<std::monostate>(s.normal.map))
+        in.fail(s.normal.source, "this normal has a map, but no pattern");
+    return s.normal;
+}
+
+scene::Normal read_normal(SceneBuilder& build, const std::optional<scene::Normal>& base)
+{
+    const scene::SourceRef opened = build.open_block("normal");
+    scene::Normal normal = read_normal_body(build, base);
+    build.close_block("normal", opened);
+    return normal;
+}
+
+}  // namespace parser

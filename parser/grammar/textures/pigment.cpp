@@ -1,0 +1,224 @@
+#include "parser/grammar/textures/images.h"
+#include "parser/grammar/core/rules.h"
+#include "render/scene/media.h"
+
+namespace parser {
+namespace {
+
+struct PigmentState : BlockState {
+    PigmentState(SceneBuilder& b, const scene::Pigment& base, bool density_block)
+        : BlockState(b), density(density_block)
+    {
+        start_from(base);
+    }
+
+    bool density;  // `density`: its own maps and lists
+    std::optional<scene::Color> quick_color;
+    scene::Color color;
+    scene::Pattern pattern;  // a name: the pigment is patterned
+    scene::ColorMap colors;
+    bool mapless = false;                              // a colour or an image_map stood first
+    scene::PigmentMap pigments;                        // at most one of the two maps has entries
+    std::shared_ptr<const scene::Pigment> on_surface;  // uv_mapping: the pigment in uv space
+
+    void start_from(const scene::Pigment& base)
+    {
+        quick_color = base.quick_color;
+        if (const auto* plain = std::get_if<scene::Color>(&base.kind)) {
+            color = *plain;
+            return;
+        }
+        const auto& patterned = std::get<scene::PatternedPigment>(base.kind);
+        pattern = patterned.pattern;
+        if (const auto* c = std::get_if<scene::ColorMap>(&patterned.map)) colors = *c;
+        else pigments = std::get<scene::PigmentMap>(patterned.map);
+    }
+    void set_plain(const scene::Color& c)
+    {
+        pattern = {};
+        color = c;
+    }
+};
+
+void reject_map(PigmentState& s)
+{
+    if (s.mapless) s.stream().fail(s.stream().last(), "a plain colour and an image_map take no map");
+    if (list_size(s.pattern) > 0)
+        s.stream().fail(s.stream().last(), "'" + s.pattern.name + "' takes a list of colours or pigments, not a map");
+}
+struct color_map : item<Kind::ColorMap> {
+    static void act(PigmentState& s)
+    {
+        reject_map(s);
+        s.colors = read_color_map(s.build);
+        s.pigments.clear();
+    }
+};
+struct pigment_map : item<Kind::PigmentMap> {
+    static void act(PigmentState& s)
+    {
+        reject_map(s);
+        if (s.density)
+            s.stream().fail(s.stream().last(), "'pigment_map' belongs in a pigment; a density has a density_map");
+        s.pigments = read_pigment_map(s.build, s.pattern.name == "average");
+        s.colors.clear();
+    }
+};
+struct density_map : item<Kind::DensityMap> {
+    static void act(PigmentState& s)
+    {
+        reject_map(s);
+        if (!s.density)
+            s.stream().fail(s.stream().last(), "'density_map' belongs in a density; a pigment has a pigment_map");
+        s.pigments = read_density_map(s.build, s.pattern.name == "average");
+        s.colors.clear();
+    }
+};
+struct quick_color : item<Kind::QuickColor, a_color> {
+    static void act(PigmentState& s) { s.quick_color = s.pop_color(); }
+};
+using PigmentItems = table<PigmentState, color_map, pigment_map, density_map, quick_color>;
+
+/// Colours or pigments of checker, brick, ...: the first one decides which.
+void read_list(PigmentState& s, int count)
+{
+    TokenStream& in = s.stream();
+    s.colors.clear();
+    s.pigments.clear();
+    const Kind keyword = s.density ? Kind::Density : Kind::Pigment;
+    if (in.peek().kind == keyword) {
+        while (static_cast<int>(s.pigments.size()) < count && in.accept(keyword)) {
+            const scene::SourceRef opened = s.build.open_block(s.density ? "density" : "pigment");
+            const scene::Pigment& base = s.build.default_layer().pigment;
+            auto one = std::make_shared<scene::Pigment>(s.density ? read_density_body(s.build, scene::Pigment{})
+                                                                  : read_pigment_body(s.build, base));
+            s.build.close_block(s.density ? "density" : "pigment", opened);
+            s.pigments.push_back({static_cast<double>(s.pigments.size()), std::move(one)});
+            in.accept_comma();
+        }
+        while (static_cast<int>(s.pigments.size()) < count)
+            s.pigments.push_back({static_cast<double>(s.pigments.size()),
+                                  std::make_shared<scene::Pigment>(s.build.default_layer().pigment)});
+        return;
+    }
+    s.colors = default_colors(s.pattern);
+    for (int i = 0; i < count && !s.density && at_color(in); ++i) {
+        s.colors[static_cast<std::size_t>(i)].value = parser::color_expr(in);
+        in.accept_comma();
+    }
+}
+
+/// A pigment may begin with a colour word or a declared colour, not with a bare vector.
+bool at_plain_color(TokenStream& in)
+{
+    const Token& token = in.peek();
+    if (token.kind != Kind::Identifier) return lexical_class(token.kind) == LexicalClass::Color;
+    const Value* value = in.value_of(token);
+    return value && !value->get_if<std::shared_ptr<const scene::Object>>() && at_color(in);
+}
+
+void read_head(PigmentState& s)
+{
+    TokenStream& in = s.stream();
+    if (at_plain_color(in)) {
+        s.set_plain(parser::color_expr(in));
+        s.mapless = true;
+    } else if (in.accept(Kind::ImageMap)) {
+        s.set_plain({});
+        s.colors.clear();
+        s.pigments.clear();
+        s.pattern.name = "image_map";
+        s.pattern.source = in.last();
+        s.pattern.data = read_image_block(s.build, true);
+        s.mapless = true;
+    } else if (in.accept(Kind::UvMapping)) {
+        s.pattern = {};
+        s.pattern.name = "uv_mapping";
+        s.pattern.source = in.last();
+        s.on_surface = std::make_shared<scene::Pigment>(read_pigment_body(s.build, scene::Pigment{}));
+    } else {
+        const bool had_list = list_size(s.pattern) > 0;
+        if (!read_pattern_type(s.build, s.pattern)) return;
+        const int count = list_size(s.pattern);
+        if (had_list != (count > 0)) {
+            s.colors.clear();
+            s.pigments.clear();
+        }
+        if (count > 0) read_list(s, count);
+        close_list(s.build, s.pattern);
+    }
+}
+
+scene::Pigment finished(PigmentState& s, const scene::SourceRef& source)
+{
+    scene::Pigment result;
+    result.source = source;
+    result.quick_color = s.quick_color;
+    if (s.pattern.name.empty()) {
+        result.kind = s.color;
+        return result;
+    }
+    scene::PatternedPigment patterned;
+    patterned.pattern = std::move(s.pattern);
+    if (s.on_surface) {
+        patterned.map = scene::PigmentMap{{0, s.on_surface}};
+    } else if (patterned.pattern.name == "image_map") {
+        patterned.map = scene::ColorMap{};
+    } else if (!s.pigments.empty()) {
+        patterned.map = std::move(s.pigments);
+    } else {
+        if (patterned.pattern.name == "average" && s.colors.empty())
+            s.stream().fail(source, "'average' needs a pigment_map");
+        patterned.map = s.colors.empty() ? default_colors(patterned.pattern) : std::move(s.colors);
+    }
+    result.kind = std::move(patterned);
+    return result;
+}
+
+}  // namespace
+
+namespace {
+
+scene::Pigment read_body(SceneBuilder& build, const scene::Pigment& base, bool density)
+{
+    TokenStream& in = build.stream();
+    const auto guard = in.nest();
+    PigmentState s(build, base, density);
+    const scene::SourceRef source = in.here();
+    const auto start_from = [&s](const scene::Pigment& declared) {
+        s.pattern = {};
+        s.start_from(declared);
+    };
+    if (density) {
+        if (const auto found = in.accept_identifier<std::shared_ptr<const scene::Density>>())
+            start_from((*found)->pigment);
+    } else if (const auto found = in.accept_identifier<scene::PigmentPtr>()) {
+        start_from(**found);
+    }
+    read_head(s);
+    while (PigmentItems::match(build, s) || read_pattern_modifier(build, s.pattern)) {}
+    check_pavement(build, s.pattern);
+    return finished(s, source);
+}
+
+}  // namespace
+
+scene::Pigment read_pigment_body(SceneBuilder& build, const scene::Pigment& base)
+{
+    return read_body(build, base, false);
+}
+
+scene::Pigment read_density_body(SceneBuilder& build, const scene::Pigment& base)
+{
+    return read_body(build, base, true);
+}
+
+scene::Pigment read_pigment(SceneBuilder& build, const scene::Pigment& base)
+{
+    const scene::SourceRef opened = build.open_block("pigment");
+    scene::Pigment pigment = read_pigment_body(build, base);
+    build.close_block("pigment", opened);
+    return pigment;
+}
+
+}  // namespace parser

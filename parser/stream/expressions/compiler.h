@@ -1,0 +1,101 @@
+#pragma once
+
+#include "parser/stream/expressions/compiled.h"
+#include "parser/stream/expressions/operand.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace parser {
+
+/// Reads tokens as read_factor and its kin do, but only looks: -1 stands for "not known here".
+class Compiler {
+public:
+    using Code = CompiledOp::Code;
+    Compiler(const Token* tokens, std::uint32_t at, std::uint32_t limit, const Symbols& symbols,
+             CompiledExpression& out)
+        : tokens_(tokens), at_(at), limit_(limit), symbols_(symbols), out_(out)
+    {}
+
+    int sum(int requested);
+    int full(int requested);
+    std::uint32_t at() const { return at_; }
+    Kind kind() const { return at_ < limit_ ? tokens_[at_].kind : Kind::EndOfText; }
+
+private:
+    static constexpr std::size_t kDeepestStack = 48, kDeepestNesting = 40;
+    bool take(Kind wanted)
+    {
+        if (kind() != wanted) return false;
+        ++at_;
+        return true;
+    }
+    CompiledOp& emit(Code code, int grows)
+    {
+        depth_ += grows;
+        if (depth_ > static_cast<int>(kDeepestStack)) too_deep_ = true;
+        CompiledOp op;
+        op.code = code;
+        return out_.ops.emplace_back(op);
+    }
+    int splat(int requested)
+    {
+        if (requested > 1) emit(Code::Splat, requested - 1).a = static_cast<std::uint8_t>(requested);
+        return requested;
+    }
+    int constant(double value, int requested)
+    {
+        emit(Code::Constant, 1).number = value;
+        return splat(requested);
+    }
+    int tuple(std::initializer_list<double> values, int requested)
+    {
+        for (const double v : values) emit(Code::Constant, 1).number = v;
+        return pad(static_cast<int>(values.size()), std::max(static_cast<int>(values.size()), requested));
+    }
+    int pad(int count, int wanted)
+    {
+        for (int i = count; i < wanted; ++i) emit(Code::Constant, 1).number = 0.0;
+        return std::max(count, wanted);
+    }
+    /// Both operands are on the stack: the shorter side grows inside the operation.
+    int combine(Code scalar, int left, int right)
+    {
+        const int count = std::max(left, right);
+        const bool plain = left == 1 && right == 1;
+        const Code code = plain ? scalar
+                                : static_cast<Code>(static_cast<int>(scalar) + 4);  // ...Tuple stands four behind
+        CompiledOp& op = emit(code, count - left - right);
+        op.a = static_cast<std::uint8_t>(left);
+        op.b = static_cast<std::uint8_t>(right);
+        return too_deep_ ? -1 : count;
+    }
+    bool fold_number(Code code, int left);
+    int product(int requested);
+    int factor(int requested);
+    int primary(int requested);
+    int relation(int requested);
+    int select(int count, int requested);
+    int identifier(int requested);
+    int element(const Token& name, const Array& array, int requested);
+    int literal();
+    int call(const Token& name, const function::FunctionPtr& function, int requested);
+    int float_word(Kind word, int requested);
+    int float_function(Kind word);
+    int trace(int requested);
+    bool object(std::uint32_t& name);
+    int vector_word(Kind word, int requested);
+    bool number(bool whole = false) { return (whole ? full(1) : sum(1)) == 1; }
+    bool vector();
+    bool begins_operand() const;
+
+    const Token* tokens_;
+    std::uint32_t at_, limit_;
+    const Symbols& symbols_;
+    CompiledExpression& out_;
+    int depth_ = 0;
+    std::size_t nesting_ = 0;
+    bool too_deep_ = false;
+};
+
+}  // namespace parser

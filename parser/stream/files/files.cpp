@@ -1,0 +1,215 @@
+#include "parser/stream/expressions/expression.h"
+#include "parser/stream/files/file_policy.h"
+#include "parser/stream/messages.h"
+#include "parser/stream/text.h"
+#include "parser/stream/token_stream.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace parser {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDeepestIncludes = 100;  // POV-Ray stops at 32
+
+bool is_file(const fs::path& path)
+{
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
+
+}  // namespace
+
+std::uint16_t TokenStream::load(const std::string& path, std::string text, bool main_text)
+{
+    constexpr std::size_t kMostFiles = 60'000, kMostBytes = 0xffffffffu;
+    if (files_.size() >= kMostFiles) throw Error(path + ": error: too many files");
+    if (text.size() >= kMostBytes) throw Error(path + ": error: this file is too long");
+    const auto index = static_cast<std::uint16_t>(files_.size());
+    auto source = std::make_unique<SourceFile>();
+    source->path = path;
+    source->text = std::move(text);
+    if (tokenize(*source, index, names_, main_text)) language_.charset = Charset::Utf8;
+    ++statistics_.files;
+    statistics_.bytes += source->text.size();
+    statistics_.tokens += source->tokens.size();
+    files_.push_back(std::move(source));
+    return index;
+}
+
+void TokenStream::open_main(std::uint16_t index, const std::string& path)
+{
+    scene_folder_ = fs::path(path).parent_path().string();
+    Cursor cursor;
+    cursor.file = index;
+    cursor.tokens = files_[index]->tokens.data();
+    cursor.end = static_cast<std::uint32_t>(files_[index]->tokens.size() - 1);
+    cursors_.push_back(cursor);
+    *symbols_.global(names_.intern("input_file_name")) = fs::path(path).filename().string();
+    if (options_.include_header.empty()) return;
+    const Token& start = files_[index]->tokens.front();
+    include_named(options_.include_header, start, place(start));
+}
+
+void TokenStream::open_file(const std::string& path)
+{
+    auto text = kept_files_.read(path);
+    std::error_code error;
+    if (!text && !fs::exists(path, error))
+        throw Error(path + ": error: there is no such file" + nearest_file(path, {""}, ".pov"));
+    if (!text) throw Error(path + ": error: cannot read this file");
+    open_main(load(path, std::move(*text), true), path);
+}
+
+void TokenStream::open_text(const std::string& text, const std::string& name)
+{
+    open_main(load(name, text, true), name);
+}
+
+void TokenStream::predefine()
+{
+    const auto set = [&](const char* name, double value) { *symbols_.global(names_.intern(name)) = Tuple::of(value); };
+    set("image_width", options_.image_width);
+    set("image_height", options_.image_height);
+    set("frame_number", options_.frame_number);
+    set("initial_frame", options_.initial_frame);
+    set("final_frame", options_.final_frame);
+    set("initial_clock", options_.initial_clock);
+    set("final_clock", options_.final_clock);
+    set("clock_delta", options_.clock_delta);
+    for (const auto& [name, value] : options_.declared_numbers) set(name.c_str(), value);
+    for (const auto& [name, text] : options_.declared_strings) *symbols_.global(names_.intern(name)) = text;
+}
+
+std::vector<std::string> TokenStream::files() const
+{
+    std::vector<std::string> paths;
+    for (const auto& source : files_) paths.push_back(source->path);
+    return paths;
+}
+
+std::string TokenStream::find_file(const std::string& name, const std::vector<std::string>& extensions) const
+{
+    if (name.empty() || name.find('\0') != std::string::npos) return {};
+    std::vector<std::string> names;
+    bool has_extension = extensions.empty();
+    for (const std::string& extension : extensions) has_extension = has_extension || name.ends_with(extension);
+    if (has_extension) names.push_back(name);
+    for (const std::string& extension : extensions) names.push_back(name + extension);
+    if (!has_extension) names.push_back(name);
+
+    const std::vector<std::string> folders = searched_folders();
+    const auto there = [&](const fs::path& path) { return kept_files_.has(path.string()) || is_file(path); };
+    for (const std::string& candidate : names) {
+        if (fs::path(candidate).is_absolute()) {
+            if (there(candidate) && may_read(options_, scene_folder_, candidate)) return candidate;
+            continue;
+        }
+        for (const fs::path folder : folders)
+            if (there(folder / candidate) && may_read(options_, scene_folder_, (folder / candidate).string()))
+                return (folder / candidate).string();
+    }
+    return {};
+}
+
+/// In order, each once; "" is the current one.
+std::vector<std::string> TokenStream::searched_folders() const
+{
+    std::vector<std::string> folders{""};
+    const auto add = [&](const std::string& folder) {
+        if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
+    };
+    for (const std::string& folder : options_.library_path) add(folder);
+    add(scene_folder_);  // POV-Ray looks into neither of these two
+    if (!cursors_.empty()) add(fs::path(files_[cursors_.back().file]->path).parent_path().string());
+    return folders;
+}
+
+/// "; did you mean 'colors.inc'?" with the file of that extension whose name is nearest, or nothing.
+std::string TokenStream::nearest_file(const std::string& name, const std::vector<std::string>& folders,
+                                      std::string_view extension) const
+{
+    constexpr std::size_t kMostNames = 20'000;
+    const fs::path wanted(name);
+    std::vector<std::string> names;
+    for (const fs::path folder : folders) {
+        const fs::path place = folder / wanted.parent_path();
+        std::error_code error;
+        for (fs::directory_iterator entry(place.empty() ? "." : place, error), end;
+             !error && entry != end && names.size() < kMostNames; entry.increment(error)) {
+            const std::string found = entry->path().filename().string();
+            if (fs::path(found).extension() == extension && may_read(options_, scene_folder_, entry->path().string()))
+                names.push_back(found);
+        }
+    }
+    std::string word = wanted.filename().string();
+    if (!wanted.has_extension()) word += extension;
+    const std::string nearest = nearest_of(word, names);
+    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", (wanted.parent_path() / nearest).string());
+}
+
+std::string TokenStream::where_searched() const
+{
+    std::string text;
+    for (const std::string& folder : searched_folders())
+        text += (text.empty() ? " in " : ", ") + (folder.empty() ? "the current folder" : "'" + folder + "'");
+    return text;
+}
+
+const char* TokenStream::why_not_found() const
+{
+    return options_.restrict_read ? ", or it lies outside of the folders that may be read" : "";
+}
+
+void TokenStream::include()
+{
+    const Token& call = *last_;
+    const scene::SourceRef at = here();
+    include_named(path_expr(*this), call, at);
+}
+
+void TokenStream::include_named(const std::string& name, const Token& call, const scene::SourceRef& at)
+{
+    const std::string path = find_file(name, {".inc", ".INC"});
+    if (path.empty()) {
+        const bool absolute = fs::path(name).is_absolute();
+        fail(at, fmt::format("cannot find the include file '{}'{}{}{}", name, absolute ? "" : where_searched(),
+                             why_not_found(),
+                             nearest_file(name, absolute ? std::vector<std::string>{""} : searched_folders(), ".inc")));
+    }
+    std::size_t depth = 0;
+    for (const Cursor& cursor : cursors_) depth += !cursor.macro;
+    if (depth >= kDeepestIncludes || cursors_.size() >= 2 * kDeepestIncludes + 2000)
+        fail(at, "files include each other too deeply; does one include itself?");
+
+    auto known = loaded_.find(path);
+    if (known == loaded_.end()) {
+        auto text = kept_files_.read(path);
+        if (!text) fail(at, fmt::format("cannot read the include file '{}'", path));
+        known = loaded_.emplace(path, load(path, std::move(*text), false)).first;
+    }
+    symbols_.open_scope();
+    Cursor cursor;
+    cursor.file = known->second;
+    cursor.tokens = files_[cursor.file]->tokens.data();
+    cursor.end = static_cast<std::uint32_t>(files_[cursor.file]->tokens.size() - 1);
+    cursor.blocks = blocks_.size();
+    cursor.call = &call;
+    cursors_.push_back(cursor);
+}
+
+void TokenStream::message_directive(Kind kind)
+{
+    const scene::SourceRef at = last();
+    const std::string text = printed(string_expr(*this), language_.version);
+    if (kind == Kind::Error) fail(at, text);
+    if (kind == Kind::Warning) return warn_as_written(at, text);
+    if (kind != Kind::Debug) warn(at, fmt::format("#{} prints where #debug does", spelling(kind)));
+    report(Severity::Debug, at, text);
+}
+
+}  // namespace parser

@@ -1,0 +1,42 @@
+#include "parser/stream/files/kept_files.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace parser {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string normal(const std::string& path) { return fs::path(path).lexically_normal().string(); }
+
+}  // namespace
+
+std::shared_ptr<std::string> KeptFiles::open(const std::string& path, bool append)
+{
+    auto text = std::make_shared<std::string>(append ? read(path).value_or(std::string()) : std::string());
+    files_[normal(path)] = text;
+    return text;
+}
+
+std::optional<std::string> KeptFiles::read(const std::string& path) const
+{
+    if (const std::string* text = find(path)) return *text;
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return std::nullopt;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return std::nullopt;
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    return std::move(bytes).str();
+}
+
+const std::string* KeptFiles::find(const std::string& path) const
+{
+    if (files_.empty()) return nullptr;
+    const auto known = files_.find(normal(path));
+    return known == files_.end() ? nullptr : known->second.get();
+}
+
+}  // namespace parser

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace parser {
+
+/// What a scene would have written, with Options::write_nothing: it is read again from here. By path as written,
+/// without
+/// "." and "..".
+class KeptFiles {
+public:
+    /// The text of a file opened for writing. \param append  begins with what the file on disk holds
+    std::shared_ptr<std::string> open(const std::string& path, bool append);
+    bool has(const std::string& path) const { return find(path) != nullptr; }
+    /// From here, or else from disk; nothing where neither has it.
+    std::optional<std::string> read(const std::string& path) const;
+
+private:
+    const std::string* find(const std::string& path) const;
+    std::map<std::string, std::shared_ptr<std::string>> files_;
+};
+
+}  // namespace parser

@@ -1,0 +1,132 @@
+#include "render/app/options/own_options.h"
+
+#include "render/app/options/nearest.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace app {
+
+namespace {
+
+void set_dump(Settings& s, const std::string& value)
+{
+    using Dump = Settings::Dump;
+    s.dump = value == "tokens" ? Dump::Tokens : value == "scene" ? Dump::Scene : Dump::Plan;
+}
+
+void set_state_after(Settings& s, const std::string& value)
+{
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), s.state_after);
+    if (error != std::errc() || end != value.data() + value.size() || s.state_after < 0.0)
+        throw OptionError("--state-after wants seconds, found '" + value + "'");
+}
+
+void set_memory(Settings& s, const std::string& value)
+{
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), s.memory);
+    if (error != std::errc() || end != value.data() + value.size() || !(s.memory > 0.0))
+        throw OptionError("--memory wants MB, found '" + value + "'");
+    s.memory *= 1e6;
+}
+
+/// In the order in which texts show them.
+constexpr OwnOption kOwnOptions[] = {
+    {"check", "", "read the scene, tell its errors and warnings, and stop; files that it would write are left alone",
+     [](Settings& s, const std::string&) { s.parse_only = s.check = true; }},
+    {"parse-only", "", "read the scene as for a render, and stop",
+     [](Settings& s, const std::string&) { s.parse_only = true; }},
+    {"deps", "", "print the files that the scene is made of, one a line, and stop",
+     [](Settings& s, const std::string&) { s.parse_only = s.deps = true; }},
+    {"json", "FILE",
+     "write what was done as JSON: options, phases, counts, memory, messages, pictures; - is standard output",
+     [](Settings& s, const std::string& v) { s.json_file = v; }},
+    {"quiet", "", "errors only", [](Settings& s, const std::string&) { s.quiet = true; }},
+    {"werror", "", "a warning of the scene ends the run with status 1, before anything is rendered",
+     [](Settings& s, const std::string&) { s.warnings_are_errors = true; }},
+    {"console", "whittle|povray",
+     "whose lines the console speaks; usual: by the name under which the program is called",
+     [](Settings& s, const std::string& v) {
+         s.console_style = v == "povray" ? ConsoleStyle::Povray : ConsoleStyle::Whittle;
+     }},
+    {"make-folders", "", "make the folder of the picture if it is missing",
+     [](Settings& s, const std::string&) { s.make_folders = true; }},
+    {"state-after", "SECONDS", "after so long a render keeps its finished blocks beside the picture, for +C; usual: 2",
+     set_state_after},
+    {"memory", "MB",
+     "so much may the pixels of a picture take, 16 bytes each: larger pictures are rendered by rows; usual: half of "
+     "what is free",
+     set_memory},
+    {"allow-write", "FOLDER",
+     "a scene may write files below this folder too, besides the current one and the picture's",
+     [](Settings& s, const std::string& v) { s.write_folders.push_back(v); }},
+    {"restrict-read", "",
+     "a scene may read files only below the current folder, its own, the picture's, those of the library path and of "
+     "--allow-write",
+     [](Settings& s, const std::string&) { s.restrict_read = true; }},
+    {"allow-commands", "", "run the commands of Pre_Scene_Command and its kin",
+     [](Settings& s, const std::string&) { s.allow_commands = true; }},
+    {"preview", "FILE",
+     "a file mapped into memory in which another program watches the picture grow; also +SMFILE, as LeoCAD has it",
+     [](Settings& s, const std::string& v) { s.preview_file = v; }},
+    {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
+    {"explain", "", "say what the plan kept, what it left out and why",
+     [](Settings& s, const std::string&) { s.explain = true; }},
+    {"faithful", "",
+     "POV-Ray's constants where better ones are usual, to find the cause of a difference: docs/faithful.md",
+     [](Settings& s, const std::string&) { s.faithful = true; }},
+    {"isa", "v2|v3|v4|auto", "instruction set of the tracer",
+     [](Settings& s, const std::string& v) { s.isa = v == "auto" ? "" : v; }},
+    {"benchmark", "", "render POV-Ray's benchmark scene where it is installed, 512x512, antialiased", nullptr},
+    {"help", "", "this text", nullptr},
+    {"man", "", "print the manual page, in the form that man reads", nullptr},
+    {"completion", "", "print the completion for bash", nullptr},
+    {"version", "", "print the version", nullptr},
+};
+
+bool is_choice(const OwnOption& option, std::string_view value)
+{
+    if (option.value.find('|') == std::string_view::npos) return true;
+    std::string_view rest = option.value;
+    while (true) {
+        const std::size_t bar = rest.find('|');
+        if (rest.substr(0, bar) == value) return true;
+        if (bar == std::string_view::npos) return false;
+        rest.remove_prefix(bar + 1);
+    }
+}
+
+}  // namespace
+
+std::span<const OwnOption> own_options() { return kOwnOptions; }
+
+const OwnOption* find_own_option(std::string_view word)
+{
+    if (!word.starts_with("--")) return nullptr;
+    const std::string_view name = word.substr(2, word.find('=') - 2);
+    const auto* found = std::find_if(std::begin(kOwnOptions), std::end(kOwnOptions),
+                                     [&](const OwnOption& o) { return o.name == name; });
+    return found == std::end(kOwnOptions) ? nullptr : found;
+}
+
+bool apply_own_option(Settings& settings, const std::string& word, const std::string* next)
+{
+    const OwnOption* option = find_own_option(word);
+    if (!option || !option->apply) throw OptionError("unknown option '" + word + "'" + nearest_own_option(word));
+    const std::string name = "--" + std::string(option->name);
+    const std::size_t equals = word.find('=');
+    const bool given = equals != std::string::npos;
+    if (option->value.empty()) {
+        if (given) throw OptionError(name + " wants no value");
+        option->apply(settings, {});
+        return false;
+    }
+    if (!given && !next) throw OptionError(name + " wants a value: " + std::string(option->value));
+    const std::string value = given ? word.substr(equals + 1) : *next;
+    if (value.empty() || !is_choice(*option, value))
+        throw OptionError(name + " wants " + std::string(option->value) + ", found '" + value + "'");
+    option->apply(settings, value);
+    return !given;
+}
+
+}  // namespace app

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "render/image/files.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Whose words the console speaks: Whittle's own, or the lines that callers of `povray` look for.
+enum class ConsoleStyle { Whittle, Povray };
+
+/// Points of a run at which a command can be run.
+enum class Hook { PreScene, PreFrame, PostFrame, PostScene, UserAbort, FatalError };
+inline constexpr std::size_t kHookCount = 6;
+
+/// What the command line and INI files ask for, with the defaults of a Debian installation of POV-Ray (spec 1, 18).
+struct Settings {
+    // Scene.
+    std::string input_file;
+    std::string include_header;             ///< a file to include ahead of the scene; empty: none
+    std::vector<std::string> library_path;  ///< as given, in order; default_library_path() comes after
+    std::map<std::string, double> declared_numbers;
+    std::map<std::string, std::string> declared_strings;
+    std::optional<int> version;  ///< times 100
+    std::optional<float> clock;
+
+    // Animation: as given, resolved by frames().
+    std::optional<int> initial_frame, final_frame;
+    float initial_clock = 0.0f, final_clock = 1.0f;
+    double subset_start_frame = 0.0, subset_end_frame = 0.0;  ///< 0: not given; below 1: share of the frames
+    int frame_step = 1;
+    bool cyclic = false;
+
+    // Picture.
+    int width = 800, height = 600;
+    double start_column = 0.0, start_row = 0.0;  ///< below 1: share of the picture; else counted from 1
+    double end_column = 1.0, end_row = 1.0;      ///< at most 1: share of the picture; else counted from 1, inclusive
+    int quality = 9;
+    bool antialias = false, jitter = true;
+    float antialias_threshold = 0.3f, antialias_gamma = 2.5f, jitter_amount = 1.0f;
+    int sampling_method = 1, antialias_depth = 3;
+    std::optional<bool> split_unions;
+    int threads = 0;  ///< 0: one per core
+    int block_size = 32;
+
+    // Output file.
+    bool output_to_file = true;
+    std::string output_file;  ///< as given; output_path() makes the name of it
+    image::FileType file_type = image::FileType::Png;
+    int bits_per_color = 8;
+    bool greyscale = false, alpha = false, continue_trace = false;
+    double memory = 0.0;       ///< bytes for the pixels of a picture; 0: half of what is free
+    double state_after = 2.0;  ///< seconds of rendering before finished blocks are kept for +C
+    bool dither = false;
+    image::Dither dither_method = image::Dither::FloydSteinberg;
+    int compression = 0;  ///< JPEG quality; 0 and 1 mean 85
+    image::TransferCurve file_gamma = image::TransferCurve::srgb(), display_gamma = image::TransferCurve::srgb();
+
+    // Commands, by Hook, and what their exit status does.
+    std::array<std::string, kHookCount> commands, command_returns;
+
+    // Messages.
+    bool verbose = true;
+    bool debug_console = true, warning_console = true, statistic_console = true, render_console = true;
+    bool fatal_console = true;
+    std::optional<bool> all_console;  ///< overrides the single ones
+    /// Files that keep the text of a stream: a name, a truth for the usual name, or empty.
+    std::string all_file, debug_file, fatal_file, render_file, statistic_file, warning_file;
+    bool append_file = false;
+    std::string create_ini;  ///< an INI file to write: a name, a truth for the scene's, or empty
+    ConsoleStyle console_style = ConsoleStyle::Whittle;
+    bool quiet = false;  ///< errors only
+
+    // Whittle's own.
+    enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;
+    bool explain = false, parse_only = false;
+    bool check = false, deps = false;  ///< with parse_only: no file is written; the files read are printed
+    std::string preview_file;          ///< empty: none
+    std::string json_file;             ///< empty: none; "-": standard output
+    bool warnings_are_errors = false, make_folders = false, allow_commands = false, restrict_read = false;
+    bool faithful = false;                   ///< plan::Options::faithful
+    std::vector<std::string> write_folders;  ///< where a scene may write besides the current folder and the picture's
+    std::string isa;                         ///< "v2", "v3", "v4"; empty: the best the processor has
+
+    /// Values by keyword of the option table, as given last; of Library_Path and Declare all.
+    std::map<std::string, std::vector<std::string>, std::less<>> given;
+    std::vector<std::string> ini_files;     ///< read, in order
+    std::vector<std::string> not_acted_on;  ///< options given that have no effect yet, for the note
+    std::vector<std::string> notes;         ///< other remarks about INI files
+};
+
+/// A command line or INI file that cannot be understood.
+struct OptionError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "render/app/run/frames.h"
+#include "render/app/options/settings.h"
+
+#include <string>
+
+namespace app {
+
+/// Where the picture goes: "" for standard output or error, else a path (spec 1, 19.1). The scene `sub/d.pov` without
+/// +O gives `sub/d.png`, as in POV-Ray; a scene named on its own gives a picture in the current folder.
+std::string output_path(const Settings& settings, const FrameList& list, const Frame& frame);
+
+/// +O- or +Ostdout.
+bool to_standard_output(const Settings& settings);
+
+/// +Ostderr: the picture among the text, as POV-Ray has it.
+bool to_standard_error(const Settings& settings);
+
+}  // namespace app

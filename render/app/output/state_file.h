@@ -1,0 +1,76 @@
+#pragma once
+
+#include "render/image/image.h"
+#include "render/trace/blocks.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// The finished blocks of a picture, kept beside it while it is rendered, so that +C can go on after an end at any
+/// moment. A header, then one record a block; a record that was cut short or damaged is dropped, with all behind it.
+class StateFile {
+public:
+    /// \param identity gives a number of everything that the picture depends on: a file of another one is of no use.
+    ///        Called when it is needed: it reads the scene's files
+    /// \param after seconds of rendering before blocks are kept: short renders need no file
+    StateFile(std::string path, std::function<std::uint64_t()> identity, const trace::Blocks& blocks, double after);
+    StateFile(const StateFile&) = delete;
+    StateFile& operator=(const StateFile&) = delete;
+
+    enum class Found { Nothing, Blocks, OtherPicture, Cancelled };
+    using Show = std::function<void(const trace::Block& block, const float* samples)>;
+    /// Finds the blocks of an earlier run and shows each. Cancelled: `cancel` was set meanwhile, and the file is as it
+    /// was.
+    Found resume(int width, int height, const std::atomic<bool>& cancel, const Show& show);
+    /// Puts the blocks [first, last) of those into `picture`, which holds their rows. Throws std::runtime_error if the
+    /// file has changed.
+    void load(std::size_t first, std::size_t last, image::Image& picture);
+    /// By number: in the picture already.
+    const std::vector<bool>& done() const { return done_; }
+    std::size_t resumed() const { return resumed_; }
+
+    /// A block stands in the picture; from any thread. Writes it, and all that wait, once the time has come.
+    void finished(std::size_t block, const image::Image& picture);
+    /// Writes all that wait: the render ends early. False if no block is finished or the file cannot be written.
+    bool keep(const image::Image& picture);
+    /// The picture is in place: no longer needed.
+    void remove();
+
+    const std::string& path() const { return path_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+    bool read_records(std::FILE* file, const std::atomic<bool>& cancel, const Show& show);
+    void write_waiting(const image::Image& picture);
+    bool open_for_writing(const image::Image& picture);
+
+    const std::string path_;
+    const std::function<std::uint64_t()> identity_;
+    const trace::Blocks blocks_;
+    const Clock::time_point due_;
+    std::vector<bool> done_;
+    std::vector<long> places_;  ///< by number: where an earlier run's samples stand in the file
+    std::size_t resumed_ = 0;
+    long good_ = 0;  ///< bytes of an earlier file that are sound
+    std::mutex writing_;
+    std::vector<std::size_t> waiting_;
+    std::size_t waiting_samples_ = 0;
+    File file_{nullptr, std::fclose};
+    bool broken_ = false;  ///< cannot be written: the render goes on without
+};
+
+/// FNV-1a with 64 bits over words of 8 bytes, the last one filled up with zeros, for identities and checks. \param
+/// so_far of what comes before
+std::uint64_t hash_of(const void* bytes, std::size_t count, std::uint64_t so_far = 0xcbf29ce484222325ULL);
+
+}  // namespace app

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "parser/parse.h"
+#include "render/app/run/frames.h"
+#include "render/app/report/report.h"
+#include "render/app/report/streams.h"
+#include "render/app/run/window.h"
+
+#include <memory>
+#include <string>
+
+namespace app {
+
+/// What is about to be done.
+struct FrameFacts {
+    const Settings& settings;
+    const FrameList& list;
+    const Frame& frame;
+    std::string scene;    ///< file
+    std::string picture;  ///< file; empty: standard output or none
+    Window window;
+};
+
+/// What a run that ended early leaves: files, or empty.
+struct Kept {
+    std::string state;    ///< the finished part, for +C
+    std::string picture;  ///< the same to look at
+};
+
+/// Tells of a run as it goes, in the words of the program's name: Whittle's own, or for a program that calls `povray`
+/// the lines that such programs look for.
+class ConsoleReporter {
+public:
+    explicit ConsoleReporter(Streams& streams) : streams_(streams) {}
+    ConsoleReporter(const ConsoleReporter&) = delete;
+    ConsoleReporter& operator=(const ConsoleReporter&) = delete;
+    virtual ~ConsoleReporter() = default;
+
+    virtual void begin(const FrameFacts& facts) = 0;
+    virtual void message(const parser::Message& message) = 0;
+    virtual void parsed(const parser::Result& result, double seconds) = 0;
+    virtual void rendering() = 0;
+    virtual void progress(double share) = 0;  ///< in [0, 1]; from any thread
+    virtual void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) = 0;
+    virtual void written(const std::string& path) = 0;
+    virtual void skipped(const std::string& path) = 0;  ///< +C: it is there already
+    virtual void note(const std::string& text) = 0;
+    virtual void cancelled(const Kept& kept) = 0;
+    virtual void failed(const std::string& text) = 0;  ///< an error that ends the run
+    virtual void finished() = 0;                       ///< all frames done
+
+protected:
+    void put(Stream stream, std::string_view text) { streams_.put(stream, text); }
+    bool terminal() const { return streams_.terminal(); }
+
+private:
+    Streams& streams_;
+};
+
+std::unique_ptr<ConsoleReporter> make_reporter(const Settings& settings, Streams& streams);
+
+/// An error of the options, before there is anything to tell of. \param command_line as it was given
+void tell_option_error(ConsoleStyle style, const std::string& command_line, const std::string& text);
+
+}  // namespace app

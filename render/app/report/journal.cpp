@@ -1,0 +1,195 @@
+#include "render/app/report/journal.h"
+
+#include "render/app/report/json_writer.h"
+
+#include <sys/resource.h>
+
+#include <regex>
+
+namespace app {
+
+void Journal::begin(const FrameFacts& facts)
+{
+    FrameRecord& frame = frames_.emplace_back();
+    frame.number = facts.frame.number;
+    frame.clock = static_cast<double>(facts.frame.clock);
+    frame.scene = facts.scene;
+    frame.picture = facts.picture;
+    speaker_.begin(facts);
+}
+
+void Journal::message(const parser::Message& message)
+{
+    using parser::Severity;
+    const char* severity = message.severity == Severity::Debug     ? "debug"
+                           : message.severity == Severity::Note    ? "note"
+                           : message.severity == Severity::Warning ? "warning"
+                                                                   : "error";
+    if (!frames_.empty()) frames_.back().messages.push_back({severity, message.text});
+    speaker_.message(message);
+}
+
+void Journal::parsed(const parser::Result& result, double seconds)
+{
+    FrameRecord& frame = frames_.back();
+    frame.parser = result.statistics;
+    frame.files = result.scene.files;
+    frame.files.insert(frame.files.end(), result.data_files.begin(), result.data_files.end());
+    frame.objects = result.scene.objects.size();
+    frame.phases.emplace_back("parse", seconds);
+    speaker_.parsed(result, seconds);
+}
+
+void Journal::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
+{
+    FrameRecord& frame = frames_.back();
+    frame.phases.clear();
+    for (const auto& [name, seconds] : times.stages()) frame.phases.emplace_back(name, seconds);
+    frame.statistics = statistics;
+    speaker_.rendered(times, statistics);
+}
+
+void Journal::written(const std::string& path)
+{
+    frames_.back().written = true;
+    speaker_.written(path);
+}
+
+void Journal::skipped(const std::string& path)
+{
+    FrameRecord& frame = frames_.emplace_back();
+    frame.skipped = true;
+    frame.picture = path;
+    speaker_.skipped(path);
+}
+
+void Journal::note(const std::string& text)
+{
+    notes_.push_back({"note", text});
+    speaker_.note(text);
+}
+
+void Journal::cancelled(const Kept& kept)
+{
+    cancelled_ = true;
+    if (!frames_.empty()) frames_.back().kept = kept;
+    speaker_.cancelled(kept);
+}
+
+void Journal::failed(const std::string& text)
+{
+    error_ = text;
+    speaker_.failed(text);
+}
+
+void Journal::finished() { speaker_.finished(); }
+
+void Journal::put_message(JsonWriter& json, const Told& told) const
+{
+    static const std::regex kPlaced(R"(^(.+):(\d+):(\d+): (?:error|warning|note): (.*)$)");
+    const std::string first = told.text.substr(0, told.text.find('\n'));
+    std::smatch part;
+    const bool placed = told.severity != "debug" && std::regex_match(first, part, kPlaced);
+    json.begin_object();
+    json.key("severity").text(told.severity);
+    if (placed) {
+        json.key("file").text(part[1].str());
+        json.key("line").integer(std::stoll(part[2]));
+        json.key("column").integer(std::stoll(part[3]));
+        json.key("text").text(part[4].str());
+    }
+    json.key(placed ? "shown" : "text").text(told.text);
+    json.end();
+}
+
+void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
+{
+    json.begin_object();
+    if (frame.skipped) {
+        json.key("skipped").truth(true);
+        json.key("picture").text(frame.picture);
+        return json.end();
+    }
+    json.key("number").integer(frame.number);
+    json.key("clock").number(frame.clock);
+    json.key("scene").text(frame.scene);
+    json.key("picture");
+    if (frame.written) json.text(frame.picture);
+    else json.null();
+    if (!frame.kept.state.empty()) json.key("state").text(frame.kept.state);
+    if (!frame.kept.picture.empty()) json.key("partial").text(frame.kept.picture);
+    json.key("phases").begin_object();
+    for (const auto& [name, seconds] : frame.phases) json.key(name + "_seconds").number(seconds);
+    json.end();
+    json.key("counts").begin_object();
+    const auto count = [&](const char* name, std::uint64_t value) {
+        json.key(name).integer(static_cast<std::int64_t>(value));
+    };
+    count("files", frame.parser.files);
+    count("bytes", frame.parser.bytes);
+    count("tokens", frame.parser.tokens);
+    count("macro_calls", frame.parser.macro_calls);
+    count("objects", frame.objects);
+    if (frame.statistics) {
+        const trace::RayCounts& rays = frame.statistics->rays;
+        count("camera_rays", rays.camera);
+        count("shadow_rays", rays.shadow);
+        count("reflected_rays", rays.reflected);
+        count("refracted_rays", rays.refracted);
+        count("supersamples", rays.supersamples);
+    }
+    json.end();
+    if (frame.statistics) {
+        json.key("threads").integer(frame.statistics->threads);
+        json.key("isa").text(frame.statistics->isa);
+    }
+    json.key("files").begin_array();
+    for (const std::string& file : frame.files) json.text(file);
+    json.end();
+    json.key("messages").begin_array();
+    for (const Told& told : frame.messages) put_message(json, told);
+    json.end();
+    json.end();
+}
+
+std::string Journal::text(int status) const
+{
+    JsonWriter json;
+    json.begin_object();
+    json.key("program").text("whittle");
+    json.key("version").text(WHITTLE_VERSION);
+    json.key("exit_status").integer(status);
+    json.key("result").text(cancelled_ ? "cancelled" : status == 0 ? "done" : "failed");
+    json.key("seconds").number(std::chrono::duration<double>(Clock::now() - start_).count());
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    json.key("peak_memory_bytes").integer(static_cast<std::int64_t>(usage.ru_maxrss) * 1024);
+    json.key("width").integer(settings_.width);
+    json.key("height").integer(settings_.height);
+    json.key("options").begin_object();
+    for (const auto& [keyword, values] : settings_.given) {
+        json.key(keyword);
+        if (keyword != "Library_Path" && keyword != "Declare") {
+            json.text(values.back());
+            continue;
+        }
+        json.begin_array();
+        for (const std::string& value : values) json.text(value);
+        json.end();
+    }
+    json.end();
+    json.key("ini_files").begin_array();
+    for (const std::string& file : settings_.ini_files) json.text(file);
+    json.end();
+    json.key("messages").begin_array();
+    for (const Told& told : notes_) put_message(json, told);
+    if (!error_.empty()) put_message(json, {"error", error_});
+    json.end();
+    json.key("frames").begin_array();
+    for (const FrameRecord& frame : frames_) put_frame(json, frame);
+    json.end();
+    json.end();
+    return json.take();
+}
+
+}  // namespace app

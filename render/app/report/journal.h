@@ -1,0 +1,68 @@
+#pragma once
+
+#include "render/app/report/console_reporter.h"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Records a run for --json while it hands everything on to the reporter that speaks to the user.
+class Journal final : public ConsoleReporter {
+public:
+    Journal(Streams& streams, ConsoleReporter& speaker, const Settings& settings)
+        : ConsoleReporter(streams), speaker_(speaker), settings_(settings)
+    {}
+
+    void begin(const FrameFacts& facts) override;
+    void message(const parser::Message& message) override;
+    void parsed(const parser::Result& result, double seconds) override;
+    void rendering() override { speaker_.rendering(); }
+    void progress(double share) override { speaker_.progress(share); }
+    void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) override;
+    void written(const std::string& path) override;
+    void skipped(const std::string& path) override;
+    void note(const std::string& text) override;
+    void cancelled(const Kept& kept) override;
+    void failed(const std::string& text) override;
+    void finished() override;
+
+    /// An error that nobody needs to be told of.
+    void record_error(const std::string& text) { error_ = text; }
+
+    /// The record as JSON (docs/command_line.md has its fields). \param status exit status
+    std::string text(int status) const;
+
+private:
+    struct Told {
+        std::string severity, text;  ///< text in the form of the console: place, words, source line
+    };
+    struct FrameRecord {
+        int number = 0;
+        double clock = 0.0;
+        bool skipped = false, written = false;
+        std::string scene, picture;
+        Kept kept;
+        parser::Statistics parser;
+        std::vector<std::string> files;
+        std::size_t objects = 0;
+        std::vector<Told> messages;
+        std::vector<std::pair<std::string, double>> phases;
+        std::optional<trace::RenderStatistics> statistics;
+    };
+    void put_frame(class JsonWriter& json, const FrameRecord& frame) const;
+    void put_message(class JsonWriter& json, const Told& told) const;
+
+    using Clock = std::chrono::steady_clock;
+    ConsoleReporter& speaker_;
+    const Settings& settings_;
+    const Clock::time_point start_ = Clock::now();
+    std::vector<FrameRecord> frames_;
+    std::vector<Told> notes_;
+    std::string error_;
+    bool cancelled_ = false;
+};
+
+}  // namespace app

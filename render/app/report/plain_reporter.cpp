@@ -1,0 +1,60 @@
+#include "render/app/report/plain_reporter.h"
+
+#include <fmt/format.h>
+
+namespace app {
+
+void PlainReporter::begin(const FrameFacts& facts)
+{
+    width_ = facts.settings.width;
+    height_ = facts.settings.height;
+    if (facts.list.animation)
+        put(Stream::Render,
+            fmt::format("frame {} of {}, clock {:g}\n", facts.frame.number, facts.list.last_frame, facts.frame.clock));
+}
+
+void PlainReporter::message(const parser::Message& message)
+{
+    using parser::Severity;
+    if (message.severity == Severity::Debug) return put(Stream::Debug, message.text);
+    const Stream stream = message.severity == Severity::Error ? Stream::Fatal : Stream::Warning;
+    put(stream, message.text.ends_with('\n') ? message.text : message.text + "\n");
+}
+
+void PlainReporter::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
+{
+    put(Stream::Statistic, report_text(times, statistics));
+}
+
+void PlainReporter::written(const std::string& path)
+{
+    bar_.reset();
+    put(Stream::Render, fmt::format("{}  {}x{}\n", path, width_, height_));
+}
+
+void PlainReporter::skipped(const std::string& path)
+{
+    put(Stream::Render, fmt::format("{} exists and continue was asked for: skipped\n", path));
+}
+
+void PlainReporter::note(const std::string& text) { put(Stream::Warning, "note: " + text + "\n"); }
+
+void PlainReporter::cancelled(const Kept& kept)
+{
+    bar_.reset();
+    put(Stream::Lines,
+        kept.state.empty()
+            ? "cancelled: no picture written\n"
+            : fmt::format("cancelled: no picture written; {} holds the finished part, +C continues\n", kept.state));
+    if (!kept.picture.empty()) put(Stream::Lines, fmt::format("{} shows it\n", kept.picture));
+}
+
+void PlainReporter::failed(const std::string& text)
+{
+    bar_.reset();
+    // A message with a place has its own "error:"; others get the program's name.
+    const bool placed = text.find("error:") != std::string::npos;
+    put(Stream::Fatal, fmt::format("{}{}\n", placed ? "" : "whittle: error: ", text));
+}
+
+}  // namespace app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "render/app/report/console_reporter.h"
+#include "render/app/report/progress.h"
+
+#include <optional>
+
+namespace app {
+
+/// Whittle's own few lines: messages in the form `file:line:column: error: text`, one line for the picture, the report.
+class PlainReporter final : public ConsoleReporter {
+public:
+    PlainReporter(Streams& streams, bool progress) : ConsoleReporter(streams), with_bar_(progress) {}
+
+    void begin(const FrameFacts& facts) override;
+    void message(const parser::Message& message) override;
+    void parsed(const parser::Result&, double) override {}
+    void rendering() override { bar_.emplace(with_bar_); }
+    void progress(double share) override { bar_->show(share); }
+    void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) override;
+    void written(const std::string& path) override;
+    void skipped(const std::string& path) override;
+    void note(const std::string& text) override;
+    void cancelled(const Kept& kept) override;
+    void failed(const std::string& text) override;
+    void finished() override {}
+
+private:
+    const bool with_bar_;
+    std::optional<Progress> bar_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace app

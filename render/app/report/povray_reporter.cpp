@@ -1,0 +1,187 @@
+#include "render/app/report/povray_reporter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <sstream>
+
+namespace app {
+
+namespace {
+
+constexpr int kLineLength = 76;                            // of rules and headings
+constexpr std::chrono::milliseconds kBetweenUpdates{100};  // on a terminal
+
+constexpr int kFrameStep = 20;  // percent between updates in an animation, on a pipe
+
+std::string heading(const std::string& text)
+{
+    return fmt::format("{:=<{}}\n", fmt::format("==== [{}...] ", text), kLineLength);
+}
+std::string rule()
+{
+    std::string line(kLineLength, '-');
+    line += '\n';
+    return line;
+}
+std::string titled(const char* title) { return rule() + title + "\n" + rule(); }
+
+std::string duration(double seconds)
+{
+    const long long whole = static_cast<long long>(seconds);
+    return fmt::format("{} hours {:2} minutes {:2} seconds ({:.3f} seconds)", whole / 3600, whole / 60 % 60, whole % 60,
+                       seconds);
+}
+
+double seconds_of(const StageTimes& times, std::string_view stage)
+{
+    double sum = 0.0;
+    for (const auto& [name, seconds] : times.stages())
+        if (name == stage) sum += seconds;
+    return sum;
+}
+
+}  // namespace
+
+std::string povray_message(const std::string& text, const char* plain)
+{
+    static const std::regex kPlaced(R"(^(.+):(\d+):(\d+): (error|warning|note): (.*)$)");
+    std::istringstream lines(text);
+    std::string line, out;
+    std::smatch part;
+    bool first = true;
+    while (std::getline(lines, line)) {
+        if (std::regex_match(line, part, kPlaced)) {
+            const std::string kind = part[4];
+            if (kind == "note") out += fmt::format(" {}\n", line);
+            else
+                out += fmt::format("File '{}' line {}: Parse {}: {}\n at column {}\n", part[1].str(), part[2].str(),
+                                   kind == "error" ? "Error" : "Warning", part[5].str(), part[3].str());
+        } else if (first) {
+            out += fmt::format("{}: {}\n", plain, line);
+        } else {
+            out += line.starts_with(' ') ? line + "\n" : " " + line + "\n";
+        }
+        first = false;
+    }
+    return out;
+}
+
+void PovrayReporter::begin(const FrameFacts& f)
+{
+    const Settings& s = f.settings;
+    std::string text = "\nParser Options\n";
+    text += fmt::format("  Input file: {}\n  Library paths:\n", f.scene);
+    for (const std::string& folder : s.library_path) text += "    " + folder + "\n";
+    if (!f.list.animation) text += fmt::format("  Clock value:    {:.3f}  (Animation off)\n", f.frame.clock);
+    else
+        text += fmt::format(
+            "Animation Options\n  Initial Frame: {:8}  Final Frame: {:8}\n  Frame: {}  Clock value: {:.3f}\n",
+            f.list.initial_frame, f.list.last_frame, f.frame.number, f.frame.clock);
+    text += "Image Output Options\n";
+    text += fmt::format("  Image resolution.....{} by {} (rows {} to {}, columns {} to {}).\n", s.width, s.height,
+                        f.window.first_row + 1, f.window.last_row + 1, f.window.first_column + 1,
+                        f.window.last_column + 1);
+    if (!f.picture.empty()) text += fmt::format("  Output file..........{}\n", f.picture);
+    text += fmt::format("  Continued trace......{}\n", s.continue_trace ? "On" : "Off");
+    put(Stream::Render, text);
+    put(Stream::Lines, heading("Parsing"));
+    const long long width = f.window.last_column - f.window.first_column + 1,
+                    height = f.window.last_row - f.window.first_row + 1;
+    pixels_ = std::max(width, 0LL) * std::max(height, 0LL);
+    percent_ = -1;
+    step_ = f.list.animation ? kFrameStep : 1;
+    parsing_ = true;
+}
+
+void PovrayReporter::message(const parser::Message& message)
+{
+    using parser::Severity;
+    switch (message.severity) {
+    case Severity::Debug: return put(Stream::Debug, message.text);
+    case Severity::Error: return put(Stream::Fatal, povray_message(message.text, "Parse Error"));
+    case Severity::Note:
+    case Severity::Warning:
+        return put(Stream::Warning,
+                   povray_message(message.text, message.severity == Severity::Note ? "Note" : "Parse Warning"));
+    }
+}
+
+void PovrayReporter::parsed(const parser::Result& result, double seconds)
+{
+    parsing_ = false;
+    const auto lights =
+        std::count_if(result.scene.objects.begin(), result.scene.objects.end(),
+                      [](const scene::Object& o) { return std::holds_alternative<scene::Light>(o.shape); });
+    const auto all = static_cast<long long>(result.scene.objects.size());
+    put(Stream::Statistic,
+        titled("Parser Statistics") +
+            fmt::format("Objects:           {:10}\nLight Sources:     {:10}\nTotal:             {:10}\n", all - lights,
+                        lights, all) +
+            rule() + fmt::format("Parser Time\n  Parse Time:       {}\n", duration(seconds)) + rule());
+}
+
+void PovrayReporter::rendering() { put(Stream::Lines, heading("Rendering")); }
+
+void PovrayReporter::progress(double share)
+{
+    if (!verbose_) return;
+    const int percent = static_cast<int>(std::floor(share * 100.0));
+    const std::lock_guard lock(writing_);
+    // A pipe gets at most one line per percent, in animations fewer, so that one that nobody reads does not soon fill;
+    // a terminal gets a steady pace.
+    const Clock::time_point now = Clock::now();
+    const bool due = percent_ < 0 || percent >= percent_ + step_ || (percent >= 100 && percent_ < 100);
+    if (percent <= percent_ || (!terminal() && !due) || (terminal() && percent < 100 && now - shown_ < kBetweenUpdates))
+        return;
+    percent_ = percent;
+    shown_ = now;
+    put(Stream::Lines, fmt::format("Rendered {} of {} pixels ({}%)\r",
+                                   std::llround(share * static_cast<double>(pixels_)), pixels_, percent));
+}
+
+void PovrayReporter::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
+{
+    if (percent_ >= 0) put(Stream::Lines, "\n");
+    const trace::RayCounts& rays = statistics.rays;
+    std::string text = titled("Render Statistics");
+    text += fmt::format("Pixels:       {:10}   Samples:      {:10}\n", pixels_, rays.supersamples);
+    text += fmt::format("Rays:         {:10}\n", rays.camera + rays.reflected + rays.refracted);
+    text += fmt::format("Shadow Ray Tests:   {:10}\nReflected Rays:     {:10}\nRefracted Rays:     {:10}\n",
+                        rays.shadow, rays.reflected, rays.refracted);
+    text += rule() + "Render Time:\n  Photon Time:      No photons\n  Radiosity Time:   No radiosity\n";
+    text += fmt::format("  Trace Time:       {}\n              using {} thread(s)\n",
+                        duration(seconds_of(times, "trace")), statistics.threads);
+    put(Stream::Statistic, text);
+}
+
+void PovrayReporter::skipped(const std::string& path)
+{
+    put(Stream::Render, fmt::format("File '{}' already rendered and continue requested; skipping.\n", path));
+}
+
+void PovrayReporter::note(const std::string& text) { put(Stream::Warning, "Note: " + text + "\n"); }
+
+void PovrayReporter::cancelled(const Kept& kept)
+{
+    if (percent_ >= 0) put(Stream::Lines, "\n");
+    if (!kept.state.empty())
+        put(Stream::Render, fmt::format("The finished part is in '{}'; +C continues.\n", kept.state));
+    if (!kept.picture.empty()) put(Stream::Render, fmt::format("'{}' shows it.\n", kept.picture));
+    put(Stream::Fatal, "Fatal error in renderer: Frontend halted render.\n");
+    put(Stream::Lines, "Render cancelled by user\n\n");
+}
+
+void PovrayReporter::failed(const std::string& text)
+{
+    if (percent_ >= 0) put(Stream::Lines, "\n");
+    put(Stream::Fatal, povray_message(text, parsing_ ? "Parse Error" : "Fatal error"));
+    if (parsing_) put(Stream::Lines, "Fatal error in parser: Cannot parse input.\n");
+    put(Stream::Lines, "Render failed\n\n");
+}
+
+void PovrayReporter::finished() { put(Stream::Lines, "POV-Ray finished\n\n"); }
+
+}  // namespace app

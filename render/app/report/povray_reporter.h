@@ -1,0 +1,44 @@
+#pragma once
+
+#include "render/app/report/console_reporter.h"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+namespace app {
+
+/// The lines of POV-Ray's console that other programs look for (tests/render/app/callers.cpp), in its order.
+class PovrayReporter final : public ConsoleReporter {
+public:
+    PovrayReporter(Streams& streams, bool verbose) : ConsoleReporter(streams), verbose_(verbose) {}
+
+    void begin(const FrameFacts& facts) override;
+    void message(const parser::Message& message) override;
+    void parsed(const parser::Result& result, double seconds) override;
+    void rendering() override;
+    void progress(double share) override;
+    void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) override;
+    void written(const std::string&) override {}
+    void skipped(const std::string& path) override;
+    void note(const std::string& text) override;
+    void cancelled(const Kept& kept) override;
+    void failed(const std::string& text) override;
+    void finished() override;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    const bool verbose_;
+    long long pixels_ = 0;
+    std::mutex writing_;
+    int percent_ = -1;         ///< shown last
+    int step_ = 1;             ///< percent between two lines on a pipe
+    Clock::time_point shown_;  ///< when
+    bool parsing_ = false;
+};
+
+/// Messages of the form `file:line:column: error: text` as `File 'file' line n: Parse Error: text`, the lines that
+/// follow with a blank in front. \param plain said of text without a place: "Parse Error", "Error"
+std::string povray_message(const std::string& text, const char* plain);
+
+}  // namespace app

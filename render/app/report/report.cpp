@@ -1,0 +1,35 @@
+#include "render/app/report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace app {
+
+void StageTimes::finish(const char* stage)
+{
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    const auto known =
+        std::find_if(stages_.begin(), stages_.end(), [&](const auto& s) { return std::strcmp(s.first, stage) == 0; });
+    if (known != stages_.end()) known->second += seconds;  // a picture in strips is traced and written in turn
+    else stages_.emplace_back(stage, seconds);
+    last_ = now;
+}
+
+std::string report_text(const StageTimes& times, const trace::RenderStatistics& statistics)
+{
+    std::string text = "time ";
+    for (const auto& [stage, seconds] : times.stages()) text += fmt::format("  {} {:.3f} s", stage, seconds);
+    const trace::RayCounts& rays = statistics.rays;
+    text += fmt::format("\nrays   camera {}  shadow {}  reflected {}  refracted {}", rays.camera, rays.shadow,
+                        rays.reflected, rays.refracted);
+    if (rays.supersamples) text += fmt::format("  (supersamples {})", rays.supersamples);
+    const double total = static_cast<double>(rays.camera + rays.shadow + rays.reflected + rays.refracted);
+    const double rate = statistics.seconds_trace > 0.0 ? total / statistics.seconds_trace / 1e6 : 0.0;
+    return text + fmt::format("\nspeed  {:.2f} million rays per second, {} thread{}, {}\n", rate, statistics.threads,
+                              statistics.threads == 1 ? "" : "s", statistics.isa);
+}
+
+}  // namespace app

@@ -1,0 +1,145 @@
+#include "render/app/run/frame_render.h"
+
+#include "parser/parse.h"
+#include "render/app/output/output_name.h"
+#include "render/app/output/picture_identity.h"
+#include "render/app/run/last_resort.h"
+#include "render/app/run/memory.h"
+#include "render/app/run/picture_run.h"
+#include "render/app/run/scene_file.h"
+#include "render/app/run/scene_queries.h"
+#include "render/app/run/shell_commands.h"
+#include "render/app/run/stage_options.h"
+#include "render/app/options/text.h"
+#include "render/plan/compiled_scene.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace app {
+
+namespace {
+
+void tell_message(void* reporter, const parser::Message& message)
+{
+    static_cast<ConsoleReporter*>(reporter)->message(message);
+}
+
+/// The files that a picture is made of, in the order in which they were read.
+void print_dependencies(const Settings& settings, const parser::Result& parsed)
+{
+    for (const std::vector<std::string>* files : {&settings.ini_files, &parsed.scene.files, &parsed.data_files})
+        for (const std::string& file : *files) fmt::print("{}\n", file);
+}
+
+/// Prints what --dump and --explain ask for. True if that was all.
+bool print_stage(const Settings& settings, const scene::Description& description)
+{
+    using Dump = Settings::Dump;
+    if (settings.dump == Dump::Scene) fmt::print("{}", scene::dump(description));
+    if (settings.dump != Dump::Plan && !settings.explain) return settings.dump == Dump::Scene || settings.parse_only;
+    const plan::CompiledScene compiled = plan::compile(description, plan_options(settings));
+    if (settings.dump == Dump::Plan) fmt::print("{}", plan::dump(compiled));
+    if (settings.explain) fmt::print(stderr, "{}", plan::explain(compiled, description.files));
+    return settings.dump == Dump::Plan || settings.parse_only;
+}
+
+bool already_rendered(const Settings& settings, const std::string& path)
+{
+    std::error_code error;
+    return settings.continue_trace && settings.output_to_file && std::filesystem::file_size(path, error) > 0 && !error;
+}
+
+/// Opens nothing yet: a picture that cannot be put in place is an error before the scene is read.
+void check_folder(const Settings& settings, const std::string& path)
+{
+    namespace fs = std::filesystem;
+    if (path.empty() || !settings.output_to_file || settings.parse_only) return;
+    fs::path folder = fs::path(path).parent_path();
+    if (folder.empty()) folder = ".";
+    std::error_code error;
+    if (settings.make_folders) fs::create_directories(folder, error);
+    if (!fs::is_directory(folder, error))
+        throw OptionError(
+            fmt::format("cannot write '{}': there is no folder '{}' (--make-folders makes it)", path, folder.string()));
+    if (access(folder.c_str(), W_OK) != 0)
+        throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+}
+
+parser::Result parse_scene(Run& run, const Frame& frame, const std::string& path, parser::Options& options,
+                           SceneQueries& queries)
+{
+    const Settings& settings = run.settings;
+    options = parser_options(settings, run.list, frame);
+    options.queries = &queries;
+    options.cancel = &run.cancel.requested;
+    if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
+    const std::string scene = run.input ? "stdin" : find_scene(settings);
+    run.reporter.begin({settings, run.list, frame, scene, settings.output_to_file ? path : "", window_of(settings)});
+    try {
+        return run.input ? parser::parse_text(*run.input, scene, options, tell_message, &run.reporter)
+                         : parser::parse_file(scene, options, tell_message, &run.reporter);
+    } catch (const parser::Cancelled&) {
+        throw AbortedRun();
+    }
+}
+
+void refuse_warnings(const parser::Result& parsed)
+{
+    const auto count = std::count_if(parsed.messages.begin(), parsed.messages.end(),
+                                     [](const parser::Message& m) { return m.severity == parser::Severity::Warning; });
+    if (count > 0)
+        throw std::runtime_error(fmt::format("{} warning{}, and --werror makes {} an error", count,
+                                             count == 1 ? "" : "s", count == 1 ? "it" : "them"));
+}
+
+}  // namespace
+
+bool from_standard_input(const Settings& settings)
+{
+    return settings.input_file == "-" || same_text(settings.input_file, "stdin");
+}
+
+trace::Isa isa_of(const Settings& settings)
+{
+    if (settings.isa == "v2") return trace::Isa::V2;
+    if (settings.isa == "v3") return trace::Isa::V3;
+    if (settings.isa == "v4") return trace::Isa::V4;
+    return trace::Isa::Auto;
+}
+
+int render_frame(Run& run, const Frame& frame)
+{
+    const Settings& settings = run.settings;
+    const std::string path = output_path(settings, run.list, frame);
+    check_folder(settings, path);
+    if (!settings.parse_only && settings.dump == Settings::Dump::None) check_fits(settings, path);
+    if (!path.empty()) run.streams.open_files(settings, std::filesystem::path(path).parent_path().string());
+    if (already_rendered(settings, path)) {
+        run.reporter.skipped(path);
+        return kSuccess;
+    }
+    StageTimes times;
+    SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
+    parser::Options options;
+    LastResort last_resort(run.cancel, [&run] { run.reporter.cancelled({}); });  // until the picture file is in place
+    const parser::Result parsed = parse_scene(run, frame, path, options, queries);
+    times.finish("parse");
+    run.reporter.parsed(parsed, times.stages().back().second);
+    if (settings.warnings_are_errors) refuse_warnings(parsed);
+    if (settings.deps) print_dependencies(settings, parsed);
+    if (print_stage(settings, parsed.scene)) return kSuccess;
+
+    const plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
+    times.finish("plan");
+    return render_picture({run, last_resort, compiled, file_settings(settings, parsed.scene), path,
+                           [&] { return picture_identity(options, compiled.options, parsed); }},
+                          times);
+}
+
+}  // namespace app

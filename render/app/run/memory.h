@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/app/run/frames.h"
+#include "render/image/files.h"
+#include "render/trace/blocks.h"
+
+#include <cstddef>
+#include <string>
+
+namespace app {
+
+/// Bytes of a traced pixel.
+inline constexpr double kTracedPixelBytes = 16.0;
+
+/// What a picture's pixels may take: --memory, or half of what the system, the control group and the process have left.
+double picture_memory(const Settings& settings);
+
+/// Rows [first, last) of blocks that are in memory at a time; all of them where the picture fits.
+/// \param memory bytes \return rows of blocks; 0: not even one fits
+std::size_t rows_of_blocks_in(double memory, const trace::Blocks& blocks, int width, int height, image::FileType type);
+
+/// Refuses, before anything is read, what cannot fit into memory, the type of file or the folder. Throws OptionError.
+/// \param path of the picture; empty: standard output
+void check_fits(const Settings& settings, const std::string& path);
+
+/// Whether the folder of `path` has room for the picture and a state of all its blocks.
+bool has_room_for_state(const Settings& settings, const std::string& path);
+
+}  // namespace app

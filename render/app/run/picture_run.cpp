@@ -1,0 +1,264 @@
+#include "render/app/run/picture_run.h"
+
+#include "render/app/run/memory.h"
+#include "render/app/output/output_name.h"
+#include "render/app/output/partial_picture.h"
+#include "render/app/output/preview_file.h"
+#include "render/app/run/shell_commands.h"
+#include "render/app/output/state_file.h"
+#include "render/image/picture_writer.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+/// Standard output gets its picture through a file of its own: picture libraries want to seek.
+class StreamedFile {
+public:
+    explicit StreamedFile(image::FileType type)
+        : folder_((std::filesystem::temp_directory_path() / "whittle-XXXXXX").string())
+    {
+        if (!mkdtemp(folder_.data()))
+            throw image::FileError("cannot make a folder in '" + std::filesystem::temp_directory_path().string() + "'");
+        path_ = folder_ + "/picture" + image::extension(type);
+    }
+    StreamedFile(const StreamedFile&) = delete;
+    StreamedFile& operator=(const StreamedFile&) = delete;
+    ~StreamedFile()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    const std::string& path() const { return path_; }
+    void send(std::FILE* stream) const
+    {
+        std::ifstream in(path_, std::ios::binary);
+        char block[65536];
+        while (in.read(block, sizeof block) || in.gcount() > 0)
+            std::fwrite(block, 1, static_cast<std::size_t>(in.gcount()), stream);
+        if (std::fflush(stream) != 0 || std::ferror(stream)) throw image::FileError("cannot write to standard output");
+    }
+
+private:
+    std::string folder_, path_;
+};
+
+/// One picture being made.
+class PictureRun {
+public:
+    PictureRun(const PictureTask& task, StageTimes& times);
+    int render();
+
+private:
+    bool kept() const
+    {
+        return !task_.path.empty() && task_.run.settings.output_to_file;
+    }  ///< a file that +C can go on with
+    bool cancelled() const { return task_.run.cancel.requested; }
+    void resume();
+    void prepare_strip(std::size_t first, std::size_t last);
+    bool trace(std::size_t first, std::size_t last);
+    bool write_rows(int end);
+    void put_in_place();
+    void tell_far();
+    int give_up();
+    void save();
+
+    const PictureTask& task_;
+    const Settings& settings_;
+    StageTimes& times_;
+    const trace::Blocks blocks_;
+    const std::size_t strip_;  ///< rows of blocks that are in memory at a time
+    const bool in_strips_;
+    image::Image picture_;
+    trace::RenderStatistics statistics_;
+    std::unique_ptr<StateFile> state_;
+    std::optional<PartialPicture> partial_;
+    std::unique_ptr<PreviewFile> preview_;
+    std::atomic<bool> any_done_ = false;
+    std::optional<StreamedFile> streamed_;
+    std::unique_ptr<image::PictureWriter> writer_;
+    std::vector<float> black_;  ///< a row outside of the window
+};
+
+PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
+    : task_(task), settings_(task.run.settings), times_(times), blocks_(task.compiled.options),
+      strip_(rows_of_blocks_in(picture_memory(settings_), blocks_, settings_.width, settings_.height, task.file.type)),
+      in_strips_(strip_ < blocks_.rows())
+{
+    if (strip_ == 0)
+        throw std::runtime_error("not enough memory is left for the picture");  // it was when the run began
+    picture_.width = settings_.width;
+    picture_.height = settings_.height;
+    if (!settings_.preview_file.empty())
+        preview_ = std::make_unique<PreviewFile>(settings_.preview_file, settings_.width, settings_.height,
+                                                 task.file.encoding);
+    if (!kept()) return;
+    partial_.emplace(task.run.files, task.path, settings_.width, settings_.height, task.file, in_strips_);
+    if (in_strips_ && !has_room_for_state(settings_, task.path)) {
+        task.run.reporter.note("there is no room beside the picture for what is finished of it: +C will not find any");
+        return;
+    }
+    if (task.compiled.options.grain_stream)
+        return;  // random numbers follow from those of the blocks before: none can be taken up
+    std::filesystem::path beside(task.path);
+    beside.replace_extension(".whittle-state");
+    state_ = std::make_unique<StateFile>(beside.string(), task.identity, blocks_, settings_.state_after);
+}
+
+void PictureRun::resume()
+{
+    if (!state_ || !settings_.continue_trace) return;
+    const auto show = [this](const trace::Block& block, const float* samples) { partial_->show(block, samples); };
+    switch (state_->resume(settings_.width, settings_.height, task_.run.cancel.requested, show)) {
+    case StateFile::Found::Nothing: return;
+    case StateFile::Found::Blocks:
+        any_done_ = true;
+        return task_.run.reporter.note(
+            fmt::format("{} of {} blocks taken from {}", state_->resumed(), state_->done().size(), state_->path()));
+    case StateFile::Found::OtherPicture:
+        return task_.run.reporter.note(
+            fmt::format("{} is of another picture or of other options: rendered from the start", state_->path()));
+    case StateFile::Found::Cancelled: throw AbortedRun();
+    }
+}
+
+/// Memory for the rows of blocks [first, last), and what is known of them.
+void PictureRun::prepare_strip(std::size_t first, std::size_t last)
+{
+    if (in_strips_) {
+        const trace::Block top = blocks_[first * blocks_.per_row()], bottom = blocks_[last * blocks_.per_row() - 1];
+        picture_.hold(top.top, bottom.top + bottom.height - top.top);
+    } else {
+        picture_.hold(0, settings_.height);
+    }
+    const std::size_t begin = first * blocks_.per_row(), end = last * blocks_.per_row();
+    if (state_) state_->load(begin, end, picture_);
+    for (std::size_t i = begin; preview_ && state_ && i < std::min(end, state_->done().size()); ++i)
+        if (state_->done()[i]) preview_->show(blocks_[i], picture_);
+}
+
+/// False: cancelled.
+bool PictureRun::trace(std::size_t first, std::size_t last)
+{
+    trace::RenderOptions options;
+    options.threads = settings_.threads;
+    options.isa = isa_of(settings_);
+    options.cancel = &task_.run.cancel.requested;
+    options.progress = [this](double share) { task_.run.reporter.progress(share); };
+    options.first = first * blocks_.per_row();
+    options.last = last * blocks_.per_row();
+    if (state_) options.done = state_->done();
+    options.finished = [this](std::size_t block) {
+        if (state_) state_->finished(block, picture_);
+        if (preview_) preview_->show(blocks_[block], picture_);
+        any_done_ = true;
+    };
+    statistics_ += trace::render(task_.compiled, options, picture_);
+    times_.finish("trace");
+    return !statistics_.cancelled;
+}
+
+/// Rows above `end`, as far as they are not in the file. False: cancelled.
+bool PictureRun::write_rows(int end)
+{
+    if (!settings_.output_to_file) return true;
+    if (!writer_) {
+        if (task_.path.empty()) streamed_.emplace(task_.file.type);
+        writer_ = task_.run.files.start(streamed_ ? streamed_->path() : task_.path, settings_.width, settings_.height,
+                                        task_.file);
+        black_.assign(4 * static_cast<std::size_t>(settings_.width), 0.0f);
+    }
+    const int held = static_cast<int>(picture_.pixels.size() / black_.size());
+    for (int i = writer_->taken(); i < end; ++i) {
+        if (cancelled()) return false;
+        const int row = writer_->next_row();
+        writer_->put(row >= picture_.top && row < picture_.top + held ? picture_.at(0, row) : black_.data());
+    }
+    times_.finish("write");
+    return true;
+}
+
+void PictureRun::put_in_place()
+{
+    if (!writer_) return;
+    writer_->finish();
+    if (streamed_) streamed_->send(to_standard_error(settings_) ? stderr : stdout);
+    times_.finish("write");
+    if (!task_.path.empty()) task_.run.reporter.written(task_.path);
+    if (state_) state_->remove();
+    if (partial_) partial_->remove();
+}
+
+/// Right rather than POV-Ray's, and said so: whoever compares looks for the cause.
+void PictureRun::tell_far()
+{
+    if (statistics_.rays.far == 0 || task_.run.told_far) return;
+    task_.run.told_far = true;
+    task_.run.reporter.note(fmt::format(
+        "{} rays met something farther than 1e7 units, which POV-Ray does not draw; --faithful leaves it out",
+        statistics_.rays.far));
+}
+
+/// What is done goes where +C finds it, and where the user can look at it.
+void PictureRun::save()
+{
+    Kept kept;
+    if (state_ && state_->keep(picture_)) kept.state = state_->path();
+    if (partial_ && any_done_) kept.picture = partial_->write(picture_);
+    task_.run.reporter.cancelled(kept);
+}
+
+int PictureRun::give_up()
+{
+    task_.last_resort.noticed();
+    writer_.reset();
+    save();
+    return kCancelled;
+}
+
+int PictureRun::render()
+{
+    resume();
+    task_.last_resort.replace([this] {
+        save();
+        if (writer_) std::remove(writer_->growing().c_str());
+    });
+    task_.run.reporter.rendering();
+    for (std::size_t first = 0; first < blocks_.rows(); first += strip_) {
+        const std::size_t last = std::min(first + strip_, blocks_.rows());
+        prepare_strip(first, last);
+        if (!trace(first, last)) return give_up();
+        const trace::Block lowest = blocks_[last * blocks_.per_row() - 1];
+        if (!write_rows(last == blocks_.rows() ? settings_.height : lowest.top + lowest.height)) return give_up();
+        if (!in_strips_) continue;
+        if (partial_) partial_->show(picture_);
+        if (state_) state_->keep(picture_);  // before its rows leave the memory
+    }
+    if (cancelled()) return give_up();
+    tell_far();
+    put_in_place();
+    task_.run.reporter.rendered(times_, statistics_);
+    return kSuccess;
+}
+
+}  // namespace
+
+int render_picture(const PictureTask& task, StageTimes& times)
+{
+    const auto picture = std::make_unique<PictureRun>(task, times);
+    const int status = picture->render();
+    task.last_resort.replace([] {});
+    return status;
+}
+
+}  // namespace app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/app/run/frame_render.h"
+#include "render/app/run/last_resort.h"
+#include "render/app/report/report.h"
+#include "render/plan/compiled_scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace app {
+
+/// From a compiled scene to the picture file: traced as a whole, or in strips of rows where the memory does not hold
+/// it.
+struct PictureTask {
+    Run& run;
+    LastResort& last_resort;
+    const plan::CompiledScene& compiled;
+    const image::FileSettings file;
+    const std::string path;                         ///< of the picture; empty: standard output or standard error
+    const std::function<std::uint64_t()> identity;  ///< see StateFile
+};
+
+/// Returns the exit status; what was done is kept where it is cancelled. Throws for what ends the run.
+int render_picture(const PictureTask& task, StageTimes& times);
+
+}  // namespace app

@@ -1,0 +1,132 @@
+#include "render/app/run/render_command.h"
+
+#include "render/app/options/effective_ini.h"
+#include "render/app/run/frame_render.h"
+#include "render/app/report/journal.h"
+#include "render/app/run/scene_file.h"
+#include "render/app/run/shell_commands.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+namespace app {
+
+namespace {
+
+/// All frames, with the commands around them. `at` follows the frame at hand.
+int render_frames(Run& run, ShellCommands& commands, const Frame*& at)
+{
+    if (commands.run(Hook::PreScene, nullptr) == AfterCommand::GoOn) {
+        for (const Frame& frame : run.list.frames) {
+            at = &frame;
+            if (run.cancel.requested) throw AbortedRun();
+            const AfterCommand before = commands.run(Hook::PreFrame, at);
+            if (before == AfterCommand::Skip) continue;
+            if (before == AfterCommand::SkipAll) break;
+            if (render_frame(run, frame) == kCancelled) return kCancelled;
+            if (commands.run(Hook::PostFrame, at) != AfterCommand::GoOn) break;
+        }
+    }
+    at = nullptr;
+    commands.run(Hook::PostScene, nullptr);
+    run.reporter.finished();
+    return kSuccess;
+}
+
+int fail(const std::string& text, ConsoleReporter& reporter, ShellCommands& commands, const Frame* at)
+{
+    reporter.failed(text);
+    commands.fatal_error(at);
+    return kError;
+}
+
+int render_all(Run& run)
+{
+    ShellCommands commands(run.settings, run.list, run.reporter);
+    const Frame* at = nullptr;
+    try {
+        if (render_frames(run, commands, at) != kCancelled) return kSuccess;
+    } catch (const QuitRun&) {
+        run.reporter.finished();
+        return kSuccess;
+    } catch (const AbortedRun&) {
+        run.reporter.cancelled({});
+    } catch (const std::exception& error) {
+        return fail(error.what(), run.reporter, commands, at);
+    }
+    if (commands.abort_is_error(at))
+        return fail("ended by the user, and User_Abort_Return makes that an error", run.reporter, commands, at);
+    return kCancelled;
+}
+
+/// Everything after the options are understood; errors are told.
+int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& reporter, Cancellation& cancel)
+{
+    try {
+        for (const std::string& note : settings.notes) reporter.note(note);
+        if (!settings.not_acted_on.empty())
+            reporter.note(fmt::format("accepted without effect for now: {}", fmt::join(settings.not_acted_on, ", ")));
+        write_effective_ini(settings);
+        Run run{settings, frames_of(settings), {}, streams, reporter, cancel, {}};
+        if (from_standard_input(settings)) run.input = std::string(std::istreambuf_iterator<char>(std::cin), {});
+        const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
+        if (traces) trace::prepare(isa_of(settings), settings.threads);
+        if (traces && settings.output_to_file) run.files.prepare(settings.file_type);
+        return render_all(run);
+    } catch (const std::exception& error) {
+        reporter.failed(error.what());
+        return kError;
+    }
+}
+
+/// False, told on standard error, where the file does not take it.
+bool write_journal(const std::string& path, const std::string& text)
+{
+    if (path == "-") {
+        fmt::print("{}", text);
+        return true;
+    }
+    std::ofstream out(path, std::ios::binary);
+    out << text;
+    if (out.flush()) return true;
+    fmt::print(stderr, "whittle: error: cannot write '{}': {}\n", path, std::strerror(errno));
+    return false;
+}
+
+}  // namespace
+
+int render_command(const Settings& settings, Cancellation& cancel)
+{
+    if (settings.input_file.empty()) throw OptionError("no scene given: whittle scene.pov, or whittle --help");
+    if (settings.dump == Settings::Dump::Tokens) {
+        fmt::print("{}", parser::dump_tokens(find_scene(settings)));
+        return kSuccess;
+    }
+    if (settings.greyscale && !image::stores_greyscale(settings.file_type))
+        throw OptionError("this output file type stores no greyscale: use +FN or +FP");
+    window_of(settings);  // a window outside the picture is an error before the parse
+    Streams streams(settings);
+    const std::unique_ptr<ConsoleReporter> speaker = make_reporter(settings, streams);
+    if (settings.json_file.empty()) return run_scene(settings, streams, *speaker, cancel);
+    Journal journal(streams, *speaker, settings);
+    const int status = run_scene(settings, streams, journal, cancel);
+    const bool kept = write_journal(settings.json_file, journal.text(status));
+    return kept || status != kSuccess ? status : kError;
+}
+
+void journal_option_error(const Settings& settings, const std::string& text)
+{
+    if (settings.json_file.empty()) return;
+    Streams streams(settings);
+    const std::unique_ptr<ConsoleReporter> silent = make_reporter(settings, streams);
+    Journal journal(streams, *silent, settings);
+    journal.record_error(text);
+    write_journal(settings.json_file, journal.text(kError));
+}
+
+}  // namespace app

@@ -1,0 +1,85 @@
+#include "render/app/run/stage_options.h"
+
+#include "render/app/library_path.h"
+#include "render/app/run/window.h"
+
+#include <algorithm>
+
+namespace app {
+
+parser::Options parser_options(const Settings& settings, const FrameList& list, const Frame& frame)
+{
+    parser::Options options;
+    options.library_path = settings.library_path;
+    for (std::string& folder : default_library_path()) options.library_path.push_back(std::move(folder));
+    options.declared_numbers = settings.declared_numbers;
+    options.declared_strings = settings.declared_strings;
+    options.version_given = settings.version.has_value();
+    options.version = settings.version.value_or(options.version);
+    options.image_width = settings.width;
+    options.image_height = settings.height;
+    options.clock = static_cast<double>(frame.clock);
+    options.clock_on = list.clock_on;
+    options.frame_number = frame.number;
+    options.initial_frame = list.initial_frame;
+    options.final_frame = list.final_frame;
+    options.clock_delta = list.clock_delta;
+    if (list.animation) {
+        options.initial_clock = static_cast<double>(settings.initial_clock);
+        options.final_clock = static_cast<double>(settings.final_clock);
+    }
+    options.include_header = settings.include_header;
+    options.write_folders = settings.write_folders;
+    options.write_nothing = settings.check;
+    options.restrict_read = settings.restrict_read;
+    return options;
+}
+
+plan::Options plan_options(const Settings& settings)
+{
+    plan::Options options;
+    options.width = settings.width;
+    options.height = settings.height;
+    options.quality = settings.quality;
+    options.alpha = settings.alpha && image::stores_alpha(settings.file_type);
+    plan::Antialiasing& aa = options.antialiasing;
+    aa.method = settings.antialias ? settings.sampling_method : 0;
+    aa.threshold = static_cast<double>(settings.antialias_threshold);
+    aa.depth = settings.antialias_depth;
+    aa.jitter = settings.jitter ? static_cast<double>(settings.jitter_amount) : 0.0;
+    aa.gamma = static_cast<double>(settings.antialias_gamma);
+    const Window window = window_of(settings);
+    options.start_row = window.first_row;
+    options.end_row = window.last_row;
+    options.start_column = window.first_column;
+    options.end_column = window.last_column;
+    options.block_size = settings.block_size;
+    options.faithful = settings.faithful;
+    options.grain_stream = settings.faithful && settings.threads == 1;
+    if (settings.split_unions) options.split_unions = *settings.split_unions;
+    return options;
+}
+
+image::FileSettings file_settings(const Settings& settings, const scene::Description& description)
+{
+    std::optional<image::TransferCurve> assumed;
+    using Kind = scene::AssumedGamma::Kind;
+    const scene::AssumedGamma& gamma = description.global.assumed_gamma;
+    if (gamma.kind == Kind::Srgb) assumed = image::TransferCurve::srgb();
+    if (gamma.kind == Kind::Power) assumed = image::TransferCurve::power(static_cast<float>(gamma.exponent));
+    // An option Version=3.7 turns gamma handling on for the output of an older scene too (spec 2, 10.1).
+    const int version = std::max(description.effective_version, settings.version.value_or(0));
+    image::FileSettings file;
+    file.type = settings.file_type;
+    file.encoding.curves = image::output_curves(assumed, version, settings.file_gamma, settings.display_gamma);
+    file.encoding.bits = settings.greyscale ? 16 : settings.bits_per_color;
+    if (settings.greyscale && file.type == image::FileType::Ppm)
+        file.encoding.curves.file = file.encoding.curves.working;  // PGM is linear (spec 2, 12.3)
+    if (settings.dither) file.encoding.dither = settings.dither_method;
+    file.encoding.alpha = settings.alpha;
+    file.encoding.greyscale = settings.greyscale;
+    if (settings.compression > 1) file.jpeg_quality = settings.compression;
+    return file;
+}
+
+}  // namespace app

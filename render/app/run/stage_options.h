@@ -1,0 +1,16 @@
+#pragma once
+
+#include "parser/parse.h"
+#include "render/app/run/frames.h"
+#include "render/app/options/settings.h"
+#include "render/image/files.h"
+#include "render/plan/compiled_scene.h"
+
+namespace app {
+
+/// What the settings mean for each stage.
+parser::Options parser_options(const Settings& settings, const FrameList& list, const Frame& frame);
+plan::Options plan_options(const Settings& settings);
+image::FileSettings file_settings(const Settings& settings, const scene::Description& description);
+
+}  // namespace app

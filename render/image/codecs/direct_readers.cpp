@@ -1,0 +1,73 @@
+#include "render/image/codecs/direct_readers.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+namespace image {
+namespace {
+
+bool begins(const ByteList& bytes, std::string_view signature)
+{
+    return bytes.size() >= signature.size() &&
+           std::equal(signature.begin(), signature.end(), bytes.begin(),
+                      [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
+}
+
+}  // namespace
+
+void expand_palette(Picture& picture)
+{
+    bool clear = false;
+    for (std::size_t i = 3; i < picture.palette.size(); i += 4) clear = clear || picture.palette[i] < 1.0f;
+    const std::size_t channels = clear ? 4 : 3;
+    picture.channels = static_cast<int>(channels);
+    picture.samples.clear();
+    picture.samples.reserve(channels * picture.indices.size());
+    for (const std::uint8_t index : picture.indices) {
+        if (4 * std::size_t{index} >= picture.palette.size())
+            throw FileError("a pixel has a colour that its palette lacks");
+        const float* color = &picture.palette[4 * std::size_t{index}];
+        picture.samples.insert(picture.samples.end(), color, color + channels);
+    }
+}
+
+const char* kind_of_file(const std::string& path, const ByteList& bytes)
+{
+    constexpr std::pair<std::string_view, const char*> kSignatures[] = {
+        {"\x89PNG\r\n\x1a\n", "PNG"}, {"GIF8", "GIF"},        {"\xff\xd8\xff", "JPEG"},
+        {{"II*\0", 4}, "TIFF"},       {{"MM\0*", 4}, "TIFF"}, {"\x76\x2f\x31\x01", "OpenEXR"},
+        {"#?", "Radiance"},           {"BM", "BMP"},          {"FORM", "IFF"},
+    };
+    for (const auto& [signature, kind] : kSignatures)
+        if (begins(bytes, signature)) return kind;
+    if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '7') return "PPM";
+    return path.ends_with(".tga") || path.ends_with(".TGA") ? "Targa" : nullptr;
+}
+
+std::optional<Picture> decode_directly(const std::string& path, const ByteList& bytes)
+{
+    if (begins(bytes, "\x89PNG\r\n\x1a\n")) return decode_png(bytes);
+    if (begins(bytes, "GIF8")) return decode_gif(bytes);
+    if (begins(bytes, "\xff\xd8\xff")) return decode_jpeg(bytes);
+    if (is_plain_targa(path, bytes)) return decode_targa(bytes);
+    return std::nullopt;
+}
+
+ByteList bytes_of_file(const std::string& path)
+{
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) throw FileError("it is a folder");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw FileError(std::strerror(errno));
+    ByteList bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (bytes.empty()) throw FileError("it is empty");
+    return bytes;
+}
+
+}  // namespace image

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/image/picture.h"
+
+#include <optional>
+#include <string>
+
+namespace image {
+
+using ByteList = std::vector<std::uint8_t>;
+
+/// All of a file. This and all readers below throw FileError, whose text names no file.
+ByteList bytes_of_file(const std::string& path);
+
+/// "PNG", "TIFF", ...: what the first bytes say, or the name of a Targa file; null for what is no picture of a known
+/// kind.
+const char* kind_of_file(const std::string& path, const ByteList& bytes);
+
+/// Of PNG, JPEG and GIF files and most Targa files, which need no library that takes long to load and whose palettes
+/// are of interest; nothing for other files.
+std::optional<Picture> decode_directly(const std::string& path, const ByteList& bytes);
+
+/// Of the bytes of a file of that type.
+Picture decode_png(const ByteList& bytes);                  ///< with libpng
+Picture decode_gif(const ByteList& bytes);                  ///< the first picture, with giflib
+std::optional<Picture> decode_jpeg(const ByteList& bytes);  ///< with libjpeg; nothing for four colour components
+Picture decode_targa(const ByteList& bytes);  ///< what is_plain_targa() accepts (Truevision TGA specification 2.0)
+
+/// A Targa file has no signature: its name and the fields for a palette of 8-bit places, 8-bit greys or 24-bit colours.
+bool is_plain_targa(const std::string& path, const ByteList& bytes);
+
+}  // namespace image

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+/// The one interface to the module that holds OpenImageIO. Plain C types: the module shares no state with the program.
+namespace image {
+
+/// What a writer is told. Strings live until the call returns.
+struct WriteRequest {
+    const char* path;    ///< written as it is, the format is `format`
+    const char* format;  ///< OpenImageIO's name: "targa", "pnm", "bmp", "jpeg", "openexr" or "hdr"
+    int width, height, channels;
+    bool linear_light;  ///< exr and hdr: rows are floats
+    bool eight_bits;    ///< rows are bytes, and stored so; else they are integers over the full 16 bits
+    bool run_length;    ///< tga: compress runs
+    bool srgb;          ///< tag as sRGB
+    float gamma;        ///< decoding gamma for the tag otherwise
+    int jpeg_quality;   ///< 1 to 100
+    const char* software;
+};
+
+/// What a reader returns; `samples` belongs to the module until `release`.
+struct ReadResult {
+    int width, height, channels;
+    int bits;        ///< of the file's samples: 8, 16 or 32 (float)
+    float* samples;  ///< 0 to 1 for integer files, channels interleaved, straight alpha
+    float gamma;     ///< of the file's gAMA entry, 0 if it has none
+    bool srgb;       ///< the file says that it is sRGB
+};
+
+class OpenPicture;  ///< a file that is being written
+
+/// All but `discard` and `release` return null or a message that stays valid until the next call of the same thread.
+struct IoModule {
+    const char* (*open)(const WriteRequest&, OpenPicture*& out);  ///< `out` ends in close() or discard()
+    /// Rows [first, first + count), each once, from the top: bytes, 16-bit integers or floats as the request says.
+    const char* (*put)(OpenPicture& picture, int first, int count, const void* rows);
+    const char* (*close)(OpenPicture* picture);
+    void (*discard)(OpenPicture* picture);
+    const char* (*read)(const char* path, ReadResult&);
+    void (*release)(ReadResult&);
+};
+
+inline constexpr const char* kIoModuleName = "libwhittle_image_io.so";
+inline constexpr const char* kIoModuleEntry = "whittle_image_io";
+
+}  // namespace image

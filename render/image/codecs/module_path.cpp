@@ -1,0 +1,34 @@
+#include "render/image/codecs/module_path.h"
+
+#include <array>
+
+namespace image {
+namespace {
+
+using Folders = std::array<std::filesystem::path, 2>;
+
+Folders module_folders()
+{
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    return {program, (program / WHITTLE_MODULES_FROM_PROGRAM).lexically_normal()};
+}
+
+}  // namespace
+
+std::optional<std::filesystem::path> find_module(const std::string& name)
+{
+    std::error_code ignored;
+    for (const std::filesystem::path& folder : module_folders())
+        if (std::filesystem::is_regular_file(folder / name, ignored)) return folder / name;
+    return std::nullopt;
+}
+
+std::string missing_module(const std::string& name)
+{
+    const Folders folders = module_folders();
+    return "the program is not complete: '" + name + "' is neither in '" + folders[0].string() + "' nor in '" +
+           folders[1].string() +
+           "'; a program that is copied needs the modules beside it, cmake --install puts all in place";
+}
+
+}  // namespace image

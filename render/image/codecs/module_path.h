@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace image {
+
+/// Modules that the program opens at run time stand beside the program's own file, whatever link it was called by (so a
+/// build leaves them), or in the folder where `cmake --install` puts them, `lib/whittle` beside `bin`.
+std::optional<std::filesystem::path> find_module(const std::string& name);
+
+/// What to tell where there is none: its name, the folders that were looked into, and what to do.
+std::string missing_module(const std::string& name);
+
+}  // namespace image

@@ -1,0 +1,111 @@
+#include "render/image/codecs/direct_readers.h"
+
+namespace image {
+namespace {
+
+/// 18 bytes, an identification, the palette, the pixels.
+constexpr std::size_t kHeader = 18;
+
+/// Kinds of pictures; 8 is added where runs are packed.
+enum Kind : std::uint8_t { kPalette = 1, kColors = 2, kGreys = 3, kPacked = 8 };
+
+std::uint32_t pair_at(const ByteList& bytes, std::size_t at)
+{
+    if (at + 1 >= bytes.size()) throw FileError("the Targa file ends too early");
+    return static_cast<std::uint32_t>(bytes[at] | bytes[at + 1] << 8);
+}
+
+/// Blue, green, red of 8 bits, or 5 bits of each in two bytes.
+void read_palette(const ByteList& bytes, std::size_t at, std::size_t count, std::size_t entry, Picture& picture)
+{
+    for (std::size_t i = 0; i < count; ++i, at += entry) {
+        float color[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+        if (entry == 2) {
+            const std::uint32_t packed = pair_at(bytes, at);
+            for (int c = 0; c < 3; ++c) color[c] = static_cast<float>((packed >> (10 - 5 * c)) & 31u) / 31.0f;
+        } else {
+            if (at + 2 >= bytes.size()) throw FileError("the Targa file ends too early");
+            for (std::size_t c = 0; c < 3; ++c) color[c] = static_cast<float>(bytes[at + 2 - c]) / 255.0f;
+        }
+        picture.palette.insert(picture.palette.end(), color, color + 4);
+    }
+}
+
+/// Pixels of `size` bytes each.
+ByteList unpacked(const ByteList& bytes, std::size_t at, std::size_t count, std::size_t size, bool packed)
+{
+    ByteList stored;
+    const auto copy = [&](std::size_t pixels) {
+        const std::size_t length = pixels * size;
+        if (at > bytes.size() || bytes.size() - at < length) throw FileError("the Targa file ends too early");
+        stored.insert(stored.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                      bytes.begin() + static_cast<std::ptrdiff_t>(at + length));
+    };
+    if (!packed) {
+        copy(count);
+        return stored;
+    }
+    while (stored.size() < count * size) {
+        if (at >= bytes.size()) throw FileError("the Targa file ends too early");
+        const std::uint8_t run = bytes[at++];
+        const bool repeated = run & 0x80;
+        const std::size_t pixels = (run & 0x7fu) + std::size_t{1};
+        for (std::size_t i = 0; i < (repeated ? pixels : 1); ++i) copy(repeated ? 1 : pixels);
+        at += (repeated ? 1 : pixels) * size;
+    }
+    return stored;
+}
+
+/// The file's place of each pixel, top row first.
+std::vector<std::size_t> places(std::size_t wide, std::size_t high, std::uint8_t order)
+{
+    const bool from_top = order & 0x20, from_right = order & 0x10;
+    std::vector<std::size_t> result;
+    result.reserve(wide * high);
+    for (std::size_t y = 0; y < high; ++y)
+        for (std::size_t x = 0; x < wide; ++x)
+            result.push_back((from_top ? y : high - 1 - y) * wide + (from_right ? wide - 1 - x : x));
+    return result;
+}
+
+}  // namespace
+
+bool is_plain_targa(const std::string& path, const ByteList& bytes)
+{
+    const bool named = path.ends_with(".tga") || path.ends_with(".TGA");
+    if (!named || bytes.size() <= kHeader) return false;
+    const int kind = bytes[2] & ~kPacked, bits = bytes[16];
+    if (bytes[1] == 1) return kind == kPalette && bits == 8;
+    return bytes[1] == 0 && ((kind == kColors && bits == 24) || (kind == kGreys && bits == 8));
+}
+
+Picture decode_targa(const ByteList& bytes)
+{
+    Picture out;
+    const std::size_t wide = pair_at(bytes, 12), high = pair_at(bytes, 14);
+    out.width = static_cast<int>(wide);
+    out.height = static_cast<int>(high);
+    if (wide == 0 || high == 0) throw FileError("the Targa file holds no picture");
+    const bool packed = bytes[2] & kPacked;
+    std::size_t at = kHeader + bytes[0];
+    if (bytes[1] == 1) {
+        const std::size_t first = pair_at(bytes, 3), colors = pair_at(bytes, 5),
+                          entry = (bytes[7] + std::size_t{7}) / 8;
+        out.palette.assign(4 * first, 0.0f);  // places below the first stored one
+        read_palette(bytes, at, colors, entry, out);
+        at += colors * entry;
+    }
+    const std::size_t size = bytes[16] / std::size_t{8};
+    const ByteList stored = unpacked(bytes, at, out.count(), size, packed);
+    out.channels = static_cast<int>(size);
+    for (const std::size_t place : places(wide, high, bytes[17])) {
+        if (bytes[1] == 1) out.indices.push_back(stored[place]);
+        else
+            for (std::size_t c = size; c-- > 0;)
+                out.samples.push_back(static_cast<float>(stored[place * size + c]) / 255.0f);
+    }
+    if (bytes[1] == 1) expand_palette(out);
+    return out;
+}
+
+}  // namespace image

@@ -1,0 +1,306 @@
+#include "render/plan/geometry/extent.h"
+
+#include "csg/freeform/freeform.h"
+#include "csg/solids/shared/quadric_box.h"
+#include "render/plan/geometry/solids.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plan {
+namespace {
+
+constexpr double kFar = 1e10;            // half the edge of "everything"
+constexpr double kLongestEdge = 1e6;     // longer ones of a CSG object make it infinite
+constexpr double kSmallestTerm = 1e-10;  // of a quadric; smaller ones are 0
+constexpr double kDiscHalfThickness = 1e-3;
+constexpr double kPolygonHalfThickness = 1e-3;  // of one along the axes (spec 5b, 4)
+
+csg::Aabb everything() { return {glm::dvec3(-kFar), glm::dvec3(kFar)}; }
+
+csg::Aabb corners_moved(const csg::Transform& t, const csg::Aabb& box)
+{
+    csg::Aabb moved;
+    for (int corner = 0; corner < 8; ++corner)
+        moved.include(t.point({corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
+                               corner & 4 ? box.upper.z : box.lower.z}));
+    moved.lower = glm::max(moved.lower, glm::dvec3(-kFar));
+    moved.upper = glm::min(moved.upper, glm::dvec3(kFar));
+    return moved;
+}
+
+csg::Aabb clamped(const csg::Aabb& box)
+{
+    return {glm::max(box.lower, glm::dvec3(-kFar)), glm::min(box.upper, glm::dvec3(kFar))};
+}
+
+/// A box that was turned in several steps, `t` together.
+csg::Aabb turned(const csg::Transform& t, const scene::BoxGrowth& growth, const csg::Aabb& box)
+{
+    const glm::dvec3 middle = t.point(0.5 * (box.lower + box.upper)),
+                     half = growth.edges * (0.5 * (box.upper - box.lower));
+    return clamped({middle - half, middle + half});
+}
+
+/// As single precision has it. Volatile, for g++ 12 takes the three axes together and leaves the rounding out (-O2, SLP
+/// vectorizer).
+double in_single(double value)
+{
+    volatile float rounded = static_cast<float>(value);
+    return static_cast<double>(rounded);
+}
+
+/// As POV-Ray keeps a box, its lower corner and its edges in single precision, and adds them.
+csg::Aabb kept(const csg::Aabb& box)
+{
+    csg::Aabb told;
+    for (int k = 0; k < 3; ++k) {
+        told.lower[k] = in_single(box.lower[k]);
+        told.upper[k] = in_single(told.lower[k] + in_single(box.upper[k] - box.lower[k]));
+    }
+    return told;
+}
+
+double volume(const csg::Aabb& box)
+{
+    const glm::dvec3 edge = box.upper - box.lower;
+    return edge.x * edge.y * edge.z;
+}
+
+csg::Aabb unless_too_long(const csg::Aabb& box)
+{
+    const glm::dvec3 edge = box.upper - box.lower;
+    return std::max({edge.x, edge.y, edge.z}) > kLongestEdge ? everything() : box;
+}
+
+csg::Aabb thickened(csg::Aabb box)
+{
+    for (int k = 0; k < 3; ++k)
+        if (box.upper[k] - box.lower[k] < kPolygonHalfThickness) {
+            box.lower[k] -= kPolygonHalfThickness;
+            box.upper[k] += kPolygonHalfThickness;
+        }
+    return box;
+}
+
+csg::Aabb csg_extent(const scene::Csg& csg);
+csg::Aabb quadric_extent(const scene::Quadric& quadric, const csg::Transform& t);
+
+/// Of the shape in its statement's space, `t` applied.
+struct ShapeExtent {
+    const csg::Transform& t;
+
+    csg::Aabb operator()(const scene::Sphere& s) const
+    {
+        if (const csg::Solid made = world_solid(s, t); const auto* sphere = std::get_if<csg::Sphere>(&made))
+            return {sphere->center - sphere->radius, sphere->center + sphere->radius};
+        const double r = std::abs(s.radius);
+        return corners_moved(t, {s.center - r, s.center + r});
+    }
+    csg::Aabb operator()(const scene::Box& s) const { return corners_moved(t, {s.lower, s.upper}); }
+    csg::Aabb operator()(const scene::Plane&) const { return everything(); }
+    csg::Aabb operator()(const scene::Polynomial&) const { return everything(); }  // closed or not (spec 5a, 7)
+    csg::Aabb operator()(const scene::Cylinder& s) const { return tube(world_solid(s, t)); }
+    csg::Aabb operator()(const scene::Cone& s) const { return tube(world_solid(s, t)); }
+    csg::Aabb operator()(const scene::Quadric& s) const { return quadric_extent(s, t); }
+    csg::Aabb operator()(const scene::Disc& s) const
+    {
+        const csg::Solid made = world_solid(s, t);
+        const auto& disc = std::get<csg::Disc>(made);
+        const glm::dvec3 half(disc.radius, disc.radius, kDiscHalfThickness);
+        return corners_moved(disc.frame, {-half, half});
+    }
+    csg::Aabb operator()(const scene::Torus& s) const
+    {
+        const glm::dvec3 half(s.major + s.minor, s.minor, s.major + s.minor);
+        return corners_moved(t, {-half, half});
+    }
+    csg::Aabb operator()(const scene::Mesh& s) const
+    {
+        csg::Aabb box;
+        for (const scene::MeshData::Face& face : s.data->faces)
+            for (const std::uint32_t v : face.vertex) box.include(s.data->vertices[v]);
+        return corners_moved(t, box);
+    }
+    csg::Aabb operator()(const scene::Freeform& s) const
+    {
+        if (const auto* patch = std::get_if<csg::BicubicPatch>(&s.shape->kind)) {
+            csg::Aabb points;
+            for (const auto& row : patch->input().points)
+                for (const glm::dvec3& point : row) points.include(t.point(point));
+            return points;
+        }
+        const csg::Aabb box = corners_moved({}, s.shape->extent(t));
+        return std::holds_alternative<csg::Polygon>(s.shape->kind) ? thickened(box) : box;
+    }
+    csg::Aabb operator()(const scene::Extrusion& s) const
+    {
+        if (s.outline->empty()) return {};
+        csg::Aabb box{glm::dvec3(s.outline->lower(), s.low), glm::dvec3(s.outline->upper(), s.high)};
+        if (s.bezier)
+            for (const csg::OutlinePiece& p : s.outline->pieces())
+                for (const glm::dvec2& control : {p.d + p.c / 3.0, p.d + (2.0 * p.c + p.b) / 3.0})
+                    box.include(glm::dvec3(control, s.low));
+        return corners_moved(t, box);
+    }
+    csg::Aabb operator()(const scene::Csg& s) const
+    {
+        const csg::Aabb box = csg_extent(s);
+        return t.identity() && s.growth.edges == glm::dmat3(1.0) ? box : turned(t, s.growth, box);
+    }
+    csg::Aabb operator()(const scene::Light&) const { return everything(); }
+    /// All others: the box of the solid.
+    template <class Shape>
+    csg::Aabb operator()(const Shape& s) const
+    {
+        return solid_box(s);
+    }
+
+private:
+    template <class Shape>
+    csg::Aabb solid_box(const Shape& s) const
+    {
+        const csg::Aabb box = std::visit(
+            [](const auto& solid) {
+                if constexpr (requires { solid.bounds(); }) return solid.bounds();
+                else return csg::Aabb::everything();
+            },
+            world_solid(s, t));
+        return box.finite() ? box : everything();
+    }
+    static csg::Aabb tube(const csg::Solid& made)
+    {
+        if (const auto* cylinder = std::get_if<csg::Cylinder>(&made))
+            return corners_moved(cylinder->frame, {{-1, -1, 0}, {1, 1, 1}});
+        const auto& cone = std::get<csg::Cone>(made);
+        return corners_moved(cone.frame, {{-1, -1, cone.low}, {1, 1, 1}});
+    }
+};
+
+csg::Aabb extent(const scene::Object& object);
+
+/// A plane counts as a half-space inside an intersection, also turned round where it is subtracted.
+bool half_space(const scene::Object& operand, bool turned, csg::Aabb& box)
+{
+    const auto* plane = std::get_if<scene::Plane>(&operand.shape);
+    if (plane == nullptr) return false;
+    const csg::Solid made = world_solid(*plane, operand.transform);
+    csg::Plane space = std::get<csg::Plane>(made);
+    if (operand.inverse != turned) {
+        space.normal_out = -space.normal_out;
+        space.offset = -space.offset;
+    }
+    box = {glm::max(space.bounds().lower, glm::dvec3(-kFar)), glm::min(space.bounds().upper, glm::dvec3(kFar))};
+    return true;
+}
+
+/// What clips leave of space: planes across an axis are half-spaces.
+csg::Aabb clip_box(const std::vector<scene::Object>& clips)
+{
+    csg::Aabb box = everything(), cut;
+    for (const scene::Object& clip : clips) {
+        if (half_space(clip, false, cut)) box = box.intersected(cut);
+        else if (!clip.inverse) box = box.intersected(extent(clip));
+    }
+    return box;
+}
+
+/// The quadric in the space that `t` leads to, written out there.
+csg::Quadric written_out(const scene::Quadric& q, const csg::Transform& t)
+{
+    const glm::dvec3 m = 0.5 * q.mixed;
+    const glm::dmat3 half(q.square.x, m.x, m.y, m.x, q.square.y, m.z, m.y, m.z, q.square.z);
+    const glm::dmat3& back = t.inverse_linear;
+    const glm::dvec3 start = t.inverse_point(glm::dvec3(0));
+    const glm::dmat3 terms = glm::transpose(back) * half * back;
+    const auto term = [](double value) { return std::abs(value) < kSmallestTerm ? 0.0 : value; };
+    csg::Quadric made;
+    made.square = {term(terms[0][0]), term(terms[1][1]), term(terms[2][2])};
+    made.mixed = {term(2.0 * terms[0][1]), term(2.0 * terms[0][2]), term(2.0 * terms[1][2])};
+    made.linear = glm::transpose(back) * (2.0 * half * start + q.linear);
+    made.constant = glm::dot(start, half * start) + glm::dot(q.linear, start) + q.constant;
+    return made;
+}
+
+/// `box` or, if that is smaller, the box of what the quadric and `within` have in common (spec 5a, 7.1). One with mixed
+/// terms has none of its own.
+csg::Aabb smaller_quadric_box(const csg::Aabb& box, const scene::Quadric& quadric, const csg::Transform& t,
+                              const csg::Aabb& within)
+{
+    const csg::Quadric q = written_out(quadric, t);
+    const csg::Aabb fresh = clamped(csg::quadric_box(q, {}, within));
+    if (fresh.empty() || !(volume(fresh) < volume(box))) return box;
+    return q.mixed == glm::dvec3(0.0) ? unless_too_long(fresh) : fresh;
+}
+
+csg::Aabb quadric_extent(const scene::Quadric& quadric, const csg::Transform& t)
+{
+    csg::Aabb box = smaller_quadric_box(everything(), quadric, {}, everything());
+    if (!quadric.first_clips) return turned(t, quadric.growth, box);
+    const scene::FirstClips& first = *quadric.first_clips;
+    box = turned(first.transform, first.growth, box);
+    box = smaller_quadric_box(box, quadric, first.transform, clip_box(first.clips));
+    return turned(t * first.transform.inverted(), quadric.growth, box);
+}
+
+/// Narrows an intersection's box by an operand's; what is turned inside out says nothing, planes apart.
+void cut_box(const scene::Object& operand, bool subtracted, csg::Aabb& box)
+{
+    csg::Aabb cut;
+    if (!half_space(operand, subtracted, cut)) {
+        if (operand.inverse != subtracted) return;
+        cut = extent(operand);
+        if (const auto* quadric = std::get_if<scene::Quadric>(&operand.shape))
+            cut = smaller_quadric_box(cut, *quadric, operand.transform, box.intersected(clip_box(operand.clipped_by)));
+    }
+    box = box.intersected(cut);
+}
+
+csg::Aabb csg_extent(const scene::Csg& csg)
+{
+    const bool joins = csg.op == scene::CsgOp::Union || csg.op == scene::CsgOp::Merge;
+    csg::Aabb box = joins ? csg::Aabb{} : everything();
+    // Quadrics come last: what the others leave bounds them.
+    for (const bool quadrics : {false, true})
+        for (std::size_t i = 0; i < csg.operands->size(); ++i) {
+            const scene::Object& operand = (*csg.operands)[i];
+            if (std::holds_alternative<scene::Quadric>(operand.shape) != quadrics) continue;
+            if (joins) box.include(extent(operand));
+            else cut_box(operand, csg.op == scene::CsgOp::Difference && i > 0, box);
+        }
+    return kept(box.empty() ? everything() : unless_too_long(box));
+}
+
+csg::Aabb common(const std::vector<scene::Object>& bounds)
+{
+    csg::Aabb box = everything();
+    for (const scene::Object& bound : bounds)
+        if (!bound.inverse) box = box.intersected(extent(bound));
+    return box;
+}
+
+csg::Aabb extent(const scene::Object& object)
+{
+    const auto* plane = std::get_if<scene::Plane>(&object.shape);
+    csg::Aabb box = plane != nullptr && plane->moved_clips ? extent(object.clipped_by.front())
+                                                           : std::visit(ShapeExtent{object.transform}, object.shape);
+    if (const auto* quadric = std::get_if<scene::Quadric>(&object.shape);
+        quadric != nullptr && !quadric->first_clips && !object.clipped_by.empty())
+        box = smaller_quadric_box(box, *quadric, object.transform, clip_box(object.clipped_by));
+    box = kept(box);
+    for (const std::vector<scene::Object>* set : {&object.bounded_by, &object.clipped_by})
+        if (const csg::Aabb cut = common(*set); !set->empty() && !cut.empty() && volume(cut) < volume(box)) box = cut;
+    return box;
+}
+
+}  // namespace
+
+csg::Aabb described_extent(const scene::Object& object) { return extent(object); }
+
+csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent, const scene::BoxGrowth& growth)
+{
+    if (!parent.identity()) object.transform_by(parent, growth);
+    return described_extent(object);
+}
+
+}  // namespace plan

@@ -1,0 +1,365 @@
+#include "render/plan/geometry/geometry.h"
+
+#include "csg/freeform/freeform.h"
+#include "render/plan/camera_starts.h"
+#include "render/plan/geometry/extent.h"
+#include "render/plan/lights.h"
+#include "render/plan/geometry/solids.h"
+#include "render/plan/textures/uv_use.h"
+
+#include <utility>
+
+namespace plan {
+namespace {
+
+/// Whether an old finish keyword changes the interior of the object (spec 3, 8.7).
+bool carries_legacy_finish(const scene::TexturePtr& texture)
+{
+    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
+    if (layers == nullptr || layers->empty()) return false;
+    const scene::Finish& finish = layers->back().finish;
+    return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f;
+}
+
+bool same(const csg::Transform& a, const csg::Transform& b)
+{
+    return a.linear == b.linear && a.offset == b.offset && a.inverse_linear == b.inverse_linear &&
+           a.inverse_offset == b.inverse_offset;
+}
+
+/// What clips the object: nothing clips a bicubic_patch (spec 5b, 1.6).
+const std::vector<scene::Object>& clips_of(const scene::Object& object)
+{
+    static const std::vector<scene::Object> none;
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    return freeform && std::holds_alternative<csg::BicubicPatch>(freeform->shape->kind) ? none : object.clipped_by;
+}
+
+csg::Tree::Op tree_op(scene::CsgOp op)
+{
+    switch (op) {
+    case scene::CsgOp::Union: return csg::Tree::Op::Union;
+    case scene::CsgOp::Intersection: return csg::Tree::Op::Intersection;
+    case scene::CsgOp::Difference: return csg::Tree::Op::Difference;
+    case scene::CsgOp::Merge: return csg::Tree::Op::Merge;
+    }
+    return csg::Tree::Op::Union;
+}
+
+}  // namespace
+
+GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options,
+                                   TextureCompiler& textures, CompiledScene& out,
+                                   std::vector<scene::Unsupported>& notes)
+    : description_(description), options_(options), textures_(textures), out_(out), interiors_(out.interiors),
+      fields_(description, options, notes), starts_(camera_starts(out.camera, out.mesh_camera.get()))
+{}
+
+void GeometryCompiler::add(const scene::Object& object)
+{
+    default_texture_ = object.default_texture ? object.default_texture : description_.default_texture;
+    automatic_interiors_.clear();
+    light_groups_.clear();
+    collect_lights(object, {});
+    add_top(object, {});
+}
+
+void GeometryCompiler::finish()
+{
+    out_.geometry.surface_opaque.clear();
+    for (Surface& s : out_.surfaces) {
+        const auto opaque = [&](std::uint32_t texture) {
+            return texture == kNone || out_.textures.textures[texture].opaque;
+        };
+        s.opaque = opaque(s.texture) && opaque(s.interior_texture) && opaque(s.corner_textures[0]) &&
+                   opaque(s.corner_textures[1]);
+        for (std::uint32_t k = 0; k < s.part_count; ++k)
+            s.opaque = s.opaque && opaque(out_.part_textures[s.first_part + k]);
+        out_.geometry.surface_opaque.push_back(s.opaque ? 1 : 0);
+    }
+    out_.geometry.finish();
+    const auto tell = [&](std::uint64_t count, const char* what, const char* why) {
+        if (count != 0) out_.decisions.push_back({std::to_string(count) + " " + what, why, {}});
+    };
+    tell(split_unions_, "unions split into their operands", "nothing at top level needs them as one object");
+    tell(empty_programs_, "objects left out", "bounds of their operands leave nothing to draw");
+    tell(out_.geometry.instances.size(), "copies of objects kept as such", "others before them show the same parts");
+    tell(bounds_, "bounded_by left out", "the hierarchy bounds every object itself");
+    tell(guards_, "bounded_by kept", "they are smaller than what they bound");
+}
+
+/// What `object` hands down to its operands and to its own surface.
+GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object, const Inherited& above)
+{
+    Inherited own = above;
+    own.uv_mapping = object.flags.uv_mapping || (!object.texture && above.uv_mapping);
+    const auto in_world = [&](const scene::TexturePtr& t) { return own.uv_mapping ? t : moved(t, above.to_world); };
+    if (object.texture) own.texture = in_world(object.texture);
+    if (object.interior_texture) own.interior_texture = in_world(object.interior_texture);
+    if (object.interior) own.interior = object.interior;
+    if (object.flags.hollow) own.hollow = object.flags.hollow;
+    own.no_shadow = above.no_shadow || object.flags.no_shadow;
+    own.no_image = above.no_image || object.flags.no_image;
+    own.no_reflection = above.no_reflection || object.flags.no_reflection;
+    own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
+    own.to_world = is_light(object) ? above.to_world : above.to_world * object.transform;
+    own.parent_growth = own.growth = above.growth;
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
+        own.growth = csg->growth;
+        own.growth.add(above.growth);
+    }
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg != nullptr && csg->light_group) {
+        if (above.light_group == 0) own.global_lights = csg->global_lights;  // the outermost group decides
+        own.light_group = light_group(object, own.to_world);
+    }
+    return own;
+}
+
+std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const csg::Transform& to_world)
+{
+    if (sharing_ != nullptr) sharing_->fails = true;  // each copy has lights of its own
+    for (const LightGroup& known : light_groups_)
+        if (known.object == &object && same(known.to_world, to_world)) return known.number;
+    light_groups_.push_back({&object, to_world, ++light_group_count_});
+    return light_group_count_;
+}
+
+void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
+{
+    if (is_light(object)) return;
+    const Inherited own = below(object, above);
+    if (!object.bounded_by.empty() && !object.bounded_by_clip) ++bounds_;
+    const auto* csg = std::get_if<scene::Csg>(&object.shape);
+    const bool whole = !object.clipped_by.empty() || object.inverse;
+    if (csg != nullptr && add_instance(object, own)) return;
+    if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !whole) {
+        ++split_unions_;
+        const OuterBounds outer = outer_bounds_;
+        if (!drops_bounds(object, outer.nested)) {
+            must_meet(object, above.to_world, above.growth, outer_bounds_.guard);
+            if (!outer.nested) outer_bounds_.box = placed_extent(object, above.to_world, above.growth);
+            outer_bounds_.nested = true;
+        }
+        for (const scene::Object& operand : *csg->operands) add_top(operand, own);
+        outer_bounds_ = outer;
+        return;
+    }
+    add_alone(object, own);
+}
+
+std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const Inherited& own)
+{
+    if (sharing_ != nullptr) return 0;
+    out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source});
+    return static_cast<std::uint32_t>(out_.objects.size() - 1);
+}
+
+void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& own)
+{
+    object_ = add_object(object, own);
+    bounds_inside_ = false;
+    csg::WorldData& world = *world_;
+    const bool clipped = !clips_of(object).empty();
+    if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh != nullptr && !clipped) {
+        const csg::PartId part = mesh_part(*mesh, own);
+        world.add_solid(part, object.inverse && mesh_is_solid(*mesh->data), object_, visible(own));
+        add_guard(object, own);
+        return;
+    }
+    if (!std::holds_alternative<scene::Csg>(object.shape) && !std::holds_alternative<scene::Mesh>(object.shape) &&
+        !clipped) {
+        const csg::PartId part = world.store.add(solid(object, own), shape_surface(object, own));
+        world.add_solid(part, object.inverse, object_, visible(own));
+        add_guard(object, own);
+        return;
+    }
+    csg::Tree whole = tree(object, own);
+    csg::Program program = csg::build(whole, world.store);
+    if (program.nodes.empty() || program.bounds.empty()) {
+        ++empty_programs_;
+        return;
+    }
+    world.add_program(std::move(program), object_, visible(own));
+    if (clipped && sharing_ == nullptr) add_unclipped(std::move(whole));
+    add_guard(object, own);
+}
+
+csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited& own)
+{
+    if (const auto* freeform = std::get_if<scene::Freeform>(&object.shape))
+        return world_solid(scene::Freeform{fields_.linked(freeform->shape)}, own.to_world);
+    const bool on_surface =
+        std::holds_alternative<scene::Sphere>(object.shape) &&
+        (own.uv_mapping || uses_uv(own.texture ? own.texture : default_texture_) || uses_uv(own.interior_texture));
+    return world_solid(object.shape, own.to_world, on_surface);
+}
+
+csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& own)
+{
+    csg::Tree made;
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
+        made = csg_tree(*csg, own);
+    } else if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
+        made = csg::Tree::leaf(mesh_part(*mesh, own));
+    } else {
+        const csg::SurfaceId id = clipping_ ? csg::kNoSurface : shape_surface(object, own);
+        made = csg::Tree::leaf(world_->store.add(solid(object, own), id));
+    }
+    made.inverse = object.inverse;
+    // Clips stand in the space of the parent.
+    const csg::Transform parent = own.to_world * object.transform.inverted();
+    for (const scene::Object& clip : clips_of(object)) made.clips.push_back(clip_tree(clip, parent));
+    return made;
+}
+
+csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own)
+{
+    csg::Tree made;
+    made.op = tree_op(csg.op);
+    const bool cutaway = csg.cutaway_textures && !own.texture;
+    Inherited later = own;
+    for (const scene::Object& operand : *csg.operands) {
+        if (is_light(operand)) continue;
+        const bool cuts = !made.operands.empty() && takes_cut_texture(operand, csg.op == scene::CsgOp::Difference);
+        const Inherited mine = below(operand, cuts ? later : own);
+        const auto* parts = std::get_if<scene::Csg>(&operand.shape);
+        const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union && operand.clipped_by.empty() &&
+                           !operand.inverse;
+        if (cutaway && made.operands.empty() && csg.op == scene::CsgOp::Difference && plain && !mine.texture)
+            return cut_parts(csg, *parts, operand, own, mine);
+        made.operands.push_back(bounded(tree(operand, mine), operand, mine));
+        if (cutaway && made.operands.size() == 1) later.texture = cut_texture(operand, mine);
+    }
+    return made;
+}
+
+csg::Tree GeometryCompiler::clip_tree(const scene::Object& clip, const csg::Transform& to_world)
+{
+    Inherited none;
+    none.to_world = to_world * clip.transform;
+    const bool before = std::exchange(clipping_, true);
+    csg::Tree made = tree(clip, none);
+    clipping_ = before;
+    return made;
+}
+
+void GeometryCompiler::collect_lights(const scene::Object& object, const Inherited& above)
+{
+    if (const auto* light = std::get_if<scene::Light>(&object.shape)) {
+        add_light(*light, above);
+        return;
+    }
+    const auto* csg = std::get_if<scene::Csg>(&object.shape);
+    if (csg == nullptr) return;
+    Inherited own;
+    own.to_world = above.to_world * object.transform;
+    if (csg->light_group)
+        own.light_group = light_group(object, own.to_world);  // of its own lights, none that stand deeper
+    for (const scene::Object& operand : *csg->operands) collect_lights(operand, own);
+}
+
+void GeometryCompiler::add_light(const scene::Light& light, const Inherited& above)
+{
+    light::Light compiled = compile_light(light, above.to_world, options_.quality);
+    compiled.group = above.light_group;
+    if (compiled.color != glm::vec3(0)) out_.lights.lights.push_back(std::move(compiled));
+    else out_.decisions.push_back({"left out a black light", "it lights nothing", {}});
+    if (!light.looks_like) return;
+    Inherited own = above;
+    own.no_shadow = true;
+    automatic_interiors_.clear();
+    collect_lights(*light.looks_like, own);
+    add_top(*light.looks_like, own);
+    automatic_interiors_.clear();
+}
+
+csg::SurfaceId GeometryCompiler::shape_surface(const scene::Object& object, const Inherited& own)
+{
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    if (freeform == nullptr || !freeform->part_textures || freeform->part_textures->empty()) return surface(own);
+    Inherited outside = own;
+    outside.interior_texture = nullptr;  // POV-Ray shows the parts on both sides (spec 5a, 5.11)
+    std::vector<std::uint32_t> parts;
+    for (const scene::TexturePtr& texture : *freeform->part_textures) {
+        if (texture) parts.push_back(textures_.texture(own.uv_mapping ? texture : moved(texture, own.to_world)));
+        else parts.push_back(textures_.texture(own.texture ? own.texture : default_texture_));
+    }
+    return surface(outside, {}, parts);
+}
+
+csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
+                                         const std::vector<std::uint32_t>& parts)
+{
+    if (sharing_ != nullptr) return shared_surface(own, corners, !parts.empty());
+    const scene::TexturePtr& texture = own.texture ? own.texture : default_texture_;
+    Surface s;
+    s.texture = textures_.texture(texture);
+    s.interior_texture = own.interior_texture ? textures_.texture(own.interior_texture) : kNone;
+    for (std::size_t k = 0; k < 2; ++k)
+        if (corners[k]) s.corner_textures[k] = textures_.texture(corners[k]);
+    if (!parts.empty()) {
+        const auto [known, fresh] =
+            known_parts_.try_emplace(parts, static_cast<std::uint32_t>(out_.part_textures.size()));
+        if (fresh) out_.part_textures.insert(out_.part_textures.end(), parts.begin(), parts.end());
+        s.first_part = known->second;
+        s.part_count = static_cast<std::uint32_t>(parts.size());
+    }
+    s.interior = interior(own, texture);
+    s.object = object_;
+    s.no_shadow = own.no_shadow;
+    s.no_image = own.no_image;
+    s.no_reflection = own.no_reflection;
+    s.double_illuminate = own.double_illuminate;
+    s.uv_mapping = own.uv_mapping;
+    s.light_group = own.light_group;
+    s.global_lights = own.global_lights;
+    const std::uint32_t flags = (s.no_shadow ? 1u : 0u) | (s.no_image ? 2u : 0u) | (s.no_reflection ? 4u : 0u) |
+                                (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u) |
+                                (s.global_lights ? 32u : 0u);
+    const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
+    const auto [known, fresh] =
+        known_surfaces_.try_emplace({s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0],
+                                     s.corner_textures[1], parts.empty() ? kNone : s.first_part, s.light_group},
+                                    id);
+    if (fresh) out_.surfaces.push_back(s);
+    return known->second;
+}
+
+std::uint32_t GeometryCompiler::interior(const Inherited& own, const scene::TexturePtr& texture)
+{
+    std::uint32_t index = kNone;
+    if (own.interior) {
+        index = interiors_.interior(own.interior, texture.get());
+    } else {
+        const scene::Texture* key = carries_legacy_finish(texture) ? texture.get() : nullptr;
+        const auto known = automatic_interiors_.find(key);
+        index = known != automatic_interiors_.end() ? known->second : interiors_.interior(nullptr, texture.get());
+        if (known == automatic_interiors_.end()) automatic_interiors_.emplace(key, index);
+    }
+    if (own.hollow) out_.interiors[index].hollow = *own.hollow;
+    return index;
+}
+
+/// The texture in world space; equal for equal transformations, so that copies share it.
+scene::TexturePtr GeometryCompiler::moved(const scene::TexturePtr& texture, const csg::Transform& to_world)
+{
+    if (!texture || to_world.identity() || alike_everywhere(*texture)) return texture;
+    std::vector<Moved>& known = moved_[texture.get()];
+    for (const Moved& m : known)
+        if (same(m.by, to_world)) return m.to;
+    auto copy = std::make_shared<scene::Texture>(*texture);
+    copy->transform(to_world);
+    known.push_back({to_world, texture, copy});
+    return copy;
+}
+
+std::uint8_t GeometryCompiler::visible(const Inherited& own) const
+{
+    std::uint8_t bits = 0;
+    if (!own.no_image) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Image));
+    if (!own.no_reflection) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Reflection));
+    if (!own.no_shadow) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Shadow));
+    return bits;
+}
+
+}  // namespace plan

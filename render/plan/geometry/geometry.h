@@ -1,0 +1,164 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+#include "render/plan/textures/fields.h"
+#include "render/plan/textures/interiors.h"
+#include "render/plan/textures/textures.h"
+
+#include <map>
+#include <unordered_map>
+
+namespace plan {
+
+/// Lights stand among the operands of a CSG object and are collected apart.
+inline bool is_light(const scene::Object& object) { return std::holds_alternative<scene::Light>(object.shape); }
+
+/// Whether a mesh has an inside.
+bool mesh_is_solid(const scene::MeshData& mesh);
+
+/// Whether an untextured operand of a difference or intersection with cutaway_textures shows what is cut (spec
+/// 5a, 8.3).
+bool takes_cut_texture(const scene::Object& operand, bool subtracted);
+
+/// Nothing in it depends on the place.
+bool alike_everywhere(const scene::Texture& texture);
+
+/// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its
+/// parents (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays
+/// together.
+class GeometryCompiler {
+public:
+    GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
+                     CompiledScene& out, std::vector<scene::Unsupported>& notes);
+
+    /// A statement of the scene. Lights inside are collected too.
+    void add(const scene::Object& object);
+    /// After the last object: opacity of surfaces, then the hierarchy.
+    void finish();
+
+private:
+    /// What comes down from the parents. Textures are in world space already.
+    struct Inherited {
+        csg::Transform to_world;  ///< of the space that the node's transformation maps into
+        scene::BoxGrowth parent_growth,
+            growth;  ///< of boxes turned into the world from the space of the node's parent, from its own
+        scene::TexturePtr texture, interior_texture;
+        std::shared_ptr<const scene::Interior> interior;
+        std::optional<bool> hollow;
+        bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
+        std::uint32_t light_group = 0;  ///< Surface::light_group
+        bool global_lights = true;
+    };
+
+    Inherited below(const scene::Object& object, const Inherited& above);
+    void add_top(const scene::Object& object, const Inherited& above);
+    void add_guard(const scene::Object& object, const Inherited& own);
+    csg::BoundingGuard clip_guard(const scene::Object& object, const Inherited& own, const csg::Transform& parent);
+    bool drops_bounds(const scene::Object& object, bool inside_csg) const;
+    bool bounding_active() const;
+    /// Tells of the item that was added last what it holds without its own clips. `whole`: the item.
+    void add_unclipped(csg::Tree whole);
+    /// Keeps the item that was added last from holding a start of camera rays outside of POV-Ray's box of it.
+    void limit_starts(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth);
+    void must_meet(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth,
+                   csg::BoundingGuard& guard);
+    bool held(const scene::Object& object, const csg::Program& drawn, const csg::Program& bound);
+    csg::Tree bounded(csg::Tree made, const scene::Object& operand, const Inherited& own);
+    void add_alone(const scene::Object& object, const Inherited& own);
+    std::uint32_t add_object(const scene::Object& object, const Inherited& own);
+    bool add_instance(const scene::Object& object, const Inherited& own);
+    csg::Tree tree(const scene::Object& object, const Inherited& own);
+    csg::Solid solid(const scene::Object& object, const Inherited& own);
+    csg::Tree csg_tree(const scene::Csg& csg, const Inherited& own);
+    csg::Tree cut_parts(const scene::Csg& csg, const scene::Csg& parts, const scene::Object& whole,
+                        const Inherited& own, const Inherited& of_whole);
+    scene::TexturePtr cut_texture(const scene::Object& object, const Inherited& own);
+    csg::Tree clip_tree(const scene::Object& clip, const csg::Transform& to_world);
+    void collect_lights(const scene::Object& object, const Inherited& above);
+    /// The number of a light_group that stands there, from 1.
+    std::uint32_t light_group(const scene::Object& object, const csg::Transform& to_world);
+    void add_light(const scene::Light& light, const Inherited& above);
+
+    /// `corners`: what the second and the third corner of a mesh's faces show, if another texture. `parts`: compiled
+    /// textures of a shape's parts.
+    csg::SurfaceId surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners = {},
+                           const std::vector<std::uint32_t>& parts = {});
+    /// Of an object's own shape; the parts of a freeform shape may differ.
+    csg::SurfaceId shape_surface(const scene::Object& object, const Inherited& own);
+
+    /// A mesh that several objects may show, and the textures of its faces' corners (null: the object's) by slot.
+    struct SharedMesh {
+        std::shared_ptr<const scene::MeshData> source;
+        std::shared_ptr<const csg::MeshShape> shape;
+        std::vector<std::array<scene::TexturePtr, 3>> slots;
+    };
+    const SharedMesh& shared_mesh(const std::shared_ptr<const scene::MeshData>& mesh);
+    csg::PartId mesh_part(const scene::Mesh& mesh, const Inherited& own);
+    csg::SurfaceId mesh_surface(const std::array<scene::TexturePtr, 3>& corners, const Inherited& own);
+    std::uint32_t interior(const Inherited& own, const scene::TexturePtr& texture);
+    scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
+    std::uint8_t visible(const Inherited& own) const;
+
+    /// A surface of a shared object, in that object's space.
+    struct SharedSurface {
+        Inherited own;
+        std::array<scene::TexturePtr, 2> corners;
+    };
+    /// An object that many statements show.
+    struct Shared {
+        std::size_t shown = 0;                                       ///< so often so far
+        std::shared_ptr<const std::vector<scene::Object>> operands;  ///< keeps the address that it is known by
+        std::shared_ptr<const csg::WorldData> world;                 ///< null: not made yet
+        std::vector<SharedSurface> surfaces;                         ///< by the world's SurfaceId
+        bool fails = false;                                          ///< it cannot be shared
+    };
+    void make_shared_world(const scene::Object& object, Shared& shared);
+    csg::SurfaceId shared_surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
+                                  bool has_parts);
+
+    const scene::Description& description_;
+    const Options& options_;
+    TextureCompiler& textures_;
+    CompiledScene& out_;
+    InteriorCompiler interiors_;
+    FieldLinker fields_;
+
+    csg::WorldData* world_ = &out_.geometry;  ///< where solids and items go
+    Shared* sharing_ = nullptr;               ///< the shared object at hand, whose surfaces are only noted
+    std::map<std::pair<const void*, int>, Shared> shared_;  ///< by operands and operation
+    scene::TexturePtr default_texture_;                     ///< of the statement at hand
+    std::uint32_t object_ = 0;                              ///< Surface::object at hand
+    bool clipping_ = false;                                 ///< inside a clip: nothing is drawn, no surface is made
+    /// Of the unions that the object at hand was an operand of; nested: POV-Ray keeps them whole, so it stands at no
+    /// top level.
+    struct OuterBounds {
+        csg::BoundingGuard guard;
+        csg::Aabb box;  ///< POV-Ray's, of the outermost that it keeps whole
+        bool nested = false;
+    };
+    OuterBounds outer_bounds_;
+    std::map<std::pair<const void*, std::size_t>, bool> held_;  ///< by operands and size of the bound
+    bool bounds_inside_ = false;  ///< some operand of the CSG object at hand reaches beyond its own bounds
+    csg::Aabb starts_;            ///< camera_starts()
+    /// Interiors made for the statement at hand where the text gives none: by texture with a legacy finish, else null.
+    std::map<const scene::Texture*, std::uint32_t> automatic_interiors_;
+    struct LightGroup {
+        const scene::Object* object;
+        csg::Transform to_world;
+        std::uint32_t number;
+    };
+    std::vector<LightGroup> light_groups_;  ///< of the statement at hand
+    std::uint32_t light_group_count_ = 0;
+    using SurfaceKey = std::array<std::uint32_t, 9>;
+    std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
+    std::map<std::vector<std::uint32_t>, std::uint32_t> known_parts_;  ///< to Surface::first_part
+    struct Moved {
+        csg::Transform by;
+        scene::TexturePtr from, to;
+    };
+    std::unordered_map<const scene::Texture*, std::vector<Moved>> moved_;
+    std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
+    std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0, guards_ = 0;
+};
+
+}  // namespace plan

@@ -1,0 +1,146 @@
+#include "render/plan/geometry/geometry.h"
+#include "render/plan/textures/uv_use.h"
+
+#include <algorithm>
+#include <utility>
+
+// Objects that many statements show are compiled once, into a world of their own (docs/instances.md).
+namespace plan {
+namespace {
+
+/// So many are compiled each for itself before the rest share one: fewer cost little, and a shared world is asked ray
+/// by ray.
+constexpr std::size_t kFewest = 256;
+/// Objects of fewer solids take little more room than an instance does.
+constexpr std::size_t kSmallest = 8;
+
+bool enough(const scene::Csg& csg, std::size_t& left)
+{
+    for (const scene::Object& operand : *csg.operands) {
+        const auto* inner = std::get_if<scene::Csg>(&operand.shape);
+        if (inner != nullptr ? enough(*inner, left) : !is_light(operand) && --left == 0) return true;
+    }
+    return false;
+}
+
+/// Whether some solid looks at the scene's own axes or lengths: an inside_vector does not turn with its mesh, and what
+/// tells crossings beside its surface does so by a length of the scene.
+bool tied_to_scene(const csg::SolidStore& store)
+{
+    const auto& meshes = store.all<csg::Mesh>();
+    const auto& freeforms = store.all<csg::Freeform>();
+    return std::any_of(meshes.begin(), meshes.end(), [](const csg::Mesh& mesh) { return mesh.solid(); }) ||
+           std::any_of(freeforms.begin(), freeforms.end(),
+                       [](const csg::Freeform& solid) { return solid.has_open_surface(); });
+}
+
+/// A texture that is moved to the same place once for an instance, however many surfaces show it.
+class TexturesOfInstance {
+public:
+    explicit TexturesOfInstance(const csg::Transform& frame) : frame_(frame) {}
+
+    scene::TexturePtr operator()(const scene::TexturePtr& texture)
+    {
+        if (!texture || alike_everywhere(*texture)) return texture;
+        scene::TexturePtr& known = known_[texture.get()];
+        if (!known) {
+            auto copy = std::make_shared<scene::Texture>(*texture);
+            copy->transform(frame_);
+            known = std::move(copy);
+        }
+        return known;
+    }
+
+private:
+    const csg::Transform& frame_;
+    std::map<const scene::Texture*, scene::TexturePtr> known_;
+};
+
+}  // namespace
+
+bool alike_everywhere(const scene::Texture& texture)
+{
+    const auto* layers = std::get_if<std::vector<scene::Layer>>(&texture.kind);
+    return layers != nullptr && std::all_of(layers->begin(), layers->end(), [](const scene::Layer& layer) {
+               return std::holds_alternative<scene::Color>(layer.pigment.kind) && !layer.normal;
+           });
+}
+
+bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited& own)
+{
+    const auto& csg = std::get<scene::Csg>(object.shape);
+    if (sharing_ != nullptr || object.inverse || csg.cutaway_textures || !object.clipped_by.empty() ||
+        !object.bounded_by.empty())
+        return false;
+    // A sphere that shows its own coordinates is stored otherwise.
+    if (own.uv_mapping || uses_uv(own.texture ? own.texture : default_texture_) || uses_uv(own.interior_texture))
+        return false;
+    Shared& shared = shared_[{csg.operands.get(), static_cast<int>(csg.op)}];
+    shared.operands = csg.operands;
+    if (++shared.shown <= kFewest || shared.fails) return false;
+    if (!shared.world) make_shared_world(object, shared);
+    if (shared.fails) return false;
+    object_ = add_object(object, own);
+    TexturesOfInstance moved(own.to_world);
+    std::vector<csg::SurfaceId> surfaces;
+    for (const SharedSurface& known : shared.surfaces) {
+        Inherited here = own;
+        const auto in_world = [&](const scene::TexturePtr& texture) {
+            return known.own.uv_mapping ? texture : moved(texture);
+        };
+        if (known.own.texture) here.texture = in_world(known.own.texture);
+        if (known.own.interior_texture) here.interior_texture = in_world(known.own.interior_texture);
+        if (known.own.interior) here.interior = known.own.interior;
+        if (known.own.hollow) here.hollow = known.own.hollow;
+        here.double_illuminate |= known.own.double_illuminate;
+        here.uv_mapping = known.own.uv_mapping;
+        surfaces.push_back(surface(here, {in_world(known.corners[0]), in_world(known.corners[1])}));
+    }
+    world_->add_instance(shared.world, own.to_world, surfaces, object_, visible(own));
+    add_guard(object, own);
+    return true;
+}
+
+void GeometryCompiler::make_shared_world(const scene::Object& object, Shared& shared)
+{
+    std::size_t left = kSmallest;
+    if (!enough(std::get<scene::Csg>(object.shape), left)) {
+        shared.fails = true;
+        return;
+    }
+    auto world = std::make_shared<csg::WorldData>();
+    csg::WorldData* const outside = std::exchange(world_, world.get());
+    const OuterBounds outer_bounds = std::exchange(outer_bounds_, {});
+    sharing_ = &shared;
+    scene::Object bare;
+    bare.shape = object.shape;
+    add_top(bare, {});
+    sharing_ = nullptr;
+    world_ = outside;
+    outer_bounds_ = outer_bounds;
+    world->surface_opaque.assign(shared.surfaces.size(), 1);
+    world->finish();
+    shared.fails = shared.fails || !world->unbounded.empty() || !world->bvh.bounds.finite() ||
+                   world->visible_everywhere != visible({}) || tied_to_scene(world->store);
+    if (!shared.fails) shared.world = std::move(world);
+}
+
+csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
+                                                bool has_parts)
+{
+    sharing_->fails |= has_parts;  // their textures are compiled already, and in one place
+    const SharedSurface made{own, corners};
+    std::vector<SharedSurface>& known = sharing_->surfaces;
+    const auto same = std::find_if(known.begin(), known.end(), [&](const SharedSurface& other) {
+        const Inherited &a = own, &b = other.own;
+        return a.texture == b.texture && a.interior_texture == b.interior_texture && a.interior == b.interior &&
+               a.hollow == b.hollow && a.no_shadow == b.no_shadow && a.no_image == b.no_image &&
+               a.no_reflection == b.no_reflection && a.double_illuminate == b.double_illuminate &&
+               a.uv_mapping == b.uv_mapping && corners == other.corners;
+    });
+    if (same != known.end()) return static_cast<csg::SurfaceId>(same - known.begin());
+    known.push_back(made);
+    return static_cast<csg::SurfaceId>(known.size() - 1);
+}
+
+}  // namespace plan

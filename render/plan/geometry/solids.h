@@ -1,0 +1,12 @@
+#pragma once
+
+#include "csg/solids/solid.h"
+#include "render/scene/object.h"
+
+namespace plan {
+
+/// A described primitive in world space. Not for meshes, CSG and lights. on_surface: something asks for coordinates on
+/// its surface, so that a sphere has to know how it was turned.
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface = false);
+
+}  // namespace plan

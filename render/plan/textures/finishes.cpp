@@ -1,0 +1,46 @@
+#include "render/plan/textures/textures.h"
+
+#include <cmath>
+
+namespace plan {
+
+std::uint32_t TextureCompiler::finish(const scene::Finish& from)
+{
+    texture::Finish to;
+    to.ambient = from.ambient * scene_.global.ambient_light;
+    to.emission = from.emission;
+    to.diffuse = from.diffuse;
+    to.diffuse_back = from.diffuse_back;
+    to.brilliance = from.brilliance;
+    to.crand = from.crand;
+    to.phong = from.phong;
+    to.phong_size = from.phong_size;
+    to.specular = from.specular;
+    // A roughness of 0 makes a constant highlight in POV-Ray (spec 3, 7.7).
+    to.specular_exponent = from.roughness == 0.0f ? 0.0f : 1.0f / from.roughness;
+    to.metallic = from.metallic;
+    // `albedo` amounts are shares of the light sent out over all directions (spec 3, 7.5 and 7.7).
+    if (from.diffuse_albedo) {
+        to.diffuse *= (from.brilliance + 1.0f) / 2.0f;
+        to.diffuse_back *= (from.brilliance + 1.0f) / 2.0f;
+    }
+    if (from.phong_albedo) to.phong *= (from.phong_size + 1.0f) / 2.0f;
+    if (from.specular_albedo) {
+        const auto n = static_cast<double>(to.specular_exponent);
+        to.specular *= static_cast<float>((n + 2.0) / (4.0 * (2.0 - std::pow(2.0, -n / 2.0))));
+    }
+    to.reflection_min = from.reflection.min;
+    to.reflection_max = from.reflection.max;
+    to.reflection_falloff = from.reflection.falloff;
+    to.reflection_power = from.reflection.exponent == 1.0f ? 1.0f : 1.0f / from.reflection.exponent;
+    to.reflection_metallic = from.reflection.metallic;
+    to.fresnel = from.reflection.fresnel;
+    to.conserve_energy = from.conserve_energy;
+    to.irid = from.irid;
+    to.irid_thickness = from.irid_thickness;
+    to.irid_turbulence = from.irid_turbulence;
+    out_.finishes.push_back(to);
+    return static_cast<std::uint32_t>(out_.finishes.size() - 1);
+}
+
+}  // namespace plan

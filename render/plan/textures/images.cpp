@@ -1,0 +1,150 @@
+#include "render/plan/textures/images.h"
+
+#include "render/image/levels/transfer_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plan {
+namespace {
+
+using image::TransferCurve;
+
+constexpr int kGammaVersion = 370;
+
+bool ends_with_any(const std::string& path, std::initializer_list<const char*> endings)
+{
+    std::string lower = path;
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return lower.ends_with(ending); });
+}
+
+TransferCurve working_curve(const scene::Description& scene)
+{
+    const scene::AssumedGamma& gamma = scene.global.assumed_gamma;
+    if (gamma.kind == scene::AssumedGamma::Kind::Srgb) return TransferCurve::srgb();
+    return gamma.kind == scene::AssumedGamma::Kind::Power ? TransferCurve::power(static_cast<float>(gamma.exponent))
+                                                          : TransferCurve::linear();
+}
+
+/// What the file says of itself; nothing if it is silent.
+std::optional<TransferCurve> tagged(const image::Picture& picture)
+{
+    if (picture.srgb) return TransferCurve::srgb();
+    if (picture.file_gamma > 0.0f) return TransferCurve::power(picture.file_gamma);
+    return std::nullopt;
+}
+
+/// From the file's levels to those of the scene (spec 4, 12.4).
+image::Transcoder levels_of(const scene::Description& scene, const scene::ImageSource& source, bool colors)
+{
+    const bool legacy = scene.effective_version < kGammaVersion;
+    const bool assumed = scene.global.assumed_gamma.kind != scene::AssumedGamma::Kind::Unset;
+    if (source.made()) return {};
+    if (source.gamma) return {colors ? working_curve(scene) : TransferCurve::linear(), source.gamma->curve()};
+    if (!colors || (legacy && !assumed)) return {};
+    if (ends_with_any(source.path, {".exr", ".hdr"})) return {working_curve(scene), TransferCurve::linear()};
+    const auto tag = ends_with_any(source.path, {".png"}) ? tagged(*source.picture) : std::nullopt;
+    if (tag) return {working_curve(scene), *tag};
+    if (legacy || ends_with_any(source.path, {".ppm", ".pgm", ".tif", ".tiff", ".iff"})) return {};
+    return {working_curve(scene), TransferCurve::srgb()};
+}
+
+/// POV-Ray keeps grey PNG levels as integers of 8 bits and cuts them off on the way (spec 4, 12.5).
+float cut_grey(float v)
+{
+    const float grey = (0.297f * v + 0.589f * v) + 0.114f * v;
+    return std::trunc(255.0f * grey) / 255.0f;
+}
+
+void take_texels(const image::Picture& picture, const image::Transcoder& levels, bool png, texture::Image& out)
+{
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const bool grey = channels < 3, alpha = channels == 2 || channels == 4,
+               cut = png && channels == 1 && picture.bits <= 8;
+    out.texels.reserve(picture.count());
+    for (std::size_t i = 0; i < picture.count(); ++i) {
+        const float* p = &picture.samples[i * channels];
+        glm::vec4 texel{levels.to_working(p[0]), 0, 0, alpha ? 1.0f - p[channels - 1] : 0.0f};
+        if (cut) texel.x = cut_grey(texel.x);
+        texel.y = grey ? texel.x : levels.to_working(p[1]);
+        texel.z = grey ? texel.x : levels.to_working(p[2]);
+        out.texels.push_back(texel);
+    }
+}
+
+void take_palette(const image::Picture& picture, const image::Transcoder& levels, texture::Image& out)
+{
+    out.places = picture.indices;
+    for (std::size_t i = 0; i + 3 < picture.palette.size(); i += 4) {
+        const float* p = &picture.palette[i];
+        out.palette.push_back(
+            {levels.to_working(p[0]), levels.to_working(p[1]), levels.to_working(p[2]), 0.0f, 1.0f - p[3]});
+    }
+}
+
+/// `filter` and `transmit`: added to texels, written over the palette's (spec 4, 12.3).
+void apply_transparency(const scene::ImageMap& written, texture::Image& out)
+{
+    for (const scene::ImageMap::Clarity& clarity : written.clarities) {
+        const auto set = [&](scene::Color& color) {
+            (clarity.filter ? color.filter : color.transmit) = clarity.amount;
+        };
+        if (!clarity.place && out.palette.empty()) {
+            if (clarity.filter) out.filter += clarity.amount;
+            for (glm::vec4& texel : out.texels) texel.w += clarity.filter ? 0.0f : clarity.amount;
+        } else if (!clarity.place) {
+            std::for_each(out.palette.begin(), out.palette.end(), set);
+        } else if (*clarity.place >= 0 && static_cast<std::size_t>(*clarity.place) < out.palette.size()) {
+            set(out.palette[static_cast<std::size_t>(*clarity.place)]);
+        }
+    }
+}
+
+/// Enumerators of the description and of the image stand in the same order.
+void take_settings(const scene::ImageMap& written, texture::Image& out)
+{
+    using Use = scene::ImageMap::Use;
+    using Value = texture::Image::Value;
+    out.projection = static_cast<texture::Image::Projection>(written.projection);
+    out.interpolation = static_cast<texture::Image::Interpolation>(written.interpolation);
+    out.once = written.once;
+    out.repeat = written.repeat;
+    out.offset = written.offset;
+    if (written.premultiplied) out.premultiplied = *written.premultiplied;
+    out.by_place = written.use == Use::Index && !out.palette.empty();
+    if (written.use == Use::Alpha) out.value = out.opaque ? Value::Red : Value::Transmit;
+}
+
+bool lets_light_through(const texture::Image& image)
+{
+    const auto clear = [](const scene::Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
+    return image.filter != 0.0f || std::any_of(image.palette.begin(), image.palette.end(), clear) ||
+           std::any_of(image.texels.begin(), image.texels.end(), [](const glm::vec4& t) { return t.w != 0.0f; });
+}
+
+}  // namespace
+
+texture::Image compile_image(const scene::Description& scene, const scene::ImageMap& written, bool colors)
+{
+    const scene::ImageSource& source = written.source;
+    const image::Picture& picture = *source.picture;
+    const image::Transcoder levels = levels_of(scene, source, colors);
+    texture::Image out;
+    out.width = static_cast<std::uint32_t>(picture.width);
+    out.height = static_cast<std::uint32_t>(picture.height);
+    if (!picture.palette.empty()) take_palette(picture, levels, out);
+    else take_texels(picture, levels, ends_with_any(source.path, {".png"}), out);
+    apply_transparency(written, out);
+    out.opaque = !lets_light_through(out);
+    // EXR stores colours times alpha. A TIFF's straight colours are multiplied and divided again by POV-Ray: left
+    // alone.
+    out.premultiplied = ends_with_any(source.path, {".exr"});
+    take_settings(written, out);
+    out.premultiplied = out.premultiplied && !ends_with_any(source.path, {".tif", ".tiff"});
+    out.opaque = out.opaque && !out.once && out.projection == texture::Image::Projection::Planar;
+    return out;
+}
+
+}  // namespace plan

@@ -1,0 +1,58 @@
+#include "render/plan/textures/interiors.h"
+
+#include "render/scene/texture.h"
+
+#include <algorithm>
+
+namespace plan {
+namespace {
+
+Interior converted(const scene::Interior& from)
+{
+    constexpr float kCausticsScale = 45.0f;  // keyword to exponent (spec 3, 9.3)
+    Interior to;
+    to.ior = from.ior;
+    to.dispersion = from.dispersion;
+    to.dispersion_samples = std::max(2, from.dispersion_samples);
+    to.caustics_power = kCausticsScale * from.caustics;
+    to.fade_distance = from.fade_distance;
+    to.fade_power = from.fade_power;
+    to.fade_color = from.fade_color;
+    to.transmission = from.refraction;
+    to.hollow = from.hollow;
+    if (to.ior == 0.0f) {  // not given
+        to.ior = 1.0f;
+        to.dispersion = 1.0f;
+    }
+    return to;
+}
+
+}  // namespace
+
+std::uint32_t InteriorCompiler::interior(const std::shared_ptr<const scene::Interior>& description,
+                                         const scene::Texture* texture)
+{
+    auto index = static_cast<std::uint32_t>(out_.size());
+    const auto known = description ? known_.find(description.get()) : known_.end();
+    if (known != known_.end()) {
+        index = known->second;
+    } else {
+        out_.push_back(description ? converted(*description) : Interior{});
+        if (description) known_.emplace(description.get(), index);
+    }
+    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
+    if (layers && !layers->empty()) {
+        // The top finish overrides the interior, and its `refraction` does so even when not written (spec 3, 8.7).
+        const scene::Finish& finish = layers->back().finish;
+        Interior& to = out_[index];
+        to.transmission = finish.legacy_refraction;
+        if (finish.legacy_ior >= 0.0f) {
+            to.ior = finish.legacy_ior == 0.0f ? 1.0f : finish.legacy_ior;
+            to.dispersion = 1.0f;
+        }
+        if (finish.legacy_caustics >= 0.0f) to.caustics_power = finish.legacy_caustics;
+    }
+    return index;
+}
+
+}  // namespace plan

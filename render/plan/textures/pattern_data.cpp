@@ -1,0 +1,45 @@
+#include "render/plan/textures/images.h"
+#include "render/plan/probe.h"
+#include "render/plan/textures/textures.h"
+
+/// What patterns look their values up in: pictures, densities, objects. Each is taken once, however often it is used.
+namespace plan {
+namespace {
+
+struct ProbedObject final : texture::InsideTest {
+    ProbedObject(const scene::Object& object, const scene::GlobalSettings& global) : probe(object, global) {}
+    bool holds(const glm::dvec3& p) const override { return probe.inside(p); }
+    ObjectProbe probe;
+};
+
+std::shared_ptr<const void> kept(std::monostate) { return nullptr; }
+template <class Data>
+std::shared_ptr<const void> kept(const std::shared_ptr<const Data>& data)
+{
+    return data;
+}
+
+std::uint32_t size_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
+
+}  // namespace
+
+std::uint32_t TextureCompiler::pattern_data(const scene::Pattern& description, texture::PatternKind kind)
+{
+    using texture::PatternKind;
+    if (kind != PatternKind::Image && kind != PatternKind::DensityFile && kind != PatternKind::Object)
+        return texture::kNone;
+    const auto shared = std::visit([](const auto& data) { return kept(data); }, description.data);
+    const auto first_size = kind == PatternKind::Image    ? out_.images.size()
+                            : kind == PatternKind::Object ? out_.objects.size()
+                                                          : out_.volumes.size();
+    const auto [known, fresh] = known_data_.emplace(shared, size_of(first_size));
+    if (!fresh) return known->second;
+    if (const auto* image = std::get_if<std::shared_ptr<const scene::ImageMap>>(&description.data))
+        out_.images.push_back(compile_image(scene_, **image, description.name == "image_map"));
+    else if (const auto* object = std::get_if<std::shared_ptr<const scene::Object>>(&description.data))
+        out_.objects.push_back(std::make_shared<ProbedObject>(**object, scene_.global));
+    else out_.volumes.push_back(std::get<std::shared_ptr<const scene::DensityFile>>(description.data)->volume);
+    return known->second;
+}
+
+}  // namespace plan

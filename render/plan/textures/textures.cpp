@@ -1,0 +1,274 @@
+#include "render/plan/textures/textures.h"
+
+#include "function/build/link.h"
+#include "render/plan/textures/pattern_kinds.h"
+#include "render/scene/function.h"
+#include "render/scene/unsupported_features.h"
+#include "render/texture/noise/noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plan {
+namespace {
+
+using scene::kMostLayers;              // what the tracer remembers of one hit
+constexpr float kNearlyZero = 1e-10f;  // filter and transmit below it are none (spec 3, 13.2)
+constexpr int kLegacyVersion = 370;    // formulas of before hold below it
+
+bool clear(const scene::Color& c) { return std::abs(c.filter) > kNearlyZero || std::abs(c.transmit) > kNearlyZero; }
+
+std::uint32_t size_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
+
+}  // namespace
+
+TextureCompiler::TextureCompiler(const scene::Description& scene, int quality, texture::TextureSet& out,
+                                 std::vector<scene::Unsupported>& notes)
+    : scene_(scene), quality_(quality), out_(out), notes_(notes)
+{
+    const scene::GlobalSettings& global = scene.global;
+    out_.noise_generator = global.noise_generator;
+    out_.irid_wavelength = global.irid_wavelength;
+    out_.legacy_opacity = scene.effective_version < kLegacyVersion;
+    const auto waves = static_cast<std::size_t>(std::max(1, global.number_of_waves));
+    out_.wave_sources.resize(waves);
+    out_.wave_frequencies.resize(waves);
+    texture::wave_sources(static_cast<int>(waves), out_.wave_sources.data(), out_.wave_frequencies.data());
+}
+
+void TextureCompiler::note(const std::string& what, const scene::SourceRef& source)
+{
+    notes_.push_back({what, source});
+}
+
+std::uint32_t TextureCompiler::reserve_map(std::size_t count)
+{
+    const std::uint32_t first = size_of(out_.keys.size());
+    out_.keys.resize(first + count);
+    out_.colors.resize(first + count);
+    out_.children.resize(first + count, texture::kNone);
+    out_.slopes.resize(first + count);
+    return first;
+}
+
+std::uint32_t TextureCompiler::pattern(const scene::Pattern& description)
+{
+    const auto kind = pattern_kind(description.name);
+    if (!kind) return texture::kNone;
+    texture::Pattern compiled = compile_pattern(description, *kind, scene_.global.noise_generator, out_.warps);
+    if (*kind == texture::PatternKind::PigmentPattern) {
+        if (!description.pigment) return texture::kNone;
+        compiled.pigment = pigment(*description.pigment);
+    }
+    if (*kind == texture::PatternKind::Function) {
+        compiled.function = description.function ? function(description.function) : texture::kNone;
+        if (compiled.function == texture::kNone) return texture::kNone;
+    }
+    compiled.data = pattern_data(description, *kind);
+    out_.patterns.push_back(compiled);
+    return size_of(out_.patterns.size() - 1);
+}
+
+std::uint32_t TextureCompiler::function(const function::FunctionPtr& description)
+{
+    if (const auto known = known_functions_.find(description); known != known_functions_.end()) return known->second;
+    bool complete = true;
+    const auto slot_of = [&](const function::SceneUse& use) {
+        if (use.kind == function::SceneUse::Kind::Pigment)
+            return pigment(static_cast<const scene::PigmentFunction&>(*use.external).pigment);
+        const scene::Pattern& inner = static_cast<const scene::PatternFunction&>(*use.external).pattern;
+        const std::uint32_t slot = pattern(inner);
+        if (slot == texture::kNone) note("pattern '" + inner.name + "' in a function", inner.source);
+        complete = complete && slot != texture::kNone;
+        return slot;
+    };
+    const function::FunctionPtr linked = function::link(description, slot_of);
+    std::uint32_t index = texture::kNone;
+    if (complete) {
+        index = size_of(out_.functions.size());
+        out_.functions.push_back(linked);
+    }
+    known_functions_.emplace(description, index);
+    return index;
+}
+
+std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)
+{
+    // A quick colour with a component of exactly -1 counts as not given (spec 3, 16).
+    const auto& quick = description.quick_color;
+    if (quick && quality_ <= 5 && quick->red != -1.0f && quick->green != -1.0f && quick->blue != -1.0f) {
+        out_.pigments.push_back({texture::Pigment::Kind::Solid, *quick});
+    } else if (const auto* color = std::get_if<scene::Color>(&description.kind)) {
+        out_.pigments.push_back({texture::Pigment::Kind::Solid, *color});
+    } else {
+        return pigment_map(std::get<scene::PatternedPigment>(description.kind));
+    }
+    return size_of(out_.pigments.size() - 1);
+}
+
+std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& description)
+{
+    using Kind = texture::Pigment::Kind;
+    texture::Pigment out;
+    out.pattern = pattern(description.pattern);
+    if (description.pattern.name == "image_map") {
+        out.kind = Kind::Image;
+        out_.pigments.push_back(out);
+        return size_of(out_.pigments.size() - 1);
+    }
+    const auto* colors = std::get_if<scene::ColorMap>(&description.map);
+    const auto* pigments = std::get_if<scene::PigmentMap>(&description.map);
+    out.count = size_of(colors ? colors->size() : pigments->size());
+    out.first = reserve_map(out.count);
+    out.kind = colors ? Kind::ColorMap : Kind::PigmentMap;
+    for (std::uint32_t i = 0; i < out.count; ++i) {
+        const std::uint32_t at = out.first + i;
+        if (colors) {
+            out_.keys[at] = static_cast<float>((*colors)[i].key);
+            out_.colors[at] = (*colors)[i].value;
+        } else {
+            out_.keys[at] = static_cast<float>((*pigments)[i].key);
+            const std::uint32_t child = pigment(*(*pigments)[i].value);
+            out_.children[at] = child;
+        }
+    }
+    if (out.count == 0) {
+        out = {};
+    } else if (out.pattern == texture::kNone) {
+        // Something must be shown: the first entry stands for the whole map, and the note says so.
+        note("pattern '" + description.pattern.name + "' (its first map entry is shown)", description.pattern.source);
+        if (!colors) return out_.children[out.first];
+        out.kind = Kind::Solid;
+        out.color = out_.colors[out.first];
+    } else if (!colors) {
+        const texture::PatternKind kind = out_.patterns[out.pattern].kind;
+        if (kind == texture::PatternKind::Average) out.kind = Kind::Average;
+        if (kind == texture::PatternKind::Uv) out.kind = Kind::Uv;
+    }
+    out_.pigments.push_back(out);
+    return size_of(out_.pigments.size() - 1);
+}
+
+bool TextureCompiler::pigment_opaque(std::uint32_t index) const
+{
+    const texture::Pigment& pigment = out_.pigments[index];
+    if (pigment.kind == texture::Pigment::Kind::Solid) return !clear(pigment.color);
+    if (pigment.kind == texture::Pigment::Kind::Image) return out_.images[out_.patterns[pigment.pattern].data].opaque;
+    for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
+        const bool opaque = pigment.kind == texture::Pigment::Kind::ColorMap ? !clear(out_.colors[i])
+                                                                             : pigment_opaque(out_.children[i]);
+        if (!opaque) return false;
+    }
+    return true;
+}
+
+std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_bump_scale)
+{
+    using Map = texture::Normal::Map;
+    texture::Normal out;
+    out.no_bump_scale = description.no_bump_scale || no_bump_scale;
+    out.amount = static_cast<double>(static_cast<float>(description.amount));
+    out.accuracy = static_cast<double>(static_cast<float>(description.accuracy));
+    out.pattern = pattern(description.pattern);
+    if (out.pattern == texture::kNone) {
+        if (!description.pattern.name.empty())
+            note("normal '" + description.pattern.name + "'", description.pattern.source);
+        return texture::kNone;
+    }
+    if (const auto* map = std::get_if<std::vector<scene::MapEntry<scene::NormalPtr>>>(&description.map)) {
+        const texture::PatternKind kind = out_.patterns[out.pattern].kind;
+        out.map = kind == texture::PatternKind::Average ? Map::Average
+                  : kind == texture::PatternKind::Uv    ? Map::Uv
+                                                        : Map::Normals;
+        out.count = size_of(map->size());
+        out.first = reserve_map(out.count);
+        for (std::uint32_t i = 0; i < out.count; ++i) {
+            out_.keys[out.first + i] = static_cast<float>((*map)[i].key);
+            const std::uint32_t child = normal(*(*map)[i].value, out.no_bump_scale);
+            if (child == texture::kNone) return texture::kNone;  // noted where it was found
+            out_.children[out.first + i] = child;
+        }
+    } else if (const auto* slopes = std::get_if<std::vector<scene::MapEntry<glm::dvec2>>>(&description.map)) {
+        out.map = Map::Slopes;
+        out.count = size_of(slopes->size());
+        out.first = reserve_map(out.count);
+        for (std::uint32_t i = 0; i < out.count; ++i) {
+            out_.keys[out.first + i] = static_cast<float>((*slopes)[i].key);
+            out_.slopes[out.first + i] = (*slopes)[i].value;
+        }
+    }
+    if (description.pattern.name == "bump_map") out.map = Map::Image;
+    else if (out.map != Map::None && out.count == 0) return texture::kNone;
+    out_.normals.push_back(out);
+    return size_of(out_.normals.size() - 1);
+}
+
+std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& description)
+{
+    texture::Texture out;
+    const std::size_t skipped = description.size() > kMostLayers ? description.size() - kMostLayers : 0;
+    std::vector<texture::Layer> compiled;
+    out.opaque = false;
+    out.lit = false;
+    for (std::size_t i = skipped; i < description.size(); ++i) {
+        const scene::Layer& from = description[i];
+        texture::Layer to;
+        to.pigment = pigment(from.pigment);
+        if (from.normal && quality_ >= 8) to.normal = normal(*from.normal, false);
+        to.finish = finish(from.finish);
+        out.opaque = out.opaque || pigment_opaque(to.pigment);
+        out.lit = out.lit || out_.finishes[to.finish].lit();
+        compiled.push_back(to);
+    }
+    out.first = size_of(out_.layers.size());
+    out.count = size_of(compiled.size());
+    out_.layers.insert(out_.layers.end(), compiled.begin(), compiled.end());
+    out.plain = out.count == 1 && out.opaque && compiled[0].normal == texture::kNone &&
+                !out_.finishes[compiled[0].finish].reflects();
+    out_.textures.push_back(out);
+    return size_of(out_.textures.size() - 1);
+}
+
+std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& description)
+{
+    using Kind = texture::Texture::Kind;
+    texture::Texture out;
+    out.kind = Kind::Map;
+    out.opaque = false;  // never classified opaque (spec 3, 13.2)
+    out.no_bump_scale = description.no_bump_scale;
+    out.pattern = pattern(description.pattern);
+    out.count = size_of(description.map.size());
+    if (out.count == 0) return texture::kNone;
+    out.first = reserve_map(out.count);
+    for (std::uint32_t i = 0; i < out.count; ++i) {
+        out_.keys[out.first + i] = static_cast<float>(description.map[i].key);
+        const std::uint32_t child = texture(description.map[i].value);
+        out_.children[out.first + i] = child;
+    }
+    if (out.pattern == texture::kNone) {
+        note("pattern '" + description.pattern.name + "' of a texture (its first entry is shown)",
+             description.pattern.source);
+        return out_.children[out.first];
+    }
+    const texture::PatternKind kind = out_.patterns[out.pattern].kind;
+    if (kind == texture::PatternKind::Average) out.kind = Kind::Average;
+    if (kind == texture::PatternKind::Uv) out.kind = Kind::Uv;
+    if (description.pattern.name == "material_map") out.kind = Kind::Material;
+    out_.textures.push_back(out);
+    return size_of(out_.textures.size() - 1);
+}
+
+std::uint32_t TextureCompiler::texture(const scene::TexturePtr& description)
+{
+    if (!description) return texture::kNone;
+    const auto known = known_.find(description.get());
+    if (known != known_.end()) return known->second;
+    const auto* plain = std::get_if<std::vector<scene::Layer>>(&description->kind);
+    const std::uint32_t index = plain ? layers(*plain)
+                                      : patterned(std::get<scene::PatternedTexture>(description->kind));
+    known_.emplace(description.get(), index);
+    alive_.push_back(description);
+    return index;
+}
+
+}  // namespace plan

@@ -1,0 +1,315 @@
+#include "render/texture/noise/noise_points.h"
+
+#include "render/texture/noise/lattice.h"
+#include "render/texture/noise/noise.h"
+#include "render/texture/point_lanes.h"
+
+#include <cmath>
+
+namespace texture {
+namespace {
+
+
+/// Toward zero to 32 bits and back; out of range and NaN give the least integer. `index`: the numbers of the cells.
+inline Double truncated(const Double& v, std::uint32_t* index)
+{
+#if defined(__AVX512F__)
+    const __m256i i = _mm512_cvttpd_epi32(v.data), offset = _mm256_set1_epi32(kCellOffset),
+                  mask = _mm256_set1_epi32(kLatticeMask);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(index), _mm256_and_si256(_mm256_add_epi32(i, offset), mask));
+    return Double(_mm512_cvtepi32_pd(i));
+#else
+    const __m128i offset = _mm_set1_epi32(kCellOffset), mask = _mm_set1_epi32(kLatticeMask);
+#if defined(__AVX__)
+    const __m128i i = _mm256_cvttpd_epi32(v.data);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(index), _mm_and_si128(_mm_add_epi32(i, offset), mask));
+    return Double(_mm256_cvtepi32_pd(i));
+#else
+    const __m128i i = _mm_cvttpd_epi32(v.data);
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(index), _mm_and_si128(_mm_add_epi32(i, offset), mask));
+    return Double(_mm_cvtepi32_pd(i));
+#endif
+#endif
+}
+
+/// One coordinate of as many points as there are lanes, in their cells.
+struct Axis {
+    Double fraction, weight;
+    std::uint32_t index[kLanes];
+
+    /// True if all are in one cell.
+    bool prepare(const double* at)
+    {
+        const Double v = Double::load_aligned(at), zero(0.0);
+        const Double moved = xsimd::select(v >= zero, v, v - Double(kNearlyOne));
+        const Double whole = truncated(moved.data, index);
+        fraction = v - whole;
+        weight = smooth(fraction);
+        alignas(64) double cells[kLanes];
+        whole.store_aligned(cells);
+        return csg::lanes::mask(whole == Double(cells[0])) == (1u << kLanes) - 1;
+    }
+};
+
+/// The sums of points in one cell: points in lanes, rows broadcast.
+template <int Rows>
+void shared_cell(const Axis& x, const Axis& y, const Axis& z, const double* lattice, double* const (&out)[Rows])
+{
+    const double* rows[8];
+    corner_rows(x.index[0], y.index[0], z.index[0], lattice, rows);
+    Double shares[8], sums[4][Rows];
+    corner_shares(x.weight, y.weight, z.weight, [&](int c, const Double& share) { shares[c] = share; });
+    const auto part = [&](std::size_t k, const auto& factor) {
+        Double v[8];
+        for (int c = 0; c < 8; ++c) v[c] = factor(c) * shares[c];
+        for (std::size_t r = 0; r < Rows; ++r)
+            sums[k][r] = corner_sum([&](int c) { return v[c] * Double(rows[c][4 * r + k]); });
+    };
+    const Double one(1.0), half(0.5), fx = x.fraction, fy = y.fraction, fz = z.fraction, gx = fx - one, gy = fy - one,
+                                      gz = fz - one;
+    part(0, [&](int) { return half; });
+    part(1, [&](int c) { return (c & 1) != 0 ? gx : fx; });
+    part(2, [&](int c) { return (c & 2) != 0 ? gy : fy; });
+    part(3, [&](int c) { return (c & 4) != 0 ? gz : fz; });
+    for (int r = 0; r < Rows; ++r) ((sums[0][r] + sums[1][r]) + (sums[2][r] + sums[3][r])).store_aligned(out[r]);
+}
+
+/// Each point in its own cell: parts in lanes.
+template <int Rows>
+void own_cells(const Axis& x, const Axis& y, const Axis& z, std::size_t count, const double* lattice,
+               double* const (&out)[Rows])
+{
+    alignas(64) double f[3][kLanes], shares[8][kLanes];
+    x.fraction.store_aligned(f[0]);
+    y.fraction.store_aligned(f[1]);
+    z.fraction.store_aligned(f[2]);
+    corner_shares(x.weight, y.weight, z.weight, [&](int c, const Double& share) { share.store_aligned(shares[c]); });
+    Row sums[Rows][kLanes];
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* rows[8];
+        corner_rows(x.index[i], y.index[i], z.index[i], lattice, rows);
+        Row s[Rows];
+        row_sums<Rows, kLanes>(Row::of(0.5, f[0][i], f[1][i], f[2][i]), shares[0] + i, rows, s);
+        for (int r = 0; r < Rows; ++r) sums[r][i] = s[r];
+    }
+    for (int r = 0; r < Rows; ++r)
+        for (std::size_t i = 0; i < kLanes; i += Row::kAtOnce) Row::store_totals(sums[r] + i, out[r] + i);
+}
+
+/// `Rows` sums of every point; `first`: of the rows, 0 to 2.
+template <int Rows>
+void lattice_points(const Points& p, std::size_t first, const std::array<double*, Rows>& out)
+{
+    const double* lattice = kNoiseTables.lattice.data() + 4 * first;
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        Axis x, y, z;
+        const bool in_x = x.prepare(p.x.data() + i), in_y = y.prepare(p.y.data() + i), in_z = z.prepare(p.z.data() + i);
+        double* at[Rows];
+        for (std::size_t r = 0; r < Rows; ++r) at[r] = out[r] + i;
+        if (in_x && in_y && in_z) shared_cell<Rows>(x, y, z, lattice, at);
+        else own_cells<Rows>(x, y, z, std::min(kLanes, p.size() - i), lattice, at);
+    }
+}
+
+/// f of every value, a vector at a time.
+template <class F>
+inline void each(std::size_t count, F&& f)
+{
+    for (std::size_t i = 0; i < count; i += kLanes) f(i);
+}
+
+inline Double get(const Values& v, std::size_t i) { return Double::load_aligned(v.data() + i); }
+inline void put(Values& v, std::size_t i, const Double& d) { d.store_aligned(v.data() + i); }
+
+/// std::clamp(v, 0.0, 1.0), NaN and signs of zero as there.
+inline Double clamp01(const Double& v)
+{
+    const Double zero(0.0), one(1.0);
+    return xsimd::select(v < zero, zero, xsimd::select(one < v, one, v));
+}
+
+void scale(const Points& p, double by, Points& out)
+{
+    const Double factor(by);
+    out.count = p.count;
+    each(p.size(), [&](std::size_t i) {
+        put(out.x, i, factor * get(p.x, i));
+        put(out.y, i, factor * get(p.y, i));
+        put(out.z, i, factor * get(p.z, i));
+    });
+}
+
+/// What the octave of this share adds to granite or wrinkles; shares are powers of 2, so that products are quotients.
+inline Double octave_term(const Double& n, OctaveSum kind, int generator, const Double& share)
+{
+    if (kind == OctaveSum::Wrinkles) return (generator == 1 ? n : clamp01(Double(2.0) * n - Double(0.5))) * share;
+    if (generator == 1) return xsimd::abs(Double(0.5) - n) * share;
+    const Double half(0.5), g = xsimd::abs(Double(1.0) - Double(2.0) * n);
+    return xsimd::select(g < half, g, half) * share;
+}
+
+constexpr int octaves_of(OctaveSum kind) { return kind == OctaveSum::Granite ? 6 : 10; }
+constexpr double first_scale(OctaveSum kind) { return kind == OctaveSum::Granite ? 4.0 : 1.0; }
+constexpr double last_factor(OctaveSum kind) { return kind == OctaveSum::Granite ? 1.0 : 0.5; }
+
+}  // namespace
+
+void noise_points(const Points& p, int generator, Values& out)
+{
+    if (generator == 3) {
+        for (std::size_t i = 0; i < p.size(); ++i) out[i] = noise(p.at(i), 3);
+        return;
+    }
+    lattice_points<1>(p, 0, {out.data()});
+    each(p.size(), [&](std::size_t i) {
+        const Double raw = get(out, i);
+        put(out, i, clamp01(generator == 1 ? raw + Double(0.5) : (raw + Double(1.05242)) * Double(0.48985582)));
+    });
+}
+
+void vector_noise_points(const Points& p, unsigned live, Points& out)
+{
+    out.count = p.count;
+    switch (live) {
+    case 1: return lattice_points<1>(p, 0, {out.x.data()});
+    case 2: return lattice_points<1>(p, 1, {out.y.data()});
+    case 4: return lattice_points<1>(p, 2, {out.z.data()});
+    case 3: return lattice_points<2>(p, 0, {out.x.data(), out.y.data()});
+    case 6: return lattice_points<2>(p, 1, {out.y.data(), out.z.data()});
+    default: return lattice_points<3>(p, 0, {out.x.data(), out.y.data(), out.z.data()});
+    }
+}
+
+void vector_turbulence_points(const Points& p, int octaves, double lambda, double omega, unsigned live, Points& out)
+{
+    vector_noise_points(p, live, out);
+    double l = lambda, o = omega;
+    Points scaled, term;
+    for (int k = 1; k < octaves; ++k) {
+        scale(p, l, scaled);
+        vector_noise_points(scaled, live, term);
+        const Double share(o);
+        const auto add = [&](unsigned bit, Values& to, const Values& from) {
+            if ((live & bit) != 0)
+                each(p.size(), [&](std::size_t i) { put(to, i, get(to, i) + share * get(from, i)); });
+        };
+        add(1, out.x, term.x);
+        add(2, out.y, term.y);
+        add(4, out.z, term.z);
+        l *= lambda;
+        o *= omega;
+    }
+}
+
+void scalar_turbulence_points(const Points& p, int octaves, double lambda, double omega, int generator, Values& out)
+{
+    const auto term = [&](const Values& n, std::size_t i) {
+        return generator == 1 ? get(n, i) : Double(2.0) * get(n, i) - Double(0.5);
+    };
+    Values n;
+    noise_points(p, generator, n);
+    each(p.size(), [&](std::size_t i) { put(out, i, generator == 1 ? term(n, i) : clamp01(term(n, i))); });
+    double l = lambda, o = omega;
+    Points scaled;
+    for (int k = 1; k < octaves; ++k) {
+        scale(p, l, scaled);
+        noise_points(scaled, generator, n);
+        const Double share(o);
+        each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) + share * term(n, i)); });
+        l *= lambda;
+        o *= omega;
+    }
+}
+
+void octave_points(const Points& p, OctaveSum kind, int generator, Values& out)
+{
+    Values n;
+    Points scaled;
+    each(p.size(), [&](std::size_t i) { put(out, i, Double(0.0)); });
+    double factor = 1.0;
+    for (int k = 0; k < octaves_of(kind); ++k, factor *= 2.0) {
+        scale(p, first_scale(kind) * factor, scaled);
+        noise_points(scaled, generator, n);
+        each(p.size(), [&](std::size_t i) {
+            put(out, i, get(out, i) + octave_term(get(n, i), kind, generator, Double(1.0 / factor)));
+        });
+    }
+    each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) * Double(last_factor(kind))); });
+}
+
+double octaves_at(const glm::dvec3& p, OctaveSum kind, int generator)
+{
+    Points at;
+    Values n, shares;
+    double factor = 1.0;
+    for (int k = 0; k < octaves_of(kind); ++k, factor *= 2.0) {
+        shares[at.size()] = 1.0 / factor;
+        at.add(first_scale(kind) * factor * p);
+    }
+    at.pad();
+    for (std::size_t i = at.size(); i < kMostPoints && i % kLanes != 0; ++i) shares[i] = 1.0;
+    noise_points(at, generator, n);
+    each(at.size(), [&](std::size_t i) { put(n, i, octave_term(get(n, i), kind, generator, get(shares, i))); });
+    double sum = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) sum += n[i];
+    return sum * last_factor(kind);
+}
+
+namespace {
+
+/// The octaves of a point's turbulence behind the first, as many at a time as there is room for.
+struct LaterOctaves {
+    Points at;
+    Values shares;
+
+    LaterOctaves(int octaves, double lambda, double omega)
+        : left_(octaves - 1), lambda_(lambda), omega_(omega), scale_(lambda), share_(omega)
+    {}
+
+    /// Padded; false: there are no more.
+    bool next(const glm::dvec3& p)
+    {
+        at.count = 0;
+        for (; left_ > 0 && at.count < kMostPoints; --left_, scale_ *= lambda_, share_ *= omega_) {
+            shares[at.size()] = share_;
+            at.add(scale_ * p);
+        }
+        if (at.count == 0) return false;
+        at.pad();
+        return true;
+    }
+
+private:
+    int left_;
+    double lambda_, omega_, scale_, share_;
+};
+
+}  // namespace
+
+glm::dvec3 vector_turbulence(const glm::dvec3& p, int octaves, double lambda, double omega)
+{
+    glm::dvec3 sum = vector_noise(p);
+    LaterOctaves later(octaves, lambda, omega);
+    Points n;
+    while (later.next(p)) {
+        vector_noise_points(later.at, kAllLive, n);
+        for (std::size_t i = 0; i < later.at.size(); ++i) sum += later.shares[i] * n.at(i);
+    }
+    return sum;
+}
+
+double scalar_turbulence(const glm::dvec3& p, int octaves, double lambda, double omega, int generator)
+{
+    const auto term = [generator](double n) { return generator == 1 ? n : 2.0 * n - 0.5; };
+    const double first = term(noise(p, generator));
+    double sum = generator == 1 ? first : std::clamp(first, 0.0, 1.0);
+    LaterOctaves later(octaves, lambda, omega);
+    Values n;
+    while (later.next(p)) {
+        noise_points(later.at, generator, n);
+        for (std::size_t i = 0; i < later.at.size(); ++i) sum += later.shares[i] * term(n[i]);
+    }
+    return sum;
+}
+
+}  // namespace texture

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+
+/// The tables behind the noise functions (spec 4, section 2), filled once when the program or module starts.
+namespace texture {
+
+struct NoiseTables {
+    static constexpr std::size_t kHashSize = 4096;
+    static constexpr std::size_t kGradients = 2048;
+    static constexpr std::size_t kRandoms = 4100;  ///< cell hashes are below 4096, plus three components
+
+    std::array<std::uint16_t, kHashSize> hash;  ///< a permutation
+    std::array<std::uint8_t, kHashSize> row;    ///< hash & 255: where a lattice point's row starts
+    std::array<double, 267> lattice;            ///< rows overlap: four numbers from `row` on, and the eight behind them
+    std::array<glm::dvec3, kGradients> gradient;
+    std::array<int, kGradients + 1> permutation;
+    std::array<double, kRandoms> random;  ///< in [0, 1)
+
+    NoiseTables();
+
+private:
+    void fill_hash();
+    void fill_gradients();
+};
+
+extern const NoiseTables kNoiseTables;
+
+/// One step of the linear congruential generator behind the tables; 15 bits of its state.
+int draw15(std::uint32_t& state);
+
+}  // namespace texture

@@ -1,0 +1,180 @@
+#include "render/texture/evaluate_points.h"
+#include "render/texture/noise/noise_points.h"
+#include "render/texture/normal/normal_height.h"
+#include "render/texture/point_lanes.h"
+
+namespace texture {
+namespace {
+
+Double get(const Values& v, std::size_t i) { return Double::load_aligned(v.data() + i); }
+
+/// n + amount * (x, y, z) of every point, a vector at a time; `amount` by the place of the vector.
+template <class Amount>
+void move(Points& n, Amount&& amount, const Points& by)
+{
+    for (std::size_t i = 0; i < n.size(); i += kLanes) {
+        const Double a = amount(i);
+        (get(n.x, i) + a * get(by.x, i)).store_aligned(n.x.data() + i);
+        (get(n.y, i) + a * get(by.y, i)).store_aligned(n.y.data() + i);
+        (get(n.z, i) + a * get(by.z, i)).store_aligned(n.z.data() + i);
+    }
+}
+
+/// by_height of normal.cpp: the pattern is asked at each corner for all points.
+void bend_by_height(const TextureSet& set, const Normal& normal, const Pattern& pattern, const Points& p,
+                    const Around& around, Points& n)
+{
+    const Double strength(height_strength(normal));
+    Points q;
+    Values v;
+    q.count = p.count;
+    for (const glm::dvec3& corner : kHeightCorners) {
+        const glm::dvec3 step = normal.accuracy * corner;
+        const auto shift = [&](Values& to, const Values& from, double by) {
+            for (std::size_t i = 0; i < p.size(); i += kLanes) (get(from, i) + Double(by)).store_aligned(to.data() + i);
+        };
+        shift(q.x, p.x, step.x);
+        shift(q.y, p.y, step.y);
+        shift(q.z, p.z, step.z);
+        q.pad();
+        pattern_values(set, pattern, q, around, v);
+        if (normal.map == Normal::Map::Slopes)
+            for (std::size_t i = 0; i < p.size(); ++i) v[i] = slope_height(set, normal, v[i]);
+        for (std::size_t i = 0; i < p.size(); i += kLanes) {
+            const Double height = strength * get(v, i);
+            (get(n.x, i) + height * Double(corner.x)).store_aligned(n.x.data() + i);
+            (get(n.y, i) + height * Double(corner.y)).store_aligned(n.y.data() + i);
+            (get(n.z, i) + height * Double(corner.z)).store_aligned(n.z.data() + i);
+        }
+    }
+}
+
+void bend_by_bumps(const Normal& normal, const Points& p, Points& n)
+{
+    Points v;
+    vector_noise_points(p, kAllLive, v);
+    move(
+        n, [&](std::size_t) { return Double(normal.amount); }, v);
+}
+
+void bend_by_dents(const Normal& normal, const Pattern& pattern, const Points& p, Points& n)
+{
+    Values d;
+    noise_points(p, pattern.noise_generator, d);
+    Points v;
+    vector_noise_points(p, kAllLive, v);
+    move(
+        n, [&](std::size_t i) { return Double(normal.amount) * get(d, i) * get(d, i) * get(d, i); }, v);
+}
+
+void bend_by_wrinkles(const Normal& normal, const Points& p, Points& n)
+{
+    constexpr int kOctaves = 10;
+    Points q, v;
+    q.count = p.count;
+    double scale = 1.0;
+    for (int octave = 0; octave < kOctaves; ++octave) {
+        const auto part = [&](Values& to, const Values& from) {
+            for (std::size_t i = 0; i < p.size(); i += kLanes)
+                (Double(scale) * get(from, i)).store_aligned(to.data() + i);
+        };
+        part(q.x, p.x);
+        part(q.y, p.y);
+        part(q.z, p.z);
+        q.pad();
+        vector_noise_points(q, kAllLive, v);
+        const auto size = [&](Values& of) {
+            for (std::size_t i = 0; i < p.size(); i += kLanes) xsimd::abs(get(of, i)).store_aligned(of.data() + i);
+        };
+        size(v.x);
+        size(v.y);
+        size(v.z);
+        move(
+            n, [&](std::size_t) { return Double(normal.amount / scale); }, v);
+        scale *= 2.0;
+    }
+}
+
+/// False: this kind is asked point by point.
+bool bend(const TextureSet& set, const Normal& normal, const Pattern& pattern, const Points& p, const Around& around,
+          Points& n)
+{
+    switch (pattern.kind) {
+    case PatternKind::Bumps: bend_by_bumps(normal, p, n); return true;
+    case PatternKind::Dents: bend_by_dents(normal, pattern, p, n); return true;
+    case PatternKind::Wrinkles: bend_by_wrinkles(normal, p, n); return true;
+    case PatternKind::Ripples:
+    case PatternKind::Waves:
+    case PatternKind::Quilted:
+    case PatternKind::Facets: return false;
+    default: bend_by_height(set, normal, pattern, p, around, n); return true;
+    }
+}
+
+/// glm::normalize of each.
+void normalize(Points& n)
+{
+    for (std::size_t i = 0; i < n.size(); i += kLanes) {
+        const Double x = get(n.x, i), y = get(n.y, i), z = get(n.z, i),
+                     inverse = Double(1.0) / xsimd::sqrt(x * x + y * y + z * z);
+        (x * inverse).store_aligned(n.x.data() + i);
+        (y * inverse).store_aligned(n.y.data() + i);
+        (z * inverse).store_aligned(n.z.data() + i);
+    }
+}
+
+/// m * n of each.
+void multiply(const glm::dmat3& m, Points& n)
+{
+    for (std::size_t i = 0; i < n.size(); i += kLanes) {
+        const Double x = get(n.x, i), y = get(n.y, i), z = get(n.z, i);
+        const auto row = [&](int k) { return Double(m[0][k]) * x + Double(m[1][k]) * y + Double(m[2][k]) * z; };
+        const Double a = row(0), b = row(1), c = row(2);
+        a.store_aligned(n.x.data() + i);
+        b.store_aligned(n.y.data() + i);
+        c.store_aligned(n.z.data() + i);
+    }
+}
+
+/// normal_into() and normal_out_of() of each.
+void into_pattern(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n)
+{
+    if (!keep_length) normalize(n);
+    for (std::uint32_t i = 0; i < pattern.warp_count; ++i)
+        if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i])) multiply(t->normal_into, n);
+    if (!keep_length) normalize(n);
+}
+
+void out_of_pattern(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n)
+{
+    if (!keep_length) normalize(n);
+    for (std::uint32_t i = pattern.warp_count; i-- > 0;)
+        if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i]))
+            multiply(glm::transpose(t->linear), n);
+    if (!keep_length) normalize(n);
+}
+
+}  // namespace
+
+void perturb_points(const TextureSet& set, std::uint32_t index, const Points& p, const Around& around, Points& n)
+{
+    const Normal& normal = set.normals[index];
+    if (normal.map == Normal::Map::None || normal.map == Normal::Map::Slopes) {
+        const Pattern& pattern = set.patterns[normal.pattern];
+        Points q = p, local = n;
+        warp_points(set, pattern, q, kAllLive);
+        into_pattern(set, pattern, normal.no_bump_scale, local);
+        if (bend(set, normal, pattern, q, around, local)) {
+            out_of_pattern(set, pattern, normal.no_bump_scale, local);
+            if (!normal.no_bump_scale) normalize(local);
+            n = local;
+            return;
+        }
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        Surroundings own = *around[i];
+        n.set(i, perturb(set, index, n.at(i), p.at(i), own));
+    }
+}
+
+}  // namespace texture

@@ -1,0 +1,185 @@
+#include "render/texture/angle.h"
+#include "render/texture/evaluate_points.h"
+#include "render/texture/map_points.h"
+#include "render/texture/noise/noise_points.h"
+#include "render/texture/point_lanes.h"
+#include "render/texture/patterns/patterns.h"
+
+#include <cmath>
+
+namespace texture {
+namespace {
+
+void turbulence_values(const Pattern& pattern, const Points& p, Values& out)
+{
+    const scene::Turbulence& t = pattern.turbulence;
+    scalar_turbulence_points(p, t.octaves, t.lambda, t.omega, pattern.noise_generator, out);
+}
+
+void wood_values(const Pattern& pattern, const Points& p, Values& out)
+{
+    if (!pattern.has_turbulence) {
+        for (std::size_t i = 0; i < p.size(); ++i) out[i] = wood(pattern, p.at(i));
+        return;
+    }
+    const scene::Turbulence& t = pattern.turbulence;
+    Points moved;
+    vector_turbulence_points(p, t.octaves, t.lambda, t.omega, 3, moved);
+    // wood_ring() of each
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const auto get = [i](const Values& v) { return Double::load_aligned(v.data() + i); };
+        const Double px = get(p.x), py = get(p.y);
+        const Double x = px + series_cycle((px + get(moved.x)) * Double(t.amount.x)),
+                     y = py + series_cycle((py + get(moved.y)) * Double(t.amount.y));
+        xsimd::sqrt(x * x + y * y).store_aligned(out.data() + i);
+    }
+}
+
+/// agate_band() of each; `out` holds the turbulence.
+void agate_bands(const Pattern& pattern, const Points& p, Values& out)
+{
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double turbulence = Double::load_aligned(out.data() + i), z = Double::load_aligned(p.z.data() + i);
+        const Double c = (Double(1.0) + series_cycle(Double(1.3 * pattern.numbers[0]) * turbulence + Double(1.1) * z)) /
+                         Double(2.0);
+        c.store_aligned(out.data() + i);
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = agate_power(out[i]);
+}
+
+/// Before frequency and wave.
+void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
+{
+    const int generator = pattern.noise_generator;
+    switch (pattern.kind) {
+    case PatternKind::Bozo:
+    case PatternKind::Bumps: return noise_points(p, generator, out);
+    case PatternKind::Dents:
+        noise_points(p, generator, out);
+        for (std::size_t i = 0; i < p.size(); ++i) out[i] = out[i] * out[i] * out[i];
+        return;
+    case PatternKind::Granite: return octave_points(p, OctaveSum::Granite, generator, out);
+    case PatternKind::Wrinkles: return octave_points(p, OctaveSum::Wrinkles, generator, out);
+    case PatternKind::Agate:
+        turbulence_values(pattern, p, out);
+        agate_bands(pattern, p, out);
+        return;
+    case PatternKind::Marble:
+        if (!pattern.has_turbulence) break;
+        turbulence_values(pattern, p, out);
+        for (std::size_t i = 0; i < p.size(); ++i) out[i] = p.x[i] + pattern.turbulence.amount.x * out[i];
+        return;
+    case PatternKind::Wood: return wood_values(pattern, p, out);
+    case PatternKind::Crackle: return crackle_values(pattern, p, out);
+    case PatternKind::Mandel:
+    case PatternKind::Julia: return power_set_values(pattern, p, out);
+    default: break;
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = raw_pattern(set, pattern, p.at(i), *around[i]);
+}
+
+/// Components of the point that a raw value depends on.
+unsigned live_components(const Pattern& pattern)
+{
+    switch (pattern.kind) {
+    case PatternKind::Gradient: {
+        unsigned live = 0;
+        for (int k = 0; k < 3; ++k)
+            if (pattern.vector[k] != 0.0) live |= 1u << k;
+        return live == 0 ? kAllLive : live;
+    }
+    case PatternKind::Planar: return 2;
+    case PatternKind::Cylindrical:
+    case PatternKind::Radial: return 5;
+    case PatternKind::Mandel:
+    case PatternKind::Julia: return 3;
+    default: return kAllLive;
+    }
+}
+
+/// Points that look at the same entry of a map.
+struct Group {
+    Points points;
+    Around around;
+    std::array<std::uint8_t, kMostPoints> owner;
+
+    void add(const Points& from, const Around& all, std::size_t i)
+    {
+        const std::size_t k = points.size();
+        points.add(from.at(i));
+        around[k] = all[i];
+        owner[k] = static_cast<std::uint8_t>(i);
+    }
+};
+
+using Blends = std::array<Blend, kMostPoints>;
+
+/// Each child for the points that need it, once; then the mixture.
+void mapped_colors(const TextureSet& set, const Blends& blends, const Points& p, const Around& around, ColorPoints& out)
+{
+    std::uint32_t first = blends[0].lower, last = blends[0].upper;
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        first = std::min(first, blends[i].lower);
+        last = std::max(last, blends[i].upper);
+    }
+    ColorPoints upper, found;
+    Group group;
+    for (std::uint32_t entry = first; entry <= last; ++entry) {
+        group.points.count = 0;
+        for (std::size_t i = 0; i < p.size(); ++i)
+            if (blends[i].lower == entry || blends[i].upper == entry) group.add(p, around, i);
+        if (group.points.count == 0) continue;
+        group.points.pad();
+        pigment_colors(set, set.children[entry], group.points, group.around, found);
+        for (std::size_t k = 0; k < group.points.size(); ++k) {
+            const std::size_t i = group.owner[k];
+            (blends[i].lower == entry ? out : upper).set(i, found.at(k));
+        }
+    }
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (blends[i].lower != blends[i].upper) out.set(i, mix(out.at(i), upper.at(i), blends[i].share));
+}
+
+void average_colors(const TextureSet& set, const Pigment& pigment, const Points& p, const Around& around,
+                    ColorPoints& out)
+{
+    ColorPoints found;
+    std::array<scene::Color, kMostPoints> sums{};
+    float weights = 0;
+    for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
+        pigment_colors(set, set.children[i], p, around, found);
+        weights += set.keys[i];
+        for (std::size_t k = 0; k < p.size(); ++k) add_weighted(sums[k], set.keys[i], found.at(k));
+    }
+    for (std::size_t k = 0; k < p.size(); ++k) out.set(k, divided(sums[k], weights));
+}
+
+}  // namespace
+
+void pattern_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
+{
+    raw_values(set, pattern, p, around, out);
+    waved_points(pattern, p.size(), out);
+}
+
+void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p, const Around& around, ColorPoints& out)
+{
+    const Pigment& pigment = set.pigments[index];
+    const bool color_map = pigment.kind == Pigment::Kind::ColorMap;
+    if (!color_map && pigment.kind != Pigment::Kind::PigmentMap && pigment.kind != Pigment::Kind::Average) {
+        for (std::size_t i = 0; i < p.size(); ++i) out.set(i, pigment_color(set, index, p.at(i), *around[i]));
+        return;
+    }
+    const Pattern& pattern = set.patterns[pigment.pattern];
+    Points q = p;
+    warp_points(set, pattern, q, color_map ? live_components(pattern) : kAllLive);
+    if (pigment.kind == Pigment::Kind::Average) return average_colors(set, pigment, q, around, out);
+    Values values;
+    pattern_values(set, pattern, q, around, values);
+    if (color_map) return color_map_points(set, pigment.first, pigment.count, values, p.size(), out);
+    Blends blends;
+    for (std::size_t i = 0; i < p.size(); ++i) blends[i] = blend_at(set, pigment.first, pigment.count, values[i]);
+    mapped_colors(set, blends, q, around, out);
+}
+
+}  // namespace texture

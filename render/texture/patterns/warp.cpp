@@ -1,0 +1,220 @@
+#include "render/texture/angle.h"
+#include "csg/base/lanes.h"
+#include "render/texture/evaluate_points.h"
+#include "render/texture/noise/noise.h"
+#include "render/texture/noise/noise_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace texture {
+namespace {
+
+constexpr double kFarthest = 1e17;  // coordinates are held within this after warping
+
+glm::dvec3 orient(double a, double b, double c, const glm::dvec3& o)
+{
+    if (o == glm::dvec3(0, 0, 1)) return {a, b, c};
+    return {o.x * c + o.y * a + o.z * a, o.x * b - o.y * c + o.z * b, -o.x * a + o.y * b + o.z * c};
+}
+
+double stretched(double value, double length, double exponent)
+{
+    return exponent == 0.0 ? value : value * std::pow(length, exponent);
+}
+
+glm::dvec3 to_spherical(const scene::MappingWarp& w, const glm::dvec3& p)
+{
+    const double d = glm::length(p);
+    if (d == 0.0) return p;
+    const double latitude = 0.5 + std::asin(p.y / d) / std::numbers::pi;
+    const bool pole = p.x == 0.0 && p.z == 0.0;
+    const double theta = pole ? 0.0 : turn(p.x, p.z);
+    return orient(stretched(theta, d, w.dist_exp), stretched(latitude, d, w.dist_exp), d, w.orientation);
+}
+
+glm::dvec3 to_toroidal(const scene::MappingWarp& w, const glm::dvec3& p)
+{
+    const double l = std::sqrt(p.x * p.x + p.z * p.z);
+    if (l == 0.0) return p;
+    const double x = l - w.major_radius;
+    const double r = std::sqrt(x * x + p.y * p.y);
+    double around = std::acos(-x / r) / kTau;
+    if (p.y > 0.0) around = 1.0 - around;
+    const double theta = turn(p.x, p.z);
+    return orient(stretched(theta, r, w.dist_exp), stretched(around, r, w.dist_exp), r, w.orientation);
+}
+
+/// The unfolded cube: four sides in a row, top and bottom at the second.
+glm::dvec3 to_cubic(const glm::dvec3& p)
+{
+    constexpr double kThird = 1.0 / 3.0;
+    const glm::dvec3 a = glm::abs(p);
+    const auto half = [](double v) { return (v + 1.0) / 2.0; };
+    const auto eighth = [](double v) { return (v + 1.0) / 8.0; };
+    if (p.x >= a.y && p.x >= a.z) return {0.75 - eighth(p.z / p.x), kThird + kThird * half(p.y / p.x), p.x};
+    if (p.y >= a.x && p.y >= a.z) return {0.25 + eighth(p.x / p.y), 1.0 - kThird * half(p.z / p.y), p.y};
+    if (p.z >= a.x && p.z >= a.y) return {0.25 + eighth(p.x / p.z), kThird + kThird * half(p.y / p.z), p.z};
+    if (a.x >= a.y && a.x >= a.z) return {eighth(p.z / a.x), kThird + kThird * half(p.y / a.x), a.x};
+    if (a.y >= a.x && a.y >= a.z) return {0.25 + eighth(p.x / a.y), kThird * half(p.z / a.y), a.y};
+    return {1.0 - eighth(p.x / a.z), kThird + kThird * half(p.y / a.z), a.z};
+}
+
+struct Apply {
+    glm::dvec3 p;
+
+    glm::dvec3 operator()(const Affine& t) const { return t.linear * p + t.offset; }
+
+    glm::dvec3 operator()(const scene::Turbulence& t) const
+    {
+        return p + t.amount * vector_turbulence(p, t.octaves, t.lambda, t.omega);
+    }
+
+    glm::dvec3 operator()(const scene::RepeatWarp& w) const
+    {
+        const int axis = w.width.x != 0.0 ? 0 : w.width.y != 0.0 ? 1 : 2;
+        const auto width = static_cast<float>(w.width[axis]);
+        if (width == 0.0f) return p;
+        // Block number and its product with the width are single precision in POV-Ray.
+        const auto block = static_cast<float>(std::floor(p[axis] / static_cast<double>(width)));
+        glm::dvec3 q = p;
+        q[axis] -= static_cast<double>(block * width);
+        if (std::fmod(std::abs(block), 2.0f) == 1.0f) {
+            for (int k = 0; k < 3; ++k)
+                if (w.flip[k] != 0.0) q[k] = -q[k];
+            if (w.flip[axis] != 0.0) q[axis] += static_cast<double>(width);
+        }
+        return q + static_cast<double>(block) * w.offset;
+    }
+
+    glm::dvec3 operator()(const scene::BlackHoleWarp& w) const
+    {
+        glm::dvec3 center = w.center;
+        if (w.repeat != glm::dvec3(0)) {
+            glm::dvec3 block(0);
+            for (int k = 0; k < 3; ++k)
+                if (w.repeat[k] >= kTiny) block[k] = std::floor(p[k] / w.repeat[k]);
+            if (w.turbulence != glm::dvec3(0)) {
+                const int seed = cell_hash(static_cast<long long>(block.x), static_cast<long long>(block.y),
+                                           static_cast<long long>(block.z));
+                for (int k = 0; k < 3; ++k) center[k] += pattern_random(seed + k) * w.turbulence[k];
+            }
+            center += w.repeat * block;
+        }
+        const glm::dvec3 delta = p - center;
+        const double distance = glm::length(delta);
+        if (distance >= w.radius) return p;
+        const double pull = std::min(1.0, w.strength * std::pow((w.radius - distance) / w.radius, w.falloff));
+        return w.inverse ? p - pull * delta : p + pull * delta;
+    }
+
+    glm::dvec3 operator()(const scene::MappingWarp& w) const
+    {
+        using Kind = scene::MappingWarp::Kind;
+        switch (w.kind) {
+        case Kind::Planar: return orient(p.x, p.y, w.distance, w.orientation);
+        case Kind::Cylindrical: {
+            const double l = std::sqrt(p.x * p.x + p.z * p.z);
+            if (l == 0.0) return p;
+            return orient(stretched(turn(p.x, p.z), l, w.dist_exp), p.y, l, w.orientation);
+        }
+        case Kind::Spherical: return to_spherical(w, p);
+        case Kind::Toroidal: return to_toroidal(w, p);
+        case Kind::Cubic: return to_cubic(p);
+        }
+        return p;
+    }
+};
+
+using csg::lanes::Double;
+
+/// A warp over many points.
+struct ApplyToAll {
+    Points& p;
+    unsigned live;  ///< of turbulence
+
+    /// False where some point is so far out that sums of noise may overflow: NaN times 0 is NaN.
+    bool near() const
+    {
+        constexpr double kFar = 1e9;
+        bool all = true;
+        for (std::size_t i = 0; i < p.size(); ++i)
+            all &= std::abs(p.x[i]) < kFar && std::abs(p.y[i]) < kFar && std::abs(p.z[i]) < kFar;
+        return all;
+    }
+
+    void operator()(const Affine& t) const
+    {
+        const auto& m = t.linear;
+        for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+            const Double x = Double::load_aligned(p.x.data() + i), y = Double::load_aligned(p.y.data() + i),
+                         z = Double::load_aligned(p.z.data() + i);
+            const auto row = [&](int k) {
+                return Double(m[0][k]) * x + Double(m[1][k]) * y + Double(m[2][k]) * z + Double(t.offset[k]);
+            };
+            const Double a = row(0), b = row(1), c = row(2);
+            a.store_aligned(p.x.data() + i);
+            b.store_aligned(p.y.data() + i);
+            c.store_aligned(p.z.data() + i);
+        }
+    }
+
+    void operator()(const scene::Turbulence& t) const
+    {
+        unsigned moved = 0;
+        for (int k = 0; k < 3; ++k)
+            if (t.amount[k] != 0.0) moved |= 1u << k;
+        moved &= live;
+        if (!near()) moved = kAllLive;
+        if (moved == 0) return;
+        Points d;
+        vector_turbulence_points(p, t.octaves, t.lambda, t.omega, moved, d);
+        const auto move = [&](unsigned bit, Values& to, const Values& by, double amount) {
+            if ((moved & bit) != 0)
+                for (std::size_t i = 0; i < p.size(); ++i) to[i] += amount * by[i];
+        };
+        move(1, p.x, d.x, t.amount.x);
+        move(2, p.y, d.y, t.amount.y);
+        move(4, p.z, d.z, t.amount.z);
+        p.pad();
+    }
+
+    template <class Other>
+    void operator()(const Other& warp) const
+    {
+        for (std::size_t i = 0; i < p.size(); ++i) p.set(i, Apply{p.at(i)}(warp));
+        p.pad();
+    }
+};
+
+void hold(Values& v, std::size_t count)
+{
+    const Double least(-kFarthest), most(kFarthest);
+    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) {
+        const Double a = Double::load_aligned(v.data() + i), b = xsimd::select(a < least, least, a);
+        xsimd::select(most < b, most, b).store_aligned(v.data() + i);
+    }
+}
+
+}  // namespace
+
+void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsigned live)
+{
+    for (std::uint32_t i = 0; i < pattern.warp_count; ++i)
+        std::visit(ApplyToAll{p, kAllLive}, set.warps[pattern.first_warp + i]);
+    if (pattern.displaces) ApplyToAll{p, live}(pattern.turbulence);
+    hold(p.x, p.size());
+    hold(p.y, p.size());
+    hold(p.z, p.size());
+}
+
+glm::dvec3 warp_point(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p)
+{
+    glm::dvec3 q = p;
+    for (std::uint32_t i = 0; i < pattern.warp_count; ++i) q = std::visit(Apply{q}, set.warps[pattern.first_warp + i]);
+    if (pattern.displaces) q = Apply{q}(pattern.turbulence);
+    return glm::clamp(q, glm::dvec3(-kFarthest), glm::dvec3(kFarthest));
+}
+
+}  // namespace texture

@@ -1,0 +1,314 @@
+#include "render/trace/antialias/antialias.h"
+
+#include "render/trace/antialias/jitter.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace trace {
+namespace {
+
+/// Exponents this close to 1 count as 1, and then negative values are kept (spec 2, 8.1).
+constexpr double kIdentityExponent = 0.01;
+
+/// Sums are kept in single precision after each step, as POV-Ray does.
+void add(scene::Color& sum, const scene::Color& c)
+{
+    sum.red += c.red;
+    sum.green += c.green;
+    sum.blue += c.blue;
+    sum.filter += c.filter;
+    sum.transmit += c.transmit;
+}
+
+scene::Color divided(const scene::Color& sum, double by)
+{
+    const auto part = [by](float v) { return static_cast<float>(static_cast<double>(v) / by); };
+    return {part(sum.red), part(sum.green), part(sum.blue), part(sum.filter), part(sum.transmit)};
+}
+
+/// Method 1: centre samples of the block and of the row above and the column left of it, then a scan in reading order
+/// that refines a pixel and its neighbour wherever the two differ. A pixel asks for what the scan has made of those on
+/// its left and above, and every row runs two pixels behind the one above it: what lies on one such slant is decided at
+/// once, and its samples fill tiles.
+class Method1 {
+public:
+    Method1(const plan::Antialiasing& settings, const ColorDistance& distance, const Block& block,
+            const SampleTracer& tracer, AntialiasScratch& scratch)
+        : settings_(settings), distance_(distance), block_(block), tracer_(tracer), scratch_(scratch),
+          stride_(static_cast<std::size_t>(block.width) + 1)
+    {}
+
+    void run(scene::Color* out)
+    {
+        trace_centres();
+        for (int slant = 0; slant <= block_.width - 1 + 2 * (block_.height - 1); ++slant) {
+            for (int row = std::max(0, (slant - block_.width + 2) / 2); row < block_.height && 2 * row <= slant; ++row)
+                if (slant - 2 * row < block_.width) visit(slant - 2 * row, row);
+            refine();
+        }
+        for (int row = 0; row < block_.height; ++row)
+            for (int column = 0; column < block_.width; ++column) *out++ = scratch_.samples[index(column, row)].color;
+    }
+
+private:
+    /// -1 is the border on the left or above.
+    std::size_t index(int column, int row) const
+    {
+        return static_cast<std::size_t>(row + 1) * stride_ + static_cast<std::size_t>(column + 1);
+    }
+
+    void trace_centres()
+    {
+        const SampleGrid grid{{block_.left - 1, block_.top - 1}, block_.width + 1, block_.height + 1};
+        scratch_.colors.resize(grid.count());
+        scratch_.marked.assign(grid.count(), 0);
+        for (int column = -1; column < block_.width; ++column) scratch_.marked[index(column, -1)] = 1;
+        for (int row = 0; row < block_.height; ++row) scratch_.marked[index(-1, row)] = 1;
+        tracer_.grid(grid, scratch_.colors.data());
+        scratch_.samples.clear();
+        for (const scene::Color& c : scratch_.colors) scratch_.samples.push_back(distance_.encoded(c));
+    }
+
+    void visit(int column, int row)
+    {
+        const std::size_t here = index(column, row), left = here - 1, up = here - stride_;
+        const bool left_differs = distance_.differ(scratch_.samples[left], scratch_.samples[here]);
+        const bool up_differs = distance_.differ(scratch_.samples[up], scratch_.samples[here]);
+        if (left_differs) want(left);
+        if (up_differs) want(up);
+        if (left_differs || up_differs) want(here);
+    }
+
+    void want(std::size_t pixel)
+    {
+        if (scratch_.marked[pixel] != 0) return;
+        scratch_.marked[pixel] = 1;
+        scratch_.refined.push_back(pixel);
+    }
+
+    /// More samples for the pixels that were asked for.
+    void refine()
+    {
+        if (scratch_.refined.empty()) return;
+        const int n = settings_.depth;
+        scratch_.sub_positions.clear();
+        for (const std::size_t pixel : scratch_.refined) add_positions(pixel, n);
+        scratch_.sub_colors.resize(scratch_.sub_positions.size());
+        tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
+                    scratch_.sub_colors.data());
+        scratch_.supersamples += scratch_.sub_positions.size();
+        const scene::Color* next = scratch_.sub_colors.data();
+        for (const std::size_t pixel : scratch_.refined) {
+            scene::Color sum = scratch_.samples[pixel].color;
+            for (int i = 0; i < n * n; ++i) add(sum, *next++);
+            scratch_.samples[pixel] = distance_.encoded(divided(sum, n * n + 1));
+        }
+        scratch_.refined.clear();
+    }
+
+    void add_positions(std::size_t pixel, int n)
+    {
+        const double amplitude = settings_.jitter / n;
+        const SamplePosition centre(block_.left - 1 + static_cast<int>(pixel % stride_),
+                                    block_.top - 1 + static_cast<int>(pixel / stride_));
+        for (int row = 0; row < n; ++row)
+            for (int column = 0; column < n; ++column) {
+                SamplePosition p = centre + SamplePosition(-0.5 + (column + 0.5) / n, -0.5 + (row + 0.5) / n);
+                if (settings_.jitter > 0) p += amplitude * jitter(p.x, p.y);
+                scratch_.sub_positions.push_back(p);
+            }
+    }
+
+    const plan::Antialiasing& settings_;
+    const ColorDistance& distance_;
+    const Block& block_;
+    const SampleTracer& tracer_;
+    AntialiasScratch& scratch_;
+    std::size_t stride_;
+};
+
+/// Method 2: a pixel is the mean of its corners, split in four while they differ. The squares of many pixels are looked
+/// at level by level, so that the samples of a level fill tiles.
+class Method2 {
+public:
+    Method2(const plan::Antialiasing& settings, const ColorDistance& distance, const Block& block,
+            const SampleTracer& tracer, AntialiasScratch& scratch)
+        : settings_(settings), distance_(distance), block_(block), tracer_(tracer), scratch_(scratch),
+          amplitude_(settings.jitter / ((1 << settings.depth) + 1))
+    {}
+
+    void run(scene::Color* out)
+    {
+        const SampleGrid corners{{block_.left - 0.5, block_.top - 0.5}, block_.width + 1, block_.height + 1};
+        scratch_.colors.resize(corners.count());
+        tracer_.grid(corners, scratch_.colors.data());
+        scratch_.samples.clear();
+        for (const scene::Color& c : scratch_.colors) scratch_.samples.push_back(distance_.encoded(c));
+        // As many pixels at a time as their squares, all of them divided, take a few megabytes.
+        constexpr int kSquares = 4096, kMostPixels = 64;
+        const int pixels = block_.width * block_.height,
+                  at_once = std::clamp(kSquares >> std::min(30, 2 * (settings_.depth - 1)), 1, kMostPixels);
+        for (int first = 0; first < pixels; first += at_once) {
+            run(first, std::min(first + at_once, pixels), corners.count());
+            for (int i = 0; i < std::min(at_once, pixels - first); ++i)
+                *out++ = scratch_.squares[static_cast<std::size_t>(i)].mean;
+        }
+    }
+
+private:
+    /// Pixels first <= i < last of the block; `corners` samples are kept.
+    void run(int first, int last, std::size_t corners)
+    {
+        const auto stride = static_cast<std::uint32_t>(block_.width) + 1;
+        scratch_.samples.resize(corners);
+        scratch_.squares.clear();
+        for (int i = first; i < last; ++i) {
+            const int row = i / block_.width, column = i % block_.width;
+            const auto at = static_cast<std::uint32_t>(row) * stride + static_cast<std::uint32_t>(column);
+            scratch_.squares.push_back({{block_.left + column, block_.top + row},
+                                        0.5,
+                                        {at, at + stride, at + 1, at + stride + 1},
+                                        static_cast<std::uint32_t>(i),
+                                        0,
+                                        {}});
+        }
+        std::size_t begin = 0;
+        for (int level = settings_.depth - 1; level > 0 && begin < scratch_.squares.size(); --level) {
+            const std::size_t end = scratch_.squares.size();
+            divide(begin, end);
+            begin = end;
+        }
+        for (std::size_t i = scratch_.squares.size(); i-- > 0;) {
+            AntialiasSquare& square = scratch_.squares[i];
+            const auto part = [&](std::size_t k) {
+                return square.quarters != 0 ? scratch_.squares[square.quarters + k].mean
+                                            : scratch_.samples[square.corners[k]].color;
+            };
+            scene::Color sum = part(0);
+            for (std::size_t k = 1; k < 4; ++k) add(sum, part(k));
+            square.mean = divided(sum, 4);
+        }
+    }
+
+    /// The squares that need it get quarters, and those their samples.
+    void divide(std::size_t begin, std::size_t end)
+    {
+        scratch_.sub_positions.clear();
+        scratch_.nominal_positions.clear();
+        scratch_.sub_pixels.clear();
+        std::size_t room = 64;
+        while (room < 16 * (end - begin)) room *= 2;  // five new samples a square, at most
+        scratch_.places.assign(room, kNoPlace);
+        const auto first_sample = static_cast<std::uint32_t>(scratch_.samples.size());
+        for (std::size_t i = begin; i < end; ++i)
+            if (any_differ(scratch_.squares[i])) quarter(i, first_sample);
+        scratch_.sub_colors.resize(scratch_.sub_positions.size());
+        if (scratch_.sub_positions.empty()) return;
+        tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
+                    scratch_.sub_colors.data());
+        scratch_.supersamples += scratch_.sub_positions.size();
+        for (const scene::Color& c : scratch_.sub_colors) scratch_.samples.push_back(distance_.encoded(c));
+    }
+
+    void quarter(std::size_t i, std::uint32_t first_sample)
+    {
+        const AntialiasSquare square = scratch_.squares[i];
+        const SamplePosition c = square.centre;
+        const double half = square.half, q = half / 2;
+        const auto inner = [&](double x, double y) { return first_sample + place_of(square.pixel, {x, y}); };
+        const std::uint32_t left = inner(c.x - half, c.y), top = inner(c.x, c.y - half), right = inner(c.x + half, c.y),
+                            bottom = inner(c.x, c.y + half), middle = inner(c.x, c.y);
+        scratch_.squares[i].quarters = static_cast<std::uint32_t>(scratch_.squares.size());
+        const auto add_quarter = [&](double x, double y, const std::array<std::uint32_t, 4>& corners) {
+            scratch_.squares.push_back({c + SamplePosition(x, y), q, corners, square.pixel, 0, {}});
+        };
+        const auto& at = square.corners;
+        add_quarter(-q, -q, {at[0], left, top, middle});
+        add_quarter(-q, q, {left, at[1], middle, bottom});
+        add_quarter(q, -q, {top, middle, at[2], right});
+        add_quarter(q, q, {middle, bottom, right, at[3]});
+    }
+
+    /// Which of the samples asked for lies there: squares of a pixel share those of their edges.
+    std::uint32_t place_of(std::uint32_t pixel, const SamplePosition& nominal)
+    {
+        std::uint64_t hash = std::bit_cast<std::uint64_t>(nominal.x) * 0x9e3779b97f4a7c15u ^
+                             std::bit_cast<std::uint64_t>(nominal.y) ^ pixel;
+        hash *= 0xbf58476d1ce4e5b9u;
+        const std::size_t mask = scratch_.places.size() - 1;
+        for (std::size_t at = hash >> 32 & mask;; at = (at + 1) & mask) {
+            std::uint32_t& place = scratch_.places[at];
+            if (place == kNoPlace) {
+                place = static_cast<std::uint32_t>(scratch_.sub_positions.size());
+                scratch_.nominal_positions.push_back(nominal);
+                scratch_.sub_pixels.push_back(pixel);
+                scratch_.sub_positions.push_back(
+                    settings_.jitter > 0 ? nominal + amplitude_ * jitter(nominal.x, nominal.y) : nominal);
+                return place;
+            }
+            if (scratch_.sub_pixels[place] == pixel && scratch_.nominal_positions[place] == nominal) return place;
+        }
+    }
+
+    bool any_differ(const AntialiasSquare& square) const
+    {
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = i + 1; j < 4; ++j)
+                if (distance_.differ(scratch_.samples[square.corners[i]], scratch_.samples[square.corners[j]]))
+                    return true;
+        return false;
+    }
+
+    static constexpr std::uint32_t kNoPlace = 0xffffffffu;
+    const plan::Antialiasing& settings_;
+    const ColorDistance& distance_;
+    const Block& block_;
+    const SampleTracer& tracer_;
+    AntialiasScratch& scratch_;
+    double amplitude_;
+};
+
+}  // namespace
+
+ColorDistance::ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma)
+    : threshold_(static_cast<double>(static_cast<float>(settings.threshold))),
+      srgb_(gamma.kind == scene::AssumedGamma::Kind::Srgb)
+{
+    const double display = settings.gamma > 0 ? settings.gamma : 1.0;
+    const double working = gamma.kind == scene::AssumedGamma::Kind::Power ? gamma.exponent : 1.0;
+    exponent_ = working / display;
+    identity_ = !srgb_ && std::abs(exponent_ - 1.0) <= kIdentityExponent;
+}
+
+float ColorDistance::encode(float value) const
+{
+    if (identity_) return value;
+    double v = static_cast<double>(value);
+    if (srgb_) v = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    return static_cast<float>(std::pow(std::max(v, 0.0), exponent_));
+}
+
+bool ColorDistance::differ(const EncodedColor& a, const EncodedColor& b) const
+{
+    if (a.color == b.color) return threshold_ <= 0;
+    const float d = std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue) +
+                    std::abs(a.color.transmit - b.color.transmit);
+    return static_cast<double>(d) >= threshold_;
+}
+
+void antialias(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma, const Block& block,
+               const SampleTracer& tracer, AntialiasScratch& scratch, scene::Color* out)
+{
+    if (settings.method == 0) {
+        tracer.grid({{block.left, block.top}, block.width, block.height}, out);
+        return;
+    }
+    const ColorDistance distance(settings, gamma);
+    if (settings.method == 1) Method1(settings, distance, block, tracer, scratch).run(out);
+    else Method2(settings, distance, block, tracer, scratch).run(out);
+}
+
+}  // namespace trace

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "render/trace/blocks.h"
+#include "render/scene/color.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/// POV-Ray's two ways of adding samples where the picture is not smooth (reference manual 3.2.8.7; spec 2, section 8).
+namespace trace {
+
+/// A pixel's centre is (column, row); positions grow to the right and downwards.
+using SamplePosition = glm::dvec2;
+
+/// Samples one pixel apart: columns x rows of them from `first` on, row by row.
+struct SampleGrid {
+    SamplePosition first{0};
+    int columns = 0, rows = 0;
+    std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+};
+
+/// Traces samples: a whole grid, which can go in tiles, or a few that lie anywhere. Functions and their context, so
+/// that a block costs no allocation.
+struct SampleTracer {
+    void (*trace_grid)(void* context, const SampleGrid& grid, scene::Color* out);
+    void (*trace_few)(void* context, const SamplePosition* positions, int count, scene::Color* out);
+    void* context;
+    void grid(const SampleGrid& g, scene::Color* out) const { trace_grid(context, g, out); }
+    void few(const SamplePosition* positions, int count, scene::Color* out) const
+    {
+        trace_few(context, positions, count, out);
+    }
+};
+
+/// A colour as differences see it: encoded for the display (spec 2, 8.1).
+struct EncodedColor {
+    scene::Color color;
+    float red, green, blue;
+};
+
+/// How different two colours look: spec 2, 8.1.
+class ColorDistance {
+public:
+    ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma);
+    EncodedColor encoded(const scene::Color& c) const { return {c, encode(c.red), encode(c.green), encode(c.blue)}; }
+    bool differ(const EncodedColor& a, const EncodedColor& b) const;
+    bool differ(const scene::Color& a, const scene::Color& b) const { return differ(encoded(a), encoded(b)); }
+
+private:
+    float encode(float value) const;
+    double exponent_;
+    double threshold_;
+    bool srgb_;
+    bool identity_;
+};
+
+/// A square of a pixel, by method 2: its corners are samples, and so are its four quarters' if they are not plain.
+struct AntialiasSquare {
+    SamplePosition centre{0};
+    double half = 0.5;
+    std::array<std::uint32_t, 4> corners{};  ///< samples: top left, bottom left, top right, bottom right
+    std::uint32_t pixel = 0;
+    std::uint32_t quarters = 0;  ///< the first of four squares; 0: not divided
+    scene::Color mean{};
+};
+
+/// Working storage of one thread; reused from block to block.
+struct AntialiasScratch {
+    std::vector<scene::Color> colors;   ///< the block with a border of one pixel (method 1) or its corners (method 2)
+    std::vector<EncodedColor> samples;  ///< the same as differences see them, and those within pixels (method 2)
+    std::vector<std::uint8_t> marked;   ///< method 1: supersampled or never to be
+    std::vector<std::size_t> refined;   ///< method 1: pixels that get more samples now
+    std::vector<AntialiasSquare> squares;
+    std::vector<std::uint32_t> places;      ///< method 2: samples asked for now, by a hash of their positions
+    std::vector<std::uint32_t> sub_pixels;  ///< of sub_positions
+    std::vector<SamplePosition> sub_positions, nominal_positions;  ///< asked for now; before jitter
+    std::vector<scene::Color> sub_colors;
+    std::uint64_t supersamples = 0;  ///< samples beyond the first of each pixel, added up
+};
+
+/// Colours of the block's pixels, row by row, into `out` (width * height of them). `method` 0 takes one sample a pixel.
+void antialias(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma, const Block& block,
+               const SampleTracer& tracer, AntialiasScratch& scratch, scene::Color* out);
+
+}  // namespace trace

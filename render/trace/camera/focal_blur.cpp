@@ -1,0 +1,200 @@
+#include "render/trace/camera/focal_blur.h"
+
+#include "render/trace/antialias/jitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace trace {
+namespace {
+
+constexpr std::array<glm::dvec2, 67> kLens = {{
+#include "render/trace/camera/lens_table.inc"
+}};
+
+struct LensSet {
+    int size;
+    std::size_t first;  ///< in kLens
+    double amplitude;   ///< of the jitter around a place; 0: by the number of samples
+};
+constexpr std::array<LensSet, 4> kSets = {{{37, 30, 0.0721688}, {19, 11, 0.096225}, {7, 4, 0.144338}, {4, 0, 0.0}}};
+
+constexpr int kLaterBatch = 4;
+
+/// The largest set that the samples hold; of 4 for fewer than 7.
+const LensSet& set_of(int samples)
+{
+    for (const LensSet& set : kSets)
+        if (samples >= set.size) return set;
+    return kSets.back();
+}
+
+/// k + 1 mirrored at the point in a number system (Halton 1964).
+double radical_inverse(int base, int k)
+{
+    double result = 0.0, place = 1.0;
+    for (int i = k + 1; i > 0; i /= base) {
+        place /= base;
+        result += place * (i % base);
+    }
+    return result;
+}
+
+/// Share of a chi-square variable of n degrees of freedom above x: by the series of the incomplete gamma function, or
+/// its continued fraction (Numerical Recipes 6.2).
+double above(int n, double x)
+{
+    const double a = n / 2.0, z = x / 2.0;
+    if (z <= 0.0) return 1.0;
+    const double scale = std::exp(a * std::log(z) - z - std::lgamma(a));
+    if (z < a + 1.0) {
+        double term = 1.0 / a, sum = term;
+        for (double k = a + 1.0; term > sum * 1e-17; k += 1.0) sum += term *= z / k;
+        return 1.0 - sum * scale;
+    }
+    double b = z + 1.0 - a, c = 1e300, d = 1.0 / b, h = d;
+    for (int i = 1; i < 10000; ++i) {
+        const double an = -i * (i - a);
+        b += 2.0;
+        d = 1.0 / (an * d + b);
+        c = b + an / c;
+        h *= d * c;
+        if (std::abs(d * c - 1.0) < 1e-15) break;
+    }
+    return h * scale;
+}
+
+/// What a chi-square variable exceeds with that probability.
+double chi_square(int n, double probability)
+{
+    if (n <= 0) return 0.0;
+    double low = 0.0, high = 1.0;
+    while (above(n, high) > probability && high < 1e12) high *= 2.0;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = 0.5 * (low + high);
+        (above(n, middle) > probability ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+}  // namespace
+
+FocalBlur::FocalBlur(const scene::Camera& camera)
+    : samples_(camera.aperture != 0.0 ? std::max(0, camera.blur_samples) : 0), fewest_(camera.blur_fewest),
+      radius_(camera.aperture / 2.0), location_(camera.location)
+{
+    if (!active()) return;
+    const glm::dvec3& d = camera.direction;
+    focal_ratio_ = camera.focal_distance / glm::length(d);
+    right_ = glm::normalize(glm::cross(camera.up, d));
+    up_ = glm::normalize(glm::cross(d, right_));
+    const LensSet& set = set_of(samples_);
+    set_ = set.size;
+    amplitude_ = samples_ == set.size && set.amplitude > 0.0 ? set.amplitude
+                                                             : 0.5 / std::sqrt(static_cast<double>(samples_));
+    const int fixed = std::min(set.size, samples_);
+    places_.assign(kLens.begin() + static_cast<std::ptrdiff_t>(set.first),
+                   kLens.begin() + static_cast<std::ptrdiff_t>(set.first) + fixed);
+    place_further_samples();
+    thresholds_.assign(static_cast<std::size_t>(samples_) + 1, 0.0);
+    if (samples_ < 2) return;
+    const double last = chi_square(samples_ - 1, camera.confidence);
+    for (int n = 1; n <= samples_; ++n)
+        thresholds_[static_cast<std::size_t>(n)] = camera.variance * chi_square(n, camera.confidence) / last;
+}
+
+/// One in each cell of a grid, as long as the budget of draws lasts.
+void FocalBlur::place_further_samples()
+{
+    const int side = 2 * static_cast<int>(std::ceil(std::sqrt(samples_ / std::numbers::pi))) + 1;
+    std::vector<bool> occupied(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    const auto cell_of = [&](const glm::dvec2& g) {
+        const auto at = [&](double v) {
+            return static_cast<std::size_t>(std::clamp(static_cast<int>((v + 0.5) * side), 0, side - 1));
+        };
+        return at(g.y) * static_cast<std::size_t>(side) + at(g.x);
+    };
+    for (const glm::dvec2& g : places_) occupied[cell_of(g)] = true;
+    int budget = 10 * samples_;
+    for (int k = 0; static_cast<int>(places_.size()) < samples_;) {
+        const double r = std::sqrt(0.25 * radical_inverse(2, k)),
+                     angle = 2.0 * std::numbers::pi * radical_inverse(3, k);
+        const glm::dvec2 g{r * std::cos(angle), r * std::sin(angle)};
+        ++k;
+        --budget;
+        const bool picky = budget > samples_ - static_cast<int>(places_.size());
+        if (picky && (occupied[cell_of(g)] || glm::length(g) > 0.5)) continue;
+        occupied[cell_of(g)] = true;
+        places_.push_back(g);
+    }
+}
+
+int FocalBlur::batch(int taken) const
+{
+    static constexpr std::array<int, 8> kOf37 = {7, 6, 6, 4, 4, 4, 4, 2};
+    static constexpr std::array<int, 3> kOf19 = {7, 6, 6};
+    int size = kLaterBatch;
+    const auto among = [&](const auto& sizes) {
+        int before = 0;
+        for (const int s : sizes) {
+            if (before == taken) size = s;
+            before += s;
+        }
+    };
+    if (set_ == 37) among(kOf37);
+    if (set_ == 19) among(kOf19);
+    if (set_ == 7 && taken == 0) size = 7;
+    return std::min(size, samples_ - taken);
+}
+
+void FocalBlur::Sums::add(const scene::Color& c, bool has_ray)
+{
+    const std::array<float, 4> parts{c.red, c.green, c.blue, c.transmit};
+    for (std::size_t k = 0; k < 4; ++k) {
+        sum[k] += parts[k];
+        squares[k] += parts[k] * parts[k];
+    }
+    filter += c.filter;
+    if (has_ray) shown_transmit += c.transmit;
+    ++count;
+}
+
+scene::Color FocalBlur::Sums::mean() const
+{
+    const auto n = static_cast<float>(count);
+    return {sum[0] / n, sum[1] / n, sum[2] / n, filter / n, shown_transmit / n};
+}
+
+bool FocalBlur::converged(const Sums& sums) const
+{
+    if (sums.count < fewest_) return false;
+    const double n = sums.count, threshold = thresholds_[static_cast<std::size_t>(sums.count)];
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double mean = static_cast<double>(sums.sum[k]) / n;
+        if (!((static_cast<double>(sums.squares[k]) / n - mean * mean) / n < threshold)) return false;
+    }
+    return true;
+}
+
+bool FocalBlur::ray(const CameraRays& rays, const glm::dvec2& position, int n, csg::Ray& out) const
+{
+    const std::uint32_t seed = truncated(313.0 * position.x + 11.0) + truncated(311.0 * position.y + 17.0) +
+                               static_cast<std::uint32_t>(n);
+    const auto step = [](std::uint32_t index) { return (2.0 * (permuted(index) % 16u) + 1.0) / 32.0 - 0.5; };
+    const glm::dvec2 within{step(seed), step(seed + 1)};
+    const glm::dvec2 moved = position + within + (jitter(within.x, within.y) - 0.5) / 16.0;
+    const bool found = rays.unscaled_ray(moved.x, moved.y, out);
+    const glm::dvec2 place =
+        radius_ * (places_[static_cast<std::size_t>(n)] + 2.0 * amplitude_ * jitter(moved.x + 0.5, moved.y - 0.5));
+    const glm::dvec3 offset = place.x * right_ - place.y * up_;
+    out.origin = location_ + offset;
+    if (!found) return false;
+    const glm::dvec3 direction = out.direction * focal_ratio_ - offset;
+    const double length = glm::length(direction);
+    if (!(length > 0.0)) return false;
+    out.direction = direction / length;
+    return true;
+}
+
+}  // namespace trace

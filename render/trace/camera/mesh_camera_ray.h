@@ -1,0 +1,11 @@
+#pragma once
+
+#include "csg/base/hit.h"
+#include "render/plan/mesh_camera.h"
+
+namespace trace {
+
+/// The ray `k` of a sample position in a picture of that size (spec 2, section 5); false: there is none.
+bool mesh_camera_ray(const plan::MeshCamera& camera, double px, double py, int width, int height, int k, csg::Ray& out);
+
+}  // namespace trace

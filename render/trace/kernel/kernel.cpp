@@ -1,0 +1,251 @@
+#include "render/trace/kernel/kernel.h"
+
+#include "render/texture/function_host.h"
+#include "render/trace/camera/camera_rays.h"
+#include "render/trace/camera/focal_blur.h"
+#include "render/trace/geometry.h"
+#include "render/trace/shade/shade.h"
+#include "render/trace/shade/start_interiors.h"
+
+#include <algorithm>
+#include <limits>
+
+// Given by the build: the instruction set that this copy is compiled for.
+#ifndef WHITTLE_ISA
+#error "WHITTLE_ISA names the kernel's instruction set"
+#endif
+
+namespace trace {
+
+/// Traces blocks for one thread: samples to rays, rays to hits, hits to colours, a tile at a time.
+class BlockTracer {
+public:
+    BlockTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
+        : scene_(scene), world_(scene.world()),
+          camera_(scene.camera, scene.options.width, scene.options.height,
+                  {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}),
+          blur_(scene.camera), starts_(scene)
+    {
+        scratch_.geometry.cancel = csg::CancelWatch(cancel);
+        // A perspective camera's tiles differ in nothing but their directions.
+        rays_.ox.fill(scene.camera.location.x);
+        rays_.oy.fill(scene.camera.location.y);
+        rays_.oz.fill(scene.camera.location.z);
+        rays_.t_min.fill(scene.tolerance.hit);
+        rays_.t_max.fill(camera_.max_distance() > 0.0 ? camera_.max_distance() : csg::kInfinity);
+    }
+
+    /// False where Scratch's watch ended it: what waits of the block is not put in order any more.
+    bool trace(const Block& block, scene::Color* out)
+    {
+        const SampleTracer tracer{&grid, &few, this};
+        try {
+            antialias(scene_.options.antialiasing, scene_.settings.assumed_gamma, block, tracer, antialias_, out);
+        } catch (const csg::Cancelled&) {
+            return false;
+        }
+        return true;
+    }
+
+    RayCounts counts() const
+    {
+        RayCounts counts = scratch_.counts;
+        counts.supersamples += antialias_.supersamples;
+        return counts;
+    }
+
+private:
+    static void grid(void* context, const SampleGrid& samples, scene::Color* out)
+    {
+        auto& self = *static_cast<BlockTracer*>(context);
+        const int side =
+            self.scene_.options.grain_stream ? 1 : kTileSide;  // ray by ray, as POV-Ray asks for random numbers
+        for (int top = 0; top < samples.rows; top += side)
+            for (int left = 0; left < samples.columns; left += side)
+                self.grid_tile(samples, left, left + side, top, top + side, out);
+    }
+
+    void grid_tile(const SampleGrid& samples, int left, int right, int top, int bottom, scene::Color* out)
+    {
+        right = std::min(right, samples.columns);
+        bottom = std::min(bottom, samples.rows);
+        begin_tile();
+        for (int row = top; row < bottom; ++row)
+            for (int column = left; column < right; ++column) {
+                const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(samples.columns) +
+                                       static_cast<std::size_t>(column);
+                add_sample(samples.first + SamplePosition(column, row), out + at);
+            }
+        finish_tile();
+    }
+
+    static void few(void* context, const SamplePosition* positions, int count, scene::Color* out)
+    {
+        auto& self = *static_cast<BlockTracer*>(context);
+        for (int first = 0; first < count; first += kTileRays) {
+            self.begin_tile();
+            for (int i = first; i < std::min(first + kTileRays, count); ++i) self.add_sample(positions[i], out + i);
+            self.finish_tile();
+        }
+    }
+
+    void begin_tile() { samples_ = 0; }
+
+    void add_sample(const SamplePosition& p, scene::Color* out)
+    {
+        const auto k = static_cast<std::size_t>(samples_++);
+        x_[k] = p.x;
+        y_[k] = p.y;
+        targets_[k] = out;
+    }
+
+    /// A perspective camera's rays in vector lanes; for the others one by one, and not every sample has one.
+    void make_rays()
+    {
+        rays_.common_origin = camera_.common_origin();
+        rays_.count = samples_;
+        if (camera_.flat_projection() && camera_.perspective(x_.data(), y_.data(), rays_)) return;
+        rays_.count = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i) {
+            csg::Ray ray;
+            if (!camera_.ray(x_[i], y_[i], ray)) {
+                *targets_[i] = {0, 0, 0, 0, 1};  // no ray: black, and clear where alpha is asked for (spec 2, 4.10)
+                continue;
+            }
+            targets_[static_cast<std::size_t>(rays_.count)] = targets_[i];
+            put(rays_.count++, ray);
+        }
+    }
+
+    void finish_tile()
+    {
+        if (blur_.active()) return finish_blurred();
+        if (camera_.rays_per_sample() > 1) return finish_averaged();
+        make_rays();
+        if (rays_.count == 0) return;
+        trace_rays();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) *targets_[i] = colors_[i];
+    }
+
+    /// The mean of the rays that a sample has, one ray of every sample a tile.
+    void finish_averaged()
+    {
+        std::array<FocalBlur::Sums, kTileRays> sums{};
+        std::array<std::size_t, kTileRays> owner{};
+        rays_.common_origin = false;
+        for (int k = 0; k < camera_.rays_per_sample(); ++k) {
+            rays_.count = 0;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i) {
+                csg::Ray ray;
+                if (!camera_.ray(x_[i], y_[i], ray, k)) continue;
+                owner[static_cast<std::size_t>(rays_.count)] = i;
+                put(rays_.count++, ray);
+            }
+            if (rays_.count > 0) trace_rays();
+            for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i)
+                sums[owner[i]].add(colors_[i], true);
+        }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i)
+            *targets_[i] = sums[i].count > 0 ? sums[i].mean() : scene::Color{0, 0, 0, 0, 1};
+    }
+
+    /// Samples of the tile in batches, each until it is certain; rays of different samples share tiles.
+    void finish_blurred()
+    {
+        std::array<FocalBlur::Sums, kTileRays> sums{};
+        std::array<int, kTileRays> going{}, owner{};
+        int left = samples_;
+        std::array<bool, kTileRays> clouded{};
+        for (int i = 0; i < left; ++i) going[static_cast<std::size_t>(i)] = i;
+        rays_.common_origin = false;
+        const auto flush = [&] {
+            if (rays_.count > 0) trace_rays();
+            for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i)
+                sums[static_cast<std::size_t>(owner[i])].add(colors_[i], true);
+            rays_.count = 0;
+        };
+        rays_.count = 0;
+        while (left > 0) {
+            for (int g = 0; g < left; ++g) {
+                const int i = going[static_cast<std::size_t>(g)];
+                const auto k = static_cast<std::size_t>(i);
+                const int taken = sums[k].count;
+                for (int n = taken, end = taken + blur_.batch(taken); n < end; ++n) {
+                    csg::Ray ray;
+                    const bool has_ray = blur_.ray(camera_, {x_[k], y_[k]}, n, ray);
+                    starts_.find(static_cast<std::size_t>(rays_.count), ray.origin, clouded[k]);
+                    if (!has_ray) {
+                        sums[k].add({0, 0, 0, 0, 1}, false);
+                        continue;
+                    }
+                    owner[static_cast<std::size_t>(rays_.count)] = i;
+                    place(rays_.count++, ray);
+                    if (rays_.count == kTileRays) flush();
+                }
+            }
+            flush();
+            int kept = 0;
+            for (int g = 0; g < left; ++g) {
+                const int i = going[static_cast<std::size_t>(g)];
+                const FocalBlur::Sums& of = sums[static_cast<std::size_t>(i)];
+                if (blur_.batch(of.count) > 0 && !blur_.converged(of)) going[static_cast<std::size_t>(kept++)] = i;
+                else *targets_[static_cast<std::size_t>(i)] = of.mean();
+            }
+            left = kept;
+        }
+    }
+
+    void put(int i, const csg::Ray& ray)
+    {
+        place(i, ray);
+        starts_.find(static_cast<std::size_t>(i), ray.origin);
+    }
+
+    void place(int i, const csg::Ray& ray)
+    {
+        const auto k = static_cast<std::size_t>(i);
+        rays_.ox[k] = ray.origin.x;
+        rays_.oy[k] = ray.origin.y;
+        rays_.oz[k] = ray.origin.z;
+        rays_.dx[k] = ray.direction.x;
+        rays_.dy[k] = ray.direction.y;
+        rays_.dz[k] = ray.direction.z;
+    }
+
+    void trace_rays()
+    {
+        scratch_.counts.camera += static_cast<std::uint64_t>(rays_.count);
+        world_.nearest(rays_, bit(plan::RayKind::Image), scratch_.geometry, hits_);
+        shade_tile(scene_, rays_, hits_, starts_.lists(), colors_, scratch_);
+    }
+
+    const plan::CompiledScene& scene_;
+    csg::World world_;
+    CameraRays camera_;
+    FocalBlur blur_;
+    StartInteriors starts_;
+    Scratch scratch_;
+    AntialiasScratch antialias_;
+    alignas(64) std::array<double, kTileRays> x_{}, y_{};  ///< sample positions of the tile at hand
+    int samples_ = 0;
+    RayTile rays_;
+    HitTile hits_;
+    scene::Color colors_[kTileRays];
+    std::array<scene::Color*, kTileRays> targets_;
+};
+
+namespace {
+
+const KernelTable kTable = {
+    WHITTLE_ISA,
+    [](const plan::CompiledScene& scene, const std::atomic<bool>* cancel) { return new BlockTracer(scene, cancel); },
+    [](BlockTracer* tracer) { delete tracer; },
+    [](BlockTracer& tracer, const Block& block, scene::Color* out) { return tracer.trace(block, out); },
+    [](const BlockTracer& tracer) { return tracer.counts(); },
+    texture::evaluators(),
+};
+
+}  // namespace
+}  // namespace trace
+
+extern "C" __attribute__((visibility("default"))) const trace::KernelTable* whittle_kernel() { return &trace::kTable; }

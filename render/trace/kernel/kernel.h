@@ -1,0 +1,32 @@
+#pragma once
+
+#include "function/field.h"
+#include "render/plan/compiled_scene.h"
+#include "render/scene/color.h"
+#include "render/trace/antialias/antialias.h"
+#include "render/trace/queue/scratch.h"
+
+#include <atomic>
+
+/// The interface of a kernel module: everything that runs per ray, compiled once per instruction set.
+namespace trace {
+
+class BlockTracer;
+
+/// Functions of one module. A BlockTracer belongs to one thread and lives inside the module that made it.
+struct KernelTable {
+    const char* isa;
+    /// \param cancel see RenderOptions; null: never
+    BlockTracer* (*make)(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
+    void (*free)(BlockTracer* tracer);
+    /// Colours of the block's pixels, row by row. False: `cancel` was set meanwhile, and the tracer can only be freed.
+    bool (*trace)(BlockTracer& tracer, const Block& block, scene::Color* out);
+    RayCounts (*counts)(const BlockTracer& tracer);
+    function::Evaluators evaluators;  ///< for the fields of solids, which live outside of the module
+};
+
+/// The one symbol that a module exports.
+inline constexpr const char* kKernelSymbol = "whittle_kernel";
+using KernelEntry = const KernelTable* (*)();
+
+}  // namespace trace

@@ -1,0 +1,453 @@
+#pragma once
+
+#include "render/texture/evaluate_points.h"
+#include "render/trace/queue/lane_masks.h"
+#include "render/trace/shade/shade_context.h"
+#include "render/trace/light/shade_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// Rows of light of a tile's hits: layers of their textures. All rows go through a light together, a hit a lane; row d
+/// of every hit lies on page d. What lanes don't know (grain, iridescence, light from behind) goes through the lights
+/// one by one when they have all been asked. The operations are those of surface_light() in the same order. Compiled
+/// once per instruction set.
+namespace trace {
+
+class DirectBatch {
+public:
+    explicit DirectBatch(Context& context)
+        : context_(context), set_(context.scene.textures), scratch_(context.scratch.shade),
+          bends_normals_(context.scene.settings.quality >= 8)
+    {
+        rows_.fill(0);
+        scratch_.closing.clear();
+    }
+
+    bool holds(std::size_t k) const { return has(holds_, k); }
+    /// Its colour is that of its rows: no ray goes on from it and no texture is mixed.
+    bool alone(std::size_t k) const { return has(alone_, k); }
+    HitMask all_alone() const { return alone_; }
+    bool bent(std::size_t k) const { return has(bent_, k); }
+    HitMask all() const { return holds_; }
+    HitMask all_bent() const { return bent_; }
+    /// Those that light changes.
+    HitMask lit() const { return lit_; }
+    /// Those that are lit from any side.
+    HitMask two_sided() const { return two_sided_; }
+    /// Those that wait for LightSamples.
+    HitMask scalar() const { return scalar_; }
+    /// Rows of hit k so far.
+    std::uint32_t rows(std::size_t k) const { return rows_[k]; }
+
+    const texture::Finish& top_finish(std::size_t k) const { return *scratch_.pages[0].finish[k]; }
+    scene::Color top_pigment(std::size_t k) const { return scratch_.top_pigments.at(k); }
+
+    /// Hits of one layer; their pigments come by color().
+    void begin(HitMask hits, const SingleLayer& single)
+    {
+        hold(hits);
+        if (single.goes_on) goes_on_ |= hits;
+        else alone_ |= hits;
+        const texture::Layer& layer = set_.layers[single.index];
+        if (set_.finishes[layer.finish].lit()) lit_ |= hits;
+        add_layer(0, hits, layer);
+        for_each_hit(hits, [&](std::size_t k) { rows_[k] = 1; });
+    }
+
+    void color(HitMask hits, const texture::ColorPoints& c)
+    {
+        for_each_hit(hits & goes_on_, [&](std::size_t k) { scratch_.top_pigments.set(k, c.at(k)); });
+        color(scratch_.pages[0], hits, hits & goes_on_, c);
+    }
+
+    /// Hits of layers whose pigments are known, by depth where the hits of `asked` have one; they let nothing through
+    /// to what is behind.
+    void begin(HitMask hits, const texture::Texture& texture)
+    {
+        hold(hits);
+        alone_ |= hits;
+        lit_ |= hits;
+        for (std::uint32_t depth = 0; depth < texture.count; ++depth) {
+            const HitMask here = hits & scratch_.asked[depth];
+            if (here == 0) return;
+            RowPage& at = add_layer(depth, here, set_.layers[texture.first + texture.count - 1 - depth]);
+            color(at, here, texture.plain ? 0 : here, scratch_.prefetched[depth]);
+            for_each_hit(here, [&](std::size_t k) { rows_[k] = static_cast<std::uint16_t>(depth + 1); });
+        }
+    }
+
+    /// A row of a texture that is gone through by itself.
+    struct Row {
+        const texture::Finish& finish;
+        const scene::Color& pigment;
+        const glm::vec3& filter;  ///< of the layers above
+        float alpha;              ///< opacity
+        const glm::dvec3& normal;
+        const glm::dvec3& raw_normal;  ///< of the hit
+        bool two_sided;                ///< double_illuminate
+    };
+    void add_row(std::size_t k, const Row& row)
+    {
+        constexpr double kUnit = 1e-9;
+        const HitMask bit = HitMask{1} << k;
+        const texture::Finish& finish = row.finish;
+        RowPage& at = page(rows_[k]++);
+        hold(bit);
+        at.holds |= bit;
+        at.finish[k] = &finish;
+        at.pigment.set(k, row.pigment.rgb());
+        at.glow.set(k, row.pigment.rgb() * (finish.ambient + finish.emission) * row.alpha);
+        at.filter.set(k, row.filter);
+        if (!finish.lit()) return;
+        lit_ |= bit;
+        if (row.normal != row.raw_normal) {
+            if (at.bent == 0) copy_normals(at);
+            at.bent |= bit;
+            bent_ |= bit;
+            at.nx[k] = row.normal.x;
+            at.ny[k] = row.normal.y;
+            at.nz[k] = row.normal.z;
+        }
+        if (row.two_sided || finish.diffuse_back != 0.0f) two_sided_ |= bit;
+        const bool unit = std::abs(glm::dot(row.normal, row.normal) - 1.0) < kUnit;
+        if (row.two_sided || finish.diffuse_back != 0.0f || finish.crand != 0.0f || finish.irid != 0.0f || !unit ||
+            scratch_.traits.scalar_rows) {
+            at.scalar |= bit;
+            scalar_ |= bit;
+            at.alpha[k] = row.alpha;
+            at.scalar_pigment.set(k, row.pigment);
+            return;
+        }
+        at.diffuse[k] = static_cast<double>(finish.diffuse) * static_cast<double>(row.alpha);
+        set_kind(at, bit, finish);
+        if (finish.phong > 0.0f || finish.specular > 0.0f) at.lobe.set(k, finish);
+    }
+
+    /// A node waits for the light of hit k's rows from `first` on; it is given what there is now.
+    void close_node(std::size_t k, std::uint32_t first, std::uint32_t node)
+    {
+        scratch_.closing.push_back({node, static_cast<std::uint8_t>(k), static_cast<std::uint16_t>(first), rows_[k]});
+    }
+
+    /// Bends the normals of the layers that have some; their places and surroundings are known.
+    void bend()
+    {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            RowPage& at = scratch_.pages[depth];
+            if (at.bent == 0) continue;
+            copy_normals(at);
+        }
+        for (std::size_t i = 0; i < bends_; ++i) bend(scratch_.bends[i]);
+        bends_ = 0;
+    }
+
+    /// Some layer of a bent hit faces the direction.
+    bool faces(std::size_t k, const glm::dvec3& direction) const
+    {
+        for (std::size_t depth = 0; depth < depths_ && has(scratch_.pages[depth].holds, k); ++depth) {
+            const RowPage& at = scratch_.pages[depth];
+            const glm::dvec3 n = at.bent != 0 ? at.normal(k) : scratch_.hits.normal(k);
+            if (!(glm::dot(n, direction) < kNearlyZero)) return true;
+        }
+        return false;
+    }
+
+    /// The colour of the light at hand, of all hits or of one.
+    void begin_light(const glm::vec3& color)
+    {
+        scratch_.reaching.red.fill(color.x);
+        scratch_.reaching.green.fill(color.y);
+        scratch_.reaching.blue.fill(color.z);
+        dark_ = dark(color) ? ~HitMask{0} : 0;
+    }
+    void begin_light(std::size_t k, const glm::vec3& color)
+    {
+        scratch_.reaching.set(k, color);
+        dark_ = dark(color) ? dark_ | HitMask{1} << k : dark_ & ~(HitMask{1} << k);
+    }
+
+    /// It reaches these hits.
+    void light(HitMask hits) { reached_ |= hits & ~dark_; }
+    /// It reaches hit k with another colour.
+    void light(std::size_t k, const glm::vec3& color)
+    {
+        begin_light(k, color);
+        light(HitMask{1} << k);
+    }
+
+    /// Adds what the light at hand gives to the hits that it reaches; it is over then.
+    void add(const light::Light& light, const csg::RayTile& rays)
+    {
+        for (std::size_t depth = 0; depth < depths_ && reached_ != 0; ++depth) add(scratch_.pages[depth], light, rays);
+        reached_ = 0;
+    }
+
+    /// Lights from here to end_group() are summed by themselves first.
+    void begin_group()
+    {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            RowPage& at = scratch_.pages[depth];
+            at.gained_before = at.gained;
+            at.gained.fill(0.0f);
+        }
+    }
+    void end_group()
+    {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            RowPage& at = scratch_.pages[depth];
+            for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue})
+                for (std::size_t k = 0; k < csg::kTileRays; ++k)
+                    (at.gained.*channel)[k] = (at.gained_before.*channel)[k] + (at.gained.*channel)[k];
+        }
+    }
+
+    /// Light of all layers as the viewer sees it, for sum(k).
+    void finish()
+    {
+        if (depths_ == 0) return;
+        TileColors& sums = scratch_.sums;
+        const auto each = [&](TileFloats TileColors::*channel) {
+            float* sum = (sums.*channel).data();
+            for (std::size_t depth = 0; depth < depths_; ++depth) {
+                const RowPage& at = scratch_.pages[depth];
+                const LaneMask here(at.holds);
+                const float *glow = (at.glow.*channel).data(), *gained = (at.gained.*channel).data(),
+                            *filter = (at.filter.*channel).data();
+                if (depth == 0) {
+                    for (std::size_t k = 0; k < csg::kTileRays; ++k) sum[k] = glow[k] + gained[k];
+                    continue;
+                }
+                // The top layer's filter is 1.
+                for (std::size_t k = 0; k < csg::kTileRays; ++k)
+                    sum[k] += here[k] != 0 ? filter[k] * (glow[k] + gained[k]) : 0.0f;
+            }
+        };
+        each(&TileColors::red);
+        each(&TileColors::green);
+        each(&TileColors::blue);
+    }
+    glm::vec3 sum(std::size_t k) const { return scratch_.sums[k]; }
+
+    /// Gives the nodes their own light, when the lights are through.
+    void close_nodes(RayQueue& queue) const
+    {
+        for (const ClosingNode& of : scratch_.closing) {
+            glm::vec3& own = queue.nodes[of.node].own;
+            for (std::uint32_t d = of.first; d < of.last; ++d) {
+                const RowPage& at = scratch_.pages[d];
+                own += at.filter[of.hit] * (at.glow[of.hit] + at.gained[of.hit]);
+            }
+        }
+    }
+
+    /// The light of the rows that go through the lights one by one. place: of a hit; samples: of a hit, by light.
+    template <class PlaceOf, class SamplesOf>
+    void add_scalar(PlaceOf&& place, SamplesOf&& samples)
+    {
+        for_each_hit(scalar_, [&](std::size_t k) {
+            std::uint32_t grains = 0;
+            for (std::uint32_t d = 0; d < rows_[k]; ++d) {
+                RowPage& at = scratch_.pages[d];
+                if (!has(at.scalar, k)) continue;
+                const glm::dvec3 normal = has(at.bent, k) ? at.normal(k) : scratch_.hits.normal(k);
+                at.gained.set(k, direct_light(context_, {place(k), *at.finish[k], at.scalar_pigment.at(k), normal,
+                                                         static_cast<double>(at.alpha[k]), samples(k), grains}));
+            }
+        });
+    }
+
+private:
+    /// Hits that had none get rows.
+    void hold(HitMask hits) { holds_ |= hits; }
+
+    void copy_normals(RowPage& at)
+    {
+        at.nx = scratch_.hits.nx;
+        at.ny = scratch_.hits.ny;
+        at.nz = scratch_.hits.nz;
+    }
+
+    /// Page d; those below it have been opened before.
+    RowPage& page(std::size_t d)
+    {
+        if (d == scratch_.pages.size()) scratch_.pages.emplace_back();
+        RowPage& at = scratch_.pages[d];
+        if (d == depths_) {
+            ++depths_;
+            at.holds = at.bent = at.scalar = at.lit = at.shiny = at.raised = at.tinted = 0;
+            at.gained.fill(0.0f);
+            if (d == 0) at.filter.fill(1.0f);
+        }
+        return at;
+    }
+
+    static void set_kind(RowPage& at, HitMask hits, const texture::Finish& finish)
+    {
+        if (finish.diffuse > 0.0f) at.lit |= hits;
+        if (finish.phong > 0.0f || finish.specular > 0.0f) at.shiny |= hits;
+        if (finish.brilliance != 1.0f) at.raised |= hits;
+        if (finish.metallic > 0.0f) at.tinted |= hits;
+    }
+
+    RowPage& add_layer(std::size_t depth, HitMask hits, const texture::Layer& of)
+    {
+        RowPage& at = page(depth);
+        const texture::Finish& finish = set_.finishes[of.finish];
+        const glm::vec3 emitted = finish.ambient + finish.emission;
+        const bool shiny = finish.phong > 0.0f || finish.specular > 0.0f;
+        if (at.holds == 0) {  // places that other hits take are written again
+            at.finish.fill(&finish);
+            at.emitted.red.fill(emitted.x);
+            at.emitted.green.fill(emitted.y);
+            at.emitted.blue.fill(emitted.z);
+            at.finish_diffuse.fill(finish.diffuse);
+            if (shiny) at.lobe.fill(finish);
+        } else {
+            for_each_hit(hits, [&](std::size_t k) {
+                at.finish[k] = &finish;
+                at.emitted.set(k, emitted);
+                at.finish_diffuse[k] = finish.diffuse;
+                if (shiny) at.lobe.set(k, finish);
+            });
+        }
+        at.holds |= hits;
+        set_kind(at, hits, finish);
+        if (of.normal != texture::kNone && bends_normals_) {
+            at.bent |= hits;
+            bent_ |= hits;
+            scratch_.bends[bends_++] = {hits, of.normal, static_cast<std::uint8_t>(depth)};
+        }
+        return at;
+    }
+
+    /// Unit normals of a layer's hits.
+    void bend(const Bend& of)
+    {
+        const TileHits& places = scratch_.hits;
+        texture::Points points, n;
+        texture::Around around;
+        if ((of.hits & (of.hits + 1)) == 0) {  // the first so many
+            points = scratch_.points;
+            n.x.v = places.nx;
+            n.y.v = places.ny;
+            n.z.v = places.nz;
+            points.count = n.count = std::popcount(of.hits);
+            for (std::size_t k = 0; k < points.size(); ++k) around[k] = &scratch_.around[k];
+        } else {
+            for_each_hit(of.hits, [&](std::size_t k) {
+                around[points.size()] = &scratch_.around[k];
+                points.add(scratch_.points.at(k));
+                n.add(places.normal(k));
+            });
+        }
+        points.pad();
+        n.pad();
+        texture::perturb_points(set_, of.normal, points, around, n);
+        RowPage& at = scratch_.pages[of.depth];
+        std::size_t i = 0;
+        for_each_hit(of.hits, [&](std::size_t k) {
+            const glm::dvec3 unit = glm::normalize(n.at(i++));
+            at.nx[k] = unit.x;
+            at.ny[k] = unit.y;
+            at.nz[k] = unit.z;
+        });
+    }
+
+    /// Pigments of hits; of some, `clear`, opacity counts.
+    void color(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
+    {
+        const LaneMask here(hits), counts(clear);
+        alignas(64) TileFloats alpha;
+        alpha.fill(1.0f);
+        if (clear != 0 && set_.legacy_opacity) {
+            for_each_hit(hits & clear, [&](std::size_t k) { alpha[k] = texture::opacity(c.at(k), true); });
+        } else if (clear != 0) {
+            for (std::size_t k = 0; k < csg::kTileRays; ++k)
+                alpha[k] = counts[k] != 0 ? 1.0f - c.filter[k] - c.transmit[k] : 1.0f;
+        }
+        const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {
+            float *pigment = (at.pigment.*channel).data(), *glow = (at.glow.*channel).data();
+            const float* emitted = (at.emitted.*channel).data();
+            for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+                pigment[k] = here[k] != 0 ? from[k] : pigment[k];
+                glow[k] = here[k] != 0 ? from[k] * emitted[k] * alpha[k] : glow[k];
+            }
+        };
+        component(c.red, &TileColors::red);
+        component(c.green, &TileColors::green);
+        component(c.blue, &TileColors::blue);
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+            const double diffuse = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
+            at.diffuse[k] = here[k] != 0 ? diffuse : at.diffuse[k];
+        }
+    }
+
+    void add(RowPage& at, const light::Light& light, const csg::RayTile& rays)
+    {
+        using csg::lanes::Double;
+        HitMask on = at.holds & reached_ & ~at.scalar;
+        if (on == 0) return;
+        const bool bent = at.bent != 0;
+        const double* n[3] = {bent ? at.nx.data() : scratch_.hits.nx.data(),
+                              bent ? at.ny.data() : scratch_.hits.ny.data(),
+                              bent ? at.nz.data() : scratch_.hits.nz.data()};
+        alignas(64) TileLanes intensity{};
+        HitMask away = 0;
+        for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+            const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
+            const Double facing = get(n[0]) * get(scratch_.light.x.data()) + get(n[1]) * get(scratch_.light.y.data()) +
+                                  get(n[2]) * get(scratch_.light.z.data());
+            away |= HitMask{csg::lanes::mask(facing < Double(kNearlyZero))} << i;
+            xsimd::abs(facing).store_aligned(intensity.data() + i);
+        }
+        on &= ~(away & (bent_ | two_sided_));
+        for_each_hit(on & at.raised, [&](std::size_t k) {
+            intensity[k] = std::pow(intensity[k], static_cast<double>(at.finish[k]->brilliance));
+        });
+        const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
+        TileFloats diffuse, strength{};
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]);
+        if (shiny != 0) {
+            alignas(64) TileLanes found{};
+            find_highlights(rays, n, scratch_.light, at.lobe, shiny, found);
+            const LaneMask shines(shiny);
+            for (std::size_t k = 0; k < csg::kTileRays; ++k)
+                strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f;
+        }
+        const HitMask tinted = at.tinted & shiny, plain = on & ~tinted;
+        const LaneMask gains(plain), has_diffuse(at.lit);
+        const auto gain = [&](TileFloats TileColors::*channel) {
+            const float *pigment = (at.pigment.*channel).data(), *color = (scratch_.reaching.*channel).data();
+            float* gained = (at.gained.*channel).data();
+            for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+                const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
+                const float light_here = from_diffuse + (strength[k] != 0.0f ? strength[k] * color[k] : 0.0f);
+                gained[k] = gains[k] != 0 ? gained[k] + light_here : gained[k];
+            }
+        };
+        gain(&TileColors::red);
+        gain(&TileColors::green);
+        gain(&TileColors::blue);
+        for_each_hit(tinted, [&](std::size_t k) {
+            const glm::vec3 color = scratch_.reaching[k], rgb = at.pigment[k];
+            glm::vec3 sum = has(at.lit, k) ? diffuse[k] * rgb * color : glm::vec3(0);
+            const glm::dvec3 normal{n[0][k], n[1][k], n[2][k]};
+            if (strength[k] != 0.0f)
+                sum += strength[k] * texture::highlight_color(*at.finish[k], color, scene::Color::of(rgb), normal,
+                                                              scratch_.light.direction(k));
+            at.gained.set(k, at.gained[k] + sum);
+        });
+    }
+
+    Context& context_;
+    const texture::TextureSet& set_;
+    ShadeScratch& scratch_;
+    const bool bends_normals_;
+    HitMask holds_ = 0, goes_on_ = 0, alone_ = 0, bent_ = 0, two_sided_ = 0, scalar_ = 0, lit_ = 0, reached_ = 0,
+            dark_ = 0;
+    std::array<std::uint16_t, csg::kTileRays> rows_;
+    std::size_t depths_ = 0, bends_ = 0;
+};
+
+}  // namespace trace

@@ -1,0 +1,71 @@
+#include "render/trace/random.h"
+#include "render/trace/shade/shade_context.h"
+#include "render/trace/light/shade_light.h"
+
+#include <cmath>
+
+namespace trace {
+namespace {
+
+/// The next random number of `crand` here, one for every light of every layer, in [0, 1]. Of the point and how many
+/// came before, or under Options::grain_stream POV-Ray's own stream (spec 3, 17.2).
+double grain(Context& context, const ScalarRow& row)
+{
+    if (!context.scene.options.grain_stream) return random_at(row.hit.point, row.grains++);
+    std::uint32_t& state = context.scratch.grain_state;
+    state = state * 1812433253u + 12345u;
+    return static_cast<double>(state) / 4294967295.0;
+}
+
+glm::vec3 contribution(Context& context, const ScalarRow& row, const light::Light& light,
+                       const light::Illumination& lit, const glm::vec3& color, bool behind)
+{
+    const texture::Finish& finish = row.finish;
+    const double less = finish.crand > 0.0f ? static_cast<double>(finish.crand) * grain(context, row) : 0.0;
+    const LitLayer met{finish, row.pigment, row.hit.state.ray.direction, row.normal, row.alpha};
+    const double strength = behind || light.shadowless ? 0.0 : highlight(met, lit.direction);
+    glm::vec3 sum = surface_light(met, lit.direction, color, behind, strength, less);
+    if (finish.irid > 0.0f) sum *= film_color(context, row.hit, finish, row.normal, lit.direction);
+    return sum;
+}
+
+/// area_illumination: every node is a light of its own under one common shadow (spec 3, 12.7).
+glm::vec3 from_area(Context& context, const ScalarRow& row, const light::Light& light, const glm::vec3& shadow)
+{
+    glm::vec3 sum(0);
+    for (int j = 0; j < light.size2; ++j)
+        for (int i = 0; i < light.size1; ++i) {
+            const glm::dvec3 offset = light::node_offset(light, row.hit.point, i, j);
+            const light::Illumination lit = light::illuminate(light, row.hit.point, offset);
+            const bool behind = glm::dot(row.normal, lit.direction) < kNearlyZero && !row.hit.surface.double_illuminate;
+            if (behind && row.finish.diffuse_back == 0.0f) continue;
+            sum += contribution(context, row, light, lit, node_color(light, lit, shadow), behind);
+        }
+    return sum;
+}
+
+}  // namespace
+
+glm::vec3 direct_light(Context& context, const ScalarRow& row)
+{
+    const auto& lights = context.scene.lights.lights;
+    glm::vec3 sum(0);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const light::Light& light = lights[i];
+        const LightSample& sample = row.samples[i];
+        if (!shines_on(light, row.hit.surface)) continue;
+        if (!light.area_illumination && dark(sample.lit.color)) continue;
+        bool behind = false;
+        if (!row.hit.surface.double_illuminate && !light.area_illumination &&
+            glm::dot(row.normal, sample.lit.direction) < kNearlyZero) {
+            if (row.finish.diffuse_back == 0.0f) continue;
+            behind = true;
+        }
+        if (dark(sample.arriving)) continue;
+        sum += light.area_illumination ? from_area(context, row, light, sample.arriving)
+                                       : contribution(context, row, light, sample.lit, sample.arriving, behind);
+    }
+    return sum;
+}
+
+}  // namespace trace

@@ -1,0 +1,205 @@
+#include "render/texture/evaluate.h"
+#include "render/trace/shade/shade_context.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// Shadow rays through transparent things (spec 3, section 13).
+namespace trace {
+namespace {
+
+struct Passing {
+    Context& context;
+    const plan::Surface& surface;
+    const csg::Ray& ray;
+    glm::dvec3 normal;  ///< faces against the shadow ray
+    texture::Surroundings around;
+
+    glm::vec3 layers(const texture::Texture& texture, const glm::dvec3& p)
+    {
+        const auto& set = context.scene.textures;
+        const float power = surface.interior == plan::kNone ? 0.0f
+                                                            : context.scene.interiors[surface.interior].caustics_power;
+        glm::vec3 light(1);
+        for (std::uint32_t i = texture.count; i-- > 0;) {
+            const texture::Layer& layer = set.layers[texture.first + i];
+            // Where a picture is not, it filters nothing, but focuses light as the rest of its surface does.
+            if (!texture::pigment_missing(set, layer.pigment, p, around)) {
+                const scene::Color c = texture::pigment_color(set, layer.pigment, p, around);
+                light *= c.filter * c.rgb() + c.transmit;
+            }
+            if (power != 0.0f) {
+                const glm::dvec3 n =
+                    layer.normal == texture::kNone ? normal : texture::perturb(set, layer.normal, normal, p, around);
+                const double focus = std::pow(std::abs(glm::dot(n, ray.direction)), static_cast<double>(power));
+                light *= static_cast<float>(1.0 + focus);
+            }
+        }
+        return light;
+    }
+
+    glm::vec3 through(std::uint32_t index, const glm::dvec3& p)
+    {
+        const auto& set = context.scene.textures;
+        const texture::Texture& texture = set.textures[index];
+        using Kind = texture::Texture::Kind;
+        if (texture.kind == Kind::Layers) return layers(texture, p);
+        if (texture.kind == Kind::Uv) return through(set.children[texture.first], {around.uv.x, around.uv.y, 0.0});
+        const texture::Pattern& pattern = set.patterns[texture.pattern];
+        const glm::dvec3 q = texture::warp_point(set, pattern, p);
+        if (texture.kind == Kind::Material) return through(texture::material_at(set, texture, q), q);
+        if (texture.kind == Kind::Average) {
+            glm::vec3 sum(0);
+            float weights = 0;
+            for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
+                sum += set.keys[i] * through(set.children[i], q);
+                weights += set.keys[i];
+            }
+            return sum / weights;
+        }
+        const double v = texture::pattern_value(set, pattern, q, around);
+        const texture::Blend blend = texture::blend_at(set, texture.first, texture.count, v);
+        const glm::vec3 lower = through(set.children[blend.lower], q);
+        if (blend.lower == blend.upper) return lower;
+        return lower + static_cast<float>(blend.share) * (through(set.children[blend.upper], q) - lower);
+    }
+};
+
+}  // namespace
+
+glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit, const HitDetails& details)
+{
+    const plan::Surface& surface = context.scene.surfaces[hit.surface];
+    const glm::dvec3& d = state.ray.direction;
+    const bool from_inside = glm::dot(details.normal, d) > 0.0;
+    const std::uint32_t texture = from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture
+                                                                                         : surface.texture;
+    if (texture == plan::kNone) return glm::vec3(1.0f);
+    const glm::dvec3 normal = from_inside ? -details.normal : details.normal;
+    Passing passing{context, surface, state.ray, normal, {details.point, normal, d, details.uv, true}};
+    const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+    if (surface.part_count != 0) {
+        auto& shares = context.scratch.shade.shares;
+        const std::size_t base = shares.size();
+        context.world.shares(hit, details.point, shares);
+        glm::vec3 light(0.0f);
+        for (std::size_t k = base; k < shares.size(); ++k)
+            light += shares[k].weight *
+                     passing.through(context.scene.part_textures[surface.first_part + shares[k].part], p);
+        shares.resize(base);
+        return light;
+    }
+    if (!surface.blends() || texture != surface.texture) return passing.through(texture, p);
+    return details.weights.x * passing.through(texture, p) +
+           details.weights.y * passing.through(surface.corner_textures[0], p) +
+           details.weights.z * passing.through(surface.corner_textures[1], p);
+}
+
+namespace {
+
+/// What fog lets pass between two distances along a shadow ray, where it is inside of nothing solid.
+glm::vec3 fog_before(const Context& context, const RayState& ray, double from, double to)
+{
+    if (!ray.interiors.all_hollow(context.scene.interiors)) return glm::vec3(1);
+    return fog_share(context, {ray.ray.at(from), ray.ray.direction}, to - from);
+}
+
+/// Light past crossings at their distances from the point, nearest first. before: the distance of the last one; in_fog:
+/// fog dims it on its way.
+glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3 color, const Hit* first,
+                         const Hit* last, double& before, bool in_fog)
+{
+    const SceneTraits& traits = context.scratch.shade.traits;
+    for (; first != last; ++first) {
+        const Hit& crossing = *first;
+        if (crossing.t - before <= tolerance) continue;  // the next ray would not see it
+        if (in_fog) color *= fog_before(context, ray, before, crossing.t);
+        const SurfaceTraits& surface = traits.surfaces[crossing.surface];
+        color *= surface.steady_filter
+                     ? surface.filter
+                     : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
+        if (traits.fades || in_fog) {
+            const std::uint32_t interior = context.scene.surfaces[crossing.surface].interior;
+            const bool inside = interior != plan::kNone && ray.interiors.holds(interior);
+            if (inside) color *= interior_fade(context.scene.interiors[interior], crossing.t - before, true);
+            // Signed on purpose: light below zero never updates the list (spec 3, 13.2).
+            if (interior != plan::kNone && !(color.x < kDark && color.y < kDark && color.z < kDark)) {
+                if (inside) ray.interiors.remove_first(interior);
+                else ray.interiors.append(interior);
+            }
+        }
+        before = crossing.t;
+    }
+    return color;
+}
+
+/// What a shadow ray crosses, found as POV-Ray does it: by a new ray behind each crossing. Solids that tell one ray
+/// only so much
+/// (`max_trace` of an isosurface) tell the next one more. first: what it meets first, if that is known.
+Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double end, const Hit* first,
+                  std::vector<Hit>& out)
+{
+    constexpr std::size_t kMost = 10000;  // no picture has so many; a solid that is met again at every step would
+    out.clear();
+    double gone = 0.0;
+    while (out.size() < kMost) {
+        Hit hit = first != nullptr ? *first
+                                   : context.world.nearest(ray, tolerance, end - gone, bit(plan::RayKind::Shadow),
+                                                           context.scratch.geometry);
+        first = nullptr;
+        if (!hit.found()) break;
+        if (context.scene.geometry.surface_opaque[hit.surface] != 0) return Shadow::Blocked;
+        ray.origin = ray.at(hit.t);
+        gone += hit.t;
+        hit.t = gone;
+        out.push_back(hit);
+    }
+    return out.empty() ? Shadow::Clear : Shadow::Filtered;
+}
+
+}  // namespace
+
+glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
+                         const light::Illumination& lit, glm::vec3 color, bool in_fog, const Hit* first)
+{
+    const double end = lit.distance - tolerance;
+    if (end <= tolerance) return color;
+    ++context.scratch.counts.shadow;
+    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
+    auto& crossings = context.scratch.crossings;
+    const Shadow met =
+        context.scratch.shade.traits.restarts()
+            ? one_by_one(context, ray.ray, tolerance, end, first, crossings)
+            : context.world.shadow_crossings(ray.ray, tolerance, end, context.scratch.geometry, crossings);
+    if (met == Shadow::Blocked) return glm::vec3(0.0f);
+    double before = 0.0;
+    if (met != Shadow::Clear)
+        color = past_crossings(context, ray, tolerance, color, crossings.data(), crossings.data() + crossings.size(),
+                               before, in_fog);
+    if (in_fog) color *= fog_before(context, ray, before, lit.distance);
+    return color;
+}
+
+glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
+                               const InteriorList& interiors, const light::Illumination& lit, bool from_light,
+                               Hit* crossings, std::size_t count, bool in_fog)
+{
+    Hit* const end = crossings + count;
+    if (from_light) {
+        std::reverse(crossings, end);
+        // Those at one place keep the order that they have for every ray.
+        for (Hit* same = crossings; same != end;) {
+            Hit* next = std::find_if(same, end, [t = same->t](const Hit& h) { return h.t != t; });
+            std::reverse(same, next);
+            same = next;
+        }
+        for (Hit* h = crossings; h != end; ++h) h->t = lit.distance - h->t;
+    }
+    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
+    double before = 0.0;
+    glm::vec3 color = past_crossings(context, ray, tolerance, lit.color, crossings, end, before, in_fog);
+    if (in_fog) color *= fog_before(context, ray, before, lit.distance);
+    return color;
+}
+
+}  // namespace trace

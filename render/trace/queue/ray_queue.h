@@ -1,0 +1,101 @@
+#pragma once
+
+#include "render/scene/color.h"
+#include "render/trace/queue/ray_state.h"
+
+#include <vector>
+
+/// The rays that wait to be traced, and the nodes that say what becomes of their colours. Nothing recurses: a tile of
+/// hits leaves rays and nodes here, the rays are traced a tile at a time, and when the last of them is through its
+/// nodes are folded into the colours that the rays before them wait for (DESIGN: docs/shading.md).
+namespace trace {
+
+struct Context;
+
+/// Where a colour lies in RayQueue::colors.
+using ColorSlot = std::uint32_t;
+inline constexpr ColorSlot kNoSlot = 0xffffffffu;  ///< black: no ray was worth tracing
+
+struct QueuedRay {
+    RayState state;
+    ColorSlot slot;  ///< of its colour
+    int level;       ///< levels in use including this ray's
+};
+
+/// One of the colours that a node puts together.
+struct ShadeTerm {
+    ColorSlot slot;
+    glm::vec3 factor;   ///< Surface: reflectivity; Spectrum: hue; Sum, Mean: weight (red alone)
+    glm::vec3 film{1};  ///< Surface: iridescence of what is mirrored
+    float power = 1;    ///< Surface: reflection_power
+};
+
+/// How colours become one. Its terms are `count` from `first` on in RayQueue::terms.
+struct ShadeNode {
+    enum class Kind : std::uint8_t {
+        Surface,   ///< layers of a texture: their own light, what is behind them, what they mirror
+        Mix,       ///< two neighbours of a texture_map
+        Sum,       ///< by weights: corners of a mesh's face, parts of a blob
+        Mean,      ///< the same over the sum of the weights: an average
+        Spectrum,  ///< rays of single wavelengths (spec 3, 8.5)
+        Air        ///< fog on the way of the ray
+    };
+    Kind kind = Kind::Surface;
+    bool total = false;  ///< Surface: `through` is the mirrored ray of a total reflection
+    ColorSlot out = kNoSlot,
+              through = kNoSlot;  ///< Mix: `through` is the lower one, the only term the upper one. Air: what it dims
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t air = 0;  ///< Air: index into RayQueue::airs
+    float residual = 0;     ///< Surface: share of alpha that goes through
+    float weights = 0;      ///< Mean: their sum
+    double share = 0;       ///< Mix: of the upper one
+    glm::vec3 own{0}, filter{1},
+        fade{1};  ///< Surface; `fade`: of the ray that goes through, its film included where it is `total`
+    glm::vec3 film{1};
+};
+
+/// What fog needs to know of a ray; there is nothing solid around it.
+struct Air {
+    csg::Ray ray;
+    double length;
+};
+
+/// What waits, per thread. Rays are a stack of batches: the last is traced first, so that few wait at any time, however
+/// deep light goes.
+class RayQueue {
+public:
+    std::vector<QueuedRay> rays, mirrors;  ///< `mirrors`: of the tile at hand, until it is through
+    std::vector<std::uint32_t> batches;    ///< where each starts in `rays`
+    std::vector<ShadeNode> nodes;          ///< before every node those that wait for it
+    std::vector<ShadeTerm> terms;
+    std::vector<Air> airs;
+    std::vector<scene::Color> colors;  ///< by ColorSlot
+
+    /// Nothing waits but the colours of this many camera rays, in the first slots.
+    void start(std::size_t camera_rays);
+
+    ColorSlot new_slot();
+    ShadeNode& new_node(ShadeNode::Kind kind, ColorSlot out);
+    /// Terms of a node, black ones; their first index.
+    std::uint32_t new_terms(std::size_t count);
+
+    /// Before a tile is shaded, whose rays have left the queue.
+    void begin_tile();
+    /// After it: its mirrored rays become a batch of their own behind those that go through.
+    void end_tile();
+    /// Folds the nodes of every tile of which no ray waits any more.
+    void fold(const Context& context);
+
+private:
+    /// What there was when a tile began.
+    struct Frame {
+        std::size_t rays, nodes, terms, airs, colors;
+    };
+    std::vector<Frame> frames_;
+};
+
+/// A ray that goes on from a hit: in `queue`, if it is worth tracing. The slot of its colour.
+/// \param straight  it is not bent and uses no level (spec 3, section 2)
+ColorSlot queue_ray(Context& context, std::vector<QueuedRay>& queue, const RayState& state, bool straight);
+
+}  // namespace trace

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "render/texture/evaluate_points.h"
+#include "render/trace/light/highlight_lanes.h"
+#include "render/trace/queue/hit_mask.h"
+
+#include <array>
+
+namespace trace {
+
+using TileFloats = std::array<float, csg::kTileRays>;
+
+/// A colour for each hit.
+struct alignas(64) TileColors {
+    alignas(64) TileFloats red, green, blue;
+
+    glm::vec3 operator[](std::size_t k) const { return {red[k], green[k], blue[k]}; }
+    void set(std::size_t k, const glm::vec3& c)
+    {
+        red[k] = c.x;
+        green[k] = c.y;
+        blue[k] = c.z;
+    }
+    void fill(float v)
+    {
+        red.fill(v);
+        green.fill(v);
+        blue.fill(v);
+    }
+};
+
+/// Up to one row of each hit on its way through the lights: a layer of a texture that it shows.
+struct RowPage {
+    HitMask holds, bent;     ///< hits that have a row here; of them, those with a normal of their own
+    HitMask scalar;          ///< of them, those that go through the lights one by one
+    HitMask lit, shiny;      ///< with diffuse light; with highlights
+    HitMask raised, tinted;  ///< whose diffuse cosine is raised to a power; whose highlights are metallic
+    std::array<const texture::Finish*, csg::kTileRays> finish;
+    SpecularLobe lobe;   ///< of the shiny hits
+    TileColors emitted;  ///< by the finish: its ambient and emission
+    alignas(64) TileFloats finish_diffuse;
+    TileColors pigment, glow;             ///< glow: ambient and emission
+    TileColors gained_before;             ///< by lights before those of a group (DirectBatch::begin_group)
+    TileColors gained, filter;            ///< what the lights have added so far; what the layers above let through
+    texture::ColorPoints scalar_pigment;  ///< of the rows of `scalar`
+    alignas(64) TileFloats alpha;         ///< of the rows of `scalar`
+    alignas(64) TileLanes diffuse;        ///< times the layer's opacity
+    alignas(64) TileLanes nx, ny, nz;     ///< all hits' where some are bent
+
+    glm::dvec3 normal(std::size_t k) const { return {nx[k], ny[k], nz[k]}; }
+};
+
+}  // namespace trace

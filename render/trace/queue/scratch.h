@@ -1,0 +1,37 @@
+#pragma once
+
+#include "csg/base/scratch.h"
+#include "csg/base/hit.h"
+#include "render/trace/shade/shade_scratch.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace trace {
+
+/// Rays by kind, counted per tile without locks and added up at the end.
+struct RayCounts {
+    std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, supersamples = 0;
+    std::uint64_t far = 0;  ///< hits so far off that POV-Ray does not draw them (csg/base/reach.h)
+    RayCounts& operator+=(const RayCounts& other)
+    {
+        camera += other.camera;
+        shadow += other.shadow;
+        reflected += other.reflected;
+        refracted += other.refracted;
+        supersamples += other.supersamples;
+        far += other.far;
+        return *this;
+    }
+};
+
+/// What one thread needs while it traces and shades; reused for every tile.
+struct Scratch {
+    csg::Scratch geometry;
+    std::vector<csg::Hit> crossings;  ///< shadow_crossings of the ray at hand
+    RayCounts counts;
+    std::uint32_t grain_state = 0;  ///< of the stream behind Options::grain_stream
+    ShadeScratch shade;
+};
+
+}  // namespace trace

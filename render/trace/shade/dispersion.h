@@ -1,0 +1,50 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// Light of one wavelength (spec 3, 8.5).
+namespace trace {
+
+inline constexpr float kShortest = 380.0f, kSpectrum = 350.0f;  ///< nm: what samples share
+inline constexpr double kMiddle = 555.0;                        ///< nm: an interior's ior is meant for it
+
+/// The wavelength in nm of sample i of `samples`.
+inline float wavelength(int i, int samples)
+{
+    return kShortest + kSpectrum * (static_cast<float>(i) + 0.5f) / static_cast<float>(samples);
+}
+
+/// How an interface bends light of a wavelength: `ratio` in the middle of the spectrum, `dispersion` of both sides'
+/// numbers.
+inline double ratio_at(double ratio, double dispersion, float wavelength)
+{
+    return ratio * std::pow(dispersion, -(static_cast<double>(wavelength) - kMiddle) / static_cast<double>(kSpectrum));
+}
+
+/// Red, green and blue of white light up to a wavelength.
+inline glm::vec3 hue_up_to(float wavelength)
+{
+    static constexpr float kFirst = 375.0f, kStep = 5.0f;
+    static constexpr std::array<std::array<float, 3>, 74> kHues = {{
+#include "render/trace/shade/spectral_hue.inc"
+    }};
+    const float at = std::clamp((wavelength - kFirst) / kStep, 0.0f, static_cast<float>(kHues.size() - 1));
+    const std::size_t k = std::min(static_cast<std::size_t>(at), kHues.size() - 2);
+    const float share = at - static_cast<float>(k);
+    const auto &a = kHues[k], &b = kHues[k + 1];
+    return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])};
+}
+
+/// What one of so many samples is multiplied by: their mean is white, nearly.
+inline glm::vec3 hue(float wavelength, int samples)
+{
+    const auto count = static_cast<float>(samples);
+    const float half = 0.5f * kSpectrum / count;
+    return count * (hue_up_to(wavelength + half) - hue_up_to(wavelength - half));
+}
+
+}  // namespace trace

@@ -1,0 +1,302 @@
+#include "render/texture/finish.h"
+#include "render/texture/noise/noise.h"
+#include "render/trace/shade/dispersion.h"
+#include "render/trace/shade/shade_context.h"
+
+#include <cmath>
+
+namespace trace {
+namespace {
+
+/// How an interface turns a ray (spec 3, 8.2): incoming over outgoing.
+struct Crossing {
+    double ratio = 1, dispersion = 1;
+    int samples = 0;  ///< of the spectrum, where there is dispersion
+};
+
+/// `out`: what the ray is inside of afterwards.
+Crossing cross(const Context& context, const InteriorList& list, std::uint32_t own, InteriorList& out)
+{
+    const auto& interiors = context.scene.interiors;
+    const auto ior = [&](std::uint32_t i) { return static_cast<double>(interiors[i].ior); };
+    const auto dispersion = [&](std::uint32_t i) { return static_cast<double>(interiors[i].dispersion); };
+    const int samples = interiors[own].dispersion_samples;
+    out = list;
+    if (list.empty()) {
+        out.append(own);
+        return {1.0 / ior(own), 1.0 / dispersion(own), samples};
+    }
+    const std::uint32_t last = list.last();
+    if (!interiors[own].hollow && list.holds(own)) out.uncloud();
+    if (last == own) {
+        // Leaving the body entered last; remove_first would take an earlier entry of the same body.
+        out.remove_last();
+        if (out.empty()) return {ior(own), dispersion(own), samples};
+        return {ior(own) / ior(out.last()), dispersion(own) / dispersion(out.last()),
+                std::max(samples, interiors[out.last()].dispersion_samples)};
+    }
+    if (list.holds(own)) {
+        out.remove_first(own);
+        return {};
+    }
+    out.append(own);
+    return {ior(last) / ior(own), dispersion(last) / dispersion(own), samples};
+}
+
+/// The length of a direction as POV-Ray goes on with it: 1 but for normals that no_bump_scale leaves longer or shorter.
+double stretch_of(const glm::dvec3& direction)
+{
+    constexpr double kRounding = 1e-9;
+    const double length = glm::length(direction);
+    return std::abs(length - 1.0) > kRounding ? length : 1.0;
+}
+
+/// Whether a ray is bent rather than mirrored within, and then where and how long POV-Ray's direction is. d: as long as
+/// that.
+bool bend(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState& out)
+{
+    const double facing = glm::dot(d, normal);
+    const glm::dvec3 n = facing <= 0.0 ? normal : -normal;
+    const double c = std::abs(facing), k = 1.0 + ratio * ratio * (c * c - 1.0);
+    if (k < 0.0) return false;
+    // A unit vector already as a rule, up to rounding; World wants unit directions, so it is made exact.
+    const glm::dvec3 bent = ratio * d + (ratio * c - std::sqrt(k)) * n;
+    out.ray.direction = glm::normalize(bent);
+    out.stretch = stretch_of(bent);
+    return true;
+}
+
+/// Where a ray that leaves a hit begins to look.
+double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& direction)
+{
+    const double incidence = glm::dot(hit.normal, direction);
+    const bool inward = (incidence > 0.0) == (hit.from_inside != hit.met.inverted);
+    return context.world.start({hit.point, direction}, hit.met, incidence, inward,
+                               context.scene.tolerance.hit_from(hit.point, hit.met.t));
+}
+
+}  // namespace
+
+glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow)
+{
+    const auto reach = static_cast<double>(interior.fade_distance), power = static_cast<double>(interior.fade_power);
+    if (!(std::abs(reach) > kNearlyZero) || (shadow && !(power > 0.0))) return glm::vec3(1.0f);
+    constexpr double kExponential = 1000.0;  // from this power on the law is exponential
+    if (power >= kExponential) {
+        glm::vec3 out;
+        for (int k = 0; k < 3; ++k)
+            out[k] =
+                static_cast<float>(std::exp(-(1.0 - static_cast<double>(interior.fade_color[k])) * distance / reach));
+        return out;
+    }
+    const auto share = static_cast<float>(1.0 / (1.0 + std::pow(distance / reach, power)));
+    return interior.fade_color + (1.0f - interior.fade_color) * share;
+}
+
+double fresnel_index(const Context& context, const HitPlace& hit)
+{
+    const auto& interiors = context.scene.interiors;
+    const InteriorList& list = hit.state.interiors;
+    if (hit.surface.interior == plan::kNone) return 1.0;
+    const auto own = static_cast<double>(interiors[hit.surface.interior].ior);
+    if (list.empty()) return own;
+    const auto outer = static_cast<double>(interiors[list.last()].ior);
+    if (!list.holds(hit.surface.interior)) return own / outer;
+    return list.size() == 1 ? 1.0 / own : outer / own;
+}
+
+namespace {
+
+RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight)
+{
+    const glm::dvec3& d = hit.state.ray.direction;
+    glm::dvec3 r = d - 2.0 * glm::dot(d, normal) * normal;
+    const double out = glm::dot(r, hit.normal);
+    if (out < 0.0) {
+        // Into the surface: mirror about the raw normal, or fold back out.
+        if (glm::dot(r, normal) < 0.0) r = d - 2.0 * glm::dot(d, hit.normal) * hit.normal;
+        else r -= 2.0 * out * hit.normal;
+    }
+    r = glm::normalize(r);
+    return {{hit.point, r},      start_of(context, hit, r), weight, hit.level, plan::RayKind::Reflection,
+            hit.state.interiors, hit.state.wavelength};
+}
+
+/// The ray that goes on through a surface, and what light loses on its way (spec 3, section 8).
+struct Refracted {
+    RayState ray;
+    glm::vec3 fade{1};
+    bool straight = true;              ///< unbent: uses no level
+    bool total = false;                ///< total internal reflection: `ray` is the mirrored one
+    int samples = 0;                   ///< of the spectrum: `ray` has no direction yet, each sample has its own
+    double ratio = 1, dispersion = 1;  ///< how the interface bends light of 555 nm, and others (8.5)
+};
+
+/// False where nothing is behind the surface: it has no interior.
+bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Refracted& out)
+{
+    if (hit.surface.interior == plan::kNone) return false;
+    const plan::Interior& interior = context.scene.interiors[hit.surface.interior];
+    const glm::dvec3& d = hit.state.ray.direction;
+    out.fade = glm::vec3(interior.transmission);
+    if (hit.state.interiors.holds(hit.surface.interior)) out.fade *= interior_fade(interior, hit.met.t, false);
+
+    out.straight = true;
+    out.total = false;
+    const Crossing crossing = cross(context, hit.state.interiors, hit.surface.interior, out.ray.interiors);
+    out.ray.ray = {hit.point, d};
+    out.ray.weight = weight;
+    out.ray.level = hit.level;
+    out.ray.kind = hit.state.kind;
+    out.ray.wavelength = hit.state.wavelength;
+    out.ray.stretch = hit.state.stretch;
+    if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) {
+        out.ray.start = start_of(context, hit, d);
+        return true;
+    }
+    out.straight = false;
+    out.ratio = crossing.ratio;
+    out.dispersion = crossing.dispersion;
+    const bool disperses = std::abs(crossing.dispersion - 1.0) >= kNearlyZero;
+    if (disperses && !(hit.state.wavelength > 0.0f)) {
+        out.samples = crossing.samples;
+        return true;
+    }
+    const double ratio = disperses ? ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength)
+                                   : crossing.ratio;
+    if (bend(hit.state.stretch * d, top_normal, ratio, out.ray)) {
+        out.ray.start = start_of(context, hit, out.ray.ray.direction);
+        return true;
+    }
+    out.total = true;
+    out.ray = mirrored(context, hit, top_normal, weight);
+    return true;
+}
+
+/// The rays of all wavelengths beyond a surface (spec 3, 8.5); those that are mirrored within take on the iridescence
+/// of the top layer.
+ColorSlot disperse(Context& context, const HitPlace& hit, const glm::dvec3& top_normal,
+                   const texture::Finish& top_finish, const Refracted& refracted)
+{
+    RayQueue& queue = context.scratch.shade.queue;
+    const ColorSlot out = queue.new_slot();
+    ShadeNode& node = queue.new_node(ShadeNode::Kind::Spectrum, out);
+    node.count = static_cast<std::uint32_t>(refracted.samples);
+    node.first = queue.new_terms(node.count);
+    const std::uint32_t first = node.first;
+    for (int i = 0; i < refracted.samples; ++i) {
+        RayState ray = refracted.ray;
+        const float nm = wavelength(i, refracted.samples);
+        ShadeTerm& term = queue.terms[first + static_cast<std::uint32_t>(i)];
+        term.factor = hue(nm, refracted.samples);
+        const bool within = !bend(hit.state.stretch * hit.state.ray.direction, top_normal,
+                                  ratio_at(refracted.ratio, refracted.dispersion, nm), ray);
+        if (!within) {
+            ++context.scratch.counts.refracted;
+            ray.start = start_of(context, hit, ray.ray.direction);
+            ray.wavelength = nm;
+        } else {
+            ray = mirrored(context, hit, top_normal, refracted.ray.weight);
+            ++context.scratch.counts.reflected;
+            if (top_finish.irid > 0.0f) term.film = film_color(context, hit, top_finish, top_normal, ray.ray.direction);
+        }
+        term.slot = queue_ray(context, within ? queue.mirrors : queue.rays, ray, false);
+    }
+    return out;
+}
+
+/// The ray behind the surface, or the one that is mirrored where none gets through.
+void transmit(Context& context, const HitPlace& hit, const LayerStack& stack, std::uint32_t index)
+{
+    RayQueue& queue = context.scratch.shade.queue;
+    const texture::Finish& top_finish = *stack.mirrors[0].finish;
+    Refracted next;
+    if (!refract(context, hit, stack.top_normal, hit.state.weight * largest(glm::abs(stack.filter)), next)) return;
+    queue.nodes[index].fade = next.fade;
+    if (next.samples > 0) {
+        const ColorSlot seen = disperse(context, hit, stack.top_normal, top_finish, next);
+        queue.nodes[index].through = seen;
+        return;
+    }
+    ++(next.total ? context.scratch.counts.reflected : context.scratch.counts.refracted);
+    ShadeNode& node = queue.nodes[index];
+    node.total = next.total;
+    if (next.total && top_finish.irid > 0.0f)
+        node.film = film_color(context, hit, top_finish, stack.top_normal, next.ray.ray.direction);
+    node.through = queue_ray(context, next.total ? queue.mirrors : queue.rays, next.ray, next.straight);
+}
+
+/// A mirror that total reflection has already sent a ray for.
+bool sent(const ShadeNode& node, const LayerStack& stack, const Mirror& mirror)
+{
+    const glm::dvec3 off = glm::abs(mirror.normal - stack.top_normal);
+    return node.total && off.x <= kNearlyZero && off.y <= kNearlyZero && off.z <= kNearlyZero;
+}
+
+}  // namespace
+
+Mirror mirror_of(const Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c,
+                 const glm::dvec3& normal, float residual)
+{
+    Mirror mirror{glm::vec3(0), normal, 0.0f, &finish};
+    if (!finish.reflects()) return mirror;
+    const double eta = finish.fresnel ? fresnel_index(context, hit) : 1.0;
+    mirror.reflectivity = texture::reflectivity(finish, c, hit.state.ray.direction, normal, eta);
+    const float strength = finish.fresnel ? largest(mirror.reflectivity)
+                                          : std::max(largest(finish.reflection_max), largest(finish.reflection_min));
+    mirror.weight = hit.state.weight * residual * std::max(0.0f, strength);
+    return mirror;
+}
+
+std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& stack, ColorSlot out)
+{
+    RayQueue& queue = context.scratch.shade.queue;
+    const plan::Settings& settings = context.scene.settings;
+    const auto index = static_cast<std::uint32_t>(queue.nodes.size());
+    ShadeNode& node = queue.new_node(ShadeNode::Kind::Surface, out);
+    node.filter = stack.filter;
+    node.residual = stack.residual;
+    if (stack.residual > static_cast<float>(settings.adc_bailout) && settings.quality >= 6)
+        transmit(context, hit, stack, index);
+    if (settings.quality < 8) return index;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < stack.count; ++i) {
+        const Mirror& mirror = stack.mirrors[i];
+        if (black(mirror.reflectivity) || sent(queue.nodes[index], stack, mirror)) continue;
+        ++context.scratch.counts.reflected;
+        const RayState ray = mirrored(context, hit, mirror.normal, mirror.weight);
+        ShadeTerm term{queue_ray(context, queue.mirrors, ray, false), mirror.reflectivity, glm::vec3(1),
+                       mirror.finish->reflection_power};
+        if (mirror.finish->irid > 0.0f)
+            term.film = film_color(context, hit, *mirror.finish, mirror.normal, ray.ray.direction);
+        if (count++ == 0) queue.nodes[index].first = static_cast<std::uint32_t>(queue.terms.size());
+        queue.terms.push_back(term);
+    }
+    queue.nodes[index].count = count;
+    return index;
+}
+
+glm::vec3 raised(const scene::Color& c, float exponent)
+{
+    if (exponent == 1.0f) return c.rgb();
+    const auto one = [e = static_cast<double>(exponent)](float v) {
+        const double r = std::pow(static_cast<double>(v), e);
+        return r == r ? static_cast<float>(r) : 0.0f;  // fractional powers of negative colours count as 0
+    };
+    return {one(c.red), one(c.green), one(c.blue)};
+}
+
+glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,
+                     const glm::dvec3& normal, const glm::dvec3& l)
+{
+    const auto& set = context.scene.textures;
+    auto h = static_cast<double>(finish.irid_thickness);
+    if (finish.irid_turbulence != 0.0f) {
+        const double b = texture::scalar_turbulence(hit.point, 5, 2.0, 0.5, set.noise_generator);
+        h *= 1.0 + static_cast<double>(finish.irid_turbulence) * (2.0 * b - 1.0);
+    }
+    const double cos_view = std::abs(glm::dot(normal, hit.state.ray.direction));
+    return texture::film(finish, h, std::abs(glm::dot(normal, l)), cos_view, set.irid_wavelength);
+}
+
+}  // namespace trace

@@ -1,0 +1,97 @@
+#include "render/trace/shade/shade.h"
+
+#include "render/trace/light/light_stage.h"
+#include "render/trace/shade/surface_stage.h"
+
+#include <algorithm>
+
+namespace trace {
+namespace {
+
+/// Traced segments become colours, or nodes and rays of the queue. starts: interiors of camera rays that do not share
+/// `camera`'s, or null.
+void shade(Context& context, const RayTile& rays, const HitTile& hits, const RayState& camera,
+           const InteriorList* starts, const QueuedRay* queued)
+{
+    RayQueue& queue = context.scratch.shade.queue;
+    queue.begin_tile();
+    const SegmentTile tile(context, rays, hits, camera, starts, queued);
+    DirectBatch batch(context);
+    SurfaceStage(context, tile, batch).run();
+    LightStage(context, tile, batch).run();
+    RayState own;
+    const HitMask missed = first_hits(rays.count) & ~tile.found();
+    const bool fog = foggy(context);
+    for_each_hit(missed, [&](std::size_t k) {
+        const RayState& state = tile.state(k, own);
+        queue.colors[tile.slot(k)] =
+            through_air(context, state.ray, state.interiors, csg::kInfinity, sky_color(context, state));
+    });
+    for_each_hit(batch.all_alone(), [&](std::size_t k) {
+        const scene::Color c = scene::Color::of(batch.sum(k));
+        queue.colors[tile.slot(k)] = fog ? through_hollow(context, tile.ray(k), tile.interiors(k), hits.t[k], c) : c;
+    });
+    queue.end_tile();
+}
+
+/// Hits of queued rays, which are of one kind or of kinds that see the same. Where flat mirrors show the camera's image
+/// they would form a beam from one point; that saves nothing, and hits have the digits of rays of their own so, which
+/// patterns with edges need.
+void intersect(Context& context, const QueuedRay* queued, int count)
+{
+    ShadeScratch& scratch = context.scratch.shade;
+    RayTile& rays = scratch.segment_rays;
+    rays.count = count;
+    rays.common_origin = false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        rays.set(i, queued[i].state.ray, queued[i].state.start, csg::kInfinity);
+    context.world.nearest(rays, bit(queued[0].state.kind), context.scratch.geometry, scratch.segment_hits);
+}
+
+/// Makes one of the last batches while they are small: few rays make a poor beam.
+void join_small_batches(const Context& context, RayQueue& queue)
+{
+    constexpr std::size_t kSmall = 16;
+    const auto kind = [&](std::size_t batch) { return bit(queue.rays[queue.batches[batch]].state.kind); };
+    for (std::size_t last = queue.batches.size() - 1; last > 0; --last) {
+        if (queue.rays.size() - queue.batches[last] >= kSmall ||
+            queue.rays.size() - queue.batches[last - 1] > kTileRays)
+            return;
+        const std::uint8_t both = kind(last) | kind(last - 1);
+        if (kind(last) != kind(last - 1) && !context.world.seen_by_all(both)) return;
+        queue.batches.pop_back();
+    }
+}
+
+/// The batch of rays that waits last: traced and shaded, up to a tile of them.
+void shade_queued(Context& context, const RayState& camera)
+{
+    ShadeScratch& scratch = context.scratch.shade;
+    RayQueue& queue = scratch.queue;
+    join_small_batches(context, queue);
+    const std::size_t begin = queue.batches.back(), most = context.scene.options.grain_stream ? 1 : kTileRays;
+    const std::size_t count = std::min<std::size_t>(queue.rays.size() - begin, most), first = queue.rays.size() - count;
+    std::copy_n(queue.rays.begin() + static_cast<std::ptrdiff_t>(first), count, scratch.segments.begin());
+    queue.rays.erase(queue.rays.begin() + static_cast<std::ptrdiff_t>(first), queue.rays.end());
+    if (first == begin) queue.batches.pop_back();
+    intersect(context, scratch.segments.data(), static_cast<int>(count));
+    shade(context, scratch.segment_rays, scratch.segment_hits, camera, nullptr, scratch.segments.data());
+}
+
+}  // namespace
+
+void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const HitTile& hits, const InteriorList* starts,
+                scene::Color* out, Scratch& scratch)
+{
+    Context context{scene, scene.world(), scratch};
+    if (scratch.shade.traits.surfaces.empty()) scratch.shade.traits = scene_traits(scene);
+    RayState camera;
+    for (const std::uint32_t interior : scene.camera_interiors) camera.interiors.append(interior);
+    RayQueue& queue = scratch.shade.queue;
+    queue.start(static_cast<std::size_t>(rays.count));
+    shade(context, rays, hits, camera, starts, nullptr);
+    for (queue.fold(context); !queue.batches.empty(); queue.fold(context)) shade_queued(context, camera);
+    std::copy_n(queue.colors.begin(), rays.count, out);
+}
+
+}  // namespace trace

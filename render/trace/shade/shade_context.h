@@ -1,0 +1,183 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+#include "render/scene/color.h"
+#include "render/texture/evaluate.h"
+#include "render/trace/geometry.h"
+#include "render/trace/queue/ray_state.h"
+#include "render/trace/queue/scratch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// Inside of shading: one hit, and what the stages ask of each other (docs/shading.md).
+namespace trace {
+
+class DirectBatch;
+
+inline constexpr double kNearlyZero = 1e-10;  ///< light and index differences below it count as none
+inline constexpr float kDark = 1e-10f;        ///< kNearlyZero for colours
+
+inline bool dark(const glm::vec3& c)
+{
+    return !(std::abs(c.x) > kDark || std::abs(c.y) > kDark || std::abs(c.z) > kDark);
+}
+inline bool black(const glm::vec3& c) { return c.x == 0.0f && c.y == 0.0f && c.z == 0.0f; }
+inline float largest(const glm::vec3& c) { return std::max({c.x, c.y, c.z}); }
+
+/// Everything shading reads and writes besides the ray.
+struct Context {
+    const plan::CompiledScene& scene;
+    csg::World world;
+    Scratch& scratch;
+};
+
+/// Point, normal and what else the surface's textures ask for.
+inline HitDetails hit_details(const Context& context, const csg::Ray& ray, const Hit& hit)
+{
+    return context.world.details(ray, hit, context.scratch.shade.traits.surfaces[hit.surface].needs_uv);
+}
+
+/// Where a ray met a surface: all that the rays that go on from there depend on.
+struct HitPlace {
+    const RayState& state;
+    const Hit& met;
+    const plan::Surface& surface;
+    glm::dvec3 point;
+    glm::dvec3 normal;  ///< N0: raw, unit, faces the viewer
+    int level;          ///< levels in use including this ray's
+    bool from_inside;   ///< the normal had to be turned
+};
+
+/// Whether light groups let the light shine on the surface (spec 3, 12.10).
+inline bool shines_on(const light::Light& light, const plan::Surface& surface)
+{
+    return light.group == surface.light_group || (light.group == 0 && surface.global_lights);
+}
+
+/// A hit whose textures are gone through.
+struct HitContext : HitPlace {
+    std::size_t lane;  ///< its place in the tile
+    texture::Surroundings around;
+    std::array<std::uint32_t, 16>
+        enclosing{};  ///< the texture maps that normals are carried through, the first one first
+    std::size_t enclosing_count = 0;
+    const PrefetchedPigments* prefetched = nullptr;  ///< pigments of the texture's layers, where they are known already
+};
+
+/// Light of a row of DirectBatch whose lights are looked up one by one (spec 3, 7.4). grains: numbers of `crand` asked
+/// for so far.
+struct ScalarRow {
+    const HitPlace& hit;
+    const texture::Finish& finish;
+    const scene::Color& pigment;
+    const glm::dvec3& normal;
+    double alpha;
+    const LightSample* samples;  ///< by light
+    std::uint32_t& grains;
+};
+
+/// Fog where the interiors around the ray allow it.
+scene::Color through_hollow(const Context& context, const csg::Ray& ray, const InteriorList& interiors, double length,
+                            const scene::Color& color);
+
+inline bool foggy(const Context& context) { return !context.scene.fogs.empty() && context.scene.settings.quality >= 9; }
+
+/// What becomes of a colour over the length of the ray that sees it; it may be infinite (spec 3, section 2).
+inline scene::Color through_air(const Context& context, const csg::Ray& ray, const InteriorList& interiors,
+                                double length, const scene::Color& color)
+{
+    return foggy(context) ? through_hollow(context, ray, interiors, length, color) : color;
+}
+
+/// Goes through all textures of a hit: their rows go to the batch, nodes and rays to the queue; its colour is to come
+/// into `out`.
+void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const HitDetails& details,
+                   std::uint32_t texture, ColorSlot out);
+
+/// The same of one texture at p (its own space's point).
+void shade_texture(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t texture, const glm::dvec3& p,
+                   ColorSlot out);
+
+/// The same of a plain texture: all layers (spec 3, section 6).
+void shade_layers(Context& context, DirectBatch& batch, HitContext& hit, const texture::Texture& texture,
+                  const glm::dvec3& p, ColorSlot out);
+
+/// Sum over the lights for one row (spec 3, 7.4).
+glm::vec3 direct_light(Context& context, const ScalarRow& row);
+
+/// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
+/// `tolerance`: of shadow rays from this point; in_fog: fog dims it on its way; first: the first crossing
+/// from the point, where it is known and solids are such that the others have to be asked for one by one
+/// (SceneTraits::restarts).
+glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
+                         const light::Illumination& lit, glm::vec3 color, bool in_fog = false,
+                         const Hit* first = nullptr);
+
+/// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point
+/// or from the light; they are turned round in place.
+glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
+                               const InteriorList& interiors, const light::Illumination& lit, bool from_light,
+                               Hit* crossings, std::size_t count, bool in_fog = false);
+
+/// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
+glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);
+
+/// A layer's mirror, remembered until all layers have been gone through.
+struct Mirror {
+    glm::vec3 reflectivity;
+    glm::dvec3 normal;
+    float weight;
+    const texture::Finish* finish;
+};
+
+/// What the layers of a texture leave to the rays that go on.
+struct LayerStack {
+    static constexpr std::size_t kMostLayers = 32;  // plan/ refuses more
+    glm::vec3 filter{1};                            ///< what they let through
+    float residual = 1;                             ///< how much that is, at most 1
+    glm::dvec3 top_normal{0};
+    std::array<Mirror, kMostLayers> mirrors;
+    std::size_t count = 0;  ///< of mirrors, the top layer's first
+
+    /// One layer more: its pigment lets light through, its finish mirrors some.
+    void pass(const scene::Color& c, const texture::Finish& finish, const glm::vec3& reflectivity)
+    {
+        filter *= c.filter * c.rgb() + c.transmit;
+        if (finish.conserve_energy) filter *= glm::min(glm::vec3(1.0f), 1.0f - reflectivity);
+        residual = std::min(1.0f, std::abs(scene::grey(filter)));
+    }
+};
+
+/// A layer's mirror at a hit; residual: of the layers above.
+Mirror mirror_of(const Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c,
+                 const glm::dvec3& normal, float residual);
+
+/// The node of a texture's layers, whose own light is still to come, with the rays that go on from it. Its index in the
+/// queue.
+std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& stack, ColorSlot out);
+
+/// A mirrored colour as the finish wants it (spec 3, section 6).
+glm::vec3 raised(const scene::Color& c, float exponent);
+
+/// Relative index for a fresnel reflection (spec 3, 7.9).
+double fresnel_index(const Context& context, const HitPlace& hit);
+
+/// Fading of light over a distance inside an interior; 1 where it does not fade (spec 3, 9.1).
+glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow);
+
+/// Iridescence of light from `l` (spec 3, 7.11).
+glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,
+                     const glm::dvec3& normal, const glm::dvec3& l);
+
+/// What a ray sees that meets nothing (spec 2, sections 14 and 15).
+scene::Color sky_color(const Context& context, const RayState& state);
+
+/// Share of light that fog lets pass over a length.
+glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
+
+/// Fog over the length of a ray; infinite length is allowed (spec 2, section 16).
+scene::Color through_fog(const Context& context, const csg::Ray& ray, double length, scene::Color color);
+
+}  // namespace trace

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "csg/base/hit.h"
+#include "render/light/illuminate.h"
+#include "render/trace/queue/row_page.h"
+#include "render/trace/light/highlight_lanes.h"
+#include "render/trace/shade/pigment_batch.h"
+#include "render/trace/shade/shade_lanes.h"
+#include "render/trace/shade/surface_traits.h"
+#include "render/trace/queue/ray_queue.h"
+
+#include <array>
+#include <vector>
+
+namespace trace {
+
+/// One light at one hit, for the rows that go through the lights one by one (spec 3, 13.4).
+struct LightSample {
+    light::Illumination lit;
+    glm::vec3 arriving;  ///< its colour past what shadows it
+};
+
+/// A node that waits for the light of rows `first` to `last` of a hit.
+struct ClosingNode {
+    std::uint32_t node;
+    std::uint8_t hit;
+    std::uint16_t first, last;
+};
+
+/// Rows whose normals are still to be bent.
+struct Bend {
+    HitMask hits;
+    std::uint32_t normal;
+    std::uint8_t depth;
+};
+
+/// Hits of a tile that have the same texture of layers.
+struct LayeredGroup {
+    HitMask hits;
+    std::uint32_t texture;
+    bool alone;  ///< PatternedLayers::alone
+};
+
+/// Where the shadow rays of a tile's hits to the light at hand begin and end.
+struct alignas(64) ShadowEnds {
+    alignas(64) TileLanes from, to;
+};
+
+/// The nodes of the area light at hand, for all hits of a tile at once; reused from light to light.
+struct AreaScratch {
+    std::vector<TileColors> values;  ///< by node that some hit asked for, as below: what reaches the hits from there
+    std::vector<HitMask> known;      ///< hits whose value is there
+    std::vector<double> row, column;
+    std::vector<std::uint32_t> place;   ///< by i * size2 + j: the node, or kNone
+    std::vector<std::uint32_t> wanted;  ///< nodes asked for next
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+};
+
+/// What shading keeps per thread; grows to what the scene needs and stays.
+struct ShadeScratch {
+    SceneTraits traits;                ///< filled by the first tile
+    std::vector<LightSample> samples;  ///< by hit and light, of hits with such rows
+    std::vector<csg::Share> shares;    ///< of a blob's components
+    AreaScratch area;
+    TileColors area_colors;                          ///< of the area light at hand, past what shadows it
+    csg::RayTile rays;                               ///< shadow rays of a tile
+    RayQueue queue;                                  ///< rays that go on from the tile's hits
+    std::array<QueuedRay, csg::kTileRays> segments;  ///< those being traced
+    csg::RayTile segment_rays;                       ///< the same as a tile
+    csg::HitTile segment_hits;
+    TileHits hits;                                     ///< of a tile
+    TileLight light;                                   ///< the one at hand
+    ShadowEnds shadow_ends;                            ///< the same
+    std::array<glm::vec3, csg::kTileRays> lit_colors;  ///< of the light at hand, before shadows
+    TileColors reaching;                               ///< colours of the light at hand where it reaches hits
+    std::vector<RowPage> pages;                        ///< rows that go through the lights together
+    std::vector<ClosingNode> closing;                  ///< of the tile at hand
+    texture::ColorPoints top_pigments;                 ///< of hits of one layer that rays go on from
+    texture::ColorPoints solid;                        ///< one colour for all hits
+    TileColors sums;                                   ///< of all rows, when the lights are through
+    std::array<Bend, csg::kTileRays * kPrefetchedLayers> bends;
+    texture::Points points;  ///< of pattern space, by hit
+    PigmentBatch pigments;   ///< of the hits of one layer, then of layer after layer of the others
+    std::array<texture::Surroundings, csg::kTileRays> around;
+    std::array<LayeredGroup, csg::kTileRays> layered;
+    std::size_t layered_count = 0;
+    PrefetchedColors prefetched;                   ///< pigments of the layers of those
+    std::array<HitMask, kPrefetchedLayers> asked;  ///< by depth: where they are
+    csg::CrossingTile crossings;                   ///< of the shadow rays; only how they end where nothing filters
+    std::array<csg::HitDetails, csg::kTileRays> details;
+    std::array<std::uint8_t, csg::kTileRays> lane;  ///< of each shadow ray: which hit it belongs to
+};
+
+}  // namespace trace

@@ -1,0 +1,170 @@
+#pragma once
+
+#include "render/trace/light/direct_batch.h"
+#include "render/trace/shade/prefetch_pigments.h"
+#include "render/trace/queue/segment_tile.h"
+
+/// From the hits of a tile to rows of light, and to the rays that go on. Compiled once per instruction set.
+namespace trace {
+
+class SurfaceStage {
+public:
+    SurfaceStage(Context& context, const SegmentTile& tile, DirectBatch& batch)
+        : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch)
+    {}
+
+    void run()
+    {
+        const plan::Settings& settings = context_.scene.settings;
+        lights_ = settings.quality >= 2;
+        goes_on_ = settings.quality >= 8 && settings.adc_bailout < 1.0;
+        scratch_.pigments.clear();
+        scratch_.layered_count = 0;
+        for (HitMask left = tile_.found(); left != 0;) {
+            const csg::SurfaceId surface = tile_.hits.surface[first_hit(left)];
+            const HitMask group = left & csg::lanes::equal(tile_.hits.surface, surface);
+            const SurfaceTraits& traits = scratch_.traits.surfaces[surface];
+            begin(group & ~tile_.from_inside(), surface, traits.outer, traits.outer_patterned);
+            begin(group & tile_.from_inside(), surface, traits.inner, traits.inner_patterned);
+            left &= ~group;
+        }
+        scratch_.pigments.run(context_.scene.textures,
+                              [this](HitMask hits, const texture::ColorPoints& colors) { batch_.color(hits, colors); });
+        if (layered_) finish_layers();
+        batch_.bend();
+        for_each_hit(tile_.found() & ~batch_.all_alone(), [this](std::size_t k) { go_on(k); });
+    }
+
+private:
+    /// Hits on one side of a surface.
+    void begin(HitMask group, csg::SurfaceId surface, const SingleLayer& single, const PatternedLayers& layers)
+    {
+        if (group == 0) return;
+        if (lights_ && !scratch_.traits.scalar_rows && single.index != plan::kNone && (goes_on_ || !single.goes_on))
+            begin_single(group, surface, single);
+        else if (layers.texture != plan::kNone) begin_layers(group, surface, layers);
+    }
+
+    void begin_single(HitMask group, csg::SurfaceId surface, const SingleLayer& single)
+    {
+        const auto& set = context_.scene.textures;
+        batch_.begin(group, single);
+        const std::uint32_t index = set.layers[single.index].pigment;
+        const texture::Pigment& pigment = set.pigments[index];
+        const bool solid = pigment.kind == texture::Pigment::Kind::Solid;
+        if (solid) {
+            scratch_.solid.fill(pigment.color);
+            batch_.color(group, scratch_.solid);
+        }
+        if (solid && !batch_.bent(first_hit(group))) return;
+        surround(group, surface);
+        if (!solid) scratch_.pigments.ask(group, index, scratch_.points, scratch_.around);
+    }
+
+    void begin_layers(HitMask group, csg::SurfaceId surface, const PatternedLayers& of)
+    {
+        layered_ |= group;
+        scratch_.layered[scratch_.layered_count++] = {group, of.texture,
+                                                      of.alone && lights_ && !scratch_.traits.scalar_rows};
+        surround(group, surface);
+    }
+
+    /// The hits as patterns see them.
+    void surround(HitMask group, csg::SurfaceId surface)
+    {
+        const TileHits& places = scratch_.hits;
+        const bool uv = context_.scene.surfaces[surface].uv_mapping;
+        for_each_hit(group, [&](std::size_t k) {
+            scratch_.points.set(k, uv ? glm::dvec3(scratch_.details[k].uv, 0.0) : places.point(k));
+        });
+        if (!scratch_.traits.looked_around) return;
+        for_each_hit(group, [&](std::size_t k) {
+            texture::Surroundings& around = scratch_.around[k];  // member by member, as the details
+            around.point = places.point(k);
+            around.normal = places.normal(k);
+            around.direction = tile_.rays.ray(static_cast<int>(k)).direction;
+            around.uv = has(tile_.batched(), k) ? glm::dvec2(0) : scratch_.details[k].uv;
+            around.surface = true;
+        });
+    }
+
+    /// Pigments of the layers, top down; hits whose layers hide what is behind them have all their rows then.
+    void finish_layers()
+    {
+        const auto& set = context_.scene.textures;
+        const auto bailout = static_cast<float>(context_.scene.settings.adc_bailout);
+        const HitMask open = prefetch_pigments(scratch_, set, bailout);
+        for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
+            const LayeredGroup& group = scratch_.layered[g];
+            if (group.alone && (group.hits & ~open) != 0) batch_.begin(group.hits & ~open, set.textures[group.texture]);
+        }
+    }
+
+    /// A hit that rays go on from, or whose textures are mixed.
+    void go_on(std::size_t k)
+    {
+        RayState own;
+        const RayState& state = tile_.state(k, own);
+        const Hit met = tile_.hits.at(static_cast<int>(k));
+        RayQueue& queue = context_.scratch.shade.queue;
+        const std::uint32_t texture = tile_.texture(k);
+        if (texture == plan::kNone) {
+            queue.colors[tile_.slot(k)] = through_air(context_, state.ray, state.interiors, met.t, {});
+            return;
+        }
+        const bool dimmed = foggy(context_) && state.interiors.all_hollow(context_.scene.interiors);
+        const ColorSlot out = dimmed ? dim(queue, state.ray, met.t, tile_.slot(k)) : tile_.slot(k);
+        HitContext hit{tile_.place(k, state, met), k, {}};
+        if (batch_.holds(k)) return go_on_single(hit, out);
+        const HitDetails& details = tile_.details(k);
+        hit.around = {details.point, hit.normal, state.ray.direction, details.uv, true};
+        PrefetchedPigments prefetched;
+        if (find_prefetched(k, prefetched) && prefetched.texture == texture) hit.prefetched = &prefetched;
+        shade_surface(context_, batch_, hit, details, texture, out);
+    }
+
+    /// A hit of one layer, whose row is there.
+    void go_on_single(const HitContext& hit, ColorSlot out)
+    {
+        const texture::Finish& finish = batch_.top_finish(hit.lane);
+        const scene::Color c = batch_.top_pigment(hit.lane);
+        LayerStack stack;
+        stack.top_normal = hit.normal;
+        const Mirror& mirror = stack.mirrors[stack.count++] =
+            mirror_of(context_, hit, finish, c, hit.normal, stack.residual);
+        stack.pass(c, finish, mirror.reflectivity);
+        batch_.close_node(hit.lane, 0, scatter(context_, hit, stack, out));
+    }
+
+    /// A node for the air before the hit; the slot that it dims.
+    static ColorSlot dim(RayQueue& queue, const csg::Ray& ray, double length, ColorSlot out)
+    {
+        const ColorSlot seen = queue.new_slot();
+        ShadeNode& node = queue.new_node(ShadeNode::Kind::Air, out);
+        node.through = seen;
+        node.air = static_cast<std::uint32_t>(queue.airs.size());
+        queue.airs.push_back({ray, length});
+        return seen;
+    }
+
+    /// Pigments of hit k that were looked up together with others'.
+    bool find_prefetched(std::size_t k, PrefetchedPigments& out) const
+    {
+        if (!has(layered_, k)) return false;
+        for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
+            const LayeredGroup& group = scratch_.layered[g];
+            if (has(group.hits, k))
+                out = {group.texture, context_.scene.textures.textures[group.texture].count, &scratch_.prefetched, k};
+        }
+        return true;
+    }
+
+    Context& context_;
+    ShadeScratch& scratch_;
+    const SegmentTile& tile_;
+    DirectBatch& batch_;
+    bool lights_ = false, goes_on_ = false;  ///< of this quality
+    HitMask layered_ = 0;                    ///< hits with prefetched pigments
+};
+
+}  // namespace trace

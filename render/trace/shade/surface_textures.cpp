@@ -1,0 +1,134 @@
+#include "render/trace/light/direct_batch.h"
+
+#include <cmath>
+
+namespace trace {
+
+namespace {
+
+/// A node of weighted terms; their slots are asked for by slot_of() before each term's texture is gone through.
+struct WeightedNode {
+    RayQueue& queue;
+    std::uint32_t index, first;
+
+    WeightedNode(Context& context, ShadeNode::Kind kind, std::size_t count, ColorSlot out)
+        : queue(context.scratch.shade.queue), index(static_cast<std::uint32_t>(queue.nodes.size()))
+    {
+        ShadeNode& node = queue.new_node(kind, out);
+        node.count = static_cast<std::uint32_t>(count);
+        first = node.first = queue.new_terms(count);
+    }
+    ColorSlot slot_of(std::size_t term, float weight)
+    {
+        ShadeTerm& of = queue.terms[first + term];
+        of.factor = glm::vec3(weight);
+        return of.slot = queue.new_slot();
+    }
+};
+
+void average(Context& context, DirectBatch& batch, HitContext& hit, const texture::Texture& texture,
+             const glm::dvec3& p, ColorSlot out)
+{
+    const auto& set = context.scene.textures;
+    WeightedNode node(context, ShadeNode::Kind::Mean, texture.count, out);
+    float weights = 0;
+    for (std::uint32_t i = 0; i < texture.count; ++i) {
+        const float w = set.keys[texture.first + i];
+        weights += w;
+        shade_texture(context, batch, hit, set.children[texture.first + i], p, node.slot_of(i, w));
+    }
+    node.queue.nodes[node.index].weights = weights;
+}
+
+/// The textures of a face's three corners. What weighs less than adc_bailout is left out, the rest as it is (spec
+/// 5b, 3.5).
+void corner_blend(Context& context, DirectBatch& batch, HitContext& hit, const glm::vec3& weights, const glm::dvec3& p,
+                  ColorSlot out)
+{
+    const plan::Surface& surface = hit.surface;
+    const std::array<std::uint32_t, 3> textures{surface.texture, surface.corner_textures[0],
+                                                surface.corner_textures[1]};
+    WeightedNode node(context, ShadeNode::Kind::Sum, textures.size(), out);
+    for (std::size_t k = 0; k < textures.size(); ++k) {
+        const float w = weights[static_cast<int>(k)];
+        if (static_cast<double>(w) < context.scene.settings.adc_bailout) continue;
+        hit.enclosing_count = 0;
+        shade_texture(context, batch, hit, textures[k], p, node.slot_of(k, w));
+    }
+}
+
+/// The textures of a shape's parts by their shares of the point, left out below adc_bailout like a mesh's.
+void part_blend(Context& context, DirectBatch& batch, HitContext& hit, const glm::dvec3& p, ColorSlot out)
+{
+    auto& shares = context.scratch.shade.shares;
+    shares.clear();
+    context.world.shares(hit.met, hit.point, shares);
+    WeightedNode node(context, ShadeNode::Kind::Sum, shares.size(), out);
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const csg::Share share = shares[k];
+        if (static_cast<double>(share.weight) < context.scene.settings.adc_bailout) continue;
+        hit.enclosing_count = 0;
+        shade_texture(context, batch, hit, context.scene.part_textures[hit.surface.first_part + share.part], p,
+                      node.slot_of(k, share.weight));
+    }
+}
+
+}  // namespace
+
+void shade_texture(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t index, const glm::dvec3& p,
+                   ColorSlot out)
+{
+    const auto& set = context.scene.textures;
+    const texture::Texture& texture = set.textures[index];
+    if (texture.kind == texture::Texture::Kind::Layers) return shade_layers(context, batch, hit, texture, p, out);
+    if (texture.kind == texture::Texture::Kind::Uv) {
+        // Transformations around a uv_mapping item do not reach it.
+        const std::size_t enclosing = hit.enclosing_count;
+        hit.enclosing_count = 0;
+        const glm::dvec3 uv{hit.around.uv.x, hit.around.uv.y, 0.0};
+        shade_texture(context, batch, hit, set.children[texture.first], uv, out);
+        hit.enclosing_count = enclosing;
+        return;
+    }
+    const texture::Pattern& pattern = set.patterns[texture.pattern];
+    const glm::dvec3 q = texture::warp_point(set, pattern, p);
+    // It stays there: normals of neighbours that are looked at later go through its transformations too, as in POV-Ray.
+    if (hit.enclosing_count < hit.enclosing.size()) hit.enclosing[hit.enclosing_count++] = index;
+    if (texture.kind == texture::Texture::Kind::Average) return average(context, batch, hit, texture, q, out);
+    if (texture.kind == texture::Texture::Kind::Material)
+        return shade_texture(context, batch, hit, texture::material_at(set, texture, q), q, out);
+    const double v = texture::pattern_value(set, pattern, q, hit.around);
+    const texture::Blend blend = texture::blend_at(set, texture.first, texture.count, v);
+    if (blend.lower == blend.upper) return shade_texture(context, batch, hit, set.children[blend.upper], q, out);
+    RayQueue& queue = context.scratch.shade.queue;
+    const ColorSlot upper = queue.new_slot(), lower = queue.new_slot();
+    const std::uint32_t term = queue.new_terms(1);
+    queue.terms[term].slot = upper;
+    ShadeNode& node = queue.new_node(ShadeNode::Kind::Mix, out);
+    node.through = lower;
+    node.first = term;
+    node.count = 1;
+    node.share = blend.share;
+    // The upper one first: a slope in the lower one sees the normal that it leaves (spec 4, 15.1).
+    shade_texture(context, batch, hit, set.children[blend.upper], q, upper);
+    shade_texture(context, batch, hit, set.children[blend.lower], q, lower);
+}
+
+void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const HitDetails& details,
+                   std::uint32_t texture, ColorSlot out)
+{
+    const plan::Surface& surface = hit.surface;
+    const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+    if (surface.part_count != 0) return part_blend(context, batch, hit, p, out);
+    if (surface.blends() && texture == surface.texture)
+        return corner_blend(context, batch, hit, details.weights, p, out);
+    shade_texture(context, batch, hit, texture, p, out);
+}
+
+scene::Color through_hollow(const Context& context, const csg::Ray& ray, const InteriorList& interiors, double length,
+                            const scene::Color& color)
+{
+    return interiors.all_hollow(context.scene.interiors) ? through_fog(context, ray, length, color) : color;
+}
+
+}  // namespace trace

@@ -1,0 +1,168 @@
+#include "render/trace/shade/surface_traits.h"
+
+#include "render/trace/shade/pigment_batch.h"
+
+#include <algorithm>
+
+namespace trace {
+namespace {
+
+using texture::TextureSet;
+
+bool any_uv(const TextureSet& set)
+{
+    const auto texture = [](const texture::Texture& t) { return t.kind == texture::Texture::Kind::Uv; };
+    const auto pigment = [](const texture::Pigment& p) { return p.kind == texture::Pigment::Kind::Uv; };
+    const auto normal = [](const texture::Normal& n) { return n.map == texture::Normal::Map::Uv; };
+    const auto pattern = [](const texture::Pattern& p) { return p.kind == texture::PatternKind::Uv; };
+    return std::any_of(set.textures.begin(), set.textures.end(), texture) ||
+           std::any_of(set.pigments.begin(), set.pigments.end(), pigment) ||
+           std::any_of(set.normals.begin(), set.normals.end(), normal) ||
+           std::any_of(set.patterns.begin(), set.patterns.end(), pattern);
+}
+
+/// As the layers are gone through for one crossing, so that the bits are the same.
+bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
+{
+    const texture::Texture& texture = set.textures[index];
+    if (texture.kind != texture::Texture::Kind::Layers) return false;
+    filter = glm::vec3(1);
+    for (std::uint32_t i = texture.count; i-- > 0;) {
+        const texture::Pigment& pigment = set.pigments[set.layers[texture.first + i].pigment];
+        if (pigment.kind != texture::Pigment::Kind::Solid) return false;
+        filter *= pigment.color.filter * pigment.color.rgb() + pigment.color.transmit;
+    }
+    return true;
+}
+
+/// Some pattern depends on the normal as other layers have bent it.
+bool any_looks(const TextureSet& set)
+{
+    const auto looks = [](const texture::Pattern& p) {
+        return p.kind == texture::PatternKind::Slope || p.kind == texture::PatternKind::Aoi;
+    };
+    return std::any_of(set.patterns.begin(), set.patterns.end(), looks);
+}
+
+/// The light of its own side, without iridescence and grain.
+bool plain_light(const texture::Finish& finish)
+{
+    return finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f;
+}
+
+/// One layer that has no more than colour, diffuse light, highlights and either a bent normal or mirroring and
+/// refraction. looks: some pattern does at bent normals.
+SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks)
+{
+    if (index == texture::kNone) return {};
+    const texture::Texture& texture = set.textures[index];
+    if (texture.kind != texture::Texture::Kind::Layers || texture.count != 1) return {};
+    const texture::Layer& layer = set.layers[texture.first];
+    const texture::Finish& finish = set.finishes[layer.finish];
+    if (set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid && !texture.opaque)
+        return {};  // it may be missing
+    if (!plain_light(finish)) return {};
+    if (layer.normal != texture::kNone)
+        return texture.opaque && !finish.reflects() && !looks ? SingleLayer{texture.first, false} : SingleLayer{};
+    if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
+    return {texture.first, !texture.plain};
+}
+
+/// The texture itself if it has layers with patterns, and few enough.
+PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool looks)
+{
+    if (index == texture::kNone) return {};
+    const texture::Texture& texture = set.textures[index];
+    if (texture.kind != texture::Texture::Kind::Layers || texture.count > kPrefetchedLayers) return {};
+    bool patterned = false, all_alone = true;
+    for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
+        const texture::Layer& layer = set.layers[i];
+        const texture::Finish& finish = set.finishes[layer.finish];
+        patterned |= set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid;
+        all_alone &= plain_light(finish) && !finish.reflects();
+        if (looks && layer.normal != texture::kNone) return {};
+    }
+    return patterned ? PatternedLayers{index, all_alone} : PatternedLayers{};
+}
+
+/// Whether shadow rays have to meet a part from the point itself.
+bool asks_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits, const csg::WorldItem& item,
+                   csg::PartId part)
+{
+    const csg::SolidStore& store = scene.geometry.store;
+    if (item.all_opaque) return false;
+    if (csg::kind_of(part) == csg::SolidKind::Mesh) return true;  // of many surfaces
+    const csg::SurfaceId surface = store.surface(part);
+    if (surface >= scene.surfaces.size()) return false;  // it only clips
+    return !scene.surfaces[surface].opaque && !scene.surfaces[surface].no_shadow &&
+           !traits.surfaces[surface].steady_filter;
+}
+
+std::vector<csg::Aabb> boxes_of_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits)
+{
+    constexpr std::size_t kMost = 16;  // of more one box is made
+    const csg::WorldData& world = scene.geometry;
+    std::vector<csg::Aabb> boxes;
+    for (const csg::WorldItem& item : world.items) {
+        bool asks = false;
+        if (item.instance != csg::Hit::kNoInstance) {
+            asks = traits.filters;
+        } else if (item.solid != csg::kNoPart) {
+            asks = asks_own_rays(scene, traits, item, item.solid);
+        } else {
+            for (const csg::Node& node : world.programs[item.program].nodes)
+                asks = asks || (node.op == csg::Op::Leaf && asks_own_rays(scene, traits, item, node.solid));
+        }
+        if (!asks) continue;
+        const csg::Aabb box = csg::drawn_bounds(world, item);
+        if (boxes.size() < kMost) boxes.push_back(box);
+        else boxes.front().include(box.lower), boxes.front().include(box.upper);
+    }
+    return boxes;
+}
+
+}  // namespace
+
+SceneTraits scene_traits(const plan::CompiledScene& scene)
+{
+    SceneTraits traits;
+    traits.scalar_rows = scene.options.scalar_light;
+    const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures);
+    traits.looked_around = uv || looks;
+    std::vector<SurfaceTraits>& all = traits.surfaces;
+    all.resize(scene.surfaces.size());
+    for (const light::Light& light : scene.lights.lights) traits.grouped |= light.group != 0;
+    for (const plan::Interior& interior : scene.interiors) traits.fades |= interior.fade_distance != 0.0f;
+    for (const csg::Freeform& solid : scene.geometry.store.all<csg::Freeform>())
+        traits.has_open_surface |= solid.has_open_surface();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const plan::Surface& surface = scene.surfaces[i];
+        traits.grouped |= surface.light_group != 0;
+        traits.filters |= !surface.opaque && !surface.no_shadow;
+        all[i].needs_uv = uv || surface.uv_mapping;
+        all[i].batched = !all[i].needs_uv && !surface.blends();
+        traits.all_batched &= all[i].batched;
+        if (surface.blends()) continue;
+        all[i].outer_patterned = patterned_layers(scene.textures, surface.texture, looks);
+        all[i].inner_patterned = surface.interior_texture == plan::kNone
+                                     ? all[i].outer_patterned
+                                     : patterned_layers(scene.textures, surface.interior_texture, looks);
+        if (surface.double_illuminate) {
+            all[i].outer_patterned.alone = all[i].inner_patterned.alone = false;
+        } else {
+            all[i].outer = single_layer(scene.textures, surface.texture, looks);
+            all[i].inner = surface.interior_texture == plan::kNone
+                               ? all[i].outer
+                               : single_layer(scene.textures, surface.interior_texture, looks);
+        }
+        const bool focused = surface.interior != plan::kNone &&
+                             scene.interiors[surface.interior].caustics_power != 0.0f;
+        if (focused || surface.texture == plan::kNone) continue;
+        if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
+        all[i].steady_filter = plain_filter(scene.textures, surface.texture, all[i].filter);
+    }
+    traits.own_rays = boxes_of_own_rays(scene, traits);
+    return traits;
+}
+
+}  // namespace trace

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+
+#include <vector>
+
+/// What shading can know of a surface before any ray meets it.
+namespace trace {
+
+/// The only layer of a texture, if it shades alike for a whole tile.
+struct SingleLayer {
+    std::uint32_t index = plan::kNone;
+    bool goes_on = false;  ///< it may mirror light or let it through
+};
+
+/// A texture of layers with patterns.
+struct PatternedLayers {
+    std::uint32_t texture = plan::kNone;
+    bool alone = false;  ///< no layer has more than colour, diffuse light and highlights
+};
+
+struct SurfaceTraits {
+    bool needs_uv = true;        ///< something of its textures looks at surface coordinates
+    bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
+    bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
+    SingleLayer outer, inner;    ///< as seen from outside, and where the raw normal faces along the ray
+    PatternedLayers outer_patterned, inner_patterned;  ///< textures whose pigments a tile looks up together
+    glm::vec3 filter{1};                               ///< steady_filter: by this (spec 3, 13.2)
+};
+
+struct SceneTraits {
+    std::vector<SurfaceTraits> surfaces;  ///< by csg::SurfaceId
+    bool all_batched = true;
+    bool looked_around = false;  ///< some texture asks for more than the point (texture::Surroundings)
+    bool grouped = false;        ///< some surface is not reached by all lights
+    bool filters = false;        ///< some surface lets a shadow ray through
+    bool fades = false;          ///< light fades inside some interior
+    bool scalar_rows = false;    ///< Options::scalar_light
+    /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are
+    /// met, to the last bit where a pattern has edges. Elsewhere they may come from the light as a beam.
+    std::vector<csg::Aabb> own_rays;
+    bool has_open_surface = false;  ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
+
+    /// Whether it matters where a ray began that goes on behind a crossing: such solids tell a ray only so many.
+    bool restarts() const { return has_open_surface && filters; }
+};
+
+SceneTraits scene_traits(const plan::CompiledScene& scene);
+
+}  // namespace trace

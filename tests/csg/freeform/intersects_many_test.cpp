@@ -1,0 +1,212 @@
+#include "csg/freeform/freeform.h"
+#include "csg/roots/lane_power.h"
+#include "csg/solids/freeform.h"
+#include "tests/csg/support.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <memory>
+
+using namespace csg;
+using csg_test::Rng;
+using csg_test::share;
+
+namespace {
+
+bool same_number(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+struct Told {
+    std::vector<double> t;
+    std::vector<std::uint32_t> face;
+
+    explicit Told(const IntersectionList& record)
+    {
+        record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+            add(in, in_face);
+            add(out, out_face);
+        });
+        record.each_touching([&](double at, std::uint32_t of) { add(at, of); });
+    }
+
+private:
+    void add(double at, std::uint32_t of)
+    {
+        t.push_back(at);
+        face.push_back(of);
+    }
+};
+
+/// Rays from outside, from inside and from far away, some along axes, some with a direction of another length.
+Ray ray_to(Rng& rng, double size)
+{
+    const double away[] = {0.5, 3.0, 3.0, 20.0, 1e7};
+    Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), size, away[rng.below(5)] * size);
+    if (rng.below(6) == 0) {
+        const int axis = rng.below(3);
+        ray.origin = rng.point(size);
+        ray.origin[axis] = -3.0 * size;
+        ray.direction = glm::dvec3(0.0);
+        ray.direction[axis] = 1.0;
+    }
+    if (rng.below(4) == 0) ray.direction *= rng.uniform(0.01, 100.0);
+    return ray;
+}
+
+/// Batches of 1 to 64 rays are told what each of them is told alone, for the nearest end and for all. Returns how many
+/// ends were told.
+template <class Shape>
+int check_many(const Shape& shape, double size, std::uint32_t seed)
+{
+    static_assert(IntersectsMany<Shape>);
+    REQUIRE(shape.intersects_many());
+    Rng rng(seed);
+    const auto batch = std::make_unique<RayBatch>();
+    const int count = rng.below(4) == 0 ? 1 + rng.below(4) : 1 + rng.below(kTileRays);
+    const bool first_only = rng.coin();
+    for (int k = 0; k < count; ++k) {
+        const Ray ray = rng.below(40) == 0 ? csg_test::hostile_ray(rng) : ray_to(rng, size);
+        const double length = glm::length(ray.direction),
+                     from = rng.coin() ? 0.0 : rng.uniform(-2.0, 4.0) * size / length;
+        const double to = rng.coin() ? kInfinity : from + rng.uniform(0.0, 5.0) * size / length;
+        batch->add(ray, static_cast<std::size_t>(k), from, to, first_only);
+    }
+    shape.intersect_many(batch->asked(), batch->records.data());
+    int ends = 0;
+    for (std::size_t k = 0; k < batch->count; ++k) {
+        const IntersectionList& asked = batch->records[k];
+        IntersectionList alone(asked.from, asked.to, asked.first_only);
+        shape.intersect(batch->rays[k], alone);
+        const Told many(asked), one(alone);
+        const Ray& ray = batch->rays[k];
+        INFO("seed " << seed << ", ray " << k << " of " << count << ": origin " << ray.origin.x << ' ' << ray.origin.y
+                     << ' ' << ray.origin.z << ", direction " << ray.direction.x << ' ' << ray.direction.y << ' '
+                     << ray.direction.z << ", from " << asked.from << " to " << asked.to << ", first " << first_only);
+        REQUIRE(many.face == one.face);
+        for (std::size_t i = 0; i < one.t.size(); ++i) {
+            INFO("end " << i << ": " << many.t[i] << ", alone " << one.t[i]);
+            REQUIRE(same_number(many.t[i], one.t[i]));
+        }
+        ends += static_cast<int>(one.t.size());
+    }
+    return ends;
+}
+
+/// Waves about a sphere; what it is at points is all that is known.
+struct Waves final : Field {
+    double value(const glm::dvec3& p) const override
+    {
+        return glm::dot(p, p) - 0.6 + 0.3 * std::sin(7.0 * p.x) * std::sin(5.0 * p.y + 1.0);
+    }
+    void values(const EightPoints& p, Eight& out) const override
+    {
+        for (int k = 0; k < 8; ++k) out.v[k] = value({p.x.v[k], p.y.v[k], p.z.v[k]});
+    }
+    void ranges(const EightBoxes&, EightRanges& out) const override
+    {
+        for (int k = 0; k < 8; ++k) out.low.v[k] = -kInfinity, out.high.v[k] = kInfinity;
+    }
+    bool ranged() const override { return false; }
+};
+
+/// Whether this machine can run what the file is compiled for.
+bool runs_here()
+{
+#if defined(__AVX512F__)
+    return __builtin_cpu_supports("avx512f") != 0;
+#elif defined(__AVX2__)
+    return __builtin_cpu_supports("avx2") != 0;
+#else
+    return true;
+#endif
+}
+
+}  // namespace
+
+TEST_CASE("many rays of a julia fractal are told what each is told alone", "[csg][many][julia]")
+{
+    if (!runs_here()) return;
+    using Function = JuliaTerms::Function;
+    for (const Function function : {Function::Square, Function::Cube, Function::HyperSquare, Function::HyperCube}) {
+        int ends = 0;
+        for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(60)); ++seed) {
+            Rng rng(seed + 1000);
+            JuliaTerms terms;
+            terms.function = function;
+            terms.constant = function <= Function::Cube ? glm::dvec4(-0.2, 0.6, 0.2, 0.2)
+                                                        : glm::dvec4(0.3, 0.2, -0.4, 0.1);
+            if (rng.coin()) terms.constant *= rng.uniform(0.2, 1.0);
+            terms.iterations = 1 + rng.below(9);
+            terms.precision = rng.uniform(5.0, 60.0);
+            if (rng.coin()) {
+                terms.slice = {rng.point(0.3), 1.0};
+                terms.slice_distance = rng.uniform(-0.3, 0.3);
+            }
+            ends += check_many(Julia(terms), 1.2, seed);
+        }
+        CHECK(ends > share(60) * 10);
+    }
+}
+
+TEST_CASE("many rays of a superellipsoid are told what each is told alone", "[csg][many]")
+{
+    if (!runs_here()) return;
+    const glm::dvec2 exponents[] = {{1.0, 1.0}, {0.1, 0.1},  {0.5, 1.0}, {2.0, 2.0},
+                                    {0.2, 1.5}, {1e-3, 0.7}, {1.0, 2.0}};
+    for (const glm::dvec2& e : exponents) {
+        int ends = 0;
+        for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(200)); ++seed)
+            ends += check_many(Superellipsoid(e.x, e.y), 1.0, seed);
+        CHECK(ends > share(200) * 10);
+    }
+}
+
+TEST_CASE("many rays of an isosurface are told what each is told alone", "[csg][many][isosurface]")
+{
+    if (!runs_here()) return;
+    int ends = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(400)); ++seed) {
+        Rng rng(seed + 3000);
+        IsosurfaceTerms terms;
+        terms.field = std::make_shared<Waves>();
+        terms.threshold = rng.uniform(-0.1, 0.1);
+        terms.accuracy = rng.coin() ? 0.001 : 0.02;
+        terms.max_gradient = rng.uniform(0.5, 6.0);
+        terms.evaluate = rng.coin();
+        terms.growth = {1.0, 1.2, 0.95};
+        terms.max_trace = 1 + rng.below(4);
+        terms.open = rng.coin();
+        if (rng.coin()) terms.container = Container::sphere(glm::dvec3(0.1), 1.1);
+        ends += check_many(Isosurface(terms), 1.2, seed);
+    }
+    CHECK(ends > share(400) * 10);
+}
+
+TEST_CASE("powers of one number are those of lanes, and near the library's", "[csg][lanes]")
+{
+    if (!runs_here()) return;
+    Rng rng(1);
+    double worst = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        alignas(64) std::array<double, static_cast<std::size_t>(lanes::kDoubles)> c, n, lane;
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            c[k] = rng.coin() ? rng.uniform(0.0, 2.0) : std::exp(rng.uniform(-600.0, 0.0));
+            if (c[k] == 0.0) c[k] = 1.0;
+            n[k] = rng.coin() ? rng.uniform(0.0, 1.0) : rng.uniform(0.0, 50.0);
+        }
+        lanes::power(lanes::Double::load_aligned(c.data()), lanes::Double::load_aligned(n.data()))
+            .store_aligned(lane.data());
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            INFO(c[k] << " ^ " << n[k]);
+            REQUIRE(same_number(lane[k], lanes::power(c[k], n[k])));
+            const double right = std::pow(c[k], n[k]);
+            if (right < 1e-300) continue;
+            // The exponent's last digit counts as often as the exponent is large.
+            worst = std::max(worst, std::abs(lane[k] - right) / right / (1.0 + std::abs(n[k] * std::log(c[k]))));
+        }
+    }
+    CHECK(worst < 6e-16);
+    CHECK(lanes::power(1.0, 3.7) == 1.0);
+    CHECK(lanes::power(0.5, 2.0) == 0.25);
+    CHECK(lanes::power(0.7, 0.0) == 1.0);
+}
