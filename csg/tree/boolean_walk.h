@@ -16,8 +16,7 @@ public:
           t_min_(t_min), t_max_(t_max), scratch_(scratch)
     {
         scratch.prepare(program);
-        const glm::dvec3 o = glm::abs(ray.origin), d = glm::abs(ray.direction);
-        reach_ = glm::max(o.x, glm::max(o.y, o.z)) / glm::max(d.x, glm::max(d.y, d.z));
+        reach_ = origin_reach(ray);
     }
 
     ProductAnswer nearest(Crossing& out)
@@ -126,7 +125,7 @@ private:
     bool add_node(std::uint32_t i)
     {
         const Node& node = program_.nodes[i];
-        if (!meets(node)) return set_all(i, node.inside_beyond);
+        if (!meets_box(node, ray_, inverse_, t_min_, t_max_)) return set_all(i, node.inside_beyond);
         if (node.op == Op::Leaf) return add_leaf(form_.first_leaf[i]);
         const bool both = node.op == Op::Intersection || node.op == Op::Clip;
         const std::uint32_t mark = count_;
@@ -179,24 +178,6 @@ private:
     void add_end(const End& end)
     {
         if (end.t > -kInfinity && end.t < kInfinity) ends_[count_++] = end;
-    }
-
-    /// Whether the line from the ray's origin on, to the end of the range, meets the node's box.
-    bool meets(const Node& node) const
-    {
-        if (!node.test_box) return true;
-        double first = t_min_, last = t_max_;
-        for (int i = 0; i < 3; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            const bool backward = std::signbit(inverse_[i]);
-            const double a = (static_cast<double>(backward ? node.upper[k] : node.lower[k]) - ray_.origin[i]) *
-                             inverse_[i];
-            const double b = (static_cast<double>(backward ? node.lower[k] : node.upper[k]) - ray_.origin[i]) *
-                             inverse_[i];
-            if (a > first) first = a;  // NaN keeps what was there
-            if (b < last) last = b;
-        }
-        return first <= last + kCoincidence * std::abs(last);
     }
 
     const Program& program_;

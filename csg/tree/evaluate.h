@@ -12,6 +12,29 @@ namespace csg {
 /// last place. Coincident faces of different solids come out of different formulas and differ by a few of them.
 inline constexpr double kCoincidence = 64.0 * 0x1p-53;
 
+/// The size of a ray's origin, in units of its parameter: what kCoincidence is relative to, besides the parameter.
+inline double origin_reach(const Ray& ray)
+{
+    const glm::dvec3 o = glm::abs(ray.origin), d = glm::abs(ray.direction);
+    return glm::max(o.x, glm::max(o.y, o.z)) / glm::max(d.x, glm::max(d.y, d.z));
+}
+
+/// Whether the ray meets the node's box between t_min and t_max. inverse: of its direction.
+inline bool meets_box(const Node& node, const Ray& ray, const glm::dvec3& inverse, double t_min, double t_max)
+{
+    if (!node.test_box) return true;
+    double first = t_min, last = t_max;
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const bool backward = std::signbit(inverse[i]);
+        const double a = (static_cast<double>(backward ? node.upper[k] : node.lower[k]) - ray.origin[i]) * inverse[i];
+        const double b = (static_cast<double>(backward ? node.lower[k] : node.upper[k]) - ray.origin[i]) * inverse[i];
+        if (a > first) first = a;  // NaN keeps what was there
+        if (b < last) last = b;
+    }
+    return first <= last + kCoincidence * std::abs(last);
+}
+
 /// One query: a ray, the range in which crossings matter, and the scratch it works in.
 class Evaluation {
 public:
@@ -21,8 +44,7 @@ public:
           t_max_(t_max), scratch_(scratch)
     {
         scratch.prepare(program);
-        const glm::dvec3 o = glm::abs(ray.origin), d = glm::abs(ray.direction);
-        reach_ = glm::max(o.x, glm::max(o.y, o.z)) / glm::max(d.x, glm::max(d.y, d.z));
+        reach_ = origin_reach(ray);
     }
 
     /// The nearest visible crossing of the whole program; t is infinite when there is none. Among equal ones the last
@@ -57,22 +79,7 @@ private:
     double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
 
     /// Whether the ray meets the node's box within the range.
-    bool meets(const Node& node) const
-    {
-        if (!node.test_box) return true;
-        double first = t_min_, last = t_max_;
-        for (int i = 0; i < 3; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            const bool backward = std::signbit(inverse_[i]);
-            const double a = (static_cast<double>(backward ? node.upper[k] : node.lower[k]) - ray_.origin[i]) *
-                             inverse_[i];
-            const double b = (static_cast<double>(backward ? node.lower[k] : node.upper[k]) - ray_.origin[i]) *
-                             inverse_[i];
-            if (a > first) first = a;  // NaN keeps what was there
-            if (b < last) last = b;
-        }
-        return first <= last + kCoincidence * std::abs(last);
-    }
+    bool meets(const Node& node) const { return meets_box(node, ray_, inverse_, t_min_, t_max_); }
 
     /// All spans of a leaf, its part and conventions stamped on every end.
     void leaf_spans(const Node& node, SpanList& out)

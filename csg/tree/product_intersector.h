@@ -20,8 +20,7 @@ public:
                        double t_min, double t_max, Scratch& scratch)
         : form_(form), store_(store), ray_(ray), slabs_(slabs), t_min_(t_min), t_max_(t_max), scratch_(scratch)
     {
-        const glm::dvec3 o = glm::abs(ray.origin), d = glm::abs(ray.direction);
-        reach_ = glm::max(o.x, glm::max(o.y, o.z)) / glm::max(d.x, glm::max(d.y, d.z));
+        reach_ = origin_reach(ray);
     }
 
 protected:

@@ -2,8 +2,6 @@
 
 #include "csg/world/spawn_epsilon.h"
 #include "csg/base/reach.h"
-#include "csg/packet/shaft.h"
-#include "csg/packet/tile_clusters.h"
 #include "csg/packet/tile_crossings.h"
 #include "csg/bvh/traverse.h"
 #include "csg/world/world_item.h"
@@ -81,50 +79,6 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
     return found;
 }
 
-/// Whether answered(TileRays) is: only enough rays make a beam.
-template <class Answered>
-inline bool in_lanes(const WorldData& world, const RayTile& rays, Answered&& answered)
-{
-    if (rays.count < fewest_for_beam(world)) return false;
-    return rays.common_origin ? answered(TileRays<SharedOrigin>(rays)) : answered(TileRays<OwnOrigins>(rays));
-}
-
-/// Shadow rays that are about as long as each other: as one beam if they can be.
-void shadow_of_cluster(const World& world, const WorldData& data, const RayTile& rays, Scratch& scratch, Shadow* out)
-{
-    const auto answered = [&](auto&& lanes) {
-        ShadowOfTile query(data, lanes, scratch);
-        if (!ask_tile(data, lanes, data.shadow_kinds, query)) return false;
-        for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
-        return true;
-    };
-    if (!data.faithful && in_lanes(data, rays, answered)) return;
-    for (int i = 0; i < rays.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        out[i] = world.shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
-    }
-}
-
-void crossings_of_cluster(const World& world, const WorldData& data, const RayTile& rays, Scratch& scratch,
-                          CrossingTile& out)
-{
-    const auto answered = [&](auto&& lanes) {
-        CrossingsOfTile query(data, lanes, scratch, out);
-        if (!ask_tile(data, lanes, data.shadow_kinds, query)) return false;
-        query.finish();
-        return true;
-    };
-    if (!data.faithful && in_lanes(data, rays, answered)) return;
-    std::vector<Hit>& hits = scratch.hits();
-    for (int i = 0; i < rays.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        out.ending[k] = world.shadow_crossings(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch, hits);
-        const bool fits = hits.size() <= CrossingTile::kMost;
-        out.count[k] = fits ? static_cast<std::uint8_t>(hits.size()) : CrossingTile::kTooMany;
-        if (fits) std::copy(hits.begin(), hits.end(), out.hits[k].begin());
-    }
-}
-
 /// As its own world knows it, at the start of the ray.
 Hit alone(const Hit& hit)
 {
@@ -153,6 +107,24 @@ Hit here(const WorldData& world, const WorldItem& item, const LocalRay& local, H
     hit.surface = world.instance_surfaces[world.instances[item.instance].first_surface + hit.surface];
     hit.instance = item.instance & Hit::kNoInstance;
     return hit;
+}
+
+/// Offers `best` the spheres of blocks, and asks each(item) for all other items that the ray comes near.
+template <class Each>
+inline void walk_nearest(const WorldData& world, const Ray& ray, const RaySlabs& slabs, double t_min,
+                         std::uint8_t kind_bit, Nearest& best, Each&& each)
+{
+    const auto sphere = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        const double t = near >= t_min ? near : far;
+        if (t < t_min || t > best.limit || (item.visible & kind_bit) == 0) return;
+        best.offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, sphere);
+        return best.limit;
+    });
 }
 
 }  // namespace
@@ -240,17 +212,7 @@ Hit World::first_in_order(const Ray& ray, double t_min, double t_max, std::uint8
         if ((item.visible & kind_bit) != 0 && !(item.guard != WorldItem::kNoGuard && world.guards[item.guard].ordered))
             ask(i);
     };
-    const auto sphere = [&](std::uint32_t i, double near, double far) {
-        const WorldItem& item = world.items[i];
-        const double t = near >= t_min ? near : far;
-        if (t < t_min || t > best.limit || (item.visible & kind_bit) == 0) return;
-        best.offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
-    };
-    for (const std::uint32_t i : world.unbounded) each(i);
-    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
-        open_block(world, leaf, ray, each, sphere);
-        return best.limit;
-    });
+    walk_nearest(world, ray, slabs, t_min, kind_bit, best, each);
     std::vector<OrderedItem>& waiting = scratch.ordered_items();
     waiting.clear();
     for (const std::uint32_t i : world.ordered)
@@ -278,17 +240,7 @@ Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_b
         if ((item.visible & kind_bit) != 0)
             best.offer(item_nearest(world, item, ray, t_min, best.limit, scratch, &slabs), i);
     };
-    const auto sphere = [&](std::uint32_t i, double near, double far) {
-        const WorldItem& item = world.items[i];
-        const double t = near >= t_min ? near : far;
-        if (t < t_min || t > best.limit || (item.visible & kind_bit) == 0) return;
-        best.offer({t, world.store.surface(item.solid), item.solid, 0, false}, i);
-    };
-    for (const std::uint32_t i : world.unbounded) each(i);
-    traverse(world.bvh, slabs, t_min, best.limit, kind_bit, [&](ChildWord leaf) {
-        open_block(world, leaf, ray, each, sphere);
-        return best.limit;
-    });
+    walk_nearest(world, ray, slabs, t_min, kind_bit, best, each);
     if (!world.ordered.empty() && best.hit.found() && before_box(world, best.item, ray, t_min, best.hit.t))
         return first_in_order(ray, t_min, t_max, kind_bit, scratch);
     return best.hit;
@@ -357,116 +309,5 @@ Shadow World::shadow_crossings(const Ray& ray, double t_min, double t_max, Scrat
 }
 
 bool World::seen_by_all(std::uint8_t kinds) const { return (data_->visible_everywhere & kinds) == kinds; }
-
-void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
-{
-    scratch.cancel.look();
-    const auto answered = [&](auto&& lanes) {
-        NearestOfTile query(*data_, lanes, scratch, out);
-        if (!ask_tile(*data_, lanes, kind_bit, query)) return false;
-        query.finish();
-        if (!data_->ordered.empty()) {
-            for (int i = 0; i < rays.count; ++i) {
-                const auto k = static_cast<std::size_t>(i);
-                if (out.surface[k] == kNoSurface ||
-                    !before_box(*data_, query.item(k), rays.ray(i), rays.t_min[k], out.t[k]))
-                    continue;
-                out.set(i, first_in_order(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
-            }
-        }
-        return true;
-    };
-    if (in_lanes(*data_, rays, answered)) {
-        if (data_->faithful) recheck(rays, kind_bit, scratch, out);
-        return;
-    }
-    // Too far apart for one beam: perhaps not for several.
-    const TileClusters clusters = rays.count < 2 * fewest_for_beam(*data_) ? TileClusters()
-                                                                           : TileClusters::by_direction(rays);
-    if (clusters.size() == 1) {
-        for (int i = 0; i < rays.count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            out.set(i, nearest(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
-        }
-        return;
-    }
-    RayTile part;
-    HitTile found;
-    std::uint8_t place[kTileRays];
-    for (int c = 0; c < clusters.size(); ++c) {
-        clusters.part(rays, c, part, place);
-        nearest(part, kind_bit, scratch, found);
-        for (int i = 0; i < part.count; ++i) out.set(place[i], found.at(i));
-    }
-}
-
-void World::recheck(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
-{
-    for (int i = 0; i < rays.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const Hit hit = out.at(i);
-        if (hit.found() && !reach_of(*data_, hit).holds(hit.t))
-            out.set(i, first_in_reach(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
-    }
-}
-
-void World::shadow(const RayTile& rays, Scratch& scratch, Shadow* out) const
-{
-    scratch.cancel.look();
-    const TileClusters clusters = TileClusters::by_distance(rays);
-    if (clusters.size() == 1) {
-        shadow_of_cluster(*this, *data_, rays, scratch, out);
-        return;
-    }
-    RayTile part;
-    std::uint8_t place[kTileRays];
-    Shadow answers[kTileRays];
-    for (int c = 0; c < clusters.size(); ++c) {
-        clusters.part(rays, c, part, place);
-        shadow_of_cluster(*this, *data_, part, scratch, answers);
-        for (int i = 0; i < part.count; ++i) out[place[i]] = answers[i];
-    }
-}
-
-void World::shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile& out) const
-{
-    scratch.cancel.look();
-    const TileClusters clusters = TileClusters::by_distance(rays);
-    if (clusters.size() == 1) {
-        crossings_of_cluster(*this, *data_, rays, scratch, out);
-        return;
-    }
-    RayTile part;
-    CrossingTile found;
-    std::uint8_t place[kTileRays];
-    for (int c = 0; c < clusters.size(); ++c) {
-        clusters.part(rays, c, part, place);
-        crossings_of_cluster(*this, *data_, part, scratch, found);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
-            out.ending[place[i]] = found.ending[i];
-            out.count[place[i]] = found.count[i];
-            if (found.ending[i] == Shadow::Filtered && found.count[i] <= CrossingTile::kMost)
-                std::copy_n(found.hits[i].begin(), found.count[i], out.hits[place[i]].begin());
-        }
-    }
-}
-
-void World::shadow(const RayTile& rays, const Shaft& shaft, Scratch& scratch, Shadow* out) const
-{
-    scratch.cancel.look();
-    TileRays<OwnOrigins> lanes(rays);
-    ShadowOfTile query(*data_, lanes, scratch);
-    shaft.ask(*data_, lanes, query);
-    for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
-}
-
-void World::shadow_crossings(const RayTile& rays, const Shaft& shaft, Scratch& scratch, CrossingTile& out) const
-{
-    scratch.cancel.look();
-    TileRays<OwnOrigins> lanes(rays);
-    CrossingsOfTile query(*data_, lanes, scratch, out);
-    shaft.ask(*data_, lanes, query);
-    query.finish();
-}
 
 }  // namespace csg

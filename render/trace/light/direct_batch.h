@@ -3,6 +3,7 @@
 #include "render/texture/evaluate_points.h"
 #include "render/trace/queue/lane_masks.h"
 #include "render/trace/shade/shade_context.h"
+#include "render/trace/light/row_light.h"
 #include "render/trace/light/shade_light.h"
 
 #include <algorithm>
@@ -179,7 +180,8 @@ public:
     /// Adds what the light at hand gives to the hits that it reaches; it is over then.
     void add(const light::Light& light, const csg::RayTile& rays)
     {
-        for (std::size_t depth = 0; depth < depths_ && reached_ != 0; ++depth) add(scratch_.pages[depth], light, rays);
+        for (std::size_t depth = 0; depth < depths_ && reached_ != 0; ++depth)
+            light_page(scratch_.pages[depth], reached_, bent_ | two_sided_, light, rays, scratch_);
         reached_ = 0;
     }
 
@@ -381,63 +383,6 @@ private:
             const double diffuse = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
             at.diffuse[k] = here[k] != 0 ? diffuse : at.diffuse[k];
         }
-    }
-
-    void add(RowPage& at, const light::Light& light, const csg::RayTile& rays)
-    {
-        using csg::lanes::Double;
-        HitMask on = at.holds & reached_ & ~at.scalar;
-        if (on == 0) return;
-        const bool bent = at.bent != 0;
-        const double* n[3] = {bent ? at.nx.data() : scratch_.hits.nx.data(),
-                              bent ? at.ny.data() : scratch_.hits.ny.data(),
-                              bent ? at.nz.data() : scratch_.hits.nz.data()};
-        alignas(64) TileLanes intensity{};
-        HitMask away = 0;
-        for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
-            const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
-            const Double facing = get(n[0]) * get(scratch_.light.x.data()) + get(n[1]) * get(scratch_.light.y.data()) +
-                                  get(n[2]) * get(scratch_.light.z.data());
-            away |= HitMask{csg::lanes::mask(facing < Double(kNearlyZero))} << i;
-            xsimd::abs(facing).store_aligned(intensity.data() + i);
-        }
-        on &= ~(away & (bent_ | two_sided_));
-        for_each_hit(on & at.raised, [&](std::size_t k) {
-            intensity[k] = std::pow(intensity[k], static_cast<double>(at.finish[k]->brilliance));
-        });
-        const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
-        TileFloats diffuse, strength{};
-        for (std::size_t k = 0; k < csg::kTileRays; ++k) diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]);
-        if (shiny != 0) {
-            alignas(64) TileLanes found{};
-            find_highlights(rays, n, scratch_.light, at.lobe, shiny, found);
-            const LaneMask shines(shiny);
-            for (std::size_t k = 0; k < csg::kTileRays; ++k)
-                strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f;
-        }
-        const HitMask tinted = at.tinted & shiny, plain = on & ~tinted;
-        const LaneMask gains(plain), has_diffuse(at.lit);
-        const auto gain = [&](TileFloats TileColors::*channel) {
-            const float *pigment = (at.pigment.*channel).data(), *color = (scratch_.reaching.*channel).data();
-            float* gained = (at.gained.*channel).data();
-            for (std::size_t k = 0; k < csg::kTileRays; ++k) {
-                const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
-                const float light_here = from_diffuse + (strength[k] != 0.0f ? strength[k] * color[k] : 0.0f);
-                gained[k] = gains[k] != 0 ? gained[k] + light_here : gained[k];
-            }
-        };
-        gain(&TileColors::red);
-        gain(&TileColors::green);
-        gain(&TileColors::blue);
-        for_each_hit(tinted, [&](std::size_t k) {
-            const glm::vec3 color = scratch_.reaching[k], rgb = at.pigment[k];
-            glm::vec3 sum = has(at.lit, k) ? diffuse[k] * rgb * color : glm::vec3(0);
-            const glm::dvec3 normal{n[0][k], n[1][k], n[2][k]};
-            if (strength[k] != 0.0f)
-                sum += strength[k] * texture::highlight_color(*at.finish[k], color, scene::Color::of(rgb), normal,
-                                                              scratch_.light.direction(k));
-            at.gained.set(k, at.gained[k] + sum);
-        });
     }
 
     Context& context_;

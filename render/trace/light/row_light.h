@@ -1,0 +1,77 @@
+#pragma once
+
+#include "render/trace/queue/lane_masks.h"
+#include "render/trace/shade/shade_context.h"
+
+#include <cmath>
+
+/// surface_light() for a page of rows, a hit a lane, in the same order of operations. Compiled once per instruction
+/// set.
+namespace trace {
+
+/// Cosines of a page's normals with the light at hand, by amount, raised to the finish's brilliance; those of `on` that
+/// turn away from it leave, where they are of `turning`: others have been asked before.
+inline void find_intensities(const RowPage& at, const double* const (&n)[3], HitMask turning, const TileLight& light,
+                             int count, HitMask& on, TileLanes& intensity)
+{
+    using csg::lanes::Double;
+    HitMask away = 0;
+    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+        const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
+        const Double facing = get(n[0]) * get(light.x.data()) + get(n[1]) * get(light.y.data()) +
+                              get(n[2]) * get(light.z.data());
+        away |= HitMask{csg::lanes::mask(facing < Double(kNearlyZero))} << i;
+        xsimd::abs(facing).store_aligned(intensity.data() + i);
+    }
+    on &= ~(away & turning);
+    for_each_hit(on & at.raised, [&](std::size_t k) {
+        intensity[k] = std::pow(intensity[k], static_cast<double>(at.finish[k]->brilliance));
+    });
+}
+
+/// Adds what a light gives to a page's rows. reached: hits that it reaches, with ShadeScratch::reaching; turning: hits
+/// of which some rows may face away from it.
+inline void light_page(RowPage& at, HitMask reached, HitMask turning, const light::Light& light,
+                       const csg::RayTile& rays, const ShadeScratch& scratch)
+{
+    HitMask on = at.holds & reached & ~at.scalar;
+    if (on == 0) return;
+    const bool bent = at.bent != 0;
+    const double* const n[3] = {bent ? at.nx.data() : scratch.hits.nx.data(),
+                                bent ? at.ny.data() : scratch.hits.ny.data(),
+                                bent ? at.nz.data() : scratch.hits.nz.data()};
+    alignas(64) TileLanes intensity{};
+    find_intensities(at, n, turning, scratch.light, rays.count, on, intensity);
+    const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
+    TileFloats diffuse, strength{};
+    for (std::size_t k = 0; k < csg::kTileRays; ++k) diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]);
+    if (shiny != 0) {
+        alignas(64) TileLanes found{};
+        find_highlights(rays, n, scratch.light, at.lobe, shiny, found);
+        const LaneMask shines(shiny);
+        for (std::size_t k = 0; k < csg::kTileRays; ++k)
+            strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f;
+    }
+    const HitMask tinted = at.tinted & shiny;
+    const LaneMask gains(on & ~tinted), has_diffuse(at.lit);
+    for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
+        const float *pigment = (at.pigment.*channel).data(), *color = (scratch.reaching.*channel).data();
+        float* gained = (at.gained.*channel).data();
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+            const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
+            const float light_here = from_diffuse + (strength[k] != 0.0f ? strength[k] * color[k] : 0.0f);
+            gained[k] = gains[k] != 0 ? gained[k] + light_here : gained[k];
+        }
+    }
+    for_each_hit(tinted, [&](std::size_t k) {
+        const glm::vec3 color = scratch.reaching[k], rgb = at.pigment[k];
+        glm::vec3 sum = has(at.lit, k) ? diffuse[k] * rgb * color : glm::vec3(0);
+        const glm::dvec3 normal{n[0][k], n[1][k], n[2][k]};
+        if (strength[k] != 0.0f)
+            sum += strength[k] * texture::highlight_color(*at.finish[k], color, scene::Color::of(rgb), normal,
+                                                          scratch.light.direction(k));
+        at.gained.set(k, at.gained[k] + sum);
+    });
+}
+
+}  // namespace trace
