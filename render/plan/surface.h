@@ -30,7 +30,7 @@ struct Surface {
 };
 
 /// Which kind of ray asks; objects hide from some (spec 3, 14).
-enum class RayKind : std::uint8_t { Image, Reflection, Shadow };
+enum class RayKind : std::uint8_t { Image, Reflection, Shadow, Photon, Gather };
 
 /// The bit of a kind of ray in csg::World's visibility masks.
 constexpr std::uint8_t bit(RayKind kind) { return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind)); }

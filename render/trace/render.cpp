@@ -68,7 +68,8 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
     const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::enumerable_thread_specific<Worker> workers([&] {
-        return Worker{std::unique_ptr<BlockTracer, FreeTracer>(kernel.make(scene, options.cancel), FreeTracer{&kernel}),
+        return Worker{std::unique_ptr<BlockTracer, FreeTracer>(kernel.make(scene, options.indirect, options.cancel),
+                                                               FreeTracer{&kernel}),
                       {}};
     });
 

@@ -7,9 +7,12 @@
 
 #include <atomic>
 #include <functional>
+#include <string_view>
 #include <string>
 
 namespace trace {
+
+struct IndirectLight;
 
 /// Instruction sets with a kernel module of their own. Auto takes the best that the processor has.
 enum class Isa { Auto, V2, V3, V4 };
@@ -21,6 +24,8 @@ struct RenderOptions {
     std::function<void(double)> progress;
     /// Set to true to stop early: looked at once a tile of rays at the latest, whatever a block costs; null: never.
     const std::atomic<bool>* cancel = nullptr;
+    const IndirectLight* indirect = nullptr;        ///< of run_passes(); null: none
+    std::function<void(std::string_view)> pass;     ///< told the name of each pass that begins; may be empty
     std::size_t first = 0, last = ~std::size_t{0};  ///< blocks [first, last) alone, by number of Blocks
     /// By number of Blocks: true for those that the picture handed in holds already; empty: it holds none.
     std::vector<bool> done;

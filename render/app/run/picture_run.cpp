@@ -7,6 +7,7 @@
 #include "render/app/run/shell_commands.h"
 #include "render/app/output/state_file.h"
 #include "render/image/picture_writer.h"
+#include "render/trace/indirect/passes.h"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -66,6 +67,8 @@ private:
     bool cancelled() const { return task_.run.cancel.requested; }
     void resume();
     void prepare_strip(std::size_t first, std::size_t last);
+    trace::RenderOptions render_options();
+    bool find_indirect_light();
     bool trace(std::size_t first, std::size_t last);
     bool write_rows(int end);
     void put_in_place();
@@ -81,6 +84,7 @@ private:
     const bool in_strips_;
     image::Image picture_;
     trace::RenderStatistics statistics_;
+    std::shared_ptr<const trace::IndirectLight> indirect_;  ///< null: the scene has none
     std::unique_ptr<StateFile> state_;
     std::optional<PartialPicture> partial_;
     std::unique_ptr<PreviewFile> preview_;
@@ -147,14 +151,29 @@ void PictureRun::prepare_strip(std::size_t first, std::size_t last)
         if (state_->done()[i]) preview_->show(blocks_[i], picture_);
 }
 
-/// False: cancelled.
-bool PictureRun::trace(std::size_t first, std::size_t last)
+trace::RenderOptions PictureRun::render_options()
 {
     trace::RenderOptions options;
     options.threads = settings_.threads;
     options.isa = isa_of(settings_);
     options.cancel = &task_.run.cancel.requested;
     options.progress = [this](double share) { task_.run.reporter.progress(share); };
+    return options;
+}
+
+/// The passes before the picture. False: cancelled.
+bool PictureRun::find_indirect_light()
+{
+    indirect_ = trace::run_passes(task_.compiled, render_options());
+    times_.finish("trace");
+    return !cancelled();
+}
+
+/// False: cancelled.
+bool PictureRun::trace(std::size_t first, std::size_t last)
+{
+    trace::RenderOptions options = render_options();
+    options.indirect = indirect_.get();
     options.first = first * blocks_.per_row();
     options.last = last * blocks_.per_row();
     if (state_) options.done = state_->done();
@@ -234,6 +253,7 @@ int PictureRun::render()
         if (writer_) std::remove(writer_->growing().c_str());
     });
     task_.run.reporter.rendering();
+    if (!find_indirect_light()) return give_up();
     for (std::size_t first = 0; first < blocks_.rows(); first += strip_) {
         const std::size_t last = std::min(first + strip_, blocks_.rows());
         prepare_strip(first, last);

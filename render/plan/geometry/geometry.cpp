@@ -358,7 +358,8 @@ std::uint8_t GeometryCompiler::visible(const Inherited& own) const
     std::uint8_t bits = 0;
     if (!own.no_image) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Image));
     if (!own.no_reflection) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Reflection));
-    if (!own.no_shadow) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Shadow));
+    if (!own.no_shadow) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Shadow) | bit(RayKind::Photon));
+    bits = static_cast<std::uint8_t>(bits | bit(RayKind::Gather));
     return bits;
 }
 

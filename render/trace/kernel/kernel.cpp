@@ -5,6 +5,7 @@
 #include "render/trace/camera/focal_blur.h"
 #include "render/trace/geometry.h"
 #include "render/trace/shade/shade.h"
+#include "render/trace/shade/shade_context.h"
 #include "render/trace/shade/start_interiors.h"
 
 #include <algorithm>
@@ -20,13 +21,14 @@ namespace trace {
 /// Traces blocks for one thread: samples to rays, rays to hits, hits to colours, a tile at a time.
 class BlockTracer {
 public:
-    BlockTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
+    BlockTracer(const plan::CompiledScene& scene, const IndirectLight* indirect, const std::atomic<bool>* cancel)
         : scene_(scene), world_(scene.world()),
           camera_(scene.camera, scene.options.width, scene.options.height,
                   {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}),
-          blur_(scene.camera), starts_(scene)
+          blur_(scene.camera), starts_(scene), context_{scene, world_, scratch_, indirect}
     {
         scratch_.geometry.cancel = csg::CancelWatch(cancel);
+        for (const std::uint32_t interior : scene.camera_interiors) first_.interiors.append(interior);
         // A perspective camera's tiles differ in nothing but their directions.
         rays_.ox.fill(scene.camera.location.x);
         rays_.oy.fill(scene.camera.location.y);
@@ -49,7 +51,7 @@ public:
 
     RayCounts counts() const
     {
-        RayCounts counts = scratch_.counts;
+        RayCounts counts = scratch_.all_counts();
         counts.supersamples += antialias_.supersamples;
         return counts;
     }
@@ -216,7 +218,7 @@ private:
     {
         scratch_.counts.camera += static_cast<std::uint64_t>(rays_.count);
         world_.nearest(rays_, bit(plan::RayKind::Image), scratch_.geometry, hits_);
-        shade_tile(scene_, rays_, hits_, starts_.lists(), colors_, scratch_);
+        shade_tile(context_, rays_, hits_, first_, starts_.lists(), colors_);
     }
 
     const plan::CompiledScene& scene_;
@@ -225,6 +227,8 @@ private:
     FocalBlur blur_;
     StartInteriors starts_;
     Scratch scratch_;
+    Context context_;
+    RayState first_;  ///< what camera rays inherit
     AntialiasScratch antialias_;
     alignas(64) std::array<double, kTileRays> x_{}, y_{};  ///< sample positions of the tile at hand
     int samples_ = 0;
@@ -238,7 +242,9 @@ namespace {
 
 const KernelTable kTable = {
     WHITTLE_ISA,
-    [](const plan::CompiledScene& scene, const std::atomic<bool>* cancel) { return new BlockTracer(scene, cancel); },
+    [](const plan::CompiledScene& scene, const IndirectLight* indirect, const std::atomic<bool>* cancel) {
+        return new BlockTracer(scene, indirect, cancel);
+    },
     [](BlockTracer* tracer) { delete tracer; },
     [](BlockTracer& tracer, const Block& block, scene::Color* out) { return tracer.trace(block, out); },
     [](const BlockTracer& tracer) { return tracer.counts(); },

@@ -12,12 +12,14 @@
 namespace trace {
 
 class BlockTracer;
+struct IndirectLight;
 
 /// Functions of one module. A BlockTracer belongs to one thread and lives inside the module that made it.
 struct KernelTable {
     const char* isa;
-    /// \param cancel see RenderOptions; null: never
-    BlockTracer* (*make)(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
+    /// \param indirect of the passes before; null: none. \param cancel see RenderOptions; null: never
+    BlockTracer* (*make)(const plan::CompiledScene& scene, const IndirectLight* indirect,
+                         const std::atomic<bool>* cancel);
     void (*free)(BlockTracer* tracer);
     /// Colours of the block's pixels, row by row. False: `cancel` was set meanwhile, and the tracer can only be freed.
     bool (*trace)(BlockTracer& tracer, const Block& block, scene::Color* out);

@@ -38,9 +38,7 @@ public:
             which_ = i;
             if (asks_ != 0) add(lights[i]);
         }
-        batch_.finish();
         if (batch_.scalar() != 0) add_scalar();
-        batch_.close_nodes(context_.scratch.shade.queue);
     }
 
 private:

@@ -19,7 +19,6 @@ scene::Color mixed(const scene::Color& lower, const scene::Color& upper, double 
 
 /// Colours and nodes at hand while a tile's are folded.
 struct Folding {
-    const Context& context;
     const RayQueue& queue;
 
     scene::Color at(ColorSlot slot) const { return slot == kNoSlot ? scene::Color() : queue.colors[slot]; }
@@ -82,8 +81,7 @@ struct Folding {
         case ShadeNode::Kind::Spectrum: return spectrum(node);
         case ShadeNode::Kind::Air: break;
         }
-        const Air& air = queue.airs[node.air];
-        return through_fog(context, air.ray, air.length, at(node.through));
+        return Air{node.filter, node.own}(at(node.through));
     }
 };
 
@@ -96,7 +94,6 @@ void RayQueue::start(std::size_t camera_rays)
     batches.clear();
     nodes.clear();
     terms.clear();
-    airs.clear();
     frames_.clear();
     colors.resize(camera_rays);
 }
@@ -122,10 +119,7 @@ std::uint32_t RayQueue::new_terms(std::size_t count)
     return first;
 }
 
-void RayQueue::begin_tile()
-{
-    frames_.push_back({rays.size(), nodes.size(), terms.size(), airs.size(), colors.size()});
-}
+void RayQueue::begin_tile() { frames_.push_back({rays.size(), nodes.size(), terms.size(), colors.size()}); }
 
 void RayQueue::end_tile()
 {
@@ -137,15 +131,14 @@ void RayQueue::end_tile()
     mirrors.clear();
 }
 
-void RayQueue::fold(const Context& context)
+void RayQueue::fold()
 {
-    const Folding folding{context, *this};
+    const Folding folding{*this};
     for (; !frames_.empty() && rays.size() <= frames_.back().rays; frames_.pop_back()) {
         const Frame& frame = frames_.back();
         for (std::size_t i = nodes.size(); i-- > frame.nodes;) colors[nodes[i].out] = folding.color(nodes[i]);
         nodes.resize(frame.nodes);
         terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(frame.terms), terms.end());
-        airs.erase(airs.begin() + static_cast<std::ptrdiff_t>(frame.airs), airs.end());
         colors.resize(frame.colors);
     }
 }

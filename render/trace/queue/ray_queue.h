@@ -38,26 +38,19 @@ struct ShadeNode {
         Sum,       ///< by weights: corners of a mesh's face, parts of a blob
         Mean,      ///< the same over the sum of the weights: an average
         Spectrum,  ///< rays of single wavelengths (spec 3, 8.5)
-        Air        ///< fog on the way of the ray
+        Air  ///< what the air on the way of the ray makes of it (air/air.h): `filter` is its share, `own` its glow
     };
     Kind kind = Kind::Surface;
     bool total = false;  ///< Surface: `through` is the mirrored ray of a total reflection
     ColorSlot out = kNoSlot,
               through = kNoSlot;  ///< Mix: `through` is the lower one, the only term the upper one. Air: what it dims
     std::uint32_t first = 0, count = 0;
-    std::uint32_t air = 0;  ///< Air: index into RayQueue::airs
-    float residual = 0;     ///< Surface: share of alpha that goes through
-    float weights = 0;      ///< Mean: their sum
-    double share = 0;       ///< Mix: of the upper one
+    float residual = 0;  ///< Surface: share of alpha that goes through
+    float weights = 0;   ///< Mean: their sum
+    double share = 0;    ///< Mix: of the upper one
     glm::vec3 own{0}, filter{1},
         fade{1};  ///< Surface; `fade`: of the ray that goes through, its film included where it is `total`
     glm::vec3 film{1};
-};
-
-/// What fog needs to know of a ray; there is nothing solid around it.
-struct Air {
-    csg::Ray ray;
-    double length;
 };
 
 /// What waits, per thread. Rays are a stack of batches: the last is traced first, so that few wait at any time, however
@@ -68,7 +61,6 @@ public:
     std::vector<std::uint32_t> batches;    ///< where each starts in `rays`
     std::vector<ShadeNode> nodes;          ///< before every node those that wait for it
     std::vector<ShadeTerm> terms;
-    std::vector<Air> airs;
     std::vector<scene::Color> colors;  ///< by ColorSlot
 
     /// Nothing waits but the colours of this many camera rays, in the first slots.
@@ -84,12 +76,12 @@ public:
     /// After it: its mirrored rays become a batch of their own behind those that go through.
     void end_tile();
     /// Folds the nodes of every tile of which no ray waits any more.
-    void fold(const Context& context);
+    void fold();
 
 private:
     /// What there was when a tile began.
     struct Frame {
-        std::size_t rays, nodes, terms, airs, colors;
+        std::size_t rays, nodes, terms, colors;
     };
     std::vector<Frame> frames_;
 };

@@ -5,6 +5,7 @@
 #include "render/trace/shade/shade_scratch.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace trace {
@@ -32,6 +33,24 @@ struct Scratch {
     RayCounts counts;
     std::uint32_t grain_state = 0;  ///< of the stream behind Options::grain_stream
     ShadeScratch shade;
+
+    /// Of rays that are gathered while a tile is being shaded, whose own scratch has to stay as it is. As deep as such
+    /// rays gather in turn.
+    Scratch& nested()
+    {
+        if (!nested_) nested_ = std::make_unique<Scratch>();
+        nested_->geometry.cancel = geometry.cancel;
+        return *nested_;
+    }
+    RayCounts all_counts() const
+    {
+        RayCounts sum = counts;
+        if (nested_) sum += nested_->all_counts();
+        return sum;
+    }
+
+private:
+    std::unique_ptr<Scratch> nested_;
 };
 
 }  // namespace trace

@@ -1,5 +1,7 @@
 #include "render/trace/shade/shade.h"
 
+#include "render/trace/air/air_stage.h"
+#include "render/trace/indirect/indirect_stage.h"
 #include "render/trace/light/light_stage.h"
 #include "render/trace/shade/surface_stage.h"
 
@@ -17,20 +19,19 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     queue.begin_tile();
     const SegmentTile tile(context, rays, hits, camera, starts, queued);
     DirectBatch batch(context);
-    SurfaceStage(context, tile, batch).run();
+    const HitMask dimmed = AirStage(context, tile).run();
+    SurfaceStage(context, tile, batch, dimmed).run();
     LightStage(context, tile, batch).run();
+    IndirectStage(context, tile, batch).run();
+    batch.finish();
+    batch.close_nodes(queue);
     RayState own;
     const HitMask missed = first_hits(rays.count) & ~tile.found();
-    const bool fog = foggy(context);
-    for_each_hit(missed, [&](std::size_t k) {
-        const RayState& state = tile.state(k, own);
-        queue.colors[tile.slot(k)] =
-            through_air(context, state.ray, state.interiors, csg::kInfinity, sky_color(context, state));
-    });
-    for_each_hit(batch.all_alone(), [&](std::size_t k) {
-        const scene::Color c = scene::Color::of(batch.sum(k));
-        queue.colors[tile.slot(k)] = fog ? through_hollow(context, tile.ray(k), tile.interiors(k), hits.t[k], c) : c;
-    });
+    const auto put = [&](std::size_t k, const scene::Color& color) {
+        queue.colors[tile.slot(k)] = has(dimmed, k) ? context.scratch.shade.air[k](color) : color;
+    };
+    for_each_hit(missed, [&](std::size_t k) { put(k, sky_color(context, tile.state(k, own))); });
+    for_each_hit(batch.all_alone(), [&](std::size_t k) { put(k, scene::Color::of(batch.sum(k))); });
     queue.end_tile();
 }
 
@@ -80,17 +81,15 @@ void shade_queued(Context& context, const RayState& camera)
 
 }  // namespace
 
-void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const HitTile& hits, const InteriorList* starts,
-                scene::Color* out, Scratch& scratch)
+void shade_tile(Context& context, const RayTile& rays, const HitTile& hits, const RayState& first,
+                const InteriorList* starts, scene::Color* out)
 {
-    Context context{scene, scene.world(), scratch};
-    if (scratch.shade.traits.surfaces.empty()) scratch.shade.traits = scene_traits(scene);
-    RayState camera;
-    for (const std::uint32_t interior : scene.camera_interiors) camera.interiors.append(interior);
-    RayQueue& queue = scratch.shade.queue;
+    ShadeScratch& scratch = context.scratch.shade;
+    if (scratch.traits.surfaces.empty()) scratch.traits = scene_traits(context.scene);
+    RayQueue& queue = scratch.queue;
     queue.start(static_cast<std::size_t>(rays.count));
-    shade(context, rays, hits, camera, starts, nullptr);
-    for (queue.fold(context); !queue.batches.empty(); queue.fold(context)) shade_queued(context, camera);
+    shade(context, rays, hits, first, starts, nullptr);
+    for (queue.fold(); !queue.batches.empty(); queue.fold()) shade_queued(context, first);
     std::copy_n(queue.colors.begin(), rays.count, out);
 }
 

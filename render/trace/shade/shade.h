@@ -3,19 +3,18 @@
 #include "render/scene/color.h"
 #include "render/trace/geometry.h"
 
-namespace plan {
-struct CompiledScene;
-}
-
 namespace trace {
 
 class InteriorList;
-struct Scratch;
+struct Context;
+struct RayState;
 
-/// Colours of a tile of camera rays: hits are shaded, misses see the sky. `transmit` of a colour is what the
-/// background shows through (alpha output). rays.count colours are written. Recursion happens inside.
-/// starts: what each ray starts inside of; null: all in the scene's eye.
-void shade_tile(const plan::CompiledScene& scene, const RayTile& rays, const HitTile& hits, const InteriorList* starts,
-                scene::Color* out, Scratch& scratch);
+/// Colours of a tile of rays that have been traced: hits are shaded, misses see the sky. `transmit` of a colour is what
+/// the background shows through (alpha output). rays.count colours are written.
+/// \param first   what the rays inherit, all but the ray itself: a camera ray's start, or that of a ray that gathers
+///                light. Rays that are gathered from within shading have a Context with Scratch::nested() of its own.
+/// \param starts  what each ray starts inside of; null: all as `first`
+void shade_tile(Context& context, const RayTile& rays, const HitTile& hits, const RayState& first,
+                const InteriorList* starts, scene::Color* out);
 
 }  // namespace trace

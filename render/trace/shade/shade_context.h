@@ -3,6 +3,7 @@
 #include "render/plan/compiled_scene.h"
 #include "render/scene/color.h"
 #include "render/texture/evaluate.h"
+#include "render/trace/air/air.h"
 #include "render/trace/geometry.h"
 #include "render/trace/queue/ray_state.h"
 #include "render/trace/queue/scratch.h"
@@ -26,11 +27,15 @@ inline bool dark(const glm::vec3& c)
 inline bool black(const glm::vec3& c) { return c.x == 0.0f && c.y == 0.0f && c.z == 0.0f; }
 inline float largest(const glm::vec3& c) { return std::max({c.x, c.y, c.z}); }
 
+struct IndirectLight;
+
 /// Everything shading reads and writes besides the ray.
 struct Context {
     const plan::CompiledScene& scene;
     csg::World world;
     Scratch& scratch;
+    const IndirectLight* indirect = nullptr;  ///< what the passes before the picture have found; null: nothing
+    int bounce = 0;                           ///< of light that is gathered: 0 for what the camera sees (spec 6, 4.1)
 };
 
 /// Point, normal and what else the surface's textures ask for.
@@ -77,19 +82,6 @@ struct ScalarRow {
     const LightSample* samples;  ///< by light
     std::uint32_t& grains;
 };
-
-/// Fog where the interiors around the ray allow it.
-scene::Color through_hollow(const Context& context, const csg::Ray& ray, const InteriorList& interiors, double length,
-                            const scene::Color& color);
-
-inline bool foggy(const Context& context) { return !context.scene.fogs.empty() && context.scene.settings.quality >= 9; }
-
-/// What becomes of a colour over the length of the ray that sees it; it may be infinite (spec 3, section 2).
-inline scene::Color through_air(const Context& context, const csg::Ray& ray, const InteriorList& interiors,
-                                double length, const scene::Color& color)
-{
-    return foggy(context) ? through_hollow(context, ray, interiors, length, color) : color;
-}
 
 /// Goes through all textures of a hit: their rows go to the batch, nodes and rays to the queue; its colour is to come
 /// into `out`.
@@ -177,7 +169,7 @@ scene::Color sky_color(const Context& context, const RayState& state);
 /// Share of light that fog lets pass over a length.
 glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
 
-/// Fog over the length of a ray; infinite length is allowed (spec 2, section 16).
-scene::Color through_fog(const Context& context, const csg::Ray& ray, double length, scene::Color color);
+/// Fog over the length of a ray (spec 2, section 16).
+Air fog_air(const Context& context, const csg::Ray& ray, double length);
 
 }  // namespace trace

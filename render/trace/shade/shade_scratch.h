@@ -4,6 +4,7 @@
 #include "render/light/illuminate.h"
 #include "render/trace/queue/row_page.h"
 #include "render/trace/light/highlight_lanes.h"
+#include "render/trace/air/air.h"
 #include "render/trace/shade/pigment_batch.h"
 #include "render/trace/shade/shade_lanes.h"
 #include "render/trace/shade/surface_traits.h"
@@ -68,6 +69,7 @@ struct ShadeScratch {
     std::array<QueuedRay, csg::kTileRays> segments;  ///< those being traced
     csg::RayTile segment_rays;                       ///< the same as a tile
     csg::HitTile segment_hits;
+    std::array<Air, csg::kTileRays> air;               ///< by segment, where there is some (AirStage)
     TileHits hits;                                     ///< of a tile
     TileLight light;                                   ///< the one at hand
     ShadowEnds shadow_ends;                            ///< the same

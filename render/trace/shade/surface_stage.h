@@ -9,8 +9,9 @@ namespace trace {
 
 class SurfaceStage {
 public:
-    SurfaceStage(Context& context, const SegmentTile& tile, DirectBatch& batch)
-        : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch)
+    /// dimmed: segments that ShadeScratch::air changes.
+    SurfaceStage(Context& context, const SegmentTile& tile, DirectBatch& batch, HitMask dimmed)
+        : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch), dimmed_(dimmed)
     {}
 
     void run()
@@ -109,11 +110,10 @@ private:
         RayQueue& queue = context_.scratch.shade.queue;
         const std::uint32_t texture = tile_.texture(k);
         if (texture == plan::kNone) {
-            queue.colors[tile_.slot(k)] = through_air(context_, state.ray, state.interiors, met.t, {});
+            queue.colors[tile_.slot(k)] = has(dimmed_, k) ? scratch_.air[k]({}) : scene::Color();
             return;
         }
-        const bool dimmed = foggy(context_) && state.interiors.all_hollow(context_.scene.interiors);
-        const ColorSlot out = dimmed ? dim(queue, state.ray, met.t, tile_.slot(k)) : tile_.slot(k);
+        const ColorSlot out = has(dimmed_, k) ? dim(queue, scratch_.air[k], tile_.slot(k)) : tile_.slot(k);
         HitContext hit{tile_.place(k, state, met), k, {}};
         if (batch_.holds(k)) return go_on_single(hit, out);
         const HitDetails& details = tile_.details(k);
@@ -137,13 +137,13 @@ private:
     }
 
     /// A node for the air before the hit; the slot that it dims.
-    static ColorSlot dim(RayQueue& queue, const csg::Ray& ray, double length, ColorSlot out)
+    static ColorSlot dim(RayQueue& queue, const Air& air, ColorSlot out)
     {
         const ColorSlot seen = queue.new_slot();
         ShadeNode& node = queue.new_node(ShadeNode::Kind::Air, out);
         node.through = seen;
-        node.air = static_cast<std::uint32_t>(queue.airs.size());
-        queue.airs.push_back({ray, length});
+        node.filter = air.share;
+        node.own = air.glow;
         return seen;
     }
 
@@ -164,7 +164,8 @@ private:
     const SegmentTile& tile_;
     DirectBatch& batch_;
     bool lights_ = false, goes_on_ = false;  ///< of this quality
-    HitMask layered_ = 0;                    ///< hits with prefetched pigments
+    HitMask dimmed_;
+    HitMask layered_ = 0;  ///< hits with prefetched pigments
 };
 
 }  // namespace trace

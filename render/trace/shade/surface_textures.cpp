@@ -125,10 +125,4 @@ void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const 
     shade_texture(context, batch, hit, texture, p, out);
 }
 
-scene::Color through_hollow(const Context& context, const csg::Ray& ray, const InteriorList& interiors, double length,
-                            const scene::Color& color)
-{
-    return interiors.all_hollow(context.scene.interiors) ? through_fog(context, ray, length, color) : color;
-}
-
 }  // namespace trace

