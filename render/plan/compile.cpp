@@ -50,6 +50,7 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     if (description.camera.normal) out.camera_normal = textures.normal(*description.camera.normal, false);
     out.sky = compile_sky(description, textures, options.alpha);
     out.fogs = compile_fogs(description);
+    out.rainbows = compile_rainbows(description, textures);
     geometry.finish();
     const bool foggy = !out.fogs.empty() && options.quality >= 9;
     for (light::Light& light : out.lights.lights) light.atmosphere = light.atmosphere && foggy;

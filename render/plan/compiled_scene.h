@@ -92,6 +92,7 @@ struct CompiledScene {
     light::LightSet lights;
     texture::Sky sky;
     std::vector<texture::Fog> fogs;
+    std::vector<texture::Rainbow> rainbows;
     scene::Camera camera;
     std::shared_ptr<const MeshCamera> mesh_camera;  ///< null for other cameras
     std::uint32_t camera_normal = kNone;            ///< index into textures.normals

@@ -105,7 +105,7 @@ struct Description {
     std::vector<Unsupported> unsupported;
     std::vector<Object> unsupported_objects;  ///< objects of kinds that are not drawn yet, wherever they stood
     std::vector<Media> media;                 ///< of the whole scene: read, not drawn yet
-    std::vector<Rainbow> rainbows;            ///< the like
+    std::vector<Rainbow> rainbows;
 };
 
 /// The description as text, one fact a line, defaults included: --dump=scene. The same description gives the same text.

@@ -62,7 +62,6 @@ std::vector<Unsupported> of_whole_scene(const Description& description)
     if (global.radiosity) settings.push_back({"radiosity", global.radiosity->source});
     if (global.photons) settings.push_back({"photons", global.photons->source});
     for (const Media& media : description.media) space.push_back({"media", media.source});
-    for (const Rainbow& rainbow : description.rainbows) space.push_back({"rainbow", rainbow.source});
     for (std::vector<Unsupported>* group : {&settings, &space}) {
         std::stable_sort(group->begin(), group->end(), [](const Unsupported& a, const Unsupported& b) {
             return std::tie(a.source.file, a.source.line, a.source.column) <

@@ -26,4 +26,12 @@ struct Fog {
     glm::dvec3 up{0, 1, 0};
 };
 
+/// One rainbow (spec 2, section 17); angles in radians, colours from the inner edge to the outer in TextureSet::keys
+/// and colors.
+struct Rainbow {
+    glm::dvec3 antisolar{0}, right{0}, up{0};  ///< unit: where it is seen around, and the axes beside
+    double angle = 0, width = 0, arc = 0, falloff = 0, distance = 0, jitter = 0;
+    std::uint32_t first = 0, count = 0;
+};
+
 }  // namespace texture

@@ -68,8 +68,6 @@ TEST_CASE("what is not rendered is told once, at its place", "[parser][unsupport
     CHECK(told("global_settings { radiosity { } }") == Lines{"2:19: warning: radiosity"});
     CHECK(told("global_settings { photons { count 100 } }") == Lines{"2:19: warning: photons"});
     CHECK(told("media { emission 1 }\nmedia { emission 2 }") == Lines{"2:1: warning: media"});
-    CHECK(told("rainbow { angle 42 width 5 distance 10 direction z color_map { [0 rgb 0] [1 rgb 1] } }") ==
-          Lines{"2:1: warning: rainbow"});
     CHECK(told("sphere { 0, 1 interior {\n media { emission 1 } } }") == Lines{"3:2: warning: media"});
     CHECK(told("sphere { 0, 1 finish { subsurface { translucency 0.5 } } }") == Lines{"2:24: warning: subsurface"});
     CHECK(told("#default { finish { subsurface { translucency 0.5 } } } sphere { 0, 1 }") ==

@@ -43,4 +43,26 @@ std::vector<texture::Fog> compile_fogs(const scene::Description& scene)
     return out;
 }
 
+std::vector<texture::Rainbow> compile_rainbows(const scene::Description& scene, TextureCompiler& textures)
+{
+    std::vector<texture::Rainbow> out;
+    for (const scene::Rainbow& from : scene.rainbows) {
+        if (from.colors.empty() || from.width_deg == 0.0 || from.distance == 0.0) continue;
+        texture::Rainbow to;
+        to.antisolar = glm::normalize(from.direction);
+        to.right = glm::normalize(glm::cross(from.up, to.antisolar));
+        to.up = glm::normalize(glm::cross(to.antisolar, glm::cross(from.up, to.antisolar)));
+        to.angle = glm::radians(from.angle_deg);
+        to.width = glm::radians(from.width_deg);
+        to.arc = from.arc();
+        to.falloff = from.falloff();
+        to.distance = from.distance;
+        to.jitter = from.jitter;
+        to.first = textures.color_map(from.colors);
+        to.count = static_cast<std::uint32_t>(from.colors.size());
+        out.push_back(to);
+    }
+    return out;
+}
+
 }  // namespace plan

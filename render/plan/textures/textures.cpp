@@ -149,6 +149,16 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
     return size_of(out_.pigments.size() - 1);
 }
 
+std::uint32_t TextureCompiler::color_map(const scene::ColorMap& description)
+{
+    const std::uint32_t first = reserve_map(description.size());
+    for (std::uint32_t i = 0; i < description.size(); ++i) {
+        out_.keys[first + i] = static_cast<float>(description[i].key);
+        out_.colors[first + i] = description[i].value;
+    }
+    return first;
+}
+
 bool TextureCompiler::pigment_opaque(std::uint32_t index) const
 {
     const texture::Pigment& pigment = out_.pigments[index];

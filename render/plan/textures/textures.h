@@ -20,6 +20,8 @@ public:
     std::uint32_t texture(const scene::TexturePtr& description);
     /// Index into TextureSet::pigments.
     std::uint32_t pigment(const scene::Pigment& description);
+    /// First of the map's entries in TextureSet::keys and colors.
+    std::uint32_t color_map(const scene::ColorMap& description);
     /// Index into TextureSet::normals; texture::kNone if it cannot be evaluated (noted).
     std::uint32_t normal(const scene::Normal& description, bool no_bump_scale);
     /// Index into TextureSet::functions; texture::kNone if it needs a pattern that cannot be evaluated (noted).
@@ -51,5 +53,7 @@ private:
 /// alpha_output: the picture is written with an alpha channel (+UA).
 texture::Sky compile_sky(const scene::Description& scene, TextureCompiler& textures, bool alpha_output);
 std::vector<texture::Fog> compile_fogs(const scene::Description& scene);
+/// Those that can be seen.
+std::vector<texture::Rainbow> compile_rainbows(const scene::Description& scene, TextureCompiler& textures);
 
 }  // namespace plan

@@ -11,17 +11,19 @@ namespace trace {
 /// still to be traced behind it (spec 6, 1.6).
 struct Air {
     glm::vec3 share{1}, glow{0};
+    float clear = 1;  ///< share of the background's transparency (alpha output) that is left
 
     /// This stretch seen through a nearer one.
     void behind(const Air& nearer)
     {
         share *= nearer.share;
+        clear *= nearer.clear;
         glow = glow * nearer.share + nearer.glow;
     }
     scene::Color operator()(const scene::Color& seen) const
     {
         scene::Color out = scene::Color::of(glow + seen.rgb() * share);
-        out.transmit = seen.transmit * scene::grey(share);
+        out.transmit = seen.transmit * clear;
         return out;
     }
 };

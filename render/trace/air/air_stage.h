@@ -12,7 +12,7 @@ inline constexpr double kSkyDistance = 2e10;  ///< length of a ray that meets no
 inline bool has_air(const Context& context)
 {
     const plan::CompiledScene& scene = context.scene;
-    return scene.settings.quality >= 9 && !scene.fogs.empty();
+    return scene.settings.quality >= 9 && (!scene.fogs.empty() || !scene.rainbows.empty());
 }
 
 class AirStage {
@@ -37,6 +37,7 @@ private:
         const csg::Ray ray = tile_.ray(k);
         const double length = has(tile_.found(), k) ? tile_.hits.t[k] : kSkyDistance;
         Air air;
+        if (!context_.scene.rainbows.empty()) air.behind(rainbow_air(context_, ray, length));
         if (!context_.scene.fogs.empty()) air.behind(fog_air(context_, ray, length));
         return air;
     }

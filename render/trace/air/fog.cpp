@@ -53,6 +53,7 @@ Air fog_air(const Context& context, const csg::Ray& ray, double length)
         air.glow += (1.0f - a) * fog.color.rgb();
         air.share *= a * ((1.0f - fog.color.filter) + fog.color.filter * fog.color.rgb());
     }
+    air.clear = scene::grey(air.share);
     return air;
 }
 

@@ -81,7 +81,7 @@ struct Folding {
         case ShadeNode::Kind::Spectrum: return spectrum(node);
         case ShadeNode::Kind::Air: break;
         }
-        return Air{node.filter, node.own}(at(node.through));
+        return Air{node.filter, node.own, node.residual}(at(node.through));
     }
 };
 

@@ -172,4 +172,7 @@ glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
 /// Fog over the length of a ray (spec 2, section 16).
 Air fog_air(const Context& context, const csg::Ray& ray, double length);
 
+/// The rainbows that a ray of this length sees (spec 2, section 17).
+Air rainbow_air(const Context& context, const csg::Ray& ray, double length);
+
 }  // namespace trace

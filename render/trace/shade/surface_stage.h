@@ -144,6 +144,7 @@ private:
         node.through = seen;
         node.filter = air.share;
         node.own = air.glow;
+        node.residual = air.clear;
         return seen;
     }
 
