@@ -48,6 +48,8 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     GeometryCompiler geometry(description, options, textures, out, notes);
     for (const scene::Object& object : description.objects) geometry.add(object);
     if (description.camera.normal) out.camera_normal = textures.normal(*description.camera.normal, false);
+    if (description.camera.bokeh && description.camera.bokeh->pigment)
+        out.bokeh = textures.pigment(*description.camera.bokeh->pigment);
     out.sky = compile_sky(description, textures, options.alpha);
     out.fogs = compile_fogs(description);
     out.rainbows = compile_rainbows(description, textures);

@@ -96,6 +96,7 @@ struct CompiledScene {
     scene::Camera camera;
     std::shared_ptr<const MeshCamera> mesh_camera;  ///< null for other cameras
     std::uint32_t camera_normal = kNone;            ///< index into textures.normals
+    std::uint32_t bokeh = kNone;                    ///< index into textures.pigments: the shape of points out of focus
     Settings settings;
     Options options;
     std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)

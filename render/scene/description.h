@@ -40,7 +40,7 @@ struct Camera {
     int blur_samples = 0, blur_fewest = 0;  ///< at most and at least, a sample of the picture
     std::shared_ptr<const MeshCamera> mesh;
     std::optional<Normal> normal;  ///< bends the rays
-    std::optional<Bokeh> bokeh;    ///< read, not used yet
+    std::optional<Bokeh> bokeh;
     SourceRef source;
 };
 

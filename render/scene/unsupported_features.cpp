@@ -38,7 +38,6 @@ public:
             return;
         }
         const auto& layers = std::get<std::vector<Layer>>(texture->kind);
-        if (layers.size() > kMostLayers) tell("more than 32 layers in a texture", layers.front().pigment.source);
         for (const Layer& layer : layers)
             if (layer.finish.subsurface) tell("subsurface", layer.finish.subsurface->source);
     }
@@ -69,10 +68,6 @@ std::vector<Unsupported> of_whole_scene(const Description& description)
         });
         all.insert(all.end(), group->begin(), group->end());
     }
-    const Camera& camera = description.camera;
-    if (camera.bokeh) all.push_back({"bokeh", camera.bokeh->source});
-    if (camera.mesh && camera.kind == Camera::Kind::Mesh && camera.mesh->rays_per_pixel >= 2)
-        all.push_back({"several rays a pixel of a mesh_camera (the first is used)", camera.mesh->source});
     return all;
 }
 

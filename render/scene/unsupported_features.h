@@ -2,13 +2,9 @@
 
 #include "render/scene/description.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace scene {
-
-/// Layers of one texture that are rendered; those below them are left out.
-inline constexpr std::size_t kMostLayers = 32;
 
 /// What the scene asks for and the renderer does not do yet, each kind once, at the place of its first use. What is
 /// declared and stands in no object of the scene asks for nothing. `in_objects`: whether objects, with textures,

@@ -74,10 +74,6 @@ TEST_CASE("what is not rendered is told once, at its place", "[parser][unsupport
           Lines{"2:21: warning: subsurface"});
     CHECK(told("mesh { triangle { 0, x, y texture { finish { subsurface { translucency 0.5 } } } } }") ==
           Lines{"2:46: warning: subsurface"});
-    CHECK(told("camera { bokeh { pigment { rgb 1 } } }") == Lines{"2:10: warning: bokeh"});
-    std::string layers;
-    for (int i = 0; i < 33; ++i) layers += " texture { pigment { rgbt 0.9 } }";
-    CHECK(told("sphere { 0, 1" + layers + " }") == Lines{"2:35: warning: more than 32 layers in a texture"});
 }
 
 TEST_CASE("what lights do in media is told by the media", "[parser][unsupported]")

@@ -1,6 +1,5 @@
 #include "parser/grammar/textures/images.h"
 #include "parser/grammar/core/rules.h"
-#include "render/scene/unsupported_features.h"
 
 namespace parser {
 namespace {
@@ -245,7 +244,6 @@ scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, c
     auto& layers = std::get<Layers>(both->kind);
     const std::size_t first = layers.size();
     layers.insert(layers.end(), upper->begin(), upper->end());
-    build.unsupported_in_objects |= layers.size() > scene::kMostLayers;
     if (build.version() <= kLastOldLayers)
         for (std::size_t i = first; i < layers.size(); ++i) filter_to_transmit(layers[i].pigment);
     return both;

@@ -12,7 +12,6 @@
 namespace plan {
 namespace {
 
-using scene::kMostLayers;              // what the tracer remembers of one hit
 constexpr float kNearlyZero = 1e-10f;  // filter and transmit below it are none (spec 3, 13.2)
 constexpr int kLegacyVersion = 370;    // formulas of before hold below it
 
@@ -216,12 +215,10 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
 std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& description)
 {
     texture::Texture out;
-    const std::size_t skipped = description.size() > kMostLayers ? description.size() - kMostLayers : 0;
     std::vector<texture::Layer> compiled;
     out.opaque = false;
     out.lit = false;
-    for (std::size_t i = skipped; i < description.size(); ++i) {
-        const scene::Layer& from = description[i];
+    for (const scene::Layer& from : description) {
         texture::Layer to;
         to.pigment = pigment(from.pigment);
         if (from.normal && quality_ >= 8) to.normal = normal(*from.normal, false);

@@ -1,10 +1,12 @@
 #include "render/trace/camera/focal_blur.h"
 
+#include "render/texture/evaluate.h"
 #include "render/trace/antialias/jitter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace trace {
 namespace {
@@ -80,7 +82,7 @@ double chi_square(int n, double probability)
 
 }  // namespace
 
-FocalBlur::FocalBlur(const scene::Camera& camera)
+FocalBlur::FocalBlur(const scene::Camera& camera, const texture::TextureSet& textures, std::uint32_t bokeh)
     : samples_(camera.aperture != 0.0 ? std::max(0, camera.blur_samples) : 0), fewest_(camera.blur_fewest),
       radius_(camera.aperture / 2.0), location_(camera.location)
 {
@@ -89,14 +91,18 @@ FocalBlur::FocalBlur(const scene::Camera& camera)
     focal_ratio_ = camera.focal_distance / glm::length(d);
     right_ = glm::normalize(glm::cross(camera.up, d));
     up_ = glm::normalize(glm::cross(d, right_));
-    const LensSet& set = set_of(samples_);
-    set_ = set.size;
-    amplitude_ = samples_ == set.size && set.amplitude > 0.0 ? set.amplitude
-                                                             : 0.5 / std::sqrt(static_cast<double>(samples_));
-    const int fixed = std::min(set.size, samples_);
-    places_.assign(kLens.begin() + static_cast<std::ptrdiff_t>(set.first),
-                   kLens.begin() + static_cast<std::ptrdiff_t>(set.first) + fixed);
-    place_further_samples();
+    amplitude_ = 0.5 / std::sqrt(static_cast<double>(samples_));
+    if (bokeh != texture::kNone) {
+        place_by_brightness(textures, bokeh);
+    } else {
+        const LensSet& set = set_of(samples_);
+        set_ = set.size;
+        if (samples_ == set.size && set.amplitude > 0.0) amplitude_ = set.amplitude;
+        const int fixed = std::min(set.size, samples_);
+        places_.assign(kLens.begin() + static_cast<std::ptrdiff_t>(set.first),
+                       kLens.begin() + static_cast<std::ptrdiff_t>(set.first) + fixed);
+        place_further_samples();
+    }
     thresholds_.assign(static_cast<std::size_t>(samples_) + 1, 0.0);
     if (samples_ < 2) return;
     const double last = chi_square(samples_ - 1, camera.confidence);
@@ -127,6 +133,20 @@ void FocalBlur::place_further_samples()
         if (picky && (occupied[cell_of(g)] || glm::length(g) > 0.5)) continue;
         occupied[cell_of(g)] = true;
         places_.push_back(g);
+    }
+}
+
+/// The brighter the pigment, the sooner a place is taken; the longer it takes, the less it asks for.
+void FocalBlur::place_by_brightness(const texture::TextureSet& set, std::uint32_t bokeh)
+{
+    std::mt19937 generator;
+    generator();  // POV-Ray's first number is never used
+    const double patience = static_cast<double>(samples_) * samples_;
+    for (int k = 0; static_cast<int>(places_.size()) < samples_; ++k) {
+        const glm::dvec2 at{radical_inverse(2, k), radical_inverse(3, k)};
+        const scene::Color c = texture::pigment_color(set, bokeh, {at.x, at.y, 0.0}, {});
+        const double enough = static_cast<double>(scene::grey(c.rgb())) + k / patience;
+        if (static_cast<double>(generator()) / 4294967296.0 <= enough) places_.push_back(at - 0.5);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/texture/texture_set.h"
 #include "render/trace/camera/camera_rays.h"
 
 #include <array>
@@ -20,7 +21,9 @@ public:
         scene::Color mean() const;
     };
 
-    explicit FocalBlur(const scene::Camera& camera);
+    /// bokeh: a pigment of the set whose brightness over the unit square says where on the lens rays start; kNone: a
+    /// round lens.
+    FocalBlur(const scene::Camera& camera, const texture::TextureSet& set, std::uint32_t bokeh);
 
     bool active() const { return samples_ > 0; }
     int most_samples() const { return samples_; }
@@ -32,6 +35,7 @@ public:
 
 private:
     void place_further_samples();
+    void place_by_brightness(const texture::TextureSet& set, std::uint32_t bokeh);
 
     int samples_ = 0, fewest_ = 0, set_ = 0;
     double radius_ = 0, amplitude_ = 0, focal_ratio_ = 1;

@@ -25,7 +25,7 @@ public:
         : scene_(scene), world_(scene.world()),
           camera_(scene.camera, scene.options.width, scene.options.height,
                   {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}),
-          blur_(scene.camera), starts_(scene), context_{scene, world_, scratch_, indirect}
+          blur_(scene.camera, scene.textures, scene.bokeh), starts_(scene), context_{scene, world_, scratch_, indirect}
     {
         scratch_.geometry.cancel = csg::CancelWatch(cancel);
         for (const std::uint32_t interior : scene.camera_interiors) first_.interiors.append(interior);

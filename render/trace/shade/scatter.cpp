@@ -209,7 +209,7 @@ ColorSlot disperse(Context& context, const HitPlace& hit, const glm::dvec3& top_
 void transmit(Context& context, const HitPlace& hit, const LayerStack& stack, std::uint32_t index)
 {
     RayQueue& queue = context.scratch.shade.queue;
-    const texture::Finish& top_finish = *stack.mirrors[0].finish;
+    const texture::Finish& top_finish = *stack.mirrors.front().finish;
     Refracted next;
     if (!refract(context, hit, stack.top_normal, hit.state.weight * largest(glm::abs(stack.filter)), next)) return;
     queue.nodes[index].fade = next.fade;
@@ -260,8 +260,7 @@ std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& s
         transmit(context, hit, stack, index);
     if (settings.quality < 8) return index;
     std::uint32_t count = 0;
-    for (std::size_t i = 0; i < stack.count; ++i) {
-        const Mirror& mirror = stack.mirrors[i];
+    for (const Mirror& mirror : stack.mirrors) {
         if (black(mirror.reflectivity) || sent(queue.nodes[index], stack, mirror)) continue;
         ++context.scratch.counts.reflected;
         const RayState ray = mirrored(context, hit, mirror.normal, mirror.weight);

@@ -116,22 +116,14 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);
 
-/// A layer's mirror, remembered until all layers have been gone through.
-struct Mirror {
-    glm::vec3 reflectivity;
-    glm::dvec3 normal;
-    float weight;
-    const texture::Finish* finish;
-};
-
 /// What the layers of a texture leave to the rays that go on.
 struct LayerStack {
-    static constexpr std::size_t kMostLayers = 32;  // plan/ refuses more
-    glm::vec3 filter{1};                            ///< what they let through
-    float residual = 1;                             ///< how much that is, at most 1
+    explicit LayerStack(std::vector<Mirror>& reused) : mirrors(reused) { mirrors.clear(); }
+
+    glm::vec3 filter{1};  ///< what they let through
+    float residual = 1;   ///< how much that is, at most 1
     glm::dvec3 top_normal{0};
-    std::array<Mirror, kMostLayers> mirrors;
-    std::size_t count = 0;  ///< of mirrors, the top layer's first
+    std::vector<Mirror>& mirrors;  ///< of the layers so far, the top layer's first
 
     /// One layer more: its pigment lets light through, its finish mirrors some.
     void pass(const scene::Color& c, const texture::Finish& finish, const glm::vec3& reflectivity)

@@ -57,10 +57,19 @@ struct AreaScratch {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 };
 
+/// A layer's mirror, remembered until all layers have been gone through.
+struct Mirror {
+    glm::vec3 reflectivity;
+    glm::dvec3 normal;
+    float weight;
+    const texture::Finish* finish;
+};
+
 /// What shading keeps per thread; grows to what the scene needs and stays.
 struct ShadeScratch {
     SceneTraits traits;                ///< filled by the first tile
     std::vector<LightSample> samples;  ///< by hit and light, of hits with such rows
+    std::vector<Mirror> mirrors;       ///< of the layers of the texture at hand
     std::vector<csg::Share> shares;    ///< of a blob's components
     AreaScratch area;
     TileColors area_colors;                          ///< of the area light at hand, past what shadows it

@@ -41,9 +41,9 @@ scene::Color add_layer(Context& context, DirectBatch& batch, HitContext& hit, co
     const texture::Layer& layer = set.layers[texture.first + index];
     const texture::Finish& finish = set.finishes[layer.finish];
     const glm::dvec3 normal = layer_normal(context, hit, layer.normal, p);
-    if (stack.count == 0) stack.top_normal = normal;
+    if (stack.mirrors.empty()) stack.top_normal = normal;
     const scene::Color c = pigment_of(context, hit, texture, index, p);
-    Mirror& mirror = stack.mirrors[stack.count++];
+    Mirror& mirror = stack.mirrors.emplace_back();
     if (context.scene.settings.quality < 2) {
         mirror = {glm::vec3(0), normal, 0.0f, &finish};
     } else {
@@ -62,7 +62,7 @@ void shade_layers(Context& context, DirectBatch& batch, HitContext& hit, const t
 {
     const plan::Settings& settings = context.scene.settings;
     const auto bailout = static_cast<float>(settings.adc_bailout);
-    LayerStack stack;
+    LayerStack stack(context.scratch.shade.mirrors);
     const std::uint32_t first = batch.rows(hit.lane);
     glm::vec3 plain_color(0);  // of a quality without lights: the lowest layer that shows
     for (std::uint32_t i = texture.count; i-- > 0 && stack.residual > bailout;) {

@@ -128,10 +128,10 @@ private:
     {
         const texture::Finish& finish = batch_.top_finish(hit.lane);
         const scene::Color c = batch_.top_pigment(hit.lane);
-        LayerStack stack;
+        LayerStack stack(scratch_.mirrors);
         stack.top_normal = hit.normal;
-        const Mirror& mirror = stack.mirrors[stack.count++] =
-            mirror_of(context_, hit, finish, c, hit.normal, stack.residual);
+        const Mirror& mirror =
+            stack.mirrors.emplace_back(mirror_of(context_, hit, finish, c, hit.normal, stack.residual));
         stack.pass(c, finish, mirror.reflectivity);
         batch_.close_node(hit.lane, 0, scatter(context_, hit, stack, out));
     }

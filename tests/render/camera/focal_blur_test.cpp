@@ -16,12 +16,17 @@ scene::Camera lens(int samples, double variance = 1.0 / 128.0)
     return camera;
 }
 
+FocalBlur blur_of(const scene::Camera& camera)
+{
+    return {camera, texture::TextureSet{}, texture::kNone};
+}
+
 }  // namespace
 
 TEST_CASE("focal blur takes its samples in POV-Ray's batches", "[camera][blur]")
 {
     const auto batches = [](int samples) {
-        const FocalBlur blur(lens(samples));
+        const FocalBlur blur = blur_of(lens(samples));
         std::vector<int> sizes;
         for (int taken = 0; taken < samples; taken += sizes.back()) {
             REQUIRE(blur.batch(taken) > 0);
@@ -40,7 +45,7 @@ TEST_CASE("focal blur takes its samples in POV-Ray's batches", "[camera][blur]")
 TEST_CASE("rays of focal blur meet on the focal plane and leave a lens of half the aperture", "[camera][blur]")
 {
     const scene::Camera camera = lens(60);
-    const FocalBlur blur(camera);
+    const FocalBlur blur = blur_of(camera);
     const trace::CameraRays rays(camera, 40, 30);
     double farthest = 0.0;
     for (int n = 0; n < 60; ++n) {
@@ -65,11 +70,11 @@ TEST_CASE("focal blur is certain of what does not change, and of nothing at vari
         same.add({0.5f, 0.5f, 0.5f, 0, 0}, true);
         mixed.add({n % 2 == 0 ? 1.0f : 0.0f, 0, 0, 0, 0}, true);
     }
-    CHECK(FocalBlur(lens(37)).converged(same));
-    CHECK_FALSE(FocalBlur(lens(37)).converged(mixed));
-    CHECK_FALSE(FocalBlur(lens(37, 0.0)).converged(same));
+    CHECK(blur_of(lens(37)).converged(same));
+    CHECK_FALSE(blur_of(lens(37)).converged(mixed));
+    CHECK_FALSE(blur_of(lens(37, 0.0)).converged(same));
     scene::Camera patient = lens(37);
     patient.blur_fewest = 20;
-    CHECK_FALSE(FocalBlur(patient).converged(same));
+    CHECK_FALSE(blur_of(patient).converged(same));
     CHECK(mixed.mean().red == Approx(4.0 / 7.0));
 }
