@@ -25,7 +25,7 @@ THINGS = {
     "an isosurface": "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.1 } } translate <0, 3000, -3000> }",
     "fog": "fog { distance 1e12 rgb 0 }",
 }
-KNOWN = {"fog", "an isosurface"}   # an exponential a ray; few rays are traced as tiles where one may meet such a solid
+KNOWN = {"fog", "an isosurface"}   # a node for the air of each segment; few rays are traced as tiles where one may meet such a solid
 COUNTED = ["trace::shade_tile*", "csg::World::nearest(csg::RayTile*"]
 
 

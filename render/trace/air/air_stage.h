@@ -1,12 +1,13 @@
 #pragma once
 
+#include "render/trace/air/even_fog.h"
 #include "render/trace/queue/segment_tile.h"
+
+#include <algorithm>
 
 /// What lies between the rays of a tile and what they have met: the one place where a stretch of air is crossed.
 /// Compiled once per instruction set.
 namespace trace {
-
-inline constexpr double kSkyDistance = 2e10;  ///< length of a ray that meets nothing, for fog and media
 
 /// Whether a scene has anything that AirStage looks for.
 inline bool has_air(const Context& context)
@@ -23,14 +24,48 @@ public:
     HitMask run()
     {
         if (!has_air(context_)) return 0;
-        HitMask hollow = 0;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(tile_.count()); ++k)
-            if (tile_.interiors(k).all_hollow(context_.scene.interiors)) hollow |= HitMask{1} << k;
-        for_each_hit(hollow, [&](std::size_t k) { context_.scratch.shade.air[k] = along(k); });
+        const HitMask hollow = find_hollow();
+        if (hollow == 0) return 0;
+        if (context_.scratch.shade.traits.even_fog) fog_tile();
+        else for_each_hit(hollow, [&](std::size_t k) { context_.scratch.shade.air[k] = along(k); });
         return hollow;
     }
 
 private:
+    /// Segments with nothing solid around them.
+    HitMask find_hollow() const
+    {
+        const auto hollow = [&](std::size_t k) { return tile_.interiors(k).all_hollow(context_.scene.interiors); };
+        if (tile_.alike()) return hollow(0) ? first_hits(tile_.count()) : 0;
+        HitMask all = 0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(tile_.count()); ++k)
+            if (hollow(k)) all |= HitMask{1} << k;
+        return all;
+    }
+
+    /// The same as along() of all segments where there is nothing but fog that is the same everywhere.
+    void fog_tile()
+    {
+        using csg::lanes::Double;
+        ShadeScratch& scratch = context_.scratch.shade;
+        const auto count = static_cast<std::size_t>(tile_.count());
+        std::fill_n(scratch.air.begin(), count, Air());
+        alignas(64) TileLanes length = tile_.hits.t, passes;
+        for_each_hit(first_hits(tile_.count()) & ~tile_.found(), [&](std::size_t k) { length[k] = kSkyDistance; });
+        for (const texture::Fog& fog : context_.scene.fogs) {
+            const glm::vec3 tint = (1.0f - fog.color.filter) + fog.color.filter * fog.color.rgb();
+            for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles)
+                fog_transmission(fog, Double::load_aligned(length.data() + i)).store_aligned(passes.data() + i);
+            for (std::size_t k = 0; k < count; ++k) {
+                Air& air = scratch.air[k];
+                const auto a = static_cast<float>(passes[k]);
+                air.glow += (1.0f - a) * fog.color.rgb();
+                air.share *= a * tint;
+                air.clear = scene::grey(air.share);
+            }
+        }
+    }
+
     /// From what the ray has met to its origin (spec 6, 1.6).
     Air along(std::size_t k)
     {

@@ -1,4 +1,5 @@
 #include "render/texture/noise/noise.h"
+#include "render/trace/air/even_fog.h"
 #include "render/trace/shade/shade_context.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ double mean_density(double a, double b)
 
 double fog_transmission(const Context& context, const texture::Fog& fog, const csg::Ray& ray, double length)
 {
+    if (even(fog)) return trace::fog_transmission(fog, length);
     double effective = length;
     if (fog.turbulent) {
         const glm::dvec3 p = ray.at(length / 2.0) * fog.turbulence.amount;

@@ -1,5 +1,6 @@
 #include "render/trace/shade/surface_traits.h"
 
+#include "render/trace/air/even_fog.h"
 #include "render/trace/shade/pigment_batch.h"
 
 #include <algorithm>
@@ -127,6 +128,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
 {
     SceneTraits traits;
     traits.scalar_rows = scene.options.scalar_light;
+    traits.even_fog = scene.rainbows.empty() && std::all_of(scene.fogs.begin(), scene.fogs.end(), even);
     const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures);
     traits.looked_around = uv || looks;
     std::vector<SurfaceTraits>& all = traits.surfaces;

@@ -36,6 +36,7 @@ struct SceneTraits {
     bool filters = false;        ///< some surface lets a shadow ray through
     bool fades = false;          ///< light fades inside some interior
     bool scalar_rows = false;    ///< Options::scalar_light
+    bool even_fog = false;       ///< the air has fog that is the same everywhere, and nothing else
     /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are
     /// met, to the last bit where a pattern has edges. Elsewhere they may come from the light as a beam.
     std::vector<csg::Aabb> own_rays;
