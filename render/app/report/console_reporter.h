@@ -40,7 +40,8 @@ public:
     virtual void message(const parser::Message& message) = 0;
     virtual void parsed(const parser::Result& result, double seconds) = 0;
     virtual void rendering() = 0;
-    virtual void progress(double share) = 0;  ///< in [0, 1]; from any thread
+    virtual void pass(const std::string& name) = 0;  ///< one of several passes of a picture begins, at 0
+    virtual void progress(double share) = 0;         ///< of the pass, in [0, 1]; from any thread
     virtual void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) = 0;
     virtual void written(const std::string& path) = 0;
     virtual void skipped(const std::string& path) = 0;  ///< +C: it is there already

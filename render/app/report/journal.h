@@ -20,6 +20,7 @@ public:
     void message(const parser::Message& message) override;
     void parsed(const parser::Result& result, double seconds) override;
     void rendering() override { speaker_.rendering(); }
+    void pass(const std::string& name) override { speaker_.pass(name); }
     void progress(double share) override { speaker_.progress(share); }
     void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) override;
     void written(const std::string& path) override;

@@ -16,6 +16,7 @@ public:
     void message(const parser::Message& message) override;
     void parsed(const parser::Result&, double) override {}
     void rendering() override { bar_.emplace(with_bar_); }
+    void pass(const std::string& name) override { bar_.emplace(with_bar_, name); }
     void progress(double share) override { bar_->show(share); }
     void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) override;
     void written(const std::string& path) override;

@@ -125,6 +125,13 @@ void PovrayReporter::parsed(const parser::Result& result, double seconds)
 
 void PovrayReporter::rendering() { put(Stream::Lines, heading("Rendering")); }
 
+/// POV-Ray counts the pixels anew in each pass over the picture and has no word for them.
+void PovrayReporter::pass(const std::string&)
+{
+    const std::lock_guard lock(writing_);
+    percent_ = -1;
+}
+
 void PovrayReporter::progress(double share)
 {
     if (!verbose_) return;

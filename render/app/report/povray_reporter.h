@@ -17,6 +17,7 @@ public:
     void message(const parser::Message& message) override;
     void parsed(const parser::Result& result, double seconds) override;
     void rendering() override;
+    void pass(const std::string& name) override;
     void progress(double share) override;
     void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) override;
     void written(const std::string&) override {}

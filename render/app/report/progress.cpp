@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace app {
 
@@ -15,9 +16,19 @@ namespace {
 constexpr int kWidth = 40;               // columns of the bar
 constexpr std::int64_t kPeriodMs = 100;  // between two updates
 
+/// Time left at the same pace: told when there is a pace to go by.
+std::string left(double share, double seconds)
+{
+    constexpr double kFewest = 0.5, kLeast = 0.02;
+    if (seconds < kFewest || share < kLeast || share >= 1.0) return "";
+    const double rest = seconds * (1.0 - share) / share;
+    return rest < 100.0 ? fmt::format(", {:.0f} s left", rest) : fmt::format(", {:.0f} min left", rest / 60.0);
+}
+
 }  // namespace
 
-Progress::Progress(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool wanted, std::string pass) : shown_(wanted && isatty(STDERR_FILENO) != 0), pass_(std::move(pass))
+{}
 
 void Progress::show(double share)
 {
@@ -30,7 +41,11 @@ void Progress::show(double share)
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(kWidth - filled), '.');
     const std::lock_guard lock(writing_);
-    fmt::print(stderr, "\r[{}] {:3.0f} %  {:.1f} s", bar, share * 100.0, seconds);
+    const std::string text = fmt::format("\r[{}] {:3.0f} %  {:.1f} s{}{}{}", bar, share * 100.0, seconds,
+                                         left(share, seconds), pass_.empty() ? "" : "  ", pass_);
+    const std::size_t longest = std::max(width_, text.size());
+    fmt::print(stderr, "{:{}}", text, longest);  // over what a longer line before it left
+    width_ = text.size();
     std::fflush(stderr);
     on_screen_ = true;
 }
@@ -39,7 +54,7 @@ void Progress::clear()
 {
     const std::lock_guard lock(writing_);
     if (!on_screen_) return;
-    fmt::print(stderr, "\r{:{}}\r", "", kWidth + 24);
+    fmt::print(stderr, "\r{:{}}\r", "", width_);
     on_screen_ = false;
 }
 

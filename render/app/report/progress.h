@@ -4,13 +4,15 @@
 #include <chrono>
 #include <cstdint>
 #include <mutex>
+#include <string>
 
 namespace app {
 
 /// A bar on a terminal; nothing at all when standard error is a pipe or a file. Safe to call from any thread.
 class Progress {
 public:
-    explicit Progress(bool wanted);
+    /// pass: what is being done, shown behind the bar; empty: the picture, which needs no word.
+    explicit Progress(bool wanted, std::string pass = "");
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress() { clear(); }
@@ -21,10 +23,12 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     const bool shown_;
+    const std::string pass_;
     const Clock::time_point start_ = Clock::now();
     std::atomic<std::int64_t> next_ms_{0};
     std::mutex writing_;
     bool on_screen_ = false;
+    std::size_t width_ = 0;  ///< of what stands there
 };
 
 }  // namespace app

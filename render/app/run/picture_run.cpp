@@ -164,7 +164,10 @@ trace::RenderOptions PictureRun::render_options()
 /// The passes before the picture. False: cancelled.
 bool PictureRun::find_indirect_light()
 {
-    indirect_ = trace::run_passes(task_.compiled, render_options());
+    trace::RenderOptions options = render_options();
+    options.pass = [this](std::string_view name) { task_.run.reporter.pass(std::string(name)); };
+    indirect_ = trace::run_passes(task_.compiled, options);
+    if (indirect_) task_.run.reporter.pass("picture");
     times_.finish("trace");
     return !cancelled();
 }
