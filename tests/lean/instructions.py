@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Whether scenes still trace with as few instructions as recorded: what a new effect costs those that do not use it.
+
+usage: instructions.py WHITTLE [--record]
+
+Counts by callgrind (Debian package valgrind), which has no noise and knows no AVX-512: the instructions of the v3 kernel between a tile's rays
+and its colours, one thread, 96x72 pixels. counts.csv beside this file holds what every scene took when it was recorded; a scene may take 0.5 %
+more. --record writes the file anew: for a change that is worth more than it costs, which its commit has to say. Exit status 77 (skipped) without
+valgrind or on a processor without AVX2.
+"""
+import csv
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+COUNTS = HERE / "counts.csv"
+COUNTED = ["trace::shade_tile*", "csg::World::nearest(csg::RayTile*"]
+MARGIN = 0.005
+
+
+def instructions(whittle, scene, folder):
+    picture = folder / (scene.replace("/", "_") + ".png")
+    command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *(f"--toggle-collect={name}" for name in COUNTED), whittle,
+               f"+I{ROOT / scene}", f"+O{picture}", "+W96", "+H72", "-A", "-D", "+WT1", "--isa=v3", "--quiet"]
+    run = subprocess.run(command, capture_output=True, text=True)
+    found = re.search(r"Collected : (\d+)", run.stderr)
+    if run.returncode != 0 or not found:
+        sys.exit(f"{' '.join(command)}\n{run.stderr[-2000:]}")
+    return int(found[1])
+
+
+def main():
+    if shutil.which("valgrind") is None or " avx2 " not in pathlib.Path("/proc/cpuinfo").read_text():
+        print("needs valgrind and a processor with AVX2")
+        sys.exit(77)
+    whittle, record = sys.argv[1], "--record" in sys.argv[2:]
+    with COUNTS.open() as file:
+        recorded = {row["scene"]: int(row["instructions"]) for row in csv.DictReader(file)}
+    with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(2) as pool:
+        counts = dict(zip(recorded, pool.map(lambda scene: instructions(whittle, scene, pathlib.Path(name)), recorded)))
+    over = []
+    for scene, count in counts.items():
+        change = count / recorded[scene] - 1.0 if recorded[scene] else 0.0
+        print(f"{scene:32} {count / 1e6:9.2f} million {100.0 * change:+6.2f} %")
+        if change > MARGIN:
+            over.append(scene)
+    if record:
+        COUNTS.write_text("scene,instructions\n" + "".join(f"{scene},{count}\n" for scene, count in counts.items()))
+    elif over:
+        sys.exit(f"more than {100.0 * MARGIN:g} % above counts.csv: {', '.join(over)}")
+
+
+if __name__ == "__main__":
+    main()
