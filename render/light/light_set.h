@@ -13,7 +13,9 @@ struct Light {
     enum class Kind : std::uint8_t { Point, Spot, Cylinder } kind = Kind::Point;
     bool parallel = false, shadowless = false;
     bool area = false, circular = false, orient = false, jitter = false, area_illumination = false;
-    bool atmosphere = false;  ///< media_attenuation and media_interaction: fog dims it where there is some
+    /// media_attenuation and media_interaction: fog and media of the whole scene dim it where there are some.
+    bool atmosphere = false;
+    bool in_media = true;     ///< media_interaction, and not shadowless: media scatter it
     std::uint32_t group = 0;  ///< of the light_group that it stands in; 0: none
     glm::dvec3 location{0}, point_at{0, 0, 1};
     glm::dvec3 axis{0, 0, 1};  ///< unit, from location to point_at

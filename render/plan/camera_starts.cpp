@@ -5,11 +5,11 @@
 namespace plan {
 namespace {
 
-/// Whether anything depends on the interiors that a ray is inside of: fog does, and light that surfaces let through or
-/// mirror by fresnel.
+/// Whether anything depends on the interiors that a ray is inside of: fog and media do, and light that surfaces let
+/// through or mirror by fresnel.
 bool interiors_matter(const CompiledScene& scene)
 {
-    return !scene.fogs.empty() ||
+    return !scene.fogs.empty() || !scene.media.media.empty() ||
            std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return !s.opaque; }) ||
            std::any_of(scene.textures.finishes.begin(), scene.textures.finishes.end(),
                        [](const texture::Finish& f) { return f.fresnel; });

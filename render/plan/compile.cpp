@@ -45,7 +45,8 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     out.settings = settings(description, options);
     std::vector<scene::Unsupported> notes = description.unsupported;
     TextureCompiler textures(description, options.quality, out.textures, notes);
-    GeometryCompiler geometry(description, options, textures, out, notes);
+    MediaCompiler media(textures, options.quality, out.media);
+    GeometryCompiler geometry(description, options, textures, media, out, notes);
     for (const scene::Object& object : description.objects) geometry.add(object);
     if (description.camera.normal) out.camera_normal = textures.normal(*description.camera.normal, false);
     if (description.camera.bokeh && description.camera.bokeh->pigment)
@@ -53,9 +54,12 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     out.sky = compile_sky(description, textures, options.alpha);
     out.fogs = compile_fogs(description);
     out.rainbows = compile_rainbows(description, textures);
+    std::vector<std::shared_ptr<const scene::Media>> atmosphere;
+    for (const scene::Media& one : description.media) atmosphere.push_back(std::make_shared<const scene::Media>(one));
+    out.atmosphere = media.list(atmosphere);
     geometry.finish();
-    const bool foggy = !out.fogs.empty() && options.quality >= 9;
-    for (light::Light& light : out.lights.lights) light.atmosphere = light.atmosphere && foggy;
+    const bool dims = (!out.fogs.empty() && options.quality >= 9) || out.atmosphere.extinguishes;
+    for (light::Light& light : out.lights.lights) light.atmosphere = light.atmosphere && dims;
     out.tolerance = tolerance(out);
     find_camera_interiors(out);
     for (const scene::Unsupported& note : notes) out.decisions.push_back({note.what, "not rendered yet", note.source});

@@ -5,6 +5,7 @@
 #include "csg/world/world_data.h"
 #include "render/light/light_set.h"
 #include "render/plan/textures/interior.h"
+#include "render/plan/textures/media_compiler.h"
 #include "render/plan/mesh_camera.h"
 #include "render/plan/surface.h"
 #include "render/scene/description.h"
@@ -93,6 +94,8 @@ struct CompiledScene {
     texture::Sky sky;
     std::vector<texture::Fog> fogs;
     std::vector<texture::Rainbow> rainbows;
+    MediaSet media;        ///< of interiors and of the whole scene
+    MediaList atmosphere;  ///< what fills the whole scene
     scene::Camera camera;
     std::shared_ptr<const MeshCamera> mesh_camera;  ///< null for other cameras
     std::uint32_t camera_normal = kNone;            ///< index into textures.normals

@@ -61,6 +61,7 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     out.size1 = description.size1;
     out.size2 = description.size2;
     out.adaptive = description.adaptive;
+    out.in_media = description.media_interaction && !description.shadowless;
     out.atmosphere = description.media_attenuation && description.media_interaction;
     if (description.projected_through) {
         scene::Object object = *description.projected_through;

@@ -20,7 +20,6 @@ public:
     {
         texture(object.texture);
         texture(object.interior_texture);
-        if (object.interior && !object.interior->media.empty()) tell("media", object.interior->media.front()->source);
         if (const auto* csg = std::get_if<Csg>(&object.shape)) operands(csg->operands);
         if (const auto* light = std::get_if<Light>(&object.shape); light && light->looks_like)
             this->object(*light->looks_like);
@@ -60,7 +59,6 @@ std::vector<Unsupported> of_whole_scene(const Description& description)
     std::vector<Unsupported> settings, space, all;
     if (global.radiosity) settings.push_back({"radiosity", global.radiosity->source});
     if (global.photons) settings.push_back({"photons", global.photons->source});
-    for (const Media& media : description.media) space.push_back({"media", media.source});
     for (std::vector<Unsupported>* group : {&settings, &space}) {
         std::stable_sort(group->begin(), group->end(), [](const Unsupported& a, const Unsupported& b) {
             return std::tie(a.source.file, a.source.line, a.source.column) <

@@ -7,6 +7,7 @@
 #include "render/plan/geometry/solids.h"
 #include "render/plan/textures/uv_use.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace plan {
@@ -49,9 +50,9 @@ csg::Tree::Op tree_op(scene::CsgOp op)
 }  // namespace
 
 GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options,
-                                   TextureCompiler& textures, CompiledScene& out,
+                                   TextureCompiler& textures, MediaCompiler& media, CompiledScene& out,
                                    std::vector<scene::Unsupported>& notes)
-    : description_(description), options_(options), textures_(textures), out_(out), interiors_(out.interiors),
+    : description_(description), options_(options), textures_(textures), out_(out), interiors_(out.interiors, media),
       fields_(description, options, notes), starts_(camera_starts(out.camera, out.mesh_camera.get()))
 {}
 
@@ -96,7 +97,7 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     const auto in_world = [&](const scene::TexturePtr& t) { return own.uv_mapping ? t : moved(t, above.to_world); };
     if (object.texture) own.texture = in_world(object.texture);
     if (object.interior_texture) own.interior_texture = in_world(object.interior_texture);
-    if (object.interior) own.interior = object.interior;
+    if (object.interior) own.interior = moved(object.interior, above.to_world);
     if (object.flags.hollow) own.hollow = object.flags.hollow;
     own.no_shadow = above.no_shadow || object.flags.no_shadow;
     own.no_image = above.no_image || object.flags.no_image;
@@ -338,6 +339,23 @@ std::uint32_t GeometryCompiler::interior(const Inherited& own, const scene::Text
     }
     if (own.hollow) out_.interiors[index].hollow = *own.hollow;
     return index;
+}
+
+/// The same of an interior whose media differ from place to place; other interiors are their own.
+std::shared_ptr<const scene::Interior> GeometryCompiler::moved(const std::shared_ptr<const scene::Interior>& interior,
+                                                               const csg::Transform& to_world)
+{
+    const auto& media = interior->media;
+    if (to_world.identity() ||
+        std::none_of(media.begin(), media.end(), [](const auto& one) { return depends_on_place(*one); }))
+        return interior;
+    std::vector<MovedInterior>& known = moved_interiors_[interior.get()];
+    for (const MovedInterior& m : known)
+        if (same(m.by, to_world)) return m.to;
+    auto copy = std::make_shared<scene::Interior>(*interior);
+    copy->transform(to_world);
+    known.push_back({to_world, interior, copy});
+    return copy;
 }
 
 /// The texture in world space; equal for equal transformations, so that copies share it.

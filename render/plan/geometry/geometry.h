@@ -29,7 +29,7 @@ bool alike_everywhere(const scene::Texture& texture);
 class GeometryCompiler {
 public:
     GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
-                     CompiledScene& out, std::vector<scene::Unsupported>& notes);
+                     MediaCompiler& media, CompiledScene& out, std::vector<scene::Unsupported>& notes);
 
     /// A statement of the scene. Lights inside are collected too.
     void add(const scene::Object& object);
@@ -97,6 +97,8 @@ private:
     csg::SurfaceId mesh_surface(const std::array<scene::TexturePtr, 3>& corners, const Inherited& own);
     std::uint32_t interior(const Inherited& own, const scene::TexturePtr& texture);
     scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
+    std::shared_ptr<const scene::Interior> moved(const std::shared_ptr<const scene::Interior>& interior,
+                                                 const csg::Transform& to_world);
     std::uint8_t visible(const Inherited& own) const;
 
     /// A surface of a shared object, in that object's space.
@@ -157,6 +159,11 @@ private:
         scene::TexturePtr from, to;
     };
     std::unordered_map<const scene::Texture*, std::vector<Moved>> moved_;
+    struct MovedInterior {
+        csg::Transform by;
+        std::shared_ptr<const scene::Interior> from, to;
+    };
+    std::unordered_map<const scene::Interior*, std::vector<MovedInterior>> moved_interiors_;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
     std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0, guards_ = 0;
 };

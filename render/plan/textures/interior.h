@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/plan/textures/media.h"
+
 #include <glm/glm.hpp>
 
 namespace plan {
@@ -13,6 +15,7 @@ struct Interior {
     glm::vec3 fade_color{0};
     float transmission = 1;  ///< legacy factor on transmitted light (finish `refraction`)
     bool hollow = false;
+    MediaList media;
 };
 
 }  // namespace plan

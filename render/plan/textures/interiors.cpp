@@ -38,7 +38,10 @@ std::uint32_t InteriorCompiler::interior(const std::shared_ptr<const scene::Inte
         index = known->second;
     } else {
         out_.push_back(description ? converted(*description) : Interior{});
-        if (description) known_.emplace(description.get(), index);
+        if (description) {
+            out_[index].media = media_.list(description->media);
+            known_.emplace(description.get(), index);
+        }
     }
     const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
     if (layers && !layers->empty()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/plan/textures/interior.h"
+#include "render/plan/textures/media_compiler.h"
 #include "render/scene/object.h"
 
 #include <memory>
@@ -12,13 +13,14 @@ namespace plan {
 /// Hands out one index per interior of the text: equal pointers share, a null pointer makes a new default interior.
 class InteriorCompiler {
 public:
-    explicit InteriorCompiler(std::vector<Interior>& out) : out_(out) {}
+    InteriorCompiler(std::vector<Interior>& out, MediaCompiler& media) : out_(out), media_(media) {}
 
     /// `texture` is the object's own: its top finish may carry the legacy `ior` and `caustics` (spec 3, 8.7).
     std::uint32_t interior(const std::shared_ptr<const scene::Interior>& description, const scene::Texture* texture);
 
 private:
     std::vector<Interior>& out_;
+    MediaCompiler& media_;
     std::unordered_map<const scene::Interior*, std::uint32_t> known_;
 };
 

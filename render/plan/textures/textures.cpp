@@ -17,7 +17,7 @@ constexpr int kLegacyVersion = 370;    // formulas of before hold below it
 
 bool clear(const scene::Color& c) { return std::abs(c.filter) > kNearlyZero || std::abs(c.transmit) > kNearlyZero; }
 
-std::uint32_t size_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
+std::uint32_t count_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void TextureCompiler::note(const std::string& what, const scene::SourceRef& sour
 
 std::uint32_t TextureCompiler::reserve_map(std::size_t count)
 {
-    const std::uint32_t first = size_of(out_.keys.size());
+    const std::uint32_t first = count_of(out_.keys.size());
     out_.keys.resize(first + count);
     out_.colors.resize(first + count);
     out_.children.resize(first + count, texture::kNone);
@@ -65,7 +65,7 @@ std::uint32_t TextureCompiler::pattern(const scene::Pattern& description)
     }
     compiled.data = pattern_data(description, *kind);
     out_.patterns.push_back(compiled);
-    return size_of(out_.patterns.size() - 1);
+    return count_of(out_.patterns.size() - 1);
 }
 
 std::uint32_t TextureCompiler::function(const function::FunctionPtr& description)
@@ -84,7 +84,7 @@ std::uint32_t TextureCompiler::function(const function::FunctionPtr& description
     const function::FunctionPtr linked = function::link(description, slot_of);
     std::uint32_t index = texture::kNone;
     if (complete) {
-        index = size_of(out_.functions.size());
+        index = count_of(out_.functions.size());
         out_.functions.push_back(linked);
     }
     known_functions_.emplace(description, index);
@@ -102,7 +102,7 @@ std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)
     } else {
         return pigment_map(std::get<scene::PatternedPigment>(description.kind));
     }
-    return size_of(out_.pigments.size() - 1);
+    return count_of(out_.pigments.size() - 1);
 }
 
 std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& description)
@@ -113,11 +113,11 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
     if (description.pattern.name == "image_map") {
         out.kind = Kind::Image;
         out_.pigments.push_back(out);
-        return size_of(out_.pigments.size() - 1);
+        return count_of(out_.pigments.size() - 1);
     }
     const auto* colors = std::get_if<scene::ColorMap>(&description.map);
     const auto* pigments = std::get_if<scene::PigmentMap>(&description.map);
-    out.count = size_of(colors ? colors->size() : pigments->size());
+    out.count = count_of(colors ? colors->size() : pigments->size());
     out.first = reserve_map(out.count);
     out.kind = colors ? Kind::ColorMap : Kind::PigmentMap;
     for (std::uint32_t i = 0; i < out.count; ++i) {
@@ -145,7 +145,7 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
         if (kind == texture::PatternKind::Uv) out.kind = Kind::Uv;
     }
     out_.pigments.push_back(out);
-    return size_of(out_.pigments.size() - 1);
+    return count_of(out_.pigments.size() - 1);
 }
 
 std::uint32_t TextureCompiler::color_map(const scene::ColorMap& description)
@@ -189,7 +189,7 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
         out.map = kind == texture::PatternKind::Average ? Map::Average
                   : kind == texture::PatternKind::Uv    ? Map::Uv
                                                         : Map::Normals;
-        out.count = size_of(map->size());
+        out.count = count_of(map->size());
         out.first = reserve_map(out.count);
         for (std::uint32_t i = 0; i < out.count; ++i) {
             out_.keys[out.first + i] = static_cast<float>((*map)[i].key);
@@ -199,7 +199,7 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
         }
     } else if (const auto* slopes = std::get_if<std::vector<scene::MapEntry<glm::dvec2>>>(&description.map)) {
         out.map = Map::Slopes;
-        out.count = size_of(slopes->size());
+        out.count = count_of(slopes->size());
         out.first = reserve_map(out.count);
         for (std::uint32_t i = 0; i < out.count; ++i) {
             out_.keys[out.first + i] = static_cast<float>((*slopes)[i].key);
@@ -209,7 +209,7 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
     if (description.pattern.name == "bump_map") out.map = Map::Image;
     else if (out.map != Map::None && out.count == 0) return texture::kNone;
     out_.normals.push_back(out);
-    return size_of(out_.normals.size() - 1);
+    return count_of(out_.normals.size() - 1);
 }
 
 std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& description)
@@ -227,13 +227,13 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
         out.lit = out.lit || out_.finishes[to.finish].lit();
         compiled.push_back(to);
     }
-    out.first = size_of(out_.layers.size());
-    out.count = size_of(compiled.size());
+    out.first = count_of(out_.layers.size());
+    out.count = count_of(compiled.size());
     out_.layers.insert(out_.layers.end(), compiled.begin(), compiled.end());
     out.plain = out.count == 1 && out.opaque && compiled[0].normal == texture::kNone &&
                 !out_.finishes[compiled[0].finish].reflects();
     out_.textures.push_back(out);
-    return size_of(out_.textures.size() - 1);
+    return count_of(out_.textures.size() - 1);
 }
 
 std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& description)
@@ -244,7 +244,7 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     out.opaque = false;  // never classified opaque (spec 3, 13.2)
     out.no_bump_scale = description.no_bump_scale;
     out.pattern = pattern(description.pattern);
-    out.count = size_of(description.map.size());
+    out.count = count_of(description.map.size());
     if (out.count == 0) return texture::kNone;
     out.first = reserve_map(out.count);
     for (std::uint32_t i = 0; i < out.count; ++i) {
@@ -262,7 +262,7 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     if (kind == texture::PatternKind::Uv) out.kind = Kind::Uv;
     if (description.pattern.name == "material_map") out.kind = Kind::Material;
     out_.textures.push_back(out);
-    return size_of(out_.textures.size() - 1);
+    return count_of(out_.textures.size() - 1);
 }
 
 std::uint32_t TextureCompiler::texture(const scene::TexturePtr& description)

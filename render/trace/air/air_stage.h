@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/air/even_fog.h"
+#include "render/trace/media/media_stage.h"
 #include "render/trace/queue/segment_tile.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace trace {
 inline bool has_air(const Context& context)
 {
     const plan::CompiledScene& scene = context.scene;
-    return scene.settings.quality >= 9 && (!scene.fogs.empty() || !scene.rainbows.empty());
+    return scene.settings.quality >= 9 &&
+           (!scene.fogs.empty() || !scene.rainbows.empty() || !scene.media.media.empty());
 }
 
 class AirStage {
@@ -27,7 +29,7 @@ public:
         const HitMask hollow = find_hollow();
         if (hollow == 0) return 0;
         if (context_.scratch.shade.traits.even_fog) fog_tile();
-        else for_each_hit(hollow, [&](std::size_t k) { context_.scratch.shade.air[k] = along(k); });
+        else along(hollow);
         return hollow;
     }
 
@@ -66,15 +68,20 @@ private:
         }
     }
 
-    /// From what the ray has met to its origin (spec 6, 1.6).
-    Air along(std::size_t k)
+    /// From what the rays have met to their origins (spec 6, 1.6).
+    void along(HitMask hollow)
     {
-        const csg::Ray ray = tile_.ray(k);
-        const double length = has(tile_.found(), k) ? tile_.hits.t[k] : kSkyDistance;
-        Air air;
-        if (!context_.scene.rainbows.empty()) air.behind(rainbow_air(context_, ray, length));
-        if (!context_.scene.fogs.empty()) air.behind(fog_air(context_, ray, length));
-        return air;
+        const plan::CompiledScene& scene = context_.scene;
+        auto& air = context_.scratch.shade.air;
+        for_each_hit(hollow, [&](std::size_t k) { air[k] = {}; });
+        MediaStage media(context_, tile_);
+        if (!scene.media.media.empty()) media.cross_interiors(hollow & tile_.found());
+        const auto length = [&](std::size_t k) { return has(tile_.found(), k) ? tile_.hits.t[k] : kSkyDistance; };
+        if (!scene.rainbows.empty())
+            for_each_hit(hollow, [&](std::size_t k) { air[k].behind(rainbow_air(context_, tile_.ray(k), length(k))); });
+        if (!scene.atmosphere.empty()) media.cross_atmosphere(hollow);
+        if (!scene.fogs.empty())
+            for_each_hit(hollow, [&](std::size_t k) { air[k].behind(fog_air(context_, tile_.ray(k), length(k))); });
     }
 
     Context& context_;

@@ -1,6 +1,7 @@
 #include "render/trace/camera/focal_blur.h"
 
 #include "render/texture/evaluate.h"
+#include "render/plan/chi_square.h"
 #include "render/trace/antialias/jitter.h"
 
 #include <algorithm>
@@ -43,43 +44,6 @@ double radical_inverse(int base, int k)
     return result;
 }
 
-/// Share of a chi-square variable of n degrees of freedom above x: by the series of the incomplete gamma function, or
-/// its continued fraction (Numerical Recipes 6.2).
-double above(int n, double x)
-{
-    const double a = n / 2.0, z = x / 2.0;
-    if (z <= 0.0) return 1.0;
-    const double scale = std::exp(a * std::log(z) - z - std::lgamma(a));
-    if (z < a + 1.0) {
-        double term = 1.0 / a, sum = term;
-        for (double k = a + 1.0; term > sum * 1e-17; k += 1.0) sum += term *= z / k;
-        return 1.0 - sum * scale;
-    }
-    double b = z + 1.0 - a, c = 1e300, d = 1.0 / b, h = d;
-    for (int i = 1; i < 10000; ++i) {
-        const double an = -i * (i - a);
-        b += 2.0;
-        d = 1.0 / (an * d + b);
-        c = b + an / c;
-        h *= d * c;
-        if (std::abs(d * c - 1.0) < 1e-15) break;
-    }
-    return h * scale;
-}
-
-/// What a chi-square variable exceeds with that probability.
-double chi_square(int n, double probability)
-{
-    if (n <= 0) return 0.0;
-    double low = 0.0, high = 1.0;
-    while (above(n, high) > probability && high < 1e12) high *= 2.0;
-    for (int i = 0; i < 100; ++i) {
-        const double middle = 0.5 * (low + high);
-        (above(n, middle) > probability ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
 }  // namespace
 
 FocalBlur::FocalBlur(const scene::Camera& camera, const texture::TextureSet& textures, std::uint32_t bokeh)
@@ -105,9 +69,9 @@ FocalBlur::FocalBlur(const scene::Camera& camera, const texture::TextureSet& tex
     }
     thresholds_.assign(static_cast<std::size_t>(samples_) + 1, 0.0);
     if (samples_ < 2) return;
-    const double last = chi_square(samples_ - 1, camera.confidence);
+    const double last = plan::chi_square(samples_ - 1, camera.confidence);
     for (int n = 1; n <= samples_; ++n)
-        thresholds_[static_cast<std::size_t>(n)] = camera.variance * chi_square(n, camera.confidence) / last;
+        thresholds_[static_cast<std::size_t>(n)] = camera.variance * plan::chi_square(n, camera.confidence) / last;
 }
 
 /// One in each cell of a grid, as long as the budget of draws lasts.

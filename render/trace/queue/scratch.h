@@ -2,6 +2,7 @@
 
 #include "csg/base/scratch.h"
 #include "csg/base/hit.h"
+#include "render/trace/media/media_scratch.h"
 #include "render/trace/shade/shade_scratch.h"
 
 #include <cstdint>
@@ -42,6 +43,12 @@ struct Scratch {
         nested_->geometry.cancel = geometry.cancel;
         return *nested_;
     }
+    /// Of media, for the scenes that have some.
+    MediaScratch& media()
+    {
+        if (!media_) media_ = std::make_unique<MediaScratch>();
+        return *media_;
+    }
     RayCounts all_counts() const
     {
         RayCounts sum = counts;
@@ -51,6 +58,7 @@ struct Scratch {
 
 private:
     std::unique_ptr<Scratch> nested_;
+    std::unique_ptr<MediaScratch> media_;
 };
 
 }  // namespace trace

@@ -100,18 +100,18 @@ void shade_layers(Context& context, DirectBatch& batch, HitContext& hit, const t
 glm::vec3 direct_light(Context& context, const ScalarRow& row);
 
 /// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
-/// `tolerance`: of shadow rays from this point; in_fog: fog dims it on its way; first: the first crossing
-/// from the point, where it is known and solids are such that the others have to be asked for one by one
+/// `tolerance`: of shadow rays from this point; in_air: what fills the scene dims it on its way; first: the first
+/// crossing from the point, where it is known and solids are such that the others have to be asked for one by one
 /// (SceneTraits::restarts).
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
-                         const light::Illumination& lit, glm::vec3 color, bool in_fog = false,
+                         const light::Illumination& lit, glm::vec3 color, bool in_air = false,
                          const Hit* first = nullptr);
 
 /// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point
 /// or from the light; they are turned round in place.
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
-                               Hit* crossings, std::size_t count, bool in_fog = false);
+                               Hit* crossings, std::size_t count, bool in_air = false);
 
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);
@@ -160,6 +160,10 @@ scene::Color sky_color(const Context& context, const RayState& state);
 
 /// Share of light that fog lets pass over a length.
 glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
+
+/// Share of light that fog and media of the whole scene let pass between two distances along a shadow ray (spec
+/// 6, 2.8): fog where it is inside of nothing solid.
+glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to);
 
 /// Fog over the length of a ray (spec 2, section 16).
 Air fog_air(const Context& context, const csg::Ray& ray, double length);

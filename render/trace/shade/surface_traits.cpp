@@ -128,13 +128,16 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
 {
     SceneTraits traits;
     traits.scalar_rows = scene.options.scalar_light;
-    traits.even_fog = scene.rainbows.empty() && std::all_of(scene.fogs.begin(), scene.fogs.end(), even);
+    traits.even_fog = scene.rainbows.empty() && scene.media.media.empty() && std::all_of(scene.fogs.begin(), scene.fogs.end(), even);
     const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures);
     traits.looked_around = uv || looks;
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
     for (const light::Light& light : scene.lights.lights) traits.grouped |= light.group != 0;
-    for (const plan::Interior& interior : scene.interiors) traits.fades |= interior.fade_distance != 0.0f;
+    for (const plan::Interior& interior : scene.interiors) {
+        traits.fades |= interior.fade_distance != 0.0f;
+        traits.media |= interior.media.extinguishes;
+    }
     for (const csg::Freeform& solid : scene.geometry.store.all<csg::Freeform>())
         traits.has_open_surface |= solid.has_open_surface();
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -35,6 +35,7 @@ struct SceneTraits {
     bool grouped = false;        ///< some surface is not reached by all lights
     bool filters = false;        ///< some surface lets a shadow ray through
     bool fades = false;          ///< light fades inside some interior
+    bool media = false;          ///< some interior holds media that dim light
     bool scalar_rows = false;    ///< Options::scalar_light
     bool even_fog = false;       ///< the air has fog that is the same everywhere, and nothing else
     /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "render/plan/textures/media.h"
+#include "render/plan/textures/textures.h"
+
+#include <memory>
+#include <unordered_map>
+
+namespace plan {
+
+/// Media of a scene as flat arrays.
+struct MediaSet {
+    std::vector<Media> media;
+    std::vector<std::uint32_t> order;      ///< of MediaLists, indices into `media`
+    std::vector<std::uint32_t> densities;  ///< indices into TextureSet::pigments
+};
+
+/// Compiles the media of interiors and of the whole scene, shared ones once. Whatever is black in every way is left
+/// out.
+class MediaCompiler {
+public:
+    /// quality: +Q; below 9 nothing fills space (spec 3, 16).
+    MediaCompiler(TextureCompiler& textures, int quality, MediaSet& out)
+        : textures_(textures), drawn_(quality >= kDrawn), out_(out)
+    {}
+
+    MediaList list(const std::vector<std::shared_ptr<const scene::Media>>& media);
+
+private:
+    static constexpr int kDrawn = 9;
+    std::uint32_t medium(const std::shared_ptr<const scene::Media>& media);
+
+    TextureCompiler& textures_;
+    bool drawn_;
+    MediaSet& out_;
+    std::unordered_map<std::shared_ptr<const scene::Media>, std::uint32_t> known_;
+};
+
+/// Whether the place matters for some density.
+bool depends_on_place(const scene::Media& media);
+
+}  // namespace plan

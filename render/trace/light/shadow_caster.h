@@ -1,0 +1,148 @@
+#pragma once
+
+#include "render/trace/light/area_light.h"
+#include "render/trace/light/shadow_rays.h"
+
+#include <algorithm>
+
+/// What stands between the points of a tile and a light: the same for hits of surfaces and for points of the air.
+/// Compiled once per instruction set.
+namespace trace {
+
+/// Beyond so many tolerances, 1e5 as a rule, a shadow ray starts at the hit: from a far light, t would lose digits
+/// against one.
+inline constexpr double kFarLight = 1e8;
+
+/// Lit from one point with one colour everywhere: its directions are found in vector lanes.
+inline bool steady(const light::Light& light)
+{
+    return light.kind == light::Light::Kind::Point && !light.parallel && !light.area && !(light.fade_power > 0.0);
+}
+
+/// The points lie in ShadeScratch::hits, the light at hand as they see it in ShadeScratch::light and lit_colors.
+/// \tparam Tile  count(), hits.t: how far the rays came that found the points, interiors(k): what point k is inside of
+/// \tparam Sink  receives what arrives: light(hits): all of lit_colors; light(k, colour), and arrive(k, colour) for
+///               what light() is not told of; arrives(): the hits that want to hear of it
+template <class Tile, class Sink>
+class ShadowCaster {
+public:
+    ShadowCaster(Context& context, const Tile& tile, Sink& sink)
+        : context_(context), scratch_(context.scratch.shade), tile_(tile), sink_(sink)
+    {}
+
+    /// Shadow rays to a light without extent. asking: the points that want to know; all: those that have asked for the
+    /// light.
+    void cast(const light::Light& light, HitMask asking, HitMask all)
+    {
+        if (light.projector) asking &= project(light, asking);
+        const double least = context_.scene.tolerance.shadow;
+        const HitMask near = light.shadowless ? asking
+                                              : find_shadow_ends(least, scratch_.hits, tile_.hits, scratch_.light,
+                                                                 scratch_.shadow_ends, tile_.count());
+        sink_.light(asking & near);
+        asking &= ~near;
+        if (asking == 0) return;
+        // From the light, where they form a beam.
+        const bool from_light = light.from_one_point() && !scratch_.traits.has_open_surface &&
+                                !asks_own_rays(light, asking) && !context_.scene.geometry.faithful &&
+                                (all & beyond(scratch_.light, kFarLight * least, tile_.count())) == 0;
+        answer(light, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
+    }
+
+    /// The same of an area light, for all points at once: what reaches them, in `seen`.
+    void cast_area(const light::Light& light, HitMask asking, TileColors& seen)
+    {
+        std::array<const InteriorList*, csg::kTileRays> around;
+        for_each_hit(asking, [&](std::size_t k) { around[k] = &tile_.interiors(k); });
+        AreaLight(context_, light, tile_.hits, around.data()).shadows(asking, seen);
+        if (light.atmosphere && !light.shadowless)  // as if all of it came from the centre
+            for_each_hit(asking, [&](std::size_t k) {
+                RayState ray;
+                ray.ray = {scratch_.hits.point(k), scratch_.light.direction(k)};
+                ray.interiors = tile_.interiors(k);
+                seen.set(k, seen[k] * atmosphere_share(context_, ray, 0.0, scratch_.light.distance[k]));
+            });
+    }
+
+private:
+    /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays).
+    bool asks_own_rays(const light::Light& light, HitMask asking) const
+    {
+        if (scratch_.traits.own_rays.empty()) return false;
+        glm::dvec3 low = light.location, high = light.location;
+        for_each_hit(asking, [&](std::size_t k) {
+            low = glm::min(low, scratch_.hits.point(k));
+            high = glm::max(high, scratch_.hits.point(k));
+        });
+        return std::any_of(scratch_.traits.own_rays.begin(), scratch_.traits.own_rays.end(), [&](const csg::Aabb& box) {
+            return glm::all(glm::lessThanEqual(box.lower, high)) && glm::all(glm::greaterThanEqual(box.upper, low));
+        });
+    }
+
+    /// The points that see a light through its projector, where their shadow rays end then; the others are dark.
+    HitMask project(const light::Light& light, HitMask asking)
+    {
+        HitMask seen = 0;
+        for_each_hit(asking, [&](std::size_t k) {
+            const double depth = light.projector->depth({scratch_.hits.point(k), scratch_.light.direction(k)});
+            if (depth < 0.0 || depth >= scratch_.light.distance[k]) return sink_.arrive(k, glm::vec3(0));
+            scratch_.light.distance[k] = depth;
+            seen |= HitMask{1} << k;
+        });
+        return seen;
+    }
+
+    /// What the shadow rays tell. `in_order`: ray i is point i's.
+    void answer(const light::Light& light, bool in_order)
+    {
+        const RayTile& beam = scratch_.rays;
+        csg::CrossingTile& met = scratch_.crossings;
+        context_.scratch.counts.shadow += static_cast<std::uint64_t>(beam.count);
+        if (scratch_.traits.filters) context_.world.shadow_crossings(beam, context_.scratch.geometry, met);
+        else context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
+        const auto hit_of = [&](std::size_t ray) { return in_order ? ray : scratch_.lane[ray]; };
+        const HitMask rays = first_hits(beam.count), blocked = rays & equal(met.ending, Shadow::Blocked);
+        const HitMask clear = light.atmosphere ? 0 : rays & equal(met.ending, Shadow::Clear);  // fog dims all of them
+        HitMask reached = clear;
+        if (!in_order) {
+            reached = 0;
+            for_each_hit(clear, [&](std::size_t ray) { reached |= HitMask{1} << hit_of(ray); });
+        }
+        sink_.light(reached);
+        for_each_hit(rays & ~clear & ~blocked, [&](std::size_t ray) {
+            const std::size_t k = hit_of(ray);
+            const glm::vec3 color = filtered(ray, k, light.atmosphere);
+            sink_.light(k, color);
+            sink_.arrive(k, color);
+        });
+        if (sink_.arrives() != 0)
+            for_each_hit(blocked, [&](std::size_t ray) { sink_.arrive(hit_of(ray), glm::vec3(0)); });
+    }
+
+    static HitMask equal(const std::array<Shadow, csg::kTileRays>& endings, Shadow to)
+    {
+        return csg::lanes::equal(reinterpret_cast<const std::uint8_t*>(endings.data()), static_cast<std::uint8_t>(to));
+    }
+
+    /// The light at hand past what a shadow ray crosses, and what fills the scene if it dims light.
+    glm::vec3 filtered(std::size_t ray, std::size_t k, bool in_air)
+    {
+        const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
+        const bool clear = scratch_.crossings.ending[ray] == Shadow::Clear;
+        const std::uint8_t count = clear ? 0 : scratch_.crossings.count[ray];
+        const bool too_many = count == csg::CrossingTile::kTooMany;
+        if (too_many || (scratch_.traits.restarts() && !clear))
+            return filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
+                                  lit, lit.color, in_air, too_many ? nullptr : scratch_.crossings.hits[ray].data());
+        return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
+                                    lit, scratch_.rays.common_origin, scratch_.crossings.hits[ray].data(), count,
+                                    in_air);
+    }
+
+    Context& context_;
+    ShadeScratch& scratch_;
+    const Tile& tile_;
+    Sink& sink_;
+};
+
+}  // namespace trace

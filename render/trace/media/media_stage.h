@@ -1,0 +1,42 @@
+#pragma once
+
+#include "render/trace/air/even_fog.h"
+#include "render/trace/media/media_samples.h"
+
+/// Media over the segments of a tile (spec 6, 2). Compiled once per instruction set.
+namespace trace {
+
+class MediaStage {
+public:
+    MediaStage(Context& context, const SegmentTile& tile);
+
+    /// Media of what the rays are inside of, for segments that have met something.
+    void cross_interiors(HitMask segments) { cross(segments, false); }
+    /// Media of the whole scene.
+    void cross_atmosphere(HitMask segments) { cross(segments, true); }
+
+private:
+    void cross(HitMask segments, bool atmosphere);
+    bool find_mix(std::size_t k, bool atmosphere, std::uint32_t& mix);
+    void add_segment(std::size_t k, std::uint32_t mix);
+    void find_lit(const MediaSegment& segment);
+    bool take_jobs();
+    void work_off();
+    double random(const MediaJob& job, std::uint32_t sample) const;
+    bool is_even(const MediaJob& job) const;
+    void place_samples();
+    void take_more();
+    void divide_gaps();
+    void sum_gaps();
+    void compose();
+
+    Context& context_;
+    ShadeScratch& shade_;
+    MediaScratch& scratch_;
+    const SegmentTile& tile_;
+    MediaSampler sampler_;
+    std::size_t next_ = 0;   ///< segment whose turn it is
+    std::size_t ended_ = 0;  ///< segments in a row that had nothing left
+};
+
+}  // namespace trace
