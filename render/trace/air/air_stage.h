@@ -46,7 +46,7 @@ private:
     }
 
     /// The same as along() of all segments where there is nothing but fog that is the same everywhere.
-    void fog_tile()
+    [[gnu::noinline]] void fog_tile()
     {
         using csg::lanes::Double;
         ShadeScratch& scratch = context_.scratch.shade;
@@ -69,7 +69,7 @@ private:
     }
 
     /// From what the rays have met to their origins (spec 6, 1.6).
-    void along(HitMask hollow)
+    [[gnu::noinline]] void along(HitMask hollow)
     {
         const plan::CompiledScene& scene = context_.scene;
         auto& air = context_.scratch.shade.air;
