@@ -21,6 +21,22 @@ Settings settings(const scene::Description& description, const Options& options)
     return s;
 }
 
+/// Null where the scene asks for none, or the quality has none (spec 6, 1.5). After the lights.
+std::shared_ptr<const Radiosity> radiosity(const scene::Description& description, const CompiledScene& scene)
+{
+    if (!description.has_radiosity(scene.options.quality)) return nullptr;
+    auto out = std::make_shared<Radiosity>();
+    out->settings = *description.global.radiosity;
+    out->importance = static_cast<float>(description.default_importance);
+    out->lights = scene.lights;
+    for (light::Light& light : out->lights.lights) {
+        light.area = light.area_illumination = light.circular = light.orient = light.jitter = false;
+        light.size1 = light.size2 = 1;
+        light.atmosphere = light.atmosphere && out->settings.media;
+    }
+    return out;
+}
+
 /// What has no end has no size either.
 csg::Tolerance tolerance(const CompiledScene& scene)
 {
@@ -60,6 +76,7 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     geometry.finish();
     const bool dims = (!out.fogs.empty() && options.quality >= 9) || out.atmosphere.extinguishes;
     for (light::Light& light : out.lights.lights) light.atmosphere = light.atmosphere && dims;
+    out.radiosity = radiosity(description, out);
     out.tolerance = tolerance(out);
     find_camera_interiors(out);
     for (const scene::Unsupported& note : notes) out.decisions.push_back({note.what, "not rendered yet", note.source});

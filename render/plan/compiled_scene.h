@@ -81,6 +81,13 @@ struct Settings {
     scene::AssumedGamma assumed_gamma;
 };
 
+/// Light that surfaces hand on to each other: what rays need that gather it (spec 6, section 4).
+struct Radiosity {
+    scene::RadiositySettings settings;
+    float importance = 1;    ///< of rays that meet nothing
+    light::LightSet lights;  ///< as such rays see them: area lights are points
+};
+
 /// Everything a render needs; immutable, shared by all threads.
 struct CompiledScene {
     csg::Tolerance tolerance;
@@ -91,6 +98,7 @@ struct CompiledScene {
     texture::TextureSet textures;
     std::vector<Interior> interiors;  ///< by Surface::interior; identity decides refraction
     light::LightSet lights;
+    std::shared_ptr<const Radiosity> radiosity;  ///< null: off
     texture::Sky sky;
     std::vector<texture::Fog> fogs;
     std::vector<texture::Rainbow> rainbows;

@@ -74,8 +74,8 @@ struct GlobalSettings {
     int number_of_waves = 10;
     int noise_generator = 2;
     glm::vec3 irid_wavelength{0.70f, 0.52f, 0.48f};
-    // Asked for by their blocks; not rendered yet.
     std::optional<RadiositySettings> radiosity;
+    // Asked for by their blocks; not rendered yet.
     std::optional<PhotonSettings> photons;
     std::optional<SubsurfaceSettings> subsurface;
     double mm_per_unit = 10;
@@ -94,6 +94,7 @@ struct Description {
     /// The version that gamma, background, layers and sky follow: `version` if the text or the command line set one,
     /// else 362 (spec 1, 15.1).
     int effective_version = 362;
+    double default_importance = 1.0;  ///< `radiosity` of #default: of objects that say nothing, and of the sky
     Camera camera;
     std::vector<Object> objects;  ///< in order; lights among them
     TexturePtr default_texture;   ///< in force at the end
@@ -106,6 +107,9 @@ struct Description {
     std::vector<Object> unsupported_objects;  ///< objects of kinds that are not drawn yet, wherever they stood
     std::vector<Media> media;                 ///< of the whole scene: read, not drawn yet
     std::vector<Rainbow> rainbows;
+
+    /// Whether surfaces light each other at a quality (+Q; spec 6, 1.5).
+    bool has_radiosity(int quality) const { return global.radiosity.has_value() && quality >= 9; }
 };
 
 /// The description as text, one fact a line, defaults included: --dump=scene. The same description gives the same text.

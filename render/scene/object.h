@@ -182,7 +182,7 @@ struct Object {
     /// Parameters of a solid in scene::AnySolid; null for shapes that hold their own.
     std::shared_ptr<const WrittenSolid> written;
     std::shared_ptr<const PhotonFlags> photons;  ///< read, not used yet; null if not written
-    std::optional<double> radiosity_importance;  ///< above 0 to 1; not used yet. Nothing: the parent's, at last 1
+    std::optional<double> radiosity_importance;  ///< above 0 to 1. Nothing: the parent's, at last that of #default
     SourceRef source;
 
     /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.

@@ -57,7 +57,6 @@ std::vector<Unsupported> of_whole_scene(const Description& description)
 {
     const GlobalSettings& global = description.global;
     std::vector<Unsupported> settings, space, all;
-    if (global.radiosity) settings.push_back({"radiosity", global.radiosity->source});
     if (global.photons) settings.push_back({"photons", global.photons->source});
     for (std::vector<Unsupported>* group : {&settings, &space}) {
         std::stable_sort(group->begin(), group->end(), [](const Unsupported& a, const Unsupported& b) {

@@ -33,6 +33,7 @@ struct Normal {
 struct Finish {
     glm::vec3 ambient{0.1f}, emission{0};  ///< ambient holds the scene's ambient_light too
     float diffuse = 0.6f, diffuse_back = 0, brilliance = 1, crand = 0;
+    float gathered = 0.6f, gathered_back = 0;  ///< diffuse light that comes from no lamp: without `albedo`
     float phong = 0, phong_size = 40, specular = 0, specular_exponent = 20, metallic = 0;
     glm::vec3 reflection_min{0}, reflection_max{0};
     float reflection_falloff = 1, reflection_metallic = 0;

@@ -50,6 +50,8 @@ void SceneBuilder::add(scene::Object object)
         return;
     }
     object.default_texture = default_texture_;
+    if (!object.radiosity_importance && description.default_importance != 1.0)
+        object.radiosity_importance = description.default_importance;
     description.objects.push_back(std::move(object));
 }
 

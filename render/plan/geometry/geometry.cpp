@@ -8,6 +8,7 @@
 #include "render/plan/textures/uv_use.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace plan {
@@ -102,6 +103,8 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     own.no_shadow = above.no_shadow || object.flags.no_shadow;
     own.no_image = above.no_image || object.flags.no_image;
     own.no_reflection = above.no_reflection || object.flags.no_reflection;
+    own.no_radiosity = above.no_radiosity || object.flags.no_radiosity;
+    if (object.radiosity_importance) own.importance = static_cast<float>(*object.radiosity_importance);
     own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
     own.to_world = is_light(object) ? above.to_world : above.to_world * object.transform;
     own.parent_growth = own.growth = above.growth;
@@ -311,6 +314,7 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
     s.no_image = own.no_image;
     s.no_reflection = own.no_reflection;
     s.double_illuminate = own.double_illuminate;
+    if (description_.has_radiosity(options_.quality)) s.importance = own.importance.value_or(1.0f);
     s.uv_mapping = own.uv_mapping;
     s.light_group = own.light_group;
     s.global_lights = own.global_lights;
@@ -320,7 +324,8 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
     const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
     const auto [known, fresh] =
         known_surfaces_.try_emplace({s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0],
-                                     s.corner_textures[1], parts.empty() ? kNone : s.first_part, s.light_group},
+                                     s.corner_textures[1], parts.empty() ? kNone : s.first_part, s.light_group,
+                                     std::bit_cast<std::uint32_t>(s.importance)},
                                     id);
     if (fresh) out_.surfaces.push_back(s);
     return known->second;
@@ -377,7 +382,7 @@ std::uint8_t GeometryCompiler::visible(const Inherited& own) const
     if (!own.no_image) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Image));
     if (!own.no_reflection) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Reflection));
     if (!own.no_shadow) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Shadow) | bit(RayKind::Photon));
-    bits = static_cast<std::uint8_t>(bits | bit(RayKind::Gather));
+    if (!own.no_radiosity) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Gather));
     return bits;
 }
 

@@ -46,6 +46,8 @@ private:
         std::shared_ptr<const scene::Interior> interior;
         std::optional<bool> hollow;
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
+        bool no_radiosity = false;
+        std::optional<float> importance;  ///< Surface::importance; nothing: 1
         std::uint32_t light_group = 0;  ///< Surface::light_group
         bool global_lights = true;
     };
@@ -151,7 +153,7 @@ private:
     };
     std::vector<LightGroup> light_groups_;  ///< of the statement at hand
     std::uint32_t light_group_count_ = 0;
-    using SurfaceKey = std::array<std::uint32_t, 9>;
+    using SurfaceKey = std::array<std::uint32_t, 10>;
     std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
     std::map<std::vector<std::uint32_t>, std::uint32_t> known_parts_;  ///< to Surface::first_part
     struct Moved {

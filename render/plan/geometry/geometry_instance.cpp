@@ -92,6 +92,7 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
         if (known.own.interior_texture) here.interior_texture = in_world(known.own.interior_texture);
         if (known.own.interior) here.interior = this->moved(known.own.interior, own.to_world);
         if (known.own.hollow) here.hollow = known.own.hollow;
+        if (known.own.importance) here.importance = known.own.importance;
         here.double_illuminate |= known.own.double_illuminate;
         here.uv_mapping = known.own.uv_mapping;
         surfaces.push_back(surface(here, {in_world(known.corners[0]), in_world(known.corners[1])}));
@@ -135,7 +136,8 @@ csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std:
         const Inherited &a = own, &b = other.own;
         return a.texture == b.texture && a.interior_texture == b.interior_texture && a.interior == b.interior &&
                a.hollow == b.hollow && a.no_shadow == b.no_shadow && a.no_image == b.no_image &&
-               a.no_reflection == b.no_reflection && a.double_illuminate == b.double_illuminate &&
+               a.no_reflection == b.no_reflection && a.no_radiosity == b.no_radiosity && a.importance == b.importance &&
+               a.double_illuminate == b.double_illuminate &&
                a.uv_mapping == b.uv_mapping && corners == other.corners;
     });
     if (same != known.end()) return static_cast<csg::SurfaceId>(same - known.begin());

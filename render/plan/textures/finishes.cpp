@@ -7,10 +7,13 @@ namespace plan {
 std::uint32_t TextureCompiler::finish(const scene::Finish& from)
 {
     texture::Finish to;
-    to.ambient = from.ambient * scene_.global.ambient_light;
+    if (ambient_) to.ambient = from.ambient * scene_.global.ambient_light;
+    else to.ambient = glm::vec3(0);
     to.emission = from.emission;
     to.diffuse = from.diffuse;
     to.diffuse_back = from.diffuse_back;
+    to.gathered = from.diffuse;
+    to.gathered_back = from.diffuse_back;
     to.brilliance = from.brilliance;
     to.crand = from.crand;
     to.phong = from.phong;

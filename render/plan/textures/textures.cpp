@@ -23,7 +23,8 @@ std::uint32_t count_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
 TextureCompiler::TextureCompiler(const scene::Description& scene, int quality, texture::TextureSet& out,
                                  std::vector<scene::Unsupported>& notes)
-    : scene_(scene), quality_(quality), out_(out), notes_(notes)
+    : scene_(scene), quality_(quality),
+      ambient_(scene.effective_version < kLegacyVersion || !scene.has_radiosity(quality)), out_(out), notes_(notes)
 {
     const scene::GlobalSettings& global = scene.global;
     out_.noise_generator = global.noise_generator;

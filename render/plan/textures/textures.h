@@ -42,6 +42,7 @@ private:
 
     const scene::Description& scene_;
     int quality_;
+    bool ambient_;  ///< finishes have theirs: radiosity takes its place since 3.7 (spec 6, 4.2)
     texture::TextureSet& out_;
     std::vector<scene::Unsupported>& notes_;
     std::unordered_map<const scene::Texture*, std::uint32_t> known_;

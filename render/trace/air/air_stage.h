@@ -14,8 +14,9 @@ namespace trace {
 inline bool has_air(const Context& context)
 {
     const plan::CompiledScene& scene = context.scene;
-    return scene.settings.quality >= 9 &&
-           (!scene.fogs.empty() || !scene.rainbows.empty() || !scene.media.media.empty());
+    if (scene.settings.quality < 9 || (scene.fogs.empty() && scene.rainbows.empty() && scene.media.media.empty()))
+        return false;
+    return context.bounce == 0 ? context.filling == nullptr : scene.radiosity->settings.media;
 }
 
 class AirStage {

@@ -3,6 +3,7 @@
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/light/direct_batch.h"
 #include "render/trace/queue/segment_tile.h"
+#include "render/trace/radiosity/radiosity_stage.h"
 
 /// Light that comes from no lamp, over a tile's rows: photons, radiosity, light below the surface. Compiled once per
 /// instruction set.
@@ -18,6 +19,9 @@ public:
     void run()
     {
         if (context_.indirect == nullptr) return;
+        if (const radiosity::Field* field = context_.indirect->radiosity.get();
+            field != nullptr && context_.bounce < field->settings().recursion_limit)
+            RadiosityStage(context_, tile_, batch_).run();
     }
 
 private:

@@ -1,9 +1,19 @@
 #include "render/trace/indirect/passes.h"
 
 #include "render/trace/indirect/indirect_light.h"
+#include "render/trace/kernel/kernel_module.h"
+#include "render/trace/radiosity/passes.h"
 
 namespace trace {
 
-std::shared_ptr<const IndirectLight> run_passes(const plan::CompiledScene&, const RenderOptions&) { return nullptr; }
+std::shared_ptr<const IndirectLight> run_passes(const plan::CompiledScene& scene, const RenderOptions& options)
+{
+    if (scene.radiosity == nullptr) return nullptr;
+    const KernelTable& kernel = load_kernel(options.isa);
+    function::use(kernel.evaluators);
+    auto light = std::make_shared<IndirectLight>();
+    if (!radiosity::fill(scene, options, kernel, *light)) return nullptr;
+    return light;
+}
 
 }  // namespace trace

@@ -4,6 +4,7 @@
 #include "render/trace/camera/camera_rays.h"
 #include "render/trace/camera/focal_blur.h"
 #include "render/trace/geometry.h"
+#include "render/trace/indirect/indirect_light.h"
 #include "render/trace/shade/shade.h"
 #include "render/trace/shade/shade_context.h"
 #include "render/trace/shade/start_interiors.h"
@@ -25,7 +26,7 @@ public:
         : scene_(scene), world_(scene.world()),
           camera_(scene.camera, scene.options.width, scene.options.height,
                   {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}),
-          blur_(scene.camera, scene.textures, scene.bokeh), starts_(scene), context_{scene, world_, scratch_, indirect}
+          blur_(scene.camera, scene.textures, scene.bokeh), starts_(scene), context_(scene, scratch_, indirect)
     {
         scratch_.geometry.cancel = csg::CancelWatch(cancel);
         for (const std::uint32_t interior : scene.camera_interiors) first_.interiors.append(interior);
@@ -45,6 +46,31 @@ public:
             antialias(scene_.options.antialiasing, scene_.settings.assumed_gamma, block, tracer, antialias_, out);
         } catch (const csg::Cancelled&) {
             return false;
+        }
+        return true;
+    }
+
+    /// The tile's hits ask for light, and what they find is handed back; their colours are of no use.
+    bool pretrace(const radiosity::PassTile& tile, radiosity::TileFindings& out)
+    {
+        filling_.pretrace = tile.pretrace;
+        filling_.begin(*context_.indirect->radiosity, tile.seed);
+        context_.filling = &filling_;
+        try {
+            begin_tile();
+            for (int i = 0; i < tile.count; ++i) add_sample(tile.at[static_cast<std::size_t>(i)], &unused_);
+            make_rays();
+            if (rays_.count > 0) trace_rays();
+        } catch (const csg::Cancelled&) {
+            return false;
+        }
+        context_.filling = nullptr;
+        out.found = filling_.found;
+        out.asked = 0;
+        out.weight = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) {
+            out.asked += filling_.asked[i];
+            out.weight += static_cast<double>(filling_.weight[i]);
         }
         return true;
     }
@@ -230,6 +256,8 @@ private:
     Context context_;
     RayState first_;  ///< what camera rays inherit
     AntialiasScratch antialias_;
+    radiosity::Filling filling_;
+    scene::Color unused_;
     alignas(64) std::array<double, kTileRays> x_{}, y_{};  ///< sample positions of the tile at hand
     int samples_ = 0;
     RayTile rays_;
@@ -247,6 +275,9 @@ const KernelTable kTable = {
     },
     [](BlockTracer* tracer) { delete tracer; },
     [](BlockTracer& tracer, const Block& block, scene::Color* out) { return tracer.trace(block, out); },
+    [](BlockTracer& tracer, const radiosity::PassTile& tile, radiosity::TileFindings& out) {
+        return tracer.pretrace(tile, out);
+    },
     [](const BlockTracer& tracer) { return tracer.counts(); },
     texture::evaluators(),
 };

@@ -5,6 +5,7 @@
 #include "render/scene/color.h"
 #include "render/trace/antialias/antialias.h"
 #include "render/trace/queue/scratch.h"
+#include "render/trace/radiosity/pass_tile.h"
 
 #include <atomic>
 
@@ -23,6 +24,8 @@ struct KernelTable {
     void (*free)(BlockTracer* tracer);
     /// Colours of the block's pixels, row by row. False: `cancel` was set meanwhile, and the tracer can only be freed.
     bool (*trace)(BlockTracer& tracer, const Block& block, scene::Color* out);
+    /// A tile of a pass of radiosity. False: cancelled, as above.
+    bool (*pretrace)(BlockTracer& tracer, const radiosity::PassTile& tile, radiosity::TileFindings& out);
     RayCounts (*counts)(const BlockTracer& tracer);
     function::Evaluators evaluators;  ///< for the fields of solids, which live outside of the module
 };

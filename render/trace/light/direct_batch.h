@@ -100,6 +100,7 @@ public:
         at.pigment.set(k, row.pigment.rgb());
         at.glow.set(k, row.pigment.rgb() * (finish.ambient + finish.emission) * row.alpha);
         at.filter.set(k, row.filter);
+        at.alpha[k] = row.alpha;
         if (!finish.lit()) return;
         lit_ |= bit;
         if (row.normal != row.raw_normal) {
@@ -116,7 +117,6 @@ public:
             scratch_.traits.scalar_rows) {
             at.scalar |= bit;
             scalar_ |= bit;
-            at.alpha[k] = row.alpha;
             at.scalar_pigment.set(k, row.pigment);
             return;
         }
@@ -243,6 +243,15 @@ public:
         }
     }
 
+    /// Pages of rows in use.
+    std::size_t depths() const { return depths_; }
+    /// Of a row: the layer's, turned to the viewer.
+    glm::dvec3 normal(std::size_t depth, std::size_t k) const
+    {
+        const RowPage& at = scratch_.pages[depth];
+        return has(at.bent, k) ? at.normal(k) : scratch_.hits.normal(k);
+    }
+
     /// The light of the rows that go through the lights one by one. place: of a hit; samples: of a hit, by light.
     template <class PlaceOf, class SamplesOf>
     void add_scalar(PlaceOf&& place, SamplesOf&& samples)
@@ -284,10 +293,10 @@ private:
         return at;
     }
 
-    static void set_kind(RowPage& at, HitMask hits, const texture::Finish& finish)
+    void set_kind(RowPage& at, HitMask hits, const texture::Finish& finish) const
     {
         if (finish.diffuse > 0.0f) at.lit |= hits;
-        if (finish.phong > 0.0f || finish.specular > 0.0f) at.shiny |= hits;
+        if ((finish.phong > 0.0f || finish.specular > 0.0f) && context_.bounce == 0) at.shiny |= hits;
         if (finish.brilliance != 1.0f) at.raised |= hits;
         if (finish.metallic > 0.0f) at.tinted |= hits;
     }
@@ -368,6 +377,8 @@ private:
             for (std::size_t k = 0; k < csg::kTileRays; ++k)
                 alpha[k] = counts[k] != 0 ? 1.0f - c.filter[k] - c.transmit[k] : 1.0f;
         }
+        if (context_.indirect != nullptr)
+            for (std::size_t k = 0; k < csg::kTileRays; ++k) at.alpha[k] = here[k] != 0 ? alpha[k] : at.alpha[k];
         const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {
             float *pigment = (at.pigment.*channel).data(), *glow = (at.glow.*channel).data();
             const float* emitted = (at.emitted.*channel).data();

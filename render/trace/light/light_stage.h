@@ -17,7 +17,8 @@ public:
 
     void run()
     {
-        const auto& lights = context_.scene.lights.lights;
+        if (context_.filling != nullptr && context_.bounce == 0) return;  // nobody looks at what the camera sees
+        const auto& lights = context_.lights.lights;
         if (batch_.scalar() != 0) scratch_.samples.resize(lights.size() * kTileRays);
         for (std::size_t i = 0; i < lights.size() && batch_.lit() != 0; ++i) {
             asks_ = batch_.lit();
@@ -99,7 +100,7 @@ private:
             return tile_.place(k, tile_.state(k, own), met);
         };
         batch_.add_scalar(place,
-                          [&](std::size_t k) { return &scratch_.samples[k * context_.scene.lights.lights.size()]; });
+                          [&](std::size_t k) { return &scratch_.samples[k * context_.lights.lights.size()]; });
     }
 
     /// Where shadow rays tell what arrives.
@@ -112,7 +113,7 @@ private:
     };
     ShadowCaster<SegmentTile, Sink> caster() { return {context_, tile_, sink_}; }
 
-    LightSample& sample(std::size_t k) { return scratch_.samples[k * context_.scene.lights.lights.size() + which_]; }
+    LightSample& sample(std::size_t k) { return scratch_.samples[k * context_.lights.lights.size() + which_]; }
     /// What a shadow leaves of the light at hand, for rows that are looked up by themselves.
     void arrive(std::size_t k, const glm::vec3& color)
     {

@@ -23,7 +23,7 @@ glm::vec3 contribution(Context& context, const ScalarRow& row, const light::Ligh
     const texture::Finish& finish = row.finish;
     const double less = finish.crand > 0.0f ? static_cast<double>(finish.crand) * grain(context, row) : 0.0;
     const LitLayer met{finish, row.pigment, row.hit.state.ray.direction, row.normal, row.alpha};
-    const double strength = behind || light.shadowless ? 0.0 : highlight(met, lit.direction);
+    const double strength = behind || light.shadowless || context.bounce > 0 ? 0.0 : highlight(met, lit.direction);
     glm::vec3 sum = surface_light(met, lit.direction, color, behind, strength, less);
     if (finish.irid > 0.0f) sum *= film_color(context, row.hit, finish, row.normal, lit.direction);
     return sum;
@@ -48,7 +48,7 @@ glm::vec3 from_area(Context& context, const ScalarRow& row, const light::Light& 
 
 glm::vec3 direct_light(Context& context, const ScalarRow& row)
 {
-    const auto& lights = context.scene.lights.lights;
+    const auto& lights = context.lights.lights;
     glm::vec3 sum(0);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const light::Light& light = lights[i];

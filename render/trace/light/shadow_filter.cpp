@@ -175,7 +175,7 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     const double end = lit.distance - tolerance;
     if (end <= tolerance) return color;
     ++context.scratch.counts.shadow;
-    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
+    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, 0, interiors};
     auto& crossings = context.scratch.crossings;
     const Shadow met =
         context.scratch.shade.traits.restarts()
@@ -205,7 +205,7 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
         }
         for (Hit* h = crossings; h != end; ++h) h->t = lit.distance - h->t;
     }
-    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, interiors};
+    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, 0, interiors};
     double before = 0.0;
     glm::vec3 color = past_crossings(context, ray, tolerance, lit.color, crossings, end, before, in_air);
     if (in_air) color *= atmosphere_share(context, ray, before, lit.distance);

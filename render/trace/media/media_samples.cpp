@@ -122,7 +122,7 @@ void MediaSampler::add_media(std::size_t count)
 void MediaSampler::add_light(std::size_t first, std::size_t last, HitMask scattering)
 {
     const MediaSamples& samples = scratch_.samples;
-    const auto& lights = context_.scene.lights.lights;
+    const auto& lights = context_.lights.lights;
     HitMask dense = 0, lit = 0;
     for_each_hit(scattering, [&](std::size_t k) {
         if (!(scattering_[k] == glm::vec3(0))) dense |= HitMask{1} << k;
@@ -130,7 +130,7 @@ void MediaSampler::add_light(std::size_t first, std::size_t last, HitMask scatte
     });
     lit &= dense;
     if (lit != 0) {
-        Context own{context_.scene, context_.world, context_.scratch.nested(), context_.indirect, context_.bounce};
+        Context own(context_, context_.scratch.nested());
         std::array<const InteriorList*, csg::kTileRays> around;
         for (std::size_t k = 0; k < last - first; ++k) around[k] = &tile_.interiors(segments_[k]->lane);
         if (own.scratch.shade.traits.surfaces.empty()) own.scratch.shade.traits = context_.scratch.shade.traits;

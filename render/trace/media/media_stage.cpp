@@ -93,7 +93,7 @@ void MediaStage::find_lit(const MediaSegment& segment)
     const plan::CompiledScene& scene = context_.scene;
     const plan::Surface* end = has(tile_.found(), segment.lane) ? &scene.surfaces[tile_.hits.surface[segment.lane]]
                                                                 : nullptr;
-    for (const light::Light& light : scene.lights.lights) {
+    for (const light::Light& light : context_.lights.lights) {
         MediaRange range{1.0, 0.0};
         const bool shines = light.in_media && (end != nullptr ? shines_on(light, *end) : light.group == 0);
         if (shines && lit_range(light, segment.ray, segment.length, range)) scratch_.ranges.push_back(range);

@@ -145,8 +145,7 @@ void RayQueue::fold()
 
 ColorSlot queue_ray(Context& context, std::vector<QueuedRay>& queue, const RayState& state, bool straight)
 {
-    const plan::Settings& settings = context.scene.settings;
-    if (state.level >= settings.max_trace_level || static_cast<double>(state.weight) < settings.adc_bailout)
+    if (state.level >= context.max_trace_level || static_cast<double>(state.weight) < context.adc_bailout)
         return kNoSlot;
     const ColorSlot slot = context.scratch.shade.queue.new_slot();
     queue.push_back({state, slot, straight ? state.level : state.level + 1});

@@ -43,7 +43,7 @@ struct RowPage {
     TileColors gained_before;             ///< by lights before those of a group (DirectBatch::begin_group)
     TileColors gained, filter;            ///< what the lights have added so far; what the layers above let through
     texture::ColorPoints scalar_pigment;  ///< of the rows of `scalar`
-    alignas(64) TileFloats alpha;         ///< of the rows of `scalar`
+    alignas(64) TileFloats alpha;         ///< opacity; in lanes where there is indirect light
     alignas(64) TileLanes diffuse;        ///< times the layer's opacity
     alignas(64) TileLanes nx, ny, nz;     ///< all hits' where some are bent
 

@@ -3,6 +3,7 @@
 #include "csg/base/scratch.h"
 #include "csg/base/hit.h"
 #include "render/trace/media/media_scratch.h"
+#include "render/trace/radiosity/gather_scratch.h"
 #include "render/trace/shade/shade_scratch.h"
 
 #include <cstdint>
@@ -14,6 +15,7 @@ namespace trace {
 /// Rays by kind, counted per tile without locks and added up at the end.
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, supersamples = 0;
+    std::uint64_t gathered = 0, samples = 0;  ///< rays of radiosity, and their samples
     std::uint64_t far = 0;  ///< hits so far off that POV-Ray does not draw them (csg/base/reach.h)
     RayCounts& operator+=(const RayCounts& other)
     {
@@ -22,6 +24,8 @@ struct RayCounts {
         reflected += other.reflected;
         refracted += other.refracted;
         supersamples += other.supersamples;
+        gathered += other.gathered;
+        samples += other.samples;
         far += other.far;
         return *this;
     }
@@ -34,6 +38,7 @@ struct Scratch {
     RayCounts counts;
     std::uint32_t grain_state = 0;  ///< of the stream behind Options::grain_stream
     ShadeScratch shade;
+    std::unique_ptr<radiosity::GatherScratch> gather;  ///< made for scenes with radiosity
 
     /// Of rays that are gathered while a tile is being shaded, whose own scratch has to stay as it is. As deep as such
     /// rays gather in turn.

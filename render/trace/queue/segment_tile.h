@@ -33,7 +33,7 @@ public:
     HitMask from_inside() const { return from_inside_; }
     HitMask batched() const { return batched_; }
 
-    int level(std::size_t k) const { return queued_ == nullptr ? 1 : queued_[k].level; }
+    int level(std::size_t k) const { return queued_ == nullptr ? camera_.level + 1 : queued_[k].level; }
     /// All segments inherit the same.
     bool alike() const { return queued_ == nullptr && starts_ == nullptr; }
     ColorSlot slot(std::size_t k) const { return queued_ == nullptr ? static_cast<ColorSlot>(k) : queued_[k].slot; }
@@ -51,6 +51,7 @@ public:
         if (queued_ != nullptr) return queued_[k].state;
         own = camera_;
         own.ray = rays.ray(static_cast<int>(k));
+        own.root = static_cast<std::uint8_t>(k);
         if (starts_ != nullptr) own.interiors = starts_[k];
         return own;
     }

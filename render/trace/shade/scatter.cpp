@@ -119,7 +119,7 @@ RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3&
     }
     r = glm::normalize(r);
     return {{hit.point, r},      start_of(context, hit, r), weight, hit.level, plan::RayKind::Reflection,
-            hit.state.interiors, hit.state.wavelength};
+            hit.state.root, hit.state.interiors, hit.state.wavelength};
 }
 
 /// The ray that goes on through a surface, and what light loses on its way (spec 3, section 8).
@@ -148,6 +148,7 @@ bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_
     out.ray.weight = weight;
     out.ray.level = hit.level;
     out.ray.kind = hit.state.kind;
+    out.ray.root = hit.state.root;
     out.ray.wavelength = hit.state.wavelength;
     out.ray.stretch = hit.state.stretch;
     if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) {
@@ -256,7 +257,7 @@ std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& s
     ShadeNode& node = queue.new_node(ShadeNode::Kind::Surface, out);
     node.filter = stack.filter;
     node.residual = stack.residual;
-    if (stack.residual > static_cast<float>(settings.adc_bailout) && settings.quality >= 6)
+    if (stack.residual > static_cast<float>(context.adc_bailout) && settings.quality >= 6)
         transmit(context, hit, stack, index);
     if (settings.quality < 8) return index;
     std::uint32_t count = 0;

@@ -28,14 +28,38 @@ inline bool black(const glm::vec3& c) { return c.x == 0.0f && c.y == 0.0f && c.z
 inline float largest(const glm::vec3& c) { return std::max({c.x, c.y, c.z}); }
 
 struct IndirectLight;
+namespace radiosity {
+struct BounceRules;
+struct Filling;
+}  // namespace radiosity
 
 /// Everything shading reads and writes besides the ray.
 struct Context {
+    Context(const plan::CompiledScene& of, Scratch& own, const IndirectLight* light)
+        : scene(of), world(of.world()), scratch(own), indirect(light), lights(of.lights),
+          max_trace_level(of.settings.max_trace_level), adc_bailout(of.settings.adc_bailout)
+    {}
+    /// The same with another scratch, for work in the midst of a tile.
+    Context(const Context& outer, Scratch& own)
+        : scene(outer.scene), world(outer.world), scratch(own), indirect(outer.indirect), lights(outer.lights),
+          max_trace_level(outer.max_trace_level), adc_bailout(outer.adc_bailout), bounce(outer.bounce),
+          filling(outer.filling)
+    {}
+    /// For rays that gather light from within shading, by the rules of the bounce that they start at.
+    Context gathering(const radiosity::BounceRules& rules) const;
+
     const plan::CompiledScene& scene;
     csg::World world;
     Scratch& scratch;
-    const IndirectLight* indirect = nullptr;  ///< what the passes before the picture have found; null: nothing
-    int bounce = 0;                           ///< of light that is gathered: 0 for what the camera sees (spec 6, 4.1)
+    const IndirectLight* indirect;  ///< what the passes before the picture have found; null: nothing
+    const light::LightSet& lights;  ///< that these rays see
+    int max_trace_level;
+    double adc_bailout;
+    int bounce = 0;  ///< of light that is gathered: 0 for what the camera sees (spec 6, 4.1)
+    radiosity::Filling* filling = nullptr;  ///< a pass of radiosity: what it finds; null: in the picture
+
+private:
+    Context(const Context& outer, const radiosity::BounceRules& rules);
 };
 
 /// Point, normal and what else the surface's textures ask for.

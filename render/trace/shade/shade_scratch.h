@@ -97,6 +97,7 @@ struct ShadeScratch {
     std::size_t layered_count = 0;
     PrefetchedColors prefetched;                   ///< pigments of the layers of those
     std::array<HitMask, kPrefetchedLayers> asked;  ///< by depth: where they are
+    std::array<float, csg::kTileRays> quality;  ///< of rays that gather: how far they were followed (spec 6, 4.3)
     csg::CrossingTile crossings;                   ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
     std::array<std::uint8_t, csg::kTileRays> lane;  ///< of each shadow ray: which hit it belongs to

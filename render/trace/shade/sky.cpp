@@ -50,7 +50,7 @@ scene::Color legacy_sky(const Context& context, const RayState& state, const tex
 scene::Color sky_color(const Context& context, const RayState& state)
 {
     const texture::Sky& sky = context.scene.sky;
-    const bool mirrored = state.kind == plan::RayKind::Reflection;
+    const bool mirrored = state.kind != plan::RayKind::Image;
     if (sky.layers.empty()) {
         scene::Color c = sky.background;
         if (mirrored) c.filter = c.transmit = 0.0f;

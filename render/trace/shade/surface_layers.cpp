@@ -61,7 +61,7 @@ void shade_layers(Context& context, DirectBatch& batch, HitContext& hit, const t
                   const glm::dvec3& p, ColorSlot out)
 {
     const plan::Settings& settings = context.scene.settings;
-    const auto bailout = static_cast<float>(settings.adc_bailout);
+    const auto bailout = static_cast<float>(context.adc_bailout);
     LayerStack stack(context.scratch.shade.mirrors);
     const std::uint32_t first = batch.rows(hit.lane);
     glm::vec3 plain_color(0);  // of a quality without lights: the lowest layer that shows

@@ -18,7 +18,7 @@ public:
     {
         const plan::Settings& settings = context_.scene.settings;
         lights_ = settings.quality >= 2;
-        goes_on_ = settings.quality >= 8 && settings.adc_bailout < 1.0;
+        goes_on_ = settings.quality >= 8 && context_.adc_bailout < 1.0;
         scratch_.pigments.clear();
         scratch_.layered_count = 0;
         for (HitMask left = tile_.found(); left != 0;) {
@@ -93,7 +93,7 @@ private:
     void finish_layers()
     {
         const auto& set = context_.scene.textures;
-        const auto bailout = static_cast<float>(context_.scene.settings.adc_bailout);
+        const auto bailout = static_cast<float>(context_.adc_bailout);
         const HitMask open = prefetch_pigments(scratch_, set, bailout);
         for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
             const LayeredGroup& group = scratch_.layered[g];

@@ -51,7 +51,7 @@ void corner_blend(Context& context, DirectBatch& batch, HitContext& hit, const g
     WeightedNode node(context, ShadeNode::Kind::Sum, textures.size(), out);
     for (std::size_t k = 0; k < textures.size(); ++k) {
         const float w = weights[static_cast<int>(k)];
-        if (static_cast<double>(w) < context.scene.settings.adc_bailout) continue;
+        if (static_cast<double>(w) < context.adc_bailout) continue;
         hit.enclosing_count = 0;
         shade_texture(context, batch, hit, textures[k], p, node.slot_of(k, w));
     }
@@ -66,7 +66,7 @@ void part_blend(Context& context, DirectBatch& batch, HitContext& hit, const glm
     WeightedNode node(context, ShadeNode::Kind::Sum, shares.size(), out);
     for (std::size_t k = 0; k < shares.size(); ++k) {
         const csg::Share share = shares[k];
-        if (static_cast<double>(share.weight) < context.scene.settings.adc_bailout) continue;
+        if (static_cast<double>(share.weight) < context.adc_bailout) continue;
         hit.enclosing_count = 0;
         shade_texture(context, batch, hit, context.scene.part_textures[hit.surface.first_part + share.part], p,
                       node.slot_of(k, share.weight));

@@ -1,0 +1,227 @@
+#include "render/trace/radiosity/gather.h"
+
+#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/radiosity/field.h"
+#include "render/trace/random.h"
+#include "render/trace/shade/shade.h"
+#include "render/trace/shade/shade_context.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trace::radiosity {
+namespace {
+
+constexpr double kNothing = 2e10;  ///< how far off the nearest thing is where there is none
+
+class Gatherer {
+public:
+    explicit Gatherer(Context& context)
+        : context_(context), field_(*context.indirect->radiosity),
+          rules_(field_.rules[static_cast<std::size_t>(context.bounce)]), scratch_(*context.scratch.gather),
+          nested_(context.gathering(rules_))
+    {
+        first_.weight = rules_.weight;
+        first_.level = rules_.level;
+        first_.kind = plan::RayKind::Gather;
+        scratch_.rays.count = 0;
+        scratch_.rays.common_origin = scratch_.shaded_rays.common_origin = false;
+    }
+
+    void run(HitMask which)
+    {
+        for_each_hit(which, [&](std::size_t i) {
+            begin(i);
+            for (int ray = 0; ray < rules_.rays; ++ray) add(i, ray);
+        });
+        flush();
+        for_each_hit(which, [&](std::size_t i) { finish(i); });
+    }
+
+private:
+    void begin(std::size_t i)
+    {
+        Gathering& g = scratch_.gatherings[i] = {};
+        const Request& of = scratch_.requests[i];
+        const glm::dvec3 off = glm::abs(of.bent - of.normal);
+        g.bent = field_.settings().normal && off.x + off.y + off.z >= kNearlyZero;
+        g.nearest = kNothing;
+        set_frame(g, g.bent ? of.bent : of.normal);
+        const std::size_t pool = field_.directions.size();
+        if (context_.filling != nullptr) {
+            std::size_t& next = context_.filling->next[static_cast<std::size_t>(context_.bounce)];
+            g.next = next;
+            if (!g.bent) next = (next + static_cast<std::size_t>(rules_.rays)) % pool;
+        } else {
+            constexpr std::uint32_t kPurpose = 0x52414449;
+            const double at = random_at(of.point, kPurpose + static_cast<std::uint32_t>(context_.bounce));
+            g.next = std::min(pool - 1, static_cast<std::size_t>(at * static_cast<double>(pool)));
+        }
+    }
+
+    /// POV-Ray's: y becomes the normal.
+    static void set_frame(Gathering& g, const glm::dvec3& n)
+    {
+        if (std::abs(n.y) > 0.999) {
+            const double sign = n.y > 0.0 ? 1.0 : -1.0;
+            g.x = {sign, 0, 0}, g.y = {0, sign, 0}, g.z = {0, 0, sign};
+            return;
+        }
+        g.y = n;
+        g.x = glm::normalize(glm::cross(n, std::abs(n.z) > 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1)));
+        g.z = glm::normalize(glm::cross(g.x, n));
+    }
+
+    glm::dvec3 take(Gathering& g) const
+    {
+        const glm::dvec3& v = field_.directions[g.next];
+        g.next = g.next + 1 == field_.directions.size() ? 0 : g.next + 1;
+        return g.x * v.x + g.y * v.y + g.z * v.z;
+    }
+
+    glm::dvec3 direction(Gathering& g, const Request& of) const
+    {
+        const int most = std::min(5 * rules_.rays, field_.settings().pool_size());
+        while (g.bent && g.examined < most) {
+            ++g.examined;
+            const glm::dvec3 d = take(g);
+            if (glm::dot(d, of.normal) > 0.0) return d;
+        }
+        if (g.bent) {
+            g.bent = false;
+            set_frame(g, of.normal);
+        }
+        if (g.examined > 0) ++g.unbent;
+        return take(g);
+    }
+
+    void add(std::size_t i, int number)
+    {
+        const Request& of = scratch_.requests[i];
+        RayTile& rays = scratch_.rays;
+        const auto k = static_cast<std::size_t>(rays.count++);
+        rays.set(k, {of.point, glm::normalize(direction(scratch_.gatherings[i], of))}, of.start, csg::kInfinity);
+        scratch_.owner[k] = static_cast<std::uint8_t>(i);
+        scratch_.number[k] = number;
+        if (rays.count == kTileRays) flush();
+    }
+
+    /// Traces the rays of the tile at hand and shades those that matter.
+    void flush()
+    {
+        RayTile& rays = scratch_.rays;
+        if (rays.count == 0) return;
+        context_.scratch.counts.gathered += static_cast<std::uint64_t>(rays.count);
+        nested_.world.nearest(rays, bit(plan::RayKind::Gather), nested_.scratch.geometry, scratch_.hits);
+        std::size_t shaded = 0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(rays.count); ++k) {
+            measure(k);
+            const int last = rules_.rays - 1;
+            if (static_cast<double>(importance(k)) * last >= scratch_.number[k])
+                scratch_.shaded[shaded++] = static_cast<std::uint8_t>(k);
+        }
+        if (shaded > 0) shade(shaded);
+        rays.count = 0;
+    }
+
+    float importance(std::size_t k) const
+    {
+        const csg::SurfaceId surface = scratch_.hits.surface[k];
+        return surface == csg::kNoSurface ? field_.plan->importance : context_.scene.surfaces[surface].importance;
+    }
+
+    void measure(std::size_t k)
+    {
+        Gathering& g = scratch_.gatherings[scratch_.owner[k]];
+        ++g.rays;
+        if (scratch_.hits.surface[k] == csg::kNoSurface) return;
+        const double t = scratch_.hits.t[k];
+        g.inverse += 1.0 / t;
+        if (!(t < g.nearest)) return;
+        g.nearest = t;
+        g.nearest_way = scratch_.rays.ray(static_cast<int>(k)).direction;
+    }
+
+    void shade(std::size_t count)
+    {
+        const bool all = count == static_cast<std::size_t>(scratch_.rays.count);
+        if (!all) {
+            for (std::size_t j = 0; j < count; ++j) {
+                const std::size_t k = scratch_.shaded[j];
+                scratch_.shaded_rays.set(j, scratch_.rays.ray(static_cast<int>(k)), scratch_.rays.t_min[k],
+                                         csg::kInfinity);
+                scratch_.shaded_hits.set(static_cast<int>(j), scratch_.hits.at(static_cast<int>(k)));
+            }
+            scratch_.shaded_rays.count = static_cast<int>(count);
+        }
+        nested_.scratch.shade.quality.fill(1.0f);
+        shade_tile(nested_, all ? scratch_.rays : scratch_.shaded_rays, all ? scratch_.hits : scratch_.shaded_hits,
+                   first_, nullptr, scratch_.colors.data());
+        for (std::size_t j = 0; j < count; ++j) sum_up(scratch_.shaded[j], j);
+    }
+
+    void sum_up(std::size_t k, std::size_t shaded)
+    {
+        Gathering& g = scratch_.gatherings[scratch_.owner[k]];
+        glm::dvec3 color(scratch_.colors[shaded].rgb());
+        const double most = field_.settings().max_sample, largest = std::max({color.x, color.y, color.z});
+        if (most > 0.0 && largest > most) color *= most / largest;
+        auto quality = static_cast<double>(nested_.scratch.shade.quality[shaded]);
+        const auto share = static_cast<double>(importance(k));
+        if (share < 1.0) quality *= rules_.rays / (std::floor(share * (rules_.rays - 1)) + 1.0);
+        g.sum += color * quality;
+        g.quality += quality;
+    }
+
+    void finish(std::size_t i)
+    {
+        const Gathering& g = scratch_.gatherings[i];
+        const Request& of = scratch_.requests[i];
+        if (context_.filling != nullptr && g.examined > 0)
+            context_.filling->next[static_cast<std::size_t>(context_.bounce)] = g.next;
+        Sample& s = scratch_.made[i];
+        s.point = of.point;
+        const bool bent = field_.settings().normal && 2 * g.unbent <= g.rays;
+        s.normal = glm::vec3(bent ? of.bent : of.normal);
+        s.color = glm::vec3(g.quality > 0.0 ? g.sum / g.quality : g.sum);
+        s.quality = static_cast<float>(g.quality / g.rays);
+        s.nearest = static_cast<float>(g.nearest);
+        s.nearest_way = glm::vec3(g.nearest_way);
+        const double e = glm::distance(field_.eye, of.point), least = e * rules_.least_reach,
+                     most = e * rules_.most_reach;
+        const double mean = g.inverse > 0.0 ? g.rays / g.inverse : csg::kInfinity;
+        s.reach = static_cast<float>(std::min(std::max(mean, least), most));
+        constexpr double kTooNear = 0.0001;
+        scratch_.kept[i] = g.nearest > kTooNear * most;
+    }
+
+    Context& context_;
+    const Field& field_;
+    const BounceRules& rules_;
+    GatherScratch& scratch_;
+    Context nested_;
+    RayState first_;
+};
+
+}  // namespace
+
+void gather(Context& context, std::uint64_t which)
+{
+    ++context.scratch.counts.samples;
+    Gatherer(context).run(which);
+}
+
+}  // namespace trace::radiosity
+
+namespace trace {
+
+Context::Context(const Context& outer, const radiosity::BounceRules& rules)
+    : scene(outer.scene), world(outer.world), scratch(outer.scratch.nested()), indirect(outer.indirect),
+      lights(outer.scene.radiosity->lights),
+      max_trace_level(std::max(outer.scene.settings.max_trace_level, rules.level + 1)),
+      adc_bailout(outer.scene.radiosity->settings.adc_bailout), bounce(outer.bounce + 1), filling(outer.filling)
+{}
+
+Context Context::gathering(const radiosity::BounceRules& rules) const { return {*this, rules}; }
+
+}  // namespace trace

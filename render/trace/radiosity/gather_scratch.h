@@ -1,0 +1,55 @@
+#pragma once
+
+#include "csg/base/hit.h"
+#include "render/scene/color.h"
+#include "render/trace/radiosity/sample.h"
+
+#include <array>
+
+namespace trace::radiosity {
+
+/// A hit that asks what light arrives from its surroundings.
+struct Request {
+    glm::dvec3 point, normal;  ///< the normal faces the viewer
+    glm::dvec3 bent;           ///< the layer's, or the same
+    double weight;             ///< of what comes, as a share of the pixel
+    double start;              ///< nearer crossings are the point's own surface
+    std::uint8_t lane, root;   ///< of the tile: the hit, and the ray that it stems from
+};
+
+/// What was found for it so far: weight and weighted colours of samples.
+struct Lookup {
+    double bound = 0;  ///< of the error
+    double weight = 0;
+    glm::dvec3 sum{0};
+};
+
+/// A sample while its rays are traced.
+struct Gathering {
+    glm::dvec3 x{0}, y{0}, z{0};  ///< the frame that directions are turned into
+    std::size_t next = 0;         ///< direction
+    int examined = 0;             ///< directions tried against the true normal
+    bool bent = false;            ///< they are about a bent normal
+    int unbent = 0;               ///< rays about the true one, when too many went into the surface
+    int rays = 0;
+    glm::dvec3 sum{0};
+    double quality = 0, inverse = 0, nearest = 0;
+    glm::dvec3 nearest_way{0};
+};
+
+/// What gathering keeps per thread and bounce.
+struct GatherScratch {
+    std::array<Request, csg::kTileRays> requests;
+    std::array<Lookup, csg::kTileRays> lookups;
+    std::array<glm::vec3, csg::kTileRays> ambient;  ///< by request: the answer
+    std::array<Gathering, csg::kTileRays> gatherings;
+    std::array<Sample, csg::kTileRays> made;  ///< by request
+    std::array<bool, csg::kTileRays> kept;    ///< by request: the sample may be used elsewhere
+    csg::RayTile rays, shaded_rays;
+    csg::HitTile hits, shaded_hits;
+    std::array<std::uint8_t, csg::kTileRays> owner, shaded;  ///< by ray: request; by shaded ray: ray
+    std::array<int, csg::kTileRays> number;                  ///< by ray: which of the sample's
+    std::array<scene::Color, csg::kTileRays> colors;
+};
+
+}  // namespace trace::radiosity

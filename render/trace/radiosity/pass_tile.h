@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/trace/radiosity/sample.h"
+
+#include <array>
+#include <vector>
+
+namespace trace::radiosity {
+
+/// Some rays of the camera whose hits ask for light (spec 6, 4.7).
+struct PassTile {
+    static constexpr std::size_t kMost = 64;
+    std::array<glm::dvec2, kMost> at;  ///< of the picture: a pixel's centre is (column, row)
+    int count = 0;
+    std::uint64_t seed = 0;  ///< of the directions of its samples
+    bool pretrace = true;    ///< false: by the rules of the picture itself
+};
+
+/// What such a tile leaves.
+struct TileFindings {
+    std::vector<Found> found;
+    int asked = 0;      ///< hits that asked
+    double weight = 0;  ///< quarters of weight that they have, added up
+};
+
+}  // namespace trace::radiosity

@@ -1,0 +1,163 @@
+#include "render/trace/radiosity/passes.h"
+
+#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/kernel/kernel.h"
+#include "render/trace/radiosity/pass_rays.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace trace::radiosity {
+namespace {
+
+struct FreePassTracer {
+    const KernelTable* kernel;
+    void operator()(BlockTracer* tracer) const { kernel->free(tracer); }
+};
+
+/// A part of the picture that passes go on with.
+struct PartState {
+    bool open = true;
+    int rays = 0, asked = 0;  ///< of the pass at hand
+    double weight = 0;
+};
+
+struct PartTile {
+    PassTile tile;
+    int part;
+};
+
+std::uint64_t stirred(std::uint64_t v)
+{
+    v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9u;
+    v = (v ^ (v >> 27)) * 0x94d049bb133111ebu;
+    return v ^ (v >> 31);
+}
+
+class Passes {
+public:
+    Passes(const plan::CompiledScene& scene, const RenderOptions& options, const KernelTable& kernel,
+           IndirectLight& light)
+        : options_(options), kernel_(kernel), field_(*light.radiosity),
+          parts_{scene.options.width, scene.options.height}, state_(static_cast<std::size_t>(parts_.count())),
+          threads_(options.threads > 0 ? options.threads : tbb::info::default_concurrency()), arena_(threads_),
+          limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_)),
+          tracers_([&scene, &light, &kernel, cancel = options.cancel] {
+              return std::unique_ptr<BlockTracer, FreePassTracer>(kernel.make(scene, &light, cancel),
+                                                                  FreePassTracer{&kernel});
+          })
+    {
+        const scene::RadiositySettings& settings = field_.settings();
+        passes_ = passes(settings.pretrace_start, settings.pretrace_end, parts_.width, parts_.height);
+    }
+
+    bool run()
+    {
+        for (const Pass& pass : passes_) {
+            const std::vector<PartTile> tiles = tiles_of(pass);
+            if (!run(pass, tiles)) return false;
+            close(pass);
+        }
+        return true;
+    }
+
+private:
+    /// Rays of all open parts in tiles, scattered over the picture in an order that follows no row.
+    std::vector<PartTile> tiles_of(const Pass& pass)
+    {
+        const std::size_t most = pass.pretrace ? kPretraceRays : PassTile::kMost;
+        std::vector<PartTile> out;
+        for (int part = 0; part < parts_.count(); ++part) {
+            PartState& state = state_[static_cast<std::size_t>(part)];
+            if (pass.pretrace && !state.open) continue;
+            const std::vector<glm::dvec2> rays = rays_of(pass, parts_, part);
+            state.rays = static_cast<int>(rays.size());
+            state.asked = 0;
+            state.weight = 0;
+            for (std::size_t first = 0; first < rays.size(); first += most) {
+                PartTile& to = out.emplace_back();
+                to.part = part;
+                to.tile.count = static_cast<int>(std::min(most, rays.size() - first));
+                to.tile.pretrace = pass.pretrace;
+                to.tile.seed = stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size());
+                std::copy_n(rays.begin() + static_cast<std::ptrdiff_t>(first), to.tile.count, to.tile.at.begin());
+            }
+        }
+        std::sort(out.begin(), out.end(),
+                  [](const PartTile& a, const PartTile& b) { return a.tile.seed < b.tile.seed; });
+        return out;
+    }
+
+    /// Tiles of a sub-pass do not see each other's samples: there are few of them as long as there are few samples.
+    bool run(const Pass& pass, const std::vector<PartTile>& tiles)
+    {
+        std::vector<TileFindings> findings;
+        for (std::size_t first = 0; first < tiles.size();) {
+            const std::size_t count = std::min({std::max<std::size_t>(1, done_), kMostAtOnce, tiles.size() - first});
+            findings.resize(std::max(findings.size(), count));
+            std::atomic<bool> stopped = false;
+            arena_.execute([&] {
+                tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+                    if (stopped || (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) ||
+                        !kernel_.pretrace(*tracers_.local(), tiles[first + i].tile, findings[i]))
+                        stopped = true;
+                });
+            });
+            if (stopped) return false;
+            for (std::size_t i = 0; i < count; ++i) {
+                PartState& state = state_[static_cast<std::size_t>(tiles[first + i].part)];
+                state.asked += findings[i].asked;
+                state.weight += findings[i].weight;
+                for (const Found& found : findings[i].found) field_.add(found);
+            }
+            first += count;
+            done_ += count;
+            if (options_.progress)
+                options_.progress((pass.number + static_cast<double>(first) / static_cast<double>(tiles.size())) /
+                                  static_cast<double>(passes_.size()));
+        }
+        return true;
+    }
+
+    /// Parts that need no finer passes (spec 6, 4.7).
+    void close(const Pass& pass)
+    {
+        constexpr int kTelling = 9;
+        if (!pass.pretrace) return;
+        const int enough = field_.settings().adaptive_count;
+        for (PartState& state : state_)
+            if (state.open && state.rays >= kTelling)
+                state.open = state.asked > 0 && (enough == 0 || state.weight < enough * state.asked);
+    }
+
+    static constexpr std::size_t kPretraceRays = 16, kMostAtOnce = 64;
+
+    const RenderOptions& options_;
+    const KernelTable& kernel_;
+    Field& field_;
+    Parts parts_;
+    std::vector<PartState> state_;
+    int threads_;
+    tbb::task_arena arena_;
+    tbb::global_control limit_;
+    tbb::enumerable_thread_specific<std::unique_ptr<BlockTracer, FreePassTracer>> tracers_;
+    std::vector<Pass> passes_;
+    std::size_t done_ = 0;  ///< tiles
+};
+
+}  // namespace
+
+bool fill(const plan::CompiledScene& scene, const RenderOptions& options, const KernelTable& kernel,
+          IndirectLight& light)
+{
+    light.radiosity = std::make_unique<Field>(scene);
+    if (options.pass) options.pass("radiosity pretrace");
+    return Passes(scene, options, kernel, light).run();
+}
+
+}  // namespace trace::radiosity
