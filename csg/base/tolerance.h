@@ -12,7 +12,10 @@ struct Tolerance {
     /// Of a start that a ray of this `length` reached: POV-Ray's, unless the digits of the numbers are coarser. No
     /// solid of the laboratory but isosurface and julia, which are told how exact to be, meets its own start beyond
     /// 2e-13 of them (docs/numerics.md), so this begins at 5e8.
-    double hit_from(const glm::dvec3& start, double length) const { return glm::max(hit, coarse(start, length)); }
+    [[gnu::always_inline]] double hit_from(const glm::dvec3& start, double length) const
+    {
+        return glm::max(hit, coarse(start, length));
+    }
     double shadow_from(const glm::dvec3& start, double length) const { return glm::max(shadow, coarse(start, length)); }
 
     /// For a scene whose finite objects and camera lie within `extent` of each other: smaller in proportion where that

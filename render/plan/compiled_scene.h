@@ -7,6 +7,7 @@
 #include "render/plan/textures/interior.h"
 #include "render/plan/textures/media_compiler.h"
 #include "render/plan/mesh_camera.h"
+#include "render/plan/photons.h"
 #include "render/plan/surface.h"
 #include "render/scene/description.h"
 #include "render/texture/sky.h"
@@ -108,6 +109,7 @@ struct CompiledScene {
     std::shared_ptr<const MeshCamera> mesh_camera;  ///< null for other cameras
     std::uint32_t camera_normal = kNone;            ///< index into textures.normals
     std::uint32_t bokeh = kNone;                    ///< index into textures.pigments: the shape of points out of focus
+    std::shared_ptr<const PhotonPlan> photons;      ///< null: none are shot or read
     Settings settings;
     Options options;
     std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)

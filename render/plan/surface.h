@@ -27,11 +27,12 @@ struct Surface {
     bool uv_mapping = false;
     std::uint32_t light_group = 0;  ///< the innermost light_group that it stands in; 0: none
     bool global_lights = true;      ///< lights outside of all groups reach it
+    std::uint32_t photons = 0;      ///< index into PhotonPlan::surfaces, where the scene has one
     bool blends() const { return corner_textures[0] != kNone || part_count != 0; }
 };
 
 /// Which kind of ray asks; objects hide from some (spec 3, 14).
-enum class RayKind : std::uint8_t { Image, Reflection, Shadow, Photon, Gather };
+enum class RayKind : std::uint8_t { Image, Reflection, Shadow, Photon, MirroredPhoton, Gather };
 
 /// The bit of a kind of ray in csg::World's visibility masks.
 constexpr std::uint8_t bit(RayKind kind) { return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind)); }

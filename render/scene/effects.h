@@ -5,6 +5,7 @@
 #include "render/scene/source_ref.h"
 
 #include <optional>
+#include <string>
 
 /// Settings of light that is not direct: radiosity, photons, light below surfaces (reference manual: Global Settings;
 /// spec 6).
@@ -44,7 +45,11 @@ struct PhotonSettings {
     double expand_increase = 0.2, expand_least = 35.0;  ///< expand_thresholds
     std::optional<int> max_trace_level;                 ///< nothing: the scene's
     std::optional<double> adc_bailout;                  ///< nothing: the scene's
+    std::string load_file, save_file;                   ///< of the map; empty: none
     SourceRef source;
+
+    /// Whether photons are shot or read: POV-Ray leaves them out without a word where there is nothing to shoot by.
+    bool active() const { return gather_most > 0 && (!load_file.empty() || spacing > 0.0 || count > 0.0); }
 
     void dump(DumpWriter& out) const;
 };

@@ -181,7 +181,7 @@ struct Object {
     std::string unsupported;
     /// Parameters of a solid in scene::AnySolid; null for shapes that hold their own.
     std::shared_ptr<const WrittenSolid> written;
-    std::shared_ptr<const PhotonFlags> photons;  ///< read, not used yet; null if not written
+    std::shared_ptr<const PhotonFlags> photons;  ///< null if not written
     std::optional<double> radiosity_importance;  ///< above 0 to 1. Nothing: the parent's, at last that of #default
     SourceRef source;
 

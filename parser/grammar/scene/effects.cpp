@@ -1,6 +1,9 @@
 #include "parser/grammar/scene/effects.h"
 
+#include "parser/stream/files/file_policy.h"
 #include "render/scene/description.h"
+
+#include <fmt/format.h>
 
 /// Blocks of effects that are read whole and not computed yet: radiosity, photons, subsurface, and what a camera may
 /// hold.
@@ -88,6 +91,31 @@ RadiositySettings read_global_radiosity(SceneBuilder& build)
     return settings;
 }
 
+namespace {
+
+/// The map's files. One to load must exist; one to save must lie where a scene may write.
+bool read_map_file(BlockReader& s, PhotonSettings& to)
+{
+    const bool loads = s.accept(Kind::LoadFile);
+    if (!loads && !s.accept(Kind::SaveFile)) return false;
+    const scene::SourceRef at = s.in().here();
+    const std::string name = path_expr(s.in());
+    if (loads) {
+        to.load_file = s.in().find_file(name, {});
+        if (to.load_file.empty()) s.in().fail(at, fmt::format("cannot find the photon map '{}'", name));
+        s.in().data_files().push_back(to.load_file);
+        return true;
+    }
+    if (!may_write(s.in().options(), name))
+        s.in().fail(at, fmt::format("a scene may not write to '{}': it lies outside of the current folder and the "
+                                    "output's (--allow-write)",
+                                    name));
+    to.save_file = name;
+    return true;
+}
+
+}  // namespace
+
 PhotonSettings read_global_photons(SceneBuilder& build, const PhotonSettings& before)
 {
     static constexpr auto kFields =
@@ -100,7 +128,6 @@ PhotonSettings read_global_photons(SceneBuilder& build, const PhotonSettings& be
     settings.media_radius = before.media_radius;
     settings.media_radius_factor = before.media_radius_factor;
     settings.source = s.source();
-    std::vector<std::string> files;
     s.open();
     for (;;) {
         if (s.accept(Kind::Radius)) {
@@ -115,11 +142,13 @@ PhotonSettings read_global_photons(SceneBuilder& build, const PhotonSettings& be
             if (more_numbers(s.in())) read_value(s.in(), settings.media_factor);
         } else if (s.accept(Kind::ExpandThresholds)) {
             read_values(s.in(), settings.expand_increase, settings.expand_least);
-        } else if (!read_file_name(s, files) && !read_one(s, settings, kFields)) {
+        } else if (!read_map_file(s, settings) && !read_one(s, settings, kFields)) {
             break;
         }
     }
     s.close();
+    if (settings.gather_least > settings.gather_most)
+        s.fail("'gather' takes the smaller number of photons first");
     return settings;
 }
 
@@ -139,7 +168,20 @@ scene::SubsurfaceSettings read_global_subsurface(SceneBuilder& build)
     return settings;
 }
 
-std::shared_ptr<const PhotonFlags> read_photon_flags(SceneBuilder& build, bool of_light)
+namespace {
+
+/// An object is not passed straight through and a target that refracts: what is written last wins (spec 6, 3.1).
+void settle_passing(PhotonFlags& flags, Kind written)
+{
+    if (!flags.pass_through || flags.target.value_or(0.0) <= 0.0 || flags.refraction == false) return;
+    if (written == Kind::PassThrough) flags.refraction = false;
+    else if (flags.refraction == true) flags.pass_through = false;
+    else flags.refraction = false;
+}
+
+}  // namespace
+
+std::shared_ptr<const PhotonFlags> read_photon_flags(SceneBuilder& build, bool of_light, const PhotonFlags* before)
 {
     static constexpr auto kOfBoth = std::tuple(number_switch(Kind::Refraction, &PhotonFlags::refraction),
                                                number_switch(Kind::Reflection, &PhotonFlags::reflection));
@@ -147,15 +189,17 @@ std::shared_ptr<const PhotonFlags> read_photon_flags(SceneBuilder& build, bool o
                                                   field(Kind::PassThrough, &PhotonFlags::pass_through));
     static constexpr auto kOfLights = std::tuple(word(Kind::AreaLight, &PhotonFlags::area_light));
     BlockReader s(build);
-    auto flags = std::make_shared<PhotonFlags>();
+    auto flags = before != nullptr ? std::make_shared<PhotonFlags>(*before) : std::make_shared<PhotonFlags>();
     flags->of_light = of_light;
     flags->source = s.source();
     s.open();
     for (;;) {
+        const Kind written = s.next_kind();
         if (!of_light && s.accept(Kind::Target)) flags->target = at_expression(s.in()) ? float_expr(s.in()) : 1.0;
         else if (!read_one(s, *flags, kOfBoth) &&
                  !(of_light ? read_one(s, *flags, kOfLights) : read_one(s, *flags, kOfObjects)))
             break;
+        if (!of_light) settle_passing(*flags, written);
     }
     s.close();
     return flags;

@@ -16,7 +16,9 @@ scene::RadiositySettings read_global_radiosity(SceneBuilder& build);
 /// What it leaves out is usual, but for radii in media: those of `before` stay (spec 6, 3.1).
 scene::PhotonSettings read_global_photons(SceneBuilder& build, const scene::PhotonSettings& before);
 scene::SubsurfaceSettings read_global_subsurface(SceneBuilder& build);
-std::shared_ptr<const scene::PhotonFlags> read_photon_flags(SceneBuilder& build, bool of_light);
+/// `before`: what the object has already, null: nothing; items change it.
+std::shared_ptr<const scene::PhotonFlags> read_photon_flags(SceneBuilder& build, bool of_light,
+                                                            const scene::PhotonFlags* before);
 /// Importance, above 0 to 1; nothing: not written.
 std::optional<double> read_object_radiosity(SceneBuilder& build);
 std::shared_ptr<const scene::Subsurface> read_finish_subsurface(SceneBuilder& build);

@@ -182,7 +182,7 @@ struct projected_through : item<Kind::ProjectedThrough> {
     static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through"); }
 };
 struct light_photons : item<Kind::Photons> {
-    static void act(LightState& s) { s.object.photons = read_photon_flags(s.build, true); }
+    static void act(LightState& s) { s.object.photons = read_photon_flags(s.build, true, s.object.photons.get()); }
 };
 struct color_map : item<Kind::ColorMap> {
     static void act(LightState& s)

@@ -4,6 +4,7 @@
 #include "render/plan/camera_starts.h"
 #include "render/plan/geometry/extent.h"
 #include "render/plan/lights.h"
+#include "render/plan/compile_photons.h"
 #include "render/plan/geometry/solids.h"
 #include "render/plan/textures/uv_use.h"
 
@@ -54,7 +55,8 @@ GeometryCompiler::GeometryCompiler(const scene::Description& description, const 
                                    TextureCompiler& textures, MediaCompiler& media, CompiledScene& out,
                                    std::vector<scene::Unsupported>& notes)
     : description_(description), options_(options), textures_(textures), out_(out), interiors_(out.interiors, media),
-      fields_(description, options, notes), starts_(camera_starts(out.camera, out.mesh_camera.get()))
+      fields_(description, options, notes), starts_(camera_starts(out.camera, out.mesh_camera.get())),
+      photons_(compile_photons(description, options.quality))
 {}
 
 void GeometryCompiler::add(const scene::Object& object)
@@ -68,6 +70,7 @@ void GeometryCompiler::add(const scene::Object& object)
 
 void GeometryCompiler::finish()
 {
+    if (photons_ && (!photons_->targets.empty() || !photons_->settings.load_file.empty())) out_.photons = photons_;
     out_.geometry.surface_opaque.clear();
     for (Surface& s : out_.surfaces) {
         const auto opaque = [&](std::uint32_t texture) {
@@ -116,6 +119,7 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
         if (above.light_group == 0) own.global_lights = csg->global_lights;  // the outermost group decides
         own.light_group = light_group(object, own.to_world);
     }
+    if (photons_ && object.photons) hand_down_photons(object, own);
     return own;
 }
 
@@ -143,6 +147,11 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
             must_meet(object, above.to_world, above.growth, outer_bounds_.guard);
             if (!outer.nested) outer_bounds_.box = placed_extent(object, above.to_world, above.growth);
             outer_bounds_.nested = true;
+            Inherited whole_target = own;
+            aim_photons(object, whole_target);
+            for (const scene::Object& operand : *csg->operands) add_top(operand, whole_target);
+            outer_bounds_ = outer;
+            return;
         }
         for (const scene::Object& operand : *csg->operands) add_top(operand, own);
         outer_bounds_ = outer;
@@ -158,8 +167,10 @@ std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const In
     return static_cast<std::uint32_t>(out_.objects.size() - 1);
 }
 
-void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& own)
+void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& inherited)
 {
+    Inherited own = inherited;
+    aim_photons(object, own);
     object_ = add_object(object, own);
     bounds_inside_ = false;
     csg::WorldData& world = *world_;
@@ -225,7 +236,8 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
     for (const scene::Object& operand : *csg.operands) {
         if (is_light(operand)) continue;
         const bool cuts = !made.operands.empty() && takes_cut_texture(operand, csg.op == scene::CsgOp::Difference);
-        const Inherited mine = below(operand, cuts ? later : own);
+        Inherited mine = below(operand, cuts ? later : own);
+        aim_photons(operand, mine);
         const auto* parts = std::get_if<scene::Csg>(&operand.shape);
         const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union && operand.clipped_by.empty() &&
                            !operand.inverse;
@@ -250,7 +262,7 @@ csg::Tree GeometryCompiler::clip_tree(const scene::Object& clip, const csg::Tran
 void GeometryCompiler::collect_lights(const scene::Object& object, const Inherited& above)
 {
     if (const auto* light = std::get_if<scene::Light>(&object.shape)) {
-        add_light(*light, above);
+        add_light(object, *light, above);
         return;
     }
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
@@ -262,12 +274,14 @@ void GeometryCompiler::collect_lights(const scene::Object& object, const Inherit
     for (const scene::Object& operand : *csg->operands) collect_lights(operand, own);
 }
 
-void GeometryCompiler::add_light(const scene::Light& light, const Inherited& above)
+void GeometryCompiler::add_light(const scene::Object& object, const scene::Light& light, const Inherited& above)
 {
     light::Light compiled = compile_light(light, above.to_world, options_.quality);
     compiled.group = above.light_group;
-    if (compiled.color != glm::vec3(0)) out_.lights.lights.push_back(std::move(compiled));
-    else out_.decisions.push_back({"left out a black light", "it lights nothing", {}});
+    if (compiled.color != glm::vec3(0)) {
+        if (photons_) photons_->lights.push_back(photon_light(object, light, compiled));
+        out_.lights.lights.push_back(std::move(compiled));
+    } else out_.decisions.push_back({"left out a black light", "it lights nothing", {}});
     if (!light.looks_like) return;
     Inherited own = above;
     own.no_shadow = true;
@@ -318,15 +332,15 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
     s.uv_mapping = own.uv_mapping;
     s.light_group = own.light_group;
     s.global_lights = own.global_lights;
+    s.photons = photon_surface(own);
     const std::uint32_t flags = (s.no_shadow ? 1u : 0u) | (s.no_image ? 2u : 0u) | (s.no_reflection ? 4u : 0u) |
                                 (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u) |
                                 (s.global_lights ? 32u : 0u);
     const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
-    const auto [known, fresh] =
-        known_surfaces_.try_emplace({s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0],
-                                     s.corner_textures[1], parts.empty() ? kNone : s.first_part, s.light_group,
-                                     std::bit_cast<std::uint32_t>(s.importance)},
-                                    id);
+    const auto [known, fresh] = known_surfaces_.try_emplace(
+        {s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0], s.corner_textures[1],
+         parts.empty() ? kNone : s.first_part, s.light_group, std::bit_cast<std::uint32_t>(s.importance), s.photons},
+        id);
     if (fresh) out_.surfaces.push_back(s);
     return known->second;
 }
@@ -382,6 +396,7 @@ std::uint8_t GeometryCompiler::visible(const Inherited& own) const
     if (!own.no_image) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Image));
     if (!own.no_reflection) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Reflection));
     if (!own.no_shadow) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Shadow) | bit(RayKind::Photon));
+    if (!own.no_shadow && !own.no_reflection) bits = static_cast<std::uint8_t>(bits | bit(RayKind::MirroredPhoton));
     if (!own.no_radiosity) bits = static_cast<std::uint8_t>(bits | bit(RayKind::Gather));
     return bits;
 }

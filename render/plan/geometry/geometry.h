@@ -50,6 +50,8 @@ private:
         std::optional<float> importance;  ///< Surface::importance; nothing: 1
         std::uint32_t light_group = 0;  ///< Surface::light_group
         bool global_lights = true;
+        PhotonSurface photons;
+        double photon_density = 0;  ///< above 0: photons are shot at it
     };
 
     Inherited below(const scene::Object& object, const Inherited& above);
@@ -79,7 +81,7 @@ private:
     void collect_lights(const scene::Object& object, const Inherited& above);
     /// The number of a light_group that stands there, from 1.
     std::uint32_t light_group(const scene::Object& object, const csg::Transform& to_world);
-    void add_light(const scene::Light& light, const Inherited& above);
+    void add_light(const scene::Object& object, const scene::Light& light, const Inherited& above);
 
     /// `corners`: what the second and the third corner of a mesh's faces show, if another texture. `parts`: compiled
     /// textures of a shape's parts.
@@ -102,6 +104,9 @@ private:
     std::shared_ptr<const scene::Interior> moved(const std::shared_ptr<const scene::Interior>& interior,
                                                  const csg::Transform& to_world);
     std::uint8_t visible(const Inherited& own) const;
+    void hand_down_photons(const scene::Object& object, Inherited& own);
+    void aim_photons(const scene::Object& object, Inherited& own);
+    std::uint32_t photon_surface(const Inherited& own);
 
     /// A surface of a shared object, in that object's space.
     struct SharedSurface {
@@ -153,7 +158,7 @@ private:
     };
     std::vector<LightGroup> light_groups_;  ///< of the statement at hand
     std::uint32_t light_group_count_ = 0;
-    using SurfaceKey = std::array<std::uint32_t, 10>;
+    using SurfaceKey = std::array<std::uint32_t, 11>;
     std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
     std::map<std::vector<std::uint32_t>, std::uint32_t> known_parts_;  ///< to Surface::first_part
     struct Moved {
@@ -167,6 +172,7 @@ private:
     };
     std::unordered_map<const scene::Interior*, std::vector<MovedInterior>> moved_interiors_;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
+    std::shared_ptr<PhotonPlan> photons_;  ///< null: the scene has none
     std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0, guards_ = 0;
 };
 

@@ -72,6 +72,7 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
     if (sharing_ != nullptr || object.inverse || csg.cutaway_textures || !object.clipped_by.empty() ||
         !object.bounded_by.empty())
         return false;
+    if (own.photon_density > 0.0) return false;  // each of its parts may be a target of its own
     // A sphere that shows its own coordinates is stored otherwise.
     if (own.uv_mapping || uses_uv(own.texture ? own.texture : default_texture_) || uses_uv(own.interior_texture))
         return false;
@@ -137,8 +138,7 @@ csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std:
         return a.texture == b.texture && a.interior_texture == b.interior_texture && a.interior == b.interior &&
                a.hollow == b.hollow && a.no_shadow == b.no_shadow && a.no_image == b.no_image &&
                a.no_reflection == b.no_reflection && a.no_radiosity == b.no_radiosity && a.importance == b.importance &&
-               a.double_illuminate == b.double_illuminate &&
-               a.uv_mapping == b.uv_mapping && corners == other.corners;
+               a.double_illuminate == b.double_illuminate && a.uv_mapping == b.uv_mapping && corners == other.corners;
     });
     if (same != known.end()) return static_cast<csg::SurfaceId>(same - known.begin());
     known.push_back(made);

@@ -19,7 +19,7 @@ std::shared_ptr<const void> kept(const std::shared_ptr<const Data>& data)
     return data;
 }
 
-std::uint32_t size_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
+std::uint32_t length_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::uint32_t TextureCompiler::pattern_data(const scene::Pattern& description, t
     const auto first_size = kind == PatternKind::Image    ? out_.images.size()
                             : kind == PatternKind::Object ? out_.objects.size()
                                                           : out_.volumes.size();
-    const auto [known, fresh] = known_data_.emplace(shared, size_of(first_size));
+    const auto [known, fresh] = known_data_.emplace(shared, length_of(first_size));
     if (!fresh) return known->second;
     if (const auto* image = std::get_if<std::shared_ptr<const scene::ImageMap>>(&description.data))
         out_.images.push_back(compile_image(scene_, **image, description.name == "image_map"));

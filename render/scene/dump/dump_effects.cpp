@@ -136,6 +136,8 @@ void PhotonSettings::dump(DumpWriter& out) const
     written(out, "max_trace_level", max_trace_level);
     if (expand_increase != usual.expand_increase || expand_least != usual.expand_least)
         out.words("expand_thresholds", expand_increase, expand_least);
+    if (!load_file.empty()) out.line("load_file", load_file);
+    if (!save_file.empty()) out.line("save_file", save_file);
     out.close();
 }
 

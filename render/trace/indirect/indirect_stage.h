@@ -2,6 +2,7 @@
 
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/light/direct_batch.h"
+#include "render/trace/photon/photon_light.h"
 #include "render/trace/queue/segment_tile.h"
 #include "render/trace/radiosity/radiosity_stage.h"
 
@@ -18,13 +19,19 @@ public:
     /// Adds to what the lights have given to the rows (RowPage::gained).
     void run()
     {
-        if (context_.indirect == nullptr) return;
+        if (context_.indirect != nullptr) add();
+    }
+
+private:
+    /// Out of line: scenes without such light keep the code of a tile small.
+    [[gnu::noinline]] void add()
+    {
+        PhotonLightStage(context_, tile_, batch_).run();
         if (const radiosity::Field* field = context_.indirect->radiosity.get();
             field != nullptr && context_.bounce < field->settings().recursion_limit)
             RadiosityStage(context_, tile_, batch_).run();
     }
 
-private:
     Context& context_;
     const SegmentTile& tile_;
     DirectBatch& batch_;

@@ -2,17 +2,19 @@
 
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/kernel/kernel_module.h"
+#include "render/trace/photon/photon_pass.h"
 #include "render/trace/radiosity/passes.h"
 
 namespace trace {
 
 std::shared_ptr<const IndirectLight> run_passes(const plan::CompiledScene& scene, const RenderOptions& options)
 {
-    if (scene.radiosity == nullptr) return nullptr;
+    if (!scene.photons && scene.radiosity == nullptr) return nullptr;
     const KernelTable& kernel = load_kernel(options.isa);
     function::use(kernel.evaluators);
     auto light = std::make_shared<IndirectLight>();
-    if (!radiosity::fill(scene, options, kernel, *light)) return nullptr;
+    if (scene.photons && !find_photons(scene, options, *light)) return nullptr;
+    if (scene.radiosity != nullptr && !radiosity::fill(scene, options, kernel, *light)) return nullptr;
     return light;
 }
 

@@ -5,6 +5,7 @@
 #include "render/trace/camera/focal_blur.h"
 #include "render/trace/geometry.h"
 #include "render/trace/indirect/indirect_light.h"
+#include "render/trace/photon/photon_tracer.h"
 #include "render/trace/shade/shade.h"
 #include "render/trace/shade/shade_context.h"
 #include "render/trace/shade/start_interiors.h"
@@ -279,6 +280,11 @@ const KernelTable kTable = {
         return tracer.pretrace(tile, out);
     },
     [](const BlockTracer& tracer) { return tracer.counts(); },
+    [](const plan::CompiledScene& scene, const std::atomic<bool>* cancel) { return new PhotonTracer(scene, cancel); },
+    [](PhotonTracer* tracer) { delete tracer; },
+    [](PhotonTracer& tracer, const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out) {
+        return tracer.follow(flight, photons, out);
+    },
     texture::evaluators(),
 };
 

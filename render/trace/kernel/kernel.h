@@ -8,12 +8,17 @@
 #include "render/trace/radiosity/pass_tile.h"
 
 #include <atomic>
+#include <span>
 
 /// The interface of a kernel module: everything that runs per ray, compiled once per instruction set.
 namespace trace {
 
 class BlockTracer;
+class PhotonTracer;
+struct Emission;
 struct IndirectLight;
+struct PhotonFlight;
+struct PhotonYield;
 
 /// Functions of one module. A BlockTracer belongs to one thread and lives inside the module that made it.
 struct KernelTable {
@@ -27,6 +32,12 @@ struct KernelTable {
     /// A tile of a pass of radiosity. False: cancelled, as above.
     bool (*pretrace)(BlockTracer& tracer, const radiosity::PassTile& tile, radiosity::TileFindings& out);
     RayCounts (*counts)(const BlockTracer& tracer);
+    /// A PhotonTracer belongs to one thread, as a BlockTracer does.
+    PhotonTracer* (*make_photons)(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
+    void (*free_photons)(PhotonTracer* tracer);
+    /// PhotonTracer::follow.
+    bool (*follow_photons)(PhotonTracer& tracer, const PhotonFlight& flight, std::span<const Emission> photons,
+                           PhotonYield& out);
     function::Evaluators evaluators;  ///< for the fields of solids, which live outside of the module
 };
 

@@ -369,9 +369,14 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     const light::Illumination lit{{x_[ray], y_[ray], z_[ray]}, distance_[ray], color_[k]};
     const glm::dvec3 point = scratch_.hits.point(k);
     const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
-    if (too_many || scratch_.traits.restarts())
-        return filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, false,
-                              too_many ? nullptr : met.hits[ray].data());
+    const PhotonShadow& caught = scratch_.photon_shadow;
+    if (too_many || scratch_.traits.restarts()) {
+        const glm::vec3 passed = filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, false,
+                                                too_many ? nullptr : met.hits[ray].data());
+        const auto& crossings = context_.scratch.crossings;
+        return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
+    }
+    if (caught.stops(k, met.hits[ray].data(), met.count[ray])) return glm::vec3(0);
     return shadow_transmittance(context_, point, from_[k], *interiors_[k], lit, false, met.hits[ray].data(),
                                 met.count[ray]);
 }

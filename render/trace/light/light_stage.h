@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/trace/indirect/indirect_light.h"
 #include "render/trace/light/direct_batch.h"
 #include "render/trace/queue/segment_tile.h"
 #include "render/trace/light/shade_light.h"
@@ -20,11 +21,15 @@ public:
         if (context_.filling != nullptr && context_.bounce == 0) return;  // nobody looks at what the camera sees
         const auto& lights = context_.lights.lights;
         if (batch_.scalar() != 0) scratch_.samples.resize(lights.size() * kTileRays);
+        scratch_.photon_shadow.scene = nullptr;
+        if (context_.indirect != nullptr) find_photon_shadow();
         for (std::size_t i = 0; i < lights.size() && batch_.lit() != 0; ++i) {
             asks_ = batch_.lit();
             if (scratch_.traits.grouped) asks_ &= shone_on(lights[i]);
             which_ = i;
-            if (asks_ != 0) add(lights[i]);
+            if (asks_ == 0) continue;
+            scratch_.photon_shadow.of_light(i);
+            add(lights[i]);
         }
         if (batch_.scalar() != 0) add_scalar();
     }
@@ -93,11 +98,10 @@ private:
     /// Rows that lanes don't know, when all lights have been asked.
     void add_scalar()
     {
-        RayState own;
         Hit met;
         const auto place = [&](std::size_t k) {
             met = tile_.hits.at(static_cast<int>(k));
-            return tile_.place(k, tile_.state(k, own), met);
+            return tile_.place(k, tile_.state(k), met);
         };
         batch_.add_scalar(place,
                           [&](std::size_t k) { return &scratch_.samples[k * context_.lights.lights.size()]; });
@@ -118,6 +122,18 @@ private:
     void arrive(std::size_t k, const glm::vec3& color)
     {
         if (has(batch_.scalar(), k)) sample(k).arriving = color;
+    }
+
+    /// Hits whose shadow rays end at targets.
+    void find_photon_shadow()
+    {
+        if (context_.indirect->photons.empty()) return;
+        const plan::CompiledScene& scene = context_.scene;
+        scratch_.photon_shadow.scene = &scene;
+        scratch_.photon_shadow.lit = 0;
+        for_each_hit(batch_.lit(), [&](std::size_t k) {
+            if (collects(scene, tile_.hits.surface[k])) scratch_.photon_shadow.lit |= HitMask{1} << k;
+        });
     }
 
     /// Hits that the light's group lets it shine on.

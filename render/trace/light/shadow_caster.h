@@ -131,9 +131,15 @@ private:
         const bool clear = scratch_.crossings.ending[ray] == Shadow::Clear;
         const std::uint8_t count = clear ? 0 : scratch_.crossings.count[ray];
         const bool too_many = count == csg::CrossingTile::kTooMany;
-        if (too_many || (scratch_.traits.restarts() && !clear))
-            return filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
-                                  lit, lit.color, in_air, too_many ? nullptr : scratch_.crossings.hits[ray].data());
+        const PhotonShadow& caught = scratch_.photon_shadow;
+        if (too_many || (scratch_.traits.restarts() && !clear)) {
+            const glm::vec3 passed =
+                filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k), lit,
+                               lit.color, in_air, too_many ? nullptr : scratch_.crossings.hits[ray].data());
+            const auto& crossings = context_.scratch.crossings;
+            return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
+        }
+        if (caught.stops(k, scratch_.crossings.hits[ray].data(), count)) return glm::vec3(0);
         return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
                                     lit, scratch_.rays.common_origin, scratch_.crossings.hits[ray].data(), count,
                                     in_air);

@@ -14,15 +14,12 @@ namespace trace {
 /// \param directions  of the rays that the points lie on, unit
 /// \param mixes       by point: the media there
 /// \param light       receives the sum of the points of `which`; others' are left alone
-inline void media_photons(const Context& context, const texture::Points& points, HitMask which,
-                          const std::array<glm::dvec3, csg::kTileRays>& directions,
-                          const std::array<const MediaMix*, csg::kTileRays>& mixes, TileColors& light)
-{
-    (void)context, (void)points, (void)directions, (void)mixes;
-    for_each_hit(which, [&](std::size_t k) { light.set(k, glm::vec3(0)); });
-}
+void media_photons(const Context& context, const texture::Points& points, HitMask which,
+                   const std::array<glm::dvec3, csg::kTileRays>& directions,
+                   const std::array<const MediaMix*, csg::kTileRays>& mixes, TileColors& light);
 
-/// Whether the passes before the picture have left photons in media.
-inline bool has_media_photons(const Context&) { return false; }
+/// Whether the passes before the picture have left photons in media, or on surfaces.
+bool has_media_photons(const Context& context);
+bool has_surface_photons(const Context& context);
 
 }  // namespace trace

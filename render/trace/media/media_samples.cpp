@@ -135,6 +135,9 @@ void MediaSampler::add_light(std::size_t first, std::size_t last, HitMask scatte
         for (std::size_t k = 0; k < last - first; ++k) around[k] = &tile_.interiors(segments_[k]->lane);
         if (own.scratch.shade.traits.surfaces.empty()) own.scratch.shade.traits = context_.scratch.shade.traits;
         PointLights points(own, scratch_.met, around, scratch_.points);
+        PhotonShadow& caught = own.scratch.shade.photon_shadow;
+        caught.scene = has_surface_photons(context_) ? &context_.scene : nullptr;
+        caught.lit = lit;
         for (std::size_t i = 0; i < lights.size(); ++i) {
             HitMask asking = 0;
             for_each_hit(lit, [&](std::size_t k) {
@@ -144,6 +147,7 @@ void MediaSampler::add_light(std::size_t first, std::size_t last, HitMask scatte
                 if (range.from <= t && t <= range.to) asking |= HitMask{1} << k;
             });
             if (asking == 0) continue;
+            caught.of_light(i);
             for_each_hit(points.ask(lights[i], asking), [&](std::size_t k) {
                 const double cosine = glm::dot(segments_[k]->ray.direction, points.direction(k));
                 const auto turned = static_cast<float>(mixes_[k]->phase(cosine));

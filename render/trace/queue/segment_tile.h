@@ -16,7 +16,7 @@ public:
     SegmentTile(Context& context, const RayTile& traced, const HitTile& met, const RayState& camera,
                 const InteriorList* starts, const QueuedRay* queued)
         : rays(traced), hits(met), context_(context), scratch_(context.scratch.shade), camera_(camera), starts_(starts),
-          queued_(queued)
+          queued_(queued), own_(camera)
     {
         const HitMask all = first_hits(rays.count);
         found_ = all & ~csg::lanes::equal(hits.surface, csg::kNoSurface);
@@ -45,15 +45,14 @@ public:
     {
         return queued_ != nullptr ? queued_[k].state.ray : rays.ray(static_cast<int>(k));
     }
-    /// The ray with all that it inherits; `own` receives a camera ray's.
-    const RayState& state(std::size_t k, RayState& own) const
+    /// The ray with all that it inherits, until the next one is asked for.
+    [[gnu::always_inline]] const RayState& state(std::size_t k) const
     {
         if (queued_ != nullptr) return queued_[k].state;
-        own = camera_;
-        own.ray = rays.ray(static_cast<int>(k));
-        own.root = static_cast<std::uint8_t>(k);
-        if (starts_ != nullptr) own.interiors = starts_[k];
-        return own;
+        own_.ray = rays.ray(static_cast<int>(k));
+        own_.root = static_cast<std::uint8_t>(k);
+        if (starts_ != nullptr) own_.interiors = starts_[k];
+        return own_;
     }
 
     HitPlace place(std::size_t k, const RayState& state, const Hit& hit) const
@@ -127,6 +126,7 @@ private:
     const RayState& camera_;
     const InteriorList* starts_;
     const QueuedRay* queued_;
+    mutable RayState own_;  ///< of the camera ray asked for last
     HitMask found_ = 0, batched_ = 0, from_inside_ = 0;
 };
 

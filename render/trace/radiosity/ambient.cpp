@@ -135,8 +135,8 @@ private:
         const scene::RadiositySettings& settings = field_.settings();
         const glm::vec3 mean(found.weight > 0.0 ? found.sum / found.weight : found.sum);
         const auto gray = static_cast<float>(settings.gray_threshold);
-        scratch_.ambient[i] =
-            ((1.0f - gray) * mean + gray * scene::grey(mean)) * static_cast<float>(settings.brightness);
+        scratch_.ambient[i] = ((1.0f - gray) * mean + gray * scene::grey(mean)) *
+                              static_cast<float>(settings.brightness);
     }
 
     static constexpr double kApart = 0.5;

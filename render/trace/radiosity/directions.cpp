@@ -32,8 +32,8 @@ std::vector<glm::dvec3> directions(int pool)
     out.reserve(count);
     if (count <= kLegacy.size()) {
         for (std::size_t i = 0; i < count; ++i)
-            out.push_back(glm::normalize(
-                glm::dvec3(2.0 * kLegacy[i][0] / 255.0 - 1.0, kLegacy[i][1] / 255.0, 2.0 * kLegacy[i][2] / 255.0 - 1.0)));
+            out.push_back(glm::normalize(glm::dvec3(2.0 * kLegacy[i][0] / 255.0 - 1.0, kLegacy[i][1] / 255.0,
+                                                    2.0 * kLegacy[i][2] / 255.0 - 1.0)));
         return out;
     }
     for (int n = 1; n <= pool; ++n) {

@@ -33,11 +33,11 @@ struct Field {
 /// What one thread has found in a tile of a pass: its rays see it at once, other tiles when all of the same part of
 /// the pass are through.
 struct Filling {
-    bool pretrace = true;                 ///< false: by the rules of the picture itself
-    std::vector<SampleGrid> samples;      ///< by bounce
-    std::vector<Found> found;             ///< the same in order
-    std::vector<std::size_t> next;        ///< by bounce: the next direction
-    std::array<float, 64> weight{};       ///< by camera ray: quarters of weight that its lookups found, added up
+    bool pretrace = true;                   ///< false: by the rules of the picture itself
+    std::vector<SampleGrid> samples;        ///< by bounce
+    std::vector<Found> found;               ///< the same in order
+    std::vector<std::size_t> next;          ///< by bounce: the next direction
+    std::array<float, 64> weight{};         ///< by camera ray: quarters of weight that its lookups found, added up
     std::array<std::uint16_t, 64> asked{};  ///< by camera ray: lookups
 
     void begin(const Field& field, std::uint64_t seed);

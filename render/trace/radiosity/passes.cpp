@@ -43,8 +43,9 @@ class Passes {
 public:
     Passes(const plan::CompiledScene& scene, const RenderOptions& options, const KernelTable& kernel,
            IndirectLight& light)
-        : options_(options), kernel_(kernel), field_(*light.radiosity),
-          parts_{scene.options.width, scene.options.height}, state_(static_cast<std::size_t>(parts_.count())),
+        : options_(options), kernel_(kernel),
+          field_(*light.radiosity), parts_{scene.options.width, scene.options.height},
+          state_(static_cast<std::size_t>(parts_.count())),
           threads_(options.threads > 0 ? options.threads : tbb::info::default_concurrency()), arena_(threads_),
           limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_)),
           tracers_([&scene, &light, &kernel, cancel = options.cancel] {

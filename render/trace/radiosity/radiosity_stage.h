@@ -18,7 +18,8 @@ public:
         if (batch_.lit() == 0) return;
         if (!context_.scratch.gather) context_.scratch.gather = std::make_unique<radiosity::GatherScratch>();
         light_side(batch_.lit(), &texture::Finish::gathered, 1.0);
-        if (batch_.two_sided() != 0) light_side(batch_.lit() & batch_.two_sided(), &texture::Finish::gathered_back, -1.0);
+        if (batch_.two_sided() != 0)
+            light_side(batch_.lit() & batch_.two_sided(), &texture::Finish::gathered_back, -1.0);
     }
 
 private:
@@ -55,8 +56,7 @@ private:
 
     void ask(radiosity::Request& to, std::size_t k, std::size_t depth, double amount, double facing) const
     {
-        RayState own;
-        const RayState& state = tile_.state(k, own);
+        const RayState& state = tile_.state(k);
         to.point = scratch_.hits.point(k);
         to.normal = facing * scratch_.hits.normal(k);
         to.bent = facing * batch_.normal(depth, k);

@@ -9,8 +9,8 @@ namespace trace::radiosity {
 
 /// What holds for samples of one bounce: 0 for points that the camera sees (spec 6, 4.1).
 struct BounceRules {
-    int rays = 35;          ///< of a sample
-    double required = 5;    ///< quarters of weight that make a lookup good enough
+    int rays = 35;        ///< of a sample
+    double required = 5;  ///< quarters of weight that make a lookup good enough
     double error_factor = 1;
     double least_reach = 0, most_reach = 0;  ///< of a sample, as shares of its distance from the camera
     float weight = 1;                        ///< that rays of a sample begin with

@@ -1,7 +1,6 @@
 #include "render/texture/finish.h"
 #include "render/texture/noise/noise.h"
-#include "render/trace/shade/dispersion.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/shade/refraction.h"
 
 #include <cmath>
 
@@ -15,7 +14,8 @@ struct Crossing {
 };
 
 /// `out`: what the ray is inside of afterwards.
-Crossing cross(const Context& context, const InteriorList& list, std::uint32_t own, InteriorList& out)
+[[gnu::always_inline]] inline Crossing cross(const Context& context, const InteriorList& list, std::uint32_t own,
+                                             InteriorList& out)
 {
     const auto& interiors = context.scene.interiors;
     const auto ior = [&](std::uint32_t i) { return static_cast<double>(interiors[i].ior); };
@@ -51,8 +51,8 @@ double stretch_of(const glm::dvec3& direction)
     return std::abs(length - 1.0) > kRounding ? length : 1.0;
 }
 
-/// Whether a ray is bent rather than mirrored within, and then where and how long POV-Ray's direction is. d: as long as
-/// that.
+}  // namespace
+
 bool bend(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState& out)
 {
     const double facing = glm::dot(d, normal);
@@ -66,8 +66,11 @@ bool bend(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState&
     return true;
 }
 
-/// Where a ray that leaves a hit begins to look.
-double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& direction)
+namespace {
+
+// Once for scatter() itself, where they are part of every hit on glass and mirrors, and once for photons.
+[[gnu::always_inline]] inline double start_here(const Context& context, const HitPlace& hit,
+                                                const glm::dvec3& direction)
 {
     const double incidence = glm::dot(hit.normal, direction);
     const bool inward = (incidence > 0.0) == (hit.from_inside != hit.met.inverted);
@@ -76,6 +79,11 @@ double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& d
 }
 
 }  // namespace
+
+double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& direction)
+{
+    return start_here(context, hit, direction);
+}
 
 glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow)
 {
@@ -105,8 +113,6 @@ double fresnel_index(const Context& context, const HitPlace& hit)
     return list.size() == 1 ? 1.0 / own : outer / own;
 }
 
-namespace {
-
 RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight)
 {
     const glm::dvec3& d = hit.state.ray.direction;
@@ -118,22 +124,15 @@ RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3&
         else r -= 2.0 * out * hit.normal;
     }
     r = glm::normalize(r);
-    return {{hit.point, r},      start_of(context, hit, r), weight, hit.level, plan::RayKind::Reflection,
-            hit.state.root, hit.state.interiors, hit.state.wavelength};
+    return {{hit.point, r},      start_here(context, hit, r), weight,
+            hit.level,           plan::RayKind::Reflection,   hit.state.root,
+            hit.state.interiors, hit.state.wavelength};
 }
 
-/// The ray that goes on through a surface, and what light loses on its way (spec 3, section 8).
-struct Refracted {
-    RayState ray;
-    glm::vec3 fade{1};
-    bool straight = true;              ///< unbent: uses no level
-    bool total = false;                ///< total internal reflection: `ray` is the mirrored one
-    int samples = 0;                   ///< of the spectrum: `ray` has no direction yet, each sample has its own
-    double ratio = 1, dispersion = 1;  ///< how the interface bends light of 555 nm, and others (8.5)
-};
+namespace {
 
-/// False where nothing is behind the surface: it has no interior.
-bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Refracted& out)
+[[gnu::always_inline]] inline bool refract_here(const Context& context, const HitPlace& hit,
+                                                const glm::dvec3& top_normal, float weight, Refracted& out)
 {
     if (hit.surface.interior == plan::kNone) return false;
     const plan::Interior& interior = context.scene.interiors[hit.surface.interior];
@@ -152,7 +151,7 @@ bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_
     out.ray.wavelength = hit.state.wavelength;
     out.ray.stretch = hit.state.stretch;
     if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) {
-        out.ray.start = start_of(context, hit, d);
+        out.ray.start = start_here(context, hit, d);
         return true;
     }
     out.straight = false;
@@ -166,7 +165,7 @@ bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_
     const double ratio = disperses ? ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength)
                                    : crossing.ratio;
     if (bend(hit.state.stretch * d, top_normal, ratio, out.ray)) {
-        out.ray.start = start_of(context, hit, out.ray.ray.direction);
+        out.ray.start = start_here(context, hit, out.ray.ray.direction);
         return true;
     }
     out.total = true;
@@ -174,9 +173,33 @@ bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_
     return true;
 }
 
+}  // namespace
+
+bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Refracted& out)
+{
+    return refract_here(context, hit, top_normal, weight, out);
+}
+
+bool disperse(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const Refracted& refracted,
+              int i, RayState& out)
+{
+    out = refracted.ray;
+    const float nm = wavelength(i, refracted.samples);
+    if (!bend(hit.state.stretch * hit.state.ray.direction, top_normal,
+              ratio_at(refracted.ratio, refracted.dispersion, nm), out)) {
+        out = mirrored(context, hit, top_normal, refracted.ray.weight);
+        return false;
+    }
+    out.start = start_of(context, hit, out.ray.direction);
+    out.wavelength = nm;
+    return true;
+}
+
+namespace {
+
 /// The rays of all wavelengths beyond a surface (spec 3, 8.5); those that are mirrored within take on the iridescence
 /// of the top layer.
-ColorSlot disperse(Context& context, const HitPlace& hit, const glm::dvec3& top_normal,
+ColorSlot spectrum(Context& context, const HitPlace& hit, const glm::dvec3& top_normal,
                    const texture::Finish& top_finish, const Refracted& refracted)
 {
     RayQueue& queue = context.scratch.shade.queue;
@@ -186,18 +209,13 @@ ColorSlot disperse(Context& context, const HitPlace& hit, const glm::dvec3& top_
     node.first = queue.new_terms(node.count);
     const std::uint32_t first = node.first;
     for (int i = 0; i < refracted.samples; ++i) {
-        RayState ray = refracted.ray;
-        const float nm = wavelength(i, refracted.samples);
+        RayState ray;
         ShadeTerm& term = queue.terms[first + static_cast<std::uint32_t>(i)];
-        term.factor = hue(nm, refracted.samples);
-        const bool within = !bend(hit.state.stretch * hit.state.ray.direction, top_normal,
-                                  ratio_at(refracted.ratio, refracted.dispersion, nm), ray);
+        term.factor = hue(wavelength(i, refracted.samples), refracted.samples);
+        const bool within = !disperse(context, hit, top_normal, refracted, i, ray);
         if (!within) {
             ++context.scratch.counts.refracted;
-            ray.start = start_of(context, hit, ray.ray.direction);
-            ray.wavelength = nm;
         } else {
-            ray = mirrored(context, hit, top_normal, refracted.ray.weight);
             ++context.scratch.counts.reflected;
             if (top_finish.irid > 0.0f) term.film = film_color(context, hit, top_finish, top_normal, ray.ray.direction);
         }
@@ -212,10 +230,10 @@ void transmit(Context& context, const HitPlace& hit, const LayerStack& stack, st
     RayQueue& queue = context.scratch.shade.queue;
     const texture::Finish& top_finish = *stack.mirrors.front().finish;
     Refracted next;
-    if (!refract(context, hit, stack.top_normal, hit.state.weight * largest(glm::abs(stack.filter)), next)) return;
+    if (!refract_here(context, hit, stack.top_normal, hit.state.weight * largest(glm::abs(stack.filter)), next)) return;
     queue.nodes[index].fade = next.fade;
     if (next.samples > 0) {
-        const ColorSlot seen = disperse(context, hit, stack.top_normal, top_finish, next);
+        const ColorSlot seen = spectrum(context, hit, stack.top_normal, top_finish, next);
         queue.nodes[index].through = seen;
         return;
     }

@@ -25,12 +25,11 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     IndirectStage(context, tile, batch).run();
     batch.finish();
     batch.close_nodes(queue);
-    RayState own;
     const HitMask missed = first_hits(rays.count) & ~tile.found();
     const auto put = [&](std::size_t k, const scene::Color& color) {
         queue.colors[tile.slot(k)] = has(dimmed, k) ? context.scratch.shade.air[k](color) : color;
     };
-    for_each_hit(missed, [&](std::size_t k) { put(k, sky_color(context, tile.state(k, own))); });
+    for_each_hit(missed, [&](std::size_t k) { put(k, sky_color(context, tile.state(k))); });
     for_each_hit(batch.all_alone(), [&](std::size_t k) { put(k, scene::Color::of(batch.sum(k))); });
     queue.end_tile();
 }

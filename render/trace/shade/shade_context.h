@@ -55,7 +55,7 @@ struct Context {
     const light::LightSet& lights;  ///< that these rays see
     int max_trace_level;
     double adc_bailout;
-    int bounce = 0;  ///< of light that is gathered: 0 for what the camera sees (spec 6, 4.1)
+    int bounce = 0;                         ///< of light that is gathered: 0 for what the camera sees (spec 6, 4.1)
     radiosity::Filling* filling = nullptr;  ///< a pass of radiosity: what it finds; null: in the picture
 
 private:

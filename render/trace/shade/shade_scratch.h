@@ -5,6 +5,8 @@
 #include "render/trace/queue/row_page.h"
 #include "render/trace/light/highlight_lanes.h"
 #include "render/trace/air/air.h"
+#include "render/trace/photon/near_photons.h"
+#include "render/trace/photon/photon_shadow.h"
 #include "render/trace/shade/pigment_batch.h"
 #include "render/trace/shade/shade_lanes.h"
 #include "render/trace/shade/surface_traits.h"
@@ -97,9 +99,11 @@ struct ShadeScratch {
     std::size_t layered_count = 0;
     PrefetchedColors prefetched;                   ///< pigments of the layers of those
     std::array<HitMask, kPrefetchedLayers> asked;  ///< by depth: where they are
-    std::array<float, csg::kTileRays> quality;  ///< of rays that gather: how far they were followed (spec 6, 4.3)
+    std::array<float, csg::kTileRays> quality;     ///< of rays that gather: how far they were followed (spec 6, 4.3)
     csg::CrossingTile crossings;                   ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
+    PhotonShadow photon_shadow;                     ///< of the light at hand
+    NearPhotons near_photons, wide_photons;         ///< around the hit at hand
     std::array<std::uint8_t, csg::kTileRays> lane;  ///< of each shadow ray: which hit it belongs to
 };
 

@@ -1,5 +1,6 @@
 #include "render/texture/finish.h"
 #include "render/trace/light/direct_batch.h"
+#include "render/trace/shade/refraction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,8 @@ namespace {
 /// The layer's normal, bent by the layer and carried through the patterns around it (spec 3, section 4). Of unit
 /// length, but within texture maps with no_bump_scale: there it is as long as their transformations make it, and lit
 /// so.
-glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal, const glm::dvec3& p)
+[[gnu::always_inline]] inline glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal,
+                                                      const glm::dvec3& p)
 {
     if (normal == texture::kNone || context.scene.settings.quality < 8) return hit.normal;
     const auto& set = context.scene.textures;
@@ -34,8 +36,10 @@ scene::Color pigment_of(const Context& context, const HitContext& hit, const tex
 }
 
 /// A row of light for the layer, and what it leaves to those below. Its pigment.
-scene::Color add_layer(Context& context, DirectBatch& batch, HitContext& hit, const texture::Texture& texture,
-                       std::uint32_t index, const glm::dvec3& p, LayerStack& stack)
+/// batch: null where no light is asked for.
+[[gnu::always_inline]] inline scene::Color add_layer(Context& context, DirectBatch* batch, HitContext& hit,
+                                                     const texture::Texture& texture, std::uint32_t index,
+                                                     const glm::dvec3& p, LayerStack& stack)
 {
     const auto& set = context.scene.textures;
     const texture::Layer& layer = set.layers[texture.first + index];
@@ -49,7 +53,9 @@ scene::Color add_layer(Context& context, DirectBatch& batch, HitContext& hit, co
     } else {
         mirror = mirror_of(context, hit, finish, c, normal, stack.residual);
         const float alpha = texture.plain ? 1.0f : texture::opacity(c, set.legacy_opacity);
-        batch.add_row(hit.lane, {finish, c, stack.filter, alpha, normal, hit.normal, hit.surface.double_illuminate});
+        if (batch != nullptr)
+            batch->add_row(hit.lane,
+                           {finish, c, stack.filter, alpha, normal, hit.normal, hit.surface.double_illuminate});
     }
     stack.pass(c, finish, mirror.reflectivity);
     return c;
@@ -66,12 +72,21 @@ void shade_layers(Context& context, DirectBatch& batch, HitContext& hit, const t
     const std::uint32_t first = batch.rows(hit.lane);
     glm::vec3 plain_color(0);  // of a quality without lights: the lowest layer that shows
     for (std::uint32_t i = texture.count; i-- > 0 && stack.residual > bailout;) {
-        const scene::Color c = add_layer(context, batch, hit, texture, i, p, stack);
+        const scene::Color c = add_layer(context, &batch, hit, texture, i, p, stack);
         if (settings.quality < 2) plain_color = c.rgb();
     }
     const std::uint32_t node = scatter(context, hit, stack, out);
     context.scratch.shade.queue.nodes[node].own = plain_color;
     batch.close_node(hit.lane, first, node);
+}
+
+LayerStack layer_stack(Context& context, HitContext& hit, const texture::Texture& texture, const glm::dvec3& p)
+{
+    const auto bailout = static_cast<float>(context.scene.settings.adc_bailout);
+    LayerStack stack(context.scratch.shade.mirrors);
+    for (std::uint32_t i = texture.count; i-- > 0 && stack.residual > bailout;)
+        add_layer(context, nullptr, hit, texture, i, p, stack);
+    return stack;
 }
 
 }  // namespace trace

@@ -104,8 +104,7 @@ private:
     /// A hit that rays go on from, or whose textures are mixed.
     void go_on(std::size_t k)
     {
-        RayState own;
-        const RayState& state = tile_.state(k, own);
+        const RayState& state = tile_.state(k);
         const Hit met = tile_.hits.at(static_cast<int>(k));
         RayQueue& queue = context_.scratch.shade.queue;
         const std::uint32_t texture = tile_.texture(k);

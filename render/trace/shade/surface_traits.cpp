@@ -128,7 +128,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
 {
     SceneTraits traits;
     traits.scalar_rows = scene.options.scalar_light;
-    traits.even_fog = scene.rainbows.empty() && scene.media.media.empty() && std::all_of(scene.fogs.begin(), scene.fogs.end(), even);
+    traits.even_fog = scene.rainbows.empty() && scene.media.media.empty() &&
+                      std::all_of(scene.fogs.begin(), scene.fogs.end(), even);
     const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures);
     traits.looked_around = uv || looks;
     std::vector<SurfaceTraits>& all = traits.surfaces;

@@ -1,0 +1,34 @@
+#include "render/plan/compile_photons.h"
+
+#include <fmt/format.h>
+
+namespace plan {
+
+std::shared_ptr<PhotonPlan> compile_photons(const scene::Description& description, int quality)
+{
+    constexpr int kLeastQuality = 9;
+    const scene::GlobalSettings& global = description.global;
+    if (!global.photons || !global.photons->active() || quality < kLeastQuality) return nullptr;
+    auto plan = std::make_shared<PhotonPlan>();
+    plan->settings = *global.photons;
+    plan->max_trace_level = plan->settings.max_trace_level.value_or(global.max_trace_level);
+    plan->adc_bailout = plan->settings.adc_bailout.value_or(global.adc_bailout);
+    const scene::SourceRef& at = plan->settings.source;
+    if (at.file < description.files.size())
+        plan->place = fmt::format("{}:{}:{}", description.files[at.file], at.line, at.column);
+    return plan;
+}
+
+PhotonLight photon_light(const scene::Object& object, const scene::Light& light, const light::Light& compiled)
+{
+    PhotonLight out;
+    out.parallel = light.parallel;
+    out.shoots = compiled.group == 0 && !light.shadowless;
+    if (!object.photons) return out;
+    out.reflection = consent(object.photons->reflection);
+    out.refraction = consent(object.photons->refraction);
+    out.area = object.photons->area_light && light.area && !light.parallel;
+    return out;
+}
+
+}  // namespace plan

@@ -1,0 +1,215 @@
+#include "render/trace/photon/photon_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace trace {
+namespace {
+
+float along(const Photon& photon, int axis) { return axis == 0 ? photon.x : axis == 1 ? photon.y : photon.z; }
+
+/// Orders a range around its middle, POV-Ray's way: the order of equal halves decides which photons its radius is
+/// estimated from.
+class TreeBuilder {
+public:
+    explicit TreeBuilder(std::vector<Photon>& photons) : photons_(photons) {}
+
+    void build(std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+        if (last < first) return;
+        const std::ptrdiff_t middle = (first + last) / 2;
+        int axis = 0;
+        if (last > first) axis = widest(first, last);
+        if (last - first >= 2) select(first, last, middle, axis);
+        photons_[static_cast<std::size_t>(middle)].axis = static_cast<std::uint8_t>(axis);
+        build(first, middle - 1);
+        build(middle + 1, last);
+    }
+
+private:
+    int widest(std::ptrdiff_t first, std::ptrdiff_t last) const
+    {
+        glm::vec3 low = at(first).place(), high = low;
+        for (std::ptrdiff_t i = first + 1; i <= last; ++i) {
+            low = glm::min(low, at(i).place());
+            high = glm::max(high, at(i).place());
+        }
+        const glm::vec3 extent = high - low;
+        if (extent.x >= extent.y && extent.x >= extent.z) return 0;
+        return extent.y >= extent.z ? 1 : 2;
+    }
+
+    void select(std::ptrdiff_t left, std::ptrdiff_t right, std::ptrdiff_t middle, int axis)
+    {
+        const auto value = [&](std::ptrdiff_t i) { return along(at(i), axis); };
+        const auto order = [&](std::ptrdiff_t a, std::ptrdiff_t b) {
+            if (value(a) > value(b)) swap(a, b);
+        };
+        while (right > left + 1) {
+            swap((left + right) / 2, left + 1);
+            order(left + 1, right);
+            order(left, right);
+            order(left + 1, left);
+            const float pivot = value(left);
+            std::ptrdiff_t j = left + 1, k = right;
+            for (;;) {
+                do ++j;
+                while (j <= right && value(j) < pivot);
+                do --k;
+                while (k >= left && value(k) > pivot);
+                if (j > k) break;
+                if (j < k) swap(j, k);
+            }
+            swap(left, k);
+            if (k == middle) return;
+            if (k > middle) right = k - 1;
+            else left = k + 1;
+        }
+        if (right == left + 1) order(left, right);
+    }
+
+    const Photon& at(std::ptrdiff_t i) const { return photons_[static_cast<std::size_t>(i)]; }
+    void swap(std::ptrdiff_t a, std::ptrdiff_t b)
+    {
+        std::swap(photons_[static_cast<std::size_t>(a)], photons_[static_cast<std::size_t>(b)]);
+    }
+    std::vector<Photon>& photons_;
+};
+
+/// One search through the tree.
+class Search {
+public:
+    Search(const std::vector<Photon>& photons, const glm::dvec3& point, double radius, const glm::dvec3* normal,
+           int most, NearPhotons& out)
+        : photons_(photons), point_(point), normal_(normal), most_(static_cast<std::size_t>(most)), out_(out)
+    {
+        out_.found.clear();
+        out_.radius2 = radius * radius;
+    }
+
+    void visit(std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+        const std::ptrdiff_t middle = (first + last) / 2;
+        const Photon& photon = photons_[static_cast<std::size_t>(middle)];
+        const double off = static_cast<double>(along(photon, photon.axis)) - point_[photon.axis];
+        const bool within = off * off < out_.radius2;
+        if (off > 0.0) {
+            if (middle > first) visit(first, middle - 1);
+            if (off * off < out_.radius2 && middle < last) visit(middle + 1, last);
+        } else {
+            if (middle < last) visit(middle + 1, last);
+            if (off * off < out_.radius2 && middle > first) visit(first, middle - 1);
+        }
+        if (within) take(photon, static_cast<std::uint32_t>(middle));
+    }
+
+private:
+    void take(const Photon& photon, std::uint32_t number)
+    {
+        const glm::dvec3 off = glm::dvec3(photon.place()) - point_;
+        double distance2 = glm::dot(off, off);
+        constexpr double kFlattening = 16.0;
+        if (normal_ != nullptr) distance2 *= 1.0 + kFlattening * std::abs(glm::dot(*normal_, off));
+        if (!(distance2 < out_.radius2)) return;
+        const auto nearer = [](const NearPhotons::Near& a, const NearPhotons::Near& b) {
+            return a.distance2 < b.distance2;
+        };
+        auto& heap = out_.found;
+        if (heap.size() < most_) {
+            heap.push_back({distance2, number});
+            if (heap.size() == most_) std::make_heap(heap.begin(), heap.end(), nearer);
+            return;
+        }
+        // The first one takes the place of the farthest even if it lies farther: POV-Ray's limit is that of the search
+        // until then.
+        std::pop_heap(heap.begin(), heap.end(), nearer);
+        heap.back() = {distance2, number};
+        std::push_heap(heap.begin(), heap.end(), nearer);
+        out_.radius2 = heap.front().distance2;
+    }
+
+    const std::vector<Photon>& photons_;
+    const glm::dvec3 point_;
+    const glm::dvec3* normal_;
+    const std::size_t most_;
+    NearPhotons& out_;
+};
+
+}  // namespace
+
+void PhotonMap::build(std::vector<Photon> photons)
+{
+    TreeBuilder(photons).build(0, static_cast<std::ptrdiff_t>(photons.size()) - 1);
+    take(std::move(photons));
+}
+
+void PhotonMap::take(std::vector<Photon> photons)
+{
+    photons_ = std::move(photons);
+    rays_.clear();
+    rays_.reserve(photons_.size());
+    for (const Photon& photon : photons_) rays_.push_back({flux_of(photon), back_of(photon)});
+}
+
+void PhotonMap::find(const glm::dvec3& point, double radius, const glm::dvec3* normal, int most, NearPhotons& out) const
+{
+    out.found.clear();
+    if (photons_.empty()) return;
+    Search(photons_, point, radius, normal, most, out).visit(0, static_cast<std::ptrdiff_t>(photons_.size()) - 1);
+}
+
+double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
+{
+    constexpr double kEverywhere = 1e7, kPi = std::numbers::pi;
+    const std::size_t count = std::clamp<std::size_t>(photons_.size() / 20, 100, 1000);
+    NearPhotons near;
+    const auto density = [&](double radius) {
+        const std::size_t which = random.draw() % photons_.size();
+        find(photons_[which].place(), radius, nullptr, gather_most, near);
+        const auto number = static_cast<double>(near.found.size());
+        const double r = std::sqrt(near.radius2);
+        return media ? 3.0 * number / (4.0 * kPi * r * r * r) : number / (kPi * r * r);
+    };
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double here = density(kEverywhere);
+        sum += near.radius2 > 0.0 ? here : i > 0 ? sum / static_cast<double>(i) : 0.0;
+    }
+    const double average = sum / static_cast<double>(count);
+    const auto most = static_cast<double>(gather_most);
+    double radius = media ? std::pow(3.0 * most / (4.0 * kPi * average), 0.3333) : std::sqrt(most / (average * kPi));
+    std::size_t sparse = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double here = density(radius);
+        sparse += here > 0.05 * average && here < 0.7 * average ? 1 : 0;
+    }
+    return radius * (1.0 + 20.0 * static_cast<double>(sparse) / static_cast<double>(count));
+}
+
+void PhotonMap::find_radius(const scene::PhotonSettings& settings, bool media, LibraryRandom& random)
+{
+    gather_least = settings.gather_least;
+    gather_most = settings.gather_most;
+    expand_increase = settings.expand_increase;
+    expand_least = settings.expand_least;
+    if (empty()) return;
+    radius_ = media ? settings.media_radius : settings.radius;
+    if (!(radius_ > 0.0)) radius_ = estimated_radius(media, random);
+    radius_ *= media ? 2.0 * settings.media_radius_factor : settings.radius_factor;
+}
+
+void PhotonMap::gather(const glm::dvec3& point, const glm::dvec3* normal, NearPhotons& scratch, NearPhotons& out) const
+{
+    find(point, radius_, normal, gather_most, out);
+    if (out.found.size() >= static_cast<std::size_t>(gather_least)) return;
+    constexpr double kWider = 3.0, kNone = 1e-16;
+    find(point, kWider * radius_, normal, gather_most, scratch);
+    const double first = out.found.empty() ? kNone : out.density_per_area();
+    const double second = scratch.density_per_area();
+    const bool steady = (second - first) / first < expand_increase;
+    const bool few = !scratch.found.empty() && static_cast<double>(scratch.found.size()) < expand_least;
+    if (steady || few) std::swap(out, scratch);
+}
+
+}  // namespace trace

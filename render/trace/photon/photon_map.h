@@ -1,0 +1,51 @@
+#pragma once
+
+#include "render/scene/effects.h"
+#include "render/trace/photon/near_photons.h"
+#include "render/trace/photon/photon.h"
+#include "render/trace/photon/random_tables.h"
+
+#include <vector>
+
+/// Photons where they stay, in a tree that finds those around a point (spec 6, 3.7).
+namespace trace {
+
+/// What light takes from a photon.
+struct PhotonRay {
+    glm::vec3 flux, back;  ///< back: unit, to where it came from
+};
+
+class PhotonMap {
+public:
+    /// Puts photons in order.
+    void build(std::vector<Photon> photons);
+    /// Takes them in the order of a file.
+    void take(std::vector<Photon> photons);
+
+    bool empty() const { return photons_.empty(); }
+    std::size_t size() const { return photons_.size(); }
+    const std::vector<Photon>& photons() const { return photons_; }
+    const PhotonRay& ray(std::uint32_t photon) const { return rays_[photon]; }
+
+    /// The `most` nearest within a radius. normal: of the surface, flattens the sphere; null: media.
+    void find(const glm::dvec3& point, double radius, const glm::dvec3* normal, int most, NearPhotons& out) const;
+
+    /// The radius that POV-Ray finds out (spec 6, 3.7), or the one that is asked for, times its factor.
+    void find_radius(const scene::PhotonSettings& settings, bool media, LibraryRandom& random);
+    double radius() const { return radius_; }
+
+    int gather_least = 20, gather_most = 100;
+    double expand_increase = 0.2, expand_least = 35.0;
+
+    /// As find() with the map's radius, or three times that where too few are near.
+    void gather(const glm::dvec3& point, const glm::dvec3* normal, NearPhotons& scratch, NearPhotons& out) const;
+
+private:
+    double estimated_radius(bool media, LibraryRandom& random) const;
+
+    std::vector<Photon> photons_;
+    std::vector<PhotonRay> rays_;  ///< by photon
+    double radius_ = 0;
+};
+
+}  // namespace trace

@@ -1,0 +1,313 @@
+#include "render/trace/photon/photon_tracer.h"
+
+#include "render/texture/evaluate.h"
+#include "render/trace/shade/refraction.h"
+
+#include <algorithm>
+
+namespace trace {
+namespace {
+
+constexpr std::uint32_t kNoStep = 0xffffffffu;
+
+}  // namespace
+
+class PhotonTracer::Impl {
+public:
+    Impl(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
+        : scene_(scene), plan_(*scene.photons), world_(scene.world()), context_(scene, scratch_, nullptr)
+    {
+        scratch_.geometry.cancel = csg::CancelWatch(cancel);
+        scratch_.shade.traits = scene_traits(scene);
+    }
+
+    void follow(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out)
+    {
+        flight_ = &flight;
+        for (std::size_t first = 0; first < photons.size(); first += kTileRays)
+            follow_tile(photons.subspan(first, std::min<std::size_t>(kTileRays, photons.size() - first)), out);
+    }
+
+private:
+    /// A photon between two surfaces.
+    struct Flying {
+        RayState state;
+        glm::vec3 color;
+        double depth;         ///< way from the light to the ray's origin
+        std::uint32_t step;   ///< index among the tile's steps
+        std::uint32_t root;   ///< which of the tile's photons it comes from
+        bool seeking = true;  ///< for its target: all it has met was to be passed through
+        bool passed = false;  ///< the surface before was passed through
+    };
+
+    /// What photons leave, as a forest: a photon's own stays before what it sends on, one way after the other.
+    struct PhotonStep {
+        std::uint32_t first = kNoStep, last = kNoStep, next = kNoStep;  ///< steps of photons that go on from here
+        bool stays = false;
+        Photon photon;
+    };
+
+    void follow_tile(std::span<const Emission> photons, PhotonYield& out)
+    {
+        steps_.clear();
+        steps_.resize(photons.size());
+        hits_ = 0;
+        for (std::size_t i = 0; i < photons.size(); ++i) {
+            Flying start{
+                {}, photons[i].color, photons[i].depth, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)};
+            start.state.ray = {photons[i].origin, photons[i].direction};
+            start.state.start = scene_.tolerance.hit;
+            start.state.kind = plan::RayKind::Photon;
+            for (const std::uint32_t interior : flight_->interiors) start.state.interiors.append(interior);
+            flying_.push_back(start);
+        }
+        while (!flying_.empty()) trace_some();
+        for (std::size_t i = 0; i < photons.size(); ++i) {
+            collect(static_cast<std::uint32_t>(i), out);
+            out.surface_end.push_back(static_cast<std::uint32_t>(out.surface.size()));
+            out.media_end.push_back(static_cast<std::uint32_t>(out.media.size()));
+            out.hit.push_back(has(hits_, i) ? 1 : 0);
+        }
+    }
+
+    /// In the order of the ways, without recursion.
+    void collect(std::uint32_t root, PhotonYield& out)
+    {
+        order_.assign(1, root);
+        while (!order_.empty()) {
+            const PhotonStep& step = steps_[order_.back()];
+            order_.pop_back();
+            if (step.stays) out.surface.push_back(step.photon);
+            const std::size_t begin = order_.size();
+            for (std::uint32_t next = step.first; next != kNoStep; next = steps_[next].next) order_.push_back(next);
+            std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(begin), order_.end());
+        }
+    }
+
+    /// The photons that wait last, up to a tile of them that see the same.
+    void trace_some()
+    {
+        const auto bits = [](const Flying& photon) { return bit(photon.state.kind); };
+        const std::uint8_t both =
+            static_cast<std::uint8_t>(bit(plan::RayKind::Photon) | bit(plan::RayKind::MirroredPhoton));
+        const bool alike = world_.seen_by_all(both);
+        std::size_t count = 1;
+        while (count < std::min<std::size_t>(flying_.size(), kTileRays) &&
+               (alike || bits(flying_[flying_.size() - 1 - count]) == bits(flying_.back())))
+            ++count;
+        const std::size_t first = flying_.size() - count;
+        tracing_.assign(flying_.begin() + static_cast<std::ptrdiff_t>(first), flying_.end());
+        flying_.resize(first);
+        rays_.count = static_cast<int>(count);
+        rays_.common_origin = false;
+        for (std::size_t i = 0; i < count; ++i)
+            rays_.set(i, tracing_[i].state.ray, tracing_[i].state.start, csg::kInfinity);
+        world_.nearest(rays_, bits(tracing_[0]), scratch_.geometry, met_);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Hit hit = met_.at(static_cast<int>(i));
+            if (hit.found()) meet(tracing_[i], hit);
+        }
+    }
+
+    /// The photon has met a surface.
+    void meet(Flying& photon, const Hit& hit)
+    {
+        const plan::Surface& surface = scene_.surfaces[hit.surface];
+        const plan::PhotonSurface& rules = plan_.surfaces[surface.photons];
+        const HitDetails details = hit_details(context_, photon.state.ray, hit);
+        const bool inside = glm::dot(details.normal, photon.state.ray.direction) > 0.0;
+        const HitPlace place{
+            photon.state,           hit,   surface, details.point, inside ? -details.normal : details.normal,
+            photon.state.level + 1, inside};
+        photon.depth += hit.t;
+        fade(photon, place);
+        if (photon.seeking) {
+            if (rules.target != flight_->target) {
+                if (rules.pass_through) pass(photon, place, details);
+                return;
+            }
+            hits_ |= HitMask{1} << photon.root;
+        }
+        if (place.level > 1 && !photon.passed && rules.collect) stay(photon, place);
+        go_on(photon, place, details, rules);
+    }
+
+    /// Light fades inside of the surface's own interior.
+    void fade(Flying& photon, const HitPlace& place) const
+    {
+        const std::uint32_t interior = place.surface.interior;
+        if (interior == plan::kNone || !photon.state.interiors.holds(interior)) return;
+        photon.color *= interior_fade(scene_.interiors[interior], place.met.t, true);
+    }
+
+    /// Straight on through what is to be passed through.
+    void pass(const Flying& photon, const HitPlace& place, const HitDetails& details)
+    {
+        const glm::vec3 filter = surface_filter(context_, photon.state, place.met, details);
+        Flying next = photon;
+        next.color *= filter;
+        next.passed = true;
+        next.state.ray.origin = place.point;
+        next.state.start = start_of(context_, place, photon.state.ray.direction);
+        next.state.level = place.level;
+        next.state.weight *= largest(filter);
+        const std::uint32_t interior = place.surface.interior;
+        if (interior != plan::kNone) {
+            if (next.state.interiors.holds(interior)) next.state.interiors.remove_first(interior);
+            else next.state.interiors.append(interior);
+        }
+        send(std::move(next), photon);
+    }
+
+    void stay(const Flying& photon, const HitPlace& place)
+    {
+        double share = flight_->step * flight_->step;
+        if (!flight_->parallel) share *= photon.depth * photon.depth;
+        const light::Light& light = *flight_->light;
+        if (light.fade_power > 0.0 && std::abs(light.fade_distance) > kNearlyZero)
+            share *= 2.0 / (1.0 + std::pow(photon.depth / light.fade_distance, light.fade_power));
+        PhotonStep& step = steps_[photon.step];
+        step.stays = true;
+        step.photon = make_photon(place.point, photon.color * static_cast<float>(share), -photon.state.ray.direction);
+    }
+
+    /// What a texture's layers send on.
+    void go_on(const Flying& photon, const HitPlace& place, const HitDetails& details, const plan::PhotonSurface& rules)
+    {
+        const bool refracts = agree(rules.refraction, flight_->refraction),
+                   reflects = agree(rules.reflection, flight_->reflection);
+        if (!refracts && !reflects) return;
+        const plan::Surface& surface = place.surface;
+        const std::uint32_t texture =
+            place.from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture : surface.texture;
+        if (texture == plan::kNone) return;
+        HitContext hit{place, 0, {details.point, place.normal, photon.state.ray.direction, details.uv, true}};
+        const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+        const auto layers = [&](const texture::Texture& of, const glm::dvec3& at, float share) {
+            const LayerStack stack = layer_stack(context_, hit, of, at);
+            if (refracts) transmit(photon, hit, stack, share);
+            if (reflects) mirror(photon, hit, stack, share);
+        };
+        if (surface.blends() && surface.part_count == 0 && texture == surface.texture) {
+            const std::array<std::uint32_t, 3> corners{surface.texture, surface.corner_textures[0],
+                                                       surface.corner_textures[1]};
+            for (int k = 0; k < 3; ++k)
+                if (details.weights[k] > 0.0f)
+                    each_plain(corners[static_cast<std::size_t>(k)], p, hit, details.weights[k], layers);
+            return;
+        }
+        each_plain(texture, p, hit, 1.0f, layers);
+    }
+
+    /// f(texture, point, share) for the plain textures that a texture shows at p.
+    template <class F>
+    void each_plain(std::uint32_t index, const glm::dvec3& p, const HitContext& hit, float share, F&& f)
+    {
+        const texture::TextureSet& set = scene_.textures;
+        const texture::Texture& texture = set.textures[index];
+        using Kind = texture::Texture::Kind;
+        if (texture.kind == Kind::Layers) return f(texture, p, share);
+        if (texture.kind == Kind::Uv)
+            return each_plain(set.children[texture.first], {hit.around.uv.x, hit.around.uv.y, 0.0}, hit, share, f);
+        const texture::Pattern& pattern = set.patterns[texture.pattern];
+        const glm::dvec3 q = texture::warp_point(set, pattern, p);
+        if (texture.kind == Kind::Material) return each_plain(texture::material_at(set, texture, q), q, hit, share, f);
+        if (texture.kind == Kind::Average) {
+            float weights = 0;
+            for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) weights += set.keys[i];
+            for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i)
+                each_plain(set.children[i], q, hit, share * set.keys[i] / weights, f);
+            return;
+        }
+        const texture::Blend blend =
+            texture::blend_at(set, texture.first, texture.count, texture::pattern_value(set, pattern, q, hit.around));
+        const auto upper = blend.lower == blend.upper ? 1.0f : static_cast<float>(blend.share);
+        if (upper < 1.0f) each_plain(set.children[blend.lower], q, hit, share * (1.0f - upper), f);
+        if (upper > 0.0f) each_plain(set.children[blend.upper], q, hit, share * upper, f);
+    }
+
+    /// Through the surface, or back where nothing gets through.
+    void transmit(const Flying& photon, const HitContext& hit, const LayerStack& stack, float share)
+    {
+        if (!(stack.residual > static_cast<float>(plan_.adc_bailout))) return;
+        Refracted next;
+        const float weight = photon.state.weight * largest(glm::abs(stack.filter));
+        if (!refract(context_, hit, stack.top_normal, weight, next)) return;
+        const glm::vec3 passed = photon.color * stack.filter * scene_.interiors[hit.surface.interior].transmission *
+                                 share;
+        if (next.samples == 0) {
+            Flying on = sent(photon, next.ray, next.total ? photon.color * share : passed);
+            if (next.total) on.state.weight = photon.state.weight;
+            return send(std::move(on), photon);
+        }
+        for (int i = 0; i < next.samples; ++i) {
+            RayState ray;
+            const bool through = disperse(context_, hit, stack.top_normal, next, i, ray);
+            const glm::vec3 part = hue(wavelength(i, next.samples), next.samples) / static_cast<float>(next.samples);
+            send(sent(photon, ray, part * (through ? passed : photon.color * share)), photon);
+        }
+    }
+
+    /// One photon for each layer that mirrors, all about the normal of the last one. POV-Ray weighs it by the square of
+    /// what is mirrored.
+    void mirror(const Flying& photon, const HitContext& hit, const LayerStack& stack, float share)
+    {
+        for (const Mirror& of : stack.mirrors) {
+            if (black(of.reflectivity)) continue;
+            const RayState ray = mirrored(context_, hit, stack.mirrors.back().normal,
+                                          photon.state.weight * largest(of.reflectivity) * largest(of.reflectivity));
+            const glm::vec3 color = raised(scene::Color::of(photon.color), of.finish->reflection_power);
+            send(sent(photon, ray, color * of.reflectivity * share), photon);
+        }
+    }
+
+    static Flying sent(const Flying& from, const RayState& ray, const glm::vec3& color)
+    {
+        Flying out{ray, color, from.depth, kNoStep, from.root, false, false};
+        if (ray.kind == plan::RayKind::Reflection) out.state.kind = plan::RayKind::MirroredPhoton;
+        return out;
+    }
+
+    void send(Flying&& photon, const Flying& from)
+    {
+        if (photon.state.level >= plan_.max_trace_level || static_cast<double>(photon.state.weight) < plan_.adc_bailout)
+            return;
+        photon.step = static_cast<std::uint32_t>(steps_.size());
+        steps_.emplace_back();
+        PhotonStep& before = steps_[from.step];
+        (before.first == kNoStep ? before.first : steps_[before.last].next) = photon.step;
+        before.last = photon.step;
+        flying_.push_back(std::move(photon));
+    }
+
+    const plan::CompiledScene& scene_;
+    const plan::PhotonPlan& plan_;
+    csg::World world_;
+    Scratch scratch_;
+    Context context_;
+    const PhotonFlight* flight_ = nullptr;
+    std::vector<Flying> flying_, tracing_;
+    std::vector<PhotonStep> steps_;
+    std::vector<std::uint32_t> order_;
+    HitMask hits_ = 0;
+    RayTile rays_;
+    HitTile met_;
+};
+
+PhotonTracer::PhotonTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
+    : impl_(std::make_unique<Impl>(scene, cancel))
+{}
+PhotonTracer::~PhotonTracer() = default;
+
+bool PhotonTracer::follow(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out)
+{
+    out.clear();
+    try {
+        impl_->follow(flight, photons, out);
+    } catch (const csg::Cancelled&) {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace trace

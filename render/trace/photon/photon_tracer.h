@@ -1,0 +1,57 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+#include "render/trace/photon/emission.h"
+#include "render/trace/photon/photon.h"
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <vector>
+
+/// Photons on their way through the scene (spec 6, 3.5). Compiled once per instruction set.
+namespace trace {
+
+/// What all photons of one light for one target have in common.
+struct PhotonFlight {
+    const light::Light* light = nullptr;
+    plan::Consent reflection = plan::Consent::Unset, refraction = plan::Consent::Unset;  ///< of the light
+    std::uint32_t target = 0;
+    bool parallel = false;
+    double step = 0;                       ///< PhotonAim::step
+    std::vector<std::uint32_t> interiors;  ///< that hold the light
+};
+
+/// What became of some photons: those that stay, in the order in which POV-Ray lets them, photon by photon.
+struct PhotonYield {
+    std::vector<Photon> surface, media;
+    std::vector<std::uint32_t> surface_end, media_end;  ///< by emission: how many there are up to it
+    std::vector<std::uint8_t> hit;                      ///< by emission: it met the target
+
+    void clear()
+    {
+        surface.clear();
+        media.clear();
+        surface_end.clear();
+        media_end.clear();
+        hit.clear();
+    }
+};
+
+/// Follows photons for one thread.
+class PhotonTracer {
+public:
+    PhotonTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
+    ~PhotonTracer();
+    PhotonTracer(const PhotonTracer&) = delete;
+    PhotonTracer& operator=(const PhotonTracer&) = delete;
+
+    /// False: `cancel` was set meanwhile.
+    bool follow(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out);
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace trace
