@@ -74,9 +74,14 @@ Illumination toward(const Light& light, const glm::dvec3& point, const glm::dvec
 Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::dvec3& offset)
 {
     Illumination out = toward(light, point, offset);
-    const bool steady = light.kind == Light::Kind::Point && !(light.fade_power > 0.0);
-    out.color = steady ? light.color : light.color * static_cast<float>(attenuation(light, out, point));
+    out.color = color_at(light, out, point);
     return out;
+}
+
+glm::vec3 color_at(const Light& light, const Illumination& seen, const glm::dvec3& point)
+{
+    const bool steady = light.kind == Light::Kind::Point && !(light.fade_power > 0.0);
+    return steady ? light.color : light.color * static_cast<float>(attenuation(light, seen, point));
 }
 
 AreaAxes oriented_axes(const Light& light, const glm::dvec3& point)

@@ -14,6 +14,9 @@ struct Illumination {
 /// `offset`: of a sample of an area light from its centre.
 Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::dvec3& offset = glm::dvec3(0));
 
+/// What a light that is seen so has of its colour at the point: after cone and distance attenuation.
+glm::vec3 color_at(const Light& light, const Illumination& seen, const glm::dvec3& point);
+
 /// Direction and distance alone, for the shadow rays of an area light's sample.
 Illumination toward(const Light& light, const glm::dvec3& point, const glm::dvec3& offset);
 

@@ -47,6 +47,37 @@ void agate_bands(const Pattern& pattern, const Points& p, Values& out)
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = agate_power(out[i]);
 }
 
+/// spherical, cylindrical or planar of each: 1 less the distance from a point, an axis or a plane, to 0.
+enum class From { Point, Axis, Plane };
+template <From What>
+void distance_values(const Points& p, Values& out)
+{
+    const Double zero(0.0), one(1.0);
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const auto square = [i](const Values& v) {
+            const Double d = Double::load_aligned(v.data() + i);
+            return d * d;
+        };
+        Double distance;
+        if constexpr (What == From::Point) distance = xsimd::sqrt(square(p.x) + square(p.y) + square(p.z));
+        else if constexpr (What == From::Axis) distance = xsimd::sqrt(square(p.x) + square(p.z));
+        else distance = xsimd::abs(Double::load_aligned(p.y.data() + i));
+        xsimd::select(distance > one, zero, one - distance).store_aligned(out.data() + i);
+    }
+}
+
+/// boxed of each.
+void boxed_values(const Points& p, Values& out)
+{
+    const Double zero(0.0), one(1.0);
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const auto size = [i](const Values& v) { return xsimd::abs(Double::load_aligned(v.data() + i)); };
+        const Double x = size(p.x), y = size(p.y), z = size(p.z);
+        const Double xy = xsimd::select(x < y, y, x), distance = xsimd::select(xy < z, z, xy);
+        xsimd::select(distance > one, zero, one - distance).store_aligned(out.data() + i);
+    }
+}
+
 /// Before frequency and wave.
 void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
 {
@@ -70,6 +101,10 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
         for (std::size_t i = 0; i < p.size(); ++i) out[i] = p.x[i] + pattern.turbulence.amount.x * out[i];
         return;
     case PatternKind::Wood: return wood_values(pattern, p, out);
+    case PatternKind::Spherical: return distance_values<From::Point>(p, out);
+    case PatternKind::Cylindrical: return distance_values<From::Axis>(p, out);
+    case PatternKind::Planar: return distance_values<From::Plane>(p, out);
+    case PatternKind::Boxed: return boxed_values(p, out);
     case PatternKind::Crackle: return crackle_values(pattern, p, out);
     case PatternKind::Mandel:
     case PatternKind::Julia: return power_set_values(pattern, p, out);

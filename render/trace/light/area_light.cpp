@@ -371,7 +371,7 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
     const PhotonShadow& caught = scratch_.photon_shadow;
     if (too_many || scratch_.traits.restarts()) {
-        const glm::vec3 passed = filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, false,
+        const glm::vec3 passed = filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, {},
                                                 too_many ? nullptr : met.hits[ray].data());
         const auto& crossings = context_.scratch.crossings;
         return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;

@@ -109,14 +109,37 @@ private:
             for_each_hit(clear, [&](std::size_t ray) { reached |= HitMask{1} << hit_of(ray); });
         }
         sink_.light(reached);
-        for_each_hit(rays & ~clear & ~blocked, [&](std::size_t ray) {
-            const std::size_t k = hit_of(ray);
-            const glm::vec3 color = filtered(ray, k, light.atmosphere);
-            sink_.light(k, color);
-            sink_.arrive(k, color);
-        });
+        pass_filtered(rays & ~clear & ~blocked, light.atmosphere, hit_of);
         if (sink_.arrives() != 0)
             for_each_hit(blocked, [&](std::size_t ray) { sink_.arrive(hit_of(ray), glm::vec3(0)); });
+    }
+
+    /// Points whose light is filtered; `rays`: theirs.
+    template <class HitOf>
+    void pass_filtered(HitMask rays, bool in_air, const HitOf& hit_of)
+    {
+        if (rays == 0) return;
+        const plan::CompiledScene& scene = context_.scene;
+        const bool media = scratch_.traits.media || (in_air && scene.atmosphere.extinguishes);
+        MediaShadows* later = media ? &context_.scratch.media().shadows : nullptr;
+        const auto tell = [&](std::size_t k, const glm::vec3& color) {
+            sink_.light(k, color);
+            sink_.arrive(k, color);
+        };
+        if (later == nullptr) {
+            for_each_hit(rays, [&](std::size_t ray) {
+                const std::size_t k = hit_of(ray);
+                tell(k, filtered(ray, k, {in_air}));
+            });
+            return;
+        }
+        std::array<glm::vec3, csg::kTileRays> colors;
+        for_each_hit(rays, [&](std::size_t ray) {
+            const std::size_t k = hit_of(ray);
+            colors[k] = filtered(ray, k, {in_air, later, k});
+        });
+        later->run(scene, [&](std::size_t k, const glm::vec3& share) { colors[k] *= share; });
+        for_each_hit(rays, [&](std::size_t ray) { tell(hit_of(ray), colors[hit_of(ray)]); });
     }
 
     static HitMask equal(const std::array<Shadow, csg::kTileRays>& endings, Shadow to)
@@ -124,8 +147,8 @@ private:
         return csg::lanes::equal(reinterpret_cast<const std::uint8_t*>(endings.data()), static_cast<std::uint8_t>(to));
     }
 
-    /// The light at hand past what a shadow ray crosses, and what fills the scene if it dims light.
-    glm::vec3 filtered(std::size_t ray, std::size_t k, bool in_air)
+    /// The light at hand past what a shadow ray crosses.
+    glm::vec3 filtered(std::size_t ray, std::size_t k, const ShadowAir& air)
     {
         const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
         const bool clear = scratch_.crossings.ending[ray] == Shadow::Clear;
@@ -135,14 +158,14 @@ private:
         if (too_many || (scratch_.traits.restarts() && !clear)) {
             const glm::vec3 passed =
                 filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k), lit,
-                               lit.color, in_air, too_many ? nullptr : scratch_.crossings.hits[ray].data());
+                               lit.color, air, too_many ? nullptr : scratch_.crossings.hits[ray].data());
             const auto& crossings = context_.scratch.crossings;
             return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
         }
         if (caught.stops(k, scratch_.crossings.hits[ray].data(), count)) return glm::vec3(0);
         return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
                                     lit, scratch_.rays.common_origin, scratch_.crossings.hits[ray].data(), count,
-                                    in_air);
+                                    air);
     }
 
     Context& context_;

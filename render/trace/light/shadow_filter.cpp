@@ -1,6 +1,5 @@
 #include "render/texture/evaluate.h"
 #include "render/trace/media/media_extinction.h"
-#include "render/trace/media/media_mix.h"
 #include "render/trace/shade/shade_context.h"
 
 #include <algorithm>
@@ -99,22 +98,22 @@ glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit
 
 namespace {
 
-/// Light past crossings at their distances from the point, nearest first. before: the distance of the last one; in_air:
-/// what fills the scene dims it on its way.
+/// Light past crossings at their distances from the point, nearest first. before: the distance of the last one.
 glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3 color, const Hit* first,
-                         const Hit* last, double& before, bool in_air)
+                         const Hit* last, double& before, const ShadowAir& air)
 {
     const SceneTraits& traits = context.scratch.shade.traits;
     for (; first != last; ++first) {
         const Hit& crossing = *first;
         if (crossing.t - before <= tolerance) continue;  // the next ray would not see it
-        if (in_air) color *= atmosphere_share(context, ray, before, crossing.t);
-        if (traits.media && !dark(color)) color *= interior_media_share(context.scene, ray, before, crossing.t);
+        if (air.atmosphere) color *= atmosphere_share(context, ray, before, crossing.t, air);
+        if (traits.media && !dark(color))
+            color *= interior_media_share(context.scene, ray, before, crossing.t, air.later, air.lane);
         const SurfaceTraits& surface = traits.surfaces[crossing.surface];
         color *= surface.steady_filter
                      ? surface.filter
                      : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
-        if (traits.fades || traits.media || in_air) {
+        if (traits.fades || traits.media || air.atmosphere) {
             const std::uint32_t interior = context.scene.surfaces[crossing.surface].interior;
             const bool inside = interior != plan::kNone && ray.interiors.holds(interior);
             if (inside) color *= interior_fade(context.scene.interiors[interior], crossing.t - before, true);
@@ -155,22 +154,18 @@ Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double
 
 }  // namespace
 
-glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to)
+glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to, const ShadowAir& air)
 {
     const plan::CompiledScene& scene = context.scene;
     glm::vec3 share(1);
     if (!scene.fogs.empty() && ray.interiors.all_hollow(scene.interiors))
         share = fog_share(context, {ray.ray.at(from), ray.ray.direction}, to - from);
-    if (scene.atmosphere.extinguishes && to > from) {
-        MediaMix mix;
-        mix.add(scene.media, scene.atmosphere);
-        share *= media_share(scene, mix, ray.ray, from, to);
-    }
-    return share;
+    if (!scene.atmosphere.extinguishes) return share;
+    return share * atmosphere_media_share(scene, ray.ray, from, to, air.later, air.lane);
 }
 
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
-                         const light::Illumination& lit, glm::vec3 color, bool in_air, const Hit* first)
+                         const light::Illumination& lit, glm::vec3 color, const ShadowAir& air, const Hit* first)
 {
     const double end = lit.distance - tolerance;
     if (end <= tolerance) return color;
@@ -185,14 +180,14 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     double before = 0.0;
     if (met != Shadow::Clear)
         color = past_crossings(context, ray, tolerance, color, crossings.data(), crossings.data() + crossings.size(),
-                               before, in_air);
-    if (in_air) color *= atmosphere_share(context, ray, before, lit.distance);
+                               before, air);
+    if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, air);
     return color;
 }
 
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
-                               Hit* crossings, std::size_t count, bool in_air)
+                               Hit* crossings, std::size_t count, const ShadowAir& air)
 {
     Hit* const end = crossings + count;
     if (from_light) {
@@ -207,8 +202,8 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
     }
     RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, 0, interiors};
     double before = 0.0;
-    glm::vec3 color = past_crossings(context, ray, tolerance, lit.color, crossings, end, before, in_air);
-    if (in_air) color *= atmosphere_share(context, ray, before, lit.distance);
+    glm::vec3 color = past_crossings(context, ray, tolerance, lit.color, crossings, end, before, air);
+    if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, air);
     return color;
 }
 

@@ -1,7 +1,6 @@
 #include "render/trace/media/media_extinction.h"
 
-#include "render/trace/media/media_mix.h"
-#include "render/trace/media/media_samples.h"
+#include "render/trace/media/media_density.h"
 #include "render/trace/random.h"
 
 #include <algorithm>
@@ -10,83 +9,80 @@
 namespace trace {
 namespace {
 
-using Method = plan::Media::Method;
+using ShadowMethod = plan::Media::Method;
 
-/// Sums optical depth over weighted points of a ray, a batch at a time.
-class DepthSum {
+/// Optical depths of stretches from weighted points, a batch at a time. The sums don't depend on where batches end.
+class DepthBatch {
 public:
-    DepthSum(const plan::CompiledScene& scene, const MediaMix& mix, const csg::Ray& ray)
-        : scene_(scene), mix_(mix), ray_(ray)
-    {
-        points_.count = 0;
-    }
+    DepthBatch(const plan::CompiledScene& scene, const MediaMix& mix) : scene_(scene), mix_(mix) { points_.count = 0; }
 
-    void add(double t, double weight)
+    void add(const glm::dvec3& point, double weight, glm::vec3& depth)
     {
         weights_[points_.size()] = static_cast<float>(weight);
-        points_.add(ray_.at(t));
+        depths_[points_.size()] = &depth;
+        points_.add(point);
         if (points_.count == texture::kMostPoints) flush();
     }
 
-    glm::vec3 sum()
-    {
-        flush();
-        return sum_;
-    }
-
-private:
     void flush()
     {
         if (points_.count == 0) return;
         points_.pad();
-        for (std::size_t m = 0; m < mix_.count; ++m) {
-            const plan::Media& media = *mix_.members[m];
-            if (!media.extinguishes()) continue;
-            glm::vec3 density(0);
-            if (media.densities != 0) {
-                media_density(scene_, media, points_, colors_, density_);
-                for (std::size_t k = 0; k < points_.size(); ++k) density += weights_[k] * density_[k];
-            } else {
-                for (std::size_t k = 0; k < points_.size(); ++k) density += weights_[k];
-            }
-            sum_ += density * media.extinction;
-        }
+        TileColors extinction;
+        extinction.fill(0.0f);
+        for (std::size_t m = 0; m < mix_.count; ++m)
+            if (mix_.members[m]->extinguishes()) add(*mix_.members[m], extinction);
+        for (std::size_t k = 0; k < points_.size(); ++k) *depths_[k] += weights_[k] * extinction[k];
         points_.count = 0;
+    }
+
+private:
+    void add(const plan::Media& media, TileColors& sum)
+    {
+        const TileColors* density = nullptr;
+        if (media.densities != 0) density = &density_.at(scene_, media, points_, first_hits(points_.count));
+        int c = 0;
+        for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
+            const float factor = media.extinction[c++];
+            float* out = (sum.*channel).data();
+            const float* in = density != nullptr ? (density->*channel).data() : nullptr;
+            for (std::size_t k = 0; k < points_.size(); ++k) out[k] += in != nullptr ? factor * in[k] : factor;
+        }
     }
 
     const plan::CompiledScene& scene_;
     const MediaMix& mix_;
-    const csg::Ray& ray_;
     texture::Points points_;
     std::array<float, texture::kMostPoints> weights_;
-    texture::ColorPoints colors_;
-    TileColors density_;
-    glm::vec3 sum_{0};
+    std::array<glm::vec3*, texture::kMostPoints> depths_;
+    MediaDensity density_;
 };
 
-glm::vec3 exp_of_negative(const glm::vec3& v)
-{
-    glm::vec3 out;
-    for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(std::exp(-static_cast<double>(v[c])));
-    return out;
-}
+/// A stretch of a shadow ray as its samples are placed.
+struct ShadowStretch {
+    const csg::Ray& ray;
+    double from, to;
+    glm::vec3& depth;
+};
 
 /// The samples of one sub-interval, with the weights that they get.
-void add_samples(DepthSum& sum, const plan::Media& control, std::uint64_t seed, std::uint32_t interval, double from,
-                 double step)
+void add_samples(DepthBatch& batch, const plan::Media& control, std::uint64_t seed, std::uint32_t interval,
+                 const ShadowStretch& at)
 {
     const int least = control.samples_least;
+    const double step = at.to - at.from;
     const auto random = [&](int n) { return random_of(seed, interval, static_cast<std::uint32_t>(n)); };
+    const auto add = [&](double place, double weight) {
+        batch.add(at.ray.at(at.from + place * step), weight, at.depth);
+    };
     const bool jittered = control.jitter != 0.0;
-    if (control.method == Method::Random) {
-        for (int n = 0; n < least; ++n) sum.add(from + random(n) * step, step / least);
+    if (control.method == ShadowMethod::Random) {
+        for (int n = 0; n < least; ++n) add(random(n), step / least);
         return;
     }
-    if (control.method == Method::Even) {
-        for (int n = 0; n < least; ++n) {
-            const double place = (n + 0.5) / least + (jittered ? control.jitter * random(n) / least : 0.0);
-            sum.add(from + place * step, step / least);
-        }
+    if (control.method == ShadowMethod::Even) {
+        for (int n = 0; n < least; ++n)
+            add((n + 0.5) / least + (jittered ? control.jitter * random(n) / least : 0.0), step / least);
         return;
     }
     // Nothing is emitted, so no gap between samples is halved more than once.
@@ -98,11 +94,46 @@ void add_samples(DepthSum& sum, const plan::Media& control, std::uint64_t seed, 
         if (n > 0) {
             double middle = 0.5 * (before + place);
             if (jittered) middle += control.jitter * (place - before) * (random(2 * n + 1) - 0.5);
-            sum.add(from + middle * step, third);
+            add(middle, third);
         }
-        sum.add(from + place * step, n == 0 || n == gaps ? third : 2.0 * third);
+        add(place, n == 0 || n == gaps ? third : 2.0 * third);
         before = place;
     }
+}
+
+/// All sub-intervals of a stretch.
+void add_stretch(DepthBatch& batch, const plan::Media& control, const ShadowStretch& at)
+{
+    const int intervals = control.has_density ? control.intervals : 1;
+    const double step = (at.to - at.from) / intervals;
+    const std::uint64_t seed = random_seed(at.ray.at(at.from), at.ray.direction);
+    for (int i = 0; i < intervals; ++i) {
+        const double from = at.from + i * step;
+        add_samples(batch, control, seed, static_cast<std::uint32_t>(i), {at.ray, from, from + step, at.depth});
+    }
+}
+
+glm::vec3 exp_of_negative(const glm::vec3& v)
+{
+    glm::vec3 out;
+    for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(std::exp(-static_cast<double>(v[c])));
+    return out;
+}
+
+/// Of media that are alike everywhere.
+glm::vec3 even_share(const MediaMix& mix, double length)
+{
+    glm::vec3 extinction(0);
+    for (std::size_t m = 0; m < mix.count; ++m) extinction += mix.members[m]->extinction;
+    return exp_of_negative(extinction * static_cast<float>(length));
+}
+
+glm::vec3 share_now_or_later(const plan::CompiledScene& scene, const MediaMix& mix, const csg::Ray& ray, double from,
+                             double to, MediaShadows* later, std::size_t lane)
+{
+    if (later == nullptr || !mix.patterned) return media_share(scene, mix, ray, from, to);
+    later->add(mix, ray, from, to, lane);
+    return glm::vec3(1);
 }
 
 }  // namespace
@@ -111,30 +142,59 @@ glm::vec3 media_share(const plan::CompiledScene& scene, const MediaMix& mix, con
                       double to)
 {
     if (!mix.extinguishes) return glm::vec3(1);
-    const double length = to - from;
-    if (!mix.patterned) {
-        glm::vec3 extinction(0);
-        for (std::size_t m = 0; m < mix.count; ++m) extinction += mix.members[m]->extinction;
-        return exp_of_negative(extinction * static_cast<float>(length));
-    }
-    const plan::Media& control = *mix.control;
-    const int intervals = control.has_density ? control.intervals : 1;
-    const double step = length / intervals;
-    const std::uint64_t seed = random_seed(ray.at(from), ray.direction);
-    DepthSum sum(scene, mix, ray);
-    for (int i = 0; i < intervals; ++i)
-        add_samples(sum, control, seed, static_cast<std::uint32_t>(i), from + i * step, step);
-    return exp_of_negative(sum.sum());
+    if (!mix.patterned) return even_share(mix, to - from);
+    glm::vec3 depth(0);
+    DepthBatch batch(scene, mix);
+    add_stretch(batch, *mix.control, {ray, from, to, depth});
+    batch.flush();
+    return exp_of_negative(depth);
 }
 
-glm::vec3 interior_media_share(const plan::CompiledScene& scene, const RayState& ray, double from, double to)
+void MediaShadows::add(const MediaMix& mix, const csg::Ray& ray, double from, double to, std::size_t lane)
+{
+    std::size_t i = mix_count_;
+    while (i-- > 0 && !mixes_[i].same_members(mix)) {}
+    if (i >= mix_count_) {
+        i = mix_count_++;
+        if (mixes_.size() < mix_count_) mixes_.emplace_back();
+        mixes_[i] = mix;
+    }
+    stretches_.push_back(
+        {ray, from, to, static_cast<std::uint32_t>(i), static_cast<std::uint8_t>(lane), glm::vec3(0)});
+}
+
+void MediaShadows::find_depths(const plan::CompiledScene& scene)
+{
+    for (std::uint32_t m = 0; m < mix_count_; ++m) {
+        DepthBatch batch(scene, mixes_[m]);
+        for (Stretch& stretch : stretches_)
+            if (stretch.mix == m)
+                add_stretch(batch, *mixes_[m].control, {stretch.ray, stretch.from, stretch.to, stretch.depth});
+        batch.flush();
+    }
+}
+
+glm::vec3 MediaShadows::share_of(const glm::vec3& depth) { return exp_of_negative(depth); }
+
+glm::vec3 interior_media_share(const plan::CompiledScene& scene, const RayState& ray, double from, double to,
+                               MediaShadows* later, std::size_t lane)
 {
     bool dims = false;
-    for (std::size_t i = 0; i < ray.interiors.size(); ++i) dims |= scene.interiors[ray.interiors[i]].media.extinguishes;
+    for (std::size_t i = 0; i < ray.interiors.size(); ++i)
+        dims |= scene.interiors[ray.interiors[i]].media.extinguishes;
     if (!dims || !ray.interiors.all_hollow(scene.interiors)) return glm::vec3(1);
     MediaMix mix;
     mix.add(scene, ray.interiors);
-    return media_share(scene, mix, ray.ray, from, to);
+    return share_now_or_later(scene, mix, ray.ray, from, to, later, lane);
+}
+
+glm::vec3 atmosphere_media_share(const plan::CompiledScene& scene, const csg::Ray& ray, double from, double to,
+                                 MediaShadows* later, std::size_t lane)
+{
+    if (!scene.atmosphere.extinguishes || !(to > from)) return glm::vec3(1);
+    MediaMix mix;
+    mix.add(scene.media, scene.atmosphere);
+    return share_now_or_later(scene, mix, ray, from, to, later, lane);
 }
 
 }  // namespace trace

@@ -5,10 +5,6 @@
 
 namespace trace {
 
-/// Colours of a medium's densities at points, multiplied; needs `points` padded. `colors` is for use within.
-void media_density(const plan::CompiledScene& scene, const plan::Media& media, const texture::Points& points,
-                   texture::ColorPoints& colors, TileColors& density);
-
 /// Finds what samples of sub-intervals contribute (spec 6, 2.6), 64 at a time.
 class MediaSampler {
 public:
@@ -21,15 +17,18 @@ public:
 
 private:
     void batch(std::size_t first, std::size_t last);
-    void add_media(std::size_t count);
-    void add_light(std::size_t first, std::size_t last, HitMask scattering);
+    void place(std::size_t first, std::size_t last);
+    void add_media();
+    void add_light();
+    void add_lamps(HitMask lit);
 
     Context& context_;
     MediaScratch& scratch_;
     const SegmentTile& tile_;
-    std::array<const MediaSegment*, csg::kTileRays> segments_;
-    std::array<const MediaMix*, csg::kTileRays> mixes_;
-    TileColors emission_, scattering_, extinction_;
+    std::array<const MediaJob*, csg::kTileRays> jobs_;
+    HitMask all_ = 0, scattering_ = 0;
+    bool one_mix_ = true;  ///< all points of the batch are of the same media
+    TileColors emission_, scattered_, extinction_;
 };
 
 }  // namespace trace

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/texture/evaluate_points.h"
+#include "render/trace/media/media_density.h"
+#include "render/trace/media/media_extinction.h"
 #include "render/trace/media/pieces.h"
-#include "render/trace/queue/row_page.h"
 
 #include <array>
 #include <cstdint>
@@ -14,8 +14,8 @@ namespace trace {
 struct MediaSegment {
     csg::Ray ray;
     double length = 0;
+    const MediaMix* mix = nullptr;
     std::uint8_t lane = 0;                    ///< its place in the tile
-    std::uint32_t mix = 0;                    ///< into MediaScratch::mixes
     std::uint32_t piece = 0, last_piece = 0;  ///< into MediaScratch::pieces: the one at hand, and one past the last
     int part = 0;                             ///< sub-intervals of the piece at hand that have been handed out
     std::uint32_t interval = 0;               ///< sub-intervals that have been handed out
@@ -25,19 +25,22 @@ struct MediaSegment {
 
 /// A sub-interval on its way.
 struct MediaJob {
-    std::uint32_t segment;   ///< into MediaScratch::segments
+    MediaSegment* segment;
     std::uint32_t interval;  ///< its number in the segment
     double from, step;
     bool lit;
+    bool even = false;                        ///< every sample tells the same: one is taken
     std::uint32_t first = 0;                  ///< of its samples in MediaScratch::order
     int gaps = 0;                             ///< of method 3
-    int taken = 0;                            ///< samples of methods 1 and 2
+    int taken = 0;                            ///< samples so far
     glm::vec3 sum{0}, squares{0}, depths{0};  ///< of contributions, their squares, optical depths
+
+    const plan::Media& control() const { return *segment->mix->control; }
 };
 
 /// Samples side by side: where on their sub-interval (0 to 1), and what was found there.
 struct MediaSamples {
-    std::vector<std::uint32_t> job;
+    std::vector<std::uint32_t> job;  ///< into MediaScratch::jobs
     std::vector<double> place;
     std::vector<glm::vec3> light, depth;  ///< e and o of spec 6, 2.6
 
@@ -47,8 +50,6 @@ struct MediaSamples {
     {
         job.push_back(of);
         place.push_back(at);
-        light.emplace_back(0.0f);
-        depth.emplace_back(0.0f);
         return static_cast<std::uint32_t>(job.size() - 1);
     }
 };
@@ -64,12 +65,18 @@ struct MediaGap {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 };
 
+/// Where a light reaches the segments of a tile.
+struct LitSegments {
+    HitMask reached = 0;  ///< by segment
+    alignas(64) std::array<double, csg::kTileRays> from, to;
+};
+
 /// What media keep per thread; grows to what the scene needs and stays.
 struct MediaScratch {
     std::vector<MediaMix> mixes;
     std::size_t mix_count = 0;
     std::vector<MediaSegment> segments;
-    std::vector<MediaRange> lit;     ///< by segment and light of the scene; empty ones have from > to
+    std::vector<LitSegments> lit;    ///< by light of the scene
     std::vector<MediaRange> ranges;  ///< of the segment at hand
     std::vector<MediaPiece> pieces;
     std::vector<MediaJob> jobs;
@@ -78,9 +85,8 @@ struct MediaScratch {
     std::vector<MediaGap> gaps;
     std::vector<std::uint32_t> asking;  ///< sub-intervals that want one more sample
     texture::Points points;
-    texture::Around around;
-    texture::ColorPoints colors;
-    TileColors density;
+    MediaDensity density;
+    MediaShadows shadows;
     csg::HitTile met;  ///< how far each point lies from its ray's origin
 };
 

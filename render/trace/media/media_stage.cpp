@@ -37,11 +37,14 @@ void MediaStage::cross(HitMask segments, bool atmosphere)
 {
     scratch_.mix_count = 0;
     scratch_.segments.clear();
-    scratch_.lit.clear();
+    scratch_.segments.reserve(csg::kTileRays);
+    scratch_.mixes.reserve(csg::kTileRays + 1);
+    const std::size_t lights = context_.scene.lights.lights.size();
+    if (scratch_.lit.size() < lights) scratch_.lit.resize(lights);
+    for (LitSegments& lit : scratch_.lit) lit.reached = 0;
     scratch_.pieces.clear();
     for_each_hit(segments, [&](std::size_t k) {
-        std::uint32_t mix = 0;
-        if (find_mix(k, atmosphere, mix)) add_segment(k, mix);
+        if (const MediaMix* mix = find_mix(k, atmosphere)) add_segment(k, *mix);
     });
     next_ = ended_ = 0;
     while (take_jobs()) work_off();
@@ -51,8 +54,8 @@ void MediaStage::cross(HitMask segments, bool atmosphere)
     }
 }
 
-/// The media of segment k; false: none. Neighbours as a rule have the same.
-bool MediaStage::find_mix(std::size_t k, bool atmosphere, std::uint32_t& mix)
+/// The media of segment k; null: none. Neighbours as a rule have the same.
+const MediaMix* MediaStage::find_mix(std::size_t k, bool atmosphere)
 {
     const plan::CompiledScene& scene = context_.scene;
     if (scratch_.mix_count == scratch_.mixes.size()) scratch_.mixes.emplace_back();
@@ -60,29 +63,25 @@ bool MediaStage::find_mix(std::size_t k, bool atmosphere, std::uint32_t& mix)
     fresh.clear();
     if (atmosphere) fresh.add(scene.media, scene.atmosphere);
     else fresh.add(scene, tile_.interiors(k));
-    if (fresh.count == 0) return false;
+    if (fresh.count == 0) return nullptr;
     for (std::size_t i = scratch_.mix_count; i-- > 0;)
-        if (scratch_.mixes[i].same_members(fresh)) {
-            mix = static_cast<std::uint32_t>(i);
-            return true;
-        }
-    mix = static_cast<std::uint32_t>(scratch_.mix_count++);
-    return true;
+        if (scratch_.mixes[i].same_members(fresh)) return &scratch_.mixes[i];
+    ++scratch_.mix_count;
+    return &fresh;
 }
 
-void MediaStage::add_segment(std::size_t k, std::uint32_t mix)
+void MediaStage::add_segment(std::size_t k, const MediaMix& mix)
 {
     MediaSegment segment;
     segment.ray = tile_.ray(k);
     segment.length = has(tile_.found(), k) ? tile_.hits.t[k] : kSkyDistance;
     segment.lane = static_cast<std::uint8_t>(k);
-    segment.mix = mix;
+    segment.mix = &mix;
     segment.seed = random_seed(segment.ray.origin, segment.ray.direction);
     segment.piece = static_cast<std::uint32_t>(scratch_.pieces.size());
     scratch_.ranges.clear();
-    const MediaMix& media = scratch_.mixes[mix];
     find_lit(segment);
-    add_pieces(media, segment.length, scratch_.ranges, scratch_.pieces);
+    add_pieces(mix, segment.length, scratch_.ranges, scratch_.pieces);
     segment.last_piece = static_cast<std::uint32_t>(scratch_.pieces.size());
     scratch_.segments.push_back(segment);
 }
@@ -93,12 +92,20 @@ void MediaStage::find_lit(const MediaSegment& segment)
     const plan::CompiledScene& scene = context_.scene;
     const plan::Surface* end = has(tile_.found(), segment.lane) ? &scene.surfaces[tile_.hits.surface[segment.lane]]
                                                                 : nullptr;
-    for (const light::Light& light : context_.lights.lights) {
-        MediaRange range{1.0, 0.0};
+    const std::size_t at = scratch_.segments.size();
+    for (std::size_t i = 0; i < context_.lights.lights.size(); ++i) {
+        const light::Light& light = context_.lights.lights[i];
+        LitSegments& lit = scratch_.lit[i];
+        MediaRange range;
         const bool shines = light.in_media && (end != nullptr ? shines_on(light, *end) : light.group == 0);
-        if (shines && lit_range(light, segment.ray, segment.length, range)) scratch_.ranges.push_back(range);
-        else range = {1.0, 0.0};
-        scratch_.lit.push_back(range);
+        if (!shines || !lit_range(light, segment.ray, segment.length, range)) {
+            lit.from[at] = csg::kInfinity;
+            continue;
+        }
+        scratch_.ranges.push_back(range);
+        lit.reached |= HitMask{1} << at;
+        lit.from[at] = range.from;
+        lit.to[at] = range.to;
     }
 }
 
@@ -115,7 +122,7 @@ bool MediaStage::take_jobs()
             ended_ = 0;
             const MediaPiece& piece = scratch_.pieces[segment.piece];
             MediaJob job;
-            job.segment = static_cast<std::uint32_t>(next_);
+            job.segment = &segment;
             job.interval = segment.interval++;
             job.from = piece.from + segment.part * piece.step;
             job.step = piece.step;
@@ -147,13 +154,13 @@ void MediaStage::work_off()
 /// A number that depends on the ray, the sub-interval and the sample.
 double MediaStage::random(const MediaJob& job, std::uint32_t sample) const
 {
-    return random_of(scratch_.segments[job.segment].seed, job.interval, sample);
+    return random_of(job.segment->seed, job.interval, sample);
 }
 
 /// Every sample of the sub-interval tells the same.
 bool MediaStage::is_even(const MediaJob& job) const
 {
-    const MediaMix& mix = scratch_.mixes[scratch_.segments[job.segment].mix];
+    const MediaMix& mix = *job.segment->mix;
     return mix.control->method == Method::Adaptive && !mix.patterned && !(mix.scatters && job.lit) &&
            !(mix.scatters && has_media_photons(context_));
 }
@@ -164,10 +171,11 @@ void MediaStage::place_samples()
     int most = 0;
     std::size_t places = 0;
     for (MediaJob& job : scratch_.jobs) {
-        const plan::Media& control = *scratch_.mixes[scratch_.segments[job.segment].mix].control;
+        const plan::Media& control = job.control();
         if (control.method == Method::Adaptive) {
             job.gaps = std::max(2, control.samples_least / 2 + 1);
-            job.taken = is_even(job) ? 1 : job.gaps + 1;
+            job.even = is_even(job);
+            job.taken = job.even ? 1 : job.gaps + 1;
         } else {
             job.taken = control.samples_least;
         }
@@ -180,7 +188,7 @@ void MediaStage::place_samples()
         for (std::uint32_t i = 0; i < scratch_.jobs.size(); ++i) {
             const MediaJob& job = scratch_.jobs[i];
             if (n >= job.taken) continue;
-            const plan::Media& control = *scratch_.mixes[scratch_.segments[job.segment].mix].control;
+            const plan::Media& control = job.control();
             const auto number = static_cast<std::uint32_t>(n);
             const double jitter = control.jitter;
             double place = 0.0;
@@ -208,9 +216,6 @@ void MediaStage::take_more()
         job.squares += light * light;
         job.depths += depth;
     };
-    const auto control_of = [this](const MediaJob& job) -> const plan::Media& {
-        return *scratch_.mixes[scratch_.segments[job.segment].mix].control;
-    };
     std::vector<std::uint32_t>& asking = scratch_.asking;
     asking.clear();
     for (std::uint32_t i = 0; i < scratch_.jobs.size(); ++i) {
@@ -220,12 +225,12 @@ void MediaStage::take_more()
             const std::uint32_t at = scratch_.order[job.first + n];
             add(job, samples.light[at], samples.depth[at]);
         }
-        const plan::Media& control = control_of(job);
+        const plan::Media& control = job.control();
         if (!control.enough.empty() && job.taken < control.samples_most) asking.push_back(i);
     }
     const auto uncertain = [&](std::uint32_t i) {
         const MediaJob& job = scratch_.jobs[i];
-        const plan::Media& control = control_of(job);
+        const plan::Media& control = job.control();
         if (job.taken > control.samples_most) return false;
         const auto n = static_cast<double>(job.taken);
         const double bound = control.enough_after(static_cast<std::size_t>(job.taken));
@@ -256,14 +261,14 @@ void MediaStage::divide_gaps()
     std::vector<MediaGap>& gaps = scratch_.gaps;
     int most = 0;
     for (MediaJob& job : scratch_.jobs) {
-        if (job.gaps == 0 || job.taken == 1) continue;
+        if (job.gaps == 0 || job.even) continue;
         most = std::max(most, job.gaps);
     }
     for (int j = 0; j < most; ++j)
         for (const MediaJob& job : scratch_.jobs) {
-            if (job.taken == 1 || j >= job.gaps) continue;
+            if (job.even || j >= job.gaps) continue;
             const std::uint32_t at = job.first + static_cast<std::uint32_t>(j);
-            const plan::Media& control = *scratch_.mixes[scratch_.segments[job.segment].mix].control;
+            const plan::Media& control = job.control();
             gaps.push_back(
                 {scratch_.order[at], scratch_.order[at + 1], control.aa_level - 1, static_cast<std::uint32_t>(j) + 1u});
         }
@@ -273,7 +278,7 @@ void MediaStage::divide_gaps()
             MediaGap& gap = gaps[g];
             const std::uint32_t owner = samples.job[gap.first];
             const MediaJob& job = scratch_.jobs[owner];
-            const plan::Media& control = *scratch_.mixes[scratch_.segments[job.segment].mix].control;
+            const plan::Media& control = job.control();
             const double low = samples.place[gap.first], high = samples.place[gap.last];
             double place = 0.5 * (low + high);
             if (control.jitter != 0.0)
@@ -285,7 +290,7 @@ void MediaStage::divide_gaps()
             const MediaGap gap = gaps[g];
             if (gap.level <= 0) continue;
             const MediaJob& job = scratch_.jobs[samples.job[gap.first]];
-            const auto threshold = static_cast<float>(scratch_.mixes[scratch_.segments[job.segment].mix].threshold);
+            const auto threshold = static_cast<float>(job.segment->mix->threshold);
             const auto divide = [&](std::uint32_t MediaGap::*half, std::uint32_t from, std::uint32_t to,
                                     std::uint32_t side) {
                 if (!(apart(samples.light[from], samples.light[to]) > threshold)) return;
@@ -329,7 +334,7 @@ void MediaStage::sum_gaps()
             if (j >= job.gaps) continue;
             const float share = 1.0f / static_cast<float>(job.gaps);
             const glm::vec3 dimmed = exp_of(-job.depths * share);
-            if (job.taken == 1) {
+            if (job.even) {
                 const std::uint32_t only = scratch_.order[job.first];
                 job.sum += samples.light[only] * dimmed;
                 job.depths += samples.depth[only];
@@ -346,7 +351,7 @@ void MediaStage::sum_gaps()
 void MediaStage::compose()
 {
     for (const MediaJob& job : scratch_.jobs) {
-        MediaSegment& segment = scratch_.segments[job.segment];
+        MediaSegment& segment = *job.segment;
         const float share = 1.0f / static_cast<float>(job.taken);
         segment.glow += job.sum * share * exp_of(-segment.depth);
         segment.depth += job.depths * share;

@@ -17,8 +17,8 @@ public:
 
 private:
     void cross(HitMask segments, bool atmosphere);
-    bool find_mix(std::size_t k, bool atmosphere, std::uint32_t& mix);
-    void add_segment(std::size_t k, std::uint32_t mix);
+    const MediaMix* find_mix(std::size_t k, bool atmosphere);
+    void add_segment(std::size_t k, const MediaMix& mix);
     void find_lit(const MediaSegment& segment);
     bool take_jobs();
     void work_off();

@@ -69,6 +69,16 @@ private:
     HitMask from_each(const light::Light& light, HitMask asking)
     {
         HitMask colored = 0;
+        if (light.from_one_point()) {  // only the colour differs from point to point
+            toward_point(light, scratch_.hits, count_, scratch_.light);
+            for_each_hit(asking, [&](std::size_t k) {
+                const light::Illumination seen{scratch_.light.direction(k), scratch_.light.distance[k]};
+                const glm::vec3 color = light::color_at(light, seen, scratch_.hits.point(k));
+                scratch_.lit_colors[k] = color;
+                colored |= HitMask{dark(color) ? 0u : 1u} << k;
+            });
+            return colored;
+        }
         for_each_hit(asking, [&](std::size_t k) {
             const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
             scratch_.light.x[k] = lit.direction.x;

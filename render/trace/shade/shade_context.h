@@ -16,6 +16,7 @@
 namespace trace {
 
 class DirectBatch;
+class MediaShadows;
 
 inline constexpr double kNearlyZero = 1e-10;  ///< light and index differences below it count as none
 inline constexpr float kDark = 1e-10f;        ///< kNearlyZero for colours
@@ -123,19 +124,26 @@ void shade_layers(Context& context, DirectBatch& batch, HitContext& hit, const t
 /// Sum over the lights for one row (spec 3, 7.4).
 glm::vec3 direct_light(Context& context, const ScalarRow& row);
 
+/// What fills the space that a shadow ray crosses.
+struct ShadowAir {
+    bool atmosphere = false;        ///< what fills the whole scene dims it
+    MediaShadows* later = nullptr;  ///< receives stretches of media that have to be sampled; null: they are sampled
+    std::size_t lane = 0;           ///< of the light that those dim
+};
+
 /// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
-/// `tolerance`: of shadow rays from this point; in_air: what fills the scene dims it on its way; first: the first
+/// `tolerance`: of shadow rays from this point; first: the first
 /// crossing from the point, where it is known and solids are such that the others have to be asked for one by one
 /// (SceneTraits::restarts).
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
-                         const light::Illumination& lit, glm::vec3 color, bool in_air = false,
+                         const light::Illumination& lit, glm::vec3 color, const ShadowAir& air = {},
                          const Hit* first = nullptr);
 
 /// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point
 /// or from the light; they are turned round in place.
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
-                               Hit* crossings, std::size_t count, bool in_air = false);
+                               Hit* crossings, std::size_t count, const ShadowAir& air = {});
 
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);
@@ -187,7 +195,8 @@ glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
 
 /// Share of light that fog and media of the whole scene let pass between two distances along a shadow ray (spec
 /// 6, 2.8): fog where it is inside of nothing solid.
-glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to);
+glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to,
+                           const ShadowAir& air = {});
 
 /// Fog over the length of a ray (spec 2, section 16).
 Air fog_air(const Context& context, const csg::Ray& ray, double length);
