@@ -164,8 +164,7 @@ private:
         }
         if (caught.stops(k, scratch_.crossings.hits[ray].data(), count)) return glm::vec3(0);
         return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
-                                    lit, scratch_.rays.common_origin, scratch_.crossings.hits[ray].data(), count,
-                                    air);
+                                    lit, scratch_.rays.common_origin, scratch_.crossings.hits[ray].data(), count, air);
     }
 
     Context& context_;

@@ -11,8 +11,8 @@ class MediaDensity {
 public:
     MediaDensity() { around_.fill(&kNoSurface); }
 
-    /// Colours of a medium's densities at points, multiplied; `points` is padded. Those of `which` are found, others are
-    /// anything.
+    /// Colours of a medium's densities at points, multiplied; `points` is padded. Those of `which` are found, others
+    /// are anything.
     const TileColors& at(const plan::CompiledScene& scene, const plan::Media& media, const texture::Points& points,
                          HitMask which);
 

@@ -1,10 +1,10 @@
 #include "render/trace/media/media_extinction.h"
 
 #include "render/trace/media/media_density.h"
+#include "render/trace/media/media_exp.h"
 #include "render/trace/random.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace trace {
 namespace {
@@ -113,19 +113,12 @@ void add_stretch(DepthBatch& batch, const plan::Media& control, const ShadowStre
     }
 }
 
-glm::vec3 exp_of_negative(const glm::vec3& v)
-{
-    glm::vec3 out;
-    for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(std::exp(-static_cast<double>(v[c])));
-    return out;
-}
-
 /// Of media that are alike everywhere.
 glm::vec3 even_share(const MediaMix& mix, double length)
 {
     glm::vec3 extinction(0);
     for (std::size_t m = 0; m < mix.count; ++m) extinction += mix.members[m]->extinction;
-    return exp_of_negative(extinction * static_cast<float>(length));
+    return media_exp(-extinction * static_cast<float>(length));
 }
 
 glm::vec3 share_now_or_later(const plan::CompiledScene& scene, const MediaMix& mix, const csg::Ray& ray, double from,
@@ -147,7 +140,7 @@ glm::vec3 media_share(const plan::CompiledScene& scene, const MediaMix& mix, con
     DepthBatch batch(scene, mix);
     add_stretch(batch, *mix.control, {ray, from, to, depth});
     batch.flush();
-    return exp_of_negative(depth);
+    return media_exp(-depth);
 }
 
 void MediaShadows::add(const MediaMix& mix, const csg::Ray& ray, double from, double to, std::size_t lane)
@@ -159,8 +152,7 @@ void MediaShadows::add(const MediaMix& mix, const csg::Ray& ray, double from, do
         if (mixes_.size() < mix_count_) mixes_.emplace_back();
         mixes_[i] = mix;
     }
-    stretches_.push_back(
-        {ray, from, to, static_cast<std::uint32_t>(i), static_cast<std::uint8_t>(lane), glm::vec3(0)});
+    stretches_.push_back({ray, from, to, static_cast<std::uint32_t>(i), static_cast<std::uint8_t>(lane), glm::vec3(0)});
 }
 
 void MediaShadows::find_depths(const plan::CompiledScene& scene)
@@ -174,14 +166,13 @@ void MediaShadows::find_depths(const plan::CompiledScene& scene)
     }
 }
 
-glm::vec3 MediaShadows::share_of(const glm::vec3& depth) { return exp_of_negative(depth); }
+glm::vec3 MediaShadows::share_of(const glm::vec3& depth) { return media_exp(-depth); }
 
 glm::vec3 interior_media_share(const plan::CompiledScene& scene, const RayState& ray, double from, double to,
                                MediaShadows* later, std::size_t lane)
 {
     bool dims = false;
-    for (std::size_t i = 0; i < ray.interiors.size(); ++i)
-        dims |= scene.interiors[ray.interiors[i]].media.extinguishes;
+    for (std::size_t i = 0; i < ray.interiors.size(); ++i) dims |= scene.interiors[ray.interiors[i]].media.extinguishes;
     if (!dims || !ray.interiors.all_hollow(scene.interiors)) return glm::vec3(1);
     MediaMix mix;
     mix.add(scene, ray.interiors);

@@ -34,7 +34,8 @@ void MediaMix::add(const plan::MediaSet& set, const plan::MediaList& list)
 {
     for (std::uint32_t i = list.first; i < list.first + list.count && count < kMost; ++i) {
         const plan::Media& media = set.media[set.order[i]];
-        threshold = count == 0 ? media.aa_threshold : std::min(threshold, media.aa_threshold);
+        const auto bound = static_cast<float>(media.aa_threshold);
+        threshold = count == 0 ? bound : std::min(threshold, bound);
         if (control == nullptr || media.intervals > control->intervals) control = &media;
         scatters |= media.scatters();
         extinguishes |= media.extinguishes();

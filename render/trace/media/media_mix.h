@@ -13,7 +13,7 @@ struct MediaMix {
     std::array<const plan::Media*, kMost> members;
     std::size_t count = 0;
     const plan::Media* control = nullptr;  ///< the one with the most intervals: its ways of sampling are used for all
-    double threshold = 0;                  ///< of method 3: the least of all
+    float threshold = 0;                   ///< of method 3: the least of all
     bool scatters = false, extinguishes = false;
     bool patterned = false;  ///< some density differs from place to place
     bool plain = true;       ///< each has one density at most, of one colour

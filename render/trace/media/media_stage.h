@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/air/even_fog.h"
-#include "render/trace/media/media_samples.h"
+#include "render/trace/media/media_sampler.h"
 
 /// Media over the segments of a tile (spec 6, 2). Compiled once per instruction set.
 namespace trace {
@@ -20,14 +20,10 @@ private:
     const MediaMix* find_mix(std::size_t k, bool atmosphere);
     void add_segment(std::size_t k, const MediaMix& mix);
     void find_lit(const MediaSegment& segment);
-    bool take_jobs();
+    bool take_parts();
+    void take_part(std::size_t segment);
+    bool is_even(const MediaMix& mix, bool lit) const;
     void work_off();
-    double random(const MediaJob& job, std::uint32_t sample) const;
-    bool is_even(const MediaJob& job) const;
-    void place_samples();
-    void take_more();
-    void divide_gaps();
-    void sum_gaps();
     void compose();
 
     Context& context_;

@@ -5,7 +5,7 @@
 
 namespace trace {
 
-/// Finds what samples of sub-intervals contribute (spec 6, 2.6), 64 at a time.
+/// Finds what samples of a chunk's sub-intervals contribute (spec 6, 2.6), 64 at a time.
 class MediaSampler {
 public:
     MediaSampler(Context& context, MediaScratch& scratch, const SegmentTile& tile)
@@ -16,17 +16,20 @@ public:
     void evaluate(std::size_t first);
 
 private:
-    void batch(std::size_t first, std::size_t last);
-    void place(std::size_t first, std::size_t last);
+    void batch(std::size_t first, std::size_t count);
+    void place(std::size_t first, std::size_t count);
     void add_media();
     void add_light();
     void add_lamps(HitMask lit);
+    void dim(std::size_t first, std::size_t count);
+    void keep(std::size_t first, std::size_t count);
+    const MediaJob& job(std::size_t k) const { return scratch_.chunk.jobs[job_[k]]; }
 
     Context& context_;
     MediaScratch& scratch_;
     const SegmentTile& tile_;
-    std::array<const MediaJob*, csg::kTileRays> jobs_;
-    HitMask all_ = 0, scattering_ = 0;
+    const std::uint8_t* job_ = nullptr;  ///< of each sample of the batch at hand
+    HitMask all_ = 0;
     bool one_mix_ = true;  ///< all points of the batch are of the same media
     TileColors emission_, scattered_, extinction_;
 };

@@ -1,5 +1,6 @@
-#include "render/trace/media/media_samples.h"
+#include "render/trace/media/media_sampler.h"
 
+#include "render/trace/media/media_exp.h"
 #include "render/trace/media/media_photons.h"
 #include "render/trace/media/point_lights.h"
 #include "render/trace/queue/lane_masks.h"
@@ -35,49 +36,38 @@ void MediaSampler::evaluate(std::size_t first)
     const std::size_t end = samples.size();
     samples.light.resize(end);
     samples.depth.resize(end);
-    for (; first < end; first += csg::kTileRays) batch(first, std::min<std::size_t>(first + csg::kTileRays, end));
+    for (; first < end; first += csg::kTileRays) batch(first, std::min<std::size_t>(csg::kTileRays, end - first));
 }
 
-void MediaSampler::batch(std::size_t first, std::size_t last)
+void MediaSampler::batch(std::size_t first, std::size_t count)
 {
-    place(first, last);
+    place(first, count);
     add_media();
-    if (scattering_ != 0) add_light();
-    MediaSamples& samples = scratch_.samples;
-    for (std::size_t k = 0; k < last - first; ++k) {
-        const MediaJob& job = *jobs_[k];
-        const auto step = static_cast<float>(job.step);
-        const glm::vec3 extinction = extinction_[k];
-        glm::vec3 light = emission_[k] * step;
-        if (job.gaps == 0) {
-            const double way = samples.place[first + k] * job.step;
-            for (int c = 0; c < 3; ++c)
-                if (light[c] != 0.0f)
-                    light[c] *= static_cast<float>(std::exp(-static_cast<double>(extinction[c]) * way));
-        }
-        samples.light[first + k] = light;
-        samples.depth[first + k] = extinction * step;
-    }
+    add_light();
+    if (scratch_.chunk.control->method != plan::Media::Method::Adaptive) dim(first, count);
+    keep(first, count);
 }
 
 /// Points of the samples.
-void MediaSampler::place(std::size_t first, std::size_t last)
+void MediaSampler::place(std::size_t first, std::size_t count)
 {
-    const MediaSamples& samples = scratch_.samples;
-    scratch_.points.count = 0;
-    all_ = first_hits(static_cast<int>(last - first));
-    scattering_ = 0;
-    one_mix_ = true;
-    for (std::size_t k = 0; k < last - first; ++k) {
-        const MediaJob& job = scratch_.jobs[samples.job[first + k]];
-        const double t = job.from + samples.place[first + k] * job.step;
-        jobs_[k] = &job;
+    const MediaChunk& chunk = scratch_.chunk;
+    job_ = scratch_.samples.job.data() + first;
+    const double* at = scratch_.samples.place.data() + first;
+    texture::Points& points = scratch_.points;
+    points.count = static_cast<int>(count);
+    all_ = first_hits(points.count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = job_[k];
+        const double t = chunk.from[i] + at[k] * chunk.step[i];
         scratch_.met.t[k] = t;
-        scratch_.points.add(job.segment->ray.at(t));
-        if (job.segment->mix->scatters) scattering_ |= HitMask{1} << k;
-        one_mix_ = one_mix_ && job.segment->mix == jobs_[0]->segment->mix;
+        points.x[k] = chunk.ox[i] + t * chunk.dx[i];
+        points.y[k] = chunk.oy[i] + t * chunk.dy[i];
+        points.z[k] = chunk.oz[i] + t * chunk.dz[i];
     }
-    scratch_.points.pad();
+    points.pad();
+    one_mix_ = true;
+    for (std::size_t k = 1; k < count; ++k) one_mix_ = one_mix_ && job(k).mix == job(0).mix;
 }
 
 /// Sums over the media at each point: coefficients times densities.
@@ -86,12 +76,12 @@ void MediaSampler::add_media()
     emission_.fill(0.0f);
     scattered_.fill(0.0f);
     extinction_.fill(0.0f);
-    std::size_t most = 0;
-    for_each_hit(all_, [&](std::size_t k) { most = std::max(most, jobs_[k]->segment->mix->count); });
+    std::size_t most = job(0).mix->count;
+    if (!one_mix_) for_each_hit(all_, [&](std::size_t k) { most = std::max(most, job(k).mix->count); });
     for (std::size_t i = 0; i < most; ++i)
         for (HitMask left = all_; left != 0;) {
             const auto member = [&](std::size_t k) {
-                const MediaMix& mix = *jobs_[k]->segment->mix;
+                const MediaMix& mix = *job(k).mix;
                 return i < mix.count ? mix.members[i] : nullptr;
             };
             const plan::Media* media = member(first_hit(left));
@@ -103,8 +93,7 @@ void MediaSampler::add_media()
             left &= ~same;
             if (media == nullptr) continue;
             const TileColors* density = nullptr;
-            if (media->densities != 0)
-                density = &scratch_.density.at(context_.scene, *media, scratch_.points, same);
+            if (media->densities != 0) density = &scratch_.density.at(context_.scene, *media, scratch_.points, same);
             const LaneMask which(same);
             add_scaled(emission_, media->emission, density, which);
             add_scaled(scattered_, media->scattering, density, which);
@@ -116,17 +105,18 @@ void MediaSampler::add_media()
 void MediaSampler::add_light()
 {
     HitMask dense = 0, lit = 0;
-    for_each_hit(scattering_, [&](std::size_t k) {
+    if (one_mix_ && !job(0).mix->scatters) return;
+    for_each_hit(all_, [&](std::size_t k) {
         if (!(scattered_[k] == glm::vec3(0))) dense |= HitMask{1} << k;
-        if (jobs_[k]->lit) lit |= HitMask{1} << k;
+        if (job(k).lit) lit |= HitMask{1} << k;
     });
     if ((lit & dense) != 0) add_lamps(lit & dense);
     if (dense == 0 || !has_media_photons(context_)) return;
     std::array<glm::dvec3, csg::kTileRays> directions;
     std::array<const MediaMix*, csg::kTileRays> mixes;
     for_each_hit(dense, [&](std::size_t k) {
-        directions[k] = jobs_[k]->segment->ray.direction;
-        mixes[k] = jobs_[k]->segment->mix;
+        directions[k] = scratch_.chunk.ray(job_[k]).direction;
+        mixes[k] = job(k).mix;
     });
     TileColors light;
     media_photons(context_, scratch_.points, dense, directions, mixes, light);
@@ -139,12 +129,10 @@ void MediaSampler::add_lamps(HitMask lit)
     Context own(context_, context_.scratch.nested());
     if (own.scratch.shade.traits.surfaces.empty()) own.scratch.shade.traits = context_.scratch.shade.traits;
     std::array<const InteriorList*, csg::kTileRays> around;
-    std::array<std::uint8_t, csg::kTileRays> segment;
     HitMask segments = 0;
     for_each_hit(lit, [&](std::size_t k) {
-        around[k] = &tile_.interiors(jobs_[k]->segment->lane);
-        segment[k] = static_cast<std::uint8_t>(jobs_[k]->segment - scratch_.segments.data());
-        segments |= HitMask{1} << segment[k];
+        around[k] = &tile_.interiors(job(k).lane);
+        segments |= HitMask{1} << job(k).segment;
     });
     PointLights points(own, scratch_.met, around, scratch_.points);
     PhotonShadow& caught = own.scratch.shade.photon_shadow;
@@ -155,7 +143,7 @@ void MediaSampler::add_lamps(HitMask lit)
         if ((reach.reached & segments) == 0) continue;
         HitMask asking = 0;
         for_each_hit(lit, [&](std::size_t k) {
-            const std::uint8_t s = segment[k];
+            const std::uint8_t s = job(k).segment;
             const double t = scratch_.met.t[k];
             const bool inside = reach.from[s] <= t && t <= reach.to[s];
             asking |= HitMask{inside ? 1u : 0u} << k;
@@ -163,11 +151,40 @@ void MediaSampler::add_lamps(HitMask lit)
         if (asking == 0) continue;
         caught.of_light(i);
         for_each_hit(points.ask(lights[i], asking), [&](std::size_t k) {
-            const MediaSegment& of = *jobs_[k]->segment;
-            const auto turned = static_cast<float>(of.mix->phase(glm::dot(of.ray.direction, points.direction(k))));
+            const double cosine = glm::dot(scratch_.chunk.ray(job_[k]).direction, points.direction(k));
+            const auto turned = static_cast<float>(job(k).mix->phase(cosine));
             emission_.set(k, emission_[k] + turned * scattered_[k] * points.color(k));
         });
     }
+}
+
+/// Methods 1 and 2: what lies before a sample in its sub-interval dims it.
+void MediaSampler::dim(std::size_t first, std::size_t count)
+{
+    for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue})
+        for (std::size_t k = 0; k < count; ++k) {
+            float& light = (emission_.*channel)[k];
+            if (light == 0.0f) continue;
+            const double way = scratch_.samples.place[first + k] * scratch_.chunk.step[job_[k]];
+            light *= static_cast<float>(media_exp(-static_cast<double>((extinction_.*channel)[k]) * way));
+        }
+}
+
+/// Contributions and optical depths.
+void MediaSampler::keep(std::size_t first, std::size_t count)
+{
+    alignas(64) TileFloats step;
+    for (std::size_t k = 0; k < count; ++k) step[k] = static_cast<float>(scratch_.chunk.step[job_[k]]);
+    const auto scale = [&](const TileFloats& found, std::vector<float>& out) {
+        for (std::size_t k = 0; k < count; ++k) out[first + k] = found[k] * step[k];
+    };
+    MediaSamples& samples = scratch_.samples;
+    scale(emission_.red, samples.light.red);
+    scale(emission_.green, samples.light.green);
+    scale(emission_.blue, samples.light.blue);
+    scale(extinction_.red, samples.depth.red);
+    scale(extinction_.green, samples.depth.green);
+    scale(extinction_.blue, samples.depth.blue);
 }
 
 }  // namespace trace
