@@ -46,7 +46,7 @@ private:
         const auto order = [&](std::ptrdiff_t a, std::ptrdiff_t b) {
             if (value(a) > value(b)) swap(a, b);
         };
-        while (right > left + 1) {
+        while (right > left) {  // of two, the larger may come first, as in POV-Ray
             swap((left + right) / 2, left + 1);
             order(left + 1, right);
             order(left, right);
@@ -66,7 +66,6 @@ private:
             if (k > middle) right = k - 1;
             else left = k + 1;
         }
-        if (right == left + 1) order(left, right);
     }
 
     const Photon& at(std::ptrdiff_t i) const { return photons_[static_cast<std::size_t>(i)]; }

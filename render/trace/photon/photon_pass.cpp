@@ -134,16 +134,42 @@ private:
     {
         const std::size_t tasks = (emissions_.size() + kTask - 1) / kTask;
         if (yields_.size() < tasks) yields_.resize(tasks);
+        starts_.assign(tasks, media_jitter_);
+        if (leaves_in_media_) {
+            // How many random numbers come before those of each photon is known when all of them have been counted.
+            if (!run(flight, tasks, true)) return false;
+            std::uint64_t sum = 0;
+            for (std::size_t i = 0; i < tasks; ++i) {
+                starts_[i].skip(sum);
+                sum += yields_[i].draws_end.back();
+            }
+        }
+        return run(flight, tasks, false);
+    }
+
+    bool run(const PhotonFlight& flight, std::size_t tasks, bool counting)
+    {
         std::atomic<bool> stopped = false;
         arena_.execute([&] {
             tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t i) {
                 const std::size_t first = i * kTask, count = std::min(kTask, emissions_.size() - first);
                 if (stopped || !kernel_.follow_photons(*tracers_.local(), flight,
-                                                       std::span(emissions_).subspan(first, count), yields_[i]))
+                                                       std::span(emissions_).subspan(first, count),
+                                                       counting ? nullptr : &starts_[i], yields_[i]))
                     stopped = true;
             });
         });
         return !stopped;
+    }
+
+    /// The stream of photons in media goes on behind the last photon that counts.
+    void move_media_jitter(std::size_t photons)
+    {
+        if (!leaves_in_media_ || photons == 0) return;
+        const std::size_t task = (photons - 1) / kTask;
+        JitterStream after = starts_[task];
+        after.skip(yields_[task].draws_end[(photons - 1) % kTask]);
+        media_jitter_ = after;
     }
 
     /// What the rings have left, up to the one where shooting stops. False: it stops.
@@ -163,10 +189,12 @@ private:
             first = ring.end;
             if (hit_ && !hit && ring.reach > plan_.settings.autostop) {
                 jitter_ = ring.jitter;
+                move_media_jitter(ring.end);
                 return false;
             }
             hit_ |= hit;
         }
+        move_media_jitter(emissions_.size());
         return true;
     }
 
@@ -192,7 +220,7 @@ private:
         double reach;
         JitterStream jitter;  ///< when it was made
     };
-    static constexpr std::size_t kTask = 64;  ///< photons that a thread takes at a time
+    static constexpr std::size_t kTask = PhotonTracer::kMost;  ///< photons that a thread takes at a time
 
     const plan::CompiledScene& scene_;
     const plan::PhotonPlan& plan_ = *scene_.photons;
@@ -201,7 +229,9 @@ private:
     const int threads_;
     tbb::task_arena arena_;
     tbb::enumerable_thread_specific<Tracer> tracers_;
-    JitterStream jitter_;
+    JitterStream jitter_, media_jitter_;
+    const bool leaves_in_media_ = plan_.settings.media_steps > 0 && !scene_.media.media.empty();
+    std::vector<JitterStream> starts_;  ///< by task, of its first photon in media
     std::vector<Emission> emissions_;
     std::vector<Ring> rings_;
     std::vector<PhotonYield> yields_;

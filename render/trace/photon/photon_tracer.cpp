@@ -1,6 +1,7 @@
 #include "render/trace/photon/photon_tracer.h"
 
 #include "render/texture/evaluate.h"
+#include "render/trace/photon/photon_air.h"
 #include "render/trace/shade/refraction.h"
 
 #include <algorithm>
@@ -21,11 +22,41 @@ public:
         scratch_.shade.traits = scene_traits(scene);
     }
 
-    void follow(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out)
+    void follow(const PhotonFlight& flight, std::span<const Emission> photons, const JitterStream& jitter,
+                PhotonYield& out)
     {
-        flight_ = &flight;
-        for (std::size_t first = 0; first < photons.size(); first += kTileRays)
-            follow_tile(photons.subspan(first, std::min<std::size_t>(kTileRays, photons.size() - first)), out);
+        fly(flight, photons, &jitter, &out);
+        out.surface.clear();
+        out.media.clear();
+        out.surface_end.clear();
+        out.media_end.clear();
+        out.hit.clear();
+        for (std::size_t i = 0; i < photons.size(); ++i) {
+            in_order(static_cast<std::uint32_t>(i), [&](std::uint32_t s) {
+                const PhotonStep& step = steps_[s];
+                const auto first = stay_.begin() + static_cast<std::ptrdiff_t>(step.media);
+                out.media.insert(out.media.end(), first, first + static_cast<std::ptrdiff_t>(step.media_count));
+                if (step.stays) out.surface.push_back(step.photon);
+            });
+            out.surface_end.push_back(static_cast<std::uint32_t>(out.surface.size()));
+            out.media_end.push_back(static_cast<std::uint32_t>(out.media.size()));
+            out.hit.push_back(has(hits_, i) ? 1 : 0);
+        }
+    }
+
+    void count(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out)
+    {
+        fly(flight, photons, nullptr, nullptr);
+        out.draws_end.clear();
+        out.draws_before.assign(steps_.size(), 0);
+        std::uint64_t sum = 0;
+        for (std::size_t i = 0; i < photons.size(); ++i) {
+            in_order(static_cast<std::uint32_t>(i), [&](std::uint32_t s) {
+                out.draws_before[s] = sum;
+                sum += steps_[s].draws;
+            });
+            out.draws_end.push_back(sum);
+        }
     }
 
 private:
@@ -45,16 +76,26 @@ private:
         std::uint32_t first = kNoStep, last = kNoStep, next = kNoStep;  ///< steps of photons that go on from here
         bool stays = false;
         Photon photon;
+        std::uint64_t draws = 0;                    ///< of random numbers on its way through media
+        std::size_t media = 0, media_count = 0;     ///< photons that it has left there, in stay_
     };
 
-    void follow_tile(std::span<const Emission> photons, PhotonYield& out)
+    /// All ways of the photons. jitter, known: null to count draws; else PhotonYield::draws_before tells where each
+    /// step's begin.
+    void fly(const PhotonFlight& flight, std::span<const Emission> photons, const JitterStream* jitter,
+             const PhotonYield* known)
     {
+        flight_ = &flight;
+        jitter_ = jitter;
+        known_ = known;
         steps_.clear();
         steps_.resize(photons.size());
+        stay_.clear();
+        flying_.clear();
         hits_ = 0;
         for (std::size_t i = 0; i < photons.size(); ++i) {
-            Flying start{
-                {}, photons[i].color, photons[i].depth, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)};
+            const auto index = static_cast<std::uint32_t>(i);
+            Flying start{{}, photons[i].color, photons[i].depth, index, index};
             start.state.ray = {photons[i].origin, photons[i].direction};
             start.state.start = scene_.tolerance.hit;
             start.state.kind = plan::RayKind::Photon;
@@ -62,24 +103,20 @@ private:
             flying_.push_back(start);
         }
         while (!flying_.empty()) trace_some();
-        for (std::size_t i = 0; i < photons.size(); ++i) {
-            collect(static_cast<std::uint32_t>(i), out);
-            out.surface_end.push_back(static_cast<std::uint32_t>(out.surface.size()));
-            out.media_end.push_back(static_cast<std::uint32_t>(out.media.size()));
-            out.hit.push_back(has(hits_, i) ? 1 : 0);
-        }
     }
 
-    /// In the order of the ways, without recursion.
-    void collect(std::uint32_t root, PhotonYield& out)
+    /// f(step) for all that a photon leaves, one way after the other.
+    template <class F>
+    void in_order(std::uint32_t root, F&& f)
     {
         order_.assign(1, root);
         while (!order_.empty()) {
-            const PhotonStep& step = steps_[order_.back()];
+            const std::uint32_t at = order_.back();
             order_.pop_back();
-            if (step.stays) out.surface.push_back(step.photon);
+            f(at);
             const std::size_t begin = order_.size();
-            for (std::uint32_t next = step.first; next != kNoStep; next = steps_[next].next) order_.push_back(next);
+            for (std::uint32_t next = steps_[at].first; next != kNoStep; next = steps_[next].next)
+                order_.push_back(next);
             std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(begin), order_.end());
         }
     }
@@ -116,9 +153,9 @@ private:
         const plan::PhotonSurface& rules = plan_.surfaces[surface.photons];
         const HitDetails details = hit_details(context_, photon.state.ray, hit);
         const bool inside = glm::dot(details.normal, photon.state.ray.direction) > 0.0;
-        const HitPlace place{
-            photon.state,           hit,   surface, details.point, inside ? -details.normal : details.normal,
-            photon.state.level + 1, inside};
+        const HitPlace place{photon.state,      hit,   surface, details.point, inside ? -details.normal : details.normal,
+                             photon.state.level + 1, inside};
+        cross_media(photon, place);
         photon.depth += hit.t;
         fade(photon, place);
         if (photon.seeking) {
@@ -130,6 +167,25 @@ private:
         }
         if (place.level > 1 && !photon.passed && rules.collect) stay(photon, place);
         go_on(photon, place, details, rules);
+    }
+
+    /// Interior media on the way to a surface.
+    void cross_media(Flying& photon, const HitPlace& place)
+    {
+        if (photon.state.interiors.empty()) return;
+        const bool leaves = place.level > 1 && !photon.passed && plan_.settings.media_steps > 0;
+        const PhotonStretch stretch{photon.state.ray, place.met.t,  photon.state.interiors,
+                                    place.surface,    photon.depth, leaves};
+        PhotonStep& step = steps_[photon.step];
+        if (jitter_ == nullptr) {
+            step.draws = air_.draws(*flight_, stretch);
+            return;
+        }
+        JitterStream jitter = *jitter_;
+        if (!known_->draws_before.empty()) jitter.skip(known_->draws_before[photon.step]);
+        step.media = stay_.size();
+        air_.cross(*flight_, stretch, jitter, photon.color);
+        step.media_count = stay_.size() - step.media;
     }
 
     /// Light fades inside of the surface's own interior.
@@ -161,14 +217,10 @@ private:
 
     void stay(const Flying& photon, const HitPlace& place)
     {
-        double share = flight_->step * flight_->step;
-        if (!flight_->parallel) share *= photon.depth * photon.depth;
-        const light::Light& light = *flight_->light;
-        if (light.fade_power > 0.0 && std::abs(light.fade_distance) > kNearlyZero)
-            share *= 2.0 / (1.0 + std::pow(photon.depth / light.fade_distance, light.fade_power));
         PhotonStep& step = steps_[photon.step];
         step.stays = true;
-        step.photon = make_photon(place.point, photon.color * static_cast<float>(share), -photon.state.ray.direction);
+        step.photon = make_photon(place.point, photon_flux(*flight_, photon.color, photon.depth, 2),
+                                  -photon.state.ray.direction);
     }
 
     /// What a texture's layers send on.
@@ -185,8 +237,8 @@ private:
         const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
         const auto layers = [&](const texture::Texture& of, const glm::dvec3& at, float share) {
             const LayerStack stack = layer_stack(context_, hit, of, at);
-            if (refracts) transmit(photon, hit, stack, share);
-            if (reflects) mirror(photon, hit, stack, share);
+            const bool total = refracts && transmit(photon, hit, stack, share);
+            if (reflects && !total) mirror(photon, hit, stack, share);
         };
         if (surface.blends() && surface.part_count == 0 && texture == surface.texture) {
             const std::array<std::uint32_t, 3> corners{surface.texture, surface.corner_textures[0],
@@ -226,19 +278,19 @@ private:
         if (upper > 0.0f) each_plain(set.children[blend.upper], q, hit, share * upper, f);
     }
 
-    /// Through the surface, or back where nothing gets through.
-    void transmit(const Flying& photon, const HitContext& hit, const LayerStack& stack, float share)
+    /// Through the surface, or back where nothing gets through; whether that is so.
+    bool transmit(const Flying& photon, const HitContext& hit, const LayerStack& stack, float share)
     {
-        if (!(stack.residual > static_cast<float>(plan_.adc_bailout))) return;
+        if (!(stack.residual > static_cast<float>(plan_.adc_bailout))) return false;
         Refracted next;
         const float weight = photon.state.weight * largest(glm::abs(stack.filter));
-        if (!refract(context_, hit, stack.top_normal, weight, next)) return;
-        const glm::vec3 passed = photon.color * stack.filter * scene_.interiors[hit.surface.interior].transmission *
-                                 share;
+        if (!refract(context_, hit, stack.top_normal, weight, next)) return false;
+        const glm::vec3 passed = photon.color * stack.filter * scene_.interiors[hit.surface.interior].transmission * share;
         if (next.samples == 0) {
             Flying on = sent(photon, next.ray, next.total ? photon.color * share : passed);
             if (next.total) on.state.weight = photon.state.weight;
-            return send(std::move(on), photon);
+            send(std::move(on), photon);
+            return next.total;
         }
         for (int i = 0; i < next.samples; ++i) {
             RayState ray;
@@ -246,13 +298,15 @@ private:
             const glm::vec3 part = hue(wavelength(i, next.samples), next.samples) / static_cast<float>(next.samples);
             send(sent(photon, ray, part * (through ? passed : photon.color * share)), photon);
         }
+        return false;
     }
 
     /// One photon for each layer that mirrors, all about the normal of the last one. POV-Ray weighs it by the square of
     /// what is mirrored.
     void mirror(const Flying& photon, const HitContext& hit, const LayerStack& stack, float share)
     {
-        for (const Mirror& of : stack.mirrors) {
+        for (std::size_t i = 0; i < stack.mirrors.size(); ++i) {
+            const Mirror& of = stack.mirrors[i];
             if (black(of.reflectivity)) continue;
             const RayState ray = mirrored(context_, hit, stack.mirrors.back().normal,
                                           photon.state.weight * largest(of.reflectivity) * largest(of.reflectivity));
@@ -289,6 +343,10 @@ private:
     std::vector<Flying> flying_, tracing_;
     std::vector<PhotonStep> steps_;
     std::vector<std::uint32_t> order_;
+    std::vector<Photon> stay_;  ///< in media
+    PhotonAir air_{scene_, stay_};
+    const JitterStream* jitter_ = nullptr;
+    const PhotonYield* known_ = nullptr;
     HitMask hits_ = 0;
     RayTile rays_;
     HitTile met_;
@@ -299,11 +357,21 @@ PhotonTracer::PhotonTracer(const plan::CompiledScene& scene, const std::atomic<b
 {}
 PhotonTracer::~PhotonTracer() = default;
 
-bool PhotonTracer::follow(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out)
+bool PhotonTracer::follow(const PhotonFlight& flight, std::span<const Emission> photons, const JitterStream& jitter,
+                          PhotonYield& out)
 {
-    out.clear();
     try {
-        impl_->follow(flight, photons, out);
+        impl_->follow(flight, photons, jitter, out);
+    } catch (const csg::Cancelled&) {
+        return false;
+    }
+    return true;
+}
+
+bool PhotonTracer::count(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out)
+{
+    try {
+        impl_->count(flight, photons, out);
     } catch (const csg::Cancelled&) {
         return false;
     }

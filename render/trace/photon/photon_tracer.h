@@ -27,15 +27,9 @@ struct PhotonYield {
     std::vector<Photon> surface, media;
     std::vector<std::uint32_t> surface_end, media_end;  ///< by emission: how many there are up to it
     std::vector<std::uint8_t> hit;                      ///< by emission: it met the target
-
-    void clear()
-    {
-        surface.clear();
-        media.clear();
-        surface_end.clear();
-        media_end.clear();
-        hit.clear();
-    }
+    /// Numbers that photons draw on their way through media: by emission, how many there are up to it; by step of the
+    /// photons, in the order in which they are traced, how many come before it.
+    std::vector<std::uint64_t> draws_end, draws_before;
 };
 
 /// Follows photons for one thread.
@@ -46,8 +40,15 @@ public:
     PhotonTracer(const PhotonTracer&) = delete;
     PhotonTracer& operator=(const PhotonTracer&) = delete;
 
-    /// False: `cancel` was set meanwhile.
-    bool follow(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out);
+    static constexpr std::size_t kMost = 64;  ///< photons at a time
+
+    /// Follows up to kMost photons. Where some may stay in media they have been counted before: `jitter` is where the
+    /// stream stands that the first of them draws from. False: `cancel` was set meanwhile.
+    bool follow(const PhotonFlight& flight, std::span<const Emission> photons, const JitterStream& jitter,
+                PhotonYield& out);
+
+    /// Finds PhotonYield::draws_end and draws_before alone.
+    bool count(const PhotonFlight& flight, std::span<const Emission> photons, PhotonYield& out);
 
 private:
     class Impl;
