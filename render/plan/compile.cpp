@@ -1,5 +1,6 @@
 #include "render/plan/camera_starts.h"
 #include "render/plan/compiled_scene.h"
+#include "render/plan/compile_subsurface.h"
 #include "render/plan/geometry/geometry.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,7 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     for (const scene::Media& one : description.media) atmosphere.push_back(std::make_shared<const scene::Media>(one));
     out.atmosphere = media.list(atmosphere);
     geometry.finish();
+    out.subsurface = compile_subsurface(description, options.quality, out.interiors);
     const bool dims = (!out.fogs.empty() && options.quality >= 9) || out.atmosphere.extinguishes;
     for (light::Light& light : out.lights.lights) light.atmosphere = light.atmosphere && dims;
     out.radiosity = radiosity(description, out);

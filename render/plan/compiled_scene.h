@@ -8,6 +8,7 @@
 #include "render/plan/textures/media_compiler.h"
 #include "render/plan/mesh_camera.h"
 #include "render/plan/photons.h"
+#include "render/plan/subsurface.h"
 #include "render/plan/surface.h"
 #include "render/scene/description.h"
 #include "render/texture/sky.h"
@@ -110,6 +111,7 @@ struct CompiledScene {
     std::uint32_t camera_normal = kNone;            ///< index into textures.normals
     std::uint32_t bokeh = kNone;                    ///< index into textures.pigments: the shape of points out of focus
     std::shared_ptr<const PhotonPlan> photons;      ///< null: none are shot or read
+    std::shared_ptr<const SubsurfacePlan> subsurface;  ///< null: finishes with `subsurface` are ordinary ones
     Settings settings;
     Options options;
     std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)

@@ -40,6 +40,10 @@ struct Finish {
     float reflection_power = 1;  ///< the mirrored colour is raised to it
     bool fresnel = false, conserve_energy = false;
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
+    /// Light goes below the surface: `diffuse` is 0 then and this is what it was, before albedo. Translucency: mm.
+    bool subsurface = false;
+    float subsurface_diffuse = 0;
+    glm::vec3 translucency{0};
 
     bool lit() const { return diffuse != 0 || diffuse_back != 0 || phong != 0 || specular != 0; }
     bool reflects() const { return reflection_min != glm::vec3(0) || reflection_max != glm::vec3(0); }

@@ -68,8 +68,6 @@ public:
     bool guessed = false;
     bool default_given = false;
     std::optional<scene::SourceRef> global_settings;  ///< the first such block
-    /// Something was read that is not drawn yet and that a scene asks for only by an object that has it.
-    bool unsupported_in_objects = false;
 
 private:
     /// One statement of the scene; false at the end of the text.

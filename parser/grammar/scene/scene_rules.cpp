@@ -207,7 +207,7 @@ void SceneBuilder::tell_missing_settings()
 
 void SceneBuilder::tell_unsupported()
 {
-    for (scene::Unsupported& feature : scene::unsupported_features(description, unsupported_in_objects))
+    for (scene::Unsupported& feature : scene::unsupported_features(description))
         description.unsupported.push_back(std::move(feature));
     for (const scene::Unsupported& feature : description.unsupported)
         stream_->warn(feature.source, feature.what + ": not rendered yet, the picture is made without it");

@@ -131,7 +131,6 @@ struct irid : item<Kind::Irid> {
 struct subsurface : item<Kind::Subsurface> {
     static void act(FinishState& s)
     {
-        s.build.unsupported_in_objects = true;
         s.finish.subsurface = read_finish_subsurface(s.build);
     }
 };

@@ -40,7 +40,6 @@ struct refraction : item<Kind::Refraction, a_number> {
 struct media : item<Kind::Media> {
     static void act(InteriorState& s)
     {
-        s.build.unsupported_in_objects = true;
         s.interior.media.push_back(std::make_shared<const scene::Media>(read_media(s.build)));
     }
 };

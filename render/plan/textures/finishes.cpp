@@ -1,3 +1,4 @@
+#include "render/plan/compile_subsurface.h"
 #include "render/plan/textures/textures.h"
 
 #include <cmath>
@@ -42,6 +43,12 @@ std::uint32_t TextureCompiler::finish(const scene::Finish& from)
     to.irid = from.irid;
     to.irid_thickness = from.irid_thickness;
     to.irid_turbulence = from.irid_turbulence;
+    if (from.subsurface && has_subsurface(scene_.global, quality_)) {
+        to.subsurface = true;
+        to.subsurface_diffuse = from.diffuse;
+        to.translucency = from.subsurface->translucency;
+        to.diffuse = to.diffuse_back = 0.0f;
+    }
     out_.finishes.push_back(to);
     return static_cast<std::uint32_t>(out_.finishes.size() - 1);
 }

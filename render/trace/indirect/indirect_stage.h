@@ -5,6 +5,7 @@
 #include "render/trace/photon/photon_light.h"
 #include "render/trace/queue/segment_tile.h"
 #include "render/trace/radiosity/radiosity_stage.h"
+#include "render/trace/subsurface/subsurface_stage.h"
 
 /// Light that comes from no lamp, over a tile's rows: photons, radiosity, light below the surface. Compiled once per
 /// instruction set.
@@ -19,6 +20,7 @@ public:
     /// Adds to what the lights have given to the rows (RowPage::gained).
     void run()
     {
+        if (context_.scene.subsurface != nullptr) add_below();
         if (context_.indirect != nullptr) add();
     }
 
@@ -30,6 +32,13 @@ private:
         if (const radiosity::Field* field = context_.indirect->radiosity.get();
             field != nullptr && context_.bounce < field->settings().recursion_limit)
             RadiosityStage(context_, tile_, batch_).run();
+    }
+
+    [[gnu::noinline]] void add_below()
+    {
+        const radiosity::Field* field = context_.indirect != nullptr ? context_.indirect->radiosity.get() : nullptr;
+        if (context_.bounce == 0 || (field != nullptr && field->settings().subsurface))
+            add_subsurface_light(context_, tile_, batch_);
     }
 
     Context& context_;

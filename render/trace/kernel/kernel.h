@@ -19,6 +19,7 @@ struct Emission;
 struct IndirectLight;
 struct PhotonFlight;
 struct PhotonYield;
+class JitterStream;
 
 /// Functions of one module. A BlockTracer belongs to one thread and lives inside the module that made it.
 struct KernelTable {
@@ -35,9 +36,9 @@ struct KernelTable {
     /// A PhotonTracer belongs to one thread, as a BlockTracer does.
     PhotonTracer* (*make_photons)(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
     void (*free_photons)(PhotonTracer* tracer);
-    /// PhotonTracer::follow.
+    /// PhotonTracer::follow, and where `jitter` is null count.
     bool (*follow_photons)(PhotonTracer& tracer, const PhotonFlight& flight, std::span<const Emission> photons,
-                           PhotonYield& out);
+                           const JitterStream* jitter, PhotonYield& out);
     function::Evaluators evaluators;  ///< for the fields of solids, which live outside of the module
 };
 

@@ -44,7 +44,7 @@ struct Context {
     Context(const Context& outer, Scratch& own)
         : scene(outer.scene), world(outer.world), scratch(own), indirect(outer.indirect), lights(outer.lights),
           max_trace_level(outer.max_trace_level), adc_bailout(outer.adc_bailout), bounce(outer.bounce),
-          filling(outer.filling)
+          below(outer.below), filling(outer.filling)
     {}
     /// For rays that gather light from within shading, by the rules of the bounce that they start at.
     Context gathering(const radiosity::BounceRules& rules) const;
@@ -57,6 +57,7 @@ struct Context {
     int max_trace_level;
     double adc_bailout;
     int bounce = 0;                         ///< of light that is gathered: 0 for what the camera sees (spec 6, 4.1)
+    int below = 0;                          ///< surfaces below which the rays have come unscattered (spec 6, 5.2)
     radiosity::Filling* filling = nullptr;  ///< a pass of radiosity: what it finds; null: in the picture
 
 private:

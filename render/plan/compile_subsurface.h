@@ -1,0 +1,18 @@
+#pragma once
+
+#include "render/plan/subsurface.h"
+#include "render/plan/textures/interior.h"
+#include "render/scene/description.h"
+
+#include <memory>
+
+namespace plan {
+
+/// Null where the scene does not ask for it or the quality leaves it out. interiors: all of the scene.
+std::shared_ptr<const SubsurfacePlan> compile_subsurface(const scene::Description& description, int quality,
+                                                         const std::vector<Interior>& interiors);
+
+/// Whether finishes with `subsurface` are more than ordinary ones.
+bool has_subsurface(const scene::GlobalSettings& global, int quality);
+
+}  // namespace plan

@@ -1,0 +1,358 @@
+#include "render/trace/subsurface/subsurface_stage.h"
+
+#include "render/trace/media/point_lights.h"
+#include "render/trace/random.h"
+#include "render/trace/shade/shade.h"
+#include "render/trace/subsurface/scattering.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trace {
+namespace {
+
+constexpr double kFromBelow = 1e-10;  ///< where rays from below a surface begin: they start on none
+
+/// A row that waits for light from below.
+struct Site {
+    std::size_t lane, row;
+    std::uint32_t interior;
+    glm::dvec3 point, normal, viewer;  ///< unit; the normal faces the viewer
+    Scattering matter;
+    std::uint64_t seed;
+    glm::dvec3 base;  ///< rays are sent from there
+    glm::dvec3 diffuse{0}, single{0}, unscattered{0};
+    int met = 0;  ///< rays that met something
+
+    double cosine() const { return glm::dot(normal, viewer); }
+};
+
+class SubsurfaceLight {
+public:
+    SubsurfaceLight(Context& context, const SegmentTile& tile)
+        : context_(context), plan_(*context.scene.subsurface), tile_(tile),
+          own_(context, context.scratch.nested())
+    {
+        ++own_.below;
+        if (own_.scratch.shade.traits.surfaces.empty()) own_.scratch.shade.traits = context.scratch.shade.traits;
+        around_.fill(&nothing_);
+    }
+
+    void add_site(std::size_t k, std::size_t row, const RowPage& at)
+    {
+        const plan::CompiledScene& scene = context_.scene;
+        const texture::Finish& finish = *at.finish[k];
+        const std::uint32_t interior = scene.surfaces[tile_.hits.surface[k]].interior;
+        if (interior == plan::kNone) return;
+        const InteriorList& outside = tile_.interiors(k);
+        double eta = static_cast<double>(scene.interiors[interior].ior);
+        if (!outside.empty()) eta /= static_cast<double>(scene.interiors[outside.last()].ior);
+        const glm::dvec3 point = context_.scratch.shade.hits.point(k), normal = context_.scratch.shade.hits.normal(k);
+        const glm::dvec3 viewer = -tile_.ray(k).direction;
+        sites_.push_back({k, row, interior, point, normal, viewer,
+                          Scattering(at.pigment[k] * finish.subsurface_diffuse, finish.translucency, eta,
+                                     plan_.tables[plan_.table_of[interior]]),
+                          random_seed(point, viewer), point});
+    }
+
+    void run()
+    {
+        // Light that has come from below a surface looks at the next one with one sample, and below that at none.
+        const int diffuse = context_.below > 0 ? std::min(1, plan_.diffuse_samples) : plan_.diffuse_samples;
+        const int single = context_.below > 0 ? std::min(1, plan_.single_samples) : plan_.single_samples;
+        if (context_.below > 1 || sites_.empty()) return;
+        find_bases();
+        add_diffuse(diffuse);
+        find_ways_out();
+        add_single(single);
+        add_unscattered();
+    }
+
+    template <class F>
+    void each(F&& f) const
+    {
+        for (const Site& site : sites_) f(site.lane, site.row, glm::vec3(site.diffuse + site.single + site.unscattered));
+    }
+
+private:
+    std::uint32_t interior_of(csg::SurfaceId surface) const { return context_.scene.surfaces[surface].interior; }
+
+    void trace(int count)
+    {
+        rays_.count = count;
+        rays_.common_origin = false;
+        context_.world.nearest(rays_, bit(plan::RayKind::Image), own_.scratch.geometry, met_);
+        found_ = first_hits(count) & ~csg::lanes::equal(met_.surface, csg::kNoSurface);
+    }
+
+    /// A point below each site, half way where the object is thin.
+    void find_bases()
+    {
+        for (std::size_t first = 0; first < sites_.size(); first += kTileRays) {
+            const std::size_t count = std::min<std::size_t>(kTileRays, sites_.size() - first);
+            for (std::size_t i = 0; i < count; ++i) {
+                const Site& site = sites_[first + i];
+                rays_.set(i, {site.point, -site.normal}, context_.scene.tolerance.hit, 2.0 * way_of(site));
+            }
+            trace(static_cast<int>(count));
+            for (std::size_t i = 0; i < count; ++i) {
+                Site& site = sites_[first + i];
+                double way = way_of(site);
+                if (has(found_, i) && interior_of(met_.surface[i]) == site.interior) way = 0.5 * met_.t[i];
+                else if (has(found_, i)) way = std::min(way, met_.t[i] - kNearlyZero);
+                site.base = site.point - way * site.normal;
+            }
+        }
+    }
+
+    /// Mean free path in scene units.
+    double way_of(const Site& site) const { return site.matter.mean_way() / plan_.mm_per_unit; }
+
+    /// Light that goes in somewhere around the site, is scattered many times and comes out there (spec 6, 5.3).
+    void add_diffuse(int samples)
+    {
+        const std::size_t cycle = plan_.directions.size();
+        std::size_t waiting = 0;
+        const auto flush = [&] {
+            if (waiting != 0) light_diffuse(static_cast<int>(waiting));
+            waiting = 0;
+        };
+        for (std::size_t s = 0; s < sites_.size(); ++s) {
+            const Site& site = sites_[s];
+            if (!(way_of(site) > 0.0)) continue;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(samples); ++i) {
+                owner_[waiting] = s;
+                const glm::dvec3& direction = plan_.directions[(site.seed + i) % cycle];
+                rays_.set(waiting++, {site.base, direction}, kFromBelow, csg::kInfinity);
+                if (waiting == kTileRays) flush();
+            }
+        }
+        flush();
+        for (Site& site : sites_)
+            if (site.met > 0) site.diffuse /= static_cast<double>(site.met);
+    }
+
+    void light_diffuse(int count)
+    {
+        trace(count);
+        HitMask same = 0;
+        for_each_hit(found_, [&](std::size_t k) {
+            Site& site = sites_[owner_[k]];
+            ++site.met;
+            if (interior_of(met_.surface[k]) == site.interior) same |= HitMask{1} << k;
+        });
+        constexpr double kFlattest = 0.01;
+        light_points(same, [&](std::size_t k, const glm::dvec3& to_light, const glm::vec3& color) {
+            Site& site = sites_[owner_[k]];
+            const glm::dvec3 normal = places_.normal(k), direction{rays_.dx[k], rays_.dy[k], rays_.dz[k]};
+            const double cosine = std::abs(glm::dot(normal, to_light));
+            if (!(cosine >= kNearlyZero)) return;
+            const double mm = met_.t[k] * plan_.mm_per_unit;
+            const double area = 4.0 * std::numbers::pi * mm * mm /
+                                std::max(kFlattest, std::abs(glm::dot(direction, normal)));
+            const double share = area * cosine * fresnel_passed(cosine, site.matter.eta) *
+                                 fresnel_passed(site.cosine(), site.matter.eta);
+            const double apart = glm::length(places_.point(k) - site.point) * plan_.mm_per_unit;
+            for (int c = 0; c < 3; ++c)
+                site.diffuse[c] += share * site.matter.dipole(c, apart) * static_cast<double>(color[c]);
+        });
+    }
+
+    /// f(k, unit vector to the light, colour) for every light that reaches a point that was met.
+    template <class F>
+    void light_points(HitMask which, F&& f)
+    {
+        if (which == 0) return;
+        context_.world.places(rays_, met_, which, places_);
+        texture::Points points;
+        points.count = 0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(rays_.count); ++k)
+            points.add(has(which, k) ? places_.point(k) : glm::dvec3(0));
+        points.pad();
+        const auto& lights = context_.lights.lights;
+        for (std::size_t i = 0; i < lights.size(); ++i) ask(lights[i], which, points, f);
+    }
+
+    template <class F>
+    void ask(const light::Light& light, HitMask which, const texture::Points& points, F&& f)
+    {
+        HitMask asking = 0;
+        for_each_hit(which, [&](std::size_t k) {
+            if (shines_on(light, context_.scene.surfaces[met_.surface[k]])) asking |= HitMask{1} << k;
+        });
+        if (asking == 0) return;
+        PointLights lit(own_, met_, around_, points);
+        for_each_hit(lit.ask(light, asking), [&](std::size_t k) { f(k, lit.direction(k), lit.color(k)); });
+    }
+
+    /// Where the viewer's ray goes on below the surface, and how far until it comes out.
+    void find_ways_out()
+    {
+        ways_.resize(sites_.size());
+        for (std::size_t first = 0; first < sites_.size(); first += kTileRays) {
+            const std::size_t count = std::min<std::size_t>(kTileRays, sites_.size() - first);
+            for (std::size_t i = 0; i < count; ++i) {
+                const Site& site = sites_[first + i];
+                Way& way = ways_[first + i];
+                const double ratio = 1.0 / site.matter.eta, c = site.cosine(), k = 1.0 + ratio * ratio * (c * c - 1.0);
+                way.open = k >= 0.0;
+                way.direction = way.open ? glm::normalize(-ratio * site.viewer +
+                                                          (ratio * c - std::sqrt(std::max(0.0, k))) * site.normal)
+                                         : -site.normal;
+                rays_.set(i, {site.point, way.direction}, context_.scene.tolerance.hit, csg::kInfinity);
+            }
+            trace(static_cast<int>(count));
+            context_.world.places(rays_, met_, found_, places_);
+            for (std::size_t i = 0; i < count; ++i) {
+                Way& way = ways_[first + i];
+                way.length = has(found_, i) ? met_.t[i] * plan_.mm_per_unit : csg::kInfinity;
+                way.same = has(found_, i) && interior_of(met_.surface[i]) == sites_[first + i].interior;
+                if (!way.same) continue;
+                way.end = places_.point(i);
+                way.normal = places_.normal(i);
+            }
+        }
+    }
+
+    /// Light that is scattered once on the viewer's way (spec 6, 5.4).
+    void add_single(int samples)
+    {
+        const auto& lights = context_.lights.lights;
+        for (const light::Light& light : lights) {
+            std::size_t waiting = 0;
+            const auto flush = [&] {
+                if (waiting != 0) light_single(light, static_cast<int>(waiting));
+                waiting = 0;
+            };
+            for (std::size_t s = 0; s < sites_.size(); ++s) {
+                if (!ways_[s].open) continue;
+                for (std::uint32_t i = 0; i < 3u * static_cast<std::uint32_t>(samples); ++i) {
+                    const int c = static_cast<int>(i % 3);
+                    const double drawn = -std::log(1.0 - random_of(sites_[s].seed, 0, i));
+                    const double way = drawn / sites_[s].matter.extinction[c];
+                    if (!(way < ways_[s].length)) continue;
+                    const glm::dvec3 place = sites_[s].point + way / plan_.mm_per_unit * ways_[s].direction;
+                    const light::Illumination to = light::toward(light, place, glm::dvec3(0));
+                    if (!(to.distance > kFromBelow)) continue;
+                    owner_[waiting] = s;
+                    channel_[waiting] = c;
+                    drawn_[waiting] = way;
+                    rays_.set(waiting++, {place, to.direction}, kFromBelow, to.distance);
+                    if (waiting == kTileRays) flush();
+                }
+            }
+            flush();
+        }
+        for (Site& site : sites_)
+            if (samples > 0) site.single /= static_cast<double>(samples);
+    }
+
+    void light_single(const light::Light& light, int count)
+    {
+        trace(count);
+        HitMask same = 0;
+        for_each_hit(found_, [&](std::size_t k) {
+            if (interior_of(met_.surface[k]) == sites_[owner_[k]].interior) same |= HitMask{1} << k;
+        });
+        if (same == 0) return;
+        context_.world.places(rays_, met_, same, places_);
+        texture::Points points;
+        points.count = 0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+            points.add(has(same, k) ? places_.point(k) : glm::dvec3(0));
+        points.pad();
+        ask(light, same, points, [&](std::size_t k, const glm::dvec3& to_light, const glm::vec3& color) {
+            Site& site = sites_[owner_[k]];
+            const int c = channel_[k];
+            const double cosine = std::abs(glm::dot(places_.normal(k), to_light));
+            if (!(cosine >= kNearlyZero)) return;
+            const double share =
+                site.matter.single(c, cosine, site.cosine(), met_.t[k] * plan_.mm_per_unit, drawn_[k]);
+            if (std::isfinite(share)) site.single[c] += share * static_cast<double>(color[c]);
+        });
+    }
+
+    /// What shows through where little is scattered (spec 6, 5.4).
+    void add_unscattered()
+    {
+        std::size_t waiting = 0;
+        const auto flush = [&] {
+            if (waiting == 0) return;
+            trace(static_cast<int>(waiting));
+            std::array<scene::Color, kTileRays> seen;
+            shade_tile(own_, rays_, met_, RayState{}, nullptr, seen.data());
+            for (std::size_t i = 0; i < waiting; ++i) {
+                Site& site = sites_[owner_[i]];
+                const double length = ways_[owner_[i]].length;
+                for (int c = 0; c < 3; ++c)
+                    site.unscattered[c] += std::exp(-site.matter.extinction[c] * length) *
+                                           static_cast<double>(seen[i].rgb()[c]);
+            }
+            waiting = 0;
+        };
+        for (std::size_t s = 0; s < sites_.size(); ++s) {
+            const Way& way = ways_[s];
+            const Scattering& matter = sites_[s].matter;
+            if (!way.open || !way.same) continue;
+            const double least = std::min({matter.extinction.x, matter.extinction.y, matter.extinction.z});
+            if (!(std::exp(-least * way.length) > context_.adc_bailout)) continue;
+            const double facing = glm::dot(way.direction, way.normal);
+            const glm::dvec3 normal = facing > 0.0 ? -way.normal : way.normal;
+            const double c = std::abs(facing), k = 1.0 + matter.eta * matter.eta * (c * c - 1.0);
+            if (k < 0.0) continue;
+            const glm::dvec3 out = matter.eta * way.direction + (matter.eta * c - std::sqrt(k)) * normal;
+            owner_[waiting] = s;
+            rays_.set(waiting++, {way.end, glm::normalize(out)}, context_.scene.tolerance.hit, csg::kInfinity);
+            if (waiting == kTileRays) flush();
+        }
+        flush();
+    }
+
+    /// The viewer's ray below the surface.
+    struct Way {
+        glm::dvec3 direction, end, normal;
+        double length;    ///< mm
+        bool open, same;  ///< it goes in; it ends at the same object
+    };
+
+    Context& context_;
+    const plan::SubsurfacePlan& plan_;
+    const SegmentTile& tile_;
+    Context own_;  ///< of rays and points below the surface
+    std::vector<Site> sites_;
+    std::vector<Way> ways_;
+    const InteriorList nothing_;
+    std::array<const InteriorList*, csg::kTileRays> around_;
+    RayTile rays_;
+    csg::HitTile met_;
+    csg::PlaceTile places_;
+    HitMask found_ = 0;
+    std::array<std::size_t, csg::kTileRays> owner_;
+    std::array<int, csg::kTileRays> channel_;
+    std::array<double, csg::kTileRays> drawn_;
+};
+
+}  // namespace
+
+void add_subsurface_light(Context& context, const SegmentTile& tile, DirectBatch& batch)
+{
+    ShadeScratch& scratch = context.scratch.shade;
+    HitMask asking = 0;
+    for_each_hit(batch.all(), [&](std::size_t k) {
+        for (std::size_t d = 0; d < batch.rows(k); ++d)
+            if (scratch.pages[d].finish[k]->subsurface) asking |= HitMask{1} << k;
+    });
+    if (asking == 0) return;
+    SubsurfaceLight light(context, tile);
+    for_each_hit(asking, [&](std::size_t k) {
+        for (std::size_t d = 0; d < batch.rows(k); ++d)
+            if (scratch.pages[d].finish[k]->subsurface) light.add_site(k, d, scratch.pages[d]);
+    });
+    light.run();
+    light.each([&](std::size_t k, std::size_t d, const glm::vec3& gained) {
+        RowPage& at = scratch.pages[d];
+        at.gained.set(k, at.gained[k] + gained);
+    });
+}
+
+}  // namespace trace
