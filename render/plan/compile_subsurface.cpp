@@ -36,13 +36,6 @@ std::vector<glm::dvec3> sphere_directions()
 
 }  // namespace
 
-double internal_reflection(double eta)
-{
-    const double f = eta < 1.0 ? eta * eta - std::pow(eta, 2.25)
-                               : ((1.0 - 1.0 / eta) + 3.0 * std::pow(1.0 - 1.0 / eta, 4.5)) / 4.0;
-    return (1.0 + f) / (1.0 - f);
-}
-
 double diffuse_reflectance(double albedo, double internal)
 {
     const double q = std::sqrt(3.0 * (1.0 - albedo));
@@ -63,14 +56,6 @@ AlbedoTable::AlbedoTable(double internal)
         }
         albedo_[i] = static_cast<float>(0.5 * (low + high));
     }
-}
-
-double AlbedoTable::operator()(double reflectance) const
-{
-    const double at = std::clamp(reflectance, 0.0, 1.0) * kSteps;
-    const auto below = std::min(static_cast<std::size_t>(at), kSteps - 1);
-    const double share = at - static_cast<double>(below);
-    return (1.0 - share) * static_cast<double>(albedo_[below]) + share * static_cast<double>(albedo_[below + 1]);
 }
 
 bool has_subsurface(const scene::GlobalSettings& global, int quality)

@@ -2,7 +2,9 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +17,13 @@ public:
     /// internal: A of spec 6, 5.2.
     explicit AlbedoTable(double internal);
     /// reflectance: 0 to 1; what lies beyond counts as the end.
-    double operator()(double reflectance) const;
+    double operator()(double reflectance) const
+    {
+        const double at = std::clamp(reflectance, 0.0, 1.0) * kSteps;
+        const auto below = std::min(static_cast<std::size_t>(at), kSteps - 1);
+        const double share = at - static_cast<double>(below);
+        return (1.0 - share) * static_cast<double>(albedo_[below]) + share * static_cast<double>(albedo_[below + 1]);
+    }
 
 private:
     static constexpr std::size_t kSteps = 100;
@@ -23,7 +31,12 @@ private:
 };
 
 /// How much more light is sent back within than comes in: A of spec 6, 5.2. eta: relative index.
-double internal_reflection(double eta);
+inline double internal_reflection(double eta)
+{
+    const double f = eta < 1.0 ? eta * eta - std::pow(eta, 2.25)
+                               : ((1.0 - 1.0 / eta) + 3.0 * std::pow(1.0 - 1.0 / eta, 4.5)) / 4.0;
+    return (1.0 + f) / (1.0 - f);
+}
 
 /// The mean of 0.5 (1 + exp(-4/3 A q)) exp(-q) a at an albedo a, q = sqrt(3 (1 - a)).
 double diffuse_reflectance(double albedo, double internal);
@@ -32,9 +45,9 @@ struct SubsurfacePlan {
     int diffuse_samples = 50, single_samples = 50;
     bool radiosity = false;
     double mm_per_unit = 10;
-    std::vector<AlbedoTable> tables;        ///< one for each ior in use
-    std::vector<std::uint32_t> table_of;    ///< by interior
-    std::vector<glm::dvec3> directions;     ///< over the sphere, even; a sample's by its number
+    std::vector<AlbedoTable> tables;      ///< one for each ior in use
+    std::vector<std::uint32_t> table_of;  ///< by interior
+    std::vector<glm::dvec3> directions;   ///< over the sphere, even; a sample's by its number
 };
 
 }  // namespace plan

@@ -1,7 +1,6 @@
 #include "render/trace/photon/photon_air.h"
 
 #include "render/trace/media/media_extinction.h"
-#include "render/trace/media/media_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,16 +74,17 @@ void PhotonAir::cross(const PhotonFlight& flight, const PhotonStretch& stretch, 
                 points.add(point);
                 if (points.count == texture::kMostPoints) sum += extinction(points);
                 if (!stays) continue;
-                const glm::vec3 flux =
-                    photon_flux(flight, color, stretch.depth + way, 3) * static_cast<float>(of.factor);
+                const glm::vec3 flux = photon_flux(flight, color, stretch.depth + way, 3) *
+                                       static_cast<float>(of.factor);
                 stay_.push_back(make_photon(point, flux, -stretch.ray.direction));
             }
             if (points.count != 0) sum += extinction(points);
-            // Where a sub-interval is too short for any, POV-Ray divides by none, and the photon is black from there on.
+            // Where a sub-interval is too short for any, POV-Ray divides by none, and the photon is black from there
+            // on.
             for (int c = 0; c < 3; ++c)
-                share[c] *= of.count == 0 ? 0.0f
-                                          : static_cast<float>(std::exp(-static_cast<double>(sum[c]) * piece.step /
-                                                                        of.count));
+                share[c] *= of.count == 0
+                                ? 0.0f
+                                : static_cast<float>(std::exp(-static_cast<double>(sum[c]) * piece.step / of.count));
         }
     color *= share;
 }
@@ -102,8 +102,8 @@ glm::vec3 PhotonAir::extinction(texture::Points& points)
             sum += static_cast<float>(count) * media.extinction;
             continue;
         }
-        media_density(scene_, media, points, colors_, density_);
-        for (std::size_t k = 0; k < count; ++k) sum += media.extinction * density_[k];
+        const TileColors& density = density_.at(scene_, media, points, first_hits(static_cast<int>(count)));
+        for (std::size_t k = 0; k < count; ++k) sum += media.extinction * density[k];
     }
     points.count = 0;
     return sum;

@@ -54,8 +54,7 @@ private:
     MediaMix mix_;
     std::vector<MediaRange> ranges_;
     std::vector<MediaPiece> pieces_;
-    texture::ColorPoints colors_;
-    TileColors density_;
+    MediaDensity density_;
 };
 
 }  // namespace trace

@@ -21,8 +21,9 @@ public:
     void run(std::size_t count)
     {
         HitMask open = 0;
+        for (std::size_t first = 0; first < count; first += LookupGroup::kLanes)
+            look_up(first, std::min(first + LookupGroup::kLanes, count));
         for (std::size_t i = 0; i < count; ++i) {
-            look_up(i);
             if (!enough(i)) open |= HitMask{1} << i;
             else answer(i, nullptr);
         }
@@ -37,29 +38,33 @@ public:
 private:
     const Request& request(std::size_t i) const { return scratch_.requests[i]; }
 
-    Query query(std::size_t i) const
+    bool smooth() const { return !pretrace_ || context_.bounce == 0; }
+    const glm::dvec3& normal(std::size_t i) const
     {
-        const Request& of = request(i);
-        return {of.point, field_.settings().normal ? of.bent : of.normal, scratch_.lookups[i].bound,
-                !pretrace_ || context_.bounce == 0};
+        return field_.settings().normal ? request(i).bent : request(i).normal;
     }
 
-    void look_up(std::size_t i)
+    /// Requests [first, last).
+    void look_up(std::size_t first, std::size_t last)
     {
         constexpr double kFull = 0.25;  // what weighs less may be less exact
         const scene::RadiositySettings& settings = field_.settings();
-        Lookup& to = scratch_.lookups[i] = {};
-        to.bound = settings.error_bound * (pretrace_ ? settings.low_error_factor : 1.0);
-        if (request(i).weight < kFull) to.bound += kFull - request(i).weight;
-        to.bound *= rules_.error_factor;
-        const Query q = query(i);
-        radiosity::look_up(field_.samples[bounce_], q, to);
-        if (context_.filling != nullptr) radiosity::look_up(context_.filling->samples[bounce_], q, to);
+        LookupGroup group(smooth());
+        for (std::size_t i = first; i < last; ++i) {
+            Lookup& to = scratch_.lookups[i] = {};
+            to.bound = settings.error_bound * (pretrace_ ? settings.low_error_factor : 1.0);
+            if (request(i).weight < kFull) to.bound += kFull - request(i).weight;
+            to.bound *= rules_.error_factor;
+            group.add(request(i).point, normal(i), to.bound);
+        }
+        group.ask(field_.samples[bounce_]);
+        if (context_.filling != nullptr) group.ask(context_.filling->samples[bounce_]);
+        for (std::size_t i = first; i < last; ++i) group.add_to(i - first, scratch_.lookups[i]);
     }
 
-    bool enough(std::size_t i) const
+    bool enough(std::size_t i) const { return enough(scratch_.lookups[i].weight); }
+    bool enough(double weight) const
     {
-        const double weight = scratch_.lookups[i].weight;
         if (weight > 0.0 && (context_.filling == nullptr || (!pretrace_ && !field_.settings().always_sample)))
             return true;
         return 4.0 * weight >= rules_.required;
@@ -77,11 +82,8 @@ private:
             context_.filling->found.push_back(found);
             field_.add(found, context_.filling->samples);
         });
-        for_each_hit(open, [&](std::size_t i) {
-            const Query q = query(i);
-            for_each_hit(now, [&](std::size_t made) {
-                if (scratch_.kept[made]) use(scratch_.made[made], q, scratch_.lookups[i]);
-            });
+        for_each_hit(now, [&](std::size_t made) {
+            if (scratch_.kept[made]) share(made, (open | now) & ~(HitMask{1} << made));
         });
         for_each_hit(now, [&](std::size_t i) { answer(i, &scratch_.made[i]); });
         for (HitMask left = open; left != 0; left &= left - 1) {
@@ -93,23 +95,44 @@ private:
         return open;
     }
 
-    /// Requests that will hardly share a sample: their rays fill tiles together.
+    /// A sample that was made for one request, for others.
+    void share(std::size_t made, HitMask with)
+    {
+        while (with != 0) {
+            LookupGroup group(smooth());
+            std::array<std::size_t, LookupGroup::kLanes> of;
+            for (; with != 0 && group.size() < LookupGroup::kLanes; with &= with - 1) {
+                const std::size_t i = of[group.size()] = first_hit(with);
+                group.add(request(i).point, normal(i), scratch_.lookups[i].bound);
+            }
+            group.ask(scratch_.made[made]);
+            for (std::size_t k = 0; k < group.size(); ++k) group.add_to(k, scratch_.lookups[of[k]]);
+        }
+    }
+
+    /// Requests that gather whatever the others' samples are worth: their rays are put in order together.
     HitMask apart(HitMask open) const
     {
         HitMask chosen = 0;
         int rays = 0;
-        for (HitMask left = open; left != 0 && rays < kTileRays; left &= left - 1) {
+        for (HitMask left = open; left != 0 && rays < kMostRays; left &= left - 1) {
             const std::size_t i = first_hit(left);
-            const double away = glm::distance(field_.eye, request(i).point) * kApart * rules_.most_reach;
-            bool alone = true;
-            for_each_hit(chosen, [&](std::size_t k) {
-                alone = alone && glm::distance(request(k).point, request(i).point) > away;
-            });
-            if (!alone) continue;
+            double weight = scratch_.lookups[i].weight;
+            for_each_hit(chosen, [&](std::size_t k) { weight += most_weight(i, k); });
+            if (chosen != 0 && enough(weight)) continue;
             chosen |= HitMask{1} << i;
             rays += rules_.rays;
         }
         return chosen;
+    }
+
+    /// The most that a sample of request k can weigh for i.
+    double most_weight(std::size_t i, std::size_t k) const
+    {
+        const double reach = kUsualReach * glm::distance(field_.eye, request(k).point) * rules_.most_reach;
+        const double x = glm::distance(request(k).point, request(i).point) / (reach * scratch_.lookups[i].bound);
+        if (x >= 1.0) return 0.0;
+        return pretrace_ && context_.bounce > 0 ? 1.0 - x : x < 0.5 ? 1.0 - 2.0 * x * x : 2.0 * (1.0 - x) * (1.0 - x);
     }
 
     /// made: a sample that was gathered for this request.
@@ -139,7 +162,8 @@ private:
                               static_cast<float>(settings.brightness);
     }
 
-    static constexpr double kApart = 0.5;
+    static constexpr int kMostRays = 4096;
+    static constexpr double kUsualReach = 1.0;  ///< of samples, as a share of the most
 
     Context& context_;
     const Field& field_;

@@ -24,17 +24,20 @@ public:
         first_.weight = rules_.weight;
         first_.level = rules_.level;
         first_.kind = plan::RayKind::Gather;
-        scratch_.rays.count = 0;
-        scratch_.rays.common_origin = scratch_.shaded_rays.common_origin = false;
+        scratch_.shaded_rays.common_origin = false;
     }
 
     void run(HitMask which)
     {
+        scratch_.pending.clear();
         for_each_hit(which, [&](std::size_t i) {
             begin(i);
-            for (int ray = 0; ray < rules_.rays; ++ray) add(i, ray);
+            for (int ray = 0; ray < rules_.rays; ++ray)
+                scratch_.pending.push_back({glm::normalize(direction(scratch_.gatherings[i], scratch_.requests[i])),
+                                            static_cast<std::uint16_t>(ray), static_cast<std::uint8_t>(i)});
         });
-        flush();
+        sort();
+        trace_tiles();
         for_each_hit(which, [&](std::size_t i) { finish(i); });
     }
 
@@ -95,22 +98,59 @@ private:
         return take(g);
     }
 
-    void add(std::size_t i, int number)
+    /// By octants, and by curves through them: neighbours point nearly the same way.
+    static std::uint64_t way(const glm::dvec3& d)
     {
-        const Request& of = scratch_.requests[i];
-        RayTile& rays = scratch_.rays;
-        const auto k = static_cast<std::size_t>(rays.count++);
-        rays.set(k, {of.point, glm::normalize(direction(scratch_.gatherings[i], of))}, of.start, csg::kInfinity);
-        scratch_.owner[k] = static_cast<std::uint8_t>(i);
-        scratch_.number[k] = number;
-        if (rays.count == kTileRays) flush();
+        constexpr double kSteps = 31.99;
+        const glm::dvec3 a = glm::abs(d);
+        const double scale = kSteps / (a.x + a.y + a.z);
+        const auto spread = [](std::uint32_t v) {  // every other bit
+            v = (v | v << 4) & 0x30fu;
+            v = (v | v << 2) & 0x333u;
+            return (v | v << 1) & 0x555u;
+        };
+        const std::uint32_t octant = (d.x < 0.0 ? 1u : 0u) | (d.y < 0.0 ? 2u : 0u) | (d.z < 0.0 ? 4u : 0u);
+        return octant << 10 | spread(static_cast<std::uint32_t>(a.x * scale)) << 1 |
+               spread(static_cast<std::uint32_t>(a.z * scale));
+    }
+
+    /// What the camera sees lies together, and rays that point the same way form a beam; points of later bounces are
+    /// scattered, and a beam starts in one of them.
+    void sort()
+    {
+        const bool together = context_.bounce == 0;
+        scratch_.order.clear();
+        for (std::size_t i = 0; i < scratch_.pending.size(); ++i) {
+            const GatherRay& ray = scratch_.pending[i];
+            const std::uint64_t at = way(ray.direction), of = ray.owner;
+            scratch_.order.push_back((together ? at << 8 | of : of << 16 | at) << 32 | i);
+        }
+        std::sort(scratch_.order.begin(), scratch_.order.end());
+    }
+
+    void trace_tiles()
+    {
+        for (std::size_t first = 0; first < scratch_.order.size(); first += kTileRays) {
+            const std::size_t count = std::min<std::size_t>(kTileRays, scratch_.order.size() - first);
+            RayTile& rays = scratch_.rays;
+            rays.count = static_cast<int>(count);
+            rays.common_origin = true;
+            for (std::size_t k = 0; k < count; ++k) {
+                const GatherRay& ray = scratch_.pending[scratch_.order[first + k] & 0xffffffffu];
+                const Request& of = scratch_.requests[ray.owner];
+                rays.set(k, {of.point, ray.direction}, of.start, csg::kInfinity);
+                scratch_.owner[k] = ray.owner;
+                scratch_.number[k] = ray.number;
+                rays.common_origin = rays.common_origin && ray.owner == scratch_.owner[0];
+            }
+            trace_tile();
+        }
     }
 
     /// Traces the rays of the tile at hand and shades those that matter.
-    void flush()
+    void trace_tile()
     {
-        RayTile& rays = scratch_.rays;
-        if (rays.count == 0) return;
+        const RayTile& rays = scratch_.rays;
         context_.scratch.counts.gathered += static_cast<std::uint64_t>(rays.count);
         nested_.world.nearest(rays, bit(plan::RayKind::Gather), nested_.scratch.geometry, scratch_.hits);
         std::size_t shaded = 0;
@@ -121,7 +161,6 @@ private:
                 scratch_.shaded[shaded++] = static_cast<std::uint8_t>(k);
         }
         if (shaded > 0) shade(shaded);
-        rays.count = 0;
     }
 
     float importance(std::size_t k) const

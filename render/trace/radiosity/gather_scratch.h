@@ -5,6 +5,7 @@
 #include "render/trace/radiosity/sample.h"
 
 #include <array>
+#include <vector>
 
 namespace trace::radiosity {
 
@@ -37,6 +38,13 @@ struct Gathering {
     glm::dvec3 nearest_way{0};
 };
 
+/// A ray of a sample, until there are enough of them to be put in order.
+struct GatherRay {
+    glm::dvec3 direction;
+    std::uint16_t number;  ///< of the sample's
+    std::uint8_t owner;    ///< request
+};
+
 /// What gathering keeps per thread and bounce.
 struct GatherScratch {
     std::array<Request, csg::kTileRays> requests;
@@ -45,10 +53,12 @@ struct GatherScratch {
     std::array<Gathering, csg::kTileRays> gatherings;
     std::array<Sample, csg::kTileRays> made;  ///< by request
     std::array<bool, csg::kTileRays> kept;    ///< by request: the sample may be used elsewhere
+    std::vector<GatherRay> pending;
+    std::vector<std::uint64_t> order;  ///< of those: what they are sorted by, and which
     csg::RayTile rays, shaded_rays;
     csg::HitTile hits, shaded_hits;
     std::array<std::uint8_t, csg::kTileRays> owner, shaded;  ///< by ray: request; by shaded ray: ray
-    std::array<int, csg::kTileRays> number;                  ///< by ray: which of the sample's
+    std::array<std::uint16_t, csg::kTileRays> number;        ///< by ray: which of the sample's
     std::array<scene::Color, csg::kTileRays> colors;
 };
 

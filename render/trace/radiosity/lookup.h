@@ -1,57 +1,151 @@
 #pragma once
 
-#include "render/trace/radiosity/field.h"
+#include "csg/base/lanes.h"
 #include "render/trace/radiosity/gather_scratch.h"
+#include "render/trace/radiosity/sample_grid.h"
 
+#include <array>
+#include <bit>
 #include <cmath>
 
-/// Which samples a point may use, and how much they count (spec 6, 4.5).
+/// Which samples points may use, and how much they count (spec 6, 4.5). Compiled once per instruction set.
 namespace trace::radiosity {
 
-/// A point that asks.
-struct Query {
-    glm::dvec3 point, normal;
-    double bound;  ///< of the error
-    bool smooth;   ///< weights fade smoothly: in the picture, and for what the camera sees
-};
+/// Points that ask, eight at a time: neighbours read the same lists. What one of them finds, and in which order it is
+/// added up, does not depend on the others.
+class LookupGroup {
+public:
+    static constexpr std::size_t kLanes = 8;
 
-/// Weight of a sample, its quality included; 0: of no use.
-inline double weight_of(const Sample& s, const Query& q)
-{
-    constexpr double kSame = 1e-6, kLeast = 0.001, kBehind = -0.05;
-    const glm::dvec3 v = q.point - s.point, n(s.normal);
-    const double d = glm::length(v), reach = static_cast<double>(s.reach);
-    if (!(d < reach * q.bound)) return 0.0;
-    double r = reach, front = 1.0;
-    if (d > kSame) {
-        const double toward = glm::dot(glm::dvec3(s.nearest_way), v) / d;
-        if (toward > 0.0) {
-            r = toward * static_cast<double>(s.nearest) + (1.0 - toward) * reach;
-            if (!(d < r * q.bound)) return 0.0;
-        }
-        const glm::dvec3 mean = q.normal + n;
-        front = glm::dot(v, mean) / (d * glm::length(mean));
+    /// smooth: weights fade smoothly, in the picture and for what the camera sees.
+    explicit LookupGroup(bool smooth) : smooth_(smooth) {}
+
+    /// bound: of the error.
+    void add(const glm::dvec3& point, const glm::dvec3& normal, double bound)
+    {
+        const std::size_t k = count_++;
+        point_[k] = point;
+        nx_[k] = static_cast<float>(normal.x);
+        ny_[k] = static_cast<float>(normal.y);
+        nz_[k] = static_cast<float>(normal.z);
+        bound_[k] = static_cast<float>(bound);
     }
-    const double error = d / r + 2.0 * std::sqrt(std::abs(1.0 - glm::dot(q.normal, n)));
-    if (!(error < q.bound) || !(front > kBehind)) return 0.0;
-    const double x = error / q.bound;
-    double weight = !q.smooth ? 1.0 - x : x < 0.5 ? 1.0 - 2.0 * x * x : 2.0 * (1.0 - x) * (1.0 - x);
-    if (front <= 0.0) weight *= 1.0 + 20.0 * front;
-    return weight > kLeast ? weight * static_cast<double>(s.quality) : 0.0;
-}
+    std::size_t size() const { return count_; }
 
-inline void use(const Sample& s, const Query& q, Lookup& to)
-{
-    const double w = weight_of(s, q);
-    if (w == 0.0) return;
-    to.weight += w;
-    to.sum += w * glm::dvec3(s.color);
-}
+    /// All samples of a grid that the points find.
+    void ask(const SampleGrid& grid)
+    {
+        if (grid.empty()) return;
+        for (const SampleGrid::Level& level : grid.levels()) ask(grid, level);
+    }
 
-/// Adds all samples of `grid` that the point may use.
-inline void look_up(const SampleGrid& grid, const Query& q, Lookup& to)
-{
-    grid.visit(q.point, q.bound, [&](const Sample& s) { use(s, q, to); });
-}
+    /// One sample that all points find.
+    void ask(const Sample& sample)
+    {
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            const glm::vec3 v(point_[k] - sample.point);
+            x_[k] = v.x, y_[k] = v.y, z_[k] = v.z;
+            here_[k] = k < count_ ? bound_[k] : 0.0f;
+        }
+        weigh(sample, glm::vec3(0));
+    }
+
+    void add_to(std::size_t k, Lookup& to) const
+    {
+        to.weight += static_cast<double>(weight_[k]);
+        to.sum += glm::dvec3(red_[k], green_[k], blue_[k]);
+    }
+
+private:
+    using Floats = std::array<float, kLanes>;
+    using Float = csg::lanes::FloatPart;
+
+    void ask(const SampleGrid& grid, const SampleGrid::Level& level)
+    {
+        std::array<glm::dvec3, kLanes> corner;
+        std::array<std::uint64_t, kLanes> key;
+        for (std::size_t k = 0; k < count_; ++k) {
+            corner[k] = grid.corner(point_[k], level);
+            key[k] = grid.key(corner[k], level);
+        }
+        std::uint32_t left = (1u << count_) - 1u;
+        while (left != 0) {
+            const auto first = static_cast<std::size_t>(std::countr_zero(left));
+            std::uint32_t same = 0;
+            for (std::size_t k = first; k < count_; ++k) same |= key[k] == key[first] ? 1u << k : 0u;
+            left &= ~same;
+            std::uint32_t at = grid.find(key[first]);
+            if (at == SampleGrid::kNone) continue;
+            const glm::dvec3 from = corner[first] * level.size - CellPlace::kOrigin;
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                const bool in = (same >> k & 1u) != 0;
+                const glm::vec3 v(in ? point_[k] - from : glm::dvec3(0));
+                x_[k] = v.x, y_[k] = v.y, z_[k] = v.z;
+                here_[k] = in ? bound_[k] : 0.0f;
+            }
+            for (; at != SampleGrid::kNone; at = grid.chunk(at).next) {
+                const SampleGrid::Chunk& chunk = grid.chunk(at);
+                for (std::size_t i = 0; i < chunk.count; ++i)
+                    if (near(chunk, i)) weigh(grid.samples()[chunk.number[i]], {chunk.x[i], chunk.y[i], chunk.z[i]});
+            }
+        }
+    }
+
+    /// Whether some point may be near enough to a sample of the list.
+    bool near(const SampleGrid::Chunk& chunk, std::size_t i) const
+    {
+        std::uint32_t any = 0;
+        for (std::size_t at = 0; at < kLanes; at += Float::size) {
+            const Float x = load(x_, at) - Float(chunk.x[i]), y = load(y_, at) - Float(chunk.y[i]),
+                        z = load(z_, at) - Float(chunk.z[i]), far = load(here_, at) * Float(chunk.reach[i]);
+            any |= csg::lanes::mask(x * x + y * y + z * z < far * far);
+        }
+        return any != 0;
+    }
+
+    static Float load(const Floats& from, std::size_t at) { return Float::load_aligned(from.data() + at); }
+
+    /// p: the sample's place where the points' are x_, y_ and z_.
+    void weigh(const Sample& s, const glm::vec3& p)
+    {
+        constexpr float kSame = 1e-5f, kLeast = 0.001f, kBehind = -0.05f;
+        const Float one(1.0f), zero(0.0f);
+        const Float nx(s.normal.x), ny(s.normal.y), nz(s.normal.z), reach(s.reach);
+        for (std::size_t at = 0; at < kLanes; at += Float::size) {
+            const Float x = load(x_, at) - Float(p.x), y = load(y_, at) - Float(p.y), z = load(z_, at) - Float(p.z);
+            const Float bound = load(here_, at), qx = load(nx_, at), qy = load(ny_, at), qz = load(nz_, at);
+            const Float d = xsimd::sqrt(x * x + y * y + z * z);
+            const auto apart = d > Float(kSame * s.reach);
+            const Float over = one / xsimd::select(apart, d, one);
+            const Float toward =
+                (Float(s.nearest_way.x) * x + Float(s.nearest_way.y) * y + Float(s.nearest_way.z) * z) * over;
+            const Float r =
+                xsimd::select(apart & (toward > zero), toward * Float(s.nearest) + (one - toward) * reach, reach);
+            const Float mx = qx + nx, my = qy + ny, mz = qz + nz;
+            const Float front =
+                xsimd::select(apart, (mx * x + my * y + mz * z) * over / xsimd::sqrt(mx * mx + my * my + mz * mz), one);
+            const Float off = xsimd::abs(one - (qx * nx + qy * ny + qz * nz));
+            const Float error = d / r + Float(2.0f) * xsimd::sqrt(off), e = error / bound, rest = one - e;
+            Float w = rest;
+            if (smooth_) w = xsimd::select(e < Float(0.5f), one - Float(2.0f) * e * e, Float(2.0f) * rest * rest);
+            w = xsimd::select(front <= zero, w * (one + Float(20.0f) * front), w);
+            const auto used = (d < reach * bound) & (d < r * bound) & (error < bound) & (front > Float(kBehind)) &
+                              (w > Float(kLeast));
+            w = xsimd::select(used, w * Float(s.quality), zero);
+            (load(weight_, at) + w).store_aligned(weight_.data() + at);
+            (load(red_, at) + w * Float(s.color.x)).store_aligned(red_.data() + at);
+            (load(green_, at) + w * Float(s.color.y)).store_aligned(green_.data() + at);
+            (load(blue_, at) + w * Float(s.color.z)).store_aligned(blue_.data() + at);
+        }
+    }
+
+    bool smooth_;
+    std::size_t count_ = 0;
+    std::array<glm::dvec3, kLanes> point_{};
+    alignas(64) Floats nx_{}, ny_{}, nz_{}, bound_{};
+    alignas(64) Floats x_{}, y_{}, z_{};  ///< of the points, from what the samples at hand are counted from
+    alignas(64) Floats here_{};           ///< bounds of those that the samples at hand are for, 0 for the others
+    alignas(64) Floats weight_{}, red_{}, green_{}, blue_{};
+};
 
 }  // namespace trace::radiosity

@@ -11,6 +11,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 namespace trace::radiosity {
 namespace {
@@ -63,6 +65,13 @@ public:
             const std::vector<PartTile> tiles = tiles_of(pass);
             if (!run(pass, tiles)) return false;
             close(pass);
+            if (getenv("RADDBG")) {
+                fprintf(stderr, "DBG pass %d step %.2f tiles %zu:", pass.number, pass.step, tiles.size());
+                for (auto& g : field_.samples) fprintf(stderr, " %zu", g.size());
+                RayCounts c;
+                for (auto& t : tracers_) c += kernel_.counts(*t);
+                fprintf(stderr, " gathered %llu\n", (unsigned long long)c.gathered);
+            }
         }
         return true;
     }
@@ -136,7 +145,7 @@ private:
                 state.open = state.asked > 0 && (enough == 0 || state.weight < enough * state.asked);
     }
 
-    static constexpr std::size_t kPretraceRays = 16, kMostAtOnce = 64;
+    static constexpr std::size_t kPretraceRays = 64, kMostAtOnce = 64;
 
     const RenderOptions& options_;
     const KernelTable& kernel_;

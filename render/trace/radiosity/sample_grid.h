@@ -3,7 +3,6 @@
 #include "render/trace/radiosity/sample.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -48,17 +47,12 @@ struct CellPlace {
         }
         return true;
     }
-    /// The place of the list that a point reads: cells `index` and `index + 1` of each axis reach over it.
-    static CellPlace of_point(const glm::dvec3& p, int level)
-    {
-        CellPlace place;
-        place.level = level;
-        const double b = size(level);
-        for (int k = 0; k < 3; ++k) place.index[static_cast<std::size_t>(k)] = cell_of(p[k] - 0.5 * b, b);
-        return place;
-    }
 
-    bool operator==(const CellPlace&) const = default;
+    bool operator==(const CellPlace& other) const
+    {
+        return ((index[0] ^ other.index[0]) | (index[1] ^ other.index[1]) | (index[2] ^ other.index[2]) |
+                (level ^ other.level)) == 0;
+    }
 
 private:
     static std::int32_t cell_of(double coordinate, double size)
@@ -69,9 +63,44 @@ private:
 
 class SampleGrid {
 public:
+    static constexpr std::uint32_t kNone = 0xffffffffu;  ///< no chunk
+    static constexpr std::size_t kInChunk = 8;
+
+    /// Samples of one list: points from the list's corner, and reaches.
+    struct alignas(32) Chunk {
+        std::array<float, kInChunk> x, y, z, reach;
+        std::array<std::uint32_t, kInChunk> number;
+        std::uint32_t count = 0, next = kNone;
+    };
+    /// Cells of one size.
+    struct Level {
+        int number;
+        double size, inverse;
+    };
+
     bool empty() const { return samples_.empty(); }
     std::size_t size() const { return samples_.size(); }
     const std::vector<Sample>& samples() const { return samples_; }
+
+    const std::vector<Level>& levels() const { return levels_; }
+    /// The list that a point reads: cells `corner` and the next of each axis reach over it.
+    static glm::dvec3 corner(const glm::dvec3& p, const Level& level)
+    {
+        return glm::floor(glm::clamp((p + CellPlace::kOrigin) * level.inverse - 0.5, -2.0, 2e9));
+    }
+    static std::uint64_t key(const glm::dvec3& corner, const Level& level)
+    {
+        return key_of(level.number, {static_cast<std::int32_t>(corner.x), static_cast<std::int32_t>(corner.y),
+                                     static_cast<std::int32_t>(corner.z)});
+    }
+    /// Its first chunk.
+    std::uint32_t find(std::uint64_t key) const
+    {
+        for (std::size_t at = home(key); slots_[at].first != kNone; at = (at + 1) & (slots_.size() - 1))
+            if (slots_[at].key == key) return slots_[at].first;
+        return kNone;
+    }
+    const Chunk& chunk(std::uint32_t number) const { return chunks_[number]; }
 
     /// radius: of the ball that it is filed for.
     void add(const Sample& sample, double radius)
@@ -79,7 +108,7 @@ public:
         const auto number = static_cast<std::uint32_t>(samples_.size());
         samples_.push_back(sample);
         const CellPlace cell = CellPlace::of_ball(sample.point, radius);
-        levels_ |= std::uint64_t{1} << (cell.level + kLowest);
+        use_level(cell.level);
         for (std::int32_t x = -1; x <= 0; ++x)
             for (std::int32_t y = -1; y <= 0; ++y)
                 for (std::int32_t z = -1; z <= 0; ++z)
@@ -94,56 +123,21 @@ public:
         chunks_.clear();
         for (const std::uint32_t slot : used_) slots_[slot].first = kNone;
         used_.clear();
-        levels_ = 0;
-    }
-
-    /// f(sample) for every sample that the point finds and that is nearer than `factor` times its reach, give or take
-    /// rounding; those of one point always in the same order.
-    template <class F>
-    void visit(const glm::dvec3& p, double factor, F&& f) const
-    {
-        for (std::uint64_t left = levels_; left != 0; left &= left - 1) {
-            const CellPlace place = CellPlace::of_point(p, std::countr_zero(left) - kLowest);
-            std::uint32_t at = find(place);
-            if (at == kNone) continue;
-            const glm::vec3 in_cell = relative(p, place);
-            const float most = static_cast<float>(factor * factor) * kSlack;
-            for (; at != kNone; at = chunks_[at].next) {
-                const Chunk& chunk = chunks_[at];
-                for (std::uint32_t near = chunk.near(in_cell, most); near != 0; near &= near - 1)
-                    f(samples_[chunk.number[static_cast<std::size_t>(std::countr_zero(near))]]);
-            }
-        }
+        levels_.clear();
     }
 
 private:
-    static constexpr std::uint32_t kNone = 0xffffffffu;
-    static constexpr int kLowest = 16;  ///< levels begin at minus this
-    static constexpr float kSlack = 1.001f;
-    static constexpr std::size_t kInChunk = 8;
-
-    /// Samples of one list: points from the list's corner, and squares of reaches.
-    struct alignas(32) Chunk {
-        std::array<float, kInChunk> x, y, z, reach2;
-        std::array<std::uint32_t, kInChunk> number;
-        std::uint32_t count = 0, next = kNone;
-
-        std::uint32_t near(const glm::vec3& p, float factor2) const
-        {
-            std::array<std::uint32_t, kInChunk> is{};
-            for (std::size_t i = 0; i < kInChunk; ++i) {
-                const float dx = p.x - x[i], dy = p.y - y[i], dz = p.z - z[i];
-                is[i] = dx * dx + dy * dy + dz * dz < reach2[i] * factor2 ? 1u << i : 0u;
-            }
-            std::uint32_t mask = 0;
-            for (std::size_t i = 0; i < kInChunk; ++i) mask |= is[i];
-            return mask;
-        }
-    };
     struct Slot {
-        CellPlace place;
+        std::uint64_t key = 0;  ///< the place's: two places with one key share a list, which does no harm
         std::uint32_t first = kNone, last = kNone;
     };
+
+    void use_level(int number)
+    {
+        for (const Level& level : levels_)
+            if (level.number == number) return;
+        levels_.push_back({number, CellPlace::size(number), CellPlace::size(-number)});
+    }
 
     /// From the corner of a list's place, in which numbers are small.
     static glm::vec3 relative(const glm::dvec3& p, const CellPlace& place)
@@ -154,34 +148,24 @@ private:
             out[k] = static_cast<float>((p[k] + CellPlace::kOrigin) - place.index[static_cast<std::size_t>(k)] * b);
         return out;
     }
-    static std::uint64_t hash(const CellPlace& place)
+    static std::uint64_t key_of(int level, const std::array<std::int32_t, 3>& index)
     {
-        const auto word = [&](std::size_t k) {
-            return static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.index[k]));
-        };
-        std::uint64_t h = word(0) * 0x9e3779b97f4a7c15u + word(1) * 0xc2b2ae3d27d4eb4fu + word(2) * 0x165667b19e3779f9u;
-        h += static_cast<std::uint64_t>(place.level + kLowest) * 0x27d4eb2f165667c5u;
-        return (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9u >> 20;
+        const auto word = [](std::int32_t v) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v)); };
+        const std::uint64_t h = (word(index[0]) << 32 | word(index[1])) * 0x9e3779b97f4a7c15u ^
+                                (word(index[2]) << 8 | (word(level) & 0xffu)) * 0xc2b2ae3d27d4eb4fu;
+        return (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9u;
     }
-    std::uint32_t find(const CellPlace& place) const
-    {
-        if (slots_.empty()) return kNone;
-        const std::size_t mask = slots_.size() - 1;
-        for (std::size_t i = hash(place) & mask;; i = (i + 1) & mask) {
-            const Slot& slot = slots_[i];
-            if (slot.first == kNone || slot.place == place) return slot.first;
-        }
-    }
+    std::size_t home(std::uint64_t key) const { return static_cast<std::size_t>(key >> 24) & (slots_.size() - 1); }
     void append(const CellPlace& place, std::uint32_t number, const Sample& sample)
     {
         if (2 * (used_.size() + 1) > slots_.size()) grow();
-        const std::size_t mask = slots_.size() - 1;
-        std::size_t i = hash(place) & mask;
-        while (slots_[i].first != kNone && slots_[i].place != place) i = (i + 1) & mask;
+        const std::uint64_t key = key_of(place.level, place.index);
+        std::size_t i = home(key);
+        while (slots_[i].first != kNone && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
         Slot& slot = slots_[i];
         if (slot.first == kNone) {
             used_.push_back(static_cast<std::uint32_t>(i));
-            slot = {place, new_chunk(), kNone};
+            slot = {key, new_chunk(), kNone};
             slot.last = slot.first;
         } else if (chunks_[slot.last].count == kInChunk) {
             const std::uint32_t fresh = new_chunk();
@@ -194,7 +178,7 @@ private:
         chunk.x[k] = p.x;
         chunk.y[k] = p.y;
         chunk.z[k] = p.z;
-        chunk.reach2[k] = sample.reach * sample.reach;
+        chunk.reach[k] = sample.reach;
         chunk.number[k] = number;
     }
     std::uint32_t new_chunk()
@@ -203,7 +187,7 @@ private:
         chunk.x.fill(0.0f);
         chunk.y.fill(0.0f);
         chunk.z.fill(0.0f);
-        chunk.reach2.fill(-1.0f);
+        chunk.reach.fill(0.0f);
         return static_cast<std::uint32_t>(chunks_.size() - 1);
     }
     void grow()
@@ -212,10 +196,9 @@ private:
         before.swap(slots_);
         std::vector<std::uint32_t> used;
         used.swap(used_);
-        const std::size_t mask = slots_.size() - 1;
         for (const std::uint32_t from : used) {
-            std::size_t i = hash(before[from].place) & mask;
-            while (slots_[i].first != kNone) i = (i + 1) & mask;
+            std::size_t i = home(before[from].key);
+            while (slots_[i].first != kNone) i = (i + 1) & (slots_.size() - 1);
             slots_[i] = before[from];
             used_.push_back(static_cast<std::uint32_t>(i));
         }
@@ -225,7 +208,7 @@ private:
     std::vector<Chunk> chunks_;
     std::vector<Slot> slots_;  ///< a power of two of them
     std::vector<std::uint32_t> used_;
-    std::uint64_t levels_ = 0;  ///< sizes of cells in use
+    std::vector<Level> levels_;  ///< in use
 };
 
 }  // namespace trace::radiosity

@@ -30,8 +30,7 @@ struct Site {
 class SubsurfaceLight {
 public:
     SubsurfaceLight(Context& context, const SegmentTile& tile)
-        : context_(context), plan_(*context.scene.subsurface), tile_(tile),
-          own_(context, context.scratch.nested())
+        : context_(context), plan_(*context.scene.subsurface), tile_(tile), own_(context, context.scratch.nested())
     {
         ++own_.below;
         if (own_.scratch.shade.traits.surfaces.empty()) own_.scratch.shade.traits = context.scratch.shade.traits;
@@ -71,7 +70,8 @@ public:
     template <class F>
     void each(F&& f) const
     {
-        for (const Site& site : sites_) f(site.lane, site.row, glm::vec3(site.diffuse + site.single + site.unscattered));
+        for (const Site& site : sites_)
+            f(site.lane, site.row, glm::vec3(site.diffuse + site.single + site.unscattered));
     }
 
 private:
@@ -266,8 +266,7 @@ private:
             const int c = channel_[k];
             const double cosine = std::abs(glm::dot(places_.normal(k), to_light));
             if (!(cosine >= kNearlyZero)) return;
-            const double share =
-                site.matter.single(c, cosine, site.cosine(), met_.t[k] * plan_.mm_per_unit, drawn_[k]);
+            const double share = site.matter.single(c, cosine, site.cosine(), met_.t[k] * plan_.mm_per_unit, drawn_[k]);
             if (std::isfinite(share)) site.single[c] += share * static_cast<double>(color[c]);
         });
     }
@@ -321,7 +320,7 @@ private:
     Context own_;  ///< of rays and points below the surface
     std::vector<Site> sites_;
     std::vector<Way> ways_;
-    const InteriorList nothing_;
+    const InteriorList nothing_{};
     std::array<const InteriorList*, csg::kTileRays> around_;
     RayTile rays_;
     csg::HitTile met_;
