@@ -61,6 +61,16 @@ bool Freeform::reports_touches() const
         shape->kind);
 }
 
+bool Freeform::one_way() const
+{
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.one_way(); }) return kind.one_way();
+            else return false;
+        },
+        shape->kind);
+}
+
 bool Freeform::closed() const
 {
     return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::kClosed; }, shape->kind);

@@ -35,6 +35,8 @@ struct Freeform {
     bool blends_normals() const;
     /// Some of it may be drawn that bounds nothing: what a lathe has at a negative radius.
     bool reports_touches() const;
+    /// What it draws depends on which way a ray goes: a shadow ray has to come from the point itself.
+    bool one_way() const;
     bool closed() const;
     bool inverse_closed() const;
     void intersect(const Ray& ray, IntersectionList& out) const;

@@ -115,8 +115,10 @@ bool SphereSweep::contains(const glm::dvec3& p) const
 
 glm::dvec3 SphereSweep::gradient(const glm::dvec3& p, std::uint32_t face) const
 {
-    const Segment& segment = segments_[std::min<std::size_t>(face >> kPlaceBits, segments_.size() - 1)];
+    const std::size_t number = face >> kPlaceBits, count = segments_.size();
     const double place = static_cast<double>(face & kPlaces) / kPlaces, step = 1.0 / kPlaces;
+    if (number >= count) return glm::dvec3(segments_[std::min(number - count, count - 1)].rate(place)) * (place - 0.5);
+    const Segment& segment = segments_[number];
     double low = std::max(0.0, place - step), high = std::min(1.0, place + step);
     // The sphere that touches p there: the distance from its surface is least, and this is the rate at which it grows.
     const auto rate = [&](double u) {

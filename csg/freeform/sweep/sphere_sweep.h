@@ -16,7 +16,8 @@ struct SweepEnd {
 
 /// All spheres whose centre and radius run along a spline (spec 5b, 9; manual: Sphere Sweep), as one solid: what
 /// POV-Ray finds by sorting candidate hits is here the union of the intervals that a ray has in the spheres of each
-/// segment.
+/// segment. Along curved splines POV-Ray's count of the candidates keeps some of those within too: they are touches
+/// here.
 class SphereSweep {
 public:
     struct SweptSphere {
@@ -30,7 +31,10 @@ public:
 
     void intersect(const Ray& ray, IntersectionList& out) const;
     bool contains(const glm::dvec3& p) const;
-    /// `face`: the segment, and where on it in 2^-12.
+    /// Whether it draws surfaces within; which ones is counted along the ray.
+    bool reports_touches() const { return spline_ != Spline::Linear; }
+    bool one_way() const { return reports_touches(); }
+    /// `face`: the segment, and where on it in 2^-12; from the number of segments on, the flat end of one.
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
     Aabb bounds() const { return box_; }
     /// POV-Ray's after a transformation: around the spheres as they were written, moved; twice as large for
@@ -64,7 +68,16 @@ private:
     void gather(std::uint32_t segment, const Ray& ray, std::vector<Piece>& out) const;
     void gather_all(const Ray& ray, double from, double to, bool first_only, std::vector<Piece>& out) const;
 
-    static constexpr std::size_t kMostSegments = (std::size_t{1} << (32 - kPlaceBits)) - 2;
+    /// A place where POV-Ray may meet the surface.
+    struct Candidate {
+        double t;
+        bool enters;
+        std::uint32_t face;
+    };
+    void candidates(std::uint32_t segment, const Ray& ray, std::vector<Candidate>& out) const;
+    void touch_within(const Ray& ray, double start, IntersectionList& out) const;
+
+    static constexpr std::size_t kMostSegments = (std::size_t{1} << (31 - kPlaceBits)) - 2;
     static constexpr std::size_t kMostLoose = 3;  ///< more segments go through a hierarchy
 
     Spline spline_;

@@ -1,72 +1,14 @@
 #include "csg/freeform/bernstein.h"
 #include "csg/freeform/sweep/sphere_sweep.h"
 #include "csg/freeform/sweep/sweep_bend.h"
+#include "csg/freeform/sweep/swept_spheres.h"
 #include "csg/bvh/traverse.h"
 
 /// A ray through a sphere sweep: its intervals in the spheres of each segment, united.
 namespace csg {
 namespace {
 
-constexpr int kMostPieces = 3;    // halvings of a segment, after which its extremes are taken as roots of degree 10
-constexpr double kAcross = 1e-3;  // a derivative that varies by no more than this factor stays far from 0
-
-/// What a line has in the spheres of a segment: the sphere at u is met at m(u) -+ sqrt(reach(u)). Both by Bernstein
-/// ordinates.
-template <std::size_t count>
-struct SweptSpheres {
-    std::array<double, count> m;
-    std::array<double, 2 * count - 1> reach;
-    std::array<glm::dvec4, count> aside;  ///< control points across the line; w the radius
-};
-
-/// The ends of the union of these intervals over [a, b], where none is empty: they are at one of its ends, or where
-/// m' = +-reach' / (2 sqrt(reach)).
-template <std::size_t count>
-class Extremes {
-public:
-    explicit Extremes(const SweptSpheres<count>& spheres) : spheres_(spheres)
-    {
-        const auto rate = derivative(spheres.reach);
-        const auto way = derivative(spheres.m);
-        auto turn = product(rate, rate);
-        const auto both = product(product(way, way), spheres.reach);
-        for (std::size_t i = 0; i < turn.size(); ++i) turn[i] -= 4.0 * both[i];
-        const auto keep = [&](double u) {
-            places_[count_++] = u;
-            return count_ < places_.size();
-        };
-        each_change(turn, 0.0, 1.0, kHalvings, keep);
-        // Where m' vanishes these are double.
-        const auto [least, most] = std::minmax_element(way.begin(), way.end());
-        if (!(*least > kAcross * *most || *most < kAcross * *least) && count_ < places_.size())
-            each_change(rate, 0.0, 1.0, kHalvings, keep);
-    }
-
-    void find(double a, double b, SweepEnd& in, SweepEnd& out) const
-    {
-        in = {kInfinity, a};
-        out = {-kInfinity, a};
-        offer(a, in, out);
-        offer(b, in, out);
-        for (std::size_t i = 0; i < count_; ++i)
-            if (places_[i] > a && places_[i] < b) offer(places_[i], in, out);
-    }
-
-private:
-    void offer(double u, SweepEnd& in, SweepEnd& out) const
-    {
-        double m = 0.0, reach = 0.0, unused = 0.0;
-        detail::casteljau(spheres_.m, u, m, unused);
-        detail::casteljau(spheres_.reach, u, reach, unused);
-        const double half = std::sqrt(std::max(reach, 0.0));
-        if (m - half < in.t) in = {m - half, u};
-        if (m + half > out.t) out = {m + half, u};
-    }
-
-    const SweptSpheres<count>& spheres_;
-    std::array<double, 6 * count> places_;
-    std::size_t count_ = 0;
-};
+constexpr int kMostPieces = 3;  // halvings of a segment, after which its extremes are taken as roots of degree 10
 
 /// f(in, out) for each interval of the line in the union of the spheres.
 template <std::size_t count, class F>
@@ -88,22 +30,6 @@ void each_interval(const SweptSpheres<count>& spheres, F&& f)
         return true;
     });
     if (met) end(1.0);
-}
-
-/// `direction` of unit length; from(k): control point k from a point of the line, and its radius.
-template <std::size_t count, class From>
-SweptSpheres<count> spheres_along(const glm::dvec3& direction, From&& from)
-{
-    SweptSpheres<count> spheres;
-    for (std::size_t k = 0; k < count; ++k) {
-        const glm::dvec4 c = from(k);
-        spheres.m[k] = glm::dot(glm::dvec3(c), direction);
-        spheres.aside[k] = c - glm::dvec4(spheres.m[k] * direction, 0.0);
-    }
-    spheres.reach = product(spheres.aside, spheres.aside, [](const glm::dvec4& a, const glm::dvec4& b) {
-        return a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z;
-    });
-    return spheres;
 }
 
 /// f(in, out) for intervals whose union is that of each_interval(), on the part [low, high] of a segment: halves that
@@ -179,14 +105,17 @@ void SphereSweep::intersect(const Ray& ray, IntersectionList& out) const
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
         return a.in.t != b.in.t ? a.in.t < b.in.t : a.segment < b.segment;
     });
+    bool through = false;  // the ray runs in a span
     for (std::size_t i = 0; i < pieces.size();) {
         const Piece& first = pieces[i];
         if (!out.enter(start + first.in.t, face_of(first.segment, first.in.u))) return;
         const Piece* last = &first;
         for (++i; i < pieces.size() && pieces[i].in.t <= last->out.t; ++i)
             if (pieces[i].out.t > last->out.t) last = &pieces[i];
-        if (!out.leave(start + last->out.t, face_of(last->segment, last->out.u))) return;
+        through = through || (start + last->out.t > out.from && start + first.in.t < out.to);
+        if (!out.leave(start + last->out.t, face_of(last->segment, last->out.u))) break;
     }
+    if (through && reports_touches()) touch_within(near, start, out);
 }
 
 }  // namespace csg

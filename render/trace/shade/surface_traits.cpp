@@ -91,7 +91,10 @@ bool asks_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits, 
                    csg::PartId part)
 {
     const csg::SolidStore& store = scene.geometry.store;
-    if (item.all_opaque) return false;
+    const bool one_way = csg::kind_of(part) == csg::SolidKind::Freeform &&
+                         store.all<csg::Freeform>()[csg::index_of(part)].one_way();
+    if (item.all_opaque) return one_way && item.solid == csg::kNoPart;  // a clip may open it
+    if (one_way) return true;
     if (csg::kind_of(part) == csg::SolidKind::Mesh) return true;  // of many surfaces
     const csg::SurfaceId surface = store.surface(part);
     if (surface >= scene.surfaces.size()) return false;  // it only clips

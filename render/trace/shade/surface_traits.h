@@ -39,7 +39,8 @@ struct SceneTraits {
     bool scalar_rows = false;    ///< Options::scalar_light
     bool even_fog = false;       ///< the air has fog that is the same everywhere, and nothing else
     /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are
-    /// met, to the last bit where a pattern has edges. Elsewhere they may come from the light as a beam.
+    /// met, to the last bit where a pattern has edges, and solids that depend on the way (csg::Freeform::one_way).
+    /// Elsewhere they may come from the light as a beam.
     std::vector<csg::Aabb> own_rays;
     bool has_open_surface = false;  ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
 
