@@ -165,6 +165,8 @@ trace::RenderOptions PictureRun::render_options()
 bool PictureRun::find_indirect_light()
 {
     trace::RenderOptions options = render_options();
+    if (settings_.radiosity_from_file) options.radiosity_from = settings_.radiosity_file;
+    if (settings_.radiosity_to_file) options.radiosity_to = settings_.radiosity_file;
     options.pass = [this](std::string_view name) { task_.run.reporter.pass(std::string(name)); };
     indirect_ = trace::run_passes(task_.compiled, options);
     if (indirect_) task_.run.reporter.pass("picture");

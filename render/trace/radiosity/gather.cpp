@@ -12,6 +12,7 @@
 namespace trace::radiosity {
 namespace {
 
+constexpr std::size_t kWays = 2048;  ///< of directions, for sorting
 constexpr double kNothing = 2e10;  ///< how far off the nearest thing is where there is none
 
 class Gatherer {
@@ -33,7 +34,7 @@ public:
         for_each_hit(which, [&](std::size_t i) {
             begin(i);
             for (int ray = 0; ray < rules_.rays; ++ray)
-                scratch_.pending.push_back({glm::normalize(direction(scratch_.gatherings[i], scratch_.requests[i])),
+                scratch_.pending.push_back({direction(scratch_.gatherings[i], scratch_.requests[i]),
                                             static_cast<std::uint16_t>(ray), static_cast<std::uint8_t>(i)});
         });
         sort();
@@ -99,18 +100,17 @@ private:
     }
 
     /// By octants, and by curves through them: neighbours point nearly the same way.
-    static std::uint64_t way(const glm::dvec3& d)
+    static std::uint32_t way(const glm::dvec3& d)
     {
-        constexpr double kSteps = 31.99;
+        constexpr double kSteps = 15.99;
         const glm::dvec3 a = glm::abs(d);
         const double scale = kSteps / (a.x + a.y + a.z);
         const auto spread = [](std::uint32_t v) {  // every other bit
-            v = (v | v << 4) & 0x30fu;
-            v = (v | v << 2) & 0x333u;
-            return (v | v << 1) & 0x555u;
+            v = (v | v << 2) & 0x33u;
+            return (v | v << 1) & 0x55u;
         };
         const std::uint32_t octant = (d.x < 0.0 ? 1u : 0u) | (d.y < 0.0 ? 2u : 0u) | (d.z < 0.0 ? 4u : 0u);
-        return octant << 10 | spread(static_cast<std::uint32_t>(a.x * scale)) << 1 |
+        return octant << 8 | spread(static_cast<std::uint32_t>(a.x * scale)) << 1 |
                spread(static_cast<std::uint32_t>(a.z * scale));
     }
 
@@ -118,14 +118,28 @@ private:
     /// scattered, and a beam starts in one of them.
     void sort()
     {
-        const bool together = context_.bounce == 0;
-        scratch_.order.clear();
-        for (std::size_t i = 0; i < scratch_.pending.size(); ++i) {
-            const GatherRay& ray = scratch_.pending[i];
-            const std::uint64_t at = way(ray.direction), of = ray.owner;
-            scratch_.order.push_back((together ? at << 8 | of : of << 16 | at) << 32 | i);
-        }
-        std::sort(scratch_.order.begin(), scratch_.order.end());
+        const auto count = static_cast<std::uint32_t>(scratch_.pending.size());
+        scratch_.order.resize(count);
+        for (std::uint32_t i = 0; i < count; ++i) scratch_.order[i] = i;
+        scratch_.keys.clear();
+        for (const GatherRay& ray : scratch_.pending)
+            scratch_.keys.push_back(static_cast<std::uint16_t>(way(ray.direction)));
+        count_out(kWays, [this](std::uint32_t i) { return std::uint32_t{scratch_.keys[i]}; });
+        if (context_.bounce > 0)
+            count_out(kTileRays, [this](std::uint32_t i) { return std::uint32_t{scratch_.pending[i].owner}; });
+    }
+
+    /// Sorts the rays by a small number, those that share one as they were.
+    template <class Key>
+    void count_out(std::size_t keys, Key&& key)
+    {
+        std::vector<std::uint32_t>& start = scratch_.start;
+        start.assign(keys + 1, 0);
+        for (const std::uint32_t i : scratch_.order) ++start[key(i) + 1];
+        for (std::size_t k = 1; k <= keys; ++k) start[k] += start[k - 1];
+        scratch_.before.swap(scratch_.order);
+        scratch_.order.resize(scratch_.before.size());
+        for (const std::uint32_t i : scratch_.before) scratch_.order[start[key(i)]++] = i;
     }
 
     void trace_tiles()
@@ -136,7 +150,7 @@ private:
             rays.count = static_cast<int>(count);
             rays.common_origin = true;
             for (std::size_t k = 0; k < count; ++k) {
-                const GatherRay& ray = scratch_.pending[scratch_.order[first + k] & 0xffffffffu];
+                const GatherRay& ray = scratch_.pending[scratch_.order[first + k]];
                 const Request& of = scratch_.requests[ray.owner];
                 rays.set(k, {of.point, ray.direction}, of.start, csg::kInfinity);
                 scratch_.owner[k] = ray.owner;

@@ -3,6 +3,7 @@
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/kernel/kernel.h"
 #include "render/trace/radiosity/pass_rays.h"
+#include "render/trace/radiosity/sample_file.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -167,7 +168,12 @@ bool fill(const plan::CompiledScene& scene, const RenderOptions& options, const 
 {
     light.radiosity = std::make_unique<Field>(scene);
     if (options.pass) options.pass("radiosity pretrace");
-    return Passes(scene, options, kernel, light).run();
+    if (!options.radiosity_from.empty())
+        for (const Found& found : read_samples(options.radiosity_from))
+            if (found.bounce < scene.radiosity->settings.recursion_limit) light.radiosity->add(found);
+    if (!Passes(scene, options, kernel, light).run()) return false;
+    if (!options.radiosity_to.empty()) write_samples(options.radiosity_to, light.radiosity->samples);
+    return true;
 }
 
 }  // namespace trace::radiosity
