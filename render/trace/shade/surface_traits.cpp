@@ -107,7 +107,11 @@ std::vector<csg::Aabb> boxes_of_own_rays(const plan::CompiledScene& scene, const
     constexpr std::size_t kMost = 16;  // of more one box is made
     const csg::WorldData& world = scene.geometry;
     std::vector<csg::Aabb> boxes;
+    const auto& freeforms = world.store.all<csg::Freeform>();
+    const bool one_way =
+        std::any_of(freeforms.begin(), freeforms.end(), [](const csg::Freeform& f) { return f.one_way(); });
     for (const csg::WorldItem& item : world.items) {
+        if (item.all_opaque && !one_way) continue;
         bool asks = false;
         if (item.instance != csg::Hit::kNoInstance) {
             asks = traits.filters;
