@@ -133,6 +133,13 @@ struct Rules<Eight> {
 
     static void outer(const SceneReference& what, const Eight* a, const Host& host, Eight* out)
     {
+        if (const auto* use = std::get_if<SceneUse>(&what)) {
+            const std::array<double*, 5> to{out[0].v, out[1].v, out[2].v, out[3].v, out[4].v};
+            if (use->kind == SceneUse::Kind::Pigment) return host.pigments(use->slot, a[0].v, a[1].v, a[2].v, to);
+            host.patterns(use->slot, a[0].v, a[1].v, a[2].v, out[0].v);
+            for (std::size_t k = 1; k < to.size(); ++k) out[k] = constant(0.0);
+            return;
+        }
         const std::size_t count = std::holds_alternative<std::shared_ptr<const Spline>>(what) ? 1 : 3;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             double one[3] = {};

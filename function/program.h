@@ -96,6 +96,20 @@ public:
     {
         for (int i = 0; i < 8; ++i) out[i] = noise({x[i], y[i], z[i]}, generator);
     }
+    /// pattern() of eight points, with the same bits.
+    virtual void patterns(std::uint32_t slot, const double* x, const double* y, const double* z, double* out) const
+    {
+        for (int i = 0; i < 8; ++i) out[i] = pattern(slot, {x[i], y[i], z[i]});
+    }
+    /// pigment() of eight points, with the same bits; component k of all goes to out[k].
+    virtual void pigments(std::uint32_t slot, const double* x, const double* y, const double* z,
+                          const std::array<double*, 5>& out) const
+    {
+        for (int i = 0; i < 8; ++i) {
+            const std::array<double, 5> c = pigment(slot, {x[i], y[i], z[i]});
+            for (std::size_t k = 0; k < c.size(); ++k) out[k][i] = c[k];
+        }
+    }
     /// The texture set behind the answers, null: none. A kernel module asks it by its own build of render/texture,
     /// which knows the processor better than the program's.
     virtual const void* texture_set() const { return nullptr; }

@@ -2,12 +2,36 @@
 
 #include "function/evaluate.h"
 #include "function/intervals/interval.h"
+#include "render/texture/evaluate_points.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
 
 #include <algorithm>
 
 namespace texture {
+namespace {
+
+void put_eight(const double* x, const double* y, const double* z, Points& out)
+{
+    out.count = function::kLanes;
+    std::copy_n(x, function::kLanes, out.x.data());
+    std::copy_n(y, function::kLanes, out.y.data());
+    std::copy_n(z, function::kLanes, out.z.data());
+}
+
+/// Of points that are on no surface.
+const Around& nowhere()
+{
+    static const Surroundings none;
+    static const Around all = [] {
+        Around around;
+        around.fill(&none);
+        return around;
+    }();
+    return all;
+}
+
+}  // namespace
 
 double FunctionHost::noise(const glm::dvec3& p, int generator) const
 {
@@ -30,13 +54,37 @@ std::array<double, 5> FunctionHost::pigment(std::uint32_t slot, const glm::dvec3
 void FunctionHost::noises(const double* x, const double* y, const double* z, int generator, double* out) const
 {
     Points points;
-    points.count = function::kLanes;
-    std::copy_n(x, function::kLanes, points.x.data());
-    std::copy_n(y, function::kLanes, points.y.data());
-    std::copy_n(z, function::kLanes, points.z.data());
+    put_eight(x, y, z, points);
     Values values;
     noise_points(points, generator == 0 ? set_.noise_generator : generator, values);
     std::copy_n(values.data(), function::kLanes, out);
+}
+
+void FunctionHost::patterns(std::uint32_t slot, const double* x, const double* y, const double* z, double* out) const
+{
+    const Pattern& pattern = set_.patterns[slot];
+    Points points;
+    put_eight(x, y, z, points);
+    warp_points(set_, pattern, points, kAllLive);
+    Values values;
+    pattern_values(set_, pattern, points, nowhere(), values);
+    std::copy_n(values.data(), function::kLanes, out);
+}
+
+void FunctionHost::pigments(std::uint32_t slot, const double* x, const double* y, const double* z,
+                            const std::array<double*, 5>& out) const
+{
+    Points points;
+    put_eight(x, y, z, points);
+    ColorPoints colors;
+    pigment_colors(set_, slot, points, nowhere(), colors);
+    for (std::size_t i = 0; i < function::kLanes; ++i) {
+        out[0][i] = static_cast<double>(colors.red[i]);
+        out[1][i] = static_cast<double>(colors.green[i]);
+        out[2][i] = static_cast<double>(colors.blue[i]);
+        out[3][i] = static_cast<double>(colors.filter[i]);
+        out[4][i] = static_cast<double>(colors.transmit[i]);
+    }
 }
 
 namespace {

@@ -35,6 +35,15 @@ struct Points {
         y[i] = p.y;
         z[i] = p.z;
     }
+    /// A copy of padded points; what lies behind them is not.
+    void take(const Points& from)
+    {
+        count = from.count;
+        const std::size_t end = (size() + 7) & ~std::size_t{7};
+        std::copy_n(from.x.data(), end, x.data());
+        std::copy_n(from.y.data(), end, y.data());
+        std::copy_n(from.z.data(), end, z.data());
+    }
     void add(const glm::dvec3& p) { set(static_cast<std::size_t>(count++), p); }
 
     /// Repeats the last point up to the end of its vector, so that nothing there is in a cell of its own.

@@ -2,8 +2,10 @@
 
 #include "csg/base/lanes.h"
 #include "csg/base/types.h"
-#include "render/texture/noise/noise.h"
+#include "render/texture/noise/nearest_lanes.h"
+#include "render/texture/noise/noise_tables.h"
 
+#include <bit>
 #include <cmath>
 
 namespace texture {
@@ -64,11 +66,11 @@ struct Finder {
     }
 };
 
-/// Distances squared (or sums of absolute deltas) of cells in vector lanes, from whole vectors on.
+/// Distances squared (or sums of absolute deltas) of cells in vector lanes; `first` begins a vector.
 template <bool Squared>
-void distances(const glm::dvec3& p, const CellPoints& cells, std::size_t first, double* out)
+void distances(const glm::dvec3& p, const CellPoints& cells, std::size_t first, std::size_t last, double* out)
 {
-    for (std::size_t i = first; i < cells.count(); i += csg::lanes::kDoubles) {
+    for (std::size_t i = first; i < last; i += csg::lanes::kDoubles) {
         const Double x = Double(p.x) - Double::load_aligned(cells.x.data() + i),
                      y = Double(p.y) - Double::load_aligned(cells.y.data() + i),
                      z = Double(p.z) - Double::load_aligned(cells.z.data() + i);
@@ -77,19 +79,58 @@ void distances(const glm::dvec3& p, const CellPoints& cells, std::size_t first, 
     }
 }
 
+/// The smallest of the first `count` distances; behind them up to a whole vector lie infinite ones.
+template <int Count>
+std::array<double, 3> smallest(const double* d, std::size_t count)
+{
+    NearestLanes<Count> nearest;
+    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) nearest.take(Double::load_aligned(d + i));
+    return nearest.merged();
+}
+
+std::array<double, 3> smallest(const double* d, std::size_t count, std::size_t wanted)
+{
+    return wanted == 1 ? smallest<1>(d, count) : wanted == 2 ? smallest<2>(d, count) : smallest<3>(d, count);
+}
+
+/// Of the first `count` cells.
+struct Distances {
+    alignas(64) std::array<double, CellPoints::kRoom> d;
+    std::size_t count;
+    std::array<double, 3> best;
+};
+
 /// Metrics 1 and 2. The outer cells are looked at only if they can hold a nearer point.
+template <bool Squared>
+void measure(const glm::dvec3& p, CellPoints& cells, std::size_t wanted, Distances& out)
+{
+    out.count = CellPoints::kNear;
+    distances<Squared>(p, cells, 0, CellPoints::kNear, out.d.data());
+    out.best = smallest(out.d.data(), CellPoints::kNear, wanted);
+    if (out.best[wanted - 1] < kOuterCells) return;
+    cells.complete();
+    out.count = CellPoints::kAll;
+    constexpr std::size_t kWhole = CellPoints::kNear / csg::lanes::kDoubles * csg::lanes::kDoubles;
+    distances<Squared>(p, cells, kWhole, CellPoints::kAll, out.d.data());
+    out.best = smallest(out.d.data(), CellPoints::kAll, wanted);
+}
+
 template <bool Squared>
 Finder nearest_plain(const glm::dvec3& p, CellPoints& cells, std::size_t wanted)
 {
-    alignas(64) std::array<double, CellPoints::kRoom> d;
-    distances<Squared>(p, cells, 0, d.data());
+    Distances all;
+    measure<Squared>(p, cells, wanted, all);
     Finder found;
-    for (std::size_t i = 0; i < CellPoints::kNear; ++i) found.take(d[i], i);
-    if (found.best[wanted - 1] < kOuterCells) return found;
-    cells.complete();
-    constexpr std::size_t kWhole = CellPoints::kNear / csg::lanes::kDoubles * csg::lanes::kDoubles;
-    distances<Squared>(p, cells, kWhole, d.data());
-    for (std::size_t i = CellPoints::kNear; i < CellPoints::kAll; ++i) found.take(d[i], i);
+    found.best = all.best;
+    const Double least(all.best[0]);
+    for (std::size_t i = 0; i < all.count; i += csg::lanes::kDoubles)
+        for (std::uint32_t equal = csg::lanes::mask(Double::load_aligned(all.d.data() + i) == least); equal != 0;
+             equal &= equal - 1) {
+            const std::size_t cell = i + static_cast<std::size_t>(std::countr_zero(equal));
+            if (cell >= all.count) break;
+            if (found.nearest == CellPoints::kAll || kOffsets[cell].order < kOffsets[found.nearest].order)
+                found.nearest = cell;
+        }
     return found;
 }
 
@@ -127,32 +168,77 @@ Finder find(const glm::dvec3& p, CellPoints& cells, double metric, bool signed_s
     return nearest_of_all(p, cells, metric, signed_sum);
 }
 
+/// Of the cells about a base cell, axis by axis: from two below it to two above.
+class CellAxes {
+public:
+    explicit CellAxes(const glm::dvec3& base)
+    {
+        for (int k = 0; k < 3; ++k)
+            for (int step = -2; step <= 2; ++step) {
+                const double at = base[k] + step;
+                cells_[axis(k)][place(step)] = at;
+                index_[axis(k)][place(step)] = static_cast<std::size_t>(static_cast<long long>(at) & kMask);
+            }
+    }
+
+    /// cell_hash() of the cells that share x and y, as far as it goes without z.
+    std::size_t column(int x, int y) const
+    {
+        const auto& t = kNoiseTables.hash;
+        return t[t[index_[0][place(x)]] ^ index_[1][place(y)]];
+    }
+    void put(CellPoints& out, std::size_t i, const Offset& cell, std::size_t column) const
+    {
+        const double* random = kNoiseTables.random.data() + kNoiseTables.hash[column ^ index_[2][place(cell.z)]];
+        out.x[i] = cells_[0][place(cell.x)] + random[0];
+        out.y[i] = cells_[1][place(cell.y)] + random[1];
+        out.z[i] = cells_[2][place(cell.z)] + random[2];
+    }
+
+private:
+    static constexpr long long kMask = NoiseTables::kHashSize - 1;
+    static constexpr std::size_t axis(int k) { return static_cast<std::size_t>(k); }
+    static constexpr std::size_t place(int step) { return static_cast<std::size_t>(step + 2); }
+
+    std::array<std::array<double, 5>, 3> cells_;
+    std::array<std::array<std::size_t, 5>, 3> index_;
+};
+
 }  // namespace
 
-CellPoints::CellPoints(const glm::dvec3& base_cell) : base_(base_cell)
+void CellPoints::move_to(const glm::dvec3& base_cell)
 {
-    fill(0, kNear);
+    base_ = base_cell;
+    count_ = kNear;
+    const CellAxes axes(base_cell);
+    constexpr std::size_t kColumn = 3;  // cells, behind each other
+    for (std::size_t i = 0; i < kNear; i += kColumn) {
+        const std::size_t column = axes.column(kOffsets[i].x, kOffsets[i].y);
+        for (std::size_t k = i; k < i + kColumn; ++k) axes.put(*this, k, kOffsets[k], column);
+    }
     for (std::size_t i = kNear; i < 32; ++i) x[i] = y[i] = z[i] = csg::kInfinity;
 }
 
 void CellPoints::complete()
 {
     if (completed()) return;
-    fill(kNear, kAll);
+    count_ = kAll;
+    const CellAxes axes(base_);
+    for (std::size_t i = kNear; i < kAll; ++i)
+        axes.put(*this, i, kOffsets[i], axes.column(kOffsets[i].x, kOffsets[i].y));
     for (std::size_t i = kAll; i < kRoom; ++i) x[i] = y[i] = z[i] = csg::kInfinity;
 }
 
-void CellPoints::fill(std::size_t first, std::size_t last)
+CellPoints& cell_points(const glm::dvec3& base_cell)
 {
-    for (std::size_t i = first; i < last; ++i) {
-        const glm::dvec3 cell = base_ + glm::dvec3(kOffsets[i].x, kOffsets[i].y, kOffsets[i].z);
-        const int seed =
-            cell_hash(static_cast<long long>(cell.x), static_cast<long long>(cell.y), static_cast<long long>(cell.z));
-        x[i] = cell.x + pattern_random(seed);
-        y[i] = cell.y + pattern_random(seed + 1);
-        z[i] = cell.z + pattern_random(seed + 2);
-    }
-    count_ = last;
+    constexpr std::size_t kKept = 32;  // four by four by two cells beside each other, 70 KB
+    static constinit thread_local std::array<CellPoints, kKept> kept;
+    const auto part = [&](int k, long long mask) {
+        return static_cast<std::size_t>(static_cast<long long>(base_cell[k]) & mask);
+    };
+    CellPoints& cells = kept[part(0, 3) | part(1, 3) << 2 | part(2, 1) << 4];
+    if (!cells.are_of(base_cell)) cells.move_to(base_cell);
+    return cells;
 }
 
 NearestCells nearest_cells(const glm::dvec3& p, CellPoints& cells, double metric, bool signed_sum, int wanted)
@@ -160,6 +246,16 @@ NearestCells nearest_cells(const glm::dvec3& p, CellPoints& cells, double metric
     const Finder found = find(p, cells, metric, signed_sum, static_cast<std::size_t>(wanted));
     const std::size_t at = found.nearest;
     return {found.best, at == CellPoints::kAll ? p : glm::dvec3(cells.x[at], cells.y[at], cells.z[at])};
+}
+
+std::array<double, 3> nearest_distances(const glm::dvec3& p, CellPoints& cells, double metric, int wanted)
+{
+    const auto count = static_cast<std::size_t>(wanted);
+    if (metric != 1.0 && metric != 2.0) return find(p, cells, metric, false, count).best;
+    Distances all;
+    if (metric == 2.0) measure<true>(p, cells, count, all);
+    else measure<false>(p, cells, count, all);
+    return all.best;
 }
 
 }  // namespace texture

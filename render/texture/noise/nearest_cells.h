@@ -13,20 +13,27 @@ class CellPoints {
 public:
     static constexpr std::size_t kNear = 27, kAll = 81, kRoom = 88;  ///< room: whole vectors
 
-    explicit CellPoints(const glm::dvec3& base_cell);
+    constexpr CellPoints() = default;  ///< of no cell
+    explicit CellPoints(const glm::dvec3& base_cell) { move_to(base_cell); }
+
+    void move_to(const glm::dvec3& base_cell);
+    bool are_of(const glm::dvec3& base_cell) const { return count_ != 0 && base_ == base_cell; }
 
     /// The points of the outer cells too. Everything else is there at once.
     void complete();
     bool completed() const { return count_ == kAll; }
     std::size_t count() const { return count_; }
 
-    alignas(64) std::array<double, kRoom> x, y, z;  ///< infinite behind the last
+    alignas(64) std::array<double, kRoom> x{}, y{}, z{};  ///< infinite behind the last
 
 private:
-    void fill(std::size_t first, std::size_t last);
-    glm::dvec3 base_;
+    glm::dvec3 base_{0.0};
     std::size_t count_ = 0;
 };
+
+/// Those of a cell, until the thread asks for another. Neighbouring points mostly ask for the same few cells, so each
+/// thread keeps some.
+CellPoints& cell_points(const glm::dvec3& base_cell);
 
 /// The points of outer cells are no nearer than this, as powered distances of any metric: what is found below it stays.
 inline constexpr double kOuterCells = 0.999;
@@ -38,5 +45,8 @@ struct NearestCells {
 
 /// The nearest `wanted` points (1 to 3). `signed_sum`: metric 1 adds signed deltas (facets' defect).
 NearestCells nearest_cells(const glm::dvec3& p, CellPoints& cells, double metric, bool signed_sum, int wanted);
+
+/// Its distances alone.
+std::array<double, 3> nearest_distances(const glm::dvec3& p, CellPoints& cells, double metric, int wanted);
 
 }  // namespace texture

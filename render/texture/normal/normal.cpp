@@ -52,8 +52,7 @@ glm::dvec3 facets(const Pattern& pattern, const glm::dvec3& raw, const glm::dvec
     const double size = pattern.numbers[0], coords = pattern.numbers[1], metric = pattern.numbers[2];
     const double scale = size < 1e-6 ? 1e6 : 1.0 / size;
     const glm::dvec3 t = (coords == 0.0 ? n : p) * scale;
-    CellPoints cells(glm::floor(t - kTiny));
-    const glm::dvec3 nearest = nearest_cells(t, cells, metric, true, 1).point;
+    const glm::dvec3 nearest = nearest_cells(t, cell_points(glm::floor(t - kTiny)), metric, true, 1).point;
     if (coords == 0.0) return nearest;
     glm::dvec3 d = vector_noise(nearest);
     d -= glm::dot(d, n) * n;

@@ -2,6 +2,7 @@
 #include "csg/base/types.h"
 #include "render/texture/angle.h"
 #include "render/texture/noise/nearest_cells.h"
+#include "render/texture/noise/nearest_lanes.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/patterns/patterns.h"
 
@@ -37,83 +38,77 @@ double value_of(const Pattern& pattern, const std::array<double, 3>& powered, in
 
 double crackle_in(const Pattern& pattern, const glm::dvec3& p, CellPoints& cells)
 {
+    const double metric = pattern.numbers[0];
     const int count = wanted(pattern);
-    const NearestCells found = nearest_cells(p, cells, pattern.numbers[0], false, count);
-    return solid(pattern) ? std::clamp(noise(found.point, pattern.noise_generator), 0.0, 1.0)
-                          : value_of(pattern, found.powered, count);
+    if (!solid(pattern)) return value_of(pattern, nearest_distances(p, cells, metric, count), count);
+    return std::clamp(noise(nearest_cells(p, cells, metric, false, 1).point, pattern.noise_generator), 0.0, 1.0);
 }
 
-/// The smallest distances of as many points as there are lanes.
-struct Nearest {
-    Double first = Double(csg::kInfinity), second = first, third = first;
-
-    void take(const Double& d, int count)
-    {
-        if (count > 2) third = xsimd::min(third, xsimd::max(second, d));
-        if (count > 1) second = xsimd::min(second, xsimd::max(first, d));
-        first = xsimd::min(first, d);
-    }
-    const Double& last(int count) const { return count > 2 ? third : count > 1 ? second : first; }
-};
-
-/// Points of one cell in lanes; metric 1 or 2.
+/// value_of() for lengths: metric 1 or 2, no offset.
 template <int Count, bool Squared>
-void shared_cell(const Points& p, CellPoints& cells, Values& first, Values& second, Values& third)
+Double length_sum(const Pattern& pattern, const NearestLanes<Count>& found)
+{
+    const auto term = [&](int i, const Double& d) {
+        return Double(pattern.vector[i]) * (Squared ? xsimd::sqrt(d) : d);
+    };
+    Double v = Double(0.0) + term(0, found.first);
+    if constexpr (Count > 1) v = v + term(1, found.second);
+    if constexpr (Count > 2) v = v + term(2, found.third);
+    return xsimd::select(v < Double(0.0), Double(0.0), xsimd::select(Double(1.0) < v, Double(1.0), v));
+}
+
+/// Points of one cell in lanes; metric 1 or 2, no offset.
+template <int Count, bool Squared>
+void shared_cell(const Pattern& pattern, const Points& p, CellPoints& cells, Values& out)
 {
     for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
         const Double x = Double::load_aligned(p.x.data() + i), y = Double::load_aligned(p.y.data() + i),
                      z = Double::load_aligned(p.z.data() + i);
-        Nearest found;
+        NearestLanes<Count> found;
         const auto search = [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = begin; c < end; ++c) {
                 const Double dx = x - Double(cells.x[c]), dy = y - Double(cells.y[c]), dz = z - Double(cells.z[c]);
-                found.take(Squared ? dx * dx + dy * dy + dz * dz : xsimd::abs(dx) + xsimd::abs(dy) + xsimd::abs(dz),
-                           Count);
+                found.take(Squared ? dx * dx + dy * dy + dz * dz : xsimd::abs(dx) + xsimd::abs(dy) + xsimd::abs(dz));
             }
         };
         search(0, CellPoints::kNear);
-        if (csg::lanes::mask(found.last(Count) >= Double(kOuterCells)) != 0) {
+        if (csg::lanes::mask(found.last() >= Double(kOuterCells)) != 0) {
             cells.complete();
             search(CellPoints::kNear, CellPoints::kAll);
         }
-        found.first.store_aligned(first.data() + i);
-        found.second.store_aligned(second.data() + i);
-        found.third.store_aligned(third.data() + i);
+        length_sum<Count, Squared>(pattern, found).store_aligned(out.data() + i);
     }
 }
 
 template <bool Squared>
-void shared_cell(const Points& p, CellPoints& cells, int count, Values& first, Values& second, Values& third)
+void shared_cell(const Pattern& pattern, const Points& p, CellPoints& cells, int count, Values& out)
 {
-    if (count == 1) shared_cell<1, Squared>(p, cells, first, second, third);
-    else if (count == 2) shared_cell<2, Squared>(p, cells, first, second, third);
-    else shared_cell<3, Squared>(p, cells, first, second, third);
+    if (count == 1) shared_cell<1, Squared>(pattern, p, cells, out);
+    else if (count == 2) shared_cell<2, Squared>(pattern, p, cells, out);
+    else shared_cell<3, Squared>(pattern, p, cells, out);
 }
 
 /// All points lie in the cell `base`.
 void values_in(const Pattern& pattern, const glm::dvec3& base, Points& p, Values& out)
 {
     constexpr int kFew = 2;  // up to so many points cells fill the lanes better
-    CellPoints cells(base);
+    CellPoints& cells = cell_points(base);
     const double metric = pattern.numbers[0];
-    if (solid(pattern) || (metric != 1.0 && metric != 2.0) || p.count <= kFew) {
+    const bool lengths = (metric == 1.0 || metric == 2.0) && pattern.numbers[1] == 0.0;
+    if (solid(pattern) || !lengths || p.count <= kFew) {
         for (std::size_t i = 0; i < p.size(); ++i) out[i] = crackle_in(pattern, p.at(i), cells);
         return;
     }
     p.pad();
-    const int count = wanted(pattern);
-    Values first, second, third;
-    if (metric == 2.0) shared_cell<true>(p, cells, count, first, second, third);
-    else shared_cell<false>(p, cells, count, first, second, third);
-    for (std::size_t i = 0; i < p.size(); ++i) out[i] = value_of(pattern, {first[i], second[i], third[i]}, count);
+    if (metric == 2.0) shared_cell<true>(pattern, p, cells, wanted(pattern), out);
+    else shared_cell<false>(pattern, p, cells, wanted(pattern), out);
 }
 
 }  // namespace
 
 double crackle(const Pattern& pattern, const glm::dvec3& p)
 {
-    CellPoints cells(glm::floor(p - kTiny));
-    return crackle_in(pattern, p, cells);
+    return crackle_in(pattern, p, cell_points(glm::floor(p - kTiny)));
 }
 
 void crackle_values(const Pattern& pattern, const Points& p, Values& out)

@@ -206,7 +206,8 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
         return;
     }
     const Pattern& pattern = set.patterns[pigment.pattern];
-    Points q = p;
+    Points q;
+    q.take(p);
     warp_points(set, pattern, q, color_map ? live_components(pattern) : kAllLive);
     if (pigment.kind == Pigment::Kind::Average) return average_colors(set, pigment, q, around, out);
     Values values;

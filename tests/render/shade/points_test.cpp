@@ -1,5 +1,6 @@
 #include "render/texture/angle.h"
 #include "render/texture/evaluate_points.h"
+#include "render/texture/function_host.h"
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
@@ -276,6 +277,28 @@ TEST_CASE("the nearest of scattered points are those of a search through all cel
         for (std::size_t i = 0; i < static_cast<std::size_t>(wanted); ++i)
             REQUIRE(bits(found.powered[i]) == bits(all[i]));
         REQUIRE(found.point == nearest);
+        const auto lengths = nearest_distances(p, cell_points(base), metric, wanted);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(wanted); ++i) REQUIRE(bits(lengths[i]) == bits(all[i]));
+    }
+}
+
+TEST_CASE("the points of a cell are the same whichever cells were asked for before", "[texture][crackle]")
+{
+    const auto same = [](const CellPoints& a, const CellPoints& b) {
+        for (std::size_t i = 0; i < a.count(); ++i)
+            if (a.x[i] != b.x[i] || a.y[i] != b.y[i] || a.z[i] != b.z[i]) return false;
+        return a.count() <= b.count();
+    };
+    Rng rng(1);
+    for (int round = 0; round < 4000; ++round) {
+        const double far = std::array{4.0, 50.0, 1e17}[static_cast<std::size_t>(rng.below(3))];
+        const glm::dvec3 base = glm::floor(rng.vector(far));
+        CellPoints fresh(base);
+        REQUIRE(same(fresh, cell_points(base)));
+        if (!rng.flip()) continue;
+        fresh.complete();
+        cell_points(base).complete();
+        REQUIRE(same(fresh, cell_points(base)));
     }
 }
 
@@ -299,6 +322,33 @@ TEST_CASE("pigments of many points have the bits of each point alone", "[texture
             REQUIRE(bits(c.blue) == bits(m.blue));
             REQUIRE(bits(c.filter) == bits(m.filter));
             REQUIRE(bits(c.transmit) == bits(m.transmit));
+        }
+    }
+}
+
+TEST_CASE("eight points that a function asks for have the bits of each point alone", "[texture][function]")
+{
+    const auto same = [](double a, double b) { return bits(a) == bits(b) || (a != a && b != b); };
+    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        TextureSet set;
+        const std::uint32_t pigment = random_pigment(rng, set, 1),
+                            pattern = static_cast<std::uint32_t>(rng.below(static_cast<int>(set.patterns.size())));
+        const Points p = random_points(rng);
+        const FunctionHost host(set);
+        std::array<std::array<double, function::kLanes>, 3> at;
+        std::array<std::array<double, function::kLanes>, 6> out;
+        for (std::size_t i = 0; i < function::kLanes; ++i)
+            for (std::size_t k = 0; k < 3; ++k) at[k][i] = p.at(i % p.size())[static_cast<int>(k)];
+        host.patterns(pattern, at[0].data(), at[1].data(), at[2].data(), out[5].data());
+        host.pigments(pigment, at[0].data(), at[1].data(), at[2].data(),
+                      {out[0].data(), out[1].data(), out[2].data(), out[3].data(), out[4].data()});
+        for (std::size_t i = 0; i < function::kLanes; ++i) {
+            const glm::dvec3 q = p.at(i % p.size());
+            const auto color = host.pigment(pigment, q);
+            for (std::size_t k = 0; k < color.size(); ++k) REQUIRE(same(color[k], out[k][i]));
+            REQUIRE(same(host.pattern(pattern, q), out[5][i]));
         }
     }
 }
