@@ -90,8 +90,8 @@ inline T smooth(const T& f)
 }
 
 /// Where the rows of a cell's eight corners start; bit 0 of the index: along x, 1: y, 2: z.
-inline void corner_rows(std::uint32_t x, std::uint32_t y, std::uint32_t z, const double* lattice,
-                        const double* (&rows)[8])
+[[gnu::always_inline]] inline void corner_rows(std::uint32_t x, std::uint32_t y, std::uint32_t z, const double* lattice,
+                                               const double* (&rows)[8])
 {
     const auto& t = kNoiseTables.hash;
     const auto& r = kNoiseTables.row;

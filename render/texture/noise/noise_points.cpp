@@ -10,6 +10,9 @@ namespace texture {
 namespace {
 
 
+inline Double get(const Values& v, std::size_t i) { return Double::load_aligned(v.data() + i); }
+inline void put(Values& v, std::size_t i, const Double& d) { d.store_aligned(v.data() + i); }
+
 /// Toward zero to 32 bits and back; out of range and NaN give the least integer. `index`: the numbers of the cells.
 inline Double truncated(const Double& v, std::uint32_t* index)
 {
@@ -38,9 +41,9 @@ struct Axis {
     std::uint32_t index[kLanes];
 
     /// True if all are in one cell.
-    bool prepare(const double* at)
+    bool prepare(const Double& v)
     {
-        const Double v = Double::load_aligned(at), zero(0.0);
+        const Double zero(0.0);
         const Double moved = xsimd::select(v >= zero, v, v - Double(kNearlyOne));
         const Double whole = truncated(moved.data, index);
         fraction = v - whole;
@@ -103,7 +106,7 @@ void lattice_points(const Points& p, std::size_t first, const std::array<double*
     const double* lattice = kNoiseTables.lattice.data() + 4 * first;
     for (std::size_t i = 0; i < p.size(); i += kLanes) {
         Axis x, y, z;
-        const bool in_x = x.prepare(p.x.data() + i), in_y = y.prepare(p.y.data() + i), in_z = z.prepare(p.z.data() + i);
+        const bool in_x = x.prepare(get(p.x, i)), in_y = y.prepare(get(p.y, i)), in_z = z.prepare(get(p.z, i));
         double* at[Rows];
         for (std::size_t r = 0; r < Rows; ++r) at[r] = out[r] + i;
         if (in_x && in_y && in_z) shared_cell<Rows>(x, y, z, lattice, at);
@@ -118,14 +121,17 @@ inline void each(std::size_t count, F&& f)
     for (std::size_t i = 0; i < count; i += kLanes) f(i);
 }
 
-inline Double get(const Values& v, std::size_t i) { return Double::load_aligned(v.data() + i); }
-inline void put(Values& v, std::size_t i, const Double& d) { d.store_aligned(v.data() + i); }
-
 /// std::clamp(v, 0.0, 1.0), NaN and signs of zero as there.
 inline Double clamp01(const Double& v)
 {
     const Double zero(0.0), one(1.0);
     return xsimd::select(v < zero, zero, xsimd::select(one < v, one, v));
+}
+
+/// Noise of generator 1 or 2 from the sum over a cell's corners.
+inline Double ranged(const Double& raw, int generator)
+{
+    return clamp01(generator == 1 ? raw + Double(0.5) : (raw + Double(1.05242)) * Double(0.48985582));
 }
 
 void scale(const Points& p, double by, Points& out)
@@ -161,10 +167,7 @@ void noise_points(const Points& p, int generator, Values& out)
         return;
     }
     lattice_points<1>(p, 0, {out.data()});
-    each(p.size(), [&](std::size_t i) {
-        const Double raw = get(out, i);
-        put(out, i, clamp01(generator == 1 ? raw + Double(0.5) : (raw + Double(1.05242)) * Double(0.48985582)));
-    });
+    each(p.size(), [&](std::size_t i) { put(out, i, ranged(get(out, i), generator)); });
 }
 
 void vector_noise_points(const Points& p, unsigned live, Points& out)
@@ -257,57 +260,86 @@ double octaves_at(const glm::dvec3& p, OctaveSum kind, int generator)
 
 namespace {
 
-/// The octaves of a point's turbulence behind the first, as many at a time as there is room for.
-struct LaterOctaves {
-    Points at;
-    Values shares;
+/// The octaves of one point's turbulence, side by side, as many at a time as there is room for.
+class Octaves {
+public:
+    static constexpr std::size_t kRoom = 16;  // whole vectors
 
-    LaterOctaves(int octaves, double lambda, double omega)
-        : left_(octaves - 1), lambda_(lambda), omega_(omega), scale_(lambda), share_(omega)
-    {}
+    Octaves(int octaves, double lambda, double omega) : left_(std::max(octaves, 1)), lambda_(lambda), omega_(omega) {}
 
-    /// Padded; false: there are no more.
-    bool next(const glm::dvec3& p)
+    /// False: there are no more.
+    bool next()
     {
-        at.count = 0;
-        for (; left_ > 0 && at.count < kMostPoints; --left_, scale_ *= lambda_, share_ *= omega_) {
-            shares[at.size()] = share_;
-            at.add(scale_ * p);
+        count_ = 0;
+        for (; left_ > 0 && count_ < kRoom; --left_, ++count_, scale_ *= lambda_, share_ *= omega_) {
+            scales_[count_] = scale_;
+            shares_[count_] = share_;
         }
-        if (at.count == 0) return false;
-        at.pad();
+        if (count_ == 0) return false;
+        for (std::size_t i = count_; i % kLanes != 0; ++i) scales_[i] = shares_[i] = 0.0;
         return true;
     }
 
+    /// Calls take(i, how many, axes) for every vector of octaves of the point.
+    template <class Take>
+    void each(const glm::dvec3& p, Take&& take) const
+    {
+        for (std::size_t i = 0; i < count_; i += kLanes) {
+            const Double scale = Double::load_aligned(scales_ + i);
+            Axis x, y, z;
+            x.prepare(scale * Double(p.x));
+            y.prepare(scale * Double(p.y));
+            z.prepare(scale * Double(p.z));
+            take(i, std::min(kLanes, count_ - i), x, y, z);
+        }
+    }
+
+    std::size_t count() const { return count_; }
+    double scale(std::size_t i) const { return scales_[i]; }
+    Double shares(std::size_t i) const { return Double::load_aligned(shares_ + i); }
+
 private:
+    alignas(64) double scales_[kRoom], shares_[kRoom];
+    std::size_t count_ = 0;
     int left_;
-    double lambda_, omega_, scale_, share_;
+    double lambda_, omega_, scale_ = 1.0, share_ = 1.0;
 };
 
 }  // namespace
 
 glm::dvec3 vector_turbulence(const glm::dvec3& p, int octaves, double lambda, double omega)
 {
-    glm::dvec3 sum = vector_noise(p);
-    LaterOctaves later(octaves, lambda, omega);
-    Points n;
-    while (later.next(p)) {
-        vector_noise_points(later.at, kAllLive, n);
-        for (std::size_t i = 0; i < later.at.size(); ++i) sum += later.shares[i] * n.at(i);
+    Octaves sums(octaves, lambda, omega);
+    alignas(64) double n[3][Octaves::kRoom];
+    glm::dvec3 sum(-0.0);  // to which a number adds as itself
+    while (sums.next()) {
+        sums.each(p, [&](std::size_t i, std::size_t count, const Axis& x, const Axis& y, const Axis& z) {
+            double* const to[3] = {n[0] + i, n[1] + i, n[2] + i};
+            own_cells<3>(x, y, z, count, kNoiseTables.lattice.data(), to);
+            for (double* v : to) (sums.shares(i) * Double::load_aligned(v)).store_aligned(v);
+        });
+        for (std::size_t i = 0; i < sums.count(); ++i) sum += glm::dvec3(n[0][i], n[1][i], n[2][i]);
     }
     return sum;
 }
 
 double scalar_turbulence(const glm::dvec3& p, int octaves, double lambda, double omega, int generator)
 {
-    const auto term = [generator](double n) { return generator == 1 ? n : 2.0 * n - 0.5; };
-    const double first = term(noise(p, generator));
-    double sum = generator == 1 ? first : std::clamp(first, 0.0, 1.0);
-    LaterOctaves later(octaves, lambda, omega);
-    Values n;
-    while (later.next(p)) {
-        noise_points(later.at, generator, n);
-        for (std::size_t i = 0; i < later.at.size(); ++i) sum += later.shares[i] * term(n[i]);
+    Octaves sums(octaves, lambda, omega);
+    alignas(64) double n[Octaves::kRoom];
+    double sum = -0.0;
+    for (bool first = true; sums.next(); first = false) {
+        if (generator == 3)
+            for (std::size_t i = 0; i < sums.count(); ++i) n[i] = noise(sums.scale(i) * p, 3);
+        sums.each(p, [&](std::size_t i, std::size_t count, const Axis& x, const Axis& y, const Axis& z) {
+            double* const to[1] = {n + i};
+            if (generator != 3) own_cells<1>(x, y, z, count, kNoiseTables.lattice.data(), to);
+            const Double v = Double::load_aligned(n + i), ready = generator == 3 ? v : ranged(v, generator),
+                         term = generator == 1 ? ready : Double(2.0) * ready - Double(0.5);
+            (sums.shares(i) * term).store_aligned(n + i);
+        });
+        if (first && generator != 1) n[0] = std::clamp(n[0], 0.0, 1.0);
+        for (std::size_t i = 0; i < sums.count(); ++i) sum += n[i];
     }
     return sum;
 }

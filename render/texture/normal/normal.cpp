@@ -1,5 +1,5 @@
 #include "render/texture/angle.h"
-#include "render/texture/evaluate.h"
+#include "render/texture/evaluate_points.h"
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/normal/normal_height.h"
@@ -23,10 +23,20 @@ glm::dvec3 by_height(const TextureSet& set, const Normal& normal, const Pattern&
                      const glm::dvec3& p, const Surroundings& around)
 {
     const double strength = height_strength(normal);
-    glm::dvec3 out = n;
+    // The corners are near each other: mostly in one cell of what the pattern is made of.
+    Points corners;
+    Around all;
     for (const glm::dvec3& corner : kHeightCorners) {
-        const double v = pattern_value(set, pattern, p + normal.accuracy * corner, around);
-        out += strength * (normal.map == Normal::Map::Slopes ? slope_height(set, normal, v) : v) * corner;
+        all[corners.size()] = &around;
+        corners.add(p + normal.accuracy * corner);
+    }
+    corners.pad();
+    Values values;
+    pattern_values(set, pattern, corners, all, values);
+    glm::dvec3 out = n;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double v = values[i];
+        out += strength * (normal.map == Normal::Map::Slopes ? slope_height(set, normal, v) : v) * kHeightCorners[i];
     }
     return out;
 }

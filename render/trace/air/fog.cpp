@@ -17,15 +17,27 @@ double mean_density(double a, double b)
     return std::abs(a - b) <= kNearlyZero ? 1.0 / (1.0 + a * a) : (std::atan(a) - std::atan(b)) / (a - b);
 }
 
+constexpr double kUnseen = 0x1p-55;  // less than half of the last bit of 1
+
+/// What the turbulence of a fog, times its depth, does not exceed: no octave has more than 1.5.
+double most_turbulence(const texture::Fog& fog)
+{
+    double sum = 0.0, share = 1.5;
+    for (int k = 0; k < fog.turbulence.octaves; ++k, share *= std::abs(fog.turbulence.omega)) sum += share;
+    return std::max(1.0, std::abs(fog.turb_depth) * sum);
+}
+
 double fog_transmission(const Context& context, const texture::Fog& fog, const csg::Ray& ray, double length)
 {
     if (even(fog)) return trace::fog_transmission(fog, length);
     double effective = length;
-    if (fog.turbulent) {
+    // Far behind the fog's distance no noise is large enough to change 1.
+    if (const double near = fog.turbulent ? std::exp(-length / fog.distance) : 0.0;
+        near * most_turbulence(fog) > kUnseen) {
         const glm::dvec3 p = ray.at(length / 2.0) * fog.turbulence.amount;
         const double n = texture::scalar_turbulence(p, fog.turbulence.octaves, fog.turbulence.lambda,
                                                     fog.turbulence.omega, context.scene.textures.noise_generator);
-        effective = length * (1.0 - std::exp(-length / fog.distance) * std::min(1.0, fog.turb_depth * n));
+        effective = length * (1.0 - near * std::min(1.0, fog.turb_depth * n));
     }
     double density = 1.0;
     if (fog.ground) {
