@@ -32,11 +32,8 @@ double FunctionField::value(const glm::dvec3& p) const
 
 void FunctionField::values(const csg::EightPoints& p, csg::Eight& out) const
 {
-    double arguments[kCoordinates][kLanes];
-    copy(p.x, arguments[0]);
-    copy(p.y, arguments[1]);
-    copy(p.z, arguments[2]);
-    current.lanes(*function_, arguments, *host_, out.v);
+    static_assert(sizeof p == kCoordinates * sizeof(double[kLanes]));  // x, y and z behind each other
+    current.lanes(*function_, reinterpret_cast<const double(*)[kLanes]>(&p), *host_, out.v);
 }
 
 void FunctionField::ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) const

@@ -44,7 +44,9 @@ template <>
 struct Rules<Eight> {
     static Eight constant(double c)
     {
-        return lanewise([c](std::size_t) { return c; });
+        Eight out;
+        for (std::size_t i = 0; i < kLanes; i += kWidth) Batch(c).store_aligned(out.v + i);
+        return out;
     }
 
     template <Op op>
@@ -187,11 +189,12 @@ private:
 
 void evaluate_lanes(const Function& function, const double (*arguments)[kLanes], const Host& host, double* out)
 {
-    constexpr std::size_t kMostArguments = 64;
-    Eight loaded[kMostArguments];
-    for (std::uint32_t i = 0; i < function.parameters; ++i) std::copy_n(arguments[i], kLanes, loaded[i].v);
-    const Eight value = run_function<Eight>(function, loaded, host);
-    std::copy_n(value.v, kLanes, out);
+    Frame<Eight> frame(function);
+    Eight* r = frame.registers();
+    for (std::uint32_t i = 0; i < function.parameters; ++i)
+        std::copy_n(arguments[i], kLanes, r[function.first_parameter() + i].v);
+    Machine<Eight>(function, r, host).run(0, static_cast<std::uint32_t>(function.code.size()));
+    std::copy_n(r[function.result].v, kLanes, out);
 }
 
 }  // namespace function

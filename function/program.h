@@ -91,7 +91,7 @@ public:
     virtual double pattern(std::uint32_t slot, const glm::dvec3& p) const = 0;
     /// red, green, blue, filter, transmit
     virtual std::array<double, 5> pigment(std::uint32_t slot, const glm::dvec3& p) const = 0;
-    /// noise() of eight points, with the same bits.
+    /// noise() of eight points, with the same bits; coordinates and results are aligned to 64 bytes, here and below.
     virtual void noises(const double* x, const double* y, const double* z, int generator, double* out) const
     {
         for (int i = 0; i < 8; ++i) out[i] = noise({x[i], y[i], z[i]}, generator);

@@ -53,11 +53,7 @@ std::array<double, 5> FunctionHost::pigment(std::uint32_t slot, const glm::dvec3
 
 void FunctionHost::noises(const double* x, const double* y, const double* z, int generator, double* out) const
 {
-    Points points;
-    put_eight(x, y, z, points);
-    Values values;
-    noise_points(points, generator == 0 ? set_.noise_generator : generator, values);
-    std::copy_n(values.data(), function::kLanes, out);
+    noise_eight(x, y, z, generator == 0 ? set_.noise_generator : generator, out);
 }
 
 void FunctionHost::patterns(std::uint32_t slot, const double* x, const double* y, const double* z, double* out) const

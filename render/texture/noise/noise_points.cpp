@@ -99,19 +99,31 @@ void own_cells(const Axis& x, const Axis& y, const Axis& z, std::size_t count, c
         for (std::size_t i = 0; i < kLanes; i += Row::kAtOnce) Row::store_totals(sums[r] + i, out[r] + i);
 }
 
+/// The coordinates of some points, aligned for vectors.
+struct Coordinates {
+    const double *x, *y, *z;
+};
+
 /// `Rows` sums of every point; `first`: of the rows, 0 to 2.
 template <int Rows>
-void lattice_points(const Points& p, std::size_t first, const std::array<double*, Rows>& out)
+void lattice_rows(const Coordinates& p, std::size_t points, std::size_t first, const std::array<double*, Rows>& out)
 {
     const double* lattice = kNoiseTables.lattice.data() + 4 * first;
-    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+    for (std::size_t i = 0; i < points; i += kLanes) {
         Axis x, y, z;
-        const bool in_x = x.prepare(get(p.x, i)), in_y = y.prepare(get(p.y, i)), in_z = z.prepare(get(p.z, i));
+        const bool in_x = x.prepare(Double::load_aligned(p.x + i)), in_y = y.prepare(Double::load_aligned(p.y + i)),
+                   in_z = z.prepare(Double::load_aligned(p.z + i));
         double* at[Rows];
         for (std::size_t r = 0; r < Rows; ++r) at[r] = out[r] + i;
         if (in_x && in_y && in_z) shared_cell<Rows>(x, y, z, lattice, at);
-        else own_cells<Rows>(x, y, z, std::min(kLanes, p.size() - i), lattice, at);
+        else own_cells<Rows>(x, y, z, std::min(kLanes, points - i), lattice, at);
     }
+}
+
+template <int Rows>
+void lattice_points(const Points& p, std::size_t first, const std::array<double*, Rows>& out)
+{
+    lattice_rows<Rows>({p.x.data(), p.y.data(), p.z.data()}, p.size(), first, out);
 }
 
 /// f of every value, a vector at a time.
@@ -168,6 +180,16 @@ void noise_points(const Points& p, int generator, Values& out)
     }
     lattice_points<1>(p, 0, {out.data()});
     each(p.size(), [&](std::size_t i) { put(out, i, ranged(get(out, i), generator)); });
+}
+
+void noise_eight(const double* x, const double* y, const double* z, int generator, double* out)
+{
+    if (generator == 3) {
+        for (std::size_t i = 0; i < 8; ++i) out[i] = noise({x[i], y[i], z[i]}, 3);
+        return;
+    }
+    lattice_rows<1>({x, y, z}, 8, 0, {out});
+    each(8, [&](std::size_t i) { ranged(Double::load_aligned(out + i), generator).store_aligned(out + i); });
 }
 
 void vector_noise_points(const Points& p, unsigned live, Points& out)

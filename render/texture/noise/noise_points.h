@@ -8,6 +8,9 @@ namespace texture {
 /// noise(p, generator) of each point. The points are padded.
 void noise_points(const Points& p, int generator, Values& out);
 
+/// The same of eight points, whose coordinates are aligned as those of Points; so is `out`.
+void noise_eight(const double* x, const double* y, const double* z, int generator, double* out);
+
 /// The components of vector_noise that `live` names (bit 0: x, 1: y, 2: z; not 0); the others are left as they were.
 /// Padded.
 void vector_noise_points(const Points& p, unsigned live, Points& out);

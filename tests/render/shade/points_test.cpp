@@ -337,8 +337,8 @@ TEST_CASE("eight points that a function asks for have the bits of each point alo
                             pattern = static_cast<std::uint32_t>(rng.below(static_cast<int>(set.patterns.size())));
         const Points p = random_points(rng);
         const FunctionHost host(set);
-        std::array<std::array<double, function::kLanes>, 3> at;
-        std::array<std::array<double, function::kLanes>, 6> out;
+        alignas(64) std::array<std::array<double, function::kLanes>, 3> at;
+        alignas(64) std::array<std::array<double, function::kLanes>, 6> out;
         for (std::size_t i = 0; i < function::kLanes; ++i)
             for (std::size_t k = 0; k < 3; ++k) at[k][i] = p.at(i % p.size())[static_cast<int>(k)];
         host.patterns(pattern, at[0].data(), at[1].data(), at[2].data(), out[5].data());
