@@ -36,7 +36,7 @@ Interval field_limit(const Interval& a);
 
 /// The function's first component over a box of its arguments. Some internal functions and splines answer `everything`.
 Interval evaluate_interval(const Function& function, const Interval* arguments, const Host& host);
-/// The same over eight boxes: low[i][lane], high[i][lane]. No wider than evaluate_interval() but for rounding.
+/// The same over eight boxes: low[i][lane], high[i][lane]. Hardly wider than evaluate_interval().
 void evaluate_intervals(const Function& function, const double (*low)[8], const double (*high)[8], const Host& host,
                         double* out_low, double* out_high);
 

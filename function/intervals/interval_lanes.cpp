@@ -1,7 +1,9 @@
-#include "function/batch.h"
+#include "function/intervals/angle_lanes.h"
 #include "function/internal/internal_ranges.h"
 #include "function/intervals/interval_arithmetic.h"
 #include "function/intervals/interval_rules.h"
+
+#include <numbers>
 
 /// Eight intervals at once: what arithmetic needs runs in vector registers, the rest lane by lane.
 namespace function {
@@ -99,7 +101,49 @@ Ends divide(const Ends& a, const Ends& b)
     return {xsimd::select(good, w.low, Batch(-kInf)), xsimd::select(good, w.high, Batch(kInf))};
 }
 
+/// Some value for the lanes of `where`, the function's own for the others.
+Ends or_all(const Batch::batch_bool_type& where, double low, double high, const Ends& others)
+{
+    return {xsimd::select(where, Batch(low), others.low), xsimd::select(where, Batch(high), others.high)};
+}
+
+/// sin(x + shift) for x in a, with more room than sine() of one interval has.
+Ends sine(const Ends& a, double shift)
+{
+    constexpr double kLargest = 1e6;                                 // beyond it the turn is not known well enough
+    constexpr double kTurn = 0.5 / std::numbers::pi, kSlack = 1e-9;  // of a turn: far above its error
+    const auto known = (a.high - a.low < Batch(1.0 / kTurn)) & (xsimd::abs(a.low) <= Batch(kLargest)) &
+                       (xsimd::abs(a.high) <= Batch(kLargest));
+    const Batch from = (a.low + Batch(shift)) * Batch(kTurn), to = (a.high + Batch(shift)) * Batch(kTurn);
+    // Whether a turn of `place` lies between.
+    const auto holds = [&](double place) {
+        const Batch turn = xsimd::ceil(from - Batch(place + kSlack));
+        return turn + Batch(place) <= to + Batch(kSlack);
+    };
+    const Batch l = sine_of_turn(from), h = sine_of_turn(to), one(1.0), room(1e-8);
+    const Ends out{xsimd::select(holds(-0.25), -one, xsimd::max(-one, xsimd::min(l, h) - room)),
+                   xsimd::select(holds(0.25), one, xsimd::min(one, xsimd::max(l, h) + room))};
+    return or_all(!known, -1.0, 1.0, out);
+}
+
+Ends arc_tangent(const Ends& y, const Ends& x)
+{
+    const Batch p = angle_of(y.low, x.low), q = angle_of(y.low, x.high), r = angle_of(y.high, x.low),
+                s = angle_of(y.high, x.high), room(kAngleError);
+    const auto known = (p == p) & (q == q) & (r == r) & (s == s),
+               around = (x.low <= Batch(0.0)) & (y.low <= Batch(0.0)) & (y.high >= Batch(0.0));
+    const Ends out{xsimd::min(xsimd::min(p, q), xsimd::min(r, s)) - room,
+                   xsimd::max(xsimd::max(p, q), xsimd::max(r, s)) + room};
+    constexpr double kHalf = std::numbers::pi + kAngleError;
+    return or_all(around, -kHalf, kHalf, or_all(!known, -kInf, kInf, out));
+}
+
 }  // namespace
+
+EightIntervals arc_tangent(const EightIntervals& y, const EightIntervals& x)
+{
+    return batchwise(y, x, [](const Ends& a, const Ends& b) { return arc_tangent(a, b); });
+}
 
 /// The square of what is written twice.
 EightIntervals squared(const EightIntervals& a)
@@ -158,6 +202,7 @@ struct Rules<EightIntervals> {
                 return Ends{xsimd::min(x.low, y.low), xsimd::min(x.high, y.high)};
             });
         else if constexpr (op == Op::Max) return larger(a, b);
+        else if constexpr (op == Op::Atan2) return arc_tangent(a, b);
         else return each_lane([&](std::size_t i) { return interval_binary(op, a.lane(i), b.lane(i)); });
     }
 
@@ -168,6 +213,9 @@ struct Rules<EightIntervals> {
             return batchwise(a, a, [](const Ends& x, const Ends&) { return Ends{-x.high, -x.low}; });
         else if constexpr (op == Op::Abs) return absolute(a);
         else if constexpr (op == Op::Sqrt) return sqrt(a);
+        else if constexpr (op == Op::Sin || op == Op::Cos)
+            return batchwise(
+                a, a, [](const Ends& x, const Ends&) { return sine(x, op == Op::Sin ? 0.0 : std::numbers::pi / 2); });
         else return each_lane([&](std::size_t i) { return interval_unary(op, a.lane(i)); });
     }
 
@@ -227,6 +275,8 @@ struct Rules<EightIntervals> {
     {
         EightIntervals out;
         if (arithmetic_range(n, a, out)) return out;
+        if (n == 47) return arc_tangent(distance<EightIntervals>(a[0], 0.0, a[2]), a[1]);
+        if (n == 69) return arc_tangent(a[0], a[2]);
         return each_lane([&](std::size_t lane) {
             Interval one[kMostParameters];
             for (std::uint32_t i = 0; i < count; ++i) one[i] = a[i].lane(lane);

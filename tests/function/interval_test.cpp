@@ -110,6 +110,32 @@ TEST_CASE("no value of an internal function lies outside of its interval", "[fun
     }
 }
 
+TEST_CASE("eight intervals of angles are hardly wider than one", "[function]")
+{
+    std::mt19937 random(13);
+    std::uniform_real_distribution<double> any(-4.0, 4.0), size(0.0, 3.0);
+    for (const char* body : {"sin(x)", "cos(x)", "atan2(x,y)", "sin(1000*x)", "cos(3e5*x)"}) {
+        INFO(body);
+        const auto f = function_test::compiled(std::string("#declare F=function(x,y){") + body + "}", "F");
+        for (int round = 0; round < 500; ++round) {
+            double low[2][8], high[2][8], out_low[8], out_high[8];
+            for (std::size_t i = 0; i < 2; ++i)
+                for (std::size_t lane = 0; lane < 8; ++lane) {
+                    low[i][lane] = any(random);
+                    high[i][lane] = low[i][lane] + (round % 2 == 0 ? size(random) : 1e-5);
+                }
+            function::evaluate_intervals(*f, low, high, function::no_host(), out_low, out_high);
+            for (std::size_t lane = 0; lane < 8; ++lane) {
+                const Interval box[] = {{low[0][lane], high[0][lane]}, {low[1][lane], high[1][lane]}};
+                const Interval one = function::evaluate_interval(*f, box, function::no_host());
+                INFO(low[0][lane] << " to " << high[0][lane] << ", " << low[1][lane] << " to " << high[1][lane]);
+                REQUIRE(out_low[lane] == Approx(one.low).margin(2e-8));
+                REQUIRE(out_high[lane] == Approx(one.high).margin(2e-8));
+            }
+        }
+    }
+}
+
 TEST_CASE("intervals are narrow where they can be", "[function]")
 {
     const auto near = [](const Interval& v, double low, double high) {
