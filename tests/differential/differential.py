@@ -19,6 +19,7 @@ import pathlib
 import sys
 import tempfile
 
+import noisy
 import programs
 import recorded
 import reduce
@@ -32,6 +33,9 @@ def compare_one(options, folder, kind, seed):
     """Renders one scene with both; keeps its files only if they differ. Returns (kind, seed, state, detail)."""
     name = f"{kind}_{seed}"
     (folder / f"{name}.pov").write_text(scenes.text(kind, seed))
+    if kind in scenes.NOISY:
+        state, detail = noisy.verdict(options, folder, name)
+        return kind, seed, state, detail
     ours = programs.render(options.whittle, folder, name, (80, 60), "whittle")
     theirs = programs.render(options.povray, folder, name, (80, 60), "povray")
     state, detail = programs.verdict(ours, theirs)
@@ -69,14 +73,14 @@ def main():
     parser.add_argument("--povray", default="povray")
     commands = parser.add_subparsers(dest="command", required=True)
     each = commands.add_parser("run")
-    each.add_argument("classes", nargs="*", choices=[[], *scenes.CLASSES])
+    each.add_argument("classes", nargs="*", choices=[[], *scenes.CLASSES, *scenes.NOISY])
     each.add_argument("--seeds", default="0-24")
     each.add_argument("--folder", type=pathlib.Path, default=pathlib.Path(tempfile.gettempdir()) / "differential")
     each.add_argument("--jobs", type=int, default=8 * (os.cpu_count() or 1))  # POV-Ray's start is half a second of waiting
     each.add_argument("--share", type=float, default=0.995)
     each.add_argument("--keep", action="store_true", help="keep the files of all scenes")
     shown = commands.add_parser("print")
-    shown.add_argument("kind", choices=scenes.CLASSES)
+    shown.add_argument("kind", choices=[*scenes.CLASSES, *scenes.NOISY])
     shown.add_argument("seed", type=int)
     shorter = commands.add_parser("reduce")
     shorter.add_argument("scene", type=pathlib.Path)

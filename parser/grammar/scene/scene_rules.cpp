@@ -105,7 +105,7 @@ struct default_camera : item<Kind::Camera> {
     static void act(SceneState& s) { s.build.default_camera = read_camera(s.build, s.build.default_camera); }
 };
 struct default_radiosity : item<Kind::Radiosity> {
-    static void act(SceneState& s) 
+    static void act(SceneState& s)
     {
         s.build.description.default_importance = read_object_radiosity(s.build).value_or(1.0);
     }

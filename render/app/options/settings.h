@@ -79,11 +79,11 @@ struct Settings {
     // Whittle's own.
     enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;
     bool explain = false, parse_only = false;
-    bool check = false, deps = false;  ///< with parse_only: no file is written; the files read are printed
+    bool check = false, deps = false;           ///< with parse_only: no file is written; the files read are printed
     std::string radiosity_file = "object.rca";  ///< of samples of radiosity
     bool radiosity_from_file = false, radiosity_to_file = false;
-    std::string preview_file;          ///< empty: none
-    std::string json_file;             ///< empty: none; "-": standard output
+    std::string preview_file;  ///< empty: none
+    std::string json_file;     ///< empty: none; "-": standard output
     bool warnings_are_errors = false, make_folders = false, allow_commands = false, restrict_read = false;
     bool faithful = false;                   ///< plan::Options::faithful
     std::vector<std::string> write_folders;  ///< where a scene may write besides the current folder and the picture's

@@ -48,7 +48,7 @@ private:
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
         bool no_radiosity = false;
         std::optional<float> importance;  ///< Surface::importance; nothing: 1
-        std::uint32_t light_group = 0;  ///< Surface::light_group
+        std::uint32_t light_group = 0;    ///< Surface::light_group
         bool global_lights = true;
         PhotonSurface photons;
         double photon_density = 0;  ///< above 0: photons are shot at it

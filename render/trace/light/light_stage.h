@@ -103,8 +103,7 @@ private:
             met = tile_.hits.at(static_cast<int>(k));
             return tile_.place(k, tile_.state(k), met);
         };
-        batch_.add_scalar(place,
-                          [&](std::size_t k) { return &scratch_.samples[k * context_.lights.lights.size()]; });
+        batch_.add_scalar(place, [&](std::size_t k) { return &scratch_.samples[k * context_.lights.lights.size()]; });
     }
 
     /// Where shadow rays tell what arrives.

@@ -7,13 +7,14 @@
 #include "render/trace/shade/shade_context.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace trace::radiosity {
 namespace {
 
 constexpr std::size_t kWays = 2048;  ///< of directions, for sorting
-constexpr double kNothing = 2e10;  ///< how far off the nearest thing is where there is none
+constexpr double kNothing = 2e10;    ///< how far off the nearest thing is where there is none
 
 class Gatherer {
 public:
@@ -260,7 +261,7 @@ private:
 
 void gather(Context& context, std::uint64_t which)
 {
-    ++context.scratch.counts.samples;
+    context.scratch.counts.samples += static_cast<std::uint64_t>(std::popcount(which));
     Gatherer(context).run(which);
 }
 

@@ -54,8 +54,9 @@ struct GatherScratch {
     std::array<Sample, csg::kTileRays> made;  ///< by request
     std::array<bool, csg::kTileRays> kept;    ///< by request: the sample may be used elsewhere
     std::vector<GatherRay> pending;
-    std::vector<std::uint32_t> order, before, start;  ///< of those: their order, the one before, and where each key begins
-    std::vector<std::uint16_t> keys;                  ///< of those: which way they point
+    std::vector<std::uint32_t> order, before,
+        start;                        ///< of those: their order, the one before, and where each key begins
+    std::vector<std::uint16_t> keys;  ///< of those: which way they point
     csg::RayTile rays, shaded_rays;
     csg::HitTile hits, shaded_hits;
     std::array<std::uint8_t, csg::kTileRays> owner, shaded;  ///< by ray: request; by shaded ray: ray

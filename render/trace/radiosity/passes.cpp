@@ -12,8 +12,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace trace::radiosity {
 namespace {
@@ -66,13 +64,6 @@ public:
             const std::vector<PartTile> tiles = tiles_of(pass);
             if (!run(pass, tiles)) return false;
             close(pass);
-            if (getenv("RADDBG")) {
-                fprintf(stderr, "DBG pass %d step %.2f tiles %zu:", pass.number, pass.step, tiles.size());
-                for (auto& g : field_.samples) fprintf(stderr, " %zu", g.size());
-                RayCounts c;
-                for (auto& t : tracers_) c += kernel_.counts(*t);
-                fprintf(stderr, " gathered %llu\n", (unsigned long long)c.gathered);
-            }
         }
         return true;
     }
@@ -95,7 +86,7 @@ private:
                 to.part = part;
                 to.tile.count = static_cast<int>(std::min(most, rays.size() - first));
                 to.tile.pretrace = pass.pretrace;
-                to.tile.seed = stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size());
+                to.tile.seed = stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size() + kSeed);
                 std::copy_n(rays.begin() + static_cast<std::ptrdiff_t>(first), to.tile.count, to.tile.at.begin());
             }
         }
@@ -146,6 +137,7 @@ private:
                 state.open = state.asked > 0 && (enough == 0 || state.weight < enough * state.asked);
     }
 
+    static constexpr std::uint64_t kSeed = 1000003;  ///< any number: it only decides where directions begin
     static constexpr std::size_t kPretraceRays = 64, kMostAtOnce = 64;
 
     const RenderOptions& options_;

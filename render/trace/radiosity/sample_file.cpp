@@ -38,9 +38,9 @@ glm::vec3 direction_of(const char* text)
 std::string line_of(const Found& found)
 {
     const Sample& s = found.sample;
-    return fmt::format("C{}\t{:g}\t{:g}\t{:g}\t{}\t{:.4f}\t{:.4f}\t{:.4f}\t{:g}\t{:g}\t{}\n", found.bounce + 1, s.point.x,
-                       s.point.y, s.point.z, written(s.normal), s.color.x, s.color.y, s.color.z, s.reach, s.nearest,
-                       written(s.nearest_way));
+    return fmt::format("C{}\t{:g}\t{:g}\t{:g}\t{}\t{:.4f}\t{:.4f}\t{:.4f}\t{:g}\t{:g}\t{}\n", found.bounce + 1,
+                       s.point.x, s.point.y, s.point.z, written(s.normal), s.color.x, s.color.y, s.color.z, s.reach,
+                       s.nearest, written(s.nearest_way));
 }
 
 std::optional<Found> sample_of(std::string_view line)

@@ -103,10 +103,9 @@ TEST_CASE("options without effect are named in one line", "[program]")
 {
     const support::TemporaryFolder folder;
     write_text(folder / "scene.pov", kScene);
-    const Run result = run(folder, "scene.pov +W8 +H6 +RFO +RFI -D");
+    const Run result = run(folder, "scene.pov +W8 +H6 Real_Time_Raytracing=on -D");
     CHECK(result.status == 0);
-    CHECK_THAT(result.err,
-               Catch::Contains("note: accepted without effect for now: Radiosity_To_File, Radiosity_From_File\n"));
+    CHECK_THAT(result.err, Catch::Contains("note: accepted without effect for now: Real_Time_Raytracing\n"));
 }
 
 TEST_CASE("an animation writes a picture per frame and continues where it stopped", "[program]")
