@@ -105,7 +105,7 @@ struct Description {
     GlobalSettings global;
     std::vector<Unsupported> unsupported;
     std::vector<Object> unsupported_objects;  ///< objects of kinds that are not drawn yet, wherever they stood
-    std::vector<Media> media;                 ///< of the whole scene: read, not drawn yet
+    std::vector<Media> media;                 ///< of the whole scene
     std::vector<Rainbow> rainbows;
 
     /// Whether surfaces light each other at a quality (+Q; spec 6, 1.5).

@@ -167,7 +167,7 @@ struct Interior {
     glm::vec3 fade_color{0};
     bool hollow = false;
     float refraction = 1;                             ///< legacy factor on transmitted light (spec 3, 8.7)
-    std::vector<std::shared_ptr<const Media>> media;  ///< read, not drawn yet; in the space that the object stands in
+    std::vector<std::shared_ptr<const Media>> media;  ///< in the space that the object stands in
     SourceRef source;
 
     /// Moves its media.

@@ -67,8 +67,8 @@ TEST_CASE("what is not rendered is told once, at its place", "[parser][unsupport
 {
     CHECK(told("global_settings { radiosity { } }").empty());
     CHECK(told("global_settings { photons { count 100 } }") == Lines{"2:19: warning: photons"});
-    CHECK(told("media { emission 1 }\nmedia { emission 2 }") == Lines{"2:1: warning: media"});
-    CHECK(told("sphere { 0, 1 interior {\n media { emission 1 } } }") == Lines{"3:2: warning: media"});
+    CHECK(told("media { emission 1 }\nmedia { emission 2 }").empty());
+    CHECK(told("sphere { 0, 1 interior {\n media { emission 1 } } }").empty());
     CHECK(told("sphere { 0, 1 finish { subsurface { translucency 0.5 } } }") == Lines{"2:24: warning: subsurface"});
     CHECK(told("#default { finish { subsurface { translucency 0.5 } } } sphere { 0, 1 }") ==
           Lines{"2:21: warning: subsurface"});
@@ -76,23 +76,33 @@ TEST_CASE("what is not rendered is told once, at its place", "[parser][unsupport
           Lines{"2:46: warning: subsurface"});
 }
 
-TEST_CASE("what lights do in media is told by the media", "[parser][unsupported]")
+TEST_CASE("media and what lights do in them are rendered", "[parser][unsupported]")
 {
     CHECK(told("light_source { y, 1 media_attenuation on }\nlight_group { light_source { y, 1 media_interaction off } "
                "sphere { 0, 1 } }")
               .empty());
     CHECK(told("light_source { y, 1 media_attenuation on }\nlight_group { sphere { 0, 1 hollow interior { media { "
                "emission 1 } } } }")
-              .size() == 1);
+              .empty());
+}
+
+TEST_CASE("scattering after another keeps what it does not name", "[parser][media]")
+{
+    const scene::Description d = grammar_test::parsed(
+        "media { scattering { 5, rgb 0.3 eccentricity 0.5 extinction 0.25 } scattering { 1, rgb 0.2 } }");
+    REQUIRE(d.media.size() == 1);
+    const scene::Media::Scattering& scattering = d.media[0].scattering;
+    CHECK(scattering.phase == scene::Media::Phase::Isotropic);
+    CHECK(scattering.color == glm::vec3(0.2f));
+    CHECK((scattering.eccentricity == 0.5 && scattering.extinction == 0.25));
 }
 
 TEST_CASE("what is declared and used by no object is not told", "[parser][unsupported]")
 {
-    const std::string declared = "#declare I = interior { media { emission 1 } }\n#declare T = texture { finish { "
-                                 "subsurface { translucency 0.5 } } }\n";
+    const std::string declared = "#declare T = texture { finish { subsurface { translucency 0.5 } } }\n";
     CHECK(told(declared).empty());
-    CHECK(told(declared + "union { sphere { 0, 1 } object { sphere { 0, 1 } interior { I } } }") ==
-          Lines{"2:25: warning: media"});
+    CHECK(told(declared + "union { sphere { 0, 1 } object { sphere { 0, 1 } texture { T } } }") ==
+          Lines{"2:33: warning: subsurface"});
     CHECK(told("sphere { 0, 1 photons { target } }")
               .empty());  // POV-Ray shoots none without the block of global_settings
 }

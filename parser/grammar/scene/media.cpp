@@ -1,6 +1,6 @@
 #include "parser/grammar/scene/effects.h"
 
-/// media, density and rainbow: read whole, not drawn yet.
+/// media, density and rainbow.
 namespace parser {
 namespace {
 
@@ -28,10 +28,10 @@ Media::Phase phase_of(int type)
     return known ? static_cast<Media::Phase>(type) : Media::Phase::Isotropic;
 }
 
-Media::Scattering read_scattering(SceneBuilder& build)
+/// `scattering` after another keeps what it does not name.
+Media::Scattering read_scattering(SceneBuilder& build, Media::Scattering scattering)
 {
     BlockReader s(build);
-    Media::Scattering scattering;
     s.open();
     const int type = whole_number(float_expr(s.in()));
     scattering.phase = phase_of(type);
@@ -55,7 +55,7 @@ Media::Scattering read_scattering(SceneBuilder& build)
 bool read_media_item(BlockReader& s, Media& media)
 {
     if (s.accept(Kind::Scattering)) {
-        media.scattering = read_scattering(s.build());
+        media.scattering = read_scattering(s.build(), media.scattering);
     } else if (s.accept(Kind::Density)) {
         media.densities.push_back(read_density(s.build()).pigment);
     } else if (s.accept(Kind::Method)) {

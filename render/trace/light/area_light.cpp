@@ -70,11 +70,21 @@ void AreaLight::shadows(HitMask hits, TileColors& out)
     find_shaft(hits);
     if (shaft_ && shaft_->empty() && !light_.projector) {
         out = color_;
+        if (light_.atmosphere) for_each_hit(hits, [this](std::size_t k) { rests_[k] = rest_to_corner(k); });
         return;
     }
     want_all(0, 0, light_.size1 - 1, light_.size2 - 1, 0);
     ask(hits);
     rectangle(0, 0, light_.size1 - 1, light_.size2 - 1, 0, hits, out);
+}
+
+/// Of the last corner, where nothing stands between.
+AreaLight::Rest AreaLight::rest_to_corner(std::size_t k) const
+{
+    const glm::dvec3 point = scratch_.hits.point(k);
+    const light::Illumination lit =
+        light::toward(light_, point, light::node_offset(light_, point, light_.size1 - 1, light_.size2 - 1));
+    return {lit.direction, 0.0, lit.distance};
 }
 
 /// The hits are farther apart than the light is wide.
@@ -356,6 +366,8 @@ void AreaLight::keep(std::size_t first, std::size_t last)
             (value.*c)[k] = mine[k] != 0 ? v : (value.*c)[k];
         });
     }
+    if (light_.atmosphere)
+        for (std::size_t n = first; n < last; ++n) rests_[hit_[n]] = {{x_[n], y_[n], z_[n]}, 0.0, distance_[n]};
     if (other == 0) return;
     for (std::size_t n = first; n < last; ++n)
         if (has(other, hit_[n])) value.set(hit_[n], sample_color(n));
@@ -369,16 +381,18 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     const light::Illumination lit{{x_[ray], y_[ray], z_[ray]}, distance_[ray], color_[k]};
     const glm::dvec3 point = scratch_.hits.point(k);
     const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
+    double unused = 0.0;
+    const ShadowAir air{light_.atmosphere, nullptr, 0, light_.atmosphere ? &rests_[k].from : &unused};
     const PhotonShadow& caught = scratch_.photon_shadow;
     if (too_many || scratch_.traits.restarts()) {
-        const glm::vec3 passed = filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, {},
+        const glm::vec3 passed = filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, air,
                                                 too_many ? nullptr : met.hits[ray].data());
         const auto& crossings = context_.scratch.crossings;
         return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
     }
     if (caught.stops(k, met.hits[ray].data(), met.count[ray])) return glm::vec3(0);
     return shadow_transmittance(context_, point, from_[k], *interiors_[k], lit, false, met.hits[ray].data(),
-                                met.count[ray]);
+                                met.count[ray], air);
 }
 
 }  // namespace trace

@@ -25,10 +25,19 @@ public:
     /// What reaches the hits, in `out`; others' places are anything.
     void shadows(HitMask hits, TileColors& out);
 
+    /// Where the shadow ray of a hit that was asked last has left its last surface behind, and where it ends: for
+    /// lights that what fills the scene dims.
+    struct Rest {
+        glm::dvec3 direction;
+        double from, to;
+    };
+    const Rest& rest(std::size_t k) const { return rests_[k]; }
+
 private:
     static constexpr std::size_t kRays = csg::kTileRays;
 
     void find_shaft(HitMask hits);
+    Rest rest_to_corner(std::size_t k) const;
     bool scattered(HitMask hits) const;
     void want_all(int i1, int j1, int i2, int j2, int depth);
     void want(int i, int j);
@@ -57,6 +66,7 @@ private:
     alignas(64) TileLanes x_, y_, z_, distance_;  ///< of each sample: its offset on the light, then the direction to it
     TileColors color_;                            ///< before shadows
     std::array<light::AreaAxes, kRays> axes_;     ///< by hit, where the light turns to it
+    std::array<Rest, kRays> rests_;               ///< by hit, where the light is dimmed (Light::atmosphere)
 };
 
 }  // namespace trace

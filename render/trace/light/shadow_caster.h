@@ -54,14 +54,17 @@ public:
     {
         std::array<const InteriorList*, csg::kTileRays> around;
         for_each_hit(asking, [&](std::size_t k) { around[k] = &tile_.interiors(k); });
-        AreaLight(context_, light, tile_.hits, around.data()).shadows(asking, seen);
-        if (light.atmosphere && !light.shadowless)  // as if all of it came from the centre
-            for_each_hit(asking, [&](std::size_t k) {
-                RayState ray;
-                ray.ray = {scratch_.hits.point(k), scratch_.light.direction(k)};
-                ray.interiors = tile_.interiors(k);
-                seen.set(k, seen[k] * atmosphere_share(context_, ray, 0.0, scratch_.light.distance[k]));
-            });
+        AreaLight area(context_, light, tile_.hits, around.data());
+        area.shadows(asking, seen);
+        if (!light.atmosphere || light.shadowless) return;
+        for_each_hit(asking, [&](std::size_t k) {
+            // The rest of the way as from the sample that was asked last (spec 6, 2.8).
+            const AreaLight::Rest rest = area.rest(k);
+            RayState ray;
+            ray.ray = {scratch_.hits.point(k), rest.direction};
+            ray.interiors = tile_.interiors(k);
+            seen.set(k, seen[k] * atmosphere_share(context_, ray, rest.from, rest.to, true));
+        });
     }
 
 private:

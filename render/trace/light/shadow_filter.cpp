@@ -106,7 +106,7 @@ glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm:
     for (; first != last; ++first) {
         const Hit& crossing = *first;
         if (crossing.t - before <= tolerance) continue;  // the next ray would not see it
-        if (air.atmosphere) color *= atmosphere_share(context, ray, before, crossing.t, air);
+        if (air.atmosphere) color *= atmosphere_share(context, ray, before, crossing.t, false, air);
         if (traits.media && !dark(color))
             color *= interior_media_share(context.scene, ray, before, crossing.t, air.later, air.lane);
         const SurfaceTraits& surface = traits.surfaces[crossing.surface];
@@ -154,12 +154,14 @@ Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double
 
 }  // namespace
 
-glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to, const ShadowAir& air)
+glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to, bool at_light,
+                           const ShadowAir& air)
 {
     const plan::CompiledScene& scene = context.scene;
+    const bool hollow = ray.interiors.all_hollow(scene.interiors);
     glm::vec3 share(1);
-    if (!scene.fogs.empty() && ray.interiors.all_hollow(scene.interiors))
-        share = fog_share(context, {ray.ray.at(from), ray.ray.direction}, to - from);
+    if (!hollow && at_light) return share;
+    if (!scene.fogs.empty() && hollow) share = fog_share(context, {ray.ray.at(from), ray.ray.direction}, to - from);
     if (!scene.atmosphere.extinguishes) return share;
     return share * atmosphere_media_share(scene, ray.ray, from, to, air.later, air.lane);
 }
@@ -181,7 +183,8 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     if (met != Shadow::Clear)
         color = past_crossings(context, ray, tolerance, color, crossings.data(), crossings.data() + crossings.size(),
                                before, air);
-    if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, air);
+    if (air.last_crossing != nullptr) *air.last_crossing = before;
+    else if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, true, air);
     return color;
 }
 
@@ -203,7 +206,8 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
     RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, 0, interiors};
     double before = 0.0;
     glm::vec3 color = past_crossings(context, ray, tolerance, lit.color, crossings, end, before, air);
-    if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, air);
+    if (air.last_crossing != nullptr) *air.last_crossing = before;
+    else if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, true, air);
     return color;
 }
 

@@ -130,6 +130,9 @@ struct ShadowAir {
     bool atmosphere = false;        ///< what fills the whole scene dims it
     MediaShadows* later = nullptr;  ///< receives stretches of media that have to be sampled; null: they are sampled
     std::size_t lane = 0;           ///< of the light that those dim
+    /// Receives the distance of the last crossing; what fills the scene does not dim the rest of the way then. Null: it
+    /// does.
+    double* last_crossing = nullptr;
 };
 
 /// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
@@ -195,8 +198,8 @@ scene::Color sky_color(const Context& context, const RayState& state);
 glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
 
 /// Share of light that fog and media of the whole scene let pass between two distances along a shadow ray (spec
-/// 6, 2.8): fog where it is inside of nothing solid.
-glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to,
+/// 6, 2.8): fog where it is inside of nothing solid, media also where it is, unless the stretch ends at the light.
+glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to, bool at_light,
                            const ShadowAir& air = {});
 
 /// Fog over the length of a ray (spec 2, section 16).

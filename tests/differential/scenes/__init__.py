@@ -1,10 +1,12 @@
 """The classes of random scenes: one file each, a function scene(rng) that returns the text."""
+import struct
+
 import png
 from rng import Rng
-from scenes import cameras, csg, finishes, language, lights, radiosity, solids, textures, versions
+from scenes import cameras, csg, finishes, language, lights, media, radiosity, solids, textures, versions
 
 CLASSES = {"lights": lights, "finishes": finishes, "cameras": cameras, "csg": csg, "textures": textures,
-           "language": language, "versions": versions, "solids": solids}
+           "language": language, "versions": versions, "solids": solids, "media": media}
 NOISY = {"radiosity": radiosity}  # not the same twice in POV-Ray: judged apart, and never recorded
 
 
@@ -14,6 +16,8 @@ def text(kind, seed):
 
 
 def write_companions(folder):
-    """The picture that scenes with image_map and the like name: 12x8 pixels, every one another colour."""
+    """What scenes name: a picture of 12x8 pixels, every one another colour, and a density file of 6x5x4 samples."""
     rows = [bytearray(v for x in range(12) for v in (21 * x, 31 * y, (37 * x * y + 90) % 256)) for y in range(8)]
     png.write(folder / "picture.png", 12, rows)
+    volume = bytes((29 * x + 41 * y * z + 17 * x * y) % 256 for z in range(4) for y in range(5) for x in range(6))
+    (folder / "density.df3").write_bytes(struct.pack(">HHH", 6, 5, 4) + volume)
