@@ -27,6 +27,7 @@ struct RenderOptions {
     const IndirectLight* indirect = nullptr;        ///< of run_passes(); null: none
     std::function<void(std::string_view)> pass;     ///< told the name of each pass that begins; may be empty
     std::string radiosity_from, radiosity_to;       ///< files of samples to begin with and to leave; empty: none
+    std::uint64_t radiosity_seed = 0;               ///< which of many sets of samples that are as good as each other
     std::size_t first = 0, last = ~std::size_t{0};  ///< blocks [first, last) alone, by number of Blocks
     /// By number of Blocks: true for those that the picture handed in holds already; empty: it holds none.
     std::vector<bool> done;

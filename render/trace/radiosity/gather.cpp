@@ -60,7 +60,8 @@ private:
         } else {
             constexpr std::uint32_t kPurpose = 0x52414449;
             const double at = random_at(of.point, kPurpose + static_cast<std::uint32_t>(context_.bounce));
-            g.next = std::min(pool - 1, static_cast<std::size_t>(at * static_cast<double>(pool)));
+            g.next = static_cast<std::size_t>(at * static_cast<double>(pool)) * static_cast<std::size_t>(rules_.rays) %
+                     pool;
         }
     }
 

@@ -86,7 +86,8 @@ private:
                 to.part = part;
                 to.tile.count = static_cast<int>(std::min(most, rays.size() - first));
                 to.tile.pretrace = pass.pretrace;
-                to.tile.seed = stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size() + kSeed);
+                to.tile.seed = stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size() +
+                                       options_.radiosity_seed * kFar);
                 std::copy_n(rays.begin() + static_cast<std::ptrdiff_t>(first), to.tile.count, to.tile.at.begin());
             }
         }
@@ -137,7 +138,7 @@ private:
                 state.open = state.asked > 0 && (enough == 0 || state.weight < enough * state.asked);
     }
 
-    static constexpr std::uint64_t kSeed = 1000003;  ///< any number: it only decides where directions begin
+    static constexpr std::uint64_t kFar = 0x10000000000u;  ///< more than there are tiles
     static constexpr std::size_t kPretraceRays = 64, kMostAtOnce = 64;
 
     const RenderOptions& options_;
