@@ -75,7 +75,7 @@ struct GlobalSettings {
     int noise_generator = 2;
     glm::vec3 irid_wavelength{0.70f, 0.52f, 0.48f};
     std::optional<RadiositySettings> radiosity;
-    // Asked for by their blocks; not rendered yet.
+    // Asked for by their blocks.
     std::optional<PhotonSettings> photons;
     std::optional<SubsurfaceSettings> subsurface;
     double mm_per_unit = 10;

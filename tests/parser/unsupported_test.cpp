@@ -1,6 +1,7 @@
 #include "tests/parser/grammar_support.h"
 
 #include "render/scene/solids.h"
+#include "render/scene/unsupported_features.h"
 
 #include <catch2/catch.hpp>
 
@@ -42,48 +43,54 @@ TEST_CASE("what is not drawn yet is kept", "[parser][unsupported]")
 
 namespace {
 
-/// First lines of the warnings about a scene, without "test.pov:" and what all have in common.
+/// First lines of the warnings about a scene, without "test.pov:".
 std::vector<std::string> told(const std::string& text)
 {
     std::vector<std::string> lines;
-    const std::string common = ": not rendered yet, the picture is made without it";
     for (const parser::Message& message :
          parser::parse_text("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 }\n" + text, "test.pov",
                             {})
              .messages) {
         CHECK(message.severity == parser::Severity::Warning);
         std::string line = message.text.substr(9, message.text.find('\n') - 9);
-        if (line.ends_with(common)) line.resize(line.size() - common.size());
         lines.push_back(line);
     }
     return lines;
 }
 
-using Lines = std::vector<std::string>;
-
 }  // namespace
 
-TEST_CASE("what is not rendered is told once, at its place", "[parser][unsupported]")
+TEST_CASE("what is not rendered is told once, at its first place", "[parser][unsupported]")
 {
-    CHECK(told("global_settings { radiosity { } }").empty());
-    CHECK(told("global_settings { photons { count 100 } }") == Lines{"2:19: warning: photons"});
-    CHECK(told("media { emission 1 }\nmedia { emission 2 }").empty());
-    CHECK(told("sphere { 0, 1 interior {\n media { emission 1 } } }").empty());
-    CHECK(told("sphere { 0, 1 finish { subsurface { translucency 0.5 } } }") == Lines{"2:24: warning: subsurface"});
-    CHECK(told("#default { finish { subsurface { translucency 0.5 } } } sphere { 0, 1 }") ==
-          Lines{"2:21: warning: subsurface"});
-    CHECK(told("mesh { triangle { 0, x, y texture { finish { subsurface { translucency 0.5 } } } } }") ==
-          Lines{"2:46: warning: subsurface"});
+    scene::Description d;
+    for (const char* const kind : {"sphere_dream", "cube_dream", "sphere_dream"}) {
+        scene::Object object;
+        object.unsupported = kind;
+        object.source.line = static_cast<std::uint32_t>(d.unsupported_objects.size() + 3);
+        d.unsupported_objects.push_back(object);
+    }
+    const std::vector<scene::Unsupported> found = scene::unsupported_features(d);
+    REQUIRE(found.size() == 2);
+    CHECK((found[0].what == "sphere_dream" && found[0].source.line == 3));
+    CHECK((found[1].what == "cube_dream" && found[1].source.line == 4));
 }
 
-TEST_CASE("media and what lights do in them are rendered", "[parser][unsupported]")
+TEST_CASE("effects of the language are rendered: no word of them", "[parser][unsupported]")
 {
-    CHECK(told("light_source { y, 1 media_attenuation on }\nlight_group { light_source { y, 1 media_interaction off } "
-               "sphere { 0, 1 } }")
-              .empty());
-    CHECK(told("light_source { y, 1 media_attenuation on }\nlight_group { sphere { 0, 1 hollow interior { media { "
-               "emission 1 } } } }")
-              .empty());
+    for (const char* const text : {
+             "global_settings { radiosity { } }",
+             "global_settings { photons { count 100 } }",
+             "media { emission 1 }\nmedia { emission 2 }",
+             "rainbow { angle 42 width 5 distance 10 direction z color_map { [0 rgb 0] [1 rgb 1] } }",
+             "sphere { 0, 1 interior {\n media { emission 1 } } }",
+             "camera { bokeh { pigment { rgb 1 } } }",
+             "light_source { y, 1 media_attenuation on }\nlight_group { light_source { y, 1 media_interaction off } "
+             "sphere { 0, 1 } }",
+             "sphere { 0, 1 photons { target } }",
+         }) {
+        INFO(text);
+        CHECK(told(text).empty());
+    }
 }
 
 TEST_CASE("scattering after another keeps what it does not name", "[parser][media]")
@@ -95,16 +102,6 @@ TEST_CASE("scattering after another keeps what it does not name", "[parser][medi
     CHECK(scattering.phase == scene::Media::Phase::Isotropic);
     CHECK(scattering.color == glm::vec3(0.2f));
     CHECK((scattering.eccentricity == 0.5 && scattering.extinction == 0.25));
-}
-
-TEST_CASE("what is declared and used by no object is not told", "[parser][unsupported]")
-{
-    const std::string declared = "#declare T = texture { finish { subsurface { translucency 0.5 } } }\n";
-    CHECK(told(declared).empty());
-    CHECK(told(declared + "union { sphere { 0, 1 } object { sphere { 0, 1 } texture { T } } }") ==
-          Lines{"2:33: warning: subsurface"});
-    CHECK(told("sphere { 0, 1 photons { target } }")
-              .empty());  // POV-Ray shoots none without the block of global_settings
 }
 
 TEST_CASE("the dump shows it, the same each time", "[parser][unsupported]")

@@ -119,30 +119,6 @@ TEST_CASE("--werror ends a run that warns; --quiet leaves only errors", "[progra
     CHECK_THAT(run_program(folder.path(), WHITTLE_PROGRAM, {"bad.pov", "--quiet"}).err, Catch::Contains("error:"));
 }
 
-TEST_CASE("what is not rendered yet is told by --check, --werror, --explain and --json", "[program][machines]")
-{
-    const support::TemporaryFolder folder;
-    write_text(
-        folder / "m.pov",
-        "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nsphere { 0, 1\n interior { media { emission 1 } } }\n");
-    const std::string told = "m.pov:4:13: warning: media: not rendered yet, the picture is made without it\n";
-    const Ended check = run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "--check"});
-    CHECK(check.status == 0);
-    CHECK_THAT(check.err, Catch::StartsWith(told));
-    const Ended strict = run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "+W8", "+H6", "--werror"});
-    CHECK(strict.status == 1);
-    CHECK_THAT(strict.err, Catch::StartsWith(told));
-    CHECK(folder.names() == Words{"m.pov"});
-    const Ended render =
-        run_program(folder.path(), WHITTLE_PROGRAM, {"m.pov", "+W8", "+H6", "--explain", "--json=m.json"});
-    CHECK(render.status == 0);
-    CHECK_THAT(render.err, Catch::StartsWith(told) && Catch::Contains("\nm.pov:4:13: media: not rendered yet\n"));
-    CHECK(render.err.find(told, 1) == std::string::npos);
-    const std::string json = text_of(folder / "m.json");
-    CHECK(value_of(json, "severity") == "\"warning\"");
-    CHECK(value_of(json, "line") == "4");
-}
-
 TEST_CASE("what POV-Ray leaves out as too far is told once a run, and left out on demand", "[program][machines]")
 {
     const support::TemporaryFolder folder;
