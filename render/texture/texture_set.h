@@ -45,7 +45,7 @@ struct Finish {
     float subsurface_diffuse = 0;
     glm::vec3 translucency{0};
 
-    bool lit() const { return diffuse != 0 || diffuse_back != 0 || phong != 0 || specular != 0; }
+    bool lit() const { return diffuse != 0 || diffuse_back != 0 || phong != 0 || specular != 0 || subsurface; }
     bool reflects() const { return reflection_min != glm::vec3(0) || reflection_max != glm::vec3(0); }
 };
 

@@ -147,8 +147,7 @@ PhotonSettings read_global_photons(SceneBuilder& build, const PhotonSettings& be
         }
     }
     s.close();
-    if (settings.gather_least > settings.gather_most)
-        s.fail("'gather' takes the smaller number of photons first");
+    if (settings.gather_least > settings.gather_most) s.fail("'gather' takes the smaller number of photons first");
     return settings;
 }
 

@@ -7,6 +7,7 @@
 #include "render/app/run/shell_commands.h"
 #include "render/app/output/state_file.h"
 #include "render/image/picture_writer.h"
+#include "render/trace/indirect/indirect_light.h"
 #include "render/trace/indirect/passes.h"
 
 #include <fmt/format.h>
@@ -272,6 +273,7 @@ int PictureRun::render()
     if (cancelled()) return give_up();
     tell_far();
     put_in_place();
+    if (indirect_ && !indirect_->failed_save.empty()) throw std::runtime_error(indirect_->failed_save);
     task_.run.reporter.rendered(times_, statistics_);
     return kSuccess;
 }

@@ -48,6 +48,7 @@ std::uint32_t TextureCompiler::finish(const scene::Finish& from)
         to.subsurface_diffuse = from.diffuse;
         to.translucency = from.subsurface->translucency;
         to.diffuse = to.diffuse_back = 0.0f;
+        if (scene_.global.subsurface->radiosity) to.gathered = to.gathered_back = 0.0f;  // it comes from below as well
     }
     out_.finishes.push_back(to);
     return static_cast<std::uint32_t>(out_.finishes.size() - 1);

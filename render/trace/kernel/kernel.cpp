@@ -282,8 +282,8 @@ const KernelTable kTable = {
     [](const BlockTracer& tracer) { return tracer.counts(); },
     [](const plan::CompiledScene& scene, const std::atomic<bool>* cancel) { return new PhotonTracer(scene, cancel); },
     [](PhotonTracer* tracer) { delete tracer; },
-    [](PhotonTracer& tracer, const PhotonFlight& flight, std::span<const Emission> photons,
-       const JitterStream* jitter, PhotonYield& out) {
+    [](PhotonTracer& tracer, const PhotonFlight& flight, std::span<const Emission> photons, const JitterStream* jitter,
+       PhotonYield& out) {
         return jitter != nullptr ? tracer.follow(flight, photons, *jitter, out) : tracer.count(flight, photons, out);
     },
     texture::evaluators(),

@@ -26,6 +26,8 @@ public:
               double spacing, const scene::PhotonSettings& settings);
 
     const light::Light& light() const { return light_; }
+    /// False where the light stands in the middle of the target: there is no way to it (POV-Ray divides by 0).
+    bool has_way() const { return parallel_ || distance_ > kNoWay; }
     bool parallel() const { return parallel_; }
     /// Distance between photons at one unit from the light; of a parallel light everywhere.
     double step() const { return step_; }
@@ -38,6 +40,7 @@ public:
     double reach() const { return (theta_ - dtheta_) / theta_end_; }
 
 private:
+    static constexpr double kNoWay = 1e-10;  ///< from light to target, scene units
     /// The space of a cone around the way to the target.
     struct Frame {
         glm::dvec3 toward, left;

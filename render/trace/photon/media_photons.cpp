@@ -14,12 +14,15 @@ void media_photons(const Context& context, const texture::Points& points, HitMas
     const PhotonMap& map = context.indirect->media_photons;
     ShadeScratch& scratch = context.scratch.shade;
     NearPhotons& near = scratch.near_photons;
+    near.likely2 = scratch.wide_photons.likely2 = 0.0;  // nothing of other batches
     for_each_hit(which, [&](std::size_t k) {
         map.gather(points.at(k), nullptr, scratch.wide_photons, near);
         glm::vec3 sum(0);
+        const bool even = mixes[k]->one_kind && mixes[k]->members[0]->phase == plan::Media::Phase::Isotropic;
         for (const NearPhotons::Near& of : near.found) {
             const PhotonRay& photon = map.ray(of.photon);
-            sum += static_cast<float>(mixes[k]->phase(glm::dot(directions[k], glm::dvec3(photon.back)))) * photon.flux;
+            const double turned = even ? 1.0 : mixes[k]->phase(glm::dot(directions[k], glm::dvec3(photon.back)));
+            sum += static_cast<float>(turned) * photon.flux;
         }
         const double volume = 4.0 / 3.0 * std::numbers::pi * near.radius2 * std::sqrt(near.radius2);
         light.set(k, near.found.empty() ? glm::vec3(0) : sum / static_cast<float>(volume));

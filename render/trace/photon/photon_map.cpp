@@ -1,5 +1,7 @@
 #include "render/trace/photon/photon_map.h"
 
+#include "render/trace/photon/photon_search.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -76,65 +78,6 @@ private:
     std::vector<Photon>& photons_;
 };
 
-/// One search through the tree.
-class Search {
-public:
-    Search(const std::vector<Photon>& photons, const glm::dvec3& point, double radius, const glm::dvec3* normal,
-           int most, NearPhotons& out)
-        : photons_(photons), point_(point), normal_(normal), most_(static_cast<std::size_t>(most)), out_(out)
-    {
-        out_.found.clear();
-        out_.radius2 = radius * radius;
-    }
-
-    void visit(std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-        const std::ptrdiff_t middle = (first + last) / 2;
-        const Photon& photon = photons_[static_cast<std::size_t>(middle)];
-        const double off = static_cast<double>(along(photon, photon.axis)) - point_[photon.axis];
-        const bool within = off * off < out_.radius2;
-        if (off > 0.0) {
-            if (middle > first) visit(first, middle - 1);
-            if (off * off < out_.radius2 && middle < last) visit(middle + 1, last);
-        } else {
-            if (middle < last) visit(middle + 1, last);
-            if (off * off < out_.radius2 && middle > first) visit(first, middle - 1);
-        }
-        if (within) take(photon, static_cast<std::uint32_t>(middle));
-    }
-
-private:
-    void take(const Photon& photon, std::uint32_t number)
-    {
-        const glm::dvec3 off = glm::dvec3(photon.place()) - point_;
-        double distance2 = glm::dot(off, off);
-        constexpr double kFlattening = 16.0;
-        if (normal_ != nullptr) distance2 *= 1.0 + kFlattening * std::abs(glm::dot(*normal_, off));
-        if (!(distance2 < out_.radius2)) return;
-        const auto nearer = [](const NearPhotons::Near& a, const NearPhotons::Near& b) {
-            return a.distance2 < b.distance2;
-        };
-        auto& heap = out_.found;
-        if (heap.size() < most_) {
-            heap.push_back({distance2, number});
-            if (heap.size() == most_) std::make_heap(heap.begin(), heap.end(), nearer);
-            return;
-        }
-        // The first one takes the place of the farthest even if it lies farther: POV-Ray's limit is that of the search
-        // until then.
-        std::pop_heap(heap.begin(), heap.end(), nearer);
-        heap.back() = {distance2, number};
-        std::push_heap(heap.begin(), heap.end(), nearer);
-        out_.radius2 = heap.front().distance2;
-    }
-
-    const std::vector<Photon>& photons_;
-    const glm::dvec3 point_;
-    const glm::dvec3* normal_;
-    const std::size_t most_;
-    NearPhotons& out_;
-};
-
 }  // namespace
 
 void PhotonMap::build(std::vector<Photon> photons)
@@ -149,13 +92,7 @@ void PhotonMap::take(std::vector<Photon> photons)
     rays_.clear();
     rays_.reserve(photons_.size());
     for (const Photon& photon : photons_) rays_.push_back({flux_of(photon), back_of(photon)});
-}
-
-void PhotonMap::find(const glm::dvec3& point, double radius, const glm::dvec3* normal, int most, NearPhotons& out) const
-{
-    out.found.clear();
-    if (photons_.empty()) return;
-    Search(photons_, point, radius, normal, most, out).visit(0, static_cast<std::ptrdiff_t>(photons_.size()) - 1);
+    places_.take(photons_);
 }
 
 double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
@@ -165,7 +102,7 @@ double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
     NearPhotons near;
     const auto density = [&](double radius) {
         const std::size_t which = random.draw() % photons_.size();
-        find(photons_[which].place(), radius, nullptr, gather_most, near);
+        find(photons_[which].place(), radius, nullptr, near);
         const auto number = static_cast<double>(near.found.size());
         const double r = std::sqrt(near.radius2);
         return media ? 3.0 * number / (4.0 * kPi * r * r * r) : number / (kPi * r * r);
@@ -198,17 +135,25 @@ void PhotonMap::find_radius(const scene::PhotonSettings& settings, bool media, L
     radius_ *= media ? 2.0 * settings.media_radius_factor : settings.radius_factor;
 }
 
+void PhotonMap::find(const glm::dvec3& point, double radius, const glm::dvec3* normal, NearPhotons& out) const
+{
+    if (normal != nullptr) PhotonSearch<true>(places_, point, *normal, gather_most).find(radius, out);
+    else PhotonSearch<false>(places_, point, {}, gather_most).find(radius, out);
+}
+
 void PhotonMap::gather(const glm::dvec3& point, const glm::dvec3* normal, NearPhotons& scratch, NearPhotons& out) const
 {
-    find(point, radius_, normal, gather_most, out);
+    find(point, radius_, normal, out);
     if (out.found.size() >= static_cast<std::size_t>(gather_least)) return;
     constexpr double kWider = 3.0, kNone = 1e-16;
-    find(point, kWider * radius_, normal, gather_most, scratch);
+    find(point, kWider * radius_, normal, scratch);
     const double first = out.found.empty() ? kNone : out.density_per_area();
     const double second = scratch.density_per_area();
     const bool steady = (second - first) / first < expand_increase;
     const bool few = !scratch.found.empty() && static_cast<double>(scratch.found.size()) < expand_least;
-    if (steady || few) std::swap(out, scratch);
+    if (!steady && !few) return;
+    scratch.likely2 = out.likely2;
+    std::swap(out, scratch);
 }
 
 }  // namespace trace

@@ -3,6 +3,7 @@
 #include "render/scene/effects.h"
 #include "render/trace/photon/near_photons.h"
 #include "render/trace/photon/photon.h"
+#include "render/trace/photon/photon_places.h"
 #include "render/trace/photon/random_tables.h"
 
 #include <vector>
@@ -27,8 +28,8 @@ public:
     const std::vector<Photon>& photons() const { return photons_; }
     const PhotonRay& ray(std::uint32_t photon) const { return rays_[photon]; }
 
-    /// The `most` nearest within a radius. normal: of the surface, flattens the sphere; null: media.
-    void find(const glm::dvec3& point, double radius, const glm::dvec3* normal, int most, NearPhotons& out) const;
+    /// The gather_most nearest within a radius. normal: of the surface, flattens the sphere; null: media.
+    void find(const glm::dvec3& point, double radius, const glm::dvec3* normal, NearPhotons& out) const;
 
     /// The radius that POV-Ray finds out (spec 6, 3.7), or the one that is asked for, times its factor.
     void find_radius(const scene::PhotonSettings& settings, bool media, LibraryRandom& random);
@@ -45,6 +46,7 @@ private:
 
     std::vector<Photon> photons_;
     std::vector<PhotonRay> rays_;  ///< by photon
+    PhotonPlaces places_;
     double radius_ = 0;
 };
 

@@ -84,20 +84,19 @@ public:
         const std::vector<PhotonUnit> units = units_of(scene_);
         const double spacing = spacing_of(scene_, units);
         std::vector<PhotonAim> aims;
-        double all = 0.0;
         for (const PhotonUnit& unit : units) {
             aims.emplace_back(scene_.lights.lights[unit.light], plan_.lights[unit.light], plan_.targets[unit.target],
                               spacing, plan_.settings);
-            all += aims.back().estimate();
+            if (aims.back().has_way()) expected_ += aims.back().estimate();
         }
         constexpr double kMostShot = 1e9;  // half an hour of one processor, and more than memory holds
-        if (!(all <= kMostShot))
+        if (!(expected_ <= kMostShot))
             throw std::runtime_error(fmt::format("{}: error: these photons would be {:.3g}, and at most {:.0g} are "
                                                  "shot; a wider spacing or a count makes "
                                                  "them fewer",
-                                                 plan_.place, all, kMostShot));
+                                                 plan_.place, expected_, kMostShot));
         for (std::size_t i = 0; i < units.size(); ++i)
-            if (!shoot(units[i], aims[i])) return false;
+            if (aims[i].has_way() && !shoot(units[i], aims[i])) return false;
         return true;
     }
 
@@ -125,6 +124,8 @@ private:
             while (emissions_.size() < kBatch && (more = aim.ring(jitter_, emissions_)))
                 rings_.push_back({emissions_.size(), aim.reach(), jitter_});
             if (!follow(flight)) return false;
+            shot_ += static_cast<double>(emissions_.size());
+            if (options_.progress) options_.progress(std::min(1.0, shot_ / expected_));
             if (!take() || !more) return true;
         }
     }
@@ -153,9 +154,9 @@ private:
         arena_.execute([&] {
             tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t i) {
                 const std::size_t first = i * kTask, count = std::min(kTask, emissions_.size() - first);
-                if (stopped || !kernel_.follow_photons(*tracers_.local(), flight,
-                                                       std::span(emissions_).subspan(first, count),
-                                                       counting ? nullptr : &starts_[i], yields_[i]))
+                if (stopped ||
+                    !kernel_.follow_photons(*tracers_.local(), flight, std::span(emissions_).subspan(first, count),
+                                            counting ? nullptr : &starts_[i], yields_[i]))
                     stopped = true;
             });
         });
@@ -235,7 +236,8 @@ private:
     std::vector<Emission> emissions_;
     std::vector<Ring> rings_;
     std::vector<PhotonYield> yields_;
-    bool hit_ = false;  ///< some ring of the unit has met the target
+    double expected_ = 0, shot_ = 0;  ///< photons, where no target is missed
+    bool hit_ = false;                ///< some ring of the unit has met the target
 };
 
 }  // namespace

@@ -76,8 +76,8 @@ private:
         std::uint32_t first = kNoStep, last = kNoStep, next = kNoStep;  ///< steps of photons that go on from here
         bool stays = false;
         Photon photon;
-        std::uint64_t draws = 0;                    ///< of random numbers on its way through media
-        std::size_t media = 0, media_count = 0;     ///< photons that it has left there, in stay_
+        std::uint64_t draws = 0;                 ///< of random numbers on its way through media
+        std::size_t media = 0, media_count = 0;  ///< photons that it has left there, in stay_
     };
 
     /// All ways of the photons. jitter, known: null to count draws; else PhotonYield::draws_before tells where each
@@ -153,8 +153,9 @@ private:
         const plan::PhotonSurface& rules = plan_.surfaces[surface.photons];
         const HitDetails details = hit_details(context_, photon.state.ray, hit);
         const bool inside = glm::dot(details.normal, photon.state.ray.direction) > 0.0;
-        const HitPlace place{photon.state,      hit,   surface, details.point, inside ? -details.normal : details.normal,
-                             photon.state.level + 1, inside};
+        const HitPlace place{
+            photon.state,           hit,   surface, details.point, inside ? -details.normal : details.normal,
+            photon.state.level + 1, inside};
         cross_media(photon, place);
         photon.depth += hit.t;
         fade(photon, place);
@@ -199,7 +200,9 @@ private:
     /// Straight on through what is to be passed through.
     void pass(const Flying& photon, const HitPlace& place, const HitDetails& details)
     {
-        const glm::vec3 filter = surface_filter(context_, photon.state, place.met, details);
+        glm::vec3 filter(texture_of(place) == plan::kNone ? 1.0f : 0.0f);
+        each_layers(photon, place, details,
+                    [&](HitContext&, const LayerStack& stack, float share) { filter += share * stack.filter; });
         Flying next = photon;
         next.color *= filter;
         next.passed = true;
@@ -219,8 +222,8 @@ private:
     {
         PhotonStep& step = steps_[photon.step];
         step.stays = true;
-        step.photon = make_photon(place.point, photon_flux(*flight_, photon.color, photon.depth, 2),
-                                  -photon.state.ray.direction);
+        step.photon =
+            make_photon(place.point, photon_flux(*flight_, photon.color, photon.depth, 2), -photon.state.ray.direction);
     }
 
     /// What a texture's layers send on.
@@ -229,18 +232,43 @@ private:
         const bool refracts = agree(rules.refraction, flight_->refraction),
                    reflects = agree(rules.reflection, flight_->reflection);
         if (!refracts && !reflects) return;
+        each_layers(photon, place, details, [&](HitContext& hit, const LayerStack& stack, float share) {
+            Refracted next;
+            const float weight = photon.state.weight * largest(glm::abs(stack.filter));
+            const bool through = refracts && stack.residual > static_cast<float>(plan_.adc_bailout) &&
+                                 refract(context_, hit, stack.top_normal, weight, next);
+            if (through) transmit(photon, hit, stack, next, share);
+            if (reflects && !(through && next.total)) mirror(photon, hit, stack, share);
+        });
+    }
+
+    static std::uint32_t texture_of(const HitPlace& place)
+    {
         const plan::Surface& surface = place.surface;
-        const std::uint32_t texture =
-            place.from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture : surface.texture;
+        return place.from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture
+                                                                            : surface.texture;
+    }
+
+    /// f(hit, layers, share) for all plain textures that the hit shows.
+    template <class F>
+    void each_layers(const Flying& photon, const HitPlace& place, const HitDetails& details, F&& f)
+    {
+        const plan::Surface& surface = place.surface;
+        const std::uint32_t texture = texture_of(place);
         if (texture == plan::kNone) return;
         HitContext hit{place, 0, {details.point, place.normal, photon.state.ray.direction, details.uv, true}};
         const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
         const auto layers = [&](const texture::Texture& of, const glm::dvec3& at, float share) {
-            const LayerStack stack = layer_stack(context_, hit, of, at);
-            const bool total = refracts && transmit(photon, hit, stack, share);
-            if (reflects && !total) mirror(photon, hit, stack, share);
+            f(hit, layer_stack(context_, hit, of, at), share);
         };
-        if (surface.blends() && surface.part_count == 0 && texture == surface.texture) {
+        if (surface.part_count != 0) {
+            shares_.clear();
+            context_.world.shares(place.met, place.point, shares_);
+            for (const csg::Share& part : shares_)
+                each_plain(scene_.part_textures[surface.first_part + part.part], p, hit, part.weight, layers);
+            return;
+        }
+        if (surface.blends() && texture == surface.texture) {
             const std::array<std::uint32_t, 3> corners{surface.texture, surface.corner_textures[0],
                                                        surface.corner_textures[1]};
             for (int k = 0; k < 3; ++k)
@@ -278,19 +306,16 @@ private:
         if (upper > 0.0f) each_plain(set.children[blend.upper], q, hit, share * upper, f);
     }
 
-    /// Through the surface, or back where nothing gets through; whether that is so.
-    bool transmit(const Flying& photon, const HitContext& hit, const LayerStack& stack, float share)
+    /// Through the surface, or back where nothing gets through.
+    void transmit(const Flying& photon, const HitContext& hit, const LayerStack& stack, const Refracted& next,
+                  float share)
     {
-        if (!(stack.residual > static_cast<float>(plan_.adc_bailout))) return false;
-        Refracted next;
-        const float weight = photon.state.weight * largest(glm::abs(stack.filter));
-        if (!refract(context_, hit, stack.top_normal, weight, next)) return false;
-        const glm::vec3 passed = photon.color * stack.filter * scene_.interiors[hit.surface.interior].transmission * share;
+        const glm::vec3 passed = photon.color * stack.filter * scene_.interiors[hit.surface.interior].transmission *
+                                 share;
         if (next.samples == 0) {
             Flying on = sent(photon, next.ray, next.total ? photon.color * share : passed);
             if (next.total) on.state.weight = photon.state.weight;
-            send(std::move(on), photon);
-            return next.total;
+            return send(std::move(on), photon);
         }
         for (int i = 0; i < next.samples; ++i) {
             RayState ray;
@@ -298,7 +323,6 @@ private:
             const glm::vec3 part = hue(wavelength(i, next.samples), next.samples) / static_cast<float>(next.samples);
             send(sent(photon, ray, part * (through ? passed : photon.color * share)), photon);
         }
-        return false;
     }
 
     /// One photon for each layer that mirrors, all about the normal of the last one. POV-Ray weighs it by the square of
@@ -344,6 +368,7 @@ private:
     std::vector<PhotonStep> steps_;
     std::vector<std::uint32_t> order_;
     std::vector<Photon> stay_;  ///< in media
+    std::vector<csg::Share> shares_;
     PhotonAir air_{scene_, stay_};
     const JitterStream* jitter_ = nullptr;
     const PhotonYield* known_ = nullptr;

@@ -50,7 +50,8 @@ struct Scattering {
         }
     }
 
-    /// The way that light goes on average. 0: some channel lets none through, and POV-Ray leaves out all that is diffuse.
+    /// The way that light goes on average. 0: some channel lets none through, and POV-Ray leaves out all that is
+    /// diffuse.
     double mean_way() const
     {
         const double mean = 0.297 * extinction.x + 0.589 * extinction.y + 0.114 * extinction.z;

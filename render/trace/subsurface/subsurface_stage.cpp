@@ -1,6 +1,8 @@
 #include "render/trace/subsurface/subsurface_stage.h"
 
+#include "render/trace/indirect/indirect_light.h"
 #include "render/trace/media/point_lights.h"
+#include "render/trace/radiosity/ambient.h"
 #include "render/trace/random.h"
 #include "render/trace/shade/shade.h"
 #include "render/trace/subsurface/scattering.h"
@@ -35,6 +37,8 @@ public:
         ++own_.below;
         if (own_.scratch.shade.traits.surfaces.empty()) own_.scratch.shade.traits = context.scratch.shade.traits;
         around_.fill(&nothing_);
+        const radiosity::Field* field = context.indirect != nullptr ? context.indirect->radiosity.get() : nullptr;
+        gathers_ = plan_.radiosity && field != nullptr && context.bounce < field->settings().recursion_limit;
     }
 
     void add_site(std::size_t k, std::size_t row, const RowPage& at)
@@ -141,29 +145,57 @@ private:
             ++site.met;
             if (interior_of(met_.surface[k]) == site.interior) same |= HitMask{1} << k;
         });
-        constexpr double kFlattest = 0.01;
-        light_points(same, [&](std::size_t k, const glm::dvec3& to_light, const glm::vec3& color) {
+        if (same == 0) return;
+        context_.world.places(rays_, met_, same, places_);
+        const auto add = [&](std::size_t k, double share, double cosine, const glm::vec3& color) {
             Site& site = sites_[owner_[k]];
-            const glm::dvec3 normal = places_.normal(k), direction{rays_.dx[k], rays_.dy[k], rays_.dz[k]};
-            const double cosine = std::abs(glm::dot(normal, to_light));
-            if (!(cosine >= kNearlyZero)) return;
-            const double mm = met_.t[k] * plan_.mm_per_unit;
-            const double area = 4.0 * std::numbers::pi * mm * mm /
-                                std::max(kFlattest, std::abs(glm::dot(direction, normal)));
-            const double share = area * cosine * fresnel_passed(cosine, site.matter.eta) *
-                                 fresnel_passed(site.cosine(), site.matter.eta);
+            share *= area(k) * fresnel_passed(cosine, site.matter.eta) * fresnel_passed(site.cosine(), site.matter.eta);
             const double apart = glm::length(places_.point(k) - site.point) * plan_.mm_per_unit;
             for (int c = 0; c < 3; ++c)
                 site.diffuse[c] += share * site.matter.dipole(c, apart) * static_cast<double>(color[c]);
+        };
+        light_points(same, [&](std::size_t k, const glm::dvec3& to_light, const glm::vec3& color) {
+            const double cosine = std::abs(glm::dot(places_.normal(k), to_light));
+            if (cosine >= kNearlyZero) add(k, cosine, cosine, color);
         });
+        if (gathers_) add_ambient(same, [&](std::size_t k, const glm::vec3& color) { add(k, 1.0, 1.0, color); });
+    }
+
+    /// Of the surface that a ray stands for, mm^2.
+    double area(std::size_t k) const
+    {
+        constexpr double kFlattest = 0.01;
+        const glm::dvec3 direction{rays_.dx[k], rays_.dy[k], rays_.dz[k]};
+        const double mm = met_.t[k] * plan_.mm_per_unit;
+        return 4.0 * std::numbers::pi * mm * mm / std::max(kFlattest, std::abs(glm::dot(direction, places_.normal(k))));
+    }
+
+    /// f(k, colour): light of surroundings that goes in where a ray has met the object (spec 6, 5.5).
+    template <class F>
+    void add_ambient(HitMask which, F&& f)
+    {
+        if (!own_.scratch.gather) own_.scratch.gather = std::make_unique<radiosity::GatherScratch>();
+        radiosity::GatherScratch& gather = *own_.scratch.gather;
+        std::size_t count = 0;
+        for_each_hit(which, [&](std::size_t k) {
+            radiosity::Request& to = gather.requests[count++];
+            const std::size_t lane = sites_[owner_[k]].lane;
+            to.point = places_.point(k);
+            to.normal = to.bent = places_.normal(k);
+            to.weight = area(k);
+            to.start = context_.scene.tolerance.hit_from(to.point, met_.t[k]);
+            to.lane = static_cast<std::uint8_t>(lane);
+            to.root = tile_.state(lane).root;
+        });
+        radiosity::find_ambient(own_, count);
+        count = 0;
+        for_each_hit(which, [&](std::size_t k) { f(k, gather.ambient[count++]); });
     }
 
     /// f(k, unit vector to the light, colour) for every light that reaches a point that was met.
     template <class F>
     void light_points(HitMask which, F&& f)
     {
-        if (which == 0) return;
-        context_.world.places(rays_, met_, which, places_);
         texture::Points points;
         points.count = 0;
         for (std::size_t k = 0; k < static_cast<std::size_t>(rays_.count); ++k)
@@ -326,6 +358,7 @@ private:
     csg::HitTile met_;
     csg::PlaceTile places_;
     HitMask found_ = 0;
+    bool gathers_ = false;  ///< light of surroundings goes in too
     std::array<std::size_t, csg::kTileRays> owner_;
     std::array<int, csg::kTileRays> channel_;
     std::array<double, csg::kTileRays> drawn_;
