@@ -10,20 +10,10 @@ the files of its own folder that it includes, is searched for what Whittle does 
 must be a fault of ours, and is listed as such with the share of agreeing pixels or the first error.
 """
 import argparse
-import collections
 import json
 import pathlib
-import re
 import sys
 
-# What the text of a scene says when it needs something not rendered yet. A line goes when its feature arrives.
-LACKING = {
-    "media": r"\bmedia\b|\bhalo\b",
-    "photons": r"\bphotons\b",
-    "radiosity": r"\bradiosity\b",
-    "rainbow": r"\brainbow\b",
-    "subsurface": r"\bsubsurface\b",
-}
 MATCH = 0.99
 NOISE = 0.01
 
@@ -31,22 +21,6 @@ NOISE = 0.01
 def matches(row):
     agree = row.get("agree", -1)
     return agree >= MATCH or agree >= row.get("self", 1) - NOISE
-
-
-def scene_text(path, seen):
-    """The scene without comments and strings, followed by the files of its folder that it includes."""
-    if path in seen or not path.is_file():
-        return ""
-    seen.add(path)
-    raw = path.read_text(encoding="latin1")
-    includes = re.findall(r'#\s*include\s+"([^"]+)"', raw)
-    raw = re.sub(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', " ", raw, flags=re.S)
-    return raw + "".join(scene_text(path.parent / name, seen) for name in includes)
-
-
-def lacks(path):
-    text = scene_text(pathlib.Path(path), set())
-    return [name for name, pattern in LACKING.items() if re.search(pattern, text)]
 
 
 def said(row):
@@ -64,23 +38,11 @@ def main():
     reference = json.loads(options.reference.read_text())
 
     matched = sorted(name for name, row in score.items() if matches(row))
-    wanting, faults = collections.defaultdict(list), []
-    for name, row in sorted(score.items()):
-        if name in matched:
-            continue
-        missing = lacks(reference[name]["path"])
-        if not missing:
-            faults.append((name, row))
-        for feature in missing:
-            wanting[feature].append((name, len(missing) == 1))
+    faults = [(name, row) for name, row in sorted(score.items()) if name not in matched]
 
     print(f"{len(matched)} of {len(score)} scenes match.\n\n## Matching\n")
     print("\n".join(f"- {name} ({said(score[name])})" for name in matched) or "none")
-    print("\n## What the others lack\n\n| feature | scenes with it | lacking it alone |\n|---|---:|---|")
-    for feature, scenes in sorted(wanting.items(), key=lambda item: -len(item[1])):
-        alone = [name for name, only in scenes if only]
-        print(f"| {feature} | {len(scenes)} | {len(alone)}{': ' if alone else ''}{', '.join(alone)} |")
-    print("\n## Not matching though nothing in the text is known to be lacking\n")
+    print("\n## Not matching\n")
     for name, row in sorted(faults, key=lambda item: -item[1].get("agree", -1)):
         state = f"{row['agree']:.4f} agree, POV-Ray with itself {row.get('self', 1):.4f}" if "agree" in row else f"exit status {row['rc']}: {row.get('error', '')}"
         print(f"- {name}: {state}")
