@@ -79,8 +79,8 @@ void shared_cell(const Axis& x, const Axis& y, const Axis& z, const double* latt
 
 /// Each point in its own cell: parts in lanes.
 template <int Rows>
-void own_cells(const Axis& x, const Axis& y, const Axis& z, std::size_t count, const double* lattice,
-               double* const (&out)[Rows])
+[[gnu::always_inline]] inline void own_cells(const Axis& x, const Axis& y, const Axis& z, std::size_t count,
+                                             const double* lattice, double* const (&out)[Rows])
 {
     alignas(64) double f[3][kLanes], shares[8][kLanes];
     x.fraction.store_aligned(f[0]);
