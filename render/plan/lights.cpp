@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace plan {
 namespace {
@@ -13,6 +14,41 @@ glm::dvec3 unit(const glm::dvec3& v)
 {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : glm::dvec3(0, 0, 1);
+}
+
+/// Goes over an area light's nodes as they are asked for where no shadow divides the grid further.
+struct NodeOrder {
+    const light::Light& light;
+    std::vector<bool> asked =
+        std::vector<bool>(static_cast<std::size_t>(light.size1) * static_cast<std::size_t>(light.size2));
+    bool fresh = false;  ///< the rectangle at hand has a corner that no other had before it
+
+    void ask(int i, int j)
+    {
+        const std::size_t at = static_cast<std::size_t>(i) * static_cast<std::size_t>(light.size2) +
+                               static_cast<std::size_t>(j);
+        fresh = fresh || !asked[at];
+        asked[at] = true;
+    }
+    void rectangle(int i1, int j1, int i2, int j2, int depth)
+    {
+        fresh = false;
+        ask(i1, j1), ask(i2, j1), ask(i1, j2), ask(i2, j2);
+        if (depth >= light.adaptive || !(i2 - i1 > 1 || j2 - j1 > 1)) return;
+        const int i_low = (i1 + i2) / 2, i_high = (i1 + i2 + 1) / 2, j_low = (j1 + j2) / 2, j_high = (j1 + j2 + 1) / 2;
+        rectangle(i1, j1, i_low, j_low, depth + 1);
+        rectangle(i_high, j1, i2, j_low, depth + 1);
+        rectangle(i1, j_high, i_low, j2, depth + 1);
+        rectangle(i_high, j_high, i2, j2, depth + 1);
+    }
+};
+
+/// Whether the last rectangle has corners of others alone.
+bool ends_with_known_nodes(const light::Light& light)
+{
+    NodeOrder order{light};
+    order.rectangle(0, 0, light.size1 - 1, light.size2 - 1, 0);
+    return !order.fresh;
 }
 
 struct ProjectingObject final : light::Projector {
@@ -61,6 +97,7 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     out.size1 = description.size1;
     out.size2 = description.size2;
     out.adaptive = description.adaptive;
+    out.dimmed_twice = out.area && description.media_attenuation && ends_with_known_nodes(out);
     out.in_media = description.media_interaction && !description.shadowless;
     out.atmosphere = description.media_attenuation && description.media_interaction;
     if (description.projected_through) {

@@ -6,7 +6,7 @@ camera { location <0, 2.2, -9> look_at <0, 1.6, 0> angle 52 }
 media { scattering { 2, rgb .05 extinction .8 } absorption rgb .01 method 3 samples 9 intervals 3 ratio .8 }
 light_source { <-4, 6, -1>, rgb <1.4, 1, .5> spotlight point_at <-2, -1, 0> radius 11 falloff 16 tightness 2 media_attenuation on }
 light_source { <4.5, 6, 1>, rgb <.5, .8, 1.6> cylinder point_at <2, -1, 0> radius .5 falloff .8 tightness 1 }
-light_source { <0, 5.6, 3>, rgb <.7, 1, .7> area_light x*1.2, z*1.2, 3, 3 fade_distance 3 fade_power 2 media_attenuation on }
+light_source { <0, 5.6, 3>, rgb <.7, 1, .7> area_light x*1.2, z*1.2, 2, 2 fade_distance 3 fade_power 2 media_attenuation on }
 light_source { <0, 9, -9>, rgb .25 media_interaction off }
 light_source { <2, 3, -9>, rgb .15 shadowless }
 plane { y, -1 pigment { checker rgb .8 rgb .5 } finish { ambient 0 diffuse .7 } }

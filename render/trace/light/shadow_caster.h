@@ -58,12 +58,15 @@ public:
         area.shadows(asking, seen);
         if (!light.atmosphere || light.shadowless) return;
         for_each_hit(asking, [&](std::size_t k) {
-            // The rest of the way as from the sample that was asked last (spec 6, 2.8).
-            const AreaLight::Rest rest = area.rest(k);
+            // The rest of the way as from the sample that was asked last, or all of it twice (spec 6, 2.8).
+            const AreaLight::Rest rest =
+                light.dimmed_twice ? AreaLight::Rest{scratch_.light.direction(k), 0.0, scratch_.light.distance[k]}
+                                   : area.rest(k);
             RayState ray;
             ray.ray = {scratch_.hits.point(k), rest.direction};
             ray.interiors = tile_.interiors(k);
-            seen.set(k, seen[k] * atmosphere_share(context_, ray, rest.from, rest.to, true));
+            const glm::vec3 share = atmosphere_share(context_, ray, rest.from, rest.to, true);
+            seen.set(k, seen[k] * share * (light.dimmed_twice ? share : glm::vec3(1)));
         });
     }
 

@@ -215,6 +215,28 @@ TEST_CASE("kinds of scattering", "[trace][media]")
           0.0f);
 }
 
+TEST_CASE("what fills the scene dims area lights", "[trace][media]")
+{
+    const auto floor = [](const std::string& samples, const std::string& more) {
+        return static_cast<double>(
+                   seen("media { absorption .1 }\nlight_source { <0, 0, -8>, rgb .5 area_light x*2, y*.01, " + samples +
+                        " media_attenuation on }\nplane { -z, 0 pigment { rgb 1 } finish { diffuse 1 } }\n" + more)
+                       .x) *
+               std::exp(0.5);
+    };
+    const auto holder = [](double left, double right) {
+        return "box { <" + std::to_string(left) + ", -1, -3>, <" + std::to_string(right) +
+               ", 1, -1> texture { Clear } hollow no_image }";
+    };
+    const double open = std::exp(0.001);  // POV-Ray was seen from 0.01 away
+    CHECK(floor("2, 1", holder(-3, -0.001)) == near(0.19395 * open, 1e-4));
+    CHECK(floor("2, 1", holder(0.001, 3)) == near(0.26241 * open, 1e-4));
+    CHECK(floor("2, 1", holder(-3, 3)) == near(0.22305 * open, 1e-4));
+    CHECK(floor("2, 1", "plane { -z, 20 texture { Clear } }") == near(0.5 * std::exp(0.5), 1e-4));
+    CHECK(floor("3, 3", "") == near(0.10084 * open, 1e-4));
+    CHECK(floor("3, 4", "") == near(0.22281, 5e-3));
+}
+
 TEST_CASE("light that comes through media", "[trace][media]")
 {
     // A floor in the plane z = 5, looked at, lit from the left through a holder that is not looked through.
