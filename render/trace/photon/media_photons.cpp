@@ -14,7 +14,8 @@ void media_photons(const Context& context, const texture::Points& points, HitMas
     const PhotonMap& map = context.indirect->media_photons;
     ShadeScratch& scratch = context.scratch.shade;
     NearPhotons& near = scratch.near_photons;
-    near.likely2 = scratch.wide_photons.likely2 = 0.0;  // nothing of other batches
+    near.forget();  // pictures do not depend on the order of batches
+    scratch.wide_photons.forget();
     for_each_hit(which, [&](std::size_t k) {
         map.gather(points.at(k), nullptr, scratch.wide_photons, near);
         glm::vec3 sum(0);

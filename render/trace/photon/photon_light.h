@@ -21,7 +21,8 @@ public:
     {
         if (map_.empty() || context_.scene.settings.quality < 9) return;
         const plan::CompiledScene& scene = context_.scene;
-        scratch_.near_photons.likely2 = scratch_.wide_photons.likely2 = 0.0;  // nothing of other tiles
+        scratch_.near_photons.forget();  // pictures do not depend on the order of tiles
+        scratch_.wide_photons.forget();
         for_each_hit(batch_.lit(), [&](std::size_t k) {
             const csg::SurfaceId surface = tile_.hits.surface[k];
             if (collects(scene, surface)) add(k, scene.surfaces[surface]);

@@ -102,6 +102,7 @@ double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
     NearPhotons near;
     const auto density = [&](double radius) {
         const std::size_t which = random.draw() % photons_.size();
+        near.forget();
         find(photons_[which].place(), radius, nullptr, near);
         const auto number = static_cast<double>(near.found.size());
         const double r = std::sqrt(near.radius2);
@@ -152,8 +153,8 @@ void PhotonMap::gather(const glm::dvec3& point, const glm::dvec3* normal, NearPh
     const bool steady = (second - first) / first < expand_increase;
     const bool few = !scratch.found.empty() && static_cast<double>(scratch.found.size()) < expand_least;
     if (!steady && !few) return;
-    scratch.likely2 = out.likely2;
-    std::swap(out, scratch);
+    std::swap(out.found, scratch.found);
+    std::swap(out.radius2, scratch.radius2);
 }
 
 }  // namespace trace

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "csg/base/lanes.h"
 #include "render/trace/photon/near_photons.h"
 #include "render/trace/photon/photon_places.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace trace {
@@ -23,22 +25,24 @@ public:
     void find(double radius, NearPhotons& out)
     {
         all_ = radius * radius;
-        out.found.resize(most_ + kSpare + kLanes);
+        out.found.resize(2 * room());
         found_ = out.found.data();
-        count_ = 0;
         out.radius2 = all_;
         // One more than asked for, to know whether there are any.
-        constexpr double kWider = 1.4, kFarther = 3.0;
-        const double likely = kWider * out.likely2;
-        out.likely2 = 0.0;
-        for (double bound = likely > 0.0 ? likely : all_;; bound *= kFarther) {
-            collect(std::min(bound, all_));
-            if (count_ > most_ || bound >= all_) break;
+        constexpr double kWider = 1.25, kFarther = 3.0;
+        const bool known = out.likely2 > 0.0;
+        for (double bound = known ? kWider * out.likely2 : all_;; bound *= kFarther) {
+            const double here = std::min(bound, all_);
+            if (known && covers(out.vicinity, here)) scan(out.vicinity, here);
+            else collect(here);
+            if (count_ > most_ || here == all_) break;
         }
+        out.likely2 = all_;
         if (count_ > most_) {
             part();
-            out.likely2 = out.radius2 = bound_;
-            if (nearest_come_first()) out.radius2 = replace_farthest();
+            const bool replaces = nearest_come_first();
+            out.likely2 = out.radius2 = exact(found_[most_ - 1]);
+            if (replaces) out.radius2 = replace_farthest();
             count_ = most_;
         }
         out.found.resize(count_);
@@ -46,21 +50,44 @@ public:
 
 private:
     using Near = NearPhotons::Near;
+    static constexpr double kFlattening = 16.0;
     static constexpr std::size_t kLanes = 8;    ///< photons looked at together
     static constexpr std::size_t kSmall = 24;   ///< subtrees up to so many are not walked
     static constexpr std::size_t kSpare = 256;  ///< so many more than are asked for are kept before they are parted
 
-    /// The most_ nearest come first; bound_: the farthest of them.
+    /// The most_ nearest come first; bound_: the farthest of them. Counted by distance first, which needs no guesses of
+    /// the processor: only what lies about where they part is compared.
     void part()
     {
-        std::nth_element(found_, found_ + most_ - 1, found_ + count_,
+        constexpr std::size_t kBins = 64;
+        const float scale = static_cast<float>(static_cast<double>(kBins) / bound_);
+        const auto bin = [scale](const Near& near) {
+            return static_cast<std::size_t>(std::min(near.distance2 * scale, static_cast<float>(kBins - 1)));
+        };
+        std::array<std::uint32_t, kBins> count{};
+        for (std::size_t k = 0; k < count_; ++k) ++count[bin(found_[k])];
+        std::size_t about = 0;
+        for (std::size_t sum = count[0]; sum < most_; sum += count[++about]) {}
+        Near* const others = found_ + room();
+        std::size_t first = 0, rest = 0;
+        for (std::size_t k = 0; k < count_; ++k) {
+            const Near near = found_[k];
+            const bool nearer = bin(near) < about;
+            found_[first] = near;
+            others[rest] = near;
+            first += nearer ? 1 : 0;
+            rest += nearer ? 0 : 1;
+        }
+        std::nth_element(others, others + (most_ - 1 - first), others + rest,
                          [](const Near& a, const Near& b) { return a.distance2 < b.distance2; });
-        bound_ = found_[most_ - 1].distance2;
+        std::copy_n(others, rest, found_ + first);
+        bound_ = static_cast<double>(found_[most_ - 1].distance2);
     }
+    std::size_t room() const { return most_ + kSpare + kLanes; }
+    double exact(const Near& near) const { return distance2(near.photon); }
 
     double distance2(double dx, double dy, double dz) const
     {
-        constexpr double kFlattening = 16.0;
         const double d2 = dx * dx + dy * dy + dz * dz;
         if constexpr (!kFlat) return d2;
         return d2 * (1.0 + kFlattening * std::abs(normal_.x * dx + normal_.y * dy + normal_.z * dz));
@@ -85,11 +112,98 @@ private:
         return !beyond || off * off < all_;
     }
 
+    /// Whether the vicinity holds all that is nearer than the bound; it is made anew where it does not.
+    bool covers(PhotonVicinity& vicinity, double bound)
+    {
+        constexpr double kSpareReach =
+            1.35;  // shares of the radius: a wider one serves more points and holds more photons
+        constexpr std::size_t kMostHeld = 2048;
+        const double radius = std::sqrt(bound);
+        if (glm::distance(point_, vicinity.center) + radius <= vicinity.reach) return true;
+        vicinity.center = point_;
+        vicinity.reach = kSpareReach * radius;
+        vicinity.x.clear();
+        vicinity.y.clear();
+        vicinity.z.clear();
+        vicinity.photon.clear();
+        const double reach2 = vicinity.reach * vicinity.reach;
+        walk([&] { return vicinity.photon.size() > kMostHeld ? 0.0 : reach2; },
+             [&](std::size_t first, std::size_t end) {
+                 for (std::size_t i = first; i < end; ++i) {
+                     const glm::dvec3 off = offset(i);
+                     if (!(glm::dot(off, off) < reach2)) continue;
+                     vicinity.x.push_back(static_cast<float>(off.x));
+                     vicinity.y.push_back(static_cast<float>(off.y));
+                     vicinity.z.push_back(static_cast<float>(off.z));
+                     vicinity.photon.push_back(static_cast<std::uint32_t>(i));
+                 }
+             });
+        if (vicinity.photon.size() > kMostHeld) {
+            vicinity.reach = 0.0;
+            return false;
+        }
+        // Lanes may look beyond the last.
+        for (std::vector<float>* lane : {&vicinity.x, &vicinity.y, &vicinity.z})
+            lane->resize(vicinity.photon.size() + kLanes, 0.0f);
+        return true;
+    }
+
+    /// The photons of a vicinity that are nearer than the bound.
+    void scan(const PhotonVicinity& vicinity, double bound)
+    {
+        count_ = 0;
+        bound_ = bound;
+        using csg::lanes::FloatPart;
+        const glm::vec3 from(point_ - vicinity.center), n(normal_);
+        const FloatPart fx(from.x), fy(from.y), fz(from.z);
+        auto limit = static_cast<float>(bound_);
+        const std::size_t held = vicinity.photon.size();
+        alignas(64) std::array<float, kLanes> d2;
+        for (std::size_t i = 0; i < held; i += kLanes) {
+            std::uint32_t near = 0;
+            for (std::size_t part = 0; part < kLanes; part += csg::lanes::kFloatPart) {
+                const FloatPart dx = FloatPart::load_unaligned(&vicinity.x[i + part]) - fx,
+                                dy = FloatPart::load_unaligned(&vicinity.y[i + part]) - fy,
+                                dz = FloatPart::load_unaligned(&vicinity.z[i + part]) - fz;
+                FloatPart here = dx * dx + dy * dy + dz * dz;
+                if constexpr (kFlat)
+                    here = here * (FloatPart(1.0f) +
+                                   FloatPart(static_cast<float>(kFlattening)) *
+                                       xsimd::abs(FloatPart(n.x) * dx + FloatPart(n.y) * dy + FloatPart(n.z) * dz));
+                here.store_aligned(&d2[part]);
+                near |= csg::lanes::mask(here < FloatPart(limit)) << part;
+            }
+            if (held - i < kLanes) near &= (1u << (held - i)) - 1u;
+            for (; near != 0; near &= near - 1) {
+                const auto k = static_cast<std::size_t>(std::countr_zero(near));
+                const std::uint32_t photon = vicinity.photon[i + k];
+                found_[count_] = {d2[k], photon};
+                count_ += reached(photon) ? 1 : 0;
+            }
+            if (count_ < most_ + kSpare) continue;
+            make_room();
+            limit = static_cast<float>(bound_);
+        }
+    }
+
+    glm::dvec3 offset(std::size_t i) const
+    {
+        return {static_cast<double>(places_.x[i]) - point_.x, static_cast<double>(places_.y[i]) - point_.y,
+                static_cast<double>(places_.z[i]) - point_.z};
+    }
+
     /// At least the most_ + 1 nearest nearer than the bound, or all.
     void collect(double bound)
     {
         count_ = 0;
         bound_ = bound;
+        walk([this] { return bound_; }, [this](std::size_t first, std::size_t end) { scan(first, end); });
+    }
+
+    /// f(first, end) for runs of photons, the near ones first, that hold all whose squared distance is below limit().
+    template <class Limit, class F>
+    void walk(Limit&& limit, F&& f) const
+    {
         struct Waiting {
             std::size_t first, end;
             glm::dvec3 off;  ///< of the subtree's space from the point, along each axis
@@ -100,21 +214,21 @@ private:
         waiting[count++] = {0, places_.size(), glm::dvec3(0), 0.0};
         while (count > 0) {
             Waiting at = waiting[--count];
-            if (at.distance2 >= bound_) continue;
+            if (at.distance2 >= limit()) continue;
             while (at.end - at.first > kSmall) {
                 const std::size_t middle = (at.first + at.end - 1) / 2;  // of the first and the last
                 const int axis = places_.axis[middle];
                 const double off = places_.along(middle, axis) - point_[axis];
-                if (off * off < bound_) scan(middle, middle + 1);
+                if (off * off < limit()) f(middle, middle + 1);
                 Waiting& far = waiting[count];
                 far = at;
                 if (off > 0.0) at.end = middle, far.first = middle + 1;
                 else at.first = middle + 1, far.end = middle;
                 far.distance2 += off * off - far.off[axis] * far.off[axis];
                 far.off[axis] = off;
-                count += far.distance2 < bound_ ? 1 : 0;
+                count += far.distance2 < limit() ? 1 : 0;
             }
-            scan(at.first, at.end);
+            f(at.first, at.end);
         }
     }
 
@@ -130,17 +244,21 @@ private:
             for (std::size_t k = 0; k < lanes; ++k) {
                 if (!(d2[k] < bound_)) continue;
                 const auto photon = static_cast<std::uint32_t>(i + k);
-                found_[count_] = {d2[k], photon};
+                found_[count_] = {static_cast<float>(d2[k]), photon};
                 count_ += reached(photon) ? 1 : 0;
             }
-            if (count_ < most_ + kSpare) continue;
-            part();
-            // One more has to stay.
-            count_ = most_ + 1;
-            for (std::size_t k = most_ + 1; k < most_ + kSpare; ++k)
-                if (found_[k].distance2 < found_[most_].distance2) std::swap(found_[k], found_[most_]);
-            bound_ = found_[most_].distance2;
+            if (count_ >= most_ + kSpare) make_room();
         }
+    }
+
+    /// The nearest and one more stay.
+    void make_room()
+    {
+        part();
+        for (std::size_t k = most_ + 1; k < count_; ++k)
+            if (found_[k].distance2 < found_[most_].distance2) std::swap(found_[k], found_[most_]);
+        count_ = most_ + 1;
+        bound_ = static_cast<double>(found_[most_].distance2);
     }
 
     /// Whether the first photons that POV-Ray comes to are the nearest. The first that it comes to when it has enough
@@ -152,6 +270,7 @@ private:
             std::size_t first, end;
             bool alone;  ///< the node in the middle is meant, what lies below it is done
         };
+        constexpr double kRounding = 1.0 + 1e-6;  // of what is kept in single precision
         std::array<Waiting, 192> waiting;
         std::size_t count = 0, met = 0;
         waiting[count++] = {0, places_.size(), false};
@@ -162,7 +281,7 @@ private:
             if (at.alone) {
                 const double d2 = distance2(middle);
                 if (!(d2 < all_)) continue;
-                if (d2 > bound_) return false;
+                if (d2 > bound_ * kRounding) return false;
                 ++met;
                 continue;
             }
@@ -184,7 +303,7 @@ private:
         const Near next = *std::min_element(found_ + most_, found_ + count_,
                                             [](const Near& a, const Near& b) { return a.distance2 < b.distance2; });
         found_[most_ - 1] = next;
-        return next.distance2;
+        return exact(next);
     }
 
     const PhotonPlaces& places_;
