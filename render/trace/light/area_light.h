@@ -51,7 +51,7 @@ private:
     void jitter(TileLanes& row, TileLanes& column) const;
     void project();
     void keep(std::size_t first, std::size_t last);
-    glm::vec3 sample_color(std::size_t ray);
+    [[gnu::noinline]] glm::vec3 sample_color(std::size_t ray);
 
     Context& context_;
     ShadeScratch& scratch_;
