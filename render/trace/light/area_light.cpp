@@ -366,11 +366,15 @@ void AreaLight::keep(std::size_t first, std::size_t last)
             (value.*c)[k] = mine[k] != 0 ? v : (value.*c)[k];
         });
     }
-    if (light_.atmosphere)
-        for (std::size_t n = first; n < last; ++n) rests_[hit_[n]] = {{x_[n], y_[n], z_[n]}, 0.0, distance_[n]};
+    if (light_.atmosphere) keep_rests(first, last);
     if (other == 0) return;
     for (std::size_t n = first; n < last; ++n)
         if (has(other, hit_[n])) value.set(hit_[n], sample_color(n));
+}
+
+void AreaLight::keep_rests(std::size_t first, std::size_t last)
+{
+    for (std::size_t n = first; n < last; ++n) rests_[hit_[n]] = {{x_[n], y_[n], z_[n]}, 0.0, distance_[n]};
 }
 
 /// Of a sample whose shadow ray crosses what filters light.

@@ -51,6 +51,7 @@ private:
     void jitter(TileLanes& row, TileLanes& column) const;
     void project();
     void keep(std::size_t first, std::size_t last);
+    [[gnu::noinline]] void keep_rests(std::size_t first, std::size_t last);
     [[gnu::noinline]] glm::vec3 sample_color(std::size_t ray);
 
     Context& context_;

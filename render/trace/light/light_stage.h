@@ -124,7 +124,7 @@ private:
     }
 
     /// Hits whose shadow rays end at targets.
-    void find_photon_shadow()
+    [[gnu::noinline]] void find_photon_shadow()
     {
         if (context_.indirect->photons.empty()) return;
         const plan::CompiledScene& scene = context_.scene;
