@@ -2,7 +2,9 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace trace {
@@ -15,12 +17,18 @@ inline std::uint64_t stirred(std::uint64_t v)
     return v ^ (v >> 31);
 }
 
-/// For random_of: two vectors, as the origin and direction of a ray.
-inline std::uint64_t random_seed(const glm::dvec3& a, const glm::dvec3& b)
+/// For random_of: where a ray starts and its direction. Their last digits don't count: how a ray was found, alone or
+/// with others in lanes, changes them.
+inline std::uint64_t random_seed(const glm::dvec3& origin, const glm::dvec3& direction)
 {
-    std::uint64_t h = 0x9e3779b97f4a7c15u;
-    for (const double v : {a.x, a.y, a.z, b.x, b.y, b.z})
-        h = stirred((h + 0x9e3779b97f4a7c15u) ^ std::bit_cast<std::uint64_t>(v));
+    constexpr double kSteps = 0x1p17;  // of a component of the direction, and of the largest of the origin
+    const double size = std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z), 0x1p-60});
+    const double scale = std::ldexp(kSteps, -std::ilogb(size));
+    std::uint64_t h = 0;
+    for (int k = 0; k < 3; ++k)
+        for (const double v : {origin[k] * scale, direction[k] * kSteps})
+            h = stirred((h + 0x9e3779b97f4a7c15u) ^
+                        static_cast<std::uint64_t>(static_cast<std::int64_t>(std::rint(v))));
     return h;
 }
 
