@@ -16,8 +16,8 @@ struct Light {
     /// media_attenuation and media_interaction: fog and media of the whole scene dim it where there are some.
     bool atmosphere = false;
     bool dimmed_twice = false;  ///< area lights: what fills the scene dims all of the way twice (spec 6, 2.8)
-    bool in_media = true;     ///< media_interaction, and not shadowless: media scatter it
-    std::uint32_t group = 0;  ///< of the light_group that it stands in; 0: none
+    bool in_media = true;       ///< media_interaction, and not shadowless: media scatter it
+    std::uint32_t group = 0;    ///< of the light_group that it stands in; 0: none
     glm::dvec3 location{0}, point_at{0, 0, 1};
     glm::dvec3 axis{0, 0, 1};  ///< unit, from location to point_at
     glm::vec3 color{1};

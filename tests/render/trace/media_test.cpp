@@ -137,7 +137,8 @@ TEST_CASE("what is inside of what", "[trace][media]")
     CHECK(seen(air + box(0, 3, "")).x == near(0.14));
     CHECK(seen("plane { y, 2 texture { Clear } hollow interior { media { emission .5 } } }").x == 0.0f);
     CHECK(seen("media { emission 1e-11 }").x == near(0.2));
-    CHECK(seen("media { emission .02 } fog { distance 10 rgb 1 } plane { -z, -5 pigment { rgb 0 } }").x == near(0.70570));
+    CHECK(seen("media { emission .02 } fog { distance 10 rgb 1 } plane { -z, -5 pigment { rgb 0 } }").x ==
+          near(0.70570));
 }
 
 TEST_CASE("densities stand in the space of what holds them", "[trace][media]")
@@ -150,7 +151,8 @@ TEST_CASE("densities stand in the space of what holds them", "[trace][media]")
     CHECK(seen(cube(ramp + " hollow scale <1, 1, 2>")).x == near(1.0));
     CHECK(seen(cube("scale <1, 1, .5> hollow " + ramp)).x == near(0.125));
     CHECK(seen("union { " + cube(ramp) + " hollow scale <1, 1, 2> }").x == near(1.0));
-    CHECK(seen("intersection { " + cube(ramp) + "box { -4, 4 texture { Clear } } hollow scale <1, 1, 2> }").x == near(1.0));
+    CHECK(seen("intersection { " + cube(ramp) + "box { -4, 4 texture { Clear } } hollow scale <1, 1, 2> }").x ==
+          near(1.0));
 }
 
 TEST_CASE("one medium says how all are sampled", "[trace][media]")
