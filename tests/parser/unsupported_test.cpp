@@ -93,6 +93,21 @@ TEST_CASE("effects of the language are rendered: no word of them", "[parser][uns
     }
 }
 
+TEST_CASE("what media cannot be sampled by is refused", "[parser][media]")
+{
+    for (const std::string wrong :
+         {"intervals 0", "samples 0", "samples 3, 2", "method 4", "method 0", "aa_level 0", "aa_threshold 0",
+          "confidence 1", "confidence -0.1", "scattering { 1, 1 eccentricity 0.3 }"}) {
+        INFO(wrong);
+        CHECK(grammar_test::error_of("media { emission 1 " + wrong + " }").starts_with("1:"));
+    }
+    for (const std::string right : {"samples 2, 2", "aa_level 1", "confidence 0", "confidence 0.9999", "variance 0",
+                                    "ratio 2", "intervals 1.5"}) {
+        INFO(right);
+        CHECK(grammar_test::error_of("media { emission 1 " + right + " }").empty());
+    }
+}
+
 TEST_CASE("scattering after another keeps what it does not name", "[parser][media]")
 {
     const scene::Description d = grammar_test::parsed(

@@ -208,8 +208,8 @@ struct cutaway_textures : item<Kind::CutawayTextures> {
 struct photons : item<Kind::Photons> {
     static void act(ObjectState& s)
     {
-        s.object.photons = read_photon_flags(s.build, std::holds_alternative<scene::Light>(s.object.shape),
-                                               s.object.photons.get());
+        s.object.photons =
+            read_photon_flags(s.build, std::holds_alternative<scene::Light>(s.object.shape), s.object.photons.get());
     }
 };
 struct radiosity : item<Kind::Radiosity> {

@@ -7,12 +7,14 @@ namespace {
 using scene::Media;
 using scene::Rainbow;
 
-constexpr auto kMediaFields =
-    std::tuple(field(Kind::Absorption, &Media::absorption), field(Kind::Emission, &Media::emission),
-               field(Kind::Intervals, &Media::intervals, at_least(1)), field(Kind::Confidence, &Media::confidence),
-               field(Kind::Variance, &Media::variance), field(Kind::Ratio, &Media::ratio),
-               field(Kind::AaLevel, &Media::aa_level), field(Kind::AaThreshold, &Media::aa_threshold),
-               field(Kind::Jitter, &Media::jitter), field(Kind::Collect, &Media::collect));
+constexpr double kMostConfidence = 0.9999999999999999;  // any below 1
+constexpr auto kMediaFields = std::tuple(
+    field(Kind::Absorption, &Media::absorption), field(Kind::Emission, &Media::emission),
+    field(Kind::Intervals, &Media::intervals, at_least(1)),
+    field(Kind::Confidence, &Media::confidence, within(0, kMostConfidence)), field(Kind::Variance, &Media::variance),
+    field(Kind::Ratio, &Media::ratio), field(Kind::AaLevel, &Media::aa_level, at_least(1)),
+    field(Kind::AaThreshold, &Media::aa_threshold, above(0)), field(Kind::Jitter, &Media::jitter),
+    field(Kind::Collect, &Media::collect));
 
 constexpr auto kRainbowFields =
     std::tuple(field(Kind::Direction, &Rainbow::direction), field(Kind::Angle, &Rainbow::angle_deg),
@@ -65,6 +67,9 @@ bool read_media_item(BlockReader& s, Media& media)
         read_value(s.in(), media.samples_least);
         media.samples_most = media.samples_least;
         if (more_numbers(s.in())) read_value(s.in(), media.samples_most);
+        if (media.samples_least < 1) s.fail("media need at least one sample in an interval");
+        if (media.samples_most < media.samples_least)
+            s.fail("the most samples in an interval are fewer than the least");
     } else if (const auto transform = read_transformation(s.build())) {
         media.transform(*transform);
     } else {

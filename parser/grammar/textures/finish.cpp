@@ -129,10 +129,7 @@ struct irid : item<Kind::Irid> {
     }
 };
 struct subsurface : item<Kind::Subsurface> {
-    static void act(FinishState& s)
-    {
-        s.finish.subsurface = read_finish_subsurface(s.build);
-    }
+    static void act(FinishState& s) { s.finish.subsurface = read_finish_subsurface(s.build); }
 };
 /// Keywords that moved to the interior in version 3.1.
 template <Kind kind, float scene::Finish::*member>

@@ -162,9 +162,9 @@ private:
         const bool too_many = count == csg::CrossingTile::kTooMany;
         const PhotonShadow& caught = scratch_.photon_shadow;
         if (too_many || (scratch_.traits.restarts() && !clear)) {
-            const glm::vec3 passed =
-                filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k), lit,
-                               lit.color, air, too_many ? nullptr : scratch_.crossings.hits[ray].data());
+            const glm::vec3 passed = filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k],
+                                                    tile_.interiors(k), lit, lit.color, air,
+                                                    too_many ? nullptr : scratch_.crossings.hits[ray].data());
             const auto& crossings = context_.scratch.crossings;
             return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
         }

@@ -202,7 +202,8 @@ void AdaptiveSums::sum()
     for (std::size_t i = 0; i < jobs_; ++i) {
         glm::vec3 light(0), depth(0);
         for (std::size_t n = 0; n < gaps_; ++n) {
-            light += scratch_.light[n * jobs_ + i] * media_exp(-depth * share);
+            const glm::vec3 here = scratch_.light[n * jobs_ + i];
+            if (here != glm::vec3(0)) light += here * media_exp(-depth * share);
             depth += scratch_.depth[n * jobs_ + i];
         }
         chunk_.light[i] = light;

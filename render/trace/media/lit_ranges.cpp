@@ -38,6 +38,7 @@ bool cone_range(const light::Light& light, const csg::Ray& ray, MediaRange& out)
 {
     const Quadratic q = quadratic_of(light, ray, 1.0 / (light.cos_falloff * light.cos_falloff), 0.0);
     if (q.behind()) return false;
+    if (q.discriminant < -kNearlyZeroRange && q.a != 0.0) return false;
     const double away = glm::length(ray.origin - light.location);
     const bool inside = away > kNearlyZeroRange && q.start / away >= light.cos_falloff;
     if (q.a == 0.0) {
@@ -59,7 +60,6 @@ bool cone_range(const light::Light& light, const csg::Ray& ray, MediaRange& out)
         }
         return true;
     }
-    if (q.discriminant < -kNearlyZeroRange) return false;
     // Along the axis: POV-Ray loses the light that the ray looks into (spec 6, 2.11).
     if (inside) out = {0.0, q.along > 0.0 ? kFar : -q.b / q.a};
     else out = {-q.b / q.a, kFar};

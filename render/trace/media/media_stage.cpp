@@ -28,6 +28,7 @@ void MediaStage::cross(HitMask segments, bool atmosphere)
     });
     next_ = ended_ = 0;
     while (take_parts()) {
+        context_.scratch.geometry.cancel.look();  // a scene may ask for any number of intervals
         work_off();
         compose();
     }
@@ -163,7 +164,7 @@ void MediaStage::compose()
             light = chunk.light[part.job] * share;
             depth = chunk.depth[part.job] * share;
         }
-        segment.glow += light * media_exp(-segment.depth);
+        if (light != glm::vec3(0)) segment.glow += light * media_exp(-segment.depth);
         segment.depth += depth;
     }
 }

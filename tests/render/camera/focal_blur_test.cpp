@@ -16,10 +16,7 @@ scene::Camera lens(int samples, double variance = 1.0 / 128.0)
     return camera;
 }
 
-FocalBlur blur_of(const scene::Camera& camera)
-{
-    return {camera, texture::TextureSet{}, texture::kNone};
-}
+FocalBlur blur_of(const scene::Camera& camera) { return {camera, texture::TextureSet{}, texture::kNone}; }
 
 }  // namespace
 
