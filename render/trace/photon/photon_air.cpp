@@ -7,13 +7,13 @@
 
 namespace trace {
 
-/// False: nothing there dims light, and no photon stays.
+/// False: nothing there dims or scatters light.
 bool PhotonAir::find_mix(const PhotonStretch& stretch)
 {
     mix_.clear();
     if (stretch.interiors.empty() || !stretch.interiors.all_hollow(scene_.interiors)) return false;
     mix_.add(scene_, stretch.interiors);
-    return mix_.extinguishes;
+    return mix_.extinguishes || mix_.scatters;
 }
 
 /// Into sub-intervals, where lights begin and end as where media are seen (spec 6, 2.4 and 2.5).

@@ -102,8 +102,7 @@ double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
     NearPhotons near;
     const auto density = [&](double radius) {
         const std::size_t which = random.draw() % photons_.size();
-        near.forget();
-        find(photons_[which].place(), radius, nullptr, near);
+        PhotonSearch<false>(places_, photons_[which].place(), {}, gather_most).find_in_order(radius, near);
         const auto number = static_cast<double>(near.found.size());
         const double r = std::sqrt(near.radius2);
         return media ? 3.0 * number / (4.0 * kPi * r * r * r) : number / (kPi * r * r);

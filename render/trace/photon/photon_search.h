@@ -11,10 +11,12 @@
 
 namespace trace {
 
-/// The nearest photons around a point (spec 6, 3.7). POV-Ray goes from photon to photon and keeps a heap; here small
-/// subtrees, which lie side by side, are looked at in lanes, and the nearest are parted from the others when there are
-/// many. The answer is the same.
-/// \tparam kFlat  the sphere is flattened off a surface
+/// The nearest photons around a point (spec 6, 3.7). POV-Ray goes from photon to photon and keeps a heap; here those of
+/// small subtrees, or of a sphere that serves several points, are looked at in lanes, and the nearest are parted from
+/// the others when there are many. The answer is the same, but for photons on the wrong side of a node: whether POV-Ray
+/// finds them depends on when it comes there, and here they are found if they are in reach at first. (One photon more
+/// in one search of thirty, where each has more photons than it keeps.) \tparam kFlat  the sphere is flattened off a
+/// surface
 template <bool kFlat>
 class PhotonSearch {
 public:
@@ -40,19 +42,34 @@ public:
         out.likely2 = all_;
         if (count_ > most_) {
             part();
-            const bool replaces = nearest_come_first();
-            out.likely2 = out.radius2 = exact(found_[most_ - 1]);
-            if (replaces) out.radius2 = replace_farthest();
+            out.likely2 = bound_;
+            if (nearest_come_first()) walk_in_order();
+            double farthest = 0.0;
+            for (std::size_t k = 0; k < most_; ++k)
+                if (found_[k].distance2 >= static_cast<float>(bound_)) farthest = std::max(farthest, exact(found_[k]));
+            out.radius2 = farthest;
             count_ = most_;
         }
+        out.found.resize(count_);
+    }
+
+    /// POV-Ray's own way, whatever it costs.
+    void find_in_order(double radius, NearPhotons& out)
+    {
+        all_ = radius * radius;
+        out.found.resize(2 * room());
+        found_ = out.found.data();
+        walk_in_order();
+        out.radius2 = bound_;
         out.found.resize(count_);
     }
 
 private:
     using Near = NearPhotons::Near;
     static constexpr double kFlattening = 16.0;
-    static constexpr std::size_t kLanes = 8;    ///< photons looked at together
-    static constexpr std::size_t kSmall = 24;   ///< subtrees up to so many are not walked
+    static constexpr double kRounding = 1.0 + 1e-6;  ///< of what is kept in single precision
+    static constexpr std::size_t kLanes = 8;         ///< photons looked at together
+    static constexpr std::size_t kSmall = 24;        ///< subtrees up to so many are not walked
     static constexpr std::size_t kSpare = 256;  ///< so many more than are asked for are kept before they are parted
 
     /// The most_ nearest come first; bound_: the farthest of them. Counted by distance first, which needs no guesses of
@@ -111,7 +128,6 @@ private:
         const bool beyond = photon < gate ? !(off > 0.0) : off > 0.0;
         return !beyond || off * off < all_;
     }
-
     /// Whether the vicinity holds all that is nearer than the bound; it is made anew where it does not.
     bool covers(PhotonVicinity& vicinity, double bound)
     {
@@ -270,7 +286,6 @@ private:
             std::size_t first, end;
             bool alone;  ///< the node in the middle is meant, what lies below it is done
         };
-        constexpr double kRounding = 1.0 + 1e-6;  // of what is kept in single precision
         std::array<Waiting, 192> waiting;
         std::size_t count = 0, met = 0;
         waiting[count++] = {0, places_.size(), false};
@@ -297,13 +312,50 @@ private:
         return met == most_;
     }
 
-    /// The farthest of the nearest gives way to the next one, whose distance is returned.
-    double replace_farthest()
+    /// POV-Ray's own way: photon by photon, with a heap. Its limit is that of the search until the heap is full, so
+    /// that the first photon that comes then takes the place of the farthest even if it lies farther.
+    void walk_in_order()
     {
-        const Near next = *std::min_element(found_ + most_, found_ + count_,
-                                            [](const Near& a, const Near& b) { return a.distance2 < b.distance2; });
-        found_[most_ - 1] = next;
-        return exact(next);
+        struct Waiting {
+            std::size_t first, end;
+            enum Part : std::uint8_t { Whole, Far, Node } part;
+            bool within;
+        };
+        const auto nearer = [](const Near& a, const Near& b) { return a.distance2 < b.distance2; };
+        std::array<Waiting, 192> waiting;
+        std::size_t count = 0;
+        waiting[count++] = {0, places_.size(), Waiting::Whole, false};
+        count_ = 0;
+        bound_ = all_;
+        while (count > 0) {
+            const Waiting at = waiting[--count];
+            if (at.first >= at.end) continue;
+            const std::size_t middle = (at.first + at.end - 1) / 2;
+            const int axis = places_.axis[middle];
+            const double off = places_.along(middle, axis) - point_[axis];
+            const Waiting below{at.first, middle, Waiting::Whole, false},
+                above{middle + 1, at.end, Waiting::Whole, false};
+            if (at.part == Waiting::Whole) {
+                waiting[count++] = {at.first, at.end, Waiting::Node, off * off < bound_};
+                waiting[count++] = {at.first, at.end, Waiting::Far, false};
+                waiting[count++] = off > 0.0 ? below : above;
+            } else if (at.part == Waiting::Far) {
+                if (off * off < bound_) waiting[count++] = off > 0.0 ? above : below;
+            } else if (at.within) {
+                const double d2 = distance2(middle);
+                if (!(d2 < bound_)) continue;
+                const Near here{static_cast<float>(d2), static_cast<std::uint32_t>(middle)};
+                if (count_ < most_) {
+                    found_[count_++] = here;
+                    std::push_heap(found_, found_ + count_, nearer);
+                    continue;
+                }
+                std::pop_heap(found_, found_ + count_, nearer);
+                found_[count_ - 1] = here;
+                std::push_heap(found_, found_ + count_, nearer);
+                bound_ = exact(found_[0]);
+            }
+        }
     }
 
     const PhotonPlaces& places_;

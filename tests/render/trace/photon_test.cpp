@@ -105,7 +105,7 @@ TEST_CASE("a photon's record keeps flux to a 128th of its largest channel and th
     std::uniform_real_distribution<double> share(0.0, 1.0);
     std::normal_distribution<double> axis(0.0, 1.0);
     for (int i = 0; i < 5000; ++i) {
-        const glm::vec3 flux(std::ldexp(glm::dvec3(share(random), share(random), share(random)).x, i % 40 - 20));
+        const glm::vec3 flux(std::ldexp(static_cast<float>(share(random)), i % 25 - 20));
         const glm::vec3 tinted = flux * glm::vec3(1.0f, static_cast<float>(share(random)), 0.5f);
         const glm::dvec3 back = glm::normalize(glm::dvec3(axis(random), axis(random), axis(random)));
         const trace::Photon photon = trace::make_photon({1, 2, 3}, tinted, back);
@@ -135,10 +135,12 @@ TEST_CASE("every node of a map divides its photons along its axis", "[photons]")
             if (last - first < 2) continue;  // two may stand the other way round
             const std::ptrdiff_t middle = (first + last) / 2;
             const trace::Photon& node = photons[static_cast<std::size_t>(middle)];
+            int wrong = 0;  // of the last two that it chooses between POV-Ray may take the other one
             for (std::ptrdiff_t i = first; i <= last; ++i) {
                 const float here = photons[static_cast<std::size_t>(i)].place()[node.axis];
-                CHECK((i < middle ? here <= node.place()[node.axis] : here >= node.place()[node.axis]));
+                wrong += (i < middle ? here > node.place()[node.axis] : here < node.place()[node.axis]) ? 1 : 0;
             }
+            CHECK(wrong <= 1);
             ranges.push_back({first, middle - 1});
             ranges.push_back({middle + 1, last});
         }
@@ -173,12 +175,15 @@ TEST_CASE("the search finds what POV-Ray's heap is left with", "[photons]")
             std::sort(b.begin(), b.end());
             ++asked;
             same += a == b && found.radius2 == Approx(known.limit).epsilon(1e-12) ? 1 : 0;
-            CHECK(found.found.size() + 1 >= known.heap.size());
-            CHECK(found.found.size() <= known.heap.size() + 1);
+            CHECK(found.found.size() == known.heap.size());
+            if (normal != nullptr) trace::PhotonSearch<true>(places, point, up, most).find_in_order(radius, found);
+            else trace::PhotonSearch<false>(places, point, up, most).find_in_order(radius, found);
+            CHECK(found.found.size() == known.heap.size());
+            CHECK(found.radius2 == Approx(known.limit).epsilon(1e-6));
         }
     }
     INFO(same << " of " << asked);
-    CHECK(same > asked * 93 / 100);  // photons on the wrong side of a node: which of them are missed hangs on the order
+    CHECK(same > asked * 93 / 100);  // photons on the wrong side of a node
 }
 
 TEST_CASE("a map comes back from its file as it was", "[photons]")
@@ -220,11 +225,11 @@ std::string under_glass(const std::string& light, double ior, double bottom)
 {
     char slab[300];
     std::snprintf(slab, sizeof slab,
-                  "box { <-4,%g,-4>, <4,5,4> pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior %g }\n"
+                  "box { <-2,%g,-2>, <2,5,2> pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior %g }\n"
                   "  photons { target refraction on collect off } }\n",
                   bottom, ior);
-    return "global_settings { assumed_gamma 1 photons { spacing 0.06 radius 0.6 gather 20, 4000 } }\n" + light + slab +
-           "plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n";
+    return "global_settings { assumed_gamma 1 photons { spacing 0.02 jitter 1 radius 0.9 gather 20, 20000 } }\n" +
+           light + slab + "plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n";
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ struct Probe {
     double diffuse;
     const char* translucency;
     double ior;
-    glm::vec3 known;  ///< what POV-Ray shows (spec 6, 5.8)
+    glm::vec3 known;  ///< what POV-Ray shows with 4000 samples of each kind
 };
 
 glm::vec3 half_space(const Probe& probe)
@@ -93,26 +93,32 @@ glm::vec3 half_space(const Probe& probe)
 TEST_CASE("a half-space is as bright as POV-Ray's", "[subsurface]")
 {
     const Probe probes[] = {
-        {"mm_per_unit 10 subsurface { samples 20, 20 }", "<0,0,-1000>", "0.5", 1.0, "1", 1.3, {0.527f, 0.5345f, 0.53f}},
+        {"mm_per_unit 10 subsurface { samples 20, 20 }",
+         "<0,0,-1000>",
+         "0.5",
+         1.0,
+         "1",
+         1.3,
+         {0.5208f, 0.5213f, 0.5221f}},
         {"mm_per_unit 10 subsurface { samples 20, 20 }",
          "<642.79,0,-766.04>",
          "<.5,.8,.2>",
          0.7,
          "<1,.5,2>",
          1.3,
-         {0.2807f, 0.4609f, 0.1229f}},
+         {0.2820f, 0.4391f, 0.1213f}},
         {"mm_per_unit 1 subsurface { samples 50, 50 }",
          "<642.79,0,-766.04>",
          "<.5,.8,.2>",
          0.7,
          "<1,.5,2>",
          1.5,
-         {0.2944f, 0.4438f, 0.1306f}},
+         {0.2692f, 0.4188f, 0.1161f}},
     };
     for (const Probe& probe : probes) {
         const glm::vec3 seen = half_space(probe);
         INFO(probe.settings << ": " << seen.x << ' ' << seen.y << ' ' << seen.z);
-        for (int c = 0; c < 3; ++c) CHECK(seen[c] == Approx(probe.known[c]).margin(0.012));
+        for (int c = 0; c < 3; ++c) CHECK(seen[c] == Approx(probe.known[c]).margin(0.006));
     }
 }
 
