@@ -348,11 +348,13 @@ void AreaLight::keep(std::size_t first, std::size_t last)
     HitMask here = 0, lit = 0, other = 0;
     for (std::size_t n = first; n < last; ++n) {
         const HitMask bit = HitMask{1} << hit_[n];
-        const bool seen = distance_[n] > -csg::kInfinity,
-                   near = rays.t_max[n] <= rays.t_min[n];  // too near to the light for a shadow
         here |= bit;
-        if (seen && (near || met.ending[n] != Shadow::Blocked)) lit |= bit;
-        if (seen && !near && met.ending[n] == Shadow::Filtered) other |= bit;
+        if (!(distance_[n] > -csg::kInfinity)) continue;  // it does not see the light
+        const Shadow ending = met.ending[n];
+        const bool near = rays.t_max[n] <= rays.t_min[n];  // too near to the light for a shadow
+        if (ending == Shadow::Blocked && !near) continue;
+        lit |= bit;
+        if (ending == Shadow::Filtered && !near) other |= bit;
     }
     TileColors& value = area_.values[node_[first]];
     constexpr std::size_t kFew = 16;  // hits that are cheaper one by one
@@ -367,9 +369,13 @@ void AreaLight::keep(std::size_t first, std::size_t last)
         });
     }
     if (light_.atmosphere) keep_rests(first, last);
-    if (other == 0) return;
+    if (other != 0) keep_filtered(first, last, other, value);
+}
+
+void AreaLight::keep_filtered(std::size_t first, std::size_t last, HitMask hits, TileColors& value)
+{
     for (std::size_t n = first; n < last; ++n)
-        if (has(other, hit_[n])) value.set(hit_[n], sample_color(n));
+        if (has(hits, hit_[n])) value.set(hit_[n], sample_color(n));
 }
 
 void AreaLight::keep_rests(std::size_t first, std::size_t last)

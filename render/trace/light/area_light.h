@@ -52,7 +52,8 @@ private:
     void project();
     void keep(std::size_t first, std::size_t last);
     [[gnu::noinline]] void keep_rests(std::size_t first, std::size_t last);
-    [[gnu::noinline]] glm::vec3 sample_color(std::size_t ray);
+    [[gnu::noinline]] void keep_filtered(std::size_t first, std::size_t last, HitMask hits, TileColors& value);
+    glm::vec3 sample_color(std::size_t ray);
 
     Context& context_;
     ShadeScratch& scratch_;
