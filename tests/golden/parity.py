@@ -1,13 +1,11 @@
 #!/usr/bin/python3
 """Turns a score over many scenes into the table of docs/parity.md.
 
-usage: parity.py SCORE REFERENCE
+usage: parity.py SCORE
 
-SCORE: {id: {rc, agree, self, error, ...}}, the report of a score run. REFERENCE: {id: {path, rc, ...}}, what POV-Ray rendered.
+SCORE: {id: {rc, agree, self, error, ...}}, the report of a score run.
 A scene matches when at least 99 % of its pixels are within 3/255 in every channel, or when that share is within 1 % of
-POV-Ray's own at another block size (self). For the others the scene's text, with
-the files of its own folder that it includes, is searched for what Whittle does not render yet; a scene with none of it
-must be a fault of ours, and is listed as such with the share of agreeing pixels or the first error.
+POV-Ray's own at another block size (self). The others are listed with the share of agreeing pixels or the first error.
 """
 import argparse
 import json
@@ -32,10 +30,8 @@ def said(row):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("score", type=pathlib.Path)
-    parser.add_argument("reference", type=pathlib.Path)
     options = parser.parse_args()
     score = json.loads(options.score.read_text())
-    reference = json.loads(options.reference.read_text())
 
     matched = sorted(name for name, row in score.items() if matches(row))
     faults = [(name, row) for name, row in sorted(score.items()) if name not in matched]
