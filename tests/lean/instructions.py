@@ -6,7 +6,7 @@ usage: instructions.py WHITTLE [--record]
 Counts by callgrind (Debian package valgrind), which has no noise and knows no AVX-512: the instructions of the v3 kernel between a tile's rays
 and its colours, one thread, 96x72 pixels. counts.csv beside this file holds what every scene took when it was recorded; a scene may take 0.5 %
 more. --record writes the file anew: for a change that is worth more than it costs, which its commit has to say. Exit status 77 (skipped) without
-valgrind or on a processor without AVX2.
+valgrind, on a processor without AVX2, or where compiler, C library or processor are others than machine.txt says: they decide the counts too.
 """
 import csv
 import pathlib
@@ -35,11 +35,23 @@ def instructions(whittle, scene, folder):
     return int(found[1])
 
 
+def machine():
+    """Compiler, C library and processor, a line each: the library chooses its functions by the processor."""
+    first = lambda *command: subprocess.run(command, capture_output=True, text=True).stdout.split("\n")[0]
+    model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
+    return f"{first('c++', '--version')}\n{first('ldd', '--version')}\n{model[1] if model else 'unknown'}\n"
+
+
 def main():
     if shutil.which("valgrind") is None or " avx2 " not in pathlib.Path("/proc/cpuinfo").read_text():
         print("needs valgrind and a processor with AVX2")
         sys.exit(77)
-    whittle, record = sys.argv[1], "--record" in sys.argv[2:]
+    record = "--record" in sys.argv[2:]
+    known = HERE / "machine.txt"
+    if not record and machine() != known.read_text():
+        print(f"counted elsewhere:\n{known.read_text()}here:\n{machine()}")
+        sys.exit(77)
+    whittle = sys.argv[1]
     with COUNTS.open() as file:
         recorded = {row["scene"]: int(row["instructions"]) for row in csv.DictReader(file)}
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(2) as pool:
@@ -51,6 +63,7 @@ def main():
         if change > MARGIN:
             over.append(scene)
     if record:
+        known.write_text(machine())
         COUNTS.write_text("scene,instructions\n" + "".join(f"{scene},{count}\n" for scene, count in counts.items()))
     elif over:
         sys.exit(f"more than {100.0 * MARGIN:g} % above counts.csv: {', '.join(over)}")
