@@ -128,7 +128,7 @@ struct Finish {
     bool conserve_energy = false;
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
     bool use_radiosity = true;                     ///< reserved for later
-    std::shared_ptr<const Subsurface> subsurface;  ///< read, not drawn yet
+    std::shared_ptr<const Subsurface> subsurface;  ///< null: none
     /// Legacy finish keywords, moved to the interior of the object (spec 3, 8.7); unset if negative.
     float legacy_ior = -1, legacy_caustics = -1;
     float legacy_refraction = 1;  ///< `refraction`: always moved to the interior

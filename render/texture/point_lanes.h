@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/texture/points.h"
+
 #include "csg/base/lanes.h"
 #include "render/texture/angle.h"
 
@@ -20,5 +22,8 @@ inline Double series_cycle(const Double& v)
                  });
     return xsimd::select(v >= Double(0.0), s, -s);
 }
+
+/// The numbers of points i, i + 1, ...
+inline Double get(const Values& v, std::size_t i) { return Double::load_aligned(v.data() + i); }
 
 }  // namespace texture

@@ -6,7 +6,7 @@
 #   Switches of two dashes, as --faithful, are Whittle's own and stay here.
 #
 # golden_same_bytes(csg/bite SIZE 160x120)
-#   One thread, several threads and every instruction set this machine has give the same file, byte by byte.
+#   One thread, several threads, other blocks and every instruction set this machine has give the same file, byte by byte.
 #
 # golden_dump(csg/bite scene)
 #   What --dump=scene prints is dumps/csg/bite.scene.txt.

@@ -1,4 +1,4 @@
-# The picture does not depend on the number of threads or on the instruction set; see golden.cmake.
+# The picture does not depend on the number of threads, the size of blocks or the instruction set; see golden.cmake.
 include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
 
 function(same variant)
@@ -12,6 +12,10 @@ endfunction()
 render("${OUT}.one.png" +WT1)
 same(two +WT2)
 same(seven +WT7)
+if(SWITCHES STREQUAL "")  # antialiasing looks at neighbours within a block, as POV-Ray's does
+  same(blocks_of_10 +WT2 +BS10)
+  same(blocks_of_64 +WT2 +BS64)
+endif()
 
 # The least level runs everywhere; a machine without v3 refuses it by name, which is no difference.
 same(v2 +WT1 --isa=v2)

@@ -9,8 +9,6 @@
 namespace texture {
 namespace {
 
-
-inline Double get(const Values& v, std::size_t i) { return Double::load_aligned(v.data() + i); }
 inline void put(Values& v, std::size_t i, const Double& d) { d.store_aligned(v.data() + i); }
 
 /// Toward zero to 32 bits and back; out of range and NaN give the least integer. `index`: the numbers of the cells.

@@ -6,8 +6,6 @@
 namespace texture {
 namespace {
 
-Double get(const Values& v, std::size_t i) { return Double::load_aligned(v.data() + i); }
-
 /// n + amount * (x, y, z) of every point, a vector at a time; `amount` by the place of the vector.
 template <class Amount>
 void move(Points& n, Amount&& amount, const Points& by)

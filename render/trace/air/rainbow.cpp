@@ -7,8 +7,6 @@
 namespace trace {
 namespace {
 
-constexpr std::uint32_t kJitterPurpose = 0x7261696e;  // of random_at; one more for each rainbow
-
 /// A rainbow along one direction: false where it is not. edge: how far beyond its unfaded arc, 0 to 1; place: from the
 /// inner to the outer edge, in [0, 1).
 bool meets(const texture::Rainbow& bow, std::uint32_t number, const glm::dvec3& d, double& edge, double& place)
@@ -18,7 +16,7 @@ bool meets(const texture::Rainbow& bow, std::uint32_t number, const glm::dvec3& 
     const double from_up = std::abs(std::acos(length > 0.0 ? y / length : y));
     if (!(from_up <= bow.arc) || along < 0.0) return false;
     place = (std::acos(std::min(along, 1.0)) - (bow.angle - bow.width / 2.0)) / bow.width;
-    if (bow.jitter > 0.0) place += (2.0 * random_at(d, kJitterPurpose + number) - 1.0) * bow.jitter;
+    if (bow.jitter > 0.0) place += (2.0 * random_of(random_seed(glm::dvec3(0), d), number, 0) - 1.0) * bow.jitter;
     if (!(place >= 0.0 && place <= 1.0 - kNearlyZero)) return false;
     edge = 0.0;
     if (from_up > bow.falloff && bow.arc > bow.falloff) {

@@ -3,7 +3,6 @@
 #include "csg/packet/lane_equal.h"
 #include "csg/base/tolerance.h"
 #include "render/trace/queue/lane_masks.h"
-#include "render/trace/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +10,7 @@
 namespace trace {
 namespace {
 
-constexpr float kRefined = 0.1f;                // neighbouring samples that differ by more are refined (spec 3, 12.6)
-constexpr std::uint32_t kJitterPurpose = 1000;  // of the random numbers of node 0
+constexpr float kRefined = 0.1f;  // neighbouring samples that differ by more are refined (spec 3, 12.6)
 
 /// f(k, channel) for every lane of the groups of eight that have a hit, and every channel of colours.
 template <class F>
@@ -215,100 +213,6 @@ void AreaLight::rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hit
     const LaneMask here(divided);
     each_lane(divided,
               [&](std::size_t k, auto of) { (out.*of)[k] = here[k] != 0 ? (sum.*of)[k] * 0.25f : (out.*of)[k]; });
-}
-
-/// Moves the samples within their cells, by numbers of the point and the node (random_at).
-void AreaLight::jitter(TileLanes& row, TileLanes& column) const
-{
-    alignas(64) std::array<std::uint64_t, kRays> purpose;
-    const auto size = static_cast<double>(light_.size2);
-    for (std::size_t n = 0; n < kRays; ++n)
-        purpose[n] = 2 * static_cast<std::uint64_t>(static_cast<std::int64_t>(row[n] * size + column[n])) +
-                     kJitterPurpose;
-    const csg::RayTile& rays = scratch_.rays;
-    for (std::size_t n = 0; n < kRays; ++n) {
-        row[n] += random_at({rays.ox[n], rays.oy[n], rays.oz[n]}, static_cast<std::uint32_t>(purpose[n])) - 0.5;
-        column[n] += random_at({rays.ox[n], rays.oy[n], rays.oz[n]}, static_cast<std::uint32_t>(purpose[n]) + 1u) - 0.5;
-    }
-}
-
-/// Places of the samples on the light: light::node_offset, a sample a lane. Their rays have their origins.
-void AreaLight::place_on_light()
-{
-    alignas(64) TileLanes p, q, m;
-    for (std::size_t n = 0; n < kRays; ++n) p[n] = area_.row[node_[n]], q[n] = area_.column[node_[n]];
-    if (light_.jitter) jitter(p, q);
-    const auto share = [](TileLanes& of, int size) {
-        if (size <= 1) return of.fill(0.0);
-        const double over = size - 1;
-        for (double& v : of) v = v / over - 0.5;
-    };
-    share(p, light_.size1);
-    share(q, light_.size2);
-    m.fill(1.0);
-    if (light_.circular)
-        for (std::size_t n = 0; n < kRays; ++n) {
-            p[n] += light::kCircleShift;
-            q[n] += light::kCircleShift;
-            m[n] = std::max(std::abs(p[n]), std::abs(q[n])) / std::sqrt(p[n] * p[n] + q[n] * q[n]);
-        }
-    if (light_.circular && light_.orient) {
-        for (std::size_t n = 0; n < kRays; ++n) {
-            const light::AreaAxes& axes = axes_[hit_[n]];
-            const glm::dvec3 at = (axes.size * p[n] * m[n]) * axes.a + (axes.size * q[n] * m[n]) * axes.b;
-            x_[n] = at.x, y_[n] = at.y, z_[n] = at.z;
-        }
-        return;
-    }
-    const glm::dvec3 a = light_.axis1, b = light_.axis2;
-    for (std::size_t n = 0; n < kRays; ++n) {
-        const double pm = p[n] * m[n], qm = q[n] * m[n];
-        x_[n] = pm * a.x + qm * b.x;
-        y_[n] = pm * a.y + qm * b.y;
-        z_[n] = pm * a.z + qm * b.z;
-    }
-}
-
-/// Directions and distances to the samples (light::toward), and their shadow rays in ShadeScratch::rays.
-void AreaLight::make_rays()
-{
-    const TileHits& hits = scratch_.hits;
-    csg::RayTile& rays = scratch_.rays;
-    rays.common_origin = false;
-    rays.count = static_cast<int>(samples_);
-    for (std::size_t n = 0; n < kRays; ++n) {
-        const std::size_t k = hit_[n];
-        rays.ox[n] = hits.x[k], rays.oy[n] = hits.y[k], rays.oz[n] = hits.z[k];
-        rays.t_min[n] = from_[k];
-    }
-    place_on_light();
-    if (light_.kind == light::Light::Kind::Cylinder || light_.parallel) {
-        for (std::size_t n = 0; n < kRays; ++n) {
-            const light::Illumination lit =
-                light::toward(light_, {rays.ox[n], rays.oy[n], rays.oz[n]}, {x_[n], y_[n], z_[n]});
-            x_[n] = lit.direction.x, y_[n] = lit.direction.y, z_[n] = lit.direction.z;
-            distance_[n] = lit.distance;
-        }
-    } else {
-        const glm::dvec3 l = light_.location;
-        for (std::size_t n = 0; n < kRays; ++n) {
-            const double x = (l.x + x_[n]) - rays.ox[n], y = (l.y + y_[n]) - rays.oy[n], z = (l.z + z_[n]) - rays.oz[n];
-            distance_[n] = std::sqrt(x * x + y * y + z * z);
-            x_[n] = x / distance_[n], y_[n] = y / distance_[n], z_[n] = z / distance_[n];
-        }
-    }
-    rays.dx = x_, rays.dy = y_, rays.dz = z_;
-    if (light_.projector) project();
-    for (std::size_t n = 0; n < kRays; ++n) rays.t_max[n] = distance_[n] - rays.t_min[n];
-}
-
-/// Samples that are not seen through the light's projector get a distance of -infinity; the others end there.
-void AreaLight::project()
-{
-    for (std::size_t n = 0; n < samples_; ++n) {
-        const double depth = light_.projector->depth(scratch_.rays.ray(static_cast<int>(n)));
-        distance_[n] = depth < 0.0 || depth >= distance_[n] ? -csg::kInfinity : depth;
-    }
 }
 
 void AreaLight::trace_samples()

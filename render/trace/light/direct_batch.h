@@ -78,17 +78,7 @@ public:
         }
     }
 
-    /// A row of a texture that is gone through by itself.
-    struct Row {
-        const texture::Finish& finish;
-        const scene::Color& pigment;
-        const glm::vec3& filter;  ///< of the layers above
-        float alpha;              ///< opacity
-        const glm::dvec3& normal;
-        const glm::dvec3& raw_normal;  ///< of the hit
-        bool two_sided;                ///< double_illuminate
-    };
-    void add_row(std::size_t k, const Row& row)
+    void add_row(std::size_t k, const LitRow& row)
     {
         constexpr double kUnit = 1e-9;
         const HitMask bit = HitMask{1} << k;

@@ -84,9 +84,7 @@ private:
                     const glm::dvec3 point = scratch_.hits.point(k);
                     const light::Illumination lit =
                         light::illuminate(light, point, light::node_offset(light, point, i, j));
-                    scratch_.light.x[k] = lit.direction.x;
-                    scratch_.light.y[k] = lit.direction.y;
-                    scratch_.light.z[k] = lit.direction.z;
+                    scratch_.light.set(k, lit);
                     batch_.begin_light(k, node_color(light, lit, seen[k]));
                 });
                 batch_.light(reached & facing());
@@ -160,10 +158,7 @@ private:
         HitMask colored = 0;
         for_each_hit(asks_, [&](std::size_t k) {
             const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
-            scratch_.light.x[k] = lit.direction.x;
-            scratch_.light.y[k] = lit.direction.y;
-            scratch_.light.z[k] = lit.direction.z;
-            scratch_.light.distance[k] = lit.distance;
+            scratch_.light.set(k, lit);
             scratch_.lit_colors[k] = lit.color;
             batch_.begin_light(k, lit.color);
             if (lit.color != glm::vec3(0)) colored |= HitMask{1} << k;

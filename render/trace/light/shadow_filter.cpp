@@ -169,11 +169,12 @@ glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double f
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
                          const light::Illumination& lit, glm::vec3 color, const ShadowAir& air, const Hit* first)
 {
+    auto& crossings = context.scratch.crossings;
+    crossings.clear();  // callers look at them
     const double end = lit.distance - tolerance;
     if (end <= tolerance) return color;
     ++context.scratch.counts.shadow;
     RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, 0, interiors};
-    auto& crossings = context.scratch.crossings;
     const Shadow met =
         context.scratch.shade.traits.restarts()
             ? one_by_one(context, ray.ray, tolerance, end, first, crossings)

@@ -134,10 +134,7 @@ void MediaSampler::add_lamps(HitMask lit)
         around[k] = &tile_.interiors(job(k).lane);
         segments |= HitMask{1} << job(k).segment;
     });
-    PointLights points(own, scratch_.met, around, scratch_.points);
-    PhotonShadow& caught = own.scratch.shade.photon_shadow;
-    caught.scene = has_surface_photons(context_) ? &context_.scene : nullptr;
-    caught.lit = lit;
+    PointLights points(own, scratch_.met, around, scratch_.points, lit);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const LitSegments& reach = scratch_.lit[i];
         if ((reach.reached & segments) == 0) continue;
@@ -149,8 +146,7 @@ void MediaSampler::add_lamps(HitMask lit)
             asking |= HitMask{inside ? 1u : 0u} << k;
         });
         if (asking == 0) continue;
-        caught.of_light(i);
-        for_each_hit(points.ask(lights[i], asking), [&](std::size_t k) {
+        for_each_hit(points.ask(i, asking), [&](std::size_t k) {
             const double cosine = glm::dot(scratch_.chunk.ray(job_[k]).direction, points.direction(k));
             const auto turned = static_cast<float>(job(k).mix->phase(cosine));
             emission_.set(k, emission_[k] + turned * scattered_[k] * points.color(k));

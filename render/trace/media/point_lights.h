@@ -2,6 +2,7 @@
 
 #include "render/trace/light/shadow_caster.h"
 #include "render/trace/shade/shade_lanes.h"
+#include "render/trace/media/media_photons.h"
 #include "render/trace/media/media_scratch.h"
 
 namespace trace {
@@ -11,18 +12,23 @@ namespace trace {
 class PointLights {
 public:
     /// context: with that scratch. met: how far the points lie from the origins of their rays. around: by point, what
-    /// it is inside of.
+    /// it is inside of. collecting: points that photons bring light to, so that their targets stop the lamps'.
     PointLights(Context& context, const csg::HitTile& met,
-                const std::array<const InteriorList*, csg::kTileRays>& around, const texture::Points& points)
+                const std::array<const InteriorList*, csg::kTileRays>& around, const texture::Points& points,
+                HitMask collecting)
         : hits(met), context_(context), scratch_(context.scratch.shade), around_(around), count_(points.count)
     {
         TileHits& at = scratch_.hits;
         at.x = points.x.v, at.y = points.y.v, at.z = points.z.v;
+        scratch_.photon_shadow.scene = has_surface_photons(context) ? &context.scene : nullptr;
+        scratch_.photon_shadow.lit = collecting;
     }
 
-    /// What arrives from the light at these points, in color(); the points where something does.
-    HitMask ask(const light::Light& light, HitMask asking)
+    /// What arrives from a light of the context at these points, in color(); the points where something does.
+    HitMask ask(std::size_t number, HitMask asking)
     {
+        const light::Light& light = context_.lights.lights[number];
+        scratch_.photon_shadow.of_light(number);
         const HitMask colored = steady(light) ? from_one_point(light) : from_each(light, asking);
         reached_ = 0;
         asking &= colored;
@@ -81,10 +87,7 @@ private:
         }
         for_each_hit(asking, [&](std::size_t k) {
             const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
-            scratch_.light.x[k] = lit.direction.x;
-            scratch_.light.y[k] = lit.direction.y;
-            scratch_.light.z[k] = lit.direction.z;
-            scratch_.light.distance[k] = lit.distance;
+            scratch_.light.set(k, lit);
             scratch_.lit_colors[k] = lit.color;
             if (!dark(lit.color)) colored |= HitMask{1} << k;
         });

@@ -1,6 +1,6 @@
 #include "render/trace/photon/photon_tracer.h"
 
-#include "render/texture/evaluate.h"
+#include "render/texture/plain_textures.h"
 #include "render/trace/photon/photon_air.h"
 #include "render/trace/shade/refraction.h"
 
@@ -254,6 +254,7 @@ private:
     void each_layers(const Flying& photon, const HitPlace& place, const HitDetails& details, F&& f)
     {
         const plan::Surface& surface = place.surface;
+        const texture::TextureSet& set = scene_.textures;
         const std::uint32_t texture = texture_of(place);
         if (texture == plan::kNone) return;
         HitContext hit{place, 0, {details.point, place.normal, photon.state.ray.direction, details.uv, true}};
@@ -265,7 +266,8 @@ private:
             shares_.clear();
             context_.world.shares(place.met, place.point, shares_);
             for (const csg::Share& part : shares_)
-                each_plain(scene_.part_textures[surface.first_part + part.part], p, hit, part.weight, layers);
+                texture::each_plain(set, scene_.part_textures[surface.first_part + part.part], p, hit.around,
+                                    part.weight, layers);
             return;
         }
         if (surface.blends() && texture == surface.texture) {
@@ -273,37 +275,11 @@ private:
                                                        surface.corner_textures[1]};
             for (int k = 0; k < 3; ++k)
                 if (details.weights[k] > 0.0f)
-                    each_plain(corners[static_cast<std::size_t>(k)], p, hit, details.weights[k], layers);
+                    texture::each_plain(set, corners[static_cast<std::size_t>(k)], p, hit.around, details.weights[k],
+                                        layers);
             return;
         }
-        each_plain(texture, p, hit, 1.0f, layers);
-    }
-
-    /// f(texture, point, share) for the plain textures that a texture shows at p.
-    template <class F>
-    void each_plain(std::uint32_t index, const glm::dvec3& p, const HitContext& hit, float share, F&& f)
-    {
-        const texture::TextureSet& set = scene_.textures;
-        const texture::Texture& texture = set.textures[index];
-        using Kind = texture::Texture::Kind;
-        if (texture.kind == Kind::Layers) return f(texture, p, share);
-        if (texture.kind == Kind::Uv)
-            return each_plain(set.children[texture.first], {hit.around.uv.x, hit.around.uv.y, 0.0}, hit, share, f);
-        const texture::Pattern& pattern = set.patterns[texture.pattern];
-        const glm::dvec3 q = texture::warp_point(set, pattern, p);
-        if (texture.kind == Kind::Material) return each_plain(texture::material_at(set, texture, q), q, hit, share, f);
-        if (texture.kind == Kind::Average) {
-            float weights = 0;
-            for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) weights += set.keys[i];
-            for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i)
-                each_plain(set.children[i], q, hit, share * set.keys[i] / weights, f);
-            return;
-        }
-        const texture::Blend blend =
-            texture::blend_at(set, texture.first, texture.count, texture::pattern_value(set, pattern, q, hit.around));
-        const auto upper = blend.lower == blend.upper ? 1.0f : static_cast<float>(blend.share);
-        if (upper < 1.0f) each_plain(set.children[blend.lower], q, hit, share * (1.0f - upper), f);
-        if (upper > 0.0f) each_plain(set.children[blend.upper], q, hit, share * upper, f);
+        texture::each_plain(set, texture, p, hit.around, 1.0f, layers);
     }
 
     /// Through the surface, or back where nothing gets through.

@@ -50,4 +50,15 @@ struct RowPage {
     glm::dvec3 normal(std::size_t k) const { return {nx[k], ny[k], nz[k]}; }
 };
 
+/// A row of a texture that is gone through by itself.
+struct LitRow {
+    const texture::Finish& finish;
+    const scene::Color& pigment;
+    const glm::vec3& filter;  ///< of the layers above
+    float alpha;              ///< opacity
+    const glm::dvec3& normal;
+    const glm::dvec3& raw_normal;  ///< of the hit
+    bool two_sided;                ///< double_illuminate
+};
+
 }  // namespace trace

@@ -129,7 +129,7 @@ private:
     /// The most that a sample of request k can weigh for i.
     double most_weight(std::size_t i, std::size_t k) const
     {
-        const double reach = kUsualReach * glm::distance(field_.eye, request(k).point) * rules_.most_reach;
+        const double reach = glm::distance(field_.eye, request(k).point) * rules_.most_reach;
         const double x = glm::distance(request(k).point, request(i).point) / (reach * scratch_.lookups[i].bound);
         if (x >= 1.0) return 0.0;
         return pretrace_ && context_.bounce > 0 ? 1.0 - x : x < 0.5 ? 1.0 - 2.0 * x * x : 2.0 * (1.0 - x) * (1.0 - x);
@@ -163,7 +163,6 @@ private:
     }
 
     static constexpr int kMostRays = 4096;
-    static constexpr double kUsualReach = 1.0;  ///< of samples, as a share of the most
 
     Context& context_;
     const Field& field_;

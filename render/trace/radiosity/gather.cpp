@@ -58,8 +58,8 @@ private:
             g.next = next;
             if (!g.bent) next = (next + static_cast<std::size_t>(rules_.rays)) % pool;
         } else {
-            constexpr std::uint32_t kPurpose = 0x52414449;
-            const double at = random_at(of.point, kPurpose + static_cast<std::uint32_t>(context_.bounce));
+            const double at =
+                random_of(random_seed(of.point, of.normal), static_cast<std::uint32_t>(context_.bounce), 0);
             g.next = static_cast<std::size_t>(at * static_cast<double>(pool)) * static_cast<std::size_t>(rules_.rays) %
                      pool;
         }

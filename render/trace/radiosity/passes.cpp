@@ -4,6 +4,7 @@
 #include "render/trace/kernel/kernel.h"
 #include "render/trace/radiosity/pass_rays.h"
 #include "render/trace/radiosity/sample_file.h"
+#include "render/trace/random.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -32,13 +33,6 @@ struct PartTile {
     PassTile tile;
     int part;
 };
-
-std::uint64_t stirred(std::uint64_t v)
-{
-    v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9u;
-    v = (v ^ (v >> 27)) * 0x94d049bb133111ebu;
-    return v ^ (v >> 31);
-}
 
 class Passes {
 public:

@@ -2,7 +2,7 @@
 
 #include "csg/base/hit.h"
 #include "csg/base/lanes.h"
-#include "render/light/light_set.h"
+#include "render/light/illuminate.h"
 
 #include <array>
 
@@ -20,6 +20,13 @@ struct alignas(64) TileLight {
     alignas(64) TileLanes x, y, z, distance;
 
     glm::dvec3 direction(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    void set(std::size_t i, const light::Illumination& lit)
+    {
+        x[i] = lit.direction.x;
+        y[i] = lit.direction.y;
+        z[i] = lit.direction.z;
+        distance[i] = lit.distance;
+    }
 };
 
 /// light::toward for a light at one point, hits 0 <= i < count.

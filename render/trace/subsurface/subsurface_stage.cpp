@@ -32,7 +32,8 @@ struct Site {
 class SubsurfaceLight {
 public:
     SubsurfaceLight(Context& context, const SegmentTile& tile)
-        : context_(context), plan_(*context.scene.subsurface), tile_(tile), own_(context, context.scratch.nested())
+        : context_(context), plan_(*context.scene.subsurface), tile_(tile), own_(context, context.scratch.nested()),
+          photons_(has_surface_photons(context))
     {
         ++own_.below;
         if (own_.scratch.shade.traits.surfaces.empty()) own_.scratch.shade.traits = context.scratch.shade.traits;
@@ -202,18 +203,21 @@ private:
             points.add(has(which, k) ? places_.point(k) : glm::dvec3(0));
         points.pad();
         const auto& lights = context_.lights.lights;
-        for (std::size_t i = 0; i < lights.size(); ++i) ask(lights[i], which, points, f);
+        for (std::size_t i = 0; i < lights.size(); ++i) ask(i, which, points, f);
     }
 
     template <class F>
-    void ask(const light::Light& light, HitMask which, const texture::Points& points, F&& f)
+    void ask(std::size_t light, HitMask which, const texture::Points& points, F&& f)
     {
-        HitMask asking = 0;
+        HitMask asking = 0, collecting = 0;
         for_each_hit(which, [&](std::size_t k) {
-            if (shines_on(light, context_.scene.surfaces[met_.surface[k]])) asking |= HitMask{1} << k;
+            const csg::SurfaceId surface = met_.surface[k];
+            const bool asks = shines_on(context_.lights.lights[light], context_.scene.surfaces[surface]);
+            asking |= HitMask{asks ? 1u : 0u} << k;
+            collecting |= HitMask{asks && photons_ && collects(context_.scene, surface) ? 1u : 0u} << k;
         });
         if (asking == 0) return;
-        PointLights lit(own_, met_, around_, points);
+        PointLights lit(own_, met_, around_, points, collecting);
         for_each_hit(lit.ask(light, asking), [&](std::size_t k) { f(k, lit.direction(k), lit.color(k)); });
     }
 
@@ -250,10 +254,11 @@ private:
     void add_single(int samples)
     {
         const auto& lights = context_.lights.lights;
-        for (const light::Light& light : lights) {
+        for (std::size_t number = 0; number < lights.size(); ++number) {
+            const light::Light& light = lights[number];
             std::size_t waiting = 0;
             const auto flush = [&] {
-                if (waiting != 0) light_single(light, static_cast<int>(waiting));
+                if (waiting != 0) light_single(number, static_cast<int>(waiting));
                 waiting = 0;
             };
             for (std::size_t s = 0; s < sites_.size(); ++s) {
@@ -279,7 +284,7 @@ private:
             if (samples > 0) site.single /= static_cast<double>(samples);
     }
 
-    void light_single(const light::Light& light, int count)
+    void light_single(std::size_t light, int count)
     {
         trace(count);
         HitMask same = 0;
@@ -359,6 +364,7 @@ private:
     csg::PlaceTile places_;
     HitMask found_ = 0;
     bool gathers_ = false;  ///< light of surroundings goes in too
+    const bool photons_;    ///< there are some on surfaces
     std::array<std::size_t, csg::kTileRays> owner_;
     std::array<int, csg::kTileRays> channel_;
     std::array<double, csg::kTileRays> drawn_;

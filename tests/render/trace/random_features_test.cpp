@@ -56,6 +56,43 @@ double red(const image::Image& picture, int x, int y)
 
 }  // namespace
 
+TEST_CASE("a rainbow's jitter moves each pixel by an equally distributed share of its width", "[trace][random]")
+{
+    scene::Description d;
+    d.camera.direction = {0, 0, 1};
+    d.camera.right = {1.6, 0, 0};
+    d.camera.up = {0, 1.2, 0};
+    scene::Rainbow bow;
+    bow.direction = {0, 0, 1};
+    bow.angle_deg = 20;
+    bow.width_deg = 10;
+    bow.jitter = 0.3;
+    bow.colors = {{0.0, scene::Color{1, 1, 1, 0, 0}}, {1.0, scene::Color{1, 1, 1, 0, 0}}};
+    d.rainbows.push_back(bow);
+    const image::Image picture = picture_of(d);
+    double expected = 0, variance = 0, seen = 0;
+    int inside = 0, missing = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const double u = ((x + 0.5) / 80 - 0.5) * 1.6, v = (0.5 - (y + 0.5) / 60) * 1.2;
+            const double place = (glm::degrees(std::atan(std::hypot(u, v))) - 15) / 10;
+            // The share of [place - 0.3, place + 0.3] that lies between the edges.
+            const double share = std::max(0.0, std::min(1.0, place + 0.3) - std::max(0.0, place - 0.3)) / 0.6;
+            const bool here = red(picture, x, y) > 0.5;
+            expected += share;
+            variance += share * (1 - share);
+            seen += here ? 1 : 0;
+            if (place > 0.31 && place < 0.69) {
+                ++inside;
+                missing += here ? 0 : 1;
+            }
+        }
+    CHECK(inside > 200);
+    CHECK(missing == 0);
+    CHECK(variance > 100);
+    CHECK(std::abs(seen - expected) < 4 * std::sqrt(variance));
+}
+
 TEST_CASE("crand takes off an equally distributed share of itself", "[trace][random]")
 {
     scene::Light light;
