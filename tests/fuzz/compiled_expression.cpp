@@ -106,9 +106,14 @@ struct Said {
     bool refused = false;
 };
 
+/// The sign of a NaN that arithmetic made is left open (IEEE 754, section 6.3): which operand it comes from is up to
+/// the order of operands in the machine's instruction.
 void keep_debug(void* said, const parser::Message& message)
 {
-    if (message.severity == parser::Severity::Debug) static_cast<Said*>(said)->text += message.text;
+    if (message.severity != parser::Severity::Debug) return;
+    std::string text = message.text;
+    for (std::size_t at = 0; (at = text.find("-nan", at)) != std::string::npos;) text.erase(at, 1);
+    static_cast<Said*>(said)->text += text;
 }
 
 Said said_by(const std::string& text)
