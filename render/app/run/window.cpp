@@ -6,12 +6,19 @@ namespace app {
 
 namespace {
 
+/// Truncated; 0, which names no row, where it is no number that a row can have.
+int whole(float value)
+{
+    constexpr float kMost = 1e9f;
+    return value >= 0.0f && value < kMost ? static_cast<int>(value) : 0;
+}
+
 /// Single precision, truncated, as POV-Ray reads them.
 int first_of(double start, int size, const char* what)
 {
     const auto value = static_cast<float>(start);
     const int first = value >= 0.0f && value < 1.0f ? static_cast<int>(value * static_cast<float>(size))
-                                                    : static_cast<int>(value) - 1;
+                                                    : whole(value) - 1;
     if (first < 0 || first >= size) throw OptionError(std::string("invalid start ") + what);
     return first;
 }
@@ -20,7 +27,7 @@ int last_of(double end, int size, const char* what)
 {
     const auto value = static_cast<float>(end);
     const int last = value >= 0.0f && value <= 1.0f ? static_cast<int>(value * static_cast<float>(size)) - 1
-                                                    : static_cast<int>(value) - 1;
+                                                    : whole(value) - 1;
     if (last < 0 || last >= size) throw OptionError(std::string("invalid end ") + what);
     return last;
 }

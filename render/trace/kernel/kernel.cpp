@@ -54,8 +54,7 @@ public:
     /// The tile's hits ask for light, and what they find is handed back; their colours are of no use.
     bool pretrace(const radiosity::PassTile& tile, radiosity::TileFindings& out)
     {
-        filling_.pretrace = tile.pretrace;
-        filling_.begin(*context_.indirect->radiosity, tile.seed);
+        filling_.begin(*context_.indirect->radiosity, tile);
         context_.filling = &filling_;
         try {
             begin_tile();
@@ -67,6 +66,7 @@ public:
         }
         context_.filling = nullptr;
         out.found = filling_.found;
+        out.next = filling_.next;
         out.asked = 0;
         out.weight = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) {

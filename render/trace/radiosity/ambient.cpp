@@ -38,7 +38,7 @@ public:
 private:
     const Request& request(std::size_t i) const { return scratch_.requests[i]; }
 
-    bool smooth() const { return !pretrace_ || context_.bounce == 0; }
+    bool smooth() const { return !pretrace_ && context_.bounce == 0; }
     const glm::dvec3& normal(std::size_t i) const
     {
         return field_.settings().normal ? request(i).bent : request(i).normal;
@@ -110,7 +110,8 @@ private:
         }
     }
 
-    /// Requests that gather whatever the others' samples are worth: their rays are put in order together.
+    /// Requests that gather whatever the others' samples are worth: their rays are put in order together. In order:
+    /// none before one that has to wait.
     HitMask apart(HitMask open) const
     {
         HitMask chosen = 0;
@@ -119,20 +120,26 @@ private:
             const std::size_t i = first_hit(left);
             double weight = scratch_.lookups[i].weight;
             for_each_hit(chosen, [&](std::size_t k) { weight += most_weight(i, k); });
-            if (chosen != 0 && enough(weight)) continue;
+            if (chosen != 0 && enough(weight)) {
+                if (context_.filling->in_order) break;
+                continue;
+            }
             chosen |= HitMask{1} << i;
             rays += rules_.rays;
         }
         return chosen;
     }
 
-    /// The most that a sample of request k can weigh for i.
+    /// The most that a sample of request k can weigh for i; but for order, the most where nothing is nearer to it than
+    /// its reach on the other side (which weighs more by rule 3 of spec 6, 4.5).
     double most_weight(std::size_t i, std::size_t k) const
     {
         const double reach = glm::distance(field_.eye, request(k).point) * rules_.most_reach;
         const double x = glm::distance(request(k).point, request(i).point) / (reach * scratch_.lookups[i].bound);
         if (x >= 1.0) return 0.0;
-        return pretrace_ && context_.bounce > 0 ? 1.0 - x : x < 0.5 ? 1.0 - 2.0 * x * x : 2.0 * (1.0 - x) * (1.0 - x);
+        if (context_.filling->in_order) return 1.0;
+        if (!smooth()) return 1.0 - x;
+        return x < 0.5 ? 1.0 - 2.0 * x * x : 2.0 * (1.0 - x) * (1.0 - x);
     }
 
     /// made: a sample that was gathered for this request.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
+#include "render/trace/radiosity/pass_tile.h"
 #include "render/trace/radiosity/rules.h"
 #include "render/trace/radiosity/sample_grid.h"
 
@@ -34,13 +35,14 @@ struct Field {
 /// the pass are through.
 struct Filling {
     bool pretrace = true;                   ///< false: by the rules of the picture itself
+    bool in_order = false;                  ///< samples are made in the order of the rays
     std::vector<SampleGrid> samples;        ///< by bounce
     std::vector<Found> found;               ///< the same in order
     std::vector<std::size_t> next;          ///< by bounce: the next direction
     std::array<float, 64> weight{};         ///< by camera ray: quarters of weight that its lookups found, added up
     std::array<std::uint16_t, 64> asked{};  ///< by camera ray: lookups
 
-    void begin(const Field& field, std::uint64_t seed);
+    void begin(const Field& field, const PassTile& tile);
 };
 
 }  // namespace trace::radiosity

@@ -17,7 +17,7 @@ class LookupGroup {
 public:
     static constexpr std::size_t kLanes = 8;
 
-    /// smooth: weights fade smoothly, in the picture and for what the camera sees.
+    /// smooth: weights fade smoothly, as in the picture for what the camera sees.
     explicit LookupGroup(bool smooth) : smooth_(smooth) {}
 
     /// bound: of the error.

@@ -55,7 +55,7 @@ public:
     bool run()
     {
         for (const Pass& pass : passes_) {
-            const std::vector<PartTile> tiles = tiles_of(pass);
+            std::vector<PartTile> tiles = tiles_of(pass);
             if (!run(pass, tiles)) return false;
             close(pass);
         }
@@ -63,7 +63,8 @@ public:
     }
 
 private:
-    /// Rays of all open parts in tiles, scattered over the picture in an order that follows no row.
+    /// Rays of all open parts in tiles: in POV-Ray's order for the first pass, else scattered over the picture in an
+    /// order that follows no row.
     std::vector<PartTile> tiles_of(const Pass& pass)
     {
         const std::size_t most = pass.pretrace ? kPretraceRays : PassTile::kMost;
@@ -85,17 +86,25 @@ private:
                 std::copy_n(rays.begin() + static_cast<std::ptrdiff_t>(first), to.tile.count, to.tile.at.begin());
             }
         }
+        if (in_order(pass)) return out;
         std::sort(out.begin(), out.end(),
                   [](const PartTile& a, const PartTile& b) { return a.tile.seed < b.tile.seed; });
         return out;
     }
 
+    /// What the first few samples say is what all that follow are close enough to, so they are POV-Ray's: its parts one
+    /// after the other, and its directions.
+    static bool in_order(const Pass& pass) { return pass.number == 0; }
+
     /// Tiles of a sub-pass do not see each other's samples: there are few of them as long as there are few samples.
-    bool run(const Pass& pass, const std::vector<PartTile>& tiles)
+    bool run(const Pass& pass, std::vector<PartTile>& tiles)
     {
+        std::vector<std::size_t> directions(in_order(pass) ? field_.samples.size() : 0);
+        const std::size_t most = in_order(pass) ? 1 : kMostAtOnce;
         std::vector<TileFindings> findings;
         for (std::size_t first = 0; first < tiles.size();) {
-            const std::size_t count = std::min({std::max<std::size_t>(1, done_), kMostAtOnce, tiles.size() - first});
+            const std::size_t count = std::min({std::max<std::size_t>(1, done_), most, tiles.size() - first});
+            if (in_order(pass)) tiles[first].tile.first = &directions;
             findings.resize(std::max(findings.size(), count));
             std::atomic<bool> stopped = false;
             arena_.execute([&] {
@@ -112,6 +121,7 @@ private:
                 state.weight += findings[i].weight;
                 for (const Found& found : findings[i].found) field_.add(found);
             }
+            if (in_order(pass)) directions = findings[0].next;
             first += count;
             done_ += count;
             if (options_.progress)
