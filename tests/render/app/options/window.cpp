@@ -36,6 +36,8 @@ TEST_CASE("a window that leaves the picture is an error", "[app][window]")
     CHECK_THROWS_WITH(window({"+EC9"}), "invalid end column");
     CHECK_THROWS_WITH(window({"+ER0"}), "invalid end row");
     CHECK_THROWS_WITH(window({"+SC9"}), "invalid start column");
+    CHECK_THROWS_WITH(window({"+SC1e39"}), "invalid start column");
+    CHECK_THROWS_WITH(window({"+ER3e9"}), "invalid end row");
     CHECK_THROWS_WITH(window({"+SR6", "+ER3"}), "nothing to render: the first row, 6, stands behind the last, 3");
     CHECK_THROWS_WITH(window({"+SC0.5", "+EC0.25"}),
                       "nothing to render: the first column, 5, stands behind the last, 2");
