@@ -225,12 +225,22 @@ private:
     P o_;
 };
 
-/// Quadric::intersect() where it gives one span.
+/// Quadric::intersect(): as an interval where it gives one span, else unclear.
 template <class P>
 class Test<Quadric, P> {
 public:
     Test(const Quadric& s, const P& origin) : solid_(s), origin_(into(s.frame, origin)) {}
     Intervals operator()(const Directions& world) const
+    {
+        Intervals second;
+        Intervals out = both(world, second);
+        out.unclear = out.unclear | second.met;
+        out.met = out.met & !second.met;
+        return out;
+    }
+
+    /// The first span and, of rays that pass between two sheets, the second. Unclear: it opens with neither sign.
+    Intervals both(const Directions& world, Intervals& second) const
     {
         const Directions d = world.in(solid_.frame);
         const Double sx(solid_.square.x), sy(solid_.square.y), sz(solid_.square.z);
@@ -250,13 +260,17 @@ public:
         const Double discriminant = b * b - a * c;
         const Bool crosses = discriminant > Double(0.0), opens = a < Double(0.0);
         Intervals out;
-        out.unclear = !((a > Double(0.0)) | (opens & (discriminant <= Double(0.0))));
+        out.unclear = !((a > Double(0.0)) | opens) | !(crosses | (discriminant <= Double(0.0)));
         const Double root = xsimd::sqrt(discriminant);
         const Double q = negated(b + (root | (b & Double(-0.0))));  // the root has no sign
         const Double r0 = c / q, r1 = q / a;
-        out.entry = xsimd::select(opens, before(), shift + xsimd::select(r1 < r0, r1, r0));
-        out.exit = xsimd::select(opens, beyond(), shift + xsimd::select(r0 < r1, r1, r0));
+        const Double near = shift + xsimd::select(r1 < r0, r1, r0), far = shift + xsimd::select(r0 < r1, r1, r0);
+        out.entry = xsimd::select(opens, before(), near);
+        out.exit = xsimd::select(opens, xsimd::select(crosses, near, beyond()), far);
         out.met = (opens | crosses) & !out.unclear;
+        second.entry = far;
+        second.exit = beyond();
+        second.met = opens & crosses & !out.unclear;
         return out;
     }
 

@@ -64,6 +64,11 @@ public:
     }
 
     static bool first_only(const WorldItem& item) { return item.all_opaque; }
+    void hit(std::uint32_t index, std::size_t k, const Hit& found)
+    {
+        if (world_.items[index].all_opaque) block(k);
+        else add(k, found);
+    }
     void record(std::uint32_t index, std::size_t k, const IntersectionList& told)
     {
         const WorldItem& item = world_.items[index];

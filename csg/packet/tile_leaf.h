@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/packet/lane_boolean.h"
 #include "csg/packet/lane_front.h"
 #include "csg/packet/lane_torus.h"
 #include "csg/packet/tile_walk.h"
@@ -14,6 +15,7 @@ namespace csg {
 ///   query.program(item index, front)   what came of it
 ///   query.record(item index, ray, told)  what a lone solid that answers many rays together has told of one;
 ///   query.first_only(item)             whether the nearest drawn end of it is enough
+///   query.hit(item index, ray, hit)    one crossing of a CSG object: the nearest, or each of them
 ///   query.each(item index, ray)        anything else, ray by ray
 template <class Rays, class Query>
 struct TileLeaf {
@@ -23,6 +25,7 @@ struct TileLeaf {
     Query& query;
     std::uint32_t kinds;
     LaneFront<Rays>& front;
+    LaneBoolean<Rays>& boolean;
 
     void operator()(ChildWord leaf, const glm::dvec3& lower, const glm::dvec3& upper, int first, int last) const
     {
@@ -62,10 +65,27 @@ struct TileLeaf {
             query.program(index, front);
             mask = front.undecided;
         }
+        if (serves_ends(item, mask)) mask = by_ends(index, mask);
         for (; mask != 0; mask &= mask - 1) each(index, std::countr_zero(mask));
     }
 
 private:
+    static bool serves_ends(const WorldItem& item, RayMask mask)
+    {
+        constexpr int kFewest = 3;
+        return item.boolean && std::popcount(mask) >= kFewest;
+    }
+
+    /// A CSG object by its boolean form. Returns the rays that remain to be asked one by one.
+    RayMask by_ends(std::uint32_t index, RayMask mask) const
+    {
+        const WorldItem& item = world.items[index];
+        boolean.ask(world.programs[item.program], mask, query.first_only(item), query.scratch());
+        each_ray(boolean.found,
+                 [&](std::size_t k) { boolean.each_crossing(k, [&](const Hit& hit) { query.hit(index, k, hit); }); });
+        return boolean.undecided;
+    }
+
     /// A lone solid that answers many rays together.
     void together(std::uint32_t index, RayMask mask) const
     {
@@ -87,6 +107,7 @@ private:
             const RayMask asked = node.test_box ? rays.meet(corner(node.lower), corner(node.upper), mask) : mask;
             if ((asked & (asked - 1)) != 0) known.add(&solid, told_of(solid, asked, false));
         }
+        if (serves_ends(world.items[index], mask)) mask = by_ends(index, mask);
         for (; mask != 0; mask &= mask - 1) {
             known.select(std::countr_zero(mask));
             each(index, std::countr_zero(mask));

@@ -66,6 +66,7 @@ public:
     }
 
     static bool first_only(const WorldItem&) { return true; }
+    void hit(std::uint32_t index, std::size_t k, const Hit& found) { offer(index, k, found); }
     void record(std::uint32_t index, std::size_t k, const IntersectionList& told)
     {
         const WorldItem& item = world_.items[index];
@@ -234,6 +235,10 @@ public:
     }
 
     static bool first_only(const WorldItem& item) { return item.all_opaque; }
+    void hit(std::uint32_t, std::size_t k, const Hit& found)
+    {
+        meet(RayMask{1} << k, world_.surface_opaque[found.surface] != 0);
+    }
     void record(std::uint32_t index, std::size_t k, const IntersectionList& told)
     {
         bool met = false;
@@ -279,7 +284,8 @@ inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Qu
     const Beam beam(rays, world.bvh.bounds);
     if (!beam.narrow()) return false;
     LaneFront<Rays> front(world.store, beam, rays);
-    TileLeaf<Rays, Query> leaf{world, beam, rays, query, kinds, front};
+    LaneBoolean<Rays> boolean(world.store, rays);
+    TileLeaf<Rays, Query> leaf{world, beam, rays, query, kinds, front, boolean};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
     TileWalk(world.bvh, beam, rays, kinds, leaf).run();
     return true;

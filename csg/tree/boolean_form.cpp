@@ -2,6 +2,8 @@
 
 #include "csg/tree/program.h"
 
+#include <algorithm>
+
 namespace csg {
 namespace {
 
@@ -16,13 +18,25 @@ bool drawn_by_spans(const SolidStore& store, PartId part)
     });
 }
 
+/// Intervals of a leaf along any ray, as far as lanes have room for them.
+std::uint32_t most_pieces(const Node& node, const SolidStore& store)
+{
+    return with_solid(store, node.solid, [&](const auto& solid) {
+        using T = std::decay_t<decltype(solid)>;
+        if constexpr (std::is_same_v<T, Quadric> || std::is_same_v<T, Torus>) return 2u;
+        else if constexpr (std::is_same_v<T, Cone>) return solid.convex() ? 1u : 2u;
+        else if constexpr (requires(Interval & out) { solid.interval(Ray{}, out); }) return 1u;
+        else return std::min(node.max_spans, BooleanForm::kMostOfLeaf);
+    });
+}
+
 class BooleanCompiler {
 public:
     BooleanCompiler(const Program& program, const SolidStore& store) : nodes_(program.nodes), store_(store) {}
 
     BooleanForm run()
     {
-        if (nodes_.empty() || nodes_[0].max_spans > BooleanForm::kMostSpans) return {};
+        if (nodes_.empty()) return {};
         form_.first_leaf.reserve(nodes_.size() + 1);
         for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
             if (nodes_[i].op == Op::Guard) return {};
@@ -32,6 +46,9 @@ public:
         form_.first_leaf.push_back(static_cast<std::uint8_t>(form_.leaves.size()));
         std::vector<std::uint32_t> path;
         conditions_below(0, path);
+        std::uint32_t pieces = 0;
+        for (const BooleanLeaf& leaf : form_.leaves) pieces += leaf.most_pieces;
+        form_.in_lanes = pieces <= BooleanForm::kMostPieces;
         return std::move(form_);
     }
 
@@ -44,6 +61,7 @@ private:
         leaf.solid = node.solid;
         leaf.node = i;
         leaf.inverted = node.inverted;
+        leaf.most_pieces = static_cast<std::uint8_t>(most_pieces(node, store_));
         leaf.normal_flipped = node.inverted && kind_of(node.solid) != SolidKind::Quadric;
         leaf.closed =
             with_solid(store_, node.solid, [&](const auto& solid) { return holds_surface(solid, node.inverted); });

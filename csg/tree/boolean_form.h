@@ -23,17 +23,23 @@ struct BooleanLeaf {
     bool inverted = false;
     bool normal_flipped = false;            ///< Crossing::inverted of its ends
     bool closed = false;                    ///< Crossing::closed of them
+    std::uint8_t most_pieces = 1;           ///< intervals along any ray that there is room for in lanes
     bool drawn = true;                      ///< not an operand that only clips
     std::uint64_t inside = 0, outside = 0;  ///< leaves that have to hold the point of a drawn end; that may not
     std::uint32_t first = 0, count = 0;     ///< of BooleanForm::conditions
 };
 
 struct BooleanForm {
-    static constexpr std::uint32_t kMostLeaves = 64, kMostSpans = 64;
-    std::vector<BooleanLeaf> leaves;  ///< bit i of a mask: leaf i. None: the object has no such form
+    static constexpr std::uint32_t kMostLeaves = 64;
+    static constexpr std::uint32_t kMostSpans = 64;   ///< of all leaves along one ray; with more it is not decided
+    static constexpr std::uint32_t kMostPieces = 64;  ///< of all leaves together, for rays in lanes
+    static constexpr std::uint32_t kMostOfLeaf = 4;   ///< pieces of one leaf there; a ray with more is asked by itself
+    std::vector<BooleanLeaf> leaves;                  ///< bit i of a mask: leaf i. None: the object has no such form
     std::vector<BooleanCondition> conditions;
     std::vector<std::uint8_t>
         first_leaf;  ///< by node, and one past the last: leaves before it in the tree, so a leaf's own bit
+
+    bool in_lanes = false;  ///< its leaves have no more than kMostPieces
 
     bool usable() const { return !leaves.empty(); }
 };

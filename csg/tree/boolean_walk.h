@@ -4,6 +4,8 @@
 #include "csg/tree/evaluate.h"
 #include "csg/tree/product_intersector.h"
 
+#include <array>
+
 namespace csg {
 
 /// One ray through a tree: the ends of all leaves in order, and at each which leaves hold the point behind it. Ends
@@ -40,6 +42,20 @@ public:
         });
     }
 
+    /// What a leaf's solid holds of the ray, in scratch: valid until its next use.
+    SpanList spans_of(const BooleanLeaf& leaf) const
+    {
+        SpanList spans(scratch_.spans_.get(), program_.nodes[leaf.node].max_spans);
+        with_solid(store_, leaf.solid, [&](const auto& solid) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(solid)>, Freeform>) {
+                if (!scratch_.fetched.spans(&solid, t_min_, t_max_, spans)) solid.spans(ray_, t_min_, t_max_, spans);
+            } else if constexpr (!std::is_same_v<std::decay_t<decltype(solid)>, Mesh>) {
+                intersect(solid, ray_, spans);
+            }
+        });
+        return spans;
+    }
+
 private:
     struct End {
         double t;
@@ -49,11 +65,12 @@ private:
 
     double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
 
-    /// Calls f(crossing) in order until it returns false. False: two ends are in one place.
+    /// Calls f(crossing) in order until it returns false. False: two ends are in one place, or there are too many.
     template <class F>
     bool walk(F&& f)
     {
-        if (!find_ends()) return true;
+        if (!find_ends()) return !full_;
+        if (full_) return false;
         std::uint32_t i = 0;
         while (i < count_ && ends_[i].t < t_min_) ++i;
         for (; i < count_ && ends_[i].t <= t_max_; ++i) {
@@ -155,14 +172,7 @@ private:
     bool add_leaf(std::uint32_t which)
     {
         const BooleanLeaf& leaf = form_.leaves[which];
-        SpanList spans(scratch_.spans_.get(), program_.nodes[leaf.node].max_spans);
-        with_solid(store_, leaf.solid, [&](const auto& solid) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(solid)>, Freeform>) {
-                if (!scratch_.fetched.spans(&solid, t_min_, t_max_, spans)) solid.spans(ray_, t_min_, t_max_, spans);
-            } else if constexpr (!std::is_same_v<std::decay_t<decltype(solid)>, Mesh>) {
-                intersect(solid, ray_, spans);
-            }
-        });
+        const SpanList spans = spans_of(leaf);
         bool inside = false, reached = false;
         for (const Span& span : spans) {
             if (span.out.t < t_min_ - slack(t_min_) || span.in.t > t_max_ + slack(t_max_)) continue;
@@ -177,7 +187,9 @@ private:
 
     void add_end(const End& end)
     {
-        if (end.t > -kInfinity && end.t < kInfinity) ends_[count_++] = end;
+        if (!(end.t > -kInfinity && end.t < kInfinity)) return;
+        if (count_ == ends_.size()) full_ = true;
+        else ends_[count_++] = end;
     }
 
     const Program& program_;
@@ -190,7 +202,8 @@ private:
     Scratch& scratch_;
     std::uint64_t state_ = 0;
     std::uint32_t count_ = 0;
-    End ends_[2 * BooleanForm::kMostSpans];
+    bool full_ = false;  ///< there are more ends than places for them
+    std::array<End, 2 * BooleanForm::kMostSpans> ends_;
 };
 
 }  // namespace csg

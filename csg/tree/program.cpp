@@ -48,16 +48,28 @@ Draft leaf(PartId part, bool inverted, const SolidStore& store)
     return made;
 }
 
+bool holds_operands(const Draft& draft) { return draft.op == Op::Intersection || draft.op == Op::Clip; }
+
+/// Half-spaces and quadrics that hold all of an intersection, those of intersections inside of it among them.
+void gather(const Draft& draft, const SolidStore& store, std::vector<Plane>& planes,
+            std::vector<const Quadric*>& quadrics)
+{
+    for (const Draft& operand : draft.operands) {
+        if (operand.half_space) planes.push_back(*operand.half_space);
+        else if (operand.op == Op::Leaf && !operand.inverted && kind_of(operand.solid) == SolidKind::Quadric)
+            quadrics.push_back(&store.all<Quadric>()[index_of(operand.solid)]);
+        else if (holds_operands(operand)) gather(operand, store, planes, quadrics);
+    }
+}
+
 /// Box of an intersection whose operands' boxes leave some axis open.
 Aabb closed_box(const Draft& draft, const SolidStore& store)
 {
     std::vector<Plane> planes;
-    for (const Draft& operand : draft.operands)
-        if (operand.half_space) planes.push_back(*operand.half_space);
+    std::vector<const Quadric*> quadrics;
+    gather(draft, store, planes, quadrics);
     Aabb box = polyhedron_box(planes, draft.box);
-    for (const Draft& operand : draft.operands)
-        if (operand.op == Op::Leaf && !operand.inverted && kind_of(operand.solid) == SolidKind::Quadric)
-            box = quadric_box(store.all<Quadric>()[index_of(operand.solid)], planes, box);
+    for (const Quadric* quadric : quadrics) box = quadric_box(*quadric, planes, box);
     return box;
 }
 
@@ -69,7 +81,7 @@ void enclose(Draft& draft, const SolidStore& store)
         draft.inside_beyond = draft.operands[0].inside_beyond;
         return;
     }
-    const bool both = draft.op == Op::Intersection || draft.op == Op::Clip;
+    const bool both = holds_operands(draft);
     Aabb hull, common = Aabb::everything();
     bool any_beyond = false, all_beyond = true;
     for (const Draft& operand : draft.operands) {

@@ -140,6 +140,8 @@ void WorldData::finish()
         item.simple = item.solid == kNoPart && item.instance == Hit::kNoInstance && item.guard == WorldItem::kNoGuard &&
                       programs[item.program].products.simple();
         item.plain = item.simple && programs[item.program].products.terms[0].plain();
+        item.boolean = item.solid == kNoPart && item.instance == Hit::kNoInstance &&
+                       item.guard == WorldItem::kNoGuard && !item.simple && programs[item.program].boolean.in_lanes;
         item.many = many(*this, item);
         costly = costly || item.many;
         visible_everywhere &= item.visible;

@@ -20,6 +20,7 @@ struct WorldItem {
     bool all_opaque = true;          ///< every surface of it stops light
     bool simple = false;             ///< a program whose sum of products suits vector lanes
     bool plain = false;              ///< and has nothing cut from it
+    bool boolean = false;            ///< a program that is not simple, but whose boolean form suits vector lanes
     bool many = false;               ///< a solid that answers many rays sooner together, or a program with one
     std::uint32_t guard = kNoGuard;  ///< index into WorldData::guards
     std::uint32_t instance = Hit::kNoInstance;  ///< an instance, and neither solid nor program

@@ -1,0 +1,358 @@
+#pragma once
+
+#include "csg/packet/lane_solids.h"
+#include "csg/packet/lane_torus.h"
+#include "csg/tree/program.h"
+#include "csg/packet/tile_rays.h"
+
+/// A CSG object's boolean form against a tile of rays, in vector lanes. Compiled once per instruction set.
+namespace csg {
+
+/// The crossings of a boolean form for each ray, as BooleanWalk finds them: the pieces of all leaves, and for each end
+/// of a piece which of the other leaves hold it. Solids without a test in lanes are asked ray by ray; what is made of
+/// their pieces goes in lanes all the same. Where ends share a place the ray is left to BooleanWalk, so the answers are
+/// the same.
+template <class Rays>
+class LaneBoolean {
+public:
+    LaneBoolean(const SolidStore& store, const Rays& rays) : store_(store), rays_(rays) {}
+
+    /// The nearest crossing of the rays of the mask, or all of them; each_crossing() has them for the rays found.
+    void ask(const Program& program, RayMask mask, bool nearest_only, Scratch& scratch)
+    {
+        program_ = &program;
+        form_ = &program.boolean;
+        pieces_ = 0;
+        found = undecided = 0;
+        const glm::dvec3 o = rays_.widest();
+        reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than BooleanWalk's for directions of unit length
+        mask = meet_leaves(mask, scratch);
+        each_vector(mask & ~undecided, [&](int i) {
+            if (nearest_only) nearest(i);
+            else all(i);
+        });
+        nearest_only_ = nearest_only;
+        undecided &= mask;
+        found &= mask & ~undecided;
+    }
+
+    /// Calls f(Hit) for the crossings of a ray that was found: one, or all of them in any order.
+    template <class F>
+    void each_crossing(std::size_t ray, F&& f) const
+    {
+        if (nearest_only_) {
+            f(hit(t_[ray], static_cast<std::uint32_t>(leaf_[ray]), face_[ray]));
+            return;
+        }
+        for (std::uint32_t p = 0; p < pieces_; ++p)
+            for (std::size_t side = 0; side < 2; ++side)
+                if (((piece_[p].seen[side] >> ray) & 1) != 0)
+                    f(hit(piece_[p].t[side][ray], piece_[p].leaf, piece_[p].face[side][ray]));
+    }
+
+    RayMask found = 0, undecided = 0;
+
+private:
+    using Double = lanes::Double;
+    using Bool = lanes::Bool;
+    using Lanes = RayLanes;
+
+    static constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
+
+    /// What a leaf holds of each ray: one of its intervals.
+    struct alignas(64) Piece {
+        Lanes t[2], face[2];  ///< entry, exit; an entry beyond the exit where there is none
+        RayMask seen[2];      ///< the rays that see the end
+        RayMask rays;         ///< those of the vectors that are filled in
+        std::uint32_t leaf;
+    };
+
+    static Double load(const Lanes& from, int i) { return Double::load_aligned(from.data() + i); }
+    static void store(Lanes& to, int i, Double v) { v.store_aligned(to.data() + i); }
+    static RayMask bits(Bool b, int i) { return static_cast<RayMask>(lanes::mask(b)) << i; }
+
+    Hit hit(double t, std::uint32_t leaf, double face) const
+    {
+        const BooleanLeaf& of = form_->leaves[leaf];
+        const auto side = static_cast<std::uint32_t>(face);
+        return {t, store_.surface(of.solid, side), of.solid, side, of.normal_flipped};
+    }
+
+    Double slack(Double t) const { return Double(kCoincidence) * (xsimd::abs(t) + Double(reach_)); }
+    Double slack_of_range(Double t) const { return xsimd::select(t < lanes::beyond(), slack(t), Double(0.0)); }
+
+    /// The pieces of all leaves. Returns the rays that are left: of an intersection those that meet every operand.
+    RayMask meet_leaves(RayMask mask, Scratch& scratch)
+    {
+        const Op op = program_->nodes[0].op;
+        const bool all = op == Op::Intersection || op == Op::Clip;
+        for (const bool slow : {false, true}) {
+            for (std::uint32_t k = 0; k < form_->leaves.size() && mask != 0; ++k) {
+                if (is_slow(form_->leaves[k]) != slow) continue;
+                const RayMask met = meet_leaf(k, mask, scratch);
+                // An operand of its own, which nothing is drawn without.
+                if (all && !form_->leaves[k].inverted && is_operand(form_->leaves[k].node)) mask &= met;
+            }
+        }
+        return mask;
+    }
+
+    bool is_slow(const BooleanLeaf& leaf) const
+    {
+        return !lanes::has_test(store_, leaf.solid) && kind_of(leaf.solid) != SolidKind::Quadric;
+    }
+
+    /// Whether a node is an operand of the whole object.
+    bool is_operand(std::uint32_t node) const
+    {
+        for (std::uint32_t k = 1; k < program_->nodes[0].end; k = program_->nodes[k].end)
+            if (k == node) return true;
+        return false;
+    }
+
+    /// Adds a leaf's pieces. Returns the rays that it holds something of within their ranges, perhaps more.
+    RayMask meet_leaf(std::uint32_t k, RayMask mask, Scratch& scratch)
+    {
+        const BooleanLeaf& leaf = form_->leaves[k];
+        const Node& node = program_->nodes[leaf.node];
+        if (node.test_box && node.inside_beyond == leaf.inverted) {
+            const auto corner = [](const std::array<float, 3>& c) { return glm::dvec3(c[0], c[1], c[2]); };
+            mask = rays_.meet(corner(node.lower), corner(node.upper), mask);
+        }
+        if (mask == 0) return 0;
+        if (kind_of(leaf.solid) == SolidKind::Quadric)
+            return meet_quadric(k, store_.all<Quadric>()[index_of(leaf.solid)], mask);
+        if (!is_slow(leaf)) return meet_in_lanes(k, mask);
+        if (kind_of(leaf.solid) == SolidKind::Torus) {
+            const Torus& torus = store_.all<Torus>()[index_of(leaf.solid)];
+            if (detail::factors_serve(torus)) return meet_torus(k, torus, mask);
+        }
+        return meet_ray_by_ray(k, mask, scratch);
+    }
+
+    Piece& next_piece(std::uint32_t leaf)
+    {
+        Piece& made = piece_[pieces_++];
+        made.leaf = leaf;
+        made.rays = made.seen[0] = made.seen[1] = 0;
+        return made;
+    }
+
+    /// Fills a vector of a piece in; which of its rays hold something of it within their ranges.
+    RayMask put(Piece& piece, const lanes::Intervals& own, int i)
+    {
+        piece.rays |= kVector << i;
+        store(piece.t[0], i, xsimd::select(own.met, own.entry, lanes::beyond()));
+        store(piece.t[1], i, xsimd::select(own.met, own.exit, lanes::before()));
+        store(piece.face[0], i, own.entry_face);
+        store(piece.face[1], i, own.exit_face);
+        const Double t_min = load(rays_.t_min, i), limit = load(rays_.limit, i);
+        return bits(own.met & (own.exit >= t_min - slack(t_min)) & (own.entry <= limit + slack_of_range(limit)), i);
+    }
+
+    RayMask meet_in_lanes(std::uint32_t k, RayMask mask)
+    {
+        RayMask held = 0;
+        Piece& piece = next_piece(k);
+        lanes::with_test(store_, form_->leaves[k].solid, rays_, [&](const auto& at) {
+            each_vector(mask, [&](int i) {
+                const lanes::Intervals own = at(i);
+                if (lanes::mask(own.met) != 0) held |= put(piece, own, i);
+            });
+        });
+        if (piece.rays == 0) --pieces_;
+        return held;
+    }
+
+    RayMask meet_quadric(std::uint32_t k, const Quadric& quadric, RayMask mask)
+    {
+        RayMask held = 0;
+        Piece &first = next_piece(k), &second = next_piece(k);
+        each_vector(mask, [&](int i) {
+            lanes::Intervals beyond;
+            const lanes::Intervals own = lanes::Test<Quadric, decltype(rays_.origins(i))>(quadric, rays_.origins(i))
+                                             .both(rays_.directions(i), beyond);
+            const RayMask unclear = bits(own.unclear, i);
+            undecided |= unclear;
+            held |= unclear;
+            if (lanes::mask(own.met) != 0) held |= put(first, own, i);
+            if (lanes::mask(beyond.met) != 0) held |= put(second, beyond, i);
+        });
+        if (second.rays == 0) --pieces_;  // it has none without the first
+        if (first.rays == 0) --pieces_;
+        return held;
+    }
+
+    RayMask meet_torus(std::uint32_t k, const Torus& torus, RayMask mask)
+    {
+        const TorusEnds ends(torus, rays_, mask);
+        undecided |= ends.unclear;
+        RayMask held = ends.unclear;
+        for (int which = 0; which < 2; ++which) {
+            if (ends.met[which] == 0) continue;
+            Piece& piece = next_piece(k);
+            each_vector(ends.met[which], [&](int i) { held |= put(piece, ends.piece(which, i), i); });
+        }
+        return held;
+    }
+
+    RayMask meet_ray_by_ray(std::uint32_t k, RayMask mask, Scratch& scratch)
+    {
+        const BooleanLeaf& leaf = form_->leaves[k];
+        const std::uint32_t most = leaf.most_pieces;
+        Piece* const own = &piece_[pieces_];
+        for (std::uint32_t p = 0; p < most; ++p) next_piece(k);
+        std::uint32_t used = 0;
+        RayMask held = 0;
+        each_ray(mask, [&](std::size_t ray) {
+            if (rays_.limit[ray] < 0.0) return;
+            scratch.fetched.select(static_cast<int>(ray));
+            const SpanList spans = BooleanWalk(*program_, store_, rays_.ray(static_cast<int>(ray)), rays_.t_min[ray],
+                                               rays_.limit[ray], scratch)
+                                       .spans_of(leaf);
+            if (spans.empty()) return;
+            held |= RayMask{1} << ray;
+            if (spans.size() > most) {
+                undecided |= RayMask{1} << ray;
+                return;
+            }
+            for (std::uint32_t p = 0; p < spans.size(); ++p) put(own[p], ray, spans[p]);
+            used = std::max(used, spans.size());
+        });
+        pieces_ -= most - used;
+        return held;
+    }
+
+    /// Of one ray; the first of a vector makes the others empty.
+    static void put(Piece& piece, std::size_t ray, const Span& span)
+    {
+        const int i = static_cast<int>(ray) & ~(lanes::kDoubles - 1);
+        if ((piece.rays >> ray & 1) == 0) {
+            piece.rays |= kVector << i;
+            store(piece.t[0], i, lanes::beyond());
+            store(piece.t[1], i, lanes::before());
+        }
+        piece.t[0][ray] = span.in.t;
+        piece.t[1][ray] = span.out.t;
+        piece.face[0][ray] = span.in.face;
+        piece.face[1][ray] = span.out.face;
+    }
+
+    void nearest(int i)
+    {
+        Double t = load(rays_.limit, i), leaf(0.0), face(0.0), tied = lanes::beyond();
+        Bool some(false);
+        each_end(i, [&](std::uint32_t p, std::size_t side, Double at, Bool in_range) {
+            const Bool nearer = in_range & (at <= t);
+            if (lanes::mask(nearer) == 0) return;
+            look(i, p, at);
+            tied = xsimd::select(nearer & shared_, xsimd::min(tied, at), tied);
+            const Bool seen = nearer & drawn(i, p, side) & seen_from(piece_[p].leaf, nearer);
+            t = xsimd::select(seen, at, t);
+            leaf = xsimd::select(seen, Double(static_cast<double>(piece_[p].leaf)), leaf);
+            face = xsimd::select(seen, load(piece_[p].face[side], i), face);
+            some = some | seen;
+        });
+        store(t_, i, t);
+        store(leaf_, i, leaf);
+        store(face_, i, face);
+        found |= bits(some, i);
+        undecided |= bits((tied < lanes::beyond()) & (tied <= t), i);
+    }
+
+    void all(int i)
+    {
+        each_end(i, [&](std::uint32_t p, std::size_t side, Double at, Bool in_range) {
+            if (lanes::mask(in_range) == 0) return;
+            look(i, p, at);
+            undecided |= bits(in_range & shared_, i);
+            const Bool seen = in_range & drawn(i, p, side) & seen_from(piece_[p].leaf, in_range);
+            piece_[p].seen[side] |= bits(seen, i);
+            found |= bits(seen, i);
+        });
+    }
+
+    /// f(piece, side, t, whether it lies in the rays' ranges) for the ends of all pieces of a vector.
+    template <class F>
+    void each_end(int i, F&& f)
+    {
+        const Double t_min = load(rays_.t_min, i), limit = load(rays_.limit, i);
+        here_ = 0;
+        for (std::uint32_t p = 0; p < pieces_; ++p)
+            if (((piece_[p].rays >> i) & kVector) != 0) here_ |= std::uint64_t{1} << p;
+        for (std::uint64_t left = here_; left != 0; left &= left - 1) {
+            const auto p = static_cast<std::uint32_t>(bit(left));
+            for (std::size_t side = 0; side < 2; ++side) {
+                const Double t = load(piece_[p].t[side], i);
+                f(p, side, t,
+                  (t >= t_min) & (t <= limit) & (t > lanes::before()) & (t < lanes::beyond()) &
+                      (load(piece_[p].t[0], i) <= load(piece_[p].t[1], i)));
+            }
+        }
+    }
+
+    Bool drawn(int i, std::uint32_t p, std::size_t side) const
+    {
+        return load(piece_[p].face[side], i) != Double(static_cast<double>(kUndrawnFace));
+    }
+
+    /// Which leaves hold the points at t, and whether an end of another leaf than the piece's is in the same place.
+    void look(int i, std::uint32_t own, Double t)
+    {
+        const Double room = slack(t);
+        for (std::uint32_t k = 0; k < form_->leaves.size(); ++k) holds_[k] = Bool(form_->leaves[k].inverted);
+        shared_ = Bool(false);
+        for (std::uint64_t left = here_; left != 0; left &= left - 1) {
+            const Piece& piece = piece_[bit(left)];
+            if (piece.leaf == piece_[own].leaf) continue;
+            const Double in = load(piece.t[0], i), out = load(piece.t[1], i);
+            shared_ = shared_ | (xsimd::abs(in - t) <= room) | (xsimd::abs(out - t) <= room);
+            holds_[piece.leaf] = holds_[piece.leaf] ^ ((in < t) & (t <= out));
+        }
+    }
+
+    /// Of the rays asked, those for which what look() found lets an end of the leaf be seen.
+    Bool seen_from(std::uint32_t leaf, Bool asked) const
+    {
+        const BooleanLeaf& own = form_->leaves[leaf];
+        if (!own.drawn) return Bool(false);
+        for (std::uint64_t left = own.inside; left != 0; left &= left - 1) asked = asked & holds_[bit(left)];
+        for (std::uint64_t left = own.outside; left != 0; left &= left - 1) asked = asked & !holds_[bit(left)];
+        for (std::uint32_t k = own.first; k < own.first + own.count && lanes::mask(asked) != 0; ++k) {
+            const BooleanCondition& condition = form_->conditions[k];
+            const Bool held = holds(condition.node);
+            asked = asked & (condition.inside ? held : !held);
+        }
+        return asked;
+    }
+    static std::size_t bit(std::uint64_t mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
+
+    /// Which points lie inside of the subtree at node i.
+    Bool holds(std::uint32_t i) const
+    {
+        const Node& node = program_->nodes[i];
+        if (node.op == Op::Leaf) return holds_[form_->first_leaf[i]];
+        const bool all = node.op == Op::Intersection || node.op == Op::Clip;
+        Bool out(all);
+        for (std::uint32_t k = i + 1; k < node.end; k = program_->nodes[k].end) {
+            const Bool one = holds(k);
+            out = all ? out & one : out | one;
+        }
+        return out;
+    }
+
+    const SolidStore& store_;
+    const Rays& rays_;
+    const Program* program_ = nullptr;
+    const BooleanForm* form_ = nullptr;
+    double reach_ = 0.0;
+    bool nearest_only_ = true;
+    std::uint32_t pieces_ = 0;
+    std::uint64_t here_ = 0;  ///< pieces of the vector at hand
+    Bool shared_ = Bool(false);
+    alignas(64) Lanes t_, leaf_, face_;  ///< the nearest, where found
+    Bool holds_[BooleanForm::kMostLeaves];
+    Piece piece_[BooleanForm::kMostPieces];
+};
+
+}  // namespace csg

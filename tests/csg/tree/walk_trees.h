@@ -1,0 +1,39 @@
+#pragma once
+
+#include "tests/csg/support.h"
+
+/// Random CSG objects that have a boolean form, most of them.
+namespace csg_test {
+
+inline csg::Solid solid_for_walk(Rng& rng)
+{
+    const glm::dvec3 c = rng.point(1.0);
+    switch (rng.below(8)) {
+    case 0: return csg::Sphere{c, rng.uniform(0.3, 1.2)};
+    case 1: return csg::Box{c, c + rng.uniform(0.2, 1.5)};
+    case 2: return csg::OrientedBox{{-0.8, -0.6, -0.7}, {0.7, 0.5, 0.9}, random_transform(rng)};
+    case 3: return csg::Plane{rng.direction(), rng.uniform(-0.5, 1.0)};
+    case 4: return csg::Cylinder::make(c, -c, rng.uniform(0.2, 0.8), rng.coin(), {});
+    case 5: return csg::Torus{0.8, rng.uniform(0.1, 0.4), random_transform(rng)};
+    case 6: return csg::Disc{};
+    default: return csg::Quadric{{1, rng.uniform(-1, 1), 1}, {0.1, 0.2, 0}, {0, 0, 0}, -0.5, random_transform(rng)};
+    }
+}
+
+/// Operators of every kind, clips and inverses among them.
+inline csg::Tree tree_for_walk(Rng& rng, csg::SolidStore& store, int depth)
+{
+    csg::Tree made;
+    if (depth == 0 || rng.below(4) == 0) {
+        made.solid = store.add(solid_for_walk(rng), 0);
+    } else {
+        made.op = static_cast<csg::Tree::Op>(1 + rng.below(4));
+        const int operands = 2 + rng.below(3);
+        for (int i = 0; i < operands; ++i) made.operands.push_back(tree_for_walk(rng, store, depth - 1));
+    }
+    made.inverse = rng.below(6) == 0;
+    if (rng.below(3) == 0) made.clips.push_back(tree_for_walk(rng, store, depth == 0 ? 0 : 1));
+    return made;
+}
+
+}  // namespace csg_test
