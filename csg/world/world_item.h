@@ -123,20 +123,15 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
         hit.inverted = item.inverted;
         return hit;
     }
-    Hit best;
-    double limit = t_max;
+    double nearest = kInfinity, limit = t_max;
+    std::uint32_t side = 0;
     solid_crossings(world.store, item.solid, ray, t_min, t_max, true, [&](double t, std::uint32_t face) {
         if (t > limit) return;
-        limit = t;
-        best.t = t;
-        best.face = face;
-        best.part = item.solid;
+        nearest = limit = t;
+        side = face;
     });
-    if (best.t <= t_max && best.t < kInfinity) {
-        best.surface = world.store.surface(item.solid);
-        best.inverted = normal_flipped(world, item);
-    }
-    return best;
+    if (!(nearest <= t_max && nearest < kInfinity)) return {};
+    return {nearest, world.store.surface(item.solid), item.solid, side, normal_flipped(world, item)};
 }
 
 /// All crossings of an item in [t_min, t_max], a shadow ray's whole range, in any order: f(Hit).

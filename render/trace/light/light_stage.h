@@ -40,9 +40,11 @@ private:
     {
         const HitMask colored = steady(light) ? illuminate_from_point(light) : illuminate_each(light);
         for_each_hit(asks_ & batch_.scalar(), [&](std::size_t k) {
-            const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k],
-                                          scratch_.lit_colors[k]};
-            sample(k) = {lit, light.area_illumination ? light.color : lit.color};
+            LightSample& to = sample(k);
+            to.lit.direction = scratch_.light.direction(k);
+            to.lit.distance = scratch_.light.distance[k];
+            to.lit.color = scratch_.lit_colors[k];
+            to.arriving = light.area_illumination ? light.color : scratch_.lit_colors[k];
         });
         const bool shadows = shadows_ && (!light.shadowless || light.projector);
         if (light.area && (shadows || light.area_illumination)) {

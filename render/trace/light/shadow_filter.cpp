@@ -98,9 +98,20 @@ glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit
 
 namespace {
 
-/// Light past crossings at their distances from the point, nearest first. before: the distance of the last one.
-glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3 color, const Hit* first,
-                         const Hit* last, double& before, const ShadowAir& air)
+/// A shadow ray as rays are that go on. Member by member: to make it whole would clear the list of interiors first.
+struct ShadowState : RayState {
+    ShadowState(const glm::dvec3& from, const glm::dvec3& toward, double nearest, const InteriorList& inside)
+    {
+        ray = {from, toward};
+        start = nearest;
+        kind = plan::RayKind::Shadow;
+        interiors = inside;
+    }
+};
+
+/// Light past crossings at their distances from the point, nearest first: color. before: the distance of the last one.
+void past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3& color, const Hit* first,
+                    const Hit* last, double& before, const ShadowAir& air)
 {
     const SceneTraits& traits = context.scratch.shade.traits;
     for (; first != last; ++first) {
@@ -125,7 +136,6 @@ glm::vec3 past_crossings(Context& context, RayState& ray, double tolerance, glm:
         }
         before = crossing.t;
     }
-    return color;
 }
 
 /// What a shadow ray crosses, found as POV-Ray does it: by a new ray behind each crossing. Solids that tell one ray
@@ -174,7 +184,7 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     const double end = lit.distance - tolerance;
     if (end <= tolerance) return color;
     ++context.scratch.counts.shadow;
-    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, 0, interiors};
+    ShadowState ray(point, lit.direction, tolerance, interiors);
     const Shadow met =
         context.scratch.shade.traits.restarts()
             ? one_by_one(context, ray.ray, tolerance, end, first, crossings)
@@ -182,8 +192,8 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     if (met == Shadow::Blocked) return glm::vec3(0.0f);
     double before = 0.0;
     if (met != Shadow::Clear)
-        color = past_crossings(context, ray, tolerance, color, crossings.data(), crossings.data() + crossings.size(),
-                               before, air);
+        past_crossings(context, ray, tolerance, color, crossings.data(), crossings.data() + crossings.size(), before,
+                       air);
     if (air.last_crossing != nullptr) *air.last_crossing = before;
     else if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, true, air);
     return color;
@@ -204,9 +214,10 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
         }
         for (Hit* h = crossings; h != end; ++h) h->t = lit.distance - h->t;
     }
-    RayState ray{{point, lit.direction}, tolerance, 1.0f, 0, plan::RayKind::Shadow, 0, interiors};
+    ShadowState ray(point, lit.direction, tolerance, interiors);
     double before = 0.0;
-    glm::vec3 color = past_crossings(context, ray, tolerance, lit.color, crossings, end, before, air);
+    glm::vec3 color = lit.color;
+    past_crossings(context, ray, tolerance, color, crossings, end, before, air);
     if (air.last_crossing != nullptr) *air.last_crossing = before;
     else if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, true, air);
     return color;

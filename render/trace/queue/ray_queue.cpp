@@ -148,7 +148,7 @@ ColorSlot queue_ray(Context& context, std::vector<QueuedRay>& queue, const RaySt
     if (state.level >= context.max_trace_level || static_cast<double>(state.weight) < context.adc_bailout)
         return kNoSlot;
     const ColorSlot slot = context.scratch.shade.queue.new_slot();
-    queue.push_back({state, slot, straight ? state.level : state.level + 1});
+    queue.emplace_back(state, slot, straight ? state.level : state.level + 1);
     return slot;
 }
 

@@ -20,6 +20,10 @@ struct QueuedRay {
     RayState state;
     ColorSlot slot;  ///< of its colour
     int level;       ///< levels in use including this ray's
+
+    QueuedRay() = default;
+    /// Made where it waits: a copy of what was just written in smaller pieces waits for all of them.
+    QueuedRay(const RayState& of, ColorSlot into, int in_use) : state(of), slot(into), level(in_use) {}
 };
 
 /// One of the colours that a node puts together.
@@ -28,6 +32,8 @@ struct ShadeTerm {
     glm::vec3 factor;   ///< Surface: reflectivity; Spectrum: hue; Sum, Mean: weight (red alone)
     glm::vec3 film{1};  ///< Surface: iridescence of what is mirrored
     float power = 1;    ///< Surface: reflection_power
+
+    ShadeTerm(ColorSlot of, const glm::vec3& by, float raised = 1) : slot(of), factor(by), power(raised) {}
 };
 
 /// How colours become one. Its terms are `count` from `first` on in RayQueue::terms.

@@ -97,7 +97,10 @@ glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool sh
                 static_cast<float>(std::exp(-(1.0 - static_cast<double>(interior.fade_color[k])) * distance / reach));
         return out;
     }
-    const auto share = static_cast<float>(1.0 / (1.0 + std::pow(distance / reach, power)));
+    // Powers that most scenes ask for, without the library.
+    const double ways = distance / reach,
+                 loss = power == 1.0 ? ways : power == 2.0 ? ways * ways : std::pow(ways, power);
+    const auto share = static_cast<float>(1.0 / (1.0 + loss));
     return interior.fade_color + (1.0f - interior.fade_color) * share;
 }
 
@@ -254,17 +257,19 @@ bool sent(const ShadeNode& node, const LayerStack& stack, const Mirror& mirror)
 
 }  // namespace
 
-Mirror mirror_of(const Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c,
-                 const glm::dvec3& normal, float residual)
+void find_mirror(const Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c,
+                 const glm::dvec3& normal, float residual, Mirror& mirror)
 {
-    Mirror mirror{glm::vec3(0), normal, 0.0f, &finish};
-    if (!finish.reflects()) return mirror;
+    mirror.reflectivity = glm::vec3(0);
+    mirror.normal = normal;
+    mirror.weight = 0.0f;
+    mirror.finish = &finish;
+    if (!finish.reflects()) return;
     const double eta = finish.fresnel ? fresnel_index(context, hit) : 1.0;
     mirror.reflectivity = texture::reflectivity(finish, c, hit.state.ray.direction, normal, eta);
     const float strength = finish.fresnel ? largest(mirror.reflectivity)
                                           : std::max(largest(finish.reflection_max), largest(finish.reflection_min));
     mirror.weight = hit.state.weight * residual * std::max(0.0f, strength);
-    return mirror;
 }
 
 std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& stack, ColorSlot out)
@@ -283,12 +288,11 @@ std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& s
         if (black(mirror.reflectivity) || sent(queue.nodes[index], stack, mirror)) continue;
         ++context.scratch.counts.reflected;
         const RayState ray = mirrored(context, hit, mirror.normal, mirror.weight);
-        ShadeTerm term{queue_ray(context, queue.mirrors, ray, false), mirror.reflectivity, glm::vec3(1),
-                       mirror.finish->reflection_power};
+        const ColorSlot seen = queue_ray(context, queue.mirrors, ray, false);
+        if (count++ == 0) queue.nodes[index].first = static_cast<std::uint32_t>(queue.terms.size());
+        ShadeTerm& term = queue.terms.emplace_back(seen, mirror.reflectivity, mirror.finish->reflection_power);
         if (mirror.finish->irid > 0.0f)
             term.film = film_color(context, hit, *mirror.finish, mirror.normal, ray.ray.direction);
-        if (count++ == 0) queue.nodes[index].first = static_cast<std::uint32_t>(queue.terms.size());
-        queue.terms.push_back(term);
     }
     queue.nodes[index].count = count;
     return index;

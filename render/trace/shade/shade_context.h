@@ -171,8 +171,8 @@ struct LayerStack {
 };
 
 /// A layer's mirror at a hit; residual: of the layers above.
-Mirror mirror_of(const Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c,
-                 const glm::dvec3& normal, float residual);
+void find_mirror(const Context& context, const HitPlace& hit, const texture::Finish& finish, const scene::Color& c,
+                 const glm::dvec3& normal, float residual, Mirror& mirror);
 
 /// The node of a texture's layers, whose own light is still to come, with the rays that go on from it. Its index in the
 /// queue.

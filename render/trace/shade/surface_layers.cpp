@@ -51,7 +51,7 @@ scene::Color pigment_of(const Context& context, const HitContext& hit, const tex
     if (context.scene.settings.quality < 2) {
         mirror = {glm::vec3(0), normal, 0.0f, &finish};
     } else {
-        mirror = mirror_of(context, hit, finish, c, normal, stack.residual);
+        find_mirror(context, hit, finish, c, normal, stack.residual, mirror);
         const float alpha = texture.plain ? 1.0f : texture::opacity(c, set.legacy_opacity);
         if (batch != nullptr)
             batch->add_row(hit.lane,

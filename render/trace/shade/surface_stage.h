@@ -113,8 +113,8 @@ private:
             return;
         }
         const ColorSlot out = has(dimmed_, k) ? dim(queue, scratch_.air[k], tile_.slot(k)) : tile_.slot(k);
+        if (batch_.holds(k)) return go_on_single(tile_.place(k, state, met), k, out);
         HitContext hit{tile_.place(k, state, met), k, {}};
-        if (batch_.holds(k)) return go_on_single(hit, out);
         const HitDetails& details = tile_.details(k);
         hit.around = {details.point, hit.normal, state.ray.direction, details.uv, true};
         PrefetchedPigments prefetched;
@@ -123,16 +123,17 @@ private:
     }
 
     /// A hit of one layer, whose row is there.
-    void go_on_single(const HitContext& hit, ColorSlot out)
+    void go_on_single(const HitPlace& hit, std::size_t k, ColorSlot out)
     {
-        const texture::Finish& finish = batch_.top_finish(hit.lane);
-        const scene::Color c = batch_.top_pigment(hit.lane);
+        const texture::Finish& finish = batch_.top_finish(k);
+        const scene::Color c = batch_.top_pigment(k);
         LayerStack stack(scratch_.mirrors);
-        stack.top_normal = hit.normal;
-        const Mirror& mirror =
-            stack.mirrors.emplace_back(mirror_of(context_, hit, finish, c, hit.normal, stack.residual));
+        const glm::dvec3 normal = scratch_.hits.normal(k);  // hit.normal, which has just been written piece by piece
+        stack.top_normal = normal;
+        Mirror& mirror = stack.mirrors.emplace_back();
+        find_mirror(context_, hit, finish, c, normal, stack.residual, mirror);
         stack.pass(c, finish, mirror.reflectivity);
-        batch_.close_node(hit.lane, 0, scatter(context_, hit, stack, out));
+        batch_.close_node(k, 0, scatter(context_, hit, stack, out));
     }
 
     /// A node for the air before the hit; the slot that it dims.
