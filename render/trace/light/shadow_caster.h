@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/light/area_light.h"
+#include "render/trace/light/restarted_rays.h"
 #include "render/trace/light/shadow_rays.h"
 
 #include <algorithm>
@@ -125,6 +126,7 @@ private:
     void pass_filtered(HitMask rays, bool in_air, const HitOf& hit_of)
     {
         if (rays == 0) return;
+        if (scratch_.traits.restarts()) restart(rays, hit_of);
         const plan::CompiledScene& scene = context_.scene;
         const bool media = scratch_.traits.media || (in_air && scene.atmosphere.extinguishes);
         MediaShadows* later = media ? &context_.scratch.media().shadows : nullptr;
@@ -148,6 +150,24 @@ private:
         for_each_hit(rays, [&](std::size_t ray) { tell(hit_of(ray), colors[hit_of(ray)]); });
     }
 
+    /// The crossings of rays that begin anew behind each of them.
+    template <class HitOf>
+    [[gnu::noinline]] void restart(HitMask rays, const HitOf& hit_of)
+    {
+        if (scratch_.restarted == nullptr) scratch_.restarted = std::make_unique<RestartedScratch>();
+        RestartedRays restarted(context_);
+        const csg::CrossingTile& met = scratch_.crossings;
+        for_each_hit(rays & ~equal(met.ending, Shadow::Clear), [&](std::size_t ray) {
+            const std::size_t k = hit_of(ray);
+            const double tolerance = scratch_.shadow_ends.from[k], end = scratch_.light.distance[k] - tolerance;
+            if (end <= tolerance) return;
+            const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
+            restarted.add(k, {scratch_.hits.point(k), scratch_.light.direction(k)}, tolerance, end,
+                          too_many ? nullptr : met.hits[ray].data());
+        });
+        restarted.run();
+    }
+
     static HitMask equal(const std::array<Shadow, csg::kTileRays>& endings, Shadow to)
     {
         return csg::lanes::equal(reinterpret_cast<const std::uint8_t*>(endings.data()), static_cast<std::uint8_t>(to));
@@ -162,9 +182,9 @@ private:
         const bool too_many = count == csg::CrossingTile::kTooMany;
         const PhotonShadow& caught = scratch_.photon_shadow;
         if (too_many || (scratch_.traits.restarts() && !clear)) {
-            const glm::vec3 passed = filtered_light(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k],
-                                                    tile_.interiors(k), lit, lit.color, air,
-                                                    too_many ? nullptr : scratch_.crossings.hits[ray].data());
+            const glm::vec3 passed = filtered_light(
+                context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k), lit, lit.color, air,
+                nullptr, scratch_.traits.restarts() ? &scratch_.restarted->rays[k] : nullptr);
             const auto& crossings = context_.scratch.crossings;
             return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
         }

@@ -1,4 +1,5 @@
 #include "render/texture/evaluate.h"
+#include "render/trace/light/restarted_rays.h"
 #include "render/trace/media/media_extinction.h"
 #include "render/trace/shade/shade_context.h"
 
@@ -144,10 +145,9 @@ void past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3
 Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double end, const Hit* first,
                   std::vector<Hit>& out)
 {
-    constexpr std::size_t kMost = 10000;  // no picture has so many; a solid that is met again at every step would
     out.clear();
     double gone = 0.0;
-    while (out.size() < kMost) {
+    while (out.size() < RestartedRays::kMost) {
         Hit hit = first != nullptr ? *first
                                    : context.world.nearest(ray, tolerance, end - gone, bit(plan::RayKind::Shadow),
                                                            context.scratch.geometry);
@@ -177,7 +177,8 @@ glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double f
 }
 
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
-                         const light::Illumination& lit, glm::vec3 color, const ShadowAir& air, const Hit* first)
+                         const light::Illumination& lit, glm::vec3 color, const ShadowAir& air, const Hit* first,
+                         RestartedRay* known)
 {
     auto& crossings = context.scratch.crossings;
     crossings.clear();  // callers look at them
@@ -185,8 +186,10 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     if (end <= tolerance) return color;
     ++context.scratch.counts.shadow;
     ShadowState ray(point, lit.direction, tolerance, interiors);
+    if (known != nullptr) crossings.swap(known->crossings);
     const Shadow met =
-        context.scratch.shade.traits.restarts()
+        known != nullptr ? known->ending
+        : context.scratch.shade.traits.restarts()
             ? one_by_one(context, ray.ray, tolerance, end, first, crossings)
             : context.world.shadow_crossings(ray.ray, tolerance, end, context.scratch.geometry, crossings);
     if (met == Shadow::Blocked) return glm::vec3(0.0f);

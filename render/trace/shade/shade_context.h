@@ -138,10 +138,10 @@ struct ShadowAir {
 /// Colour of a light after everything between it and the point, which `interiors` hold (spec 3, section 13).
 /// `tolerance`: of shadow rays from this point; first: the first
 /// crossing from the point, where it is known and solids are such that the others have to be asked for one by one
-/// (SceneTraits::restarts).
+/// (SceneTraits::restarts); known: what that has told already, which goes to Scratch::crossings.
 glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double tolerance, const InteriorList& interiors,
                          const light::Illumination& lit, glm::vec3 color, const ShadowAir& air = {},
-                         const Hit* first = nullptr);
+                         const Hit* first = nullptr, RestartedRay* known = nullptr);
 
 /// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point
 /// or from the light; they are turned round in place.

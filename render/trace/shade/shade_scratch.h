@@ -13,6 +13,7 @@
 #include "render/trace/queue/ray_queue.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace trace {
@@ -67,6 +68,18 @@ struct Mirror {
     const texture::Finish* finish;
 };
 
+/// What a shadow ray crosses that begins anew behind each crossing (light/restarted_rays.h).
+struct RestartedRay {
+    std::vector<csg::Hit> crossings;  ///< by distance from where it began
+    csg::Shadow ending = csg::Shadow::Clear;
+};
+
+struct RestartedScratch {
+    std::array<RestartedRay, csg::kTileRays> rays;
+    csg::RayTile tile;
+    csg::HitTile hits;
+};
+
 /// What shading keeps per thread; grows to what the scene needs and stays.
 struct ShadeScratch {
     SceneTraits traits;                ///< filled by the first tile
@@ -102,6 +115,7 @@ struct ShadeScratch {
     std::array<float, csg::kTileRays> quality;     ///< of rays that gather: how far they were followed (spec 6, 4.3)
     csg::CrossingTile crossings;                   ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
+    std::unique_ptr<RestartedScratch> restarted;    ///< of the light at hand, in scenes that need it
     PhotonShadow photon_shadow;                     ///< of the light at hand
     NearPhotons near_photons, wide_photons;         ///< around the hit at hand
     std::array<std::uint8_t, csg::kTileRays> lane;  ///< of each shadow ray: which hit it belongs to
