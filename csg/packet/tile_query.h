@@ -291,9 +291,32 @@ inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Qu
     return true;
 }
 
-/// Fewer rays than this go one by one: a beam of few rays that fly apart meets more than they do. Where solids answer
-/// rays together sooner, these outweigh the boxes.
+/// Fewer rays than this go one by one: a beam of few rays that fly apart meets more than they do. Where two come near
+/// solids that answer rays together sooner, these outweigh the boxes.
 inline constexpr int kFewestForBeam = 24, kFewestTogether = 2;
-inline int fewest_for_beam(const WorldData& world) { return world.costly ? kFewestTogether : kFewestForBeam; }
+
+/// Whether a ray comes near the box.
+inline bool comes_near(const Aabb& box, const Ray& ray, double first, double last)
+{
+    for (int k = 0; k < 3; ++k) {
+        Interval side;
+        if (!slab(ray.origin[k], ray.direction[k], box.lower[k], box.upper[k], side)) return false;
+        first = std::max(first, side.entry);
+        last = std::min(last, side.exit);
+        if (!(first <= last)) return false;
+    }
+    return true;
+}
+
+inline int fewest_for_beam(const WorldData& world, const RayTile& rays)
+{
+    if (!world.costly || rays.count >= 2 * kFewestForBeam) return kFewestForBeam;  // several beams perhaps
+    int near = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i)
+        if (comes_near(world.costly_bounds, rays.ray(static_cast<int>(i)), rays.t_min[i], rays.t_max[i]) &&
+            ++near == kFewestTogether)
+            return kFewestTogether;
+    return kFewestForBeam;
+}
 
 }  // namespace csg

@@ -74,6 +74,7 @@ struct WorldData {
     std::uint8_t visible_everywhere = 0xff;    ///< kinds of ray that see every item
     std::uint8_t shadow_kinds = 0xff;  ///< kinds of ray that ask for shadows: items that none of these sees cast none
     bool costly = false;               ///< some item is `many`
+    Aabb costly_bounds;                ///< of all of these
     bool faithful = false;  ///< answers by POV-Ray's constants, ray by ray where they matter (docs/faithful.md)
 
     /// A solid by itself.

@@ -13,9 +13,9 @@ namespace {
 
 /// Whether answered(TileRays) is: only enough rays make a beam.
 template <class Answered>
-inline bool in_lanes(const WorldData& world, const RayTile& rays, Answered&& answered)
+inline bool in_lanes(const RayTile& rays, int fewest, Answered&& answered)
 {
-    if (rays.count < fewest_for_beam(world)) return false;
+    if (rays.count < fewest) return false;
     return rays.common_origin ? answered(TileRays<SharedOrigin>(rays)) : answered(TileRays<OwnOrigins>(rays));
 }
 
@@ -28,7 +28,7 @@ void shadow_of_cluster(const World& world, const WorldData& data, const RayTile&
         for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
         return true;
     };
-    if (!data.faithful && in_lanes(data, rays, answered)) return;
+    if (!data.faithful && in_lanes(rays, fewest_for_beam(data, rays), answered)) return;
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         out[i] = world.shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
@@ -44,7 +44,7 @@ void crossings_of_cluster(const World& world, const WorldData& data, const RayTi
         query.finish();
         return true;
     };
-    if (!data.faithful && in_lanes(data, rays, answered)) return;
+    if (!data.faithful && in_lanes(rays, fewest_for_beam(data, rays), answered)) return;
     std::vector<Hit>& hits = scratch.hits();
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -75,13 +75,13 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
         }
         return true;
     };
-    if (in_lanes(*data_, rays, answered)) {
+    const int fewest = fewest_for_beam(*data_, rays);
+    if (in_lanes(rays, fewest, answered)) {
         if (data_->faithful) recheck(rays, kind_bit, scratch, out);
         return;
     }
     // Too far apart for one beam: perhaps not for several.
-    const TileClusters clusters = rays.count < 2 * fewest_for_beam(*data_) ? TileClusters()
-                                                                           : TileClusters::by_direction(rays);
+    const TileClusters clusters = rays.count < 2 * fewest ? TileClusters() : TileClusters::by_direction(rays);
     if (clusters.size() == 1) {
         for (int i = 0; i < rays.count; ++i) {
             const auto k = static_cast<std::size_t>(i);

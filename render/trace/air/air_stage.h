@@ -29,8 +29,8 @@ public:
         if (!has_air(context_)) return 0;
         const HitMask hollow = find_hollow();
         if (hollow == 0) return 0;
-        if (context_.scratch.shade.traits.even_fog) fog_tile();
-        else along(hollow);
+        if (context_.scratch.shade.traits.even_fog) return hollow & fog_tile();
+        along(hollow);
         return hollow;
     }
 
@@ -46,8 +46,9 @@ private:
         return all;
     }
 
-    /// The same as along() of all segments where there is nothing but fog that is the same everywhere.
-    [[gnu::noinline]] void fog_tile()
+    /// The same as along() of all segments where there is nothing but fog that is the same everywhere. Those that it
+    /// changes: thin fog is not seen close by.
+    [[gnu::noinline]] HitMask fog_tile()
     {
         using csg::lanes::Double;
         ShadeScratch& scratch = context_.scratch.shade;
@@ -55,18 +56,28 @@ private:
         std::fill_n(scratch.air.begin(), count, Air());
         alignas(64) TileLanes length = tile_.hits.t, passes;
         for_each_hit(first_hits(tile_.count()) & ~tile_.found(), [&](std::size_t k) { length[k] = kSkyDistance; });
+        HitMask changed = 0;
         for (const texture::Fog& fog : context_.scene.fogs) {
             const glm::vec3 tint = (1.0f - fog.color.filter) + fog.color.filter * fog.color.rgb();
-            for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles)
-                fog_transmission(fog, Double::load_aligned(length.data() + i)).store_aligned(passes.data() + i);
-            for (std::size_t k = 0; k < count; ++k) {
+            const Double whole(0x1.ffffffp-1);  // from here on it is 1 in single precision
+            HitMask seen = 0;
+            for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
+                const Double a = fog_transmission(fog, Double::load_aligned(length.data() + i));
+                a.store_aligned(passes.data() + i);
+                seen |= HitMask{csg::lanes::mask(!(a >= whole))} << i;
+            }
+            if (tint != glm::vec3(1)) seen = ~HitMask{0};
+            seen &= first_hits(tile_.count());
+            changed |= seen;
+            for_each_hit(seen, [&](std::size_t k) {
                 Air& air = scratch.air[k];
                 const auto a = static_cast<float>(passes[k]);
                 air.glow += (1.0f - a) * fog.color.rgb();
                 air.share *= a * tint;
                 air.clear = scene::grey(air.share);
-            }
+            });
         }
+        return changed;
     }
 
     /// From what the rays have met to their origins (spec 6, 1.6).
