@@ -7,14 +7,6 @@
 
 namespace trace {
 
-/// All photons in a sphere, side by side: points near its centre look at them alone. Places are from the centre.
-struct PhotonVicinity {
-    glm::dvec3 center{0};
-    double reach = 0;  ///< its radius; 0: there is none
-    std::vector<float> x, y, z;
-    std::vector<std::uint32_t> photon;
-};
-
 /// The photons found around a point, by number in the map.
 struct NearPhotons {
     struct Near {
@@ -22,12 +14,16 @@ struct NearPhotons {
         std::uint32_t photon;
     };
     std::vector<Near> found;
-    double radius2 = 0;  ///< of the sphere that holds them
-    double likely2 = 0;  ///< what to expect of that for a point nearby; 0: nothing
-    PhotonVicinity vicinity;
+    double radius2 = 0;   ///< of the sphere that holds them
+    double likely2 = 0;   ///< what to expect of that for a point nearby; 0: nothing
+    glm::dvec3 asked{0};  ///< the point
+    /// What the search keeps: photons that may be among them, and room to put some in order.
+    std::vector<float> distances2, parted;
+    std::vector<std::uint32_t> numbers;
+    std::vector<std::int32_t> bins;
 
     /// Before points that have nothing to do with those before.
-    void forget() { likely2 = vicinity.reach = 0.0; }
+    void forget() { likely2 = 0.0; }
     double density_per_area() const { return static_cast<double>(found.size()) / radius2; }
 };
 

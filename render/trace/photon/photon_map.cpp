@@ -93,6 +93,7 @@ void PhotonMap::take(std::vector<Photon> photons)
     rays_.reserve(photons_.size());
     for (const Photon& photon : photons_) rays_.push_back({flux_of(photon), back_of(photon)});
     places_.take(photons_);
+    boxes_.take(places_);
 }
 
 double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
@@ -102,7 +103,7 @@ double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
     NearPhotons near;
     const auto density = [&](double radius) {
         const std::size_t which = random.draw() % photons_.size();
-        PhotonSearch<false>(places_, photons_[which].place(), {}, gather_most).find_in_order(radius, near);
+        PhotonSearch<false>(places_, boxes_, photons_[which].place(), {}, gather_most).find_in_order(radius, near);
         const auto number = static_cast<double>(near.found.size());
         const double r = std::sqrt(near.radius2);
         return media ? 3.0 * number / (4.0 * kPi * r * r * r) : number / (kPi * r * r);
@@ -137,8 +138,8 @@ void PhotonMap::find_radius(const scene::PhotonSettings& settings, bool media, L
 
 void PhotonMap::find(const glm::dvec3& point, double radius, const glm::dvec3* normal, NearPhotons& out) const
 {
-    if (normal != nullptr) PhotonSearch<true>(places_, point, *normal, gather_most).find(radius, out);
-    else PhotonSearch<false>(places_, point, {}, gather_most).find(radius, out);
+    if (normal != nullptr) PhotonSearch<true>(places_, boxes_, point, *normal, gather_most).find(radius, out);
+    else PhotonSearch<false>(places_, boxes_, point, {}, gather_most).find(radius, out);
 }
 
 void PhotonMap::gather(const glm::dvec3& point, const glm::dvec3* normal, NearPhotons& scratch, NearPhotons& out) const

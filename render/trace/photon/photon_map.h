@@ -3,6 +3,7 @@
 #include "render/scene/effects.h"
 #include "render/trace/photon/near_photons.h"
 #include "render/trace/photon/photon.h"
+#include "render/trace/photon/photon_boxes.h"
 #include "render/trace/photon/photon_places.h"
 #include "render/trace/photon/random_tables.h"
 
@@ -47,6 +48,7 @@ private:
     std::vector<Photon> photons_;
     std::vector<PhotonRay> rays_;  ///< by photon
     PhotonPlaces places_;
+    PhotonBoxes boxes_;
     double radius_ = 0;
 };
 

@@ -2,6 +2,8 @@
 
 #include "csg/base/lanes.h"
 #include "render/trace/photon/near_photons.h"
+#include "render/trace/photon/pack_lanes.h"
+#include "render/trace/photon/photon_boxes.h"
 #include "render/trace/photon/photon_places.h"
 
 #include <algorithm>
@@ -11,103 +13,157 @@
 
 namespace trace {
 
-/// The nearest photons around a point (spec 6, 3.7). POV-Ray goes from photon to photon and keeps a heap; here those of
-/// small subtrees, or of a sphere that serves several points, are looked at in lanes, and the nearest are parted from
-/// the others when there are many. The answer is the same, but for photons on the wrong side of a node: whether POV-Ray
-/// finds them depends on when it comes there, and here they are found if they are in reach at first. (One photon more
-/// in one search of thirty, where each has more photons than it keeps.) \tparam kFlat  the sphere is flattened off a
-/// surface
+/// The nearest photons around a point (spec 6, 3.7). POV-Ray goes from photon to photon of its tree and keeps a heap;
+/// here boxes of eights are looked at in lanes (`photon_boxes.h`), and the nearest are parted from the others when
+/// there are many. The answer is the same, but for photons on the wrong side of a node: whether POV-Ray finds them
+/// depends on when it comes there, and here they are found if they are in reach at first. (One photon more in one
+/// search of thirty, where each has more photons than it keeps.) \tparam kFlat  the sphere is flattened off a surface
 template <bool kFlat>
 class PhotonSearch {
 public:
-    PhotonSearch(const PhotonPlaces& places, const glm::dvec3& point, const glm::dvec3& normal, int most)
-        : places_(places), point_(point), normal_(normal), most_(static_cast<std::size_t>(std::max(most, 1)))
+    PhotonSearch(const PhotonPlaces& places, const PhotonBoxes& boxes, const glm::dvec3& point,
+                 const glm::dvec3& normal, int most)
+        : places_(places), boxes_(boxes), point_(point), normal_(normal),
+          most_(static_cast<std::size_t>(std::max(most, 1)))
     {}
 
     void find(double radius, NearPhotons& out)
     {
         all_ = radius * radius;
-        out.found.resize(2 * room());
-        found_ = out.found.data();
+        start(out);
         out.radius2 = all_;
         // One more than asked for, to know whether there are any.
-        constexpr double kWider = 1.25, kFarther = 3.0;
-        const bool known = out.likely2 > 0.0;
-        for (double bound = known ? kWider * out.likely2 : all_;; bound *= kFarther) {
+        constexpr double kFarther = 3.0;
+        for (double bound = likely(out);; bound *= kFarther) {
             const double here = std::min(bound, all_);
-            if (known && covers(out.vicinity, here)) scan(out.vicinity, here);
-            else collect(here);
+            collect(here);
             if (count_ > most_ || here == all_) break;
         }
         out.likely2 = all_;
+        out.asked = point_;
         if (count_ > most_) {
-            part();
+            part(most_);
             out.likely2 = bound_;
-            if (nearest_come_first()) walk_in_order();
+            if (nearest_come_first()) {
+                walk_in_order(out);
+                out.radius2 = bound_;
+                return;
+            }
             double farthest = 0.0;
             for (std::size_t k = 0; k < most_; ++k)
-                if (found_[k].distance2 >= static_cast<float>(bound_)) farthest = std::max(farthest, exact(found_[k]));
+                if (distance2_[k] >= static_cast<float>(bound_)) farthest = std::max(farthest, exact(number_[k]));
             out.radius2 = farthest;
-            count_ = most_;
         }
         out.found.resize(count_);
+        for (std::size_t k = 0; k < count_; ++k) out.found[k] = {distance2_[k], number_[k]};
     }
 
     /// POV-Ray's own way, whatever it costs.
     void find_in_order(double radius, NearPhotons& out)
     {
         all_ = radius * radius;
-        out.found.resize(2 * room());
-        found_ = out.found.data();
-        walk_in_order();
+        walk_in_order(out);
         out.radius2 = bound_;
-        out.found.resize(count_);
     }
 
 private:
     using Near = NearPhotons::Near;
+    using Float = csg::lanes::FloatPart;
     static constexpr double kFlattening = 16.0;
     static constexpr double kRounding = 1.0 + 1e-6;  ///< of what is kept in single precision
-    static constexpr std::size_t kLanes = 8;         ///< photons looked at together
-    static constexpr std::size_t kSmall = 24;        ///< subtrees up to so many are not walked
+    static constexpr std::size_t kLanes = PhotonBoxes::kWide;
     static constexpr std::size_t kSpare = 256;  ///< so many more than are asked for are kept before they are parted
 
-    /// The most_ nearest come first; bound_: the farthest of them. Counted by distance first, which needs no guesses of
-    /// the processor: only what lies about where they part is compared.
-    void part()
+    void start(NearPhotons& out)
     {
-        constexpr std::size_t kBins = 64;
-        const float scale = static_cast<float>(static_cast<double>(kBins) / bound_);
-        const auto bin = [scale](const Near& near) {
-            return static_cast<std::size_t>(std::min(near.distance2 * scale, static_cast<float>(kBins - 1)));
-        };
-        std::array<std::uint32_t, kBins> count{};
-        for (std::size_t k = 0; k < count_; ++k) ++count[bin(found_[k])];
-        std::size_t about = 0;
-        for (std::size_t sum = count[0]; sum < most_; sum += count[++about]) {}
-        Near* const others = found_ + room();
-        std::size_t first = 0, rest = 0;
-        for (std::size_t k = 0; k < count_; ++k) {
-            const Near near = found_[k];
-            const bool nearer = bin(near) < about;
-            found_[first] = near;
-            others[rest] = near;
-            first += nearer ? 1 : 0;
-            rest += nearer ? 0 : 1;
+        const std::size_t room = most_ + kSpare + 2 * kLanes;
+        if (out.numbers.size() < room) {
+            out.numbers.resize(room);
+            out.distances2.resize(room);
+            out.parted.resize(room);
+            out.bins.resize(room);
         }
-        std::nth_element(others, others + (most_ - 1 - first), others + rest,
-                         [](const Near& a, const Near& b) { return a.distance2 < b.distance2; });
-        std::copy_n(others, rest, found_ + first);
-        bound_ = static_cast<double>(found_[most_ - 1].distance2);
+        distance2_ = out.distances2.data();
+        parted_ = out.parted.data();
+        bin_ = out.bins.data();
+        number_ = out.numbers.data();
+        // A coordinate as the sum of two numbers in single precision: what is subtracted from them is right to the
+        // last.
+        for (int k = 0; k < 3; ++k) {
+            high_[k] = static_cast<float>(point_[k]);
+            low_[k] = static_cast<float>(point_[k] - static_cast<double>(high_[k]));
+        }
     }
-    std::size_t room() const { return most_ + kSpare + kLanes; }
-    double exact(const Near& near) const { return distance2(near.photon); }
+
+    /// What should hold the nearest: around a point nearby they were found so near.
+    double likely(const NearPhotons& before) const
+    {
+        constexpr double kWider = 1.25, kSure = 1.0 + 1e-5;
+        if (!(before.likely2 > 0.0)) return all_;
+        if constexpr (kFlat) return kWider * before.likely2;
+        const double radius = std::sqrt(before.likely2) + glm::distance(point_, before.asked);
+        return kSure * radius * radius;
+    }
+
+    /// The `keep` nearest stay, and bound_ is the farthest of them. Counted by distance first, which needs no guesses
+    /// of the processor: only what lies about where they part is put in order.
+    void part(std::size_t keep)
+    {
+        constexpr std::size_t kBins = 128;
+        const Float scale(static_cast<float>(static_cast<double>(kBins) / bound_)), last(static_cast<float>(kBins - 1));
+        std::array<std::uint32_t, kBins> count{};
+        for (std::size_t k = 0; k < count_; k += Float::size)
+            xsimd::to_int(xsimd::min(Float::load_unaligned(distance2_ + k) * scale, last)).store_unaligned(bin_ + k);
+        for (std::size_t k = 0; k < count_; ++k) ++count[static_cast<std::size_t>(bin_[k])];
+        std::int32_t about = 0;
+        std::size_t nearer = 0;
+        for (std::size_t here = count[0]; nearer + here < keep; here = count[static_cast<std::size_t>(++about)])
+            nearer += here;
+        std::size_t n = 0;
+        for (std::size_t k = 0; k < count_; ++k) {
+            parted_[n] = distance2_[k];
+            n += bin_[k] == about ? 1 : 0;
+        }
+        std::nth_element(parted_, parted_ + (keep - 1 - nearer), parted_ + n);
+        const float farthest = parted_[keep - 1 - nearer];
+        std::size_t alike = keep - nearer;  // how many as far as the farthest stay
+        for (std::size_t k = 0; k < n; ++k) alike -= parted_[k] < farthest ? 1 : 0;
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < count_; k += kLanes) {
+            std::uint32_t stay = 0, as_far = 0;
+            for (std::size_t i = 0; i < kLanes; i += Float::size) {
+                const Float d2 = Float::load_unaligned(distance2_ + k + i);
+                stay |= csg::lanes::mask(d2 < Float(farthest)) << i;
+                as_far |= csg::lanes::mask(d2 == Float(farthest)) << i;
+            }
+            if (count_ - k < kLanes) {
+                const std::uint32_t left = (1u << (count_ - k)) - 1u;
+                stay &= left;
+                as_far &= left;
+            }
+            for (; as_far != 0 && alike > 0; as_far &= as_far - 1, --alike) stay |= as_far & (~as_far + 1u);
+            kept += pack(stay, distance2_ + k, number_ + k, distance2_ + kept, number_ + kept);
+        }
+        count_ = kept;
+        bound_ = static_cast<double>(farthest);
+    }
+    double exact(std::uint32_t photon) const { return distance2(photon); }
 
     double distance2(double dx, double dy, double dz) const
     {
         const double d2 = dx * dx + dy * dy + dz * dz;
         if constexpr (!kFlat) return d2;
         return d2 * (1.0 + kFlattening * std::abs(normal_.x * dx + normal_.y * dy + normal_.z * dz));
+    }
+    /// In single precision, which is enough to tell which are nearest.
+    Float distances2(const Float& x, const Float& y, const Float& z) const
+    {
+        const Float dx = x - Float(high_.x) - Float(low_.x), dy = y - Float(high_.y) - Float(low_.y),
+                    dz = z - Float(high_.z) - Float(low_.z), d2 = dx * dx + dy * dy + dz * dz;
+        if constexpr (!kFlat) return d2;
+        const glm::vec3 n(normal_);
+        return d2 * (Float(1.0f) + Float(static_cast<float>(kFlattening)) *
+                                       xsimd::abs(Float(n.x) * dx + Float(n.y) * dy + Float(n.z) * dz));
     }
     double distance2(std::size_t i) const
     {
@@ -128,159 +184,118 @@ private:
         const bool beyond = photon < gate ? !(off > 0.0) : off > 0.0;
         return !beyond || off * off < all_;
     }
-    /// Whether the vicinity holds all that is nearer than the bound; it is made anew where it does not.
-    bool covers(PhotonVicinity& vicinity, double bound)
-    {
-        constexpr double kSpareReach =
-            1.35;  // shares of the radius: a wider one serves more points and holds more photons
-        constexpr std::size_t kMostHeld = 2048;
-        const double radius = std::sqrt(bound);
-        if (glm::distance(point_, vicinity.center) + radius <= vicinity.reach) return true;
-        vicinity.center = point_;
-        vicinity.reach = kSpareReach * radius;
-        vicinity.x.clear();
-        vicinity.y.clear();
-        vicinity.z.clear();
-        vicinity.photon.clear();
-        const double reach2 = vicinity.reach * vicinity.reach;
-        walk([&] { return vicinity.photon.size() > kMostHeld ? 0.0 : reach2; },
-             [&](std::size_t first, std::size_t end) {
-                 for (std::size_t i = first; i < end; ++i) {
-                     const glm::dvec3 off = offset(i);
-                     if (!(glm::dot(off, off) < reach2)) continue;
-                     vicinity.x.push_back(static_cast<float>(off.x));
-                     vicinity.y.push_back(static_cast<float>(off.y));
-                     vicinity.z.push_back(static_cast<float>(off.z));
-                     vicinity.photon.push_back(static_cast<std::uint32_t>(i));
-                 }
-             });
-        if (vicinity.photon.size() > kMostHeld) {
-            vicinity.reach = 0.0;
-            return false;
-        }
-        // Lanes may look beyond the last.
-        for (std::vector<float>* lane : {&vicinity.x, &vicinity.y, &vicinity.z})
-            lane->resize(vicinity.photon.size() + kLanes, 0.0f);
-        return true;
-    }
-
-    /// The photons of a vicinity that are nearer than the bound.
-    void scan(const PhotonVicinity& vicinity, double bound)
-    {
-        count_ = 0;
-        bound_ = bound;
-        using csg::lanes::FloatPart;
-        const glm::vec3 from(point_ - vicinity.center), n(normal_);
-        const FloatPart fx(from.x), fy(from.y), fz(from.z);
-        auto limit = static_cast<float>(bound_);
-        const std::size_t held = vicinity.photon.size();
-        alignas(64) std::array<float, kLanes> d2;
-        for (std::size_t i = 0; i < held; i += kLanes) {
-            std::uint32_t near = 0;
-            for (std::size_t part = 0; part < kLanes; part += csg::lanes::kFloatPart) {
-                const FloatPart dx = FloatPart::load_unaligned(&vicinity.x[i + part]) - fx,
-                                dy = FloatPart::load_unaligned(&vicinity.y[i + part]) - fy,
-                                dz = FloatPart::load_unaligned(&vicinity.z[i + part]) - fz;
-                FloatPart here = dx * dx + dy * dy + dz * dz;
-                if constexpr (kFlat)
-                    here = here * (FloatPart(1.0f) +
-                                   FloatPart(static_cast<float>(kFlattening)) *
-                                       xsimd::abs(FloatPart(n.x) * dx + FloatPart(n.y) * dy + FloatPart(n.z) * dz));
-                here.store_aligned(&d2[part]);
-                near |= csg::lanes::mask(here < FloatPart(limit)) << part;
-            }
-            if (held - i < kLanes) near &= (1u << (held - i)) - 1u;
-            for (; near != 0; near &= near - 1) {
-                const auto k = static_cast<std::size_t>(std::countr_zero(near));
-                const std::uint32_t photon = vicinity.photon[i + k];
-                found_[count_] = {d2[k], photon};
-                count_ += reached(photon) ? 1 : 0;
-            }
-            if (count_ < most_ + kSpare) continue;
-            make_room();
-            limit = static_cast<float>(bound_);
-        }
-    }
-
-    glm::dvec3 offset(std::size_t i) const
-    {
-        return {static_cast<double>(places_.x[i]) - point_.x, static_cast<double>(places_.y[i]) - point_.y,
-                static_cast<double>(places_.z[i]) - point_.z};
-    }
-
     /// At least the most_ + 1 nearest nearer than the bound, or all.
     void collect(double bound)
     {
         count_ = 0;
         bound_ = bound;
-        walk([this] { return bound_; }, [this](std::size_t first, std::size_t end) { scan(first, end); });
-    }
-
-    /// f(first, end) for runs of photons, the near ones first, that hold all whose squared distance is below limit().
-    template <class Limit, class F>
-    void walk(Limit&& limit, F&& f) const
-    {
+        if (boxes_.levels() == 0) return;
         struct Waiting {
-            std::size_t first, end;
-            glm::dvec3 off;  ///< of the subtree's space from the point, along each axis
-            double distance2;
+            float distance2;
+            std::uint32_t level, node;
         };
-        std::array<Waiting, 64> waiting;
+        std::array<Waiting, kLanes * 12> waiting;  // eights of eights: a map has fewer levels than that
         std::size_t count = 0;
-        waiting[count++] = {0, places_.size(), glm::dvec3(0), 0.0};
+        waiting[count++] = {0.0f, static_cast<std::uint32_t>(boxes_.levels() - 1), 0};
         while (count > 0) {
-            Waiting at = waiting[--count];
-            if (at.distance2 >= limit()) continue;
-            while (at.end - at.first > kSmall) {
-                const std::size_t middle = (at.first + at.end - 1) / 2;  // of the first and the last
-                const int axis = places_.axis[middle];
-                const double off = places_.along(middle, axis) - point_[axis];
-                if (off * off < limit()) f(middle, middle + 1);
-                Waiting& far = waiting[count];
-                far = at;
-                if (off > 0.0) at.end = middle, far.first = middle + 1;
-                else at.first = middle + 1, far.end = middle;
-                far.distance2 += off * off - far.off[axis] * far.off[axis];
-                far.off[axis] = off;
-                count += far.distance2 < limit() ? 1 : 0;
+            const Waiting at = waiting[--count];
+            if (static_cast<double>(at.distance2) >= bound_) continue;
+            alignas(64) std::array<float, kLanes> away;
+            std::uint32_t near = open(boxes_.node(at.level, at.node), away);
+            if (at.level == 0) {
+                for (; near != 0; near &= near - 1)
+                    look(boxes_.leaf(kLanes * at.node + static_cast<std::size_t>(std::countr_zero(near))));
+                continue;
             }
-            f(at.first, at.end);
+            // The nearest comes to lie on top.
+            const std::size_t first = count;
+            for (; near != 0; near &= near - 1) {
+                const auto k = static_cast<std::uint32_t>(std::countr_zero(near));
+                const Waiting child{away[k], at.level - 1, static_cast<std::uint32_t>(kLanes) * at.node + k};
+                std::size_t to = count++;
+                for (; to > first && waiting[to - 1].distance2 < child.distance2; --to) waiting[to] = waiting[to - 1];
+                waiting[to] = child;
+            }
         }
     }
 
-    void scan(std::size_t first, std::size_t end)
+    static Float load(const std::array<float, kLanes>& from, std::size_t at)
     {
-        for (std::size_t i = first; i < end; i += kLanes) {
-            alignas(64) std::array<double, kLanes> d2;
-            const float *x = &places_.x[i], *y = &places_.y[i], *z = &places_.z[i];
-            for (std::size_t k = 0; k < kLanes; ++k)
-                d2[k] = distance2(static_cast<double>(x[k]) - point_.x, static_cast<double>(y[k]) - point_.y,
-                                  static_cast<double>(z[k]) - point_.z);
-            const std::size_t lanes = std::min(kLanes, end - i);
-            for (std::size_t k = 0; k < lanes; ++k) {
-                if (!(d2[k] < bound_)) continue;
-                const auto photon = static_cast<std::uint32_t>(i + k);
-                found_[count_] = {static_cast<float>(d2[k]), photon};
-                count_ += reached(photon) ? 1 : 0;
-            }
-            if (count_ >= most_ + kSpare) make_room();
-        }
+        return Float::load_aligned(from.data() + at);
     }
 
-    /// The nearest and one more stay.
-    void make_room()
+    /// How far off the boxes of a node are, squared, and which of them are near enough.
+    std::uint32_t open(const PhotonBoxes::Node& node, std::array<float, kLanes>& away) const
     {
-        part();
-        for (std::size_t k = most_ + 1; k < count_; ++k)
-            if (found_[k].distance2 < found_[most_].distance2) std::swap(found_[k], found_[most_]);
-        count_ = most_ + 1;
-        bound_ = static_cast<double>(found_[most_].distance2);
+        // Rounding may put a box farther off than it is: by less than this share.
+        constexpr float kNearer = 1.0f - 1e-5f;
+        const Float zero(0.0f), x(high_.x), y(high_.y), z(high_.z), rest_x(low_.x), rest_y(low_.y), rest_z(low_.z);
+        const Float limit(static_cast<float>(bound_));
+        std::uint32_t near = 0;
+        for (std::size_t k = 0; k < kLanes; k += Float::size) {
+            const auto off = [&](const std::array<float, kLanes>& low, const std::array<float, kLanes>& high, Float at,
+                                 Float rest) {
+                return xsimd::max(xsimd::max((load(low, k) - at) - rest, rest - (load(high, k) - at)), zero);
+            };
+            const Float dx = off(node.low_x, node.high_x, x, rest_x), dy = off(node.low_y, node.high_y, y, rest_y),
+                        dz = off(node.low_z, node.high_z, z, rest_z);
+            const Float d2 = Float(kNearer) * (dx * dx + dy * dy + dz * dz);
+            d2.store_aligned(away.data() + k);
+            near |= csg::lanes::mask(d2 < limit) << k;
+        }
+        return near;
+    }
+
+    /// Keeps those of eight photons that are nearer than the bound.
+    void look(const PhotonBoxes::Leaf& leaf)
+    {
+        const Float limit(static_cast<float>(bound_));
+        alignas(64) std::array<float, kLanes> d2;
+        std::uint32_t near = 0;
+        for (std::size_t k = 0; k < kLanes; k += Float::size) {
+            const Float here = distances2(load(leaf.x, k), load(leaf.y, k), load(leaf.z, k));
+            here.store_aligned(d2.data() + k);
+            near |= csg::lanes::mask(here < limit) << k;
+        }
+        for (std::uint32_t gated = near & leaf.gated; gated != 0; gated &= gated - 1) {
+            const int k = std::countr_zero(gated);
+            if (!reached(leaf.photon[static_cast<std::size_t>(k)])) near &= ~(1u << k);
+        }
+        count_ += pack(near, d2.data(), leaf.photon.data(), distance2_ + count_, number_ + count_);
+        if (count_ >= most_ + kSpare) part(most_ + 1);  // the nearest and one more
+    }
+
+    /// Photons of a part that are in reach. others: whether there are some that are not of the nearest.
+    std::size_t count_in_reach(std::size_t first, std::size_t end, bool& others) const
+    {
+        constexpr double kSurely = 1.0 + 1e-5;
+        const Float least(static_cast<float>(bound_ * kRounding * kSurely)), most(static_cast<float>(all_)),
+            surely(static_cast<float>(all_ / kSurely));
+        std::size_t count = 0;
+        std::uint32_t beyond = 0;
+        for (std::size_t i = first; i < end; i += Float::size) {
+            const Float d2 = distances2(Float::load_unaligned(&places_.x[i]), Float::load_unaligned(&places_.y[i]),
+                                        Float::load_unaligned(&places_.z[i]));
+            const std::uint32_t part = end - i < Float::size ? (1u << (end - i)) - 1u : ~0u;
+            count += static_cast<std::size_t>(std::popcount(csg::lanes::mask(d2 < most) & part));
+            beyond |= csg::lanes::mask((d2 > least) & (d2 < surely)) & part;
+        }
+        others = beyond != 0;
+        return count;
     }
 
     /// Whether the first photons that POV-Ray comes to are the nearest. The first that it comes to when it has enough
     /// takes the place of the farthest of them even if it lies farther, for its limit is that of the search until then;
     /// that shows only here.
     bool nearest_come_first() const
+    {
+        const Order order = order_of_first(most_);
+        return (order == Order::Unknown ? order_of_first(0) : order) == Order::NearestFirst;
+    }
+
+    /// Parts of POV-Ray's tree of up to `together` photons are looked at as one, which may leave it unknown.
+    enum class Order : std::uint8_t { NearestFirst, OthersBetween, Unknown };
+    Order order_of_first(std::size_t together) const
     {
         struct Waiting {
             std::size_t first, end;
@@ -292,11 +307,17 @@ private:
         while (count > 0 && met < most_) {
             const Waiting at = waiting[--count];
             if (at.first >= at.end) continue;
+            if (at.end - at.first <= together && !at.alone) {
+                bool others = false;
+                met += count_in_reach(at.first, at.end, others);
+                if (others) return met <= most_ ? Order::OthersBetween : Order::Unknown;
+                continue;
+            }
             const std::size_t middle = (at.first + at.end - 1) / 2;
             if (at.alone) {
                 const double d2 = distance2(middle);
                 if (!(d2 < all_)) continue;
-                if (d2 > bound_ * kRounding) return false;
+                if (d2 > bound_ * kRounding) return Order::OthersBetween;
                 ++met;
                 continue;
             }
@@ -309,13 +330,15 @@ private:
             }
             waiting[count++] = off > 0.0 ? below : above;
         }
-        return met == most_;
+        return met >= most_ ? Order::NearestFirst : Order::OthersBetween;
     }
 
     /// POV-Ray's own way: photon by photon, with a heap. Its limit is that of the search until the heap is full, so
     /// that the first photon that comes then takes the place of the farthest even if it lies farther.
-    void walk_in_order()
+    void walk_in_order(NearPhotons& out)
     {
+        out.found.resize(most_);
+        Near* const found = out.found.data();
         struct Waiting {
             std::size_t first, end;
             enum Part : std::uint8_t { Whole, Far, Node } part;
@@ -346,23 +369,28 @@ private:
                 if (!(d2 < bound_)) continue;
                 const Near here{static_cast<float>(d2), static_cast<std::uint32_t>(middle)};
                 if (count_ < most_) {
-                    found_[count_++] = here;
-                    std::push_heap(found_, found_ + count_, nearer);
+                    found[count_++] = here;
+                    std::push_heap(found, found + count_, nearer);
                     continue;
                 }
-                std::pop_heap(found_, found_ + count_, nearer);
-                found_[count_ - 1] = here;
-                std::push_heap(found_, found_ + count_, nearer);
-                bound_ = exact(found_[0]);
+                std::pop_heap(found, found + count_, nearer);
+                found[count_ - 1] = here;
+                std::push_heap(found, found + count_, nearer);
+                bound_ = exact(found[0].photon);
             }
         }
+        out.found.resize(count_);
     }
 
     const PhotonPlaces& places_;
+    const PhotonBoxes& boxes_;
     const glm::dvec3 point_, normal_;
     const std::size_t most_;
+    glm::vec3 high_{0}, low_{0};
     double all_ = 0, bound_ = 0;
-    Near* found_ = nullptr;
+    float *distance2_ = nullptr, *parted_ = nullptr;
+    std::int32_t* bin_ = nullptr;
+    std::uint32_t* number_ = nullptr;
     std::size_t count_ = 0;
 };
 

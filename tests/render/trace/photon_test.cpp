@@ -157,6 +157,8 @@ TEST_CASE("the search finds what POV-Ray's heap is left with", "[photons]")
         map.build(random_photons(random, 3000, flat));
         trace::PhotonPlaces places;
         places.take(map.photons());
+        trace::PhotonBoxes boxes;
+        boxes.take(places);
         trace::NearPhotons found;
         for (int i = 0; i < 600; ++i) {
             if (i % 8 == 0) found.forget();
@@ -165,8 +167,8 @@ TEST_CASE("the search finds what POV-Ray's heap is left with", "[photons]")
             const glm::dvec3* normal = i % 2 == 0 ? &up : nullptr;
             const double radius = 0.05 * (1 + i % 23);
             const int most = 5 + i % 90;
-            if (normal != nullptr) trace::PhotonSearch<true>(places, point, up, most).find(radius, found);
-            else trace::PhotonSearch<false>(places, point, up, most).find(radius, found);
+            if (normal != nullptr) trace::PhotonSearch<true>(places, boxes, point, up, most).find(radius, found);
+            else trace::PhotonSearch<false>(places, boxes, point, up, most).find(radius, found);
             const HeapSearch known(map.photons(), point, radius, normal, static_cast<std::size_t>(most));
             std::vector<std::size_t> a, b;
             for (const trace::NearPhotons::Near& near : found.found) a.push_back(near.photon);
@@ -176,8 +178,8 @@ TEST_CASE("the search finds what POV-Ray's heap is left with", "[photons]")
             ++asked;
             same += a == b && found.radius2 == Approx(known.limit).epsilon(1e-12) ? 1 : 0;
             CHECK(found.found.size() == known.heap.size());
-            if (normal != nullptr) trace::PhotonSearch<true>(places, point, up, most).find_in_order(radius, found);
-            else trace::PhotonSearch<false>(places, point, up, most).find_in_order(radius, found);
+            if (normal != nullptr) trace::PhotonSearch<true>(places, boxes, point, up, most).find_in_order(radius, found);
+            else trace::PhotonSearch<false>(places, boxes, point, up, most).find_in_order(radius, found);
             CHECK(found.found.size() == known.heap.size());
             CHECK(found.radius2 == Approx(known.limit).epsilon(1e-6));
         }
