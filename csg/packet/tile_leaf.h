@@ -40,9 +40,8 @@ struct TileLeaf {
             return;
         }
         const auto& start = world.bvh.triangle_first;
-        for (RayMask left = mask; left != 0; left &= left - 1)
-            for (std::uint32_t k = start[leaf.index()]; k < start[leaf.index() + 1]; ++k)
-                each(world.bvh.triangle_members[k], std::countr_zero(left));
+        for (std::uint32_t k = start[leaf.index()]; k < start[leaf.index() + 1]; ++k)
+            triangle(world.bvh.triangle_members[k], mask);
     }
 
     /// An item against the rays of the mask.
@@ -136,6 +135,14 @@ private:
             query.solid(index, ends.met[which], [&](int i) { return ends.piece(which, i); });
         for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));
         return true;
+    }
+
+    /// A lone triangle without a guard, as all are that leaves of triangles hold.
+    void triangle(std::uint32_t index, RayMask mask) const
+    {
+        const WorldItem& item = world.items[index];
+        if ((item.visible & kinds) == 0) return;
+        lanes::with_test(world.store, item.solid, rays, [&](const auto& at) { query.solid(index, mask, at); });
     }
 
     void spheres(const SphereBlock& block, int first, int last) const

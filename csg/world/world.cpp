@@ -20,8 +20,11 @@ inline void open_block(const WorldData& world, ChildWord leaf, const Ray& ray, E
     case LeafKind::Item: each(leaf.index()); return;
     case LeafKind::Triangles:
         for (std::uint32_t k = world.bvh.triangle_first[leaf.index()]; k < world.bvh.triangle_first[leaf.index() + 1];
-             ++k)
-            each(world.bvh.triangle_members[k]);
+             ++k) {
+            const std::uint32_t item = world.bvh.triangle_members[k];
+            double t = 0.0;
+            if (world.store.all<Triangle>()[index_of(world.items[item].solid)].crossing(ray, t)) each(item);
+        }
         return;
     case LeafKind::Spheres: {
         alignas(64) double near[8], far[8];
