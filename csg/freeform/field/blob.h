@@ -71,9 +71,10 @@ private:
 
     void add(const Component& component);
     void bound();
-    void gather(const Field& field, const Ray& ray, double inverse, double from, double to,
-                std::vector<Stretch>& out) const;
-    void gather_capsule(const Field& field, const Ray& ray, double from, double to, std::vector<Stretch>& out) const;
+    void intersect(const Ray& ray, Walk& walk, IntersectionList& out) const;
+    /// Writes the stretches that the ray has in a component, three at most, and moves on behind them.
+    void gather(const Field& field, const Ray& ray, double inverse, double from, double to, Stretch*& out) const;
+    void gather_capsule(const Field& field, const Ray& ray, double from, double to, Stretch*& out) const;
     template <class F>
     void each_near(const glm::dvec3& p, F&& f) const;
 

@@ -5,6 +5,7 @@
 #include "render/trace/media/media_scratch.h"
 #include "render/trace/radiosity/gather_scratch.h"
 #include "render/trace/shade/shade_scratch.h"
+#include "render/trace/subsurface/subsurface_scratch.h"
 
 #include <cstdint>
 #include <memory>
@@ -54,6 +55,12 @@ struct Scratch {
         if (!media_) media_ = std::make_unique<MediaScratch>();
         return *media_;
     }
+    /// Of light below surfaces, likewise.
+    SubsurfaceScratch& subsurface()
+    {
+        if (!subsurface_) subsurface_ = std::make_unique<SubsurfaceScratch>();
+        return *subsurface_;
+    }
     RayCounts all_counts() const
     {
         RayCounts sum = counts;
@@ -64,6 +71,7 @@ struct Scratch {
 private:
     std::unique_ptr<Scratch> nested_;
     std::unique_ptr<MediaScratch> media_;
+    std::unique_ptr<SubsurfaceScratch> subsurface_;
 };
 
 }  // namespace trace

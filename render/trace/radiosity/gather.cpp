@@ -13,7 +13,7 @@
 namespace trace::radiosity {
 namespace {
 
-constexpr std::size_t kWays = 2048;  ///< of directions, for sorting
+constexpr std::uint32_t kLowWays = 64, kHighWays = 32;  ///< directions are sorted by a number below their product
 constexpr double kNothing = 2e10;    ///< how far off the nearest thing is where there is none
 
 class Gatherer {
@@ -126,7 +126,8 @@ private:
         scratch_.keys.clear();
         for (const GatherRay& ray : scratch_.pending)
             scratch_.keys.push_back(static_cast<std::uint16_t>(way(ray.direction)));
-        count_out(kWays, [this](std::uint32_t i) { return std::uint32_t{scratch_.keys[i]}; });
+        count_out(kLowWays, [this](std::uint32_t i) { return scratch_.keys[i] % kLowWays; });
+        count_out(kHighWays, [this](std::uint32_t i) { return scratch_.keys[i] / kLowWays; });
         if (context_.bounce > 0)
             count_out(kTileRays, [this](std::uint32_t i) { return std::uint32_t{scratch_.pending[i].owner}; });
     }

@@ -36,7 +36,16 @@ public:
     void ask(const SampleGrid& grid)
     {
         if (grid.empty()) return;
-        for (const SampleGrid::Level& level : grid.levels()) ask(grid, level);
+        std::array<List, kMostLists> lists;
+        std::size_t count = 0;
+        for (const SampleGrid::Level& level : grid.levels()) {
+            if (count + kLanes > kMostLists) {
+                read(grid, lists.data(), count);
+                count = 0;
+            }
+            add_lists(grid, level, lists.data(), count);
+        }
+        read(grid, lists.data(), count);
     }
 
     /// One sample that all points find.
@@ -60,7 +69,18 @@ private:
     using Floats = std::array<float, kLanes>;
     using Float = csg::lanes::FloatPart;
 
-    void ask(const SampleGrid& grid, const SampleGrid::Level& level)
+    /// A list of samples that some points read. They lie anywhere in memory: it is asked for what is needed of several
+    /// of them before any is looked at.
+    struct List {
+        std::uint64_t key;
+        glm::dvec3 from;     ///< what its samples are counted from
+        std::uint32_t same;  ///< a bit each: the points that read it
+        std::uint32_t chunk;
+    };
+    static constexpr std::size_t kMostLists = 64;
+
+    /// The lists of one size of cells.
+    void add_lists(const SampleGrid& grid, const SampleGrid::Level& level, List* lists, std::size_t& count) const
     {
         std::array<glm::dvec3, kLanes> corner;
         std::array<std::uint64_t, kLanes> key;
@@ -74,19 +94,44 @@ private:
             std::uint32_t same = 0;
             for (std::size_t k = first; k < count_; ++k) same |= key[k] == key[first] ? 1u << k : 0u;
             left &= ~same;
-            std::uint32_t at = grid.find(key[first]);
-            if (at == SampleGrid::kNone) continue;
-            const glm::dvec3 from = corner[first] * level.size - CellPlace::kOrigin;
-            for (std::size_t k = 0; k < kLanes; ++k) {
-                const bool in = (same >> k & 1u) != 0;
-                const glm::vec3 v(in ? point_[k] - from : glm::dvec3(0));
-                x_[k] = v.x, y_[k] = v.y, z_[k] = v.z;
-                here_[k] = in ? bound_[k] : 0.0f;
+            lists[count++] = {key[first], corner[first] * level.size - CellPlace::kOrigin, same, SampleGrid::kNone};
+            grid.fetch_list(key[first]);
+        }
+    }
+
+    void read(const SampleGrid& grid, List* lists, std::size_t count)
+    {
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            List list = lists[i];
+            list.chunk = grid.find(list.key);
+            if (list.chunk == SampleGrid::kNone) continue;
+            grid.fetch_chunk(list.chunk);
+            lists[found++] = list;
+        }
+        for (std::size_t i = 0; i < found; ++i) read(grid, lists[i]);
+    }
+
+    void read(const SampleGrid& grid, const List& list)
+    {
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            const bool in = (list.same >> k & 1u) != 0;
+            const glm::vec3 v(in ? point_[k] - list.from : glm::dvec3(0));
+            x_[k] = v.x, y_[k] = v.y, z_[k] = v.z;
+            here_[k] = in ? bound_[k] : 0.0f;
+        }
+        for (std::uint32_t at = list.chunk; at != SampleGrid::kNone; at = grid.chunk(at).next) {
+            const SampleGrid::Chunk& chunk = grid.chunk(at);
+            if (chunk.next != SampleGrid::kNone) grid.fetch_chunk(chunk.next);
+            std::uint32_t close = 0;
+            for (std::size_t i = 0; i < chunk.count; ++i) {
+                if (!near(chunk, i)) continue;
+                close |= 1u << i;
+                grid.fetch_sample(chunk.number[i]);
             }
-            for (; at != SampleGrid::kNone; at = grid.chunk(at).next) {
-                const SampleGrid::Chunk& chunk = grid.chunk(at);
-                for (std::size_t i = 0; i < chunk.count; ++i)
-                    if (near(chunk, i)) weigh(grid.samples()[chunk.number[i]], {chunk.x[i], chunk.y[i], chunk.z[i]});
+            for (; close != 0; close &= close - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(close));
+                weigh(grid.samples()[chunk.number[i]], {chunk.x[i], chunk.y[i], chunk.z[i]});
             }
         }
     }

@@ -102,6 +102,11 @@ public:
     }
     const Chunk& chunk(std::uint32_t number) const { return chunks_[number]; }
 
+    /// Asks memory for what find(), chunk() and samples() will look at.
+    void fetch_list(std::uint64_t key) const { fetch(&slots_[home(key)], sizeof(Slot)); }
+    void fetch_chunk(std::uint32_t number) const { fetch(&chunks_[number], sizeof(Chunk)); }
+    void fetch_sample(std::uint32_t number) const { fetch(&samples_[number], sizeof(Sample)); }
+
     /// radius: of the ball that it is filed for.
     void add(const Sample& sample, double radius)
     {
@@ -131,6 +136,12 @@ private:
         std::uint64_t key = 0;  ///< the place's: two places with one key share a list, which does no harm
         std::uint32_t first = kNone, last = kNone;
     };
+
+    static void fetch(const void* at, std::size_t size)
+    {
+        constexpr std::size_t kLine = 64;
+        for (std::size_t i = 0; i < size; i += kLine) __builtin_prefetch(static_cast<const char*>(at) + i);
+    }
 
     void use_level(int number)
     {

@@ -5,7 +5,7 @@
 #include "render/trace/radiosity/ambient.h"
 #include "render/trace/random.h"
 #include "render/trace/shade/shade.h"
-#include "render/trace/subsurface/scattering.h"
+#include "render/trace/subsurface/subsurface_scratch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,26 +15,14 @@ namespace {
 
 constexpr double kFromBelow = 1e-10;  ///< where rays from below a surface begin: they start on none
 
-/// A row that waits for light from below.
-struct Site {
-    std::size_t lane, row;
-    std::uint32_t interior;
-    glm::dvec3 point, normal, viewer;  ///< unit; the normal faces the viewer
-    Scattering matter;
-    std::uint64_t seed;
-    glm::dvec3 base;  ///< rays are sent from there
-    glm::dvec3 diffuse{0}, single{0}, unscattered{0};
-    int met = 0;  ///< rays that met something
-
-    double cosine() const { return glm::dot(normal, viewer); }
-};
-
 class SubsurfaceLight {
 public:
     SubsurfaceLight(Context& context, const SegmentTile& tile)
         : context_(context), plan_(*context.scene.subsurface), tile_(tile), own_(context, context.scratch.nested()),
+          sites_(context.scratch.subsurface().sites), ways_(context.scratch.subsurface().ways),
           photons_(has_surface_photons(context))
     {
+        sites_.clear();
         ++own_.below;
         if (own_.scratch.shade.traits.surfaces.empty()) own_.scratch.shade.traits = context.scratch.shade.traits;
         around_.fill(&nothing_);
@@ -75,17 +63,17 @@ public:
     template <class F>
     void each(F&& f) const
     {
-        for (const Site& site : sites_)
+        for (const SubsurfaceSite& site : sites_)
             f(site.lane, site.row, glm::vec3(site.diffuse + site.single + site.unscattered));
     }
 
 private:
     std::uint32_t interior_of(csg::SurfaceId surface) const { return context_.scene.surfaces[surface].interior; }
 
-    void trace(int count)
+    void trace(int count, bool common_origin = false)
     {
         rays_.count = count;
-        rays_.common_origin = false;
+        rays_.common_origin = common_origin;
         context_.world.nearest(rays_, bit(plan::RayKind::Image), own_.scratch.geometry, met_);
         found_ = first_hits(count) & ~csg::lanes::equal(met_.surface, csg::kNoSurface);
     }
@@ -96,12 +84,12 @@ private:
         for (std::size_t first = 0; first < sites_.size(); first += kTileRays) {
             const std::size_t count = std::min<std::size_t>(kTileRays, sites_.size() - first);
             for (std::size_t i = 0; i < count; ++i) {
-                const Site& site = sites_[first + i];
+                const SubsurfaceSite& site = sites_[first + i];
                 rays_.set(i, {site.point, -site.normal}, context_.scene.tolerance.hit, 2.0 * way_of(site));
             }
             trace(static_cast<int>(count));
             for (std::size_t i = 0; i < count; ++i) {
-                Site& site = sites_[first + i];
+                SubsurfaceSite& site = sites_[first + i];
                 double way = way_of(site);
                 if (has(found_, i) && interior_of(met_.surface[i]) == site.interior) way = 0.5 * met_.t[i];
                 else if (has(found_, i)) way = std::min(way, met_.t[i] - kNearlyZero);
@@ -111,7 +99,7 @@ private:
     }
 
     /// Mean free path in scene units.
-    double way_of(const Site& site) const { return site.matter.mean_way() / plan_.mm_per_unit; }
+    double way_of(const SubsurfaceSite& site) const { return site.matter.mean_way() / plan_.mm_per_unit; }
 
     /// Light that goes in somewhere around the site, is scattered many times and comes out there (spec 6, 5.3).
     void add_diffuse(int samples)
@@ -123,7 +111,7 @@ private:
             waiting = 0;
         };
         for (std::size_t s = 0; s < sites_.size(); ++s) {
-            const Site& site = sites_[s];
+            const SubsurfaceSite& site = sites_[s];
             if (!(way_of(site) > 0.0)) continue;
             for (std::size_t i = 0; i < static_cast<std::size_t>(samples); ++i) {
                 owner_[waiting] = s;
@@ -133,23 +121,23 @@ private:
             }
         }
         flush();
-        for (Site& site : sites_)
+        for (SubsurfaceSite& site : sites_)
             if (site.met > 0) site.diffuse /= static_cast<double>(site.met);
     }
 
     void light_diffuse(int count)
     {
-        trace(count);
+        trace(count, owner_[0] == owner_[static_cast<std::size_t>(count) - 1]);
         HitMask same = 0;
         for_each_hit(found_, [&](std::size_t k) {
-            Site& site = sites_[owner_[k]];
+            SubsurfaceSite& site = sites_[owner_[k]];
             ++site.met;
             if (interior_of(met_.surface[k]) == site.interior) same |= HitMask{1} << k;
         });
         if (same == 0) return;
         context_.world.places(rays_, met_, same, places_);
         const auto add = [&](std::size_t k, double share, double cosine, const glm::vec3& color) {
-            Site& site = sites_[owner_[k]];
+            SubsurfaceSite& site = sites_[owner_[k]];
             share *= area(k) * fresnel_passed(cosine, site.matter.eta) * fresnel_passed(site.cosine(), site.matter.eta);
             const double apart = glm::length(places_.point(k) - site.point) * plan_.mm_per_unit;
             for (int c = 0; c < 3; ++c)
@@ -228,8 +216,8 @@ private:
         for (std::size_t first = 0; first < sites_.size(); first += kTileRays) {
             const std::size_t count = std::min<std::size_t>(kTileRays, sites_.size() - first);
             for (std::size_t i = 0; i < count; ++i) {
-                const Site& site = sites_[first + i];
-                Way& way = ways_[first + i];
+                const SubsurfaceSite& site = sites_[first + i];
+                WayBelow& way = ways_[first + i];
                 const double ratio = 1.0 / site.matter.eta, c = site.cosine(), k = 1.0 + ratio * ratio * (c * c - 1.0);
                 way.open = k >= 0.0;
                 way.direction = way.open ? glm::normalize(-ratio * site.viewer +
@@ -240,7 +228,7 @@ private:
             trace(static_cast<int>(count));
             context_.world.places(rays_, met_, found_, places_);
             for (std::size_t i = 0; i < count; ++i) {
-                Way& way = ways_[first + i];
+                WayBelow& way = ways_[first + i];
                 way.length = has(found_, i) ? met_.t[i] * plan_.mm_per_unit : csg::kInfinity;
                 way.same = has(found_, i) && interior_of(met_.surface[i]) == sites_[first + i].interior;
                 if (!way.same) continue;
@@ -280,7 +268,7 @@ private:
             }
             flush();
         }
-        for (Site& site : sites_)
+        for (SubsurfaceSite& site : sites_)
             if (samples > 0) site.single /= static_cast<double>(samples);
     }
 
@@ -299,7 +287,7 @@ private:
             points.add(has(same, k) ? places_.point(k) : glm::dvec3(0));
         points.pad();
         ask(light, same, points, [&](std::size_t k, const glm::dvec3& to_light, const glm::vec3& color) {
-            Site& site = sites_[owner_[k]];
+            SubsurfaceSite& site = sites_[owner_[k]];
             const int c = channel_[k];
             const double cosine = std::abs(glm::dot(places_.normal(k), to_light));
             if (!(cosine >= kNearlyZero)) return;
@@ -318,7 +306,7 @@ private:
             std::array<scene::Color, kTileRays> seen;
             shade_tile(own_, rays_, met_, RayState{}, nullptr, seen.data());
             for (std::size_t i = 0; i < waiting; ++i) {
-                Site& site = sites_[owner_[i]];
+                SubsurfaceSite& site = sites_[owner_[i]];
                 const double length = ways_[owner_[i]].length;
                 for (int c = 0; c < 3; ++c)
                     site.unscattered[c] += std::exp(-site.matter.extinction[c] * length) *
@@ -327,7 +315,7 @@ private:
             waiting = 0;
         };
         for (std::size_t s = 0; s < sites_.size(); ++s) {
-            const Way& way = ways_[s];
+            const WayBelow& way = ways_[s];
             const Scattering& matter = sites_[s].matter;
             if (!way.open || !way.same) continue;
             const double least = std::min({matter.extinction.x, matter.extinction.y, matter.extinction.z});
@@ -344,19 +332,12 @@ private:
         flush();
     }
 
-    /// The viewer's ray below the surface.
-    struct Way {
-        glm::dvec3 direction, end, normal;
-        double length;    ///< mm
-        bool open, same;  ///< it goes in; it ends at the same object
-    };
-
     Context& context_;
     const plan::SubsurfacePlan& plan_;
     const SegmentTile& tile_;
     Context own_;  ///< of rays and points below the surface
-    std::vector<Site> sites_;
-    std::vector<Way> ways_;
+    std::vector<SubsurfaceSite>& sites_;
+    std::vector<WayBelow>& ways_;
     const InteriorList nothing_{};
     std::array<const InteriorList*, csg::kTileRays> around_;
     RayTile rays_;
