@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parser/lexer/token.h"
+#include "render/scene/line_table.h"
 
 #include <string>
 #include <string_view>
@@ -20,17 +21,15 @@ struct SourceFile {
     std::vector<std::string> strings;  ///< raw text of String tokens, messages of Bad tokens
     std::vector<std::uint32_t> bad;    ///< indices of Bad tokens, ascending: skipped text must be well-formed too
 
-    struct Place {
-        std::uint32_t line, column;
-    };  ///< both from 1; column in bytes
-    Place locate(std::uint32_t offset) const;
+    using Place = scene::LineAndColumn;
+    Place locate(std::uint32_t offset) const { return lines().place(offset); }
+    const scene::LineTable& lines() const;  ///< made when it is asked for
     std::string_view line_text(std::uint32_t line) const;  ///< without its line end
     /// The text of a token as the author wrote it (a word, a number, a string with its quotes).
     std::string_view token_text(const Token& token) const;
 
 private:
-    mutable std::vector<std::uint32_t> line_starts_;
-    const std::vector<std::uint32_t>& line_starts() const;
+    mutable scene::LineTable lines_;
 };
 
 /// Turns file.text into tokens (spec 1, 1: comments nest, signs are never part of a number, ...).

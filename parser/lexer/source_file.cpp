@@ -4,32 +4,16 @@
 
 namespace parser {
 
-const std::vector<std::uint32_t>& SourceFile::line_starts() const
+const scene::LineTable& SourceFile::lines() const
 {
-    if (!line_starts_.empty()) return line_starts_;
-    line_starts_.push_back(0);
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        const char c = text[at];
-        if (c != '\n' && c != '\r') continue;
-        // CR LF and LF CR are one line end.
-        if (at + 1 < text.size() && text[at + 1] == (c == '\n' ? '\r' : '\n')) ++at;
-        line_starts_.push_back(static_cast<std::uint32_t>(at + 1));
-    }
-    return line_starts_;
-}
-
-SourceFile::Place SourceFile::locate(std::uint32_t offset) const
-{
-    const auto& starts = line_starts();
-    const auto line = std::upper_bound(starts.begin(), starts.end(), offset) - starts.begin();
-    return {static_cast<std::uint32_t>(line), offset - starts[static_cast<std::size_t>(line - 1)] + 1};
+    if (lines_.empty()) lines_ = scene::LineTable(text);
+    return lines_;
 }
 
 std::string_view SourceFile::line_text(std::uint32_t line) const
 {
-    const auto& starts = line_starts();
-    if (line == 0 || line > starts.size()) return {};
-    const std::string_view rest = std::string_view(text).substr(starts[line - 1]);
+    if (line == 0 || line > lines().lines()) return {};
+    const std::string_view rest = std::string_view(text).substr(lines().start(line));
     return rest.substr(0, rest.find_first_of("\r\n"));
 }
 

@@ -55,9 +55,10 @@ std::size_t character_start(std::string_view text, std::size_t at)
     return std::min(at, text.size());
 }
 
-std::string render_message(const SourceFile& file, std::uint32_t line, std::uint32_t column, std::string_view kind,
+std::string render_message(const SourceFile& file, const scene::LineAndColumn& at, std::string_view kind,
                            std::string_view text)
 {
+    const auto [line, column] = at;
     if (line == 0) return fmt::format("{}: {}: {}", file.path, kind, text);
     std::string source = printable(file.line_text(line));  // as many bytes
     std::size_t caret = column - 1;

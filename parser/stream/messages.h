@@ -11,7 +11,7 @@ namespace parser {
 
 /// `path:line:column: kind: text`, the source line and a caret under the column. Long lines are cut around the caret.
 /// `line` 0 (a place that stands nowhere): the text alone after the path.
-std::string render_message(const SourceFile& file, std::uint32_t line, std::uint32_t column, std::string_view kind,
+std::string render_message(const SourceFile& file, const scene::LineAndColumn& at, std::string_view kind,
                            std::string_view text);
 
 /// The text with '?' for control characters and for bytes that are no UTF-8; tabs stay.

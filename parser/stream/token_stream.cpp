@@ -212,8 +212,13 @@ bool TokenStream::execute(Kind word, std::uint32_t hash)
 scene::SourceRef TokenStream::place(const Token& token) const
 {
     if (token.file >= files_.size()) return {};
-    const auto found = files_[token.file]->locate(token.offset);
-    return {token.file, found.line, found.column};
+    return {token.file, token.offset};
+}
+
+scene::LineAndColumn TokenStream::line_and_column(const scene::SourceRef& at) const
+{
+    if (at.file >= files_.size() || !at.somewhere()) return {};
+    return files_[at.file]->locate(at.offset);
 }
 
 scene::SourceRef TokenStream::here() { return place(peek()); }
@@ -222,14 +227,14 @@ scene::SourceRef TokenStream::last() const { return place(*last_); }
 
 std::string TokenStream::line_of(const scene::SourceRef& at) const
 {
-    const std::string line = fmt::format("line {}", at.line);
+    const std::string line = fmt::format("line {}", line_and_column(at).line);
     return at.file == cursors_.back().file ? line : fmt::format("{} of {}", line, files_[at.file]->path);
 }
 
 std::string TokenStream::where_opened(std::string_view what, const scene::SourceRef& brace)
 {
     const scene::SourceRef now = here();
-    if (now.line == brace.line && now.file == brace.file) return {};
+    if (now.file == brace.file && line_and_column(now).line == line_and_column(brace).line) return {};
     return fmt::format("; the '{{' of {} stands in {}", what, line_of(brace));
 }
 
@@ -241,7 +246,7 @@ void TokenStream::expect_closing(std::string_view what, std::string_view block, 
 std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const
 {
     if (at.file >= files_.size()) return fmt::format("{}: {}", kind, text);
-    std::string all = render_message(*files_[at.file], at.line, at.column, kind, text);
+    std::string all = render_message(*files_[at.file], line_and_column(at), kind, text);
     constexpr std::size_t kMostNotes = 8;  // a runaway recursion has hundreds, most of them alike
     std::string note;
     std::size_t notes = 0, again = 0;
@@ -253,8 +258,9 @@ std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view k
     for (std::size_t i = cursors_.size(); i-- > 1 && notes < kMostNotes; ++again) {
         const Cursor& cursor = cursors_[i];
         const scene::SourceRef call = place(*cursor.call);
+        const scene::LineAndColumn at_call = line_and_column(call);
         std::string next =
-            fmt::format("{}:{}:{}: note: {}", files_[call.file]->path, call.line, call.column,
+            fmt::format("{}:{}:{}: note: {}", files_[call.file]->path, at_call.line, at_call.column,
                         cursor.macro ? "in the expansion of macro " + names_.word(cursor.name) : "included here");
         if (next == note) continue;
         if (!note.empty()) end_note();
@@ -321,8 +327,9 @@ void TokenStream::warn(const scene::SourceRef& at, std::string_view text)
 
 std::string TokenStream::first_line(const scene::SourceRef& at, std::string_view text) const
 {
-    return fmt::format("{}:{}:{}: warning: {}", at.file < files_.size() ? files_[at.file]->path : "", at.line,
-                       at.column, text);
+    const scene::LineAndColumn found = line_and_column(at);
+    return fmt::format("{}:{}:{}: warning: {}", at.file < files_.size() ? files_[at.file]->path : "", found.line,
+                       found.column, text);
 }
 
 /// #warning: each time, but what it is and how it was reached only once.

@@ -63,6 +63,7 @@ public:
     scene::SourceRef last() const;  ///< of the token taken last
     scene::SourceRef start() const { return place(files_.front()->tokens.front()); }  ///< of the scene's first token
     scene::SourceRef place(const Token& token) const;
+    scene::LineAndColumn line_and_column(const scene::SourceRef& at) const;  ///< for messages
     const Token& taken_last() const { return *last_; }
     [[noreturn]] void fail(const scene::SourceRef& at, std::string_view text);
     /// "expected <what>, found '<peek()>'" at peek(), and what else there is to say.
@@ -89,6 +90,7 @@ public:
     GrammarHooks& hooks() { return hooks_; }
     std::vector<std::uint32_t>& random_streams() { return random_streams_; }
     std::vector<std::string> files() const;  ///< paths in order of SourceRef::file
+    std::vector<scene::LineTable> lines() const;  ///< by file
     std::vector<Message>& messages() { return messages_; }
     const Statistics& statistics() const { return statistics_; }
     std::vector<std::string>& data_files() { return data_files_; }  ///< opened for reading, in order

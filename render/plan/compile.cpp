@@ -81,11 +81,11 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     out.radiosity = radiosity(description, out);
     out.tolerance = tolerance(out);
     find_camera_interiors(out);
-    for (const scene::Unsupported& note : notes) out.decisions.push_back({note.what, "not rendered yet", note.source});
+    for (const scene::Unsupported& note : notes) out.decisions.push_back({note.what, "not rendered yet", description.place(note.source)});
     return out;
 }
 
-std::string explain(const CompiledScene& scene, const std::vector<std::string>& files)
+std::string explain(const CompiledScene& scene)
 {
     const csg::WorldData& world = scene.geometry;
     std::string text = fmt::format("kept: {} objects as {} items ({} CSG programs, {} outside the hierarchy), {} "
@@ -94,8 +94,7 @@ std::string explain(const CompiledScene& scene, const std::vector<std::string>& 
                                    world.unbounded.size(), scene.surfaces.size(), scene.textures.textures.size(),
                                    scene.lights.lights.size());
     for (const Decision& d : scene.decisions) {
-        if (d.source.line != 0 && d.source.file < files.size())
-            text += fmt::format("{}:{}:{}: ", files[d.source.file], d.source.line, d.source.column);
+        if (!d.place.empty()) text += d.place + ": ";
         text += fmt::format("{}: {}\n", d.what, d.why);
     }
     return text;

@@ -13,9 +13,7 @@ std::shared_ptr<PhotonPlan> compile_photons(const scene::Description& descriptio
     plan->settings = *global.photons;
     plan->max_trace_level = plan->settings.max_trace_level.value_or(global.max_trace_level);
     plan->adc_bailout = plan->settings.adc_bailout.value_or(global.adc_bailout);
-    const scene::SourceRef& at = plan->settings.source;
-    if (at.file < description.files.size())
-        plan->place = fmt::format("{}:{}:{}", description.files[at.file], at.line, at.column);
+    plan->place = description.place(plan->settings.source);
     return plan;
 }
 
@@ -24,10 +22,10 @@ PhotonLight photon_light(const scene::Object& object, const scene::Light& light,
     PhotonLight out;
     out.parallel = light.parallel;
     out.shoots = compiled.group == 0 && !light.shadowless;
-    if (!object.photons) return out;
-    out.reflection = consent(object.photons->reflection);
-    out.refraction = consent(object.photons->refraction);
-    out.area = object.photons->area_light && light.area && !light.parallel;
+    if (!object.details->photons) return out;
+    out.reflection = consent(object.details->photons->reflection);
+    out.refraction = consent(object.details->photons->refraction);
+    out.area = object.details->photons->area_light && light.area && !light.parallel;
     return out;
 }
 

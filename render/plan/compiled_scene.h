@@ -50,7 +50,7 @@ struct Options {
 struct Decision {
     std::string what;
     std::string why;
-    scene::SourceRef source;
+    std::string place;  ///< "path:line:column"; empty: of no place
 };
 
 /// A top-level object after splitting unions, in order of declaration.
@@ -126,7 +126,7 @@ struct CompiledScene {
 CompiledScene compile(const scene::Description& description, const Options& options);
 
 /// --explain: the decisions, one a line.
-std::string explain(const CompiledScene& scene, const std::vector<std::string>& files);
+std::string explain(const CompiledScene& scene);
 
 /// --dump=plan: objects, programs, surfaces, bounds and the hierarchy's figures as text.
 std::string dump(const CompiledScene& scene);

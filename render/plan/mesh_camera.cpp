@@ -75,7 +75,7 @@ std::shared_ptr<const MeshCamera> compile_mesh_camera(const scene::Camera& camer
         const scene::MeshData& mesh = *std::get<scene::Mesh>(object.shape).data;
         const auto first = static_cast<std::uint32_t>(out->faces.size());
         if (out->method == MeshCamera::Method::ByUv && !out->corners.empty()) continue;  // further meshes are not used
-        add_faces(*out, mesh, {camera, object.transform}, written.smooth);
+        add_faces(*out, mesh, {camera, *object.transform}, written.smooth);
         out->meshes.push_back({first, static_cast<std::uint32_t>(out->faces.size()) - first});
     }
     if (out->method == MeshCamera::Method::ByUv) sort_into_cells(*out);

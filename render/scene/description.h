@@ -1,9 +1,10 @@
 #pragma once
 
 #include "render/scene/effects.h"
+#include "render/scene/line_table.h"
 #include "render/scene/media.h"
 #include "render/scene/mesh_camera.h"
-#include "render/scene/object.h"
+#include "render/scene/object_list.h"
 #include "render/scene/rainbow.h"
 
 #include <optional>
@@ -90,13 +91,14 @@ struct Unsupported {
 /// The whole scene: everything the parser knows, immutable afterwards.
 struct Description {
     std::vector<std::string> files;  ///< SourceRef::file
+    std::vector<LineTable> lines;    ///< by file
     int version = 370;               ///< language version * 100 at the end of the text
     /// The version that gamma, background, layers and sky follow: `version` if the text or the command line set one,
     /// else 362 (spec 1, 15.1).
     int effective_version = 362;
     double default_importance = 1.0;  ///< `radiosity` of #default: of objects that say nothing, and of the sky
     Camera camera;
-    std::vector<Object> objects;  ///< in order; lights among them
+    ObjectList objects;  ///< in order; lights among them
     TexturePtr default_texture;   ///< in force at the end
     Color background{0, 0, 0, 0, 1};
     bool background_given = false;
@@ -108,6 +110,18 @@ struct Description {
     std::vector<Media> media;                 ///< of the whole scene
     std::vector<Rainbow> rainbows;
 
+    LineAndColumn line_of(const SourceRef& source) const
+    {
+        return source.somewhere() && source.file < lines.size() ? lines[source.file].place(source.offset)
+                                                                : LineAndColumn{};
+    }
+    /// "path:line:column"; empty for what stands nowhere.
+    std::string place(const SourceRef& source) const
+    {
+        const LineAndColumn at = line_of(source);
+        if (at.line == 0 || source.file >= files.size()) return {};
+        return files[source.file] + ':' + std::to_string(at.line) + ':' + std::to_string(at.column);
+    }
     /// Whether surfaces light each other at a quality (+Q; spec 6, 1.5).
     bool has_radiosity(int quality) const { return global.radiosity.has_value() && quality >= 9; }
 };

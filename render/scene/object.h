@@ -3,6 +3,7 @@
 #include "csg/solids/shared/outline_shape.h"
 #include "csg/solids/shared/polynomial_shape.h"
 #include "csg/base/types.h"
+#include "render/scene/shared.h"
 #include "render/scene/texture.h"
 
 #include <array>
@@ -64,10 +65,8 @@ struct Torus {
 struct Quadric {
     glm::dvec3 square{0}, mixed{0}, linear{0};
     double constant = 0;
-    /// Its clips as they stood before it was transformed with them, and its transformation until then: POV-Ray worked
-    /// out its box then (spec 5a, 7.1). Null: it was not.
-    std::shared_ptr<const struct FirstClips> first_clips = nullptr;
-    BoxGrowth growth;
+    /// How it came to where it is: POV-Ray's box of it depends on that.
+    Shared<struct QuadricPast> past;
 };
 /// A polynomial of x, y and z that is not positive.
 struct Polynomial {
@@ -86,8 +85,7 @@ struct Disc {
 };
 struct Triangle {
     std::array<glm::dvec3, 3> vertex;
-    std::array<glm::dvec3, 3> normal;
-    bool smooth = false;
+    std::shared_ptr<const std::array<glm::dvec3, 3>> normal = nullptr;  ///< of the corners; null: it is flat
 };
 
 /// Triangles that share vertices, normals and textures; shared by every instance.
@@ -131,7 +129,7 @@ struct Csg {
     /// A light_group: its operands are lit by the lights that are its operands too, and by those outside of all groups
     /// if global_lights is set. What stands in a group within goes by the lights of that (spec 3, 12.10).
     bool light_group = false, global_lights = false;
-    BoxGrowth growth;
+    Shared<BoxGrowth> growth;
 };
 
 /// Kinds of light (spec 3, 12). Lights may stand inside a union; plan/ collects them.
@@ -151,7 +149,7 @@ struct Light {
 };
 
 using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion,
-                           Polynomial, Freeform, Csg, Light>;
+                           Polynomial, Freeform, Csg, Shared<Light>>;
 
 struct Flags {
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
@@ -160,21 +158,12 @@ struct Flags {
     bool uv_mapping = false;
 };
 
-/// One object. `transform` maps the shape into the parent's space; textures, clips and bounds stand in the
-/// parent's space already (a transformation written after them was applied to them too: call transform_by).
-struct Object {
-    Shape shape;
-    csg::Transform transform;
-    bool inverse = false;
-    TexturePtr texture;  ///< null: inherits from the parent, else the default texture
+/// What most objects do not have: kept apart, so that a small object is small.
+struct ObjectDetails {
     TexturePtr interior_texture;
     std::shared_ptr<const Interior> interior;
     std::vector<Object> clipped_by, bounded_by;
     bool bounded_by_clip = false;  ///< bounded_by { clipped_by } and the like: one set, both uses
-    Flags flags;
-    /// The default texture in force when the outermost statement that holds this object was added to the scene
-    /// (spec 3, 15.1); set on top-level objects only. What is untextured after inheritance from parents gets it.
-    TexturePtr default_texture;
     /// Keyword of a kind that the renderer cannot draw yet; empty for all others. Such an object stands whole, with its
     /// parameters in `written`, in Description::unsupported_objects and never in Description::objects or among the
     /// operands of a Csg.
@@ -183,18 +172,44 @@ struct Object {
     std::shared_ptr<const WrittenSolid> written;
     std::shared_ptr<const PhotonFlags> photons;  ///< null if not written
     std::optional<double> radiosity_importance;  ///< above 0 to 1. Nothing: the parent's, at last that of #default
-    SourceRef source;
+};
 
+/// One object. `transform` maps the shape into the parent's space; textures, clips and bounds stand in the
+/// parent's space already (a transformation written after them was applied to them too: call transform_by).
+/// There may be millions: what copies have in common, they share until one of them is changed.
+struct Object {
+    Shape shape;
+    Shared<csg::Transform> transform;
+    TexturePtr texture;  ///< null: inherits from the parent, else the default texture
+    /// The default texture in force when the outermost statement that holds this object was added to the scene
+    /// (spec 3, 15.1); set on top-level objects only. What is untextured after inheritance from parents gets it.
+    TexturePtr default_texture;
+    Shared<ObjectDetails> details;
+    SourceRef source;
+    Flags flags;
+    bool inverse = false;
+
+    bool drawn() const { return details->unsupported.empty(); }
     /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.
     void transform_by(const csg::Transform& t) { transform_by(t, BoxGrowth::of(t)); }
     /// The same of several, `t` together; `growth`: of boxes turned by one after the other.
     void transform_by(const csg::Transform& t, const BoxGrowth& growth);
 };
+static_assert(sizeof(Object) <= 200);
 
 struct FirstClips {
     std::vector<Object> clips;
     csg::Transform transform;  ///< of the quadric
     BoxGrowth growth;
 };
+
+struct QuadricPast {
+    /// Its clips as they stood before it was transformed with them, and its transformation until then: POV-Ray worked
+    /// out its box then (spec 5a, 7.1). Null: it was not.
+    std::shared_ptr<const FirstClips> first_clips;
+    BoxGrowth growth;
+};
+
+inline bool is_light(const Object& object) { return std::holds_alternative<Shared<Light>>(object.shape); }
 
 }  // namespace scene

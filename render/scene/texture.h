@@ -3,6 +3,7 @@
 #include "csg/base/types.h"
 #include "function/program.h"
 #include "render/scene/color.h"
+#include "render/scene/shared.h"
 #include "render/scene/source_ref.h"
 
 #include <memory>
@@ -92,7 +93,7 @@ struct PatternedPigment {
 };
 
 struct Pigment {
-    std::variant<Color, PatternedPigment> kind = Color{};
+    std::variant<Color, Shared<PatternedPigment>> kind = Color{};
     std::optional<Color> quick_color;
     SourceRef source;
 
@@ -137,8 +138,8 @@ struct Finish {
 
 struct Layer {
     Pigment pigment;
-    std::optional<Normal> normal;
-    Finish finish;
+    NormalPtr normal;  ///< null: none
+    Shared<Finish> finish;
 };
 
 struct Texture;
@@ -153,7 +154,7 @@ struct PatternedTexture {
 
 /// Layers in the order written: the last is the top. Exactly one of the two kinds.
 struct Texture {
-    std::variant<std::vector<Layer>, PatternedTexture> kind;
+    std::variant<std::vector<Layer>, Shared<PatternedTexture>> kind;
     SourceRef source;
     void transform(const csg::Transform& t);
 };

@@ -19,20 +19,24 @@ void Pattern::transform(const csg::Transform& t)
 void Pigment::transform(const csg::Transform& t)
 {
     // A plain colour has no space to move.
-    if (auto* patterned = std::get_if<PatternedPigment>(&kind)) patterned->pattern.transform(t);
+    if (auto* patterned = std::get_if<Shared<PatternedPigment>>(&kind)) patterned->edit().pattern.transform(t);
 }
 
 void Normal::transform(const csg::Transform& t) { pattern.transform(t); }
 
 void Texture::transform(const csg::Transform& t)
 {
-    if (auto* patterned = std::get_if<PatternedTexture>(&kind)) {
-        patterned->pattern.transform(t);
+    if (auto* patterned = std::get_if<Shared<PatternedTexture>>(&kind)) {
+        patterned->edit().pattern.transform(t);
         return;
     }
     for (Layer& layer : std::get<std::vector<Layer>>(kind)) {
         layer.pigment.transform(t);
-        if (layer.normal) layer.normal->transform(t);
+        if (layer.normal) {
+            auto moved = std::make_shared<Normal>(*layer.normal);
+            moved->transform(t);
+            layer.normal = std::move(moved);
+        }
     }
 }
 
@@ -64,6 +68,21 @@ void transform_light(Light& light, const csg::Transform& t)
     light.projected_through = transformed(light.projected_through, t);
 }
 
+/// What is moved with an object beside its shape and texture.
+void transform_details(ObjectDetails& details, const csg::Transform& t, const BoxGrowth& growth, bool textures)
+{
+    if (textures) details.interior_texture = transformed(details.interior_texture, t);
+    // The interior of an object that has moved is one of its own, as in POV-Ray; without media there is nothing to
+    // move.
+    if (details.interior && !details.interior->media.empty()) {
+        auto moved = std::make_shared<Interior>(*details.interior);
+        moved->transform(t);
+        details.interior = std::move(moved);
+    }
+    for (Object& clip : details.clipped_by) clip.transform_by(t, growth);
+    for (Object& bound : details.bounded_by) bound.transform_by(t, growth);
+}
+
 }  // namespace
 
 Media Media::of_version(int version)
@@ -93,35 +112,26 @@ void Interior::transform(const csg::Transform& t)
 
 void Object::transform_by(const csg::Transform& t, const BoxGrowth& growth)
 {
+    const bool clipped = !details->clipped_by.empty();
     if (auto* quadric = std::get_if<Quadric>(&shape)) {
-        if (!clipped_by.empty() && !quadric->first_clips) {
-            quadric->first_clips =
-                std::make_shared<const FirstClips>(FirstClips{clipped_by, transform, quadric->growth});
-            quadric->growth = {};
+        QuadricPast& past = quadric->past.edit();
+        if (clipped && !past.first_clips) {
+            past.first_clips =
+                std::make_shared<const FirstClips>(FirstClips{details->clipped_by, *transform, past.growth});
+            past.growth = {};
         }
-        quadric->growth.add(growth);
+        past.growth.add(growth);
     } else if (auto* csg = std::get_if<Csg>(&shape)) {
-        csg->growth.add(growth);
+        csg->growth.edit().add(growth);
     }
     // A light keeps no transformation of its own: items written later must not be moved.
-    if (auto* light = std::get_if<Light>(&shape)) transform_light(*light, t);
-    else transform = t * transform;
+    if (auto* light = std::get_if<Shared<Light>>(&shape)) transform_light(light->edit(), t);
+    else transform = t * *transform;
 
-    if (auto* plane = std::get_if<Plane>(&shape); plane != nullptr && !clipped_by.empty()) plane->moved_clips = true;
+    if (auto* plane = std::get_if<Plane>(&shape); plane != nullptr && clipped) plane->moved_clips = true;
     // Textures of a uv-mapped object live on its surface (spec 5a, 6).
-    if (!flags.uv_mapping) {
-        texture = transformed(texture, t);
-        interior_texture = transformed(interior_texture, t);
-    }
-    // The interior of an object that has moved is one of its own, as in POV-Ray; without media there is nothing to
-    // move.
-    if (interior && !interior->media.empty()) {
-        auto moved = std::make_shared<Interior>(*interior);
-        moved->transform(t);
-        interior = std::move(moved);
-    }
-    for (Object& clip : clipped_by) clip.transform_by(t, growth);
-    for (Object& bound : bounded_by) bound.transform_by(t, growth);
+    if (!flags.uv_mapping) texture = transformed(texture, t);
+    if (details.given()) transform_details(details.edit(), t, growth, !flags.uv_mapping);
 }
 
 }  // namespace scene

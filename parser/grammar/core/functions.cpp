@@ -38,9 +38,9 @@ std::optional<function::SceneReference> SceneBuilder::parse_function_thing(Token
 /// An object that cannot be drawn yet is answered for as if it were nothing, and that is said.
 bool SceneBuilder::is_unsupported(const ObjectPtr& object, const char* question)
 {
-    if (object->unsupported.empty()) return false;
+    if (object->drawn()) return false;
     guessed = true;
-    unsupported(std::string(question) + " of " + object->unsupported, stream_->last());
+    unsupported(std::string(question) + " of " + object->details->unsupported, stream_->last());
     return true;
 }
 

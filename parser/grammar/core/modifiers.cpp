@@ -38,7 +38,8 @@ struct interior_texture : item<Kind::InteriorTexture> {
     static void act(ObjectState& s)
     {
         const scene::SourceRef at = s.stream().last();
-        s.object.interior_texture = layered(s.build, s.object.interior_texture, read_texture(s.build), at);
+        scene::TexturePtr& inner = s.object.details.edit().interior_texture;
+        inner = layered(s.build, inner, read_texture(s.build), at);
     }
 };
 struct pigment : item<Kind::Pigment> {
@@ -50,29 +51,34 @@ struct pigment : item<Kind::Pigment> {
 struct normal : item<Kind::Normal> {
     static void act(ObjectState& s)
     {
-        s.change_top("normal", [&](scene::Layer& top) { top.normal = read_normal(s.build, top.normal); });
+        s.change_top("normal", [&](scene::Layer& top) {
+            top.normal = std::make_shared<const scene::Normal>(read_normal(s.build, top.normal));
+        });
     }
 };
 struct finish : item<Kind::Finish> {
     static void act(ObjectState& s)
     {
-        s.change_top("finish", [&](scene::Layer& top) { top.finish = read_finish(s.build, top.finish); });
+        s.change_top("finish", [&](scene::Layer& top) { top.finish = read_finish(s.build, *top.finish); });
     }
 };
 struct interior : item<Kind::Interior> {
     static void act(ObjectState& s)
     {
-        const scene::Interior base = s.object.interior ? *s.object.interior : scene::Interior{};
-        s.object.interior = std::make_shared<scene::Interior>(read_interior(s.build, base));
+        std::shared_ptr<const scene::Interior>& own = s.object.details.edit().interior;
+        own = std::make_shared<scene::Interior>(read_interior(s.build, own ? *own : scene::Interior{}));
     }
 };
 struct material : item<Kind::Material> {
     static void act(ObjectState& s)
     {
-        Material m = read_material(s.build, {s.object.texture, s.object.interior_texture, s.object.interior});
+        const scene::ObjectDetails& before = *s.object.details;
+        Material m = read_material(s.build, {s.object.texture, before.interior_texture, before.interior});
         s.object.texture = std::move(m.texture);
-        s.object.interior_texture = std::move(m.interior_texture);
-        s.object.interior = std::move(m.interior);
+        if (!m.interior_texture && !m.interior && !s.object.details.given()) return;
+        scene::ObjectDetails& details = s.object.details.edit();
+        details.interior_texture = std::move(m.interior_texture);
+        details.interior = std::move(m.interior);
     }
 };
 
@@ -82,7 +88,7 @@ void check_bare(ObjectState& s, const scene::Object& object, const char* what)
 {
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
     const bool patch = is_patch(object) && !(freeform && std::holds_alternative<csg::Polygon>(freeform->shape->kind));
-    if (patch || std::holds_alternative<scene::Light>(object.shape) || object.texture)
+    if (patch || scene::is_light(object) || object.texture)
         s.stream().fail(object.source, std::string("an object in ") + what + " must be a solid without a texture");
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg && csg->operands)
         for (const scene::Object& operand : *csg->operands) check_bare(s, operand, what);
@@ -91,14 +97,15 @@ void check_bare(ObjectState& s, const scene::Object& object, const char* what)
 std::vector<scene::Object> read_group(ObjectState& s, const char* what)
 {
     std::vector<scene::Object> group;
-    scene::Object all;  // transformations after the objects move each of them
+    bool any = false;
     while (auto object = read_object(s.build)) {
         check_bare(s, *object, what);
-        if (object->unsupported.empty()) group.push_back(std::move(*object));
+        if (object->drawn()) group.push_back(std::move(*object));
         else s.build.set_aside(std::move(*object));
-        all.unsupported = "read";
+        any = true;
     }
-    if (all.unsupported.empty()) s.build.fail_unknown((std::string("an object of ") + what).c_str());
+    if (!any) s.build.fail_unknown((std::string("an object of ") + what).c_str());
+    // Transformations after the objects move each of them.
     while (const auto t = read_transformation(s.build))
         for (scene::Object& object : group) object.transform_by(*t);
     return group;
@@ -111,16 +118,17 @@ struct clipped_by : item<Kind::ClippedBy> {
     static void act(ObjectState& s)
     {
         const auto opened = s.build.open_block("clipped_by");
+        scene::ObjectDetails& details = s.object.details.edit();
         if (s.stream().accept(Kind::BoundedBy)) {
-            if (!s.object.clipped_by.empty())
+            if (!details.clipped_by.empty())
                 s.stream().fail(s.stream().last(), "clips cannot be linked to the bounds: there are clips already");
-            s.object.clipped_by = std::move(s.object.bounded_by);
-            s.object.bounded_by.clear();
-            s.object.bounded_by_clip = true;
+            details.clipped_by = std::move(details.bounded_by);
+            details.bounded_by.clear();
+            details.bounded_by_clip = true;
         } else {
-            if (s.object.bounded_by_clip)
+            if (details.bounded_by_clip)
                 s.stream().fail(s.stream().last(), "no clips can be added after they were linked with the bounds");
-            append(s.object.clipped_by, read_group(s, "clipped_by"));
+            append(details.clipped_by, read_group(s, "clipped_by"));
         }
         s.build.close_block("clipped_by", opened);
     }
@@ -129,14 +137,15 @@ struct bounded_by : item<Kind::BoundedBy> {
     static void act(ObjectState& s)
     {
         const auto opened = s.build.open_block("bounded_by");
+        scene::ObjectDetails& details = s.object.details.edit();
         if (s.stream().accept(Kind::ClippedBy)) {
-            if (!s.object.bounded_by.empty())
+            if (!details.bounded_by.empty())
                 s.stream().fail(s.stream().last(), "bounds cannot be linked to the clips: there are bounds already");
-            s.object.bounded_by_clip = true;
+            details.bounded_by_clip = true;
         } else {
-            if (s.object.bounded_by_clip)
+            if (details.bounded_by_clip)
                 s.stream().fail(s.stream().last(), "no bounds can be added after they were linked with the clips");
-            append(s.object.bounded_by, read_group(s, "bounded_by"));
+            append(details.bounded_by, read_group(s, "bounded_by"));
         }
         s.build.close_block("bounded_by", opened);
     }
@@ -208,12 +217,12 @@ struct cutaway_textures : item<Kind::CutawayTextures> {
 struct photons : item<Kind::Photons> {
     static void act(ObjectState& s)
     {
-        s.object.photons =
-            read_photon_flags(s.build, std::holds_alternative<scene::Light>(s.object.shape), s.object.photons.get());
+        std::shared_ptr<const scene::PhotonFlags>& own = s.object.details.edit().photons;
+        own = read_photon_flags(s.build, scene::is_light(s.object), own.get());
     }
 };
 struct radiosity : item<Kind::Radiosity> {
-    static void act(ObjectState& s) { s.object.radiosity_importance = read_object_radiosity(s.build); }
+    static void act(ObjectState& s) { s.object.details.edit().radiosity_importance = read_object_radiosity(s.build); }
 };
 struct dtag : item<Kind::Dtag, a_text> {
     static void act(ObjectState& s) { s.pop_string(); }
@@ -256,7 +265,7 @@ void read_modifiers(SceneBuilder& build, scene::Object& object)
 {
     ObjectState s(build, object);
     while (ModifierItems::match(build, s)) {}
-    if (object.interior_texture && !object.texture)
+    if (object.details->interior_texture && !object.texture)
         build.stream().fail(object.source, "an interior_texture needs a texture on the same object");
 }
 

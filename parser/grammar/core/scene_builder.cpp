@@ -37,7 +37,7 @@ void SceneBuilder::version_changed(int version, const Options& options)
     if (version < kNewDefaults || default_given || !description.objects.empty()) return;
     scene::Layer layer = default_layer();
     layer.pigment.kind = scene::Color{1, 1, 1, 0, 0};
-    layer.finish.ambient = glm::vec3(0);
+    layer.finish.edit().ambient = glm::vec3(0);
     set_default_layer(std::move(layer));
     default_camera.right = {static_cast<double>(options.image_width) / options.image_height, 0, 0};
     if (!camera_given) description.camera = default_camera;
@@ -45,13 +45,13 @@ void SceneBuilder::version_changed(int version, const Options& options)
 
 void SceneBuilder::add(scene::Object object)
 {
-    if (!object.unsupported.empty()) {
+    if (!object.drawn()) {
         set_aside(std::move(object));
         return;
     }
     object.default_texture = default_texture_;
-    if (!object.radiosity_importance && description.default_importance != 1.0)
-        object.radiosity_importance = description.default_importance;
+    if (description.default_importance != 1.0 && !object.details->radiosity_importance)
+        object.details.edit().radiosity_importance = description.default_importance;
     description.objects.push_back(std::move(object));
 }
 
@@ -75,6 +75,7 @@ scene::Description SceneBuilder::take()
     description.global.assumed_gamma = language.assumed_gamma;
     description.default_texture = default_texture_;
     description.files = stream_->files();
+    description.lines = stream_->lines();
     return std::move(description);
 }
 

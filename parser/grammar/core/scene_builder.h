@@ -118,8 +118,8 @@ scene::Pigment read_pigment(SceneBuilder& build, const scene::Pigment& base);
 scene::Pigment read_pigment_body(SceneBuilder& build, const scene::Pigment& base);  ///< without braces
 /// The same for `density`: density_map for pigment_map, lists of densities.
 scene::Pigment read_density_body(SceneBuilder& build, const scene::Pigment& base);
-scene::Normal read_normal(SceneBuilder& build, const std::optional<scene::Normal>& base);
-scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::Normal>& base);
+scene::Normal read_normal(SceneBuilder& build, const scene::NormalPtr& base);
+scene::Normal read_normal_body(SceneBuilder& build, const scene::NormalPtr& base);
 /// Items change what `before` holds; a declared finish takes its place.
 scene::Finish read_finish(SceneBuilder& build, const scene::Finish& before);
 scene::TexturePtr read_texture(SceneBuilder& build);

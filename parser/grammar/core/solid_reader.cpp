@@ -12,7 +12,7 @@ bool read_as(SolidReader& s)
     written->keyword = s.keyword();
     written->source = s.source();
     const bool drawn = read_parameters(s, written->parameters.emplace<Solid>());
-    s.object().written = std::move(written);
+    s.object().details.edit().written = std::move(written);
     return drawn;
 }
 
@@ -37,7 +37,8 @@ Heads heads_of(const std::variant<Solids...>*)
 template <class Question>
 bool ask(const scene::Object& object, Question&& question)
 {
-    return object.written && std::visit(question, object.written->parameters);
+    const auto& written = object.details->written;
+    return written && std::visit(question, written->parameters);
 }
 
 }  // namespace

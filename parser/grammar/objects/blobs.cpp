@@ -23,7 +23,7 @@ void read_sphere_or_cylinder(SolidReader& s, Component& c)
     c.strength = float_expr(s.in());
     scene::Object modified;
     read_component_modifiers(s.build(), modified);
-    c.transform = modified.transform;
+    c.transform = *modified.transform;
     c.texture = modified.texture;
     s.build().close_block(name, opened);
 }

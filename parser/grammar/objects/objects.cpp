@@ -45,7 +45,7 @@ bool is_patch(const scene::Object& object)
 
 bool has_inside(const scene::Object& object)
 {
-    if (std::holds_alternative<scene::Light>(object.shape)) return false;
+    if (scene::is_light(object)) return false;
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
     if (freeform && std::holds_alternative<csg::Polygon>(freeform->shape->kind)) return true;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
@@ -65,13 +65,13 @@ scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& sour
         const auto* csg = std::get_if<scene::Csg>(&(*declared)->shape);
         whole = csg != nullptr && csg->light_group;
         if (whole) object = **declared;
-        else if ((*declared)->unsupported.empty()) members->push_back(**declared);
+        else if ((*declared)->drawn()) members->push_back(**declared);
         else build.set_aside(**declared);
     }
     object.source = source;
     for (;;) {
         if (auto member = whole ? std::nullopt : read_object(build)) {
-            if (member->unsupported.empty()) members->push_back(std::move(*member));
+            if (member->drawn()) members->push_back(std::move(*member));
             else build.set_aside(std::move(*member));
         } else if (build.stream().accept(Kind::GlobalLights)) {
             global_lights = optional_flag(build.stream());
@@ -99,7 +99,7 @@ scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::Sourc
         read_modifiers(build, object);
     } else {
         object.source = source;
-        if (!solid_head(keyword)(reader)) object.unsupported = name;
+        if (!solid_head(keyword)(reader)) object.details.edit().unsupported = name;
         read_modifiers(build, object);
         if (forgets_inverse(object)) object.inverse = false;
     }
@@ -126,7 +126,7 @@ scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef
             ++written;
             if ((keyword == Kind::Intersection || keyword == Kind::Difference) && !has_inside(*operand))
                 in.warn(operand->source, "what has no inside cannot be cut or cut with");
-            if (operand->unsupported.empty()) operands->push_back(std::move(*operand));
+            if (operand->drawn()) operands->push_back(std::move(*operand));
             else build.set_aside(std::move(*operand));
         }
         if (written < 2 && build.version() >= 150) in.warn(source, name + " should have at least two objects");

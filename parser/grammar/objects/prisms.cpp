@@ -112,7 +112,7 @@ void make_shape(const scene::Prism& prism, Pieces pieces, scene::Object& object)
     }
     object.shape = scene::Extrusion{outline, low, high, prism.open, true, by_bezier};
     // Its points are (x, z), its heights y.
-    csg::Transform& turn = object.transform;
+    csg::Transform& turn = object.transform.edit();
     turn.linear = turn.inverse_linear = glm::dmat3({1, 0, 0}, {0, 0, 1}, {0, 1, 0});
 }
 

@@ -145,12 +145,13 @@ void make_smooth_triangle(SolidState& s)
 {
     read_rule<smooth_triangle>(s.build, s);
     scene::Triangle t{};
-    t.smooth = true;
+    const auto normals = std::make_shared<std::array<glm::dvec3, 3>>();
     for (std::size_t i = 3; i-- > 0;) {
         const glm::dvec3 normal = s.pop_vector();
-        t.normal[i] = glm::length(normal) > 0 ? glm::normalize(normal) : normal;
+        (*normals)[i] = glm::length(normal) > 0 ? glm::normalize(normal) : normal;
         t.vertex[i] = s.pop_vector();
     }
+    t.normal = normals;
     s.object.shape = t;
 }
 

@@ -213,7 +213,7 @@ struct bokeh : item<Kind::Bokeh> {
     static void act(CameraState& s) { s.camera.bokeh = read_bokeh(s.build); }
 };
 struct normal : item<Kind::Normal> {
-    static void act(CameraState& s) { s.camera.normal = read_normal(s.build, std::nullopt); }
+    static void act(CameraState& s) { s.camera.normal = read_normal(s.build, nullptr); }
 };
 
 using CameraKinds = table<CameraState, perspective, orthographic, fisheye, ultra_wide, omnimax, panoramic, spherical,

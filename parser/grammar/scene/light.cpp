@@ -11,7 +11,7 @@ using LightKind = scene::Light::Kind;
 struct LightState : BlockState {
     LightState(SceneBuilder& b, scene::Object& o) : BlockState(b), object(o) {}
     scene::Object& object;
-    scene::Light& light() { return std::get<scene::Light>(object.shape); }
+    scene::Light& light() { return std::get<scene::Shared<scene::Light>>(object.shape).edit(); }
     void need_cone(const char* what)
     {
         if (light().kind == LightKind::Point)
@@ -159,7 +159,7 @@ std::shared_ptr<const scene::Object> read_inner(LightState& s, const char* what)
     if (!object) s.build.fail_unknown("an object");
     read_modifiers(s.build, *object);
     s.build.close_block(what, opened);
-    if (!object->unsupported.empty()) {
+    if (!object->drawn()) {
         s.build.set_aside(std::move(*object));
         return nullptr;
     }
@@ -182,7 +182,11 @@ struct projected_through : item<Kind::ProjectedThrough> {
     static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through"); }
 };
 struct light_photons : item<Kind::Photons> {
-    static void act(LightState& s) { s.object.photons = read_photon_flags(s.build, true, s.object.photons.get()); }
+    static void act(LightState& s) 
+    {
+        std::shared_ptr<const scene::PhotonFlags>& own = s.object.details.edit().photons;
+        own = read_photon_flags(s.build, true, own.get());
+    }
 };
 struct color_map : item<Kind::ColorMap> {
     static void act(LightState& s)
@@ -225,7 +229,7 @@ scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source)
     LightState s(build, object);
     read_block<LightItems>(build, s, "light_source", [&] {
         if (const auto declared = in.accept_identifier<std::shared_ptr<const scene::Object>>()) {
-            if (!std::holds_alternative<scene::Light>((*declared)->shape))
+            if (!scene::is_light(**declared))
                 in.fail(in.last(), "this identifier is no light_source");
             object = **declared;
             return;

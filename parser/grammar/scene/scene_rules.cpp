@@ -89,7 +89,7 @@ struct default_normal : item<Kind::Normal> {
     static void act(SceneState& s)
     {
         scene::Layer layer = changed(s);
-        layer.normal = read_normal(s.build, layer.normal);
+        layer.normal = std::make_shared<const scene::Normal>(read_normal(s.build, layer.normal));
         s.build.set_default_layer(std::move(layer));
     }
 };
@@ -97,7 +97,7 @@ struct default_finish : item<Kind::Finish> {
     static void act(SceneState& s)
     {
         scene::Layer layer = changed(s);
-        layer.finish = read_finish(s.build, layer.finish);
+        layer.finish = read_finish(s.build, *layer.finish);
         s.build.set_default_layer(std::move(layer));
     }
 };
@@ -134,7 +134,7 @@ const ValueEntry kValues[] = {
      [](SceneBuilder& b) -> Value {
          return scene::NormalPtr(std::make_shared<scene::Normal>(read_normal(b, b.default_layer().normal)));
      }},
-    {Kind::Finish, [](SceneBuilder& b) -> Value { return shared(read_finish(b, b.default_layer().finish)); }},
+    {Kind::Finish, [](SceneBuilder& b) -> Value { return shared(read_finish(b, *b.default_layer().finish)); }},
     {Kind::Interior, [](SceneBuilder& b) -> Value { return shared(read_interior(b, scene::Interior{})); }},
     {Kind::Material, [](SceneBuilder& b) -> Value { return shared(read_material(b, Material{})); }},
     {Kind::ColorMap, [](SceneBuilder& b) -> Value { return shared(read_color_map(b)); }},

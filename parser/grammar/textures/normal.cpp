@@ -37,9 +37,10 @@ void read_list(NormalState& s, int count)
                        std::make_shared<scene::Normal>(read_normal(s.build, s.build.default_layer().normal))});
         in.accept_comma();
     }
+    const scene::NormalPtr usual = s.build.default_layer().normal;
     while (static_cast<int>(map.size()) < count)
         map.push_back({static_cast<double>(map.size()),
-                       std::make_shared<scene::Normal>(s.build.default_layer().normal.value_or(scene::Normal{}))});
+                       std::make_shared<scene::Normal>(usual ? *usual : scene::Normal{})});
     s.normal.map = std::move(map);
 }
 
@@ -62,7 +63,7 @@ void read_head(NormalState& s)
         s.normal = {};
         s.normal.source = s.normal.pattern.source = in.last();
         s.normal.pattern.name = "uv_mapping";
-        s.normal.map = NormalMap{{0, std::make_shared<scene::Normal>(read_normal_body(s.build, std::nullopt))}};
+        s.normal.map = NormalMap{{0, std::make_shared<scene::Normal>(read_normal_body(s.build, nullptr))}};
         return;
     }
     if (!read_pattern_type(s.build, s.normal.pattern, true)) {
@@ -79,7 +80,7 @@ void read_head(NormalState& s)
 
 }  // namespace
 
-scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::Normal>& base)
+scene::Normal read_normal_body(SceneBuilder& build, const scene::NormalPtr& base)
 {
     TokenStream& in = build.stream();
     const auto guard = in.nest();
@@ -97,7 +98,7 @@ scene::Normal read_normal_body(SceneBuilder& build, const std::optional<scene::N
     return s.normal;
 }
 
-scene::Normal read_normal(SceneBuilder& build, const std::optional<scene::Normal>& base)
+scene::Normal read_normal(SceneBuilder& build, const scene::NormalPtr& base)
 {
     const scene::SourceRef opened = build.open_block("normal");
     scene::Normal normal = read_normal_body(build, base);

@@ -28,7 +28,7 @@ struct PigmentState : BlockState {
             color = *plain;
             return;
         }
-        const auto& patterned = std::get<scene::PatternedPigment>(base.kind);
+        const scene::PatternedPigment& patterned = *std::get<scene::Shared<scene::PatternedPigment>>(base.kind);
         pattern = patterned.pattern;
         if (const auto* c = std::get_if<scene::ColorMap>(&patterned.map)) colors = *c;
         else pigments = std::get<scene::PigmentMap>(patterned.map);

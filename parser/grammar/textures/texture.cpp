@@ -5,14 +5,15 @@ namespace parser {
 namespace {
 
 using Layers = std::vector<scene::Layer>;
+using Patterned = scene::Shared<scene::PatternedTexture>;
 
 struct TextureState : BlockState {
     using BlockState::BlockState;
     scene::Texture texture;
     bool no_bump_scale = false;
 
-    bool patterned() const { return std::holds_alternative<scene::PatternedTexture>(texture.kind); }
-    scene::PatternedTexture& pattern() { return std::get<scene::PatternedTexture>(texture.kind); }
+    bool patterned() const { return std::holds_alternative<Patterned>(texture.kind); }
+    scene::PatternedTexture& pattern() { return std::get<Patterned>(texture.kind).edit(); }
     scene::Layer& top(const char* what)
     {
         if (patterned())
@@ -32,14 +33,14 @@ struct normal : item<Kind::Normal> {
     static void act(TextureState& s)
     {
         scene::Layer& top = s.top("normal");
-        top.normal = read_normal(s.build, top.normal);
+        top.normal = std::make_shared<const scene::Normal>(read_normal(s.build, top.normal));
     }
 };
 struct finish : item<Kind::Finish> {
     static void act(TextureState& s)
     {
         scene::Layer& top = s.top("finish");
-        top.finish = read_finish(s.build, top.finish);
+        top.finish = read_finish(s.build, *top.finish);
     }
 };
 struct no_bump_scale : item<Kind::NoBumpScale> {
@@ -60,7 +61,7 @@ using TextureItems = table<TextureState, pigment, normal, finish, no_bump_scale,
 
 void become(TextureState& s, scene::Pattern pattern)
 {
-    s.texture.kind = scene::PatternedTexture{std::move(pattern), {}};
+    s.texture.kind = Patterned({std::move(pattern), {}});
 }
 
 /// tiles { texture { A } tile2 texture { B } }: a checker whose odd cells show A (spec 4, 14).
@@ -134,10 +135,14 @@ void keep_bump_size(scene::Texture& texture)
 {
     if (auto* layers = std::get_if<Layers>(&texture.kind)) {
         for (scene::Layer& layer : *layers)
-            if (layer.normal) layer.normal->no_bump_scale = true;
+            if (layer.normal) {
+                const auto copy = std::make_shared<scene::Normal>(*layer.normal);
+                copy->no_bump_scale = true;
+                layer.normal = copy;
+            }
         return;
     }
-    auto& patterned = std::get<scene::PatternedTexture>(texture.kind);
+    scene::PatternedTexture& patterned = std::get<Patterned>(texture.kind).edit();
     patterned.no_bump_scale = true;
     for (auto& entry : patterned.map) {
         const auto copy = std::make_shared<scene::Texture>(*entry.value);
@@ -152,7 +157,7 @@ void accept_part(TextureState& s)
     TokenStream& in = s.stream();
     scene::Layer& top = std::get<Layers>(s.texture.kind).back();
     if (const auto pigment = in.accept_identifier<scene::PigmentPtr>()) top.pigment = **pigment;
-    else if (const auto normal = in.accept_identifier<scene::NormalPtr>()) top.normal = **normal;
+    else if (const auto normal = in.accept_identifier<scene::NormalPtr>()) top.normal = *normal;
     else if (const auto finish = in.accept_identifier<std::shared_ptr<const scene::Finish>>()) top.finish = **finish;
 }
 
@@ -216,7 +221,7 @@ void filter_to_transmit(scene::Color& color)
 void filter_to_transmit(scene::Pigment& pigment)
 {
     if (auto* plain = std::get_if<scene::Color>(&pigment.kind)) return filter_to_transmit(*plain);
-    auto& map = std::get<scene::PatternedPigment>(pigment.kind).map;
+    auto& map = std::get<scene::Shared<scene::PatternedPigment>>(pigment.kind).edit().map;
     if (auto* colors = std::get_if<scene::ColorMap>(&map)) {
         for (auto& entry : *colors) filter_to_transmit(entry.value);
         return;

@@ -92,6 +92,13 @@ std::vector<std::string> TokenStream::files() const
     return paths;
 }
 
+std::vector<scene::LineTable> TokenStream::lines() const
+{
+    std::vector<scene::LineTable> all;
+    for (const auto& source : files_) all.push_back(source->lines());
+    return all;
+}
+
 std::string TokenStream::find_file(const std::string& name, const std::vector<std::string>& extensions) const
 {
     if (name.empty() || name.find('\0') != std::string::npos) return {};

@@ -114,7 +114,7 @@ void PovrayReporter::parsed(const parser::Result& result, double seconds)
     parsing_ = false;
     const auto lights =
         std::count_if(result.scene.objects.begin(), result.scene.objects.end(),
-                      [](const scene::Object& o) { return std::holds_alternative<scene::Light>(o.shape); });
+                      scene::is_light);
     const auto all = static_cast<long long>(result.scene.objects.size());
     put(Stream::Statistic,
         titled("Parser Statistics") +

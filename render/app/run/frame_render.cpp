@@ -45,7 +45,7 @@ bool print_stage(const Settings& settings, const scene::Description& description
     if (settings.dump != Dump::Plan && !settings.explain) return settings.dump == Dump::Scene || settings.parse_only;
     const plan::CompiledScene compiled = plan::compile(description, plan_options(settings));
     if (settings.dump == Dump::Plan) fmt::print("{}", plan::dump(compiled));
-    if (settings.explain) fmt::print(stderr, "{}", plan::explain(compiled, description.files));
+    if (settings.explain) fmt::print(stderr, "{}", plan::explain(compiled));
     return settings.dump == Dump::Plan || settings.parse_only;
 }
 

@@ -146,9 +146,9 @@ struct ShapeExtent {
     csg::Aabb operator()(const scene::Csg& s) const
     {
         const csg::Aabb box = csg_extent(s);
-        return t.identity() && s.growth.edges == glm::dmat3(1.0) ? box : turned(t, s.growth, box);
+        return t.identity() && s.growth->edges == glm::dmat3(1.0) ? box : turned(t, *s.growth, box);
     }
-    csg::Aabb operator()(const scene::Light&) const { return everything(); }
+    csg::Aabb operator()(const scene::Shared<scene::Light>&) const { return everything(); }
     /// All others: the box of the solid.
     template <class Shape>
     csg::Aabb operator()(const Shape& s) const
@@ -184,7 +184,7 @@ bool half_space(const scene::Object& operand, bool turned, csg::Aabb& box)
 {
     const auto* plane = std::get_if<scene::Plane>(&operand.shape);
     if (plane == nullptr) return false;
-    const csg::Solid made = world_solid(*plane, operand.transform);
+    const csg::Solid made = world_solid(*plane, *operand.transform);
     csg::Plane space = std::get<csg::Plane>(made);
     if (operand.inverse != turned) {
         space.normal_out = -space.normal_out;
@@ -236,11 +236,12 @@ csg::Aabb smaller_quadric_box(const csg::Aabb& box, const scene::Quadric& quadri
 csg::Aabb quadric_extent(const scene::Quadric& quadric, const csg::Transform& t)
 {
     csg::Aabb box = smaller_quadric_box(everything(), quadric, {}, everything());
-    if (!quadric.first_clips) return turned(t, quadric.growth, box);
-    const scene::FirstClips& first = *quadric.first_clips;
+    const scene::QuadricPast& past = *quadric.past;
+    if (!past.first_clips) return turned(t, past.growth, box);
+    const scene::FirstClips& first = *past.first_clips;
     box = turned(first.transform, first.growth, box);
     box = smaller_quadric_box(box, quadric, first.transform, clip_box(first.clips));
-    return turned(t * first.transform.inverted(), quadric.growth, box);
+    return turned(t * first.transform.inverted(), past.growth, box);
 }
 
 /// Narrows an intersection's box by an operand's; what is turned inside out says nothing, planes apart.
@@ -251,7 +252,7 @@ void cut_box(const scene::Object& operand, bool subtracted, csg::Aabb& box)
         if (operand.inverse != subtracted) return;
         cut = extent(operand);
         if (const auto* quadric = std::get_if<scene::Quadric>(&operand.shape))
-            cut = smaller_quadric_box(cut, *quadric, operand.transform, box.intersected(clip_box(operand.clipped_by)));
+            cut = smaller_quadric_box(cut, *quadric, *operand.transform, box.intersected(clip_box(operand.details->clipped_by)));
     }
     box = box.intersected(cut);
 }
@@ -282,13 +283,13 @@ csg::Aabb common(const std::vector<scene::Object>& bounds)
 csg::Aabb extent(const scene::Object& object)
 {
     const auto* plane = std::get_if<scene::Plane>(&object.shape);
-    csg::Aabb box = plane != nullptr && plane->moved_clips ? extent(object.clipped_by.front())
-                                                           : std::visit(ShapeExtent{object.transform}, object.shape);
+    csg::Aabb box = plane != nullptr && plane->moved_clips ? extent(object.details->clipped_by.front())
+                                                           : std::visit(ShapeExtent{*object.transform}, object.shape);
     if (const auto* quadric = std::get_if<scene::Quadric>(&object.shape);
-        quadric != nullptr && !quadric->first_clips && !object.clipped_by.empty())
-        box = smaller_quadric_box(box, *quadric, object.transform, clip_box(object.clipped_by));
+        quadric != nullptr && !quadric->past->first_clips && !object.details->clipped_by.empty())
+        box = smaller_quadric_box(box, *quadric, *object.transform, clip_box(object.details->clipped_by));
     box = kept(box);
-    for (const std::vector<scene::Object>* set : {&object.bounded_by, &object.clipped_by})
+    for (const std::vector<scene::Object>* set : {&object.details->bounded_by, &object.details->clipped_by})
         if (const csg::Aabb cut = common(*set); !set->empty() && !cut.empty() && volume(cut) < volume(box)) box = cut;
     return box;
 }

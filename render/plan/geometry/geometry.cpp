@@ -20,7 +20,7 @@ bool carries_legacy_finish(const scene::TexturePtr& texture)
 {
     const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
     if (layers == nullptr || layers->empty()) return false;
-    const scene::Finish& finish = layers->back().finish;
+    const scene::Finish& finish = *layers->back().finish;
     return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f;
 }
 
@@ -35,7 +35,7 @@ const std::vector<scene::Object>& clips_of(const scene::Object& object)
 {
     static const std::vector<scene::Object> none;
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
-    return freeform && std::holds_alternative<csg::BicubicPatch>(freeform->shape->kind) ? none : object.clipped_by;
+    return freeform && std::holds_alternative<csg::BicubicPatch>(freeform->shape->kind) ? none : object.details->clipped_by;
 }
 
 csg::Tree::Op tree_op(scene::CsgOp op)
@@ -100,26 +100,26 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     own.uv_mapping = object.flags.uv_mapping || (!object.texture && above.uv_mapping);
     const auto in_world = [&](const scene::TexturePtr& t) { return own.uv_mapping ? t : moved(t, above.to_world); };
     if (object.texture) own.texture = in_world(object.texture);
-    if (object.interior_texture) own.interior_texture = in_world(object.interior_texture);
-    if (object.interior) own.interior = moved(object.interior, above.to_world);
+    if (object.details->interior_texture) own.interior_texture = in_world(object.details->interior_texture);
+    if (object.details->interior) own.interior = moved(object.details->interior, above.to_world);
     if (object.flags.hollow) own.hollow = object.flags.hollow;
     own.no_shadow = above.no_shadow || object.flags.no_shadow;
     own.no_image = above.no_image || object.flags.no_image;
     own.no_reflection = above.no_reflection || object.flags.no_reflection;
     own.no_radiosity = above.no_radiosity || object.flags.no_radiosity;
-    if (object.radiosity_importance) own.importance = static_cast<float>(*object.radiosity_importance);
+    if (object.details->radiosity_importance) own.importance = static_cast<float>(*object.details->radiosity_importance);
     own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
-    own.to_world = is_light(object) ? above.to_world : above.to_world * object.transform;
+    own.to_world = is_light(object) ? above.to_world : above.to_world * *object.transform;
     own.parent_growth = own.growth = above.growth;
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
-        own.growth = csg->growth;
+        own.growth = *csg->growth;
         own.growth.add(above.growth);
     }
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg != nullptr && csg->light_group) {
         if (above.light_group == 0) own.global_lights = csg->global_lights;  // the outermost group decides
         own.light_group = light_group(object, own.to_world);
     }
-    if (photons_ && object.photons) hand_down_photons(object, own);
+    if (photons_ && object.details->photons) hand_down_photons(object, own);
     return own;
 }
 
@@ -136,9 +136,9 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
 {
     if (is_light(object)) return;
     const Inherited own = below(object, above);
-    if (!object.bounded_by.empty() && !object.bounded_by_clip) ++bounds_;
+    if (!object.details->bounded_by.empty() && !object.details->bounded_by_clip) ++bounds_;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
-    const bool whole = !object.clipped_by.empty() || object.inverse;
+    const bool whole = !object.details->clipped_by.empty() || object.inverse;
     if (csg != nullptr && add_instance(object, own)) return;
     if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !whole) {
         ++split_unions_;
@@ -222,7 +222,7 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
     }
     made.inverse = object.inverse;
     // Clips stand in the space of the parent.
-    const csg::Transform parent = own.to_world * object.transform.inverted();
+    const csg::Transform parent = own.to_world * object.transform->inverted();
     for (const scene::Object& clip : clips_of(object)) made.clips.push_back(clip_tree(clip, parent));
     return made;
 }
@@ -239,7 +239,7 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
         Inherited mine = below(operand, cuts ? later : own);
         aim_photons(operand, mine);
         const auto* parts = std::get_if<scene::Csg>(&operand.shape);
-        const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union && operand.clipped_by.empty() &&
+        const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union && operand.details->clipped_by.empty() &&
                            !operand.inverse;
         if (cutaway && made.operands.empty() && csg.op == scene::CsgOp::Difference && plain && !mine.texture)
             return cut_parts(csg, *parts, operand, own, mine);
@@ -252,7 +252,7 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
 csg::Tree GeometryCompiler::clip_tree(const scene::Object& clip, const csg::Transform& to_world)
 {
     Inherited none;
-    none.to_world = to_world * clip.transform;
+    none.to_world = to_world * *clip.transform;
     const bool before = std::exchange(clipping_, true);
     csg::Tree made = tree(clip, none);
     clipping_ = before;

@@ -10,8 +10,7 @@
 
 namespace plan {
 
-/// Lights stand among the operands of a CSG object and are collected apart.
-inline bool is_light(const scene::Object& object) { return std::holds_alternative<scene::Light>(object.shape); }
+using scene::is_light;
 
 /// Whether a mesh has an inside.
 bool mesh_is_solid(const scene::MeshData& mesh);

@@ -81,7 +81,7 @@ bool turns_operand(const scene::Object& object)
     const auto turned = [](const scene::Object& part) { return part.inverse || turns_operand(part); };
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     return (csg != nullptr && std::any_of(csg->operands->begin(), csg->operands->end(), turned)) ||
-           std::any_of(object.clipped_by.begin(), object.clipped_by.end(), turned);
+           std::any_of(object.details->clipped_by.begin(), object.details->clipped_by.end(), turned);
 }
 
 /// Whether POV-Ray's box of a CSG object may hold less than what is drawn of it: rays that miss the box are told of
@@ -104,7 +104,7 @@ csg::Program alone(const csg::WorldItem& item, const csg::SolidStore& store)
 /// Whether an object's bounds are not asked: there are none, they are its clips, or +SU takes the union apart.
 bool GeometryCompiler::drops_bounds(const scene::Object& object, bool inside_csg) const
 {
-    if (object.bounded_by.empty() || object.bounded_by_clip) return true;
+    if (object.details->bounded_by.empty() || object.details->bounded_by_clip) return true;
     if (!options_.split_unions || inside_csg) return false;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     return csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union &&
@@ -119,7 +119,7 @@ bool GeometryCompiler::bounding_active() const
     const auto add = [&](const auto& self, const scene::Object& object) -> void {
         const auto* csg = std::get_if<scene::Csg>(&object.shape);
         const bool split = csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union &&
-                           object.clipped_by.empty() && object.bounded_by.empty() && !object.inverse;
+                           object.details->clipped_by.empty() && object.details->bounded_by.empty() && !object.inverse;
         if (!split) ++count;
         else
             for (std::size_t i = 0; i < csg->operands->size() && count < kFewest; ++i) self(self, (*csg->operands)[i]);
@@ -133,7 +133,7 @@ bool GeometryCompiler::bounding_active() const
 void GeometryCompiler::must_meet(const scene::Object& object, const csg::Transform& parent,
                                  const scene::BoxGrowth& growth, csg::BoundingGuard& guard)
 {
-    for (const scene::Object& bound : object.bounded_by) {
+    for (const scene::Object& bound : object.details->bounded_by) {
         csg::Program program = csg::build(clip_tree(bound, parent), world_->store);
         if (program.nodes.empty()) continue;
         guard.programs.push_back(static_cast<std::uint32_t>(world_->programs.size()));
@@ -147,8 +147,8 @@ csg::Tree GeometryCompiler::bounded(csg::Tree made, const scene::Object& operand
 {
     if (clipping_ || drops_bounds(operand, true)) return made;
     const csg::Program drawn = csg::build(made, world_->store);
-    const csg::Transform parent = own.to_world * operand.transform.inverted();
-    for (const scene::Object& bound : operand.bounded_by) {
+    const csg::Transform parent = own.to_world * operand.transform->inverted();
+    for (const scene::Object& bound : operand.details->bounded_by) {
         csg::Tree tree = clip_tree(bound, parent);
         const csg::Program program = csg::build(tree, world_->store);
         if (!program.nodes.empty() && !held(operand, drawn, program)) made.bounds.push_back(std::move(tree));
@@ -163,11 +163,11 @@ csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, con
 {
     csg::WorldData& world = *world_;
     csg::BoundingGuard guard;
-    if (std::holds_alternative<scene::Polynomial>(object.shape) && !object.clipped_by.empty()) {
+    if (std::holds_alternative<scene::Polynomial>(object.shape) && !object.details->clipped_by.empty()) {
         // What a ray cannot meet inside all clips is not worth the roots.
         csg::Tree all;
         all.op = csg::Tree::Op::Intersection;
-        for (const scene::Object& clip : object.clipped_by) all.operands.push_back(clip_tree(clip, parent));
+        for (const scene::Object& clip : object.details->clipped_by) all.operands.push_back(clip_tree(clip, parent));
         csg::Program program = csg::build(all, world.store);
         if (!program.nodes.empty()) {
             guard.box = guard.box.intersected(program.bounds);
@@ -175,7 +175,7 @@ csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, con
             world.programs.push_back(std::move(program));
         }
     }
-    for (const scene::Object& clip : object.clipped_by) {
+    for (const scene::Object& clip : object.details->clipped_by) {
         if (clip.inverse || (turns_operand(clip) && !has_own_box(object) && !bounding_active())) continue;
         const csg::Aabb box = placed_extent(clip, parent, own.parent_growth);
         if (glm::all(glm::lessThan(glm::max(glm::abs(box.lower), glm::abs(box.upper)), glm::dvec3(kUnbounded))))
@@ -183,7 +183,7 @@ csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, con
     }
     const auto* plane = std::get_if<scene::Plane>(&object.shape);
     if (cut_by_disc(object) || ends_at_box(object) ||
-        (plane != nullptr && !object.clipped_by.empty() && bounding_active())) {
+        (plane != nullptr && !object.details->clipped_by.empty() && bounding_active())) {
         const csg::Aabb box = placed_extent(object, parent, own.parent_growth);
         if (!everywhere(box)) guard.box = guard.box.intersected(box);
     }
@@ -243,7 +243,7 @@ void GeometryCompiler::add_guard(const scene::Object& object, const Inherited& o
     csg::WorldData& world = *world_;
     const csg::WorldItem item = world.items.back();
     const csg::Aabb drawn = csg::drawn_bounds(world, item);
-    const csg::Transform parent = own.to_world * object.transform.inverted();
+    const csg::Transform parent = own.to_world * object.transform->inverted();
     limit_starts(object, parent, own.parent_growth);
     csg::BoundingGuard guard = clip_guard(object, own, parent);
     if (bounds_inside_) guard.box = guard.box.intersected(placed_extent(object, parent, own.parent_growth));
@@ -267,7 +267,7 @@ void GeometryCompiler::add_guard(const scene::Object& object, const Inherited& o
         }
     }
     if (guard.programs.empty() && !guard.box.finite()) return;
-    if (!object.bounded_by.empty() && !object.bounded_by_clip && bounds_ > 0) {
+    if (!object.details->bounded_by.empty() && !object.details->bounded_by_clip && bounds_ > 0) {
         --bounds_;
         ++guards_;
     }

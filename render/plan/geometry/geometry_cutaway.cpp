@@ -10,7 +10,7 @@ scene::TexturePtr average(const scene::TexturePtr& a, const scene::TexturePtr& b
     scene::PatternedTexture both;
     both.pattern.name = "average";
     both.map = {{1.0, a}, {1.0, b}};
-    return std::make_shared<scene::Texture>(scene::Texture{std::move(both), a->source});
+    return std::make_shared<scene::Texture>(scene::Texture{scene::Shared(std::move(both)), a->source});
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ bool alike_everywhere(const scene::Texture& texture)
 bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited& own)
 {
     const auto& csg = std::get<scene::Csg>(object.shape);
-    if (sharing_ != nullptr || object.inverse || csg.cutaway_textures || !object.clipped_by.empty() ||
-        !object.bounded_by.empty())
+    if (sharing_ != nullptr || object.inverse || csg.cutaway_textures || !object.details->clipped_by.empty() ||
+        !object.details->bounded_by.empty())
         return false;
     if (own.photon_density > 0.0) return false;  // each of its parts may be a target of its own
     // A sphere that shows its own coordinates is stored otherwise.

@@ -7,14 +7,14 @@ namespace plan {
 
 void GeometryCompiler::collect_lights(const scene::Object& object, const Inherited& above)
 {
-    if (const auto* light = std::get_if<scene::Light>(&object.shape)) {
-        add_light(object, *light, above);
+    if (const auto* light = std::get_if<scene::Shared<scene::Light>>(&object.shape)) {
+        add_light(object, **light, above);
         return;
     }
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     if (csg == nullptr) return;
     Inherited own;
-    own.to_world = above.to_world * object.transform;
+    own.to_world = above.to_world * *object.transform;
     if (csg->light_group)
         own.light_group = light_group(object, own.to_world);  // of its own lights, none that stand deeper
     for (const scene::Object& operand : *csg->operands) collect_lights(operand, own);

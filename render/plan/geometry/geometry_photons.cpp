@@ -10,7 +10,7 @@ namespace plan {
 void GeometryCompiler::hand_down_photons(const scene::Object& object, Inherited& own)
 {
     if (sharing_ != nullptr) sharing_->fails = true;  // copies may be given other flags from above
-    const scene::PhotonFlags& flags = *object.photons;
+    const scene::PhotonFlags& flags = *object.details->photons;
     if (!(own.photon_density > 0.0)) own.photon_density = flags.target.value_or(0.0);
     PhotonSurface& to = own.photons;
     if (to.reflection == Consent::Unset) to.reflection = consent(flags.reflection);
@@ -25,7 +25,7 @@ void GeometryCompiler::aim_photons(const scene::Object& object, Inherited& own)
     if (!photons_ || clipping_ || sharing_ != nullptr || !(own.photon_density > 0.0) || is_light(object) ||
         own.photons.target != PhotonSurface::kNoTarget)
         return;
-    const csg::Transform parent = own.to_world * object.transform.inverted();
+    const csg::Transform parent = own.to_world * object.transform->inverted();
     const csg::Aabb box = placed_extent(object, parent, own.parent_growth);
     own.photons.target = static_cast<std::uint32_t>(photons_->targets.size());
     photons_->targets.push_back({0.5 * (box.lower + box.upper), 0.5 * glm::length(box.upper - box.lower),

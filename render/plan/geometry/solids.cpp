@@ -39,10 +39,10 @@ using Corners = std::array<glm::dvec3, 3>;
 
 /// POV-Ray draws a smooth_triangle only if its three normals point to one side of its face, none along it (spec
 /// 5b, 2.2); the faces of meshes know no such rule. A transformation changes all three signs or none.
-bool normals_on_one_side(const scene::Triangle& s)
+bool normals_on_one_side(const scene::Triangle& s, const Corners& normals)
 {
     const glm::dvec3 face = glm::cross(s.vertex[1] - s.vertex[0], s.vertex[2] - s.vertex[0]);
-    const double a = glm::dot(face, s.normal[0]), b = glm::dot(face, s.normal[1]), c = glm::dot(face, s.normal[2]);
+    const double a = glm::dot(face, normals[0]), b = glm::dot(face, normals[1]), c = glm::dot(face, normals[2]);
     return (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0);
 }
 
@@ -99,10 +99,11 @@ struct ToWorld {
     csg::Solid operator()(const scene::Triangle& s) const
     {
         const Corners corners{t.point(s.vertex[0]), t.point(s.vertex[1]), t.point(s.vertex[2])};
-        if (!s.smooth) return csg::Triangle::make(oriented(corners, !t.identity()));
-        if (!normals_on_one_side(s))
+        if (!s.normal) return csg::Triangle::make(oriented(corners, !t.identity()));
+        const auto& n = *s.normal;
+        if (!normals_on_one_side(s, n))
             return csg::Triangle::make({corners[0], corners[0], corners[0]});  // no area: never met
-        return csg::Triangle::make(corners, {t.normal(s.normal[0]), t.normal(s.normal[1]), t.normal(s.normal[2])});
+        return csg::Triangle::make(corners, {t.normal(n[0]), t.normal(n[1]), t.normal(n[2])});
     }
     csg::Solid operator()(const scene::Extrusion& s) const
     {
@@ -132,7 +133,7 @@ struct ToWorld {
         throw std::logic_error("a mesh is shared, and made by GeometryCompiler");
     }
     csg::Solid operator()(const scene::Csg&) const { throw std::logic_error("a CSG object is many solids"); }
-    csg::Solid operator()(const scene::Light&) const { throw std::logic_error("a light is no solid"); }
+    csg::Solid operator()(const scene::Shared<scene::Light>&) const { throw std::logic_error("a light is no solid"); }
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ std::uint32_t InteriorCompiler::interior(const std::shared_ptr<const scene::Inte
     const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
     if (layers && !layers->empty()) {
         // The top finish overrides the interior, and its `refraction` does so even when not written (spec 3, 8.7).
-        const scene::Finish& finish = layers->back().finish;
+        const scene::Finish& finish = *layers->back().finish;
         Interior& to = out_[index];
         to.transmission = finish.legacy_refraction;
         if (finish.legacy_ior >= 0.0f) {

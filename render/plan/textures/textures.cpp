@@ -101,7 +101,7 @@ std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)
     } else if (const auto* color = std::get_if<scene::Color>(&description.kind)) {
         out_.pigments.push_back({texture::Pigment::Kind::Solid, *color});
     } else {
-        return pigment_map(std::get<scene::PatternedPigment>(description.kind));
+        return pigment_map(*std::get<scene::Shared<scene::PatternedPigment>>(description.kind));
     }
     return count_of(out_.pigments.size() - 1);
 }
@@ -223,7 +223,7 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
         texture::Layer to;
         to.pigment = pigment(from.pigment);
         if (from.normal && quality_ >= 8) to.normal = normal(*from.normal, false);
-        to.finish = finish(from.finish);
+        to.finish = finish(*from.finish);
         out.opaque = out.opaque || pigment_opaque(to.pigment);
         out.lit = out.lit || out_.finishes[to.finish].lit();
         compiled.push_back(to);
@@ -273,7 +273,7 @@ std::uint32_t TextureCompiler::texture(const scene::TexturePtr& description)
     if (known != known_.end()) return known->second;
     const auto* plain = std::get_if<std::vector<scene::Layer>>(&description->kind);
     const std::uint32_t index = plain ? layers(*plain)
-                                      : patterned(std::get<scene::PatternedTexture>(description->kind));
+                                      : patterned(*std::get<scene::Shared<scene::PatternedTexture>>(description->kind));
     known_.emplace(description.get(), index);
     alive_.push_back(description);
     return index;

@@ -23,10 +23,10 @@ bool any_uses(const Entries& entries)
 
 bool uses(const scene::Pigment& pigment)
 {
-    const auto* patterned = std::get_if<scene::PatternedPigment>(&pigment.kind);
+    const auto* patterned = std::get_if<scene::Shared<scene::PatternedPigment>>(&pigment.kind);
     if (!patterned) return false;
-    const auto* pigments = std::get_if<scene::PigmentMap>(&patterned->map);
-    return uses(patterned->pattern) || (pigments && any_uses(*pigments));
+    const auto* pigments = std::get_if<scene::PigmentMap>(&(**patterned).map);
+    return uses((**patterned).pattern) || (pigments && any_uses(*pigments));
 }
 
 bool uses(const scene::Normal& normal)
@@ -37,8 +37,8 @@ bool uses(const scene::Normal& normal)
 
 bool uses(const scene::Texture& texture)
 {
-    if (const auto* patterned = std::get_if<scene::PatternedTexture>(&texture.kind))
-        return uses(patterned->pattern) || any_uses(patterned->map);
+    if (const auto* patterned = std::get_if<scene::Shared<scene::PatternedTexture>>(&texture.kind))
+        return uses((**patterned).pattern) || any_uses((**patterned).map);
     const auto& layers = std::get<std::vector<scene::Layer>>(texture.kind);
     return std::any_of(layers.begin(), layers.end(), [](const scene::Layer& layer) {
         return uses(layer.pigment) || (layer.normal && uses(*layer.normal));

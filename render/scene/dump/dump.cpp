@@ -42,7 +42,9 @@ struct ShapeDump {
     void operator()(const Triangle& t) const
     {
         out.line("triangle", text(t.vertex[0]) + " " + text(t.vertex[1]) + " " + text(t.vertex[2]));
-        if (t.smooth) out.line("normals", text(t.normal[0]) + " " + text(t.normal[1]) + " " + text(t.normal[2]));
+        if (!t.normal) return;
+        const auto& n = *t.normal;
+        out.line("normals", text(n[0]) + " " + text(n[1]) + " " + text(n[2]));
     }
     void operator()(const Mesh& mesh) const;
     void operator()(const Extrusion& e) const
@@ -52,7 +54,7 @@ struct ShapeDump {
     }
     void operator()(const Freeform&) const {}  // told as it was written
     void operator()(const Csg& csg) const;
-    void operator()(const Light& light) const;
+    void operator()(const Shared<Light>& light) const;
 };
 
 void ShapeDump::operator()(const Mesh& mesh) const
@@ -86,8 +88,9 @@ void ShapeDump::operator()(const Csg& csg) const
     out.close();
 }
 
-void ShapeDump::operator()(const Light& l) const
+void ShapeDump::operator()(const Shared<Light>& light) const
 {
+    const Light& l = *light;
     static constexpr const char* kNames[] = {"point", "spotlight", "cylinder"};
     out.open(fmt::format("light_source {}", kNames[static_cast<int>(l.kind)]));
     out.value("location", l.location);
@@ -132,37 +135,38 @@ void dump_flags(DumpWriter& out, const Flags& f)
 
 void dump(DumpWriter& out, const Object& object)
 {
+    const ObjectDetails& details = *object.details;
     out.open("object");
-    const bool told_as_written = !object.unsupported.empty() || std::holds_alternative<Freeform>(object.shape);
+    const bool told_as_written = !object.drawn() || std::holds_alternative<Freeform>(object.shape);
     if (!told_as_written) std::visit(ShapeDump{out}, object.shape);
-    else if (object.written) dump(out, *object.written);
-    out.value("transform", object.transform);
+    else if (details.written) dump(out, *details.written);
+    out.value("transform", *object.transform);
     if (object.inverse) out.flag("inverse", true);
     dump_flags(out, object.flags);
     if (object.texture) scene::dump(out, *object.texture);
-    if (object.interior_texture) {
+    if (details.interior_texture) {
         out.open("interior_texture");
-        scene::dump(out, *object.interior_texture);
+        scene::dump(out, *details.interior_texture);
         out.close();
     }
-    if (object.default_texture && !object.texture && !std::holds_alternative<Light>(object.shape)) {
+    if (object.default_texture && !object.texture && !is_light(object)) {
         out.open("default_texture");
         scene::dump(out, *object.default_texture);
         out.close();
     }
-    if (object.interior) scene::dump(out, *object.interior);
+    if (details.interior) scene::dump(out, *details.interior);
     const auto group = [&](const char* title, const std::vector<Object>& members) {
         if (members.empty()) return;
         out.open(title);
         for (const Object& o : members) dump(out, o);
         out.close();
     };
-    group(object.bounded_by_clip ? "clipped_by bounded_by" : "clipped_by", object.clipped_by);
-    group("bounded_by", object.bounded_by);
-    if (object.photons) object.photons->dump(out);
-    if (object.radiosity_importance) {
+    group(details.bounded_by_clip ? "clipped_by bounded_by" : "clipped_by", details.clipped_by);
+    group("bounded_by", details.bounded_by);
+    if (details.photons) details.photons->dump(out);
+    if (details.radiosity_importance) {
         out.open("radiosity");
-        out.words("importance", *object.radiosity_importance);
+        out.words("importance", *details.radiosity_importance);
         out.close();
     }
     out.close();
@@ -260,7 +264,7 @@ std::string dump(const Description& d)
         out.close();
     }
     for (const Unsupported& u : d.unsupported)
-        out.line("unsupported", fmt::format("{} at {}:{}", u.what, u.source.line, u.source.column));
+        out.line("unsupported", fmt::format("{} at {}:{}", u.what, d.line_of(u.source).line, d.line_of(u.source).column));
     return out.take();
 }
 

@@ -162,7 +162,7 @@ void dump(DumpWriter& out, const Pigment& pigment)
     if (const auto* color = std::get_if<Color>(&pigment.kind)) {
         out.value("color", *color);
     } else {
-        const auto& patterned = std::get<PatternedPigment>(pigment.kind);
+        const PatternedPigment& patterned = *std::get<Shared<PatternedPigment>>(pigment.kind);
         dump(out, patterned.pattern);
         if (const auto* colors = std::get_if<ColorMap>(&patterned.map)) {
             for (const auto& entry : *colors) out.line("entry", text(entry.key) + " " + text(entry.value));
@@ -180,9 +180,10 @@ void dump(DumpWriter& out, const Pigment& pigment)
 void dump(DumpWriter& out, const Texture& texture)
 {
     out.open("texture");
-    if (const auto* patterned = std::get_if<PatternedTexture>(&texture.kind)) {
-        dump(out, patterned->pattern);
-        for (const auto& entry : patterned->map) {
+    if (const auto* shared = std::get_if<Shared<PatternedTexture>>(&texture.kind)) {
+        const PatternedTexture& patterned = **shared;
+        dump(out, patterned.pattern);
+        for (const auto& entry : patterned.map) {
             out.open("entry " + text(entry.key));
             if (entry.value) dump(out, *entry.value);
             out.close();
@@ -192,7 +193,7 @@ void dump(DumpWriter& out, const Texture& texture)
             out.open("layer");
             dump(out, layer.pigment);
             if (layer.normal) dump(out, *layer.normal);
-            dump(out, layer.finish);
+            dump(out, *layer.finish);
             out.close();
         }
     }
