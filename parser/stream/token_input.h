@@ -29,6 +29,13 @@ namespace pegtl = tao::pegtl;
 class OperandStack {
 public:
     using Operand = std::variant<double, glm::dvec2, glm::dvec3, glm::dvec4, scene::Color, std::string>;
+    using Memory = std::vector<Operand>;
+
+    /// Lies on top of what `memory` holds: blocks within blocks use one, so none of them has to ask for memory.
+    explicit OperandStack(Memory& memory) : operands_(memory), below_(memory.size()) {}
+    ~OperandStack() { operands_.erase(operands_.begin() + static_cast<std::ptrdiff_t>(below_), operands_.end()); }
+    OperandStack(const OperandStack&) = delete;
+    OperandStack& operator=(const OperandStack&) = delete;
 
     template <class T>
     void push(T value)
@@ -48,10 +55,11 @@ public:
     glm::dvec4 pop_vector4() { return pop<glm::dvec4>(); }
     scene::Color pop_color() { return pop<scene::Color>(); }
     std::string pop_string() { return pop<std::string>(); }
-    std::size_t operands() const { return operands_.size(); }
+    std::size_t operands() const { return operands_.size() - below_; }
 
 private:
-    std::vector<Operand> operands_;
+    Memory& operands_;
+    std::size_t below_;
 };
 
 /// The PEGTL input. PEGTL's marks do nothing unless a rule tries to go back over a token it took: that is a mistake in

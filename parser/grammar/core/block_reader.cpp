@@ -10,9 +10,9 @@ BlockReader::BlockReader(SceneBuilder& build)
     : build_(build), keyword_(spelling(build.stream().taken_last().kind)), source_(build.stream().last())
 {}
 
-void BlockReader::open() { opened_ = build_.open_block(std::string(keyword_).c_str()); }
+void BlockReader::open() { opened_ = build_.open_block(keyword_); }
 
-void BlockReader::close() { build_.close_block(std::string(keyword_).c_str(), opened_); }
+void BlockReader::close() { build_.close_block(keyword_, opened_); }
 
 void fail_range(TokenStream& in, const scene::SourceRef& at, Kind keyword, const Range& range)
 {

@@ -263,6 +263,7 @@ void read_component_modifiers(SceneBuilder& build, scene::Object& object)
 
 void read_modifiers(SceneBuilder& build, scene::Object& object)
 {
+    if (build.stream().peek().kind == Kind::RightBrace) return;
     ObjectState s(build, object);
     while (ModifierItems::match(build, s)) {}
     if (object.details->interior_texture && !object.texture)

@@ -35,7 +35,7 @@ inline constexpr const char* expected<pegtl::opt<Rules...>> = "";
 
 /// What the items of one block work on.
 struct BlockState : OperandStack {
-    explicit BlockState(SceneBuilder& builder) : build(builder) {}
+    explicit BlockState(SceneBuilder& builder) : OperandStack(builder.operand_memory), build(builder) {}
     SceneBuilder& build;
     TokenStream& stream() { return build.stream(); }
     float pop_single() { return static_cast<float>(pop_float()); }
@@ -65,10 +65,16 @@ template <class State, class... Items>
 struct table {
     using Reader = bool (*)(TokenInput&, State&);
 
+    /// Whether the keyword of an item is next.
+    static bool begins(SceneBuilder& build)
+    {
+        constexpr auto known = keywords();
+        return known[static_cast<std::size_t>(build.stream().peek().kind)];
+    }
     /// Reads one item if its keyword is next.
     static bool match(SceneBuilder& build, State& state)
     {
-        static const auto readers = make();
+        static constexpr auto readers = make();
         const Reader reader = readers[static_cast<std::size_t>(build.stream().peek().kind)];
         if (!reader) return false;
         TokenInput input(build.stream());
@@ -76,12 +82,18 @@ struct table {
     }
 
 private:
+    static constexpr std::array<bool, kKindCount> keywords()
+    {
+        std::array<bool, kKindCount> all{};
+        ((all[static_cast<std::size_t>(Items::keyword)] = true), ...);
+        return all;
+    }
     template <class Item>
     static bool read(TokenInput& input, State& state)
     {
         return pegtl::parse<Item, action, control>(input, state);
     }
-    static std::array<Reader, kKindCount> make()
+    static constexpr std::array<Reader, kKindCount> make()
     {
         std::array<Reader, kKindCount> readers{};
         ((readers[static_cast<std::size_t>(Items::keyword)] = &read<Items>), ...);

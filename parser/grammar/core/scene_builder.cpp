@@ -79,17 +79,10 @@ scene::Description SceneBuilder::take()
     return std::move(description);
 }
 
-scene::SourceRef SceneBuilder::open_block(const char* what)
-{
-    const scene::SourceRef at = stream_->here();
-    stream_->expect(Kind::LeftBrace, fmt::format("'{{' after {}", what));
-    stream_->block_opened(at);
-    return at;
-}
+void SceneBuilder::fail_open(std::string_view what) { stream_->fail_expected(fmt::format("'{{' after {}", what)); }
 
-void SceneBuilder::close_block(const char* what, const scene::SourceRef& opened)
+void SceneBuilder::fail_close(std::string_view what, const scene::SourceRef& opened)
 {
-    if (stream_->accept(Kind::RightBrace)) return stream_->block_closed();
     if (stream_->peek().kind == Kind::EndOfText)
         stream_->fail(opened, fmt::format("this block of '{}' is not closed: the text ends before its '}}'", what));
     fail_unknown(fmt::format("an item of '{}' or '}}'", what).c_str(),

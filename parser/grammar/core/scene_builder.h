@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parser/stream/token_input.h"
 #include "parser/stream/token_stream.h"
 #include "render/image/picture.h"
 #include "render/scene/description.h"
@@ -56,8 +57,18 @@ public:
 
     /// '{' of a block whose keyword has been taken; its place. close_block() tells what is wrong if '}' does not
     /// follow.
-    scene::SourceRef open_block(const char* what);
-    void close_block(const char* what, const scene::SourceRef& opened);
+    scene::SourceRef open_block(std::string_view what)
+    {
+        const scene::SourceRef at = stream_->here();
+        if (!stream_->accept(Kind::LeftBrace)) fail_open(what);
+        stream_->block_opened(at);
+        return at;
+    }
+    void close_block(std::string_view what, const scene::SourceRef& opened)
+    {
+        if (!stream_->accept(Kind::RightBrace)) fail_close(what, opened);
+        stream_->block_closed();
+    }
     /// The next token belongs to nothing known here.
     [[noreturn]] void fail_unknown(const char* expected, const std::string& more = "");
 
@@ -68,8 +79,12 @@ public:
     bool guessed = false;
     bool default_given = false;
     std::optional<scene::SourceRef> global_settings;  ///< the first such block
+    OperandStack::Memory operand_memory;
+    std::vector<scene::Object> gathered;  ///< operands of the CSG objects that are being read: see objects.cpp
 
 private:
+    [[noreturn]] void fail_open(std::string_view what);
+    [[noreturn]] void fail_close(std::string_view what, const scene::SourceRef& opened);
     /// One statement of the scene; false at the end of the text.
     bool read_statement();
     bool is_unsupported(const std::shared_ptr<const scene::Object>& object, const char* question);
@@ -90,16 +105,23 @@ private:
     std::map<std::string, std::shared_ptr<const image::Picture>> pictures_;
 };
 
-/// At the first token of an object statement (or at an object identifier): reads it. nullopt, nothing taken: no object.
-std::optional<scene::Object> read_object(SceneBuilder& build);
+/// At the first token of an object statement (or at an object identifier): reads it. Nothing taken: no object.
+/// `object` must be new.
+bool read_object(SceneBuilder& build, scene::Object& object);
+inline std::optional<scene::Object> read_object(SceneBuilder& build)
+{
+    std::optional<scene::Object> object(std::in_place);
+    if (!read_object(build, *object)) object.reset();
+    return object;
+}
 /// A block of the shape that `keyword` (already taken) names, modifiers included.
-scene::Object read_solid(SceneBuilder& build, Kind keyword);
+void read_solid(SceneBuilder& build, Kind keyword, scene::Object& object);
 bool is_solid(Kind keyword);
 scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source);
 scene::Object read_mesh2(SceneBuilder& build, const scene::SourceRef& source);
-scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef& source);
+void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object);
 scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source);
-scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::SourceRef& source);
+void read_written(SceneBuilder& build, Kind keyword, scene::Object& object);
 bool is_written(Kind keyword);
 /// Whether it is drawn but has no inside (spec 5b, 1.1).
 bool is_patch(const scene::Object& object);

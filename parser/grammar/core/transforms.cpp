@@ -91,8 +91,9 @@ inline constexpr auto expected<matrix_close> = "'>' after the matrix's 12 number
 
 std::optional<csg::Transform> read_transformation(SceneBuilder& build)
 {
+    if (!Transformations::begins(build)) return std::nullopt;
     TransformState state(build);
-    if (!Transformations::match(build, state)) return std::nullopt;
+    Transformations::match(build, state);
     return state.result;
 }
 

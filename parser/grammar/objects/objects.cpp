@@ -21,16 +21,35 @@ scene::CsgOp op_of(Kind keyword)
 }
 
 /// object { NAME or any object statement, modifiers }.
-scene::Object read_wrapper(SceneBuilder& build, const scene::SourceRef& source)
+void read_wrapper(SceneBuilder& build, const scene::SourceRef& source, scene::Object& object)
 {
     const auto opened = build.open_block("object");
-    auto object = read_object(build);
-    if (!object) build.fail_unknown("an object or the name of one");
-    object->source = source;
-    read_modifiers(build, *object);
+    if (!read_object(build, object)) build.fail_unknown("an object or the name of one");
+    object.source = source;
+    read_modifiers(build, object);
     build.close_block("object", opened);
-    return *object;
 }
+
+/// Objects that are read one after the other, until they move to where they stay in an array of just their size.
+/// Objects within objects use the same memory.
+class Gathered {
+public:
+    explicit Gathered(SceneBuilder& build) : all_(build.gathered), below_(all_.size()) {}
+    ~Gathered() { all_.erase(first(), all_.end()); }
+    Gathered(const Gathered&) = delete;
+    Gathered& operator=(const Gathered&) = delete;
+    void add(scene::Object object) { all_.push_back(std::move(object)); }
+    std::shared_ptr<const std::vector<scene::Object>> take()
+    {
+        return std::make_shared<const std::vector<scene::Object>>(std::make_move_iterator(first()),
+                                                                  std::make_move_iterator(all_.end()));
+    }
+
+private:
+    std::vector<scene::Object>::iterator first() { return all_.begin() + static_cast<std::ptrdiff_t>(below_); }
+    std::vector<scene::Object>& all_;
+    std::size_t below_;
+};
 
 }  // namespace
 
@@ -87,12 +106,12 @@ scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& sour
     return object;
 }
 
-scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
+void read_written(SceneBuilder& build, Kind keyword, scene::Object& object)
 {
-    const std::string name(spelling(keyword));
-    scene::Object object;
+    const std::string_view name = spelling(keyword);
+    const scene::SourceRef source = build.stream().last();
     SolidReader reader(build, object);
-    const auto opened = build.open_block(name.c_str());
+    const auto opened = build.open_block(name);
     if (const auto declared = build.stream().accept_identifier<Shared>()) {
         object = **declared;
         object.source = source;
@@ -103,16 +122,15 @@ scene::Object read_written(SceneBuilder& build, Kind keyword, const scene::Sourc
         read_modifiers(build, object);
         if (forgets_inverse(object)) object.inverse = false;
     }
-    build.close_block(name.c_str(), opened);
-    return object;
+    build.close_block(name, opened);
 }
 
-scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef& source)
+void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object)
 {
     TokenStream& in = build.stream();
-    const std::string name(spelling(keyword));
-    const auto opened = build.open_block(name.c_str());
-    scene::Object object;
+    const scene::SourceRef source = in.last();
+    const std::string_view name = spelling(keyword);
+    const auto opened = build.open_block(name);
     // A name right after the brace is the whole object; further operands are an error (spec 1, 14.2).
     if (const auto declared = in.accept_identifier<Shared>()) {
         object = **declared;
@@ -120,54 +138,62 @@ scene::Object read_csg(SceneBuilder& build, Kind keyword, const scene::SourceRef
     } else {
         object.source = source;
         if (keyword == Kind::Composite) in.warn(source, "'composite' is an old word for 'union'");
-        auto operands = std::make_shared<std::vector<scene::Object>>();
+        Gathered operands(build);
         std::size_t written = 0;
-        while (auto operand = read_object(build)) {
-            ++written;
-            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && !has_inside(*operand))
-                in.warn(operand->source, "what has no inside cannot be cut or cut with");
-            if (operand->drawn()) operands->push_back(std::move(*operand));
-            else build.set_aside(std::move(*operand));
+        for (;; ++written) {
+            scene::Object operand;
+            if (!read_object(build, operand)) break;
+            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && !has_inside(operand))
+                in.warn(operand.source, "what has no inside cannot be cut or cut with");
+            if (operand.drawn()) operands.add(std::move(operand));
+            else build.set_aside(std::move(operand));
         }
-        if (written < 2 && build.version() >= 150) in.warn(source, name + " should have at least two objects");
-        operands->shrink_to_fit();  // a scene may have a hundred thousand of these
-        object.shape = scene::Csg{op_of(keyword), std::move(operands), true, false, false, false, {}};
+        if (written < 2 && build.version() >= 150)
+            in.warn(source, std::string(name) + " should have at least two objects");
+        object.shape = scene::Csg{op_of(keyword), operands.take(), true, false, false, false, {}};
     }
     read_modifiers(build, object);
-    build.close_block(name.c_str(), opened);
-    return object;
+    build.close_block(name, opened);
 }
 
-std::optional<scene::Object> read_object(SceneBuilder& build)
+bool read_object(SceneBuilder& build, scene::Object& object)
 {
     TokenStream& in = build.stream();
     const auto guard = in.nest();
-    if (const auto declared = in.accept_identifier<Shared>()) {
-        scene::Object copy = **declared;
-        copy.source = in.last();
-        return copy;
-    }
     const Kind keyword = in.peek().kind;
     if (is_solid(keyword)) {
         in.next();
-        return read_solid(build, keyword);
+        read_solid(build, keyword, object);
+        return true;
+    }
+    if (const auto declared = in.accept_identifier<Shared>()) {
+        object = **declared;
+        object.source = in.last();
+        return true;
     }
     if (is_written(keyword)) {
         in.next();
-        return read_written(build, keyword, in.last());
+        read_written(build, keyword, object);
+        return true;
     }
     switch (keyword) {
     case Kind::Union:
     case Kind::Intersection:
     case Kind::Difference:
     case Kind::Merge:
-    case Kind::Composite: in.next(); return read_csg(build, keyword, in.last());
-    case Kind::LightGroup: in.next(); return read_light_group(build, in.last());
-    case Kind::Object: in.next(); return read_wrapper(build, in.last());
-    case Kind::LightSource: in.next(); return read_light(build, in.last());
-    case Kind::Mesh: in.next(); return read_mesh(build, in.last());
-    case Kind::Mesh2: in.next(); return read_mesh2(build, in.last());
-    default: return std::nullopt;
+    case Kind::Composite:
+        in.next();
+        read_csg(build, keyword, object);
+        return true;
+    case Kind::Object:
+        in.next();
+        read_wrapper(build, in.last(), object);
+        return true;
+    case Kind::LightGroup: in.next(); object = read_light_group(build, in.last()); return true;
+    case Kind::LightSource: in.next(); object = read_light(build, in.last()); return true;
+    case Kind::Mesh: in.next(); object = read_mesh(build, in.last()); return true;
+    case Kind::Mesh2: in.next(); object = read_mesh2(build, in.last()); return true;
+    default: return false;
     }
 }
 

@@ -7,8 +7,8 @@ namespace parser {
 namespace {
 
 struct SolidState : BlockState {
-    using BlockState::BlockState;
-    scene::Object object;
+    SolidState(SceneBuilder& builder, scene::Object& made) : BlockState(builder), object(made) {}
+    scene::Object& object;
 };
 /// Shorter distances between a cylinder's or cone's ends, and shorter normals of a plane, are errors (spec 5a, 5).
 constexpr double kDegenerate = 1e-10;
@@ -166,12 +166,14 @@ constexpr SolidEntry kSolids[] = {
     {Kind::Quadric, make_quadric},   {Kind::Disc, make_disc},
     {Kind::Triangle, make_triangle}, {Kind::SmoothTriangle, make_smooth_triangle},
 };
-const SolidEntry* find(Kind keyword)
+using Makers = std::array<void (*)(SolidState&), kKindCount>;
+constexpr Makers makers()
 {
-    for (const SolidEntry& entry : kSolids)
-        if (entry.keyword == keyword) return &entry;
-    return nullptr;
+    Makers all{};
+    for (const SolidEntry& entry : kSolids) all[static_cast<std::size_t>(entry.keyword)] = entry.make;
+    return all;
 }
+constexpr Makers kMakers = makers();
 
 }  // namespace
 
@@ -230,21 +232,22 @@ inline constexpr auto expected<vertex> = "a corner of the triangle, as in <0, 1,
 template <>
 inline constexpr auto expected<vertex_normal> = "the normal at this corner, as in <0, 1, 0>";
 
-bool is_solid(Kind keyword) { return find(keyword) != nullptr; }
+bool is_solid(Kind keyword) { return kMakers[static_cast<std::size_t>(keyword)] != nullptr; }
 
-scene::Object read_solid(SceneBuilder& build, Kind keyword)
+void read_solid(SceneBuilder& build, Kind keyword, scene::Object& object)
 {
-    SolidState s(build);
-    s.object.source = build.stream().last();
-    const std::string name(spelling(keyword));
-    const scene::SourceRef opened = build.open_block(name.c_str());
+    object.source = build.stream().last();
+    const std::string_view name = spelling(keyword);
+    const scene::SourceRef opened = build.open_block(name);
     // `sphere { NAME ... }` is a copy of any declared object.
-    if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Object>>())
-        s.object = **declared;
-    else find(keyword)->make(s);
-    read_modifiers(build, s.object);
-    build.close_block(name.c_str(), opened);
-    return s.object;
+    if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Object>>()) {
+        object = **declared;
+    } else {
+        SolidState s(build, object);
+        kMakers[static_cast<std::size_t>(keyword)](s);
+    }
+    read_modifiers(build, object);
+    build.close_block(name, opened);
 }
 
 }  // namespace parser

@@ -127,9 +127,10 @@ void read_global_settings(SceneBuilder& build)
 
 bool read_old_setting(SceneBuilder& build)
 {
-    GlobalState s(build);
     TokenStream& in = build.stream();
     const Kind kind = in.peek().kind;
+    if (kind != Kind::MaxTraceLevel && kind != Kind::MaxIntersections) return false;
+    GlobalState s(build);
     if (kind == Kind::MaxTraceLevel && build.version() >= 350)
         in.warn(in.here(), "'max_trace_level' belongs in global_settings");
     return table<GlobalState, max_trace_level, max_intersections>::match(build, s);

@@ -161,7 +161,8 @@ bool SceneBuilder::read_statement()
     if (stream_->peek().kind == Kind::EndOfText) return false;
     stream_->begin_statement();
     if (SceneItems::match(*this, s) || read_old_setting(*this)) return true;
-    if (auto object = read_object(*this)) add(std::move(*object));
+    scene::Object object;
+    if (read_object(*this, object)) add(std::move(object));
     else fail_unknown("an object, a camera, a light_source or another statement");
     return true;
 }
