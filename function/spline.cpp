@@ -10,6 +10,7 @@ using Values = Spline::Values;
 void Spline::add(double t, const Values& value, std::uint32_t count)
 {
     components_ = std::max(components_, count);
+    derivatives_.clear();
     const auto at = std::lower_bound(knots_.begin(), knots_.end(), t, [](const Knot& k, double v) { return k.t < v; });
     if (at != knots_.end() && at->t == t) {
         if (at + 1 != knots_.end() || knots_.size() == 1) at->value = value;
@@ -57,6 +58,8 @@ std::vector<Values> Spline::second_derivatives() const
     return m;
 }
 
+void Spline::finish() { derivatives_ = second_derivatives(); }
+
 Values Spline::at(double t, Kind as) const
 {
     const std::size_t count = knots_.size(), last = count - 1;
@@ -94,7 +97,8 @@ Values Spline::at(double t, Kind as) const
         });
     }
     if (as == Kind::Natural && count > 2) {
-        const std::vector<Values> m = second_derivatives();
+        const std::vector<Values> fresh = derivatives_.empty() ? second_derivatives() : std::vector<Values>{};
+        const std::vector<Values>& m = derivatives_.empty() ? fresh : derivatives_;
         return each([&](std::size_t k) {
             const double slope = (knot(i).value[k] - knot(a).value[k]) / h - h * (m[i][k] + 2.0 * m[a][k]) / 6.0;
             return knot(a).value[k] + d * (slope + d * (m[a][k] / 2.0 + d * (m[i][k] - m[a][k]) / (6.0 * h)));

@@ -23,6 +23,8 @@ public:
     /// The curve at t; constant beyond the ends. At least one knot. Components past components() are 0.
     Values at(double t) const { return at(t, kind); }
     Values at(double t, Kind as) const;
+    /// After the last knot: what every value of a natural spline needs is worked out once.
+    void finish();
 
 private:
     struct Knot {
@@ -30,7 +32,8 @@ private:
         Values value;
     };
     std::vector<Values> second_derivatives() const;
-    std::vector<Knot> knots_;  ///< by t
+    std::vector<Knot> knots_;      ///< by t
+    std::vector<Values> derivatives_;  ///< of second order, at the knots; empty: not finished
     std::uint32_t components_ = 2;
 };
 

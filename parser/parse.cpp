@@ -49,7 +49,7 @@ std::string dump_tokens(const std::string& path)
     file.path = path;
     file.text.assign(std::istreambuf_iterator<char>(in), {});
     Names names;
-    tokenize(file, 0, names, true);
+    tokenize(file, 0, names, true, false);
     std::string out;
     for (const Token& token : file.tokens) {
         const SourceFile::Place place = file.locate(token.offset);

@@ -1,4 +1,5 @@
 #include "parser/lexer/lexer.h"
+#include "parser/lexer/number_blocks.h"
 
 #include <tao/pegtl.hpp>
 
@@ -71,7 +72,22 @@ struct mark : one<'{', '}', '(', ')', '[', ']', '<', '>', '=', '!', '&', '|', '?
                   '/', '@', '%', '^', '$', '~', '\'', '`', '\\', '#'> {};
 struct illegal : pegtl::any {};
 
-struct item : sor<blanks, word, number_with_two_points, number, line_comment, block_comment, open_comment, text,
+/// A list that the last two tokens, a word and '{', may have begun.
+struct number_list {
+    using rule_t = number_list;
+    using subs_t = pegtl::type_list<>;
+    template <pegtl::apply_mode, pegtl::rewind_mode, template <class...> class, template <class...> class, class Input,
+              class Build>
+    static bool match(Input& in, Build& build)
+    {
+        const char* const end = build.take_numbers(in.current(), in.end());
+        if (end == nullptr) return false;
+        in.bump(static_cast<std::size_t>(end - in.current()));
+        return true;
+    }
+};
+
+struct item : sor<number_list, blanks, word, number_with_two_points, number, line_comment, block_comment, open_comment, text,
                   open_text, pair, mark, illegal> {};
 struct whole : star<item> {};
 
@@ -81,6 +97,9 @@ struct Builder {
     SourceFile& file;
     Names& names;
     std::uint16_t file_index;
+    bool lists = true;
+    Kind list = Kind::Bad;  ///< the word that begins a list of numbers, if the last token was that or the brace behind it
+    bool open = false;      ///< it was the brace
 
     Token& add(Kind kind, const char* at)
     {
@@ -88,7 +107,27 @@ struct Builder {
         token.kind = kind;
         token.file = file_index;
         token.offset = static_cast<std::uint32_t>(at - file.text.data());
+        open = list != Kind::Bad && kind == Kind::LeftBrace && !open;
+        if (!open) list = lists && begins_numbers(kind) ? kind : Kind::Bad;
         return file.tokens.emplace_back(token);
+    }
+    /// Where the list ends that begins here; null: none does.
+    const char* take_numbers(const char* at, const char* text_end)
+    {
+        if (!open) return nullptr;
+        const Kind keyword = list;
+        open = false;
+        list = Kind::Bad;
+        const std::size_t before = file.numbers.size();
+        NumberList found;
+        const char* first = nullptr;
+        const char* const list_end = read_number_list(keyword, at, text_end, file.numbers, found, first);
+        if (list_end == nullptr) return nullptr;
+        Token& token = add(Kind::Numbers, first);
+        token.name = static_cast<std::uint32_t>(before);
+        token.jump = found.items;
+        token.number = found.stride;
+        return list_end;
     }
     std::uint32_t add_string(std::string raw)
     {
@@ -255,10 +294,11 @@ void link_branches(std::vector<Token>& tokens)
 
 }  // namespace
 
-bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool main_text)
+bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool main_text, bool lists)
 {
     file.tokens.clear();
     file.strings.clear();
+    file.numbers.clear();
     file.bad.clear();
     std::size_t skipped = 0;
     if (main_text)
@@ -266,7 +306,7 @@ bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool mai
     else if (file.text.starts_with("\xEF\xBB\xBF"))  // POV-Ray refuses it in an include file; editors write it
         skipped = 3;
 
-    Builder build{file, names, file_index};
+    Builder build{file, names, file_index, lists};
     file.tokens.reserve(file.text.size() / 4 + 1);
     pegtl::memory_input<pegtl::tracking_mode::lazy> in(file.text.data() + skipped, file.text.data() + file.text.size(),
                                                        file.path);

@@ -19,6 +19,7 @@ struct SourceFile {
     std::string text;
     std::vector<Token> tokens;         ///< ends with EndOfText
     std::vector<std::string> strings;  ///< raw text of String tokens, messages of Bad tokens
+    std::vector<double> numbers;       ///< of Numbers tokens
     std::vector<std::uint32_t> bad;    ///< indices of Bad tokens, ascending: skipped text must be well-formed too
 
     using Place = scene::LineAndColumn;
@@ -35,6 +36,7 @@ private:
 /// Turns file.text into tokens (spec 1, 1: comments nest, signs are never part of a number, ...).
 /// Never throws for any bytes: what is no token becomes a Bad token. `main_text`: a byte-order mark and other bytes
 /// above 127 at the very start are skipped; returns whether there were any.
-bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool main_text);
+/// `lists`: literal lists of meshes become Numbers tokens.
+bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool main_text, bool lists = true);
 
 }  // namespace parser

@@ -17,6 +17,17 @@ std::string_view SourceFile::line_text(std::uint32_t line) const
     return rest.substr(0, rest.find_first_of("\r\n"));
 }
 
+namespace {
+
+/// What a message quotes is the token that would stand there: '<' or a number.
+std::string_view first_of_numbers(std::string_view rest)
+{
+    const std::size_t length = rest.find_first_not_of("0123456789.eE");
+    return rest.substr(0, std::max<std::size_t>(length, 1));
+}
+
+}  // namespace
+
 std::string_view SourceFile::token_text(const Token& token) const
 {
     const std::string_view rest = std::string_view(text).substr(std::min<std::size_t>(token.offset, text.size()));
@@ -42,6 +53,7 @@ std::string_view SourceFile::token_text(const Token& token) const
         return rest.substr(0, std::min(rest.size(), body.size() + 1));
     }
     case Kind::Bad: return rest.substr(0, 1);
+    case Kind::Numbers: return first_of_numbers(rest);
     default:
         if (token.kind == Kind::Identifier || is_keyword(token.kind))
             return until([&](std::size_t i) { return !word_char(i); });

@@ -18,6 +18,7 @@ enum class Kind : std::uint16_t {
     Identifier,  ///< a word that is not reserved: `name`
     Number,      ///< `number`
     String,      ///< `name` is the string index of the raw text (escapes not yet resolved, but \" is)
+    Numbers,     ///< literal vectors (number_blocks.h): `name` their first value, `jump` how many, `number` values each
     LeftBrace,
     RightBrace,
     LeftParen,
@@ -76,7 +77,7 @@ struct Token {
     std::uint32_t name = kNoIndex;  ///< interned word (keywords too), or string index
     double number = 0;
     std::uint32_t offset = 0;       ///< byte in the file; line and column are computed when a message needs them
-    std::uint32_t jump = kNoIndex;  ///< Hash only
+    std::uint32_t jump = kNoIndex;  ///< Hash and Numbers only
 };
 static_assert(sizeof(Token) == 24);
 

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -82,6 +83,14 @@ public:
     /// is taken. Array subscripts are read: `texture { T[2] }`.
     template <class T>
     std::optional<T> accept_identifier();
+    /// The values of a Numbers token.
+    std::span<const double> values_of(const Token& numbers) const
+    {
+        const std::size_t count = numbers.jump * static_cast<std::size_t>(numbers.number);
+        return std::span(files_[numbers.file]->numbers).subspan(numbers.name, count);
+    }
+    /// The rest of the file, from the token on.
+    std::string text_from(const Token& token) const { return files_[token.file]->text.substr(token.offset); }
     /// Raw string token -> text (escapes resolved, characters as the charset says); `path`: backslashes stay.
     std::string string_text(const Token& token, bool path);
 

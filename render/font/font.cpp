@@ -5,11 +5,10 @@
 #include FT_TRUETYPE_TABLES_H
 
 #include <array>
-#include <map>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace font {
-namespace {
 
 class Library {
 public:
@@ -68,6 +67,8 @@ private:
     bool wide_ = false;
 };
 
+namespace {
+
 /// One contour; its first point counts as one on the curve.
 void add_contour(const FT_Outline& outline, int first, int last, double scale, std::vector<csg::OutlinePiece>& pieces)
 {
@@ -96,53 +97,107 @@ void add_contour(const FT_Outline& outline, int first, int last, double scale, s
     to(start);
 }
 
+std::shared_ptr<const csg::OutlineShape> make_outline(const FT_Outline& written, double scale)
+{
+    std::vector<csg::OutlinePiece> pieces;
+    int first = 0;
+    for (int c = 0; c < written.n_contours; ++c) {
+        const int last = written.contours[c];
+        if (last > first) add_contour(written, first, last, scale, pieces);
+        first = last + 1;
+    }
+    return std::make_shared<csg::OutlineShape>(std::move(pieces));
+}
+
 }  // namespace
 
-std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset, bool unicode)
+struct Fonts::Opened {
+    Opened(const Library& library, const std::string& path, bool unicode) : face(library, path)
+    {
+        face.choose_codes(unicode ? std::array{0, 3, 1, 3} : std::array{1, 3, 0, 3});
+        kerns = FT_HAS_KERNING(face.get());
+    }
+    /// In ems.
+    struct Measured {
+        double advance = 0.0, bearing = 0.0;
+        std::shared_ptr<const csg::OutlineShape> outline;  ///< null: it has none
+    };
+    Face face;
+    bool kerns = false;
+    std::unordered_map<char16_t, FT_UInt> codes;
+    std::unordered_map<std::uint64_t, glm::dvec2> pairs;
+    std::unordered_map<FT_UInt, Measured> glyphs;
+
+    const Measured& glyph(FT_UInt index, std::size_t& outlines)
+    {
+        const auto known = glyphs.find(index);
+        if (known != glyphs.end()) return known->second;
+        if (FT_Load_Glyph(face.get(), index, FT_LOAD_NO_SCALE) != 0)
+            throw std::runtime_error("a character of this font is broken");
+        const FT_GlyphSlot slot = face.get()->glyph;
+        const double scale = face.scale();
+        Measured made{scale * static_cast<double>(slot->metrics.horiAdvance),
+                      scale * static_cast<double>(slot->metrics.horiBearingX), nullptr};
+        if (slot->format == FT_GLYPH_FORMAT_OUTLINE) {
+            made.outline = make_outline(slot->outline, scale);
+            ++outlines;
+        }
+        return glyphs.emplace(index, std::move(made)).first->second;
+    }
+    FT_UInt index_of(char16_t code)
+    {
+        const auto [known, fresh] = codes.try_emplace(code, 0);
+        if (fresh) known->second = face.glyph_of(code);
+        return known->second;
+    }
+    glm::dvec2 kerning(FT_UInt before, FT_UInt index)
+    {
+        if (!kerns) return glm::dvec2(0.0);
+        const auto [known, fresh] = pairs.try_emplace((std::uint64_t{before} << 32) | index, glm::dvec2(0.0));
+        if (fresh) {
+            FT_Vector kern{0, 0};
+            FT_Get_Kerning(face.get(), before, index, FT_KERNING_UNSCALED, &kern);
+            known->second = {face.scale() * static_cast<double>(kern.x), face.scale() * static_cast<double>(kern.y)};
+        }
+        return known->second;
+    }
+};
+
+Fonts::Fonts() = default;
+Fonts::~Fonts() = default;
+
+std::vector<Glyph> Fonts::lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset,
+                                  bool unicode)
 {
-    const Library library;
-    Face face(library, path);
-    face.choose_codes(unicode ? std::array{0, 3, 1, 3} : std::array{1, 3, 0, 3});
-    const double scale = face.scale();
-    std::map<FT_UInt, std::shared_ptr<const csg::OutlineShape>> known;
+    if (!library_) library_ = std::make_unique<Library>();
+    std::unique_ptr<Opened>& opened = opened_[{path, unicode}];
+    if (!opened) opened = std::make_unique<Opened>(*library_, path, unicode);
     std::vector<Glyph> out;
     glm::dvec2 pen(0.0);
     FT_UInt before = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const FT_UInt index = face.glyph_of(text[i]);
-        if (FT_Load_Glyph(face.get(), index, FT_LOAD_NO_SCALE) != 0)
-            throw std::runtime_error("a character of this font is broken");
-        const FT_GlyphSlot slot = face.get()->glyph;
-        const double advance = scale * static_cast<double>(slot->metrics.horiAdvance);
-        const double bearing = scale * static_cast<double>(slot->metrics.horiBearingX);
+        const FT_UInt index = opened->index_of(text[i]);
+        const auto& glyph = opened->glyph(index, outlines_);
         glm::dvec2 origin = pen;
         if (i == 0) {
-            origin.x = -bearing;  // its ink starts at 0
-            pen.x = advance - bearing;
+            origin.x = -glyph.bearing;  // its ink starts at 0
+            pen.x = glyph.advance - glyph.bearing;
         } else {
-            FT_Vector kerning{0, 0};
-            if (FT_HAS_KERNING(face.get())) FT_Get_Kerning(face.get(), before, index, FT_KERNING_UNSCALED, &kerning);
-            const glm::dvec2 kern(scale * static_cast<double>(kerning.x), scale * static_cast<double>(kerning.y));
+            const glm::dvec2 kern = opened->kerning(before, index);
             origin += kern;
-            pen.x += advance + kern.x;
+            pen.x += glyph.advance + kern.x;
         }
         pen += offset;
         before = index;
-        if (text[i] == u' ' || slot->format != FT_GLYPH_FORMAT_OUTLINE) continue;
-        auto& outline = known[index];
-        if (!outline) {
-            std::vector<csg::OutlinePiece> pieces;
-            int first = 0;
-            for (int c = 0; c < slot->outline.n_contours; ++c) {
-                const int last = slot->outline.contours[c];
-                if (last > first) add_contour(slot->outline, first, last, scale, pieces);
-                first = last + 1;
-            }
-            outline = std::make_shared<csg::OutlineShape>(std::move(pieces));
-        }
-        if (!outline->empty()) out.push_back({outline, origin});
+        if (text[i] == u' ' || !glyph.outline || glyph.outline->empty()) continue;
+        out.push_back({glyph.outline, origin});
     }
     return out;
+}
+
+std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset, bool unicode)
+{
+    return Fonts().lay_out(path, text, offset, unicode);
 }
 
 }  // namespace font

@@ -2,6 +2,7 @@
 
 #include "parser/stream/token_input.h"
 #include "parser/stream/token_stream.h"
+#include "render/font/font.h"
 #include "render/image/picture.h"
 #include "render/scene/description.h"
 
@@ -79,6 +80,8 @@ public:
     bool guessed = false;
     bool default_given = false;
     std::optional<scene::SourceRef> global_settings;  ///< the first such block
+    font::Fonts fonts;
+    std::map<std::string, std::string> font_files;  ///< paths by what the text calls them
     OperandStack::Memory operand_memory;
     std::vector<scene::Object> gathered;  ///< operands of the CSG objects that are being read: see objects.cpp
 

@@ -1,4 +1,8 @@
 #include "parser/grammar/core/rules.h"
+#include "parser/lexer/number_blocks.h"
+
+#include <cstring>
+#include <span>
 
 namespace parser {
 namespace {
@@ -34,6 +38,12 @@ struct MeshState : BlockState {
         if (!at_expression(stream())) build.fail_unknown("a vector, as in <0, 1, 0>");
         return parser::vector_expr(stream());
     }
+    /// Literal vectors, if they are next: the lexer has read them.
+    const Token* numbers()
+    {
+        if (stream().peek().kind != Kind::Numbers) return nullptr;
+        return &stream().next();
+    }
     glm::dvec2 pair()
     {
         stream().accept_comma();
@@ -55,13 +65,29 @@ scene::TexturePtr accept_texture_name(TokenStream& in)
 }
 
 // ---- mesh -----------------------------------------------------------------------------------------------------
+void take_corners(MeshState& s, const Token& numbers, bool smooth, Data::Face& face)
+{
+    const auto first = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
+    const std::span<const double> v = s.stream().values_of(numbers);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::size_t at = i * (smooth ? 6 : 3);
+        face.vertex[i] = first(s.data->vertices);
+        s.data->vertices.emplace_back(v[at], v[at + 1], v[at + 2]);
+        if (!smooth) continue;
+        face.normal[i] = first(s.data->normals);
+        s.data->normals.emplace_back(v[at + 3], v[at + 4], v[at + 5]);
+    }
+}
+
 void read_face(MeshState& s, bool smooth)
 {
     TokenStream& in = s.stream();
     const char* what = smooth ? "smooth_triangle" : "triangle";
     const auto opened = s.build.open_block(what);
     Data::Face face{kNoIndices, kNoIndices, kNoIndices, kNoIndices};
-    for (std::size_t i = 0; i < 3; ++i) {
+    const Token* const numbers = s.numbers();
+    if (numbers) take_corners(s, *numbers, smooth, face);
+    for (std::size_t i = 0; !numbers && i < 3; ++i) {
         face.vertex[i] = static_cast<std::uint32_t>(s.data->vertices.size());
         s.data->vertices.push_back(s.vector());
         if (!smooth) continue;
@@ -99,11 +125,57 @@ struct Indices {
     std::array<std::uint32_t, 3> texture;
 };
 
+/// Where the token stands that is the last of a list's item: of its vector, or of its texture `texture` (from 0).
+scene::SourceRef place_in_list(TokenStream& in, const Token& numbers, std::size_t item, int texture)
+{
+    SourceFile list;
+    list.text = in.text_from(numbers);
+    Names names;
+    tokenize(list, 0, names, false, false);
+    std::size_t at = 0;
+    for (std::size_t closed = 0; closed <= item; ++at) closed += list.tokens[at].kind == Kind::Greater ? 1 : 0;
+    --at;
+    for (int t = -1; t < texture; ++at)
+        if (list.tokens[at + 1].kind == Kind::Number) ++t;
+    return {numbers.file, numbers.offset + list.tokens[at].offset};
+}
+
+std::vector<Indices> take_indices(MeshState& s, const Token& numbers, const char* what, std::size_t limit)
+{
+    TokenStream& in = s.stream();
+    const std::span<const double> values = in.values_of(numbers);
+    const auto stride = static_cast<std::size_t>(numbers.number);
+    std::vector<Indices> all(numbers.jump);
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const double* const v = &values[n * stride];
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (v[i] < 0 || v[i] >= static_cast<double>(limit))
+                in.fail(place_in_list(in, numbers, n, -1), std::string("an index of ") + what + " is out of range");
+            all[n].at[i] = static_cast<std::uint32_t>(v[i]);
+        }
+        all[n].texture = kNoIndices;
+        for (std::size_t t = 0; stride == 6 && t < 3 && v[3 + t] != kNoTexture; ++t) {
+            if (v[3 + t] >= static_cast<double>(s.data->textures.size()))
+                in.fail(place_in_list(in, numbers, n, static_cast<int>(t)),
+                        "a texture index of face_indices is out of range");
+            const auto index = static_cast<std::uint32_t>(v[3 + t]);
+            if (t == 0) all[n].texture.fill(index);
+            else all[n].texture[t] = index;
+        }
+    }
+    return all;
+}
+
 /// `{ count, <a,b,c> [, t [, t, t]], ... }`
 std::vector<Indices> read_indices(MeshState& s, const char* what, std::size_t limit, bool textures)
 {
     TokenStream& in = s.stream();
     const auto opened = s.build.open_block(what);
+    if (const Token* const numbers = s.numbers()) {
+        std::vector<Indices> all = take_indices(s, *numbers, what, limit);
+        s.build.close_block(what, opened);
+        return all;
+    }
     std::vector<Indices> all(s.count());
     for (Indices& one : all) {
         const glm::dvec3 v = s.vector();
@@ -135,6 +207,13 @@ template <class Vector, class Read>
 std::vector<Vector> read_vectors(MeshState& s, const char* what, Read&& read)
 {
     const auto opened = s.build.open_block(what);
+    if (const Token* const numbers = s.numbers()) {
+        std::vector<Vector> all(numbers->jump);
+        const std::span<const double> values = s.stream().values_of(*numbers);
+        if (!all.empty()) std::memcpy(&all[0][0], values.data(), values.size_bytes());
+        s.build.close_block(what, opened);
+        return all;
+    }
     std::vector<Vector> all(s.count());
     for (Vector& v : all) v = read();
     s.stream().accept_comma();
@@ -178,7 +257,9 @@ struct texture_list : item<Kind::TextureList> {
 struct face_indices : item<Kind::FaceIndices> {
     static void act(MeshState& s)
     {
-        for (const Indices& one : read_indices(s, "face_indices", s.data->vertices.size(), true))
+        const std::vector<Indices> all = read_indices(s, "face_indices", s.data->vertices.size(), true);
+        s.data->faces.reserve(s.data->faces.size() + all.size());
+        for (const Indices& one : all)
             s.data->faces.push_back({one.at, kNoIndices, kNoIndices, one.texture});
     }
 };

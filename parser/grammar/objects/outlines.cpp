@@ -16,9 +16,13 @@ void read_font(SolidReader& s, scene::Text& text)
     if (s.accept(Kind::Ttf)) {
         const scene::SourceRef at = s.in().here();
         const std::string name = path_expr(s.in());
-        text.font = s.in().find_file(name, {".ttf", ".TTF"});
-        if (text.font.empty()) s.in().fail(at, fmt::format("cannot find the font file '{}'", name));
-        s.in().data_files().push_back(text.font);
+        std::string& found = s.build().font_files[name];
+        if (found.empty()) {
+            found = s.in().find_file(name, {".ttf", ".TTF"});
+            if (found.empty()) s.in().fail(at, fmt::format("cannot find the font file '{}'", name));
+            s.in().data_files().push_back(found);
+        }
+        text.font = found;
     } else if (s.accept(Kind::Internal)) {
         text.internal_font = float_expr(s.in());
     } else {
@@ -44,11 +48,12 @@ scene::Csg shape_of(SolidReader& s, const scene::Text& text)
     const auto file = font_path(s, text);
     std::vector<font::Glyph> glyphs;
     try {
-        glyphs = font::lay_out(file, units_of(text.characters), {text.offset.x, text.offset.y}, unicode);
+        glyphs = s.build().fonts.lay_out(file, units_of(text.characters), {text.offset.x, text.offset.y}, unicode);
     } catch (const std::runtime_error& error) {
         s.in().fail(s.source(), error.what());
     }
     auto characters = std::make_shared<std::vector<scene::Object>>();
+    characters->reserve(glyphs.size());
     for (const font::Glyph& glyph : glyphs) {
         scene::Object character;
         character.source = s.source();

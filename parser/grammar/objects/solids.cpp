@@ -1,6 +1,7 @@
 #include "parser/grammar/core/rules.h"
 
 #include <array>
+#include <span>
 
 /// Solids given by a few numbers: what stands between the keyword's brace and the first modifier.
 namespace parser {
@@ -134,23 +135,37 @@ struct smooth_triangle
     : seq<must<vertex>, must<vertex_normal>, must<vertex>, must<vertex_normal>, must<vertex>, must<vertex_normal>> {};
 void make_triangle(SolidState& s)
 {
-    read_rule<triangle>(s.build, s);
     scene::Triangle t{};
-    for (std::size_t i = 3; i-- > 0;) t.vertex[i] = s.pop_vector();
+    if (s.stream().peek().kind == Kind::Numbers) {
+        const std::span<const double> v = s.stream().values_of(s.stream().next());
+        for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+    } else {
+        read_rule<triangle>(s.build, s);
+        for (std::size_t i = 3; i-- > 0;) t.vertex[i] = s.pop_vector();
+    }
     if (glm::length(glm::cross(t.vertex[1] - t.vertex[0], t.vertex[2] - t.vertex[0])) == 0.0)
         s.stream().warn(s.object.source, "this triangle's corners lie on a line");
     s.object.shape = t;
 }
 void make_smooth_triangle(SolidState& s)
 {
-    read_rule<smooth_triangle>(s.build, s);
     scene::Triangle t{};
     const auto normals = std::make_shared<std::array<glm::dvec3, 3>>();
-    for (std::size_t i = 3; i-- > 0;) {
-        const glm::dvec3 normal = s.pop_vector();
-        (*normals)[i] = glm::length(normal) > 0 ? glm::normalize(normal) : normal;
-        t.vertex[i] = s.pop_vector();
+    if (s.stream().peek().kind == Kind::Numbers) {
+        const std::span<const double> v = s.stream().values_of(s.stream().next());
+        for (std::size_t i = 0; i < 3; ++i) {
+            t.vertex[i] = {v[6 * i], v[6 * i + 1], v[6 * i + 2]};
+            (*normals)[i] = {v[6 * i + 3], v[6 * i + 4], v[6 * i + 5]};
+        }
+    } else {
+        read_rule<smooth_triangle>(s.build, s);
+        for (std::size_t i = 3; i-- > 0;) {
+            (*normals)[i] = s.pop_vector();
+            t.vertex[i] = s.pop_vector();
+        }
     }
+    for (glm::dvec3& normal : *normals)
+        if (glm::length(normal) > 0) normal = glm::normalize(normal);
     t.normal = normals;
     s.object.shape = t;
 }

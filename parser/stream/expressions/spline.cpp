@@ -39,6 +39,7 @@ SplinePtr read_spline(TokenStream& stream)
         stream.accept_comma();
     }
     if (spline->size() == 0) stream.fail(at, "this spline has no points");
+    spline->finish();
     stream.expect_closing("'}' at the end of the spline", "'spline'", opened);
     stream.set_raw_operators(raw);
     return spline;
@@ -48,7 +49,8 @@ Tuple call_spline(TokenStream& stream, const function::Spline& spline, const Tok
 {
     const bool raw = stream.raw_operators();
     stream.set_raw_operators(false);
-    stream.expect(Kind::LeftParen, fmt::format("'(' after the name of spline {}", stream.word(name)));
+    if (!stream.accept(Kind::LeftParen))
+        stream.fail_expected(fmt::format("'(' after the name of spline {}", stream.word(name)));
     const double t = float_expr(stream);
     Kinds kind = spline.kind;
     if (stream.accept_comma()) {

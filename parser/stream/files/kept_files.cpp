@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 namespace parser {
 namespace {
@@ -27,9 +27,13 @@ std::optional<std::string> KeptFiles::read(const std::string& path) const
     if (!fs::is_regular_file(path, error)) return std::nullopt;
     std::ifstream in(path, std::ios::binary);
     if (!in) return std::nullopt;
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
-    return std::move(bytes).str();
+    const std::uintmax_t size = fs::file_size(path, error);
+    std::string text(error ? 0 : static_cast<std::size_t>(size), '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    // What a file that grows, or says nothing of its size, has beyond.
+    if (in) text.append(std::istreambuf_iterator<char>(in), {});
+    return text;
 }
 
 const std::string* KeptFiles::find(const std::string& path) const
