@@ -24,6 +24,8 @@ Result parse(const Options& options, MessageSink sink, void* context, Open&& ope
     result.scene = build.take();
     result.messages = std::move(stream.messages());
     result.statistics = stream.statistics();
+    constexpr std::size_t kToldCosts = 10;
+    result.statistics.costs = stream.reading_costs(kToldCosts);
     result.data_files = std::move(stream.data_files());
     return result;
 }

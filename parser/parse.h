@@ -55,8 +55,17 @@ struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A macro, a loop or a file that time went to.
+struct ReadingCost {
+    std::string what;  ///< "macro", "loop" or "file"
+    std::string name;  ///< of the macro, "#while", path of the file
+    std::string place;  ///< "path:line:column" of its body or its directive
+    double seconds = 0.0, own_seconds = 0.0;  ///< with what it calls, and without
+};
+
 struct Statistics {
     std::uint64_t files = 0, bytes = 0, tokens = 0, macro_calls = 0;
+    std::vector<ReadingCost> costs;  ///< the ten that most time of reading went to, the most costly first
 };
 
 struct Result {

@@ -51,6 +51,7 @@ const Token& TokenStream::advance_further()
 void TokenStream::allow_more(const Token& next)
 {
     constexpr std::uint64_t kShare = 1 << 10;  // in a loop that calls trace() they take a millisecond
+    spend_time();
     if (options_.cancel && *options_.cancel) {
         const Token* loop = innermost_loop();
         const scene::SourceRef at = place(loop ? *loop : next);

@@ -6,6 +6,7 @@
 #include "parser/stream/hooks.h"
 #include "parser/stream/files/kept_files.h"
 #include "parser/stream/language_state.h"
+#include "parser/stream/reading_profile.h"
 #include "parser/stream/symbols.h"
 
 #include <memory>
@@ -102,6 +103,7 @@ public:
     std::vector<scene::LineTable> lines() const;  ///< by file
     std::vector<Message>& messages() { return messages_; }
     const Statistics& statistics() const { return statistics_; }
+    std::vector<ReadingCost> reading_costs(std::size_t most);  ///< up to now
     std::vector<std::string>& data_files() { return data_files_; }  ///< opened for reading, in order
 
     /// Full path of a file by the rules of `#include` (current folder, library path, scene's folder, the including
@@ -217,6 +219,7 @@ private:
     }
     const Token& advance_further();
     void allow_more(const Token& next);
+    void spend_time();  ///< token_profile.cpp
     const Token* innermost_loop() const;
     void leave_cursor();
     bool is_macro(const Token& token) const;
@@ -301,6 +304,7 @@ private:
                              std::string_view extension) const;
     std::string where_searched() const;  ///< " in the current folder, '/usr/share/...'"
     const char* why_not_found() const;   ///< the end of a message about a file
+    std::uint16_t loaded(const std::string& path, const scene::SourceRef& at);
     void include_named(const std::string& name, const Token& call, const scene::SourceRef& at);
     void message_directive(Kind kind);
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
@@ -328,6 +332,8 @@ private:
     Names names_;
     std::vector<std::unique_ptr<SourceFile>> files_;
     std::unordered_map<std::string, std::uint16_t> loaded_;
+    /// By what #include calls it and the file that includes; forgotten when a file is opened.
+    std::unordered_map<std::string, std::uint16_t> included_;
     std::string scene_folder_;
     std::vector<std::vector<std::uint32_t>> sites_;  // by file and token; see compiled_sites.cpp
     std::vector<CompiledExpression> compiled_;
@@ -352,6 +358,8 @@ private:
     std::vector<Message> messages_;
     std::unordered_set<std::string> warned_;  ///< first lines of the warnings so far
     Statistics statistics_;
+    ReadingProfile profile_;
+    std::vector<ReadingProfile::Place> open_places_;  ///< of spend_time()
     std::vector<std::string> data_files_;
     KeptFiles kept_files_;
 };

@@ -129,6 +129,7 @@ struct Csg {
     /// A light_group: its operands are lit by the lights that are its operands too, and by those outside of all groups
     /// if global_lights is set. What stands in a group within goes by the lights of that (spec 3, 12.10).
     bool light_group = false, global_lights = false;
+    bool has_inside = true;  ///< every operand has one: found out once, when it is made
     Shared<BoxGrowth> growth;
 };
 

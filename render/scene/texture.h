@@ -157,6 +157,8 @@ struct Texture {
     std::variant<std::vector<Layer>, Shared<PatternedTexture>> kind;
     SourceRef source;
     void transform(const csg::Transform& t);
+    /// Whether nothing in it depends on the place: transform() changes nothing.
+    bool alike_everywhere() const;
 };
 
 /// What fills an object (reference manual 3.5.8). Identity matters for refraction: compare pointers.

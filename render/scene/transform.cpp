@@ -1,6 +1,7 @@
 #include "render/scene/media.h"
 #include "render/scene/object.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace scene {
@@ -40,11 +41,19 @@ void Texture::transform(const csg::Transform& t)
     }
 }
 
+bool Texture::alike_everywhere() const
+{
+    const auto* layers = std::get_if<std::vector<Layer>>(&kind);
+    return layers != nullptr && std::all_of(layers->begin(), layers->end(), [](const Layer& layer) {
+               return std::holds_alternative<Color>(layer.pigment.kind) && !layer.normal;
+           });
+}
+
 namespace {
 
 TexturePtr transformed(const TexturePtr& texture, const csg::Transform& t)
 {
-    if (!texture) return texture;
+    if (!texture || texture->alike_everywhere()) return texture;
     auto copy = std::make_shared<Texture>(*texture);
     copy->transform(t);
     return copy;

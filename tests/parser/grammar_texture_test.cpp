@@ -20,7 +20,7 @@ const scene::Object& only_object(const scene::Description& d)
 /// Where the gradient of the object's pigment sees a point that stands at `p` in space.
 glm::dvec3 in_pattern(const scene::Object& o, const glm::dvec3& p)
 {
-    const auto& patterned = std::get<scene::PatternedPigment>(layers(o.texture).front().pigment.kind);
+    const auto& patterned = *std::get<scene::Shared<scene::PatternedPigment>>(layers(o.texture).front().pigment.kind);
     if (patterned.pattern.warps.empty()) return p;
     return std::get<csg::Transform>(patterned.pattern.warps.front()).inverse_point(p);
 }
@@ -50,7 +50,7 @@ TEST_CASE("classic turbulence stands apart, warps in order of evaluation", "[par
 {
     const scene::Description d =
         parsed("sphere { 0, 1 pigment { granite turbulence 0.5 scale 2 warp { repeat x } translate y rotate z } }");
-    const auto& p = std::get<scene::PatternedPigment>(layers(only_object(d).texture).front().pigment.kind).pattern;
+    const auto& p = std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind)->pattern;
     REQUIRE(p.warps.size() == 3);
     CHECK(std::holds_alternative<csg::Transform>(p.warps[0]));
     CHECK(std::holds_alternative<scene::RepeatWarp>(p.warps[1]));
@@ -68,7 +68,7 @@ TEST_CASE("pigment and finish outside of texture change the top layer", "[parser
     REQUIRE(all.size() == 2);
     CHECK(plain(all[0].pigment) == scene::Color{1, 1, 1, 0, 0});
     CHECK(plain(all[1].pigment) == scene::Color{1, 0, 0, 0, 0});
-    CHECK(all[1].finish.phong == 1.0f);
+    CHECK(all[1].finish->phong == 1.0f);
 }
 
 TEST_CASE("an untextured object gets the default of the moment it is added", "[parser][texture]")
@@ -86,13 +86,13 @@ TEST_CASE("a declared texture can be used by the declaration right behind it", "
     const scene::Description d =
         parsed("#declare A = texture { pigment { rgb x } }\n#declare B = texture { A finish { phong 1 } }\n"
                "sphere { 0, 1 texture { B } }");
-    CHECK(layers(only_object(d).texture).front().finish.phong == 1.0f);
+    CHECK(layers(only_object(d).texture).front().finish->phong == 1.0f);
 }
 
 TEST_CASE("list patterns fill up with their defaults", "[parser][texture]")
 {
     const scene::Description d = parsed("plane { y, 0 pigment { checker rgb 1 } }");
-    const auto& p = std::get<scene::PatternedPigment>(layers(only_object(d).texture).front().pigment.kind);
+    const auto& p = *std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind);
     CHECK(p.pattern.frequency == 0);
     const auto& colors = std::get<scene::ColorMap>(p.map);
     REQUIRE(colors.size() == 2);
@@ -104,14 +104,14 @@ TEST_CASE("the old form of a colour map gives two entries", "[parser][texture]")
 {
     const scene::Description d =
         parsed("sphere { 0, 1 pigment { bozo color_map { [0, 0.5 color rgb 0 color rgb 1] [0.5 rgb x] } } }");
-    const auto& p = std::get<scene::PatternedPigment>(layers(only_object(d).texture).front().pigment.kind);
+    const auto& p = *std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind);
     CHECK(std::get<scene::ColorMap>(p.map).size() == 3);
 }
 
 TEST_CASE("a light moves with what has been given", "[parser][light]")
 {
     const scene::Description d = parsed("light_source { 0, rgb 1 spotlight translate x point_at y }");
-    const auto& light = std::get<scene::Light>(only_object(d).shape);
+    const scene::Light& light = *std::get<scene::Shared<scene::Light>>(only_object(d).shape);
     CHECK(light.location == glm::dvec3(1, 0, 0));
     CHECK(light.point_at == glm::dvec3(0, 1, 0));
     CHECK(light.falloff_deg == 45);
@@ -120,7 +120,7 @@ TEST_CASE("a light moves with what has been given", "[parser][light]")
 TEST_CASE("inverse in a transform block inverts all of it", "[parser][transform]")
 {
     const scene::Description d = parsed("sphere { 0, 1 transform { inverse translate x*2 rotate z*90 } }");
-    const glm::dvec3 moved = only_object(d).transform.point(glm::dvec3(0, 3, 0));
+    const glm::dvec3 moved = only_object(d).transform->point(glm::dvec3(0, 3, 0));
     CHECK(glm::distance(moved, glm::dvec3(1, 0, 0)) < 1e-12);
 }
 

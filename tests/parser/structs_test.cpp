@@ -16,7 +16,7 @@ Solid solid_of(const std::string& text)
 {
     const scene::Description d = of(text);
     REQUIRE(d.objects.size() == 1);
-    return std::get<Solid>(d.objects.front().written->parameters);
+    return std::get<Solid>(d.objects.front().details->written->parameters);
 }
 
 scene::Description settings(const std::string& block)
@@ -69,9 +69,9 @@ TEST_CASE("every keyword of the list of solids is read by its own grammar", "[pa
         INFO(text);
         const scene::Description d = of(text);
         REQUIRE(d.objects.size() == 1);
-        CHECK(d.objects.front().written->parameters.index() == index);
-        CHECK(std::string(text).starts_with(d.objects.front().written->keyword));
-        CHECK(d.objects.front().written->source.line == 2);
+        CHECK(d.objects.front().details->written->parameters.index() == index);
+        CHECK(std::string(text).starts_with(d.objects.front().details->written->keyword));
+        CHECK(d.line_of(d.objects.front().details->written->source).line == 2);
     }
     CHECK(of("julia_fractal { 0 inverse }").objects.front().inverse == false);
     CHECK(of("sor { 4, <0, 0> <1, 1> <2, 2> <1, 3> inverse }").objects.front().inverse == true);
@@ -86,7 +86,7 @@ TEST_CASE("settings of pictures are members", "[parser][structs]")
     const scene::Description d = of("plane { y, 0 pigment { image_map { function 3, 2 { x } map_type 5 interpolate 4 "
                                     "once filter all 0.5 gamma srgb repeat <2, 3> } } }");
     const auto& layers = std::get<std::vector<scene::Layer>>(d.objects.front().texture->kind);
-    const auto& pattern = std::get<scene::PatternedPigment>(layers.front().pigment.kind).pattern;
+    const auto& pattern = std::get<scene::Shared<scene::PatternedPigment>>(layers.front().pigment.kind)->pattern;
     const auto& image = *std::get<std::shared_ptr<const scene::ImageMap>>(pattern.data);
     CHECK((image.source.made() && image.source.picture->width == 3 && image.source.picture->height == 2 &&
            image.source.gamma->srgb));
@@ -97,7 +97,7 @@ TEST_CASE("settings of pictures are members", "[parser][structs]")
     const scene::Description twice = of("plane { y, 0 pigment { image_map { function 3, 2 { x } map_type 1 map_type 0 "
                                         "} } }");  // the last counts, as in POV-Ray
     const auto& again = std::get<std::vector<scene::Layer>>(twice.objects.front().texture->kind).front().pigment;
-    const auto& data = std::get<scene::PatternedPigment>(again.kind).pattern.data;
+    const auto& data = std::get<scene::Shared<scene::PatternedPigment>>(again.kind)->pattern.data;
     CHECK(std::get<std::shared_ptr<const scene::ImageMap>>(data)->projection == scene::ImageMap::Projection::Planar);
     CHECK((image.clarities[0].filter && !image.clarities[0].place && image.clarities[0].amount == 0.5f));
 }
@@ -117,14 +117,14 @@ TEST_CASE("media have the defaults of their version, and what was declared keeps
            then.samples_most == 7));
     CHECK((then.scattering.phase == scene::Media::Phase::HenyeyGreenstein && then.scattering.eccentricity == 0.5 &&
            then.scattering.extinction == 1));
-    CHECK(then.source.line == 3);
+    CHECK(then.source.offset == old.size() + std::string_view("#version 3.7; sphere { 0, 1 } ").size());
     CHECK(of("sphere { 0, 1 } media { samples 4 }").media.front().samples_most == 4);
 }
 
 TEST_CASE("a transformation moves the densities that stand before it", "[parser][structs]")
 {
     const auto first_warp = [](const scene::Pigment& density) {
-        const auto& warps = std::get<scene::PatternedPigment>(density.kind).pattern.warps;
+        const auto& warps = std::get<scene::Shared<scene::PatternedPigment>>(density.kind)->pattern.warps;
         return warps.empty() ? glm::dvec3(0) : std::get<csg::Transform>(warps.front()).offset;
     };
     const scene::Media media =
@@ -135,8 +135,8 @@ TEST_CASE("a transformation moves the densities that stand before it", "[parser]
     CHECK(first_warp(media.densities[1]) == glm::dvec3(0, 1, 0));
     const scene::Description d = of("#declare B = sphere { 0, 1 hollow interior { media { density { spherical } } "
                                     "translate z } }\nobject { B translate x } object { B }");
-    CHECK(first_warp(d.objects[0].interior->media[0]->densities[0]) == glm::dvec3(1, 0, 1));
-    CHECK(first_warp(d.objects[1].interior->media[0]->densities[0]) == glm::dvec3(0, 0, 1));
+    CHECK(first_warp(d.objects[0].details->interior->media[0]->densities[0]) == glm::dvec3(1, 0, 1));
+    CHECK(first_warp(d.objects[1].details->interior->media[0]->densities[0]) == glm::dvec3(0, 0, 1));
 }
 
 TEST_CASE("settings of light that is not direct", "[parser][structs]")
@@ -160,12 +160,12 @@ TEST_CASE("settings of light that is not direct", "[parser][structs]")
     CHECK((below.diffuse_samples == 50 && below.single_samples == 50 && below.radiosity));
     const scene::Description d = of("sphere { 0, 1 photons { target reflection off } radiosity { importance 0.5 } } "
                                     "light_source { y, 1 photons { area_light refraction on } }");
-    const scene::PhotonFlags& object = *d.objects[0].photons;
+    const scene::PhotonFlags& object = *d.objects[0].details->photons;
     CHECK((object.target == 1.0 && object.reflection == false && !object.refraction && object.collect &&
            !object.pass_through));
-    CHECK(d.objects[0].radiosity_importance == 0.5);
-    CHECK((d.objects[1].photons->of_light && d.objects[1].photons->area_light &&
-           d.objects[1].photons->refraction == true));
+    CHECK(d.objects[0].details->radiosity_importance == 0.5);
+    CHECK((d.objects[1].details->photons->of_light && d.objects[1].details->photons->area_light &&
+           d.objects[1].details->photons->refraction == true));
 }
 
 TEST_CASE("a limit of reuse that is left out follows the other", "[parser][structs]")
@@ -199,7 +199,7 @@ TEST_CASE("subsurface colours may be colours", "[parser][structs]")
 {
     const scene::Description d =
         of("sphere { 0, 1 finish { subsurface { translucency <1, 2, 3> anisotropy rgb 0.5 } } }");
-    const auto& finish = std::get<std::vector<scene::Layer>>(d.objects[0].texture->kind).front().finish;
+    const scene::Finish& finish = *std::get<std::vector<scene::Layer>>(d.objects[0].texture->kind).front().finish;
     CHECK(finish.subsurface->translucency == glm::vec3(1, 2, 3));
     CHECK(finish.subsurface->anisotropy == glm::vec3(0.5f));
 }

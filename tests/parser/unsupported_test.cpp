@@ -30,13 +30,13 @@ TEST_CASE("what is not drawn yet is kept", "[parser][unsupported]")
     const scene::Description d = grammar_test::parsed(kScene);
     CHECK(d.unsupported_objects.empty());
     REQUIRE(d.objects.size() == 4);
-    CHECK(std::get<scene::Blob>(d.objects[0].written->parameters).components.size() == 2);
-    CHECK(d.objects[0].photons != nullptr);
-    CHECK(d.objects[0].transform.offset == glm::dvec3(0, 1, 0));
+    CHECK(std::get<scene::Blob>(d.objects[0].details->written->parameters).components.size() == 2);
+    CHECK(d.objects[0].details->photons != nullptr);
+    CHECK(d.objects[0].transform->offset == glm::dvec3(0, 1, 0));
     CHECK((d.media.size() == 1 && d.rainbows.size() == 1));
     CHECK((d.global.radiosity && d.global.photons && !d.global.subsurface));
     CHECK(d.camera.bokeh);
-    CHECK(d.objects[3].interior->media.size() == 1);
+    CHECK(d.objects[3].details->interior->media.size() == 1);
     std::set<std::string> told;
     for (const scene::Unsupported& u : d.unsupported) CHECK(told.insert(u.what).second);
 }
@@ -65,14 +65,14 @@ TEST_CASE("what is not rendered is told once, at its first place", "[parser][uns
     scene::Description d;
     for (const char* const kind : {"sphere_dream", "cube_dream", "sphere_dream"}) {
         scene::Object object;
-        object.unsupported = kind;
-        object.source.line = static_cast<std::uint32_t>(d.unsupported_objects.size() + 3);
+        object.details.edit().unsupported = kind;
+        object.source.offset = static_cast<std::uint32_t>(d.unsupported_objects.size() + 3);
         d.unsupported_objects.push_back(object);
     }
     const std::vector<scene::Unsupported> found = scene::unsupported_features(d);
     REQUIRE(found.size() == 2);
-    CHECK((found[0].what == "sphere_dream" && found[0].source.line == 3));
-    CHECK((found[1].what == "cube_dream" && found[1].source.line == 4));
+    CHECK((found[0].what == "sphere_dream" && found[0].source.offset == 3));
+    CHECK((found[1].what == "cube_dream" && found[1].source.offset == 4));
 }
 
 TEST_CASE("effects of the language are rendered: no word of them", "[parser][unsupported]")

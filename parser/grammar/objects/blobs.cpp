@@ -2,6 +2,8 @@
 #include "csg/solids/cylinder.h"
 #include "parser/grammar/core/solid_reader.h"
 
+#include <unordered_map>
+
 /// Components whose strengths add up (reference manual: Blob).
 namespace parser {
 namespace {
@@ -63,12 +65,14 @@ scene::Freeform shape_of(const scene::Blob& blob)
 {
     std::vector<csg::Blob::Component> components;
     std::vector<TexturePtr> textures{nullptr};  // the object's own comes first
+    std::unordered_map<const scene::Texture*, std::uint32_t> parts{{nullptr, 0}};
+    components.reserve(blob.components.size());
     for (const Component& written : blob.components) {
         csg::Blob::Component component = shape_of(written);
-        std::size_t part = 0;
-        while (part < textures.size() && textures[part] != written.texture) ++part;
-        if (part == textures.size()) textures.push_back(written.texture);
-        component.part = static_cast<std::uint32_t>(part);
+        const auto [part, fresh] =
+            parts.try_emplace(written.texture.get(), static_cast<std::uint32_t>(textures.size()));
+        if (fresh) textures.push_back(written.texture);
+        component.part = part->second;
         components.push_back(component);
     }
     scene::Freeform made{csg::make_freeform<csg::Blob>(blob.threshold, components)};

@@ -68,8 +68,7 @@ bool has_inside(const scene::Object& object)
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
     if (freeform && std::holds_alternative<csg::Polygon>(freeform->shape->kind)) return true;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
-    return csg && csg->operands ? std::all_of(csg->operands->begin(), csg->operands->end(), has_inside)
-                                : !is_patch(object);
+    return csg ? csg->has_inside : !is_patch(object);
 }
 
 /// Objects, `global_lights` and transformations: it takes no other modifier.
@@ -101,7 +100,11 @@ scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& sour
         }
     }
     if (whole) std::get<scene::Csg>(object.shape).global_lights = global_lights;
-    else object.shape = scene::Csg{scene::CsgOp::Union, std::move(members), true, false, true, global_lights, {}};
+    else {
+        const bool inside = std::all_of(members->begin(), members->end(), has_inside);
+        object.shape =
+            scene::Csg{scene::CsgOp::Union, std::move(members), true, false, true, global_lights, inside, {}};
+    }
     build.close_block("light_group", opened);
     return object;
 }
@@ -140,17 +143,21 @@ void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object)
         if (keyword == Kind::Composite) in.warn(source, "'composite' is an old word for 'union'");
         Gathered operands(build);
         std::size_t written = 0;
+        bool all_inside = true;
         for (;; ++written) {
             scene::Object operand;
             if (!read_object(build, operand)) break;
-            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && !has_inside(operand))
+            const bool inside = has_inside(operand);
+            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && !inside)
                 in.warn(operand.source, "what has no inside cannot be cut or cut with");
-            if (operand.drawn()) operands.add(std::move(operand));
-            else build.set_aside(std::move(operand));
+            if (operand.drawn()) {
+                all_inside = all_inside && inside;
+                operands.add(std::move(operand));
+            } else build.set_aside(std::move(operand));
         }
         if (written < 2 && build.version() >= 150)
             in.warn(source, std::string(name) + " should have at least two objects");
-        object.shape = scene::Csg{op_of(keyword), operands.take(), true, false, false, false, {}};
+        object.shape = scene::Csg{op_of(keyword), operands.take(), true, false, false, false, all_inside, {}};
     }
     read_modifiers(build, object);
     build.close_block(name, opened);

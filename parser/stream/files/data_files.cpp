@@ -91,6 +91,7 @@ void TokenStream::open_data_file()
 /// A file that is written anew must be read anew by the next #include.
 void TokenStream::forget_text(const std::string& path)
 {
+    included_.clear();  // the new file may be what a name means now
     std::error_code error;
     const auto written = std::filesystem::path(path).lexically_normal();
     std::erase_if(loaded_, [&](const auto& entry) {

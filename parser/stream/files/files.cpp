@@ -179,10 +179,27 @@ void TokenStream::include()
     include_named(path_expr(*this), call, at);
 }
 
+/// The file of that path, read if it was not yet.
+std::uint16_t TokenStream::loaded(const std::string& path, const scene::SourceRef& at)
+{
+    const auto known = loaded_.find(path);
+    if (known != loaded_.end()) return known->second;
+    auto text = kept_files_.read(path);
+    if (!text) fail(at, fmt::format("cannot read the include file '{}'", path));
+    spend_time();
+    const std::uint16_t file = load(path, std::move(*text), false);
+    open_places_.push_back({ReadingProfile::What::File, file, 0});
+    profile_.spend(open_places_);
+    loaded_.emplace(path, file);
+    return file;
+}
+
 void TokenStream::include_named(const std::string& name, const Token& call, const scene::SourceRef& at)
 {
-    const std::string path = find_file(name, {".inc", ".INC"});
-    if (path.empty()) {
+    const std::string key = cursors_.empty() ? name : fmt::format("{}\n{}", cursors_.back().file, name);
+    const auto again = included_.find(key);
+    const std::string path = again != included_.end() ? std::string() : find_file(name, {".inc", ".INC"});
+    if (again == included_.end() && path.empty()) {
         const bool absolute = fs::path(name).is_absolute();
         fail(at, fmt::format("cannot find the include file '{}'{}{}{}", name, absolute ? "" : where_searched(),
                              why_not_found(),
@@ -193,15 +210,11 @@ void TokenStream::include_named(const std::string& name, const Token& call, cons
     if (depth >= kDeepestIncludes || cursors_.size() >= 2 * kDeepestIncludes + 2000)
         fail(at, "files include each other too deeply; does one include itself?");
 
-    auto known = loaded_.find(path);
-    if (known == loaded_.end()) {
-        auto text = kept_files_.read(path);
-        if (!text) fail(at, fmt::format("cannot read the include file '{}'", path));
-        known = loaded_.emplace(path, load(path, std::move(*text), false)).first;
-    }
+    const std::uint16_t file = again != included_.end() ? again->second : loaded(path, at);
+    if (again == included_.end()) included_.emplace(key, file);
     symbols_.open_scope();
     Cursor cursor;
-    cursor.file = known->second;
+    cursor.file = file;
     cursor.tokens = files_[cursor.file]->tokens.data();
     cursor.end = static_cast<std::uint32_t>(files_[cursor.file]->tokens.size() - 1);
     cursor.blocks = blocks_.size();

@@ -146,6 +146,17 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     json.key("files").begin_array();
     for (const std::string& file : frame.files) json.text(file);
     json.end();
+    json.key("reading").begin_array();
+    for (const parser::ReadingCost& cost : frame.parser.costs) {
+        json.begin_object();
+        json.key("what").text(cost.what);
+        json.key("name").text(cost.name);
+        json.key("place").text(cost.place);
+        json.key("seconds").number(cost.seconds);
+        json.key("own_seconds").number(cost.own_seconds);
+        json.end();
+    }
+    json.end();
     json.key("messages").begin_array();
     for (const Told& told : frame.messages) put_message(json, told);
     json.end();

@@ -38,9 +38,14 @@ void print_dependencies(const Settings& settings, const parser::Result& parsed)
 }
 
 /// Prints what --dump and --explain ask for. True if that was all.
-bool print_stage(const Settings& settings, const scene::Description& description)
+bool print_stage(const Settings& settings, const parser::Result& parsed)
 {
     using Dump = Settings::Dump;
+    const scene::Description& description = parsed.scene;
+    if (settings.explain)
+        for (const parser::ReadingCost& cost : parsed.statistics.costs)
+            fmt::print(stderr, "reading: {:.3f} s in {} {}, {:.3f} s of it its own{}\n", cost.seconds, cost.what, cost.name,
+                       cost.own_seconds, cost.what == "file" ? "" : " (" + cost.place + ")");
     if (settings.dump == Dump::Scene) fmt::print("{}", scene::dump(description));
     if (settings.dump != Dump::Plan && !settings.explain) return settings.dump == Dump::Scene || settings.parse_only;
     const plan::CompiledScene compiled = plan::compile(description, plan_options(settings));
@@ -128,14 +133,15 @@ int render_frame(Run& run, const Frame& frame)
     SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
     parser::Options options;
     LastResort last_resort(run.cancel, [&run] { run.reporter.cancelled({}); });  // until the picture file is in place
-    const parser::Result parsed = parse_scene(run, frame, path, options, queries);
+    parser::Result parsed = parse_scene(run, frame, path, options, queries);
     times.finish("parse");
     run.reporter.parsed(parsed, times.stages().back().second);
     if (settings.warnings_are_errors) refuse_warnings(parsed);
     if (settings.deps) print_dependencies(settings, parsed);
-    if (print_stage(settings, parsed.scene)) return kSuccess;
+    if (print_stage(settings, parsed)) return kSuccess;
 
     const plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
+    parsed.scene.objects.clear();  // a million of them are not wanted any more
     times.finish("plan");
     return render_picture({run, last_resort, compiled, file_settings(settings, parsed.scene), path,
                            [&] { return picture_identity(options, compiled.options, parsed); }},

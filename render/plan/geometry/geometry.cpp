@@ -30,6 +30,19 @@ bool same(const csg::Transform& a, const csg::Transform& b)
            a.inverse_offset == b.inverse_offset;
 }
 
+/// Of a thing and where it stands; equal transformations have equal ones.
+std::size_t key_of(const void* thing, const csg::Transform& t)
+{
+    std::size_t key = std::hash<const void*>()(thing);
+    const auto add = [&key](const double* numbers, int count) {
+        for (int i = 0; i < count; ++i)  // + 0.0: both zeros are equal
+            key = (key ^ (key >> 29)) * 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(numbers[i] + 0.0);
+    };
+    add(&t.linear[0][0], 9);
+    add(&t.offset[0], 3);
+    return key;
+}
+
 /// What clips the object: nothing clips a bicubic_patch (spec 5b, 1.6).
 const std::vector<scene::Object>& clips_of(const scene::Object& object)
 {
@@ -126,9 +139,10 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
 std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const csg::Transform& to_world)
 {
     if (sharing_ != nullptr) sharing_->fails = true;  // each copy has lights of its own
-    for (const LightGroup& known : light_groups_)
-        if (known.object == &object && same(known.to_world, to_world)) return known.number;
-    light_groups_.push_back({&object, to_world, ++light_group_count_});
+    std::vector<LightGroup>& known = light_groups_[key_of(&object, to_world)];
+    for (const LightGroup& group : known)
+        if (group.object == &object && same(group.to_world, to_world)) return group.number;
+    known.push_back({&object, to_world, ++light_group_count_});
     return light_group_count_;
 }
 
@@ -163,6 +177,7 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
 std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const Inherited& own)
 {
     if (sharing_ != nullptr) return 0;
+    known_surfaces_.clear();  // they name their object
     out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source});
     return static_cast<std::uint32_t>(out_.objects.size() - 1);
 }
@@ -336,9 +351,9 @@ std::shared_ptr<const scene::Interior> GeometryCompiler::moved(const std::shared
     if (to_world.identity() ||
         std::none_of(media.begin(), media.end(), [](const auto& one) { return depends_on_place(*one); }))
         return interior;
-    std::vector<MovedInterior>& known = moved_interiors_[interior.get()];
+    std::vector<MovedInterior>& known = moved_interiors_[key_of(interior.get(), to_world)];
     for (const MovedInterior& m : known)
-        if (same(m.by, to_world)) return m.to;
+        if (m.from == interior && same(m.by, to_world)) return m.to;
     auto copy = std::make_shared<scene::Interior>(*interior);
     copy->transform(to_world);
     known.push_back({to_world, interior, copy});
@@ -348,10 +363,10 @@ std::shared_ptr<const scene::Interior> GeometryCompiler::moved(const std::shared
 /// The texture in world space; equal for equal transformations, so that copies share it.
 scene::TexturePtr GeometryCompiler::moved(const scene::TexturePtr& texture, const csg::Transform& to_world)
 {
-    if (!texture || to_world.identity() || alike_everywhere(*texture)) return texture;
-    std::vector<Moved>& known = moved_[texture.get()];
+    if (!texture || to_world.identity() || texture->alike_everywhere()) return texture;
+    std::vector<Moved>& known = moved_[key_of(texture.get(), to_world)];
     for (const Moved& m : known)
-        if (same(m.by, to_world)) return m.to;
+        if (m.from == texture && same(m.by, to_world)) return m.to;
     auto copy = std::make_shared<scene::Texture>(*texture);
     copy->transform(to_world);
     known.push_back({to_world, texture, copy});

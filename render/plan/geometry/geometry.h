@@ -19,9 +19,6 @@ bool mesh_is_solid(const scene::MeshData& mesh);
 /// 5a, 8.3).
 bool takes_cut_texture(const scene::Object& operand, bool subtracted);
 
-/// Nothing in it depends on the place.
-bool alike_everywhere(const scene::Texture& texture);
-
 /// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its
 /// parents (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays
 /// together.
@@ -155,7 +152,7 @@ private:
         csg::Transform to_world;
         std::uint32_t number;
     };
-    std::vector<LightGroup> light_groups_;  ///< of the statement at hand
+    std::unordered_map<std::size_t, std::vector<LightGroup>> light_groups_;  ///< of the statement at hand
     std::uint32_t light_group_count_ = 0;
     using SurfaceKey = std::array<std::uint32_t, 11>;
     std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
@@ -164,12 +161,12 @@ private:
         csg::Transform by;
         scene::TexturePtr from, to;
     };
-    std::unordered_map<const scene::Texture*, std::vector<Moved>> moved_;
+    std::unordered_map<std::size_t, std::vector<Moved>> moved_;  ///< by key_of()
     struct MovedInterior {
         csg::Transform by;
         std::shared_ptr<const scene::Interior> from, to;
     };
-    std::unordered_map<const scene::Interior*, std::vector<MovedInterior>> moved_interiors_;
+    std::unordered_map<std::size_t, std::vector<MovedInterior>> moved_interiors_;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
     std::shared_ptr<PhotonPlan> photons_;  ///< null: the scene has none
     std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0, guards_ = 0;

@@ -41,7 +41,7 @@ public:
 
     scene::TexturePtr operator()(const scene::TexturePtr& texture)
     {
-        if (!texture || alike_everywhere(*texture)) return texture;
+        if (!texture || texture->alike_everywhere()) return texture;
         scene::TexturePtr& known = known_[texture.get()];
         if (!known) {
             auto copy = std::make_shared<scene::Texture>(*texture);
@@ -57,14 +57,6 @@ private:
 };
 
 }  // namespace
-
-bool alike_everywhere(const scene::Texture& texture)
-{
-    const auto* layers = std::get_if<std::vector<scene::Layer>>(&texture.kind);
-    return layers != nullptr && std::all_of(layers->begin(), layers->end(), [](const scene::Layer& layer) {
-               return std::holds_alternative<scene::Color>(layer.pigment.kind) && !layer.normal;
-           });
-}
 
 bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited& own)
 {

@@ -52,7 +52,7 @@ struct Scene {
     {
         // The place as a transformation: that of a sphere that has it.
         const auto parsed = parser::parse_text("#version 3.7; sphere { 0, 1 " + place + " }", "test.pov", {});
-        frame = parsed.scene.objects.front().transform;
+        frame = *parsed.scene.objects.front().transform;
     }
     std::uint32_t object(const csg::Hit& hit) const { return compiled.surfaces[hit.surface].object; }
 };

@@ -74,14 +74,14 @@ TEST_CASE("freeform solids answer as POV-Ray's do", "[plan][shapes]")
         const parser::Result read = parser::parse_text(text, name, {});
         if (!read.scene.unsupported_objects.empty()) {
             INFO(name);
-            CHECK(kUnsupported.contains(read.scene.unsupported_objects.front().unsupported));
+            CHECK(kUnsupported.contains(read.scene.unsupported_objects.front().details->unsupported));
             continue;
         }
         INFO(name);
         REQUIRE(read.scene.objects.size() == 1);
         Shape& shape = shapes[name];
         shape.object = read.scene.objects.front();
-        CHECK((shape.object.written == nullptr || !kUnsupported.contains(std::string(shape.object.written->keyword))));
+        CHECK((shape.object.details->written == nullptr || !kUnsupported.contains(std::string(shape.object.details->written->keyword))));
         shape.probe = std::make_unique<plan::ObjectProbe>(shape.object);
     }
     for (const Row& row : test_support::csv_table(WHITTLE_TEST_DATA "/shapes.csv")) {

@@ -13,9 +13,9 @@ scene::Object with_color(scene::Shape shape, float diffuse, float crand)
 {
     scene::Layer layer;
     layer.pigment.kind = scene::Color{1, 1, 1, 0, 0};
-    layer.finish.ambient = glm::vec3(0);
-    layer.finish.diffuse = diffuse;
-    layer.finish.crand = crand;
+    layer.finish.edit().ambient = glm::vec3(0);
+    layer.finish.edit().diffuse = diffuse;
+    layer.finish.edit().crand = crand;
     auto texture = std::make_shared<scene::Texture>();
     texture->kind = std::vector<scene::Layer>{layer};
     scene::Object made;

@@ -12,7 +12,7 @@ scene::TexturePtr plain(float red, float green, float blue, float reflection)
 {
     scene::Layer layer;
     layer.pigment.kind = scene::Color{red, green, blue, 0, 0};
-    layer.finish.reflection.min = layer.finish.reflection.max = glm::vec3(reflection);
+    layer.finish.edit().reflection.min = layer.finish.edit().reflection.max = glm::vec3(reflection);
     auto texture = std::make_shared<scene::Texture>();
     texture->kind = std::vector<scene::Layer>{layer};
     return texture;
@@ -56,10 +56,13 @@ scene::Description scaled(double by)
 {
     scene::Description d = description();
     d.camera.location *= by;
-    std::erase_if(d.objects, [](const scene::Object& o) { return std::holds_alternative<scene::Plane>(o.shape); });
+    const scene::ObjectList all = std::move(d.objects);
+    d.objects.clear();
+    for (const scene::Object& o : all)
+        if (!std::holds_alternative<scene::Plane>(o.shape)) d.objects.push_back(o);
     for (scene::Object& o : d.objects) {
-        if (auto* light = std::get_if<scene::Light>(&o.shape)) light->location *= by;
-        else o.transform = csg::Transform::scale(glm::dvec3(by)) * o.transform;
+        if (auto* light = std::get_if<scene::Shared<scene::Light>>(&o.shape)) light->edit().location *= by;
+        else o.transform = csg::Transform::scale(glm::dvec3(by)) * *o.transform;
     }
     return d;
 }
@@ -158,7 +161,7 @@ TEST_CASE("glass has two sides however thin it is", "[trace][render]")
             scene::Color{1, 1, 1, 0.9f, 0};
         auto interior = std::make_shared<scene::Interior>();
         interior->ior = 1.5f;
-        glass.interior = interior;
+        glass.details.edit().interior = interior;
         glass.transform = csg::Transform::rotate_degrees({0, 20, 0});
         d.objects.push_back(glass);
         return picture(plan::compile(d, options), 2, trace::Isa::Auto);
