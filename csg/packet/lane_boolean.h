@@ -24,8 +24,10 @@ public:
         form_ = &program.boolean;
         pieces_ = 0;
         found = undecided = 0;
-        const glm::dvec3 o = rays_.widest();
-        reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than BooleanWalk's for directions of unit length
+        if (reach_ < 0.0) {
+            const glm::dvec3 o = rays_.widest();
+            reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than BooleanWalk's for unit directions
+        }
         mask = meet_leaves(mask, scratch);
         each_vector(mask & ~undecided, [&](int i) {
             if (nearest_only) nearest(i);
@@ -345,7 +347,7 @@ private:
     const Rays& rays_;
     const Program* program_ = nullptr;
     const BooleanForm* form_ = nullptr;
-    double reach_ = 0.0;
+    double reach_ = -1.0;
     bool nearest_only_ = true;
     std::uint32_t pieces_ = 0;
     std::uint64_t here_ = 0;  ///< pieces of the vector at hand

@@ -29,11 +29,7 @@ struct LeafEnd {
 template <class Rays>
 class LaneFront {
 public:
-    LaneFront(const SolidStore& store, const Beam& beam, const Rays& rays) : store_(store), beam_(beam), rays_(rays)
-    {
-        const glm::dvec3 o = rays.widest();
-        reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than ProductFront's for directions of unit length
-    }
+    LaneFront(const SolidStore& store, const Beam& beam, const Rays& rays) : store_(store), beam_(beam), rays_(rays) {}
 
     /// The nearest crossing, for the rays of the mask; the form is simple(). The answers are in `t` and `end` until the
     /// next question.
@@ -49,6 +45,7 @@ public:
     void ask_ends(const SumOfProducts& form, RayMask mask)
     {
         undecided = 0;
+        find_reach();
         const RayMask met = meet_leaves(form, form.terms[0], mask);
         undecided &= mask;
         found = met & ~undecided;
@@ -129,10 +126,19 @@ private:
         return gap <= kCoincidence * (std::abs(a) + reach_) && gap < kInfinity;
     }
 
+    /// For the first question: most tiles have none.
+    void find_reach()
+    {
+        if (reach_ >= 0.0) return;
+        const glm::dvec3 o = rays_.widest();
+        reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than ProductFront's for directions of unit length
+    }
+
     /// Leaves and cuts. Returns the rays that are left; none of them when there are too many cuts.
     RayMask meet(const SumOfProducts& form, RayMask mask)
     {
         found = undecided = 0;
+        find_reach();
         const ProductTerm& term = form.terms[0];
         mask = meet_leaves(form, term, mask);
         if (mask == 0 || meet_cuts(form, term, mask)) return mask;
@@ -364,7 +370,7 @@ private:
     const SolidStore& store_;
     const Beam& beam_;
     const Rays& rays_;
-    double reach_;
+    double reach_ = -1.0;
     alignas(64) Lanes in_, out_, in_end_, out_end_;
     std::uint32_t cuts_ = 0;
     alignas(64) std::array<Lanes, kMostCuts> cut_in_, cut_out_, cut_begin_, cut_end_;

@@ -98,8 +98,9 @@ glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool sh
         return out;
     }
     // Powers that most scenes ask for, without the library.
-    const double ways = distance / reach,
-                 loss = power == 1.0 ? ways : power == 2.0 ? ways * ways : std::pow(ways, power);
+    const double ways = distance / reach, loss = power == 1.0   ? ways
+                                                 : power == 2.0 ? ways * ways
+                                                                : std::pow(ways, power);
     const auto share = static_cast<float>(1.0 / (1.0 + loss));
     return interior.fade_color + (1.0f - interior.fade_color) * share;
 }
