@@ -309,7 +309,10 @@ private:
             if (piece.leaf == piece_[own].leaf) continue;
             const Double in = load(piece.t[0], i), out = load(piece.t[1], i);
             shared_ = shared_ | (xsimd::abs(in - t) <= room) | (xsimd::abs(out - t) <= room);
-            holds_[piece.leaf] = holds_[piece.leaf] ^ ((in < t) & (t <= out));
+            // A leaf's pieces lie apart. (The exclusive or of xsimd 8's masks is a plain or on AVX-512.)
+            const Bool inside = (in < t) & (t <= out);
+            Bool& holds = holds_[piece.leaf];
+            holds = form_->leaves[piece.leaf].inverted ? holds & !inside : holds | inside;
         }
     }
 
