@@ -345,6 +345,20 @@ private:
             bool within;
         };
         const auto nearer = [](const Near& a, const Near& b) { return a.distance2 < b.distance2; };
+        const auto meet = [&](std::size_t photon) {
+            const double d2 = distance2(photon);
+            if (!(d2 < bound_)) return;
+            const Near here{static_cast<float>(d2), static_cast<std::uint32_t>(photon)};
+            if (count_ < most_) {
+                found[count_++] = here;
+                std::push_heap(found, found + count_, nearer);
+                return;
+            }
+            std::pop_heap(found, found + count_, nearer);
+            found[count_ - 1] = here;
+            std::push_heap(found, found + count_, nearer);
+            bound_ = exact(found[0].photon);
+        };
         std::array<Waiting, 192> waiting;
         std::size_t count = 0;
         waiting[count++] = {0, places_.size(), Waiting::Whole, false};
@@ -358,25 +372,16 @@ private:
             const double off = places_.along(middle, axis) - point_[axis];
             const Waiting below{at.first, middle, Waiting::Whole, false},
                 above{middle + 1, at.end, Waiting::Whole, false};
-            if (at.part == Waiting::Whole) {
+            if (at.part == Waiting::Whole && at.end - at.first == 1) {  // half of all: nothing lies below it
+                if (off * off < bound_) meet(middle);
+            } else if (at.part == Waiting::Whole) {
                 waiting[count++] = {at.first, at.end, Waiting::Node, off * off < bound_};
                 waiting[count++] = {at.first, at.end, Waiting::Far, false};
                 waiting[count++] = off > 0.0 ? below : above;
             } else if (at.part == Waiting::Far) {
                 if (off * off < bound_) waiting[count++] = off > 0.0 ? above : below;
             } else if (at.within) {
-                const double d2 = distance2(middle);
-                if (!(d2 < bound_)) continue;
-                const Near here{static_cast<float>(d2), static_cast<std::uint32_t>(middle)};
-                if (count_ < most_) {
-                    found[count_++] = here;
-                    std::push_heap(found, found + count_, nearer);
-                    continue;
-                }
-                std::pop_heap(found, found + count_, nearer);
-                found[count_ - 1] = here;
-                std::push_heap(found, found + count_, nearer);
-                bound_ = exact(found[0].photon);
+                meet(middle);
             }
         }
         out.found.resize(count_);

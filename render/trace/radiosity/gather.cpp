@@ -14,7 +14,7 @@ namespace trace::radiosity {
 namespace {
 
 constexpr std::uint32_t kLowWays = 64, kHighWays = 32;  ///< directions are sorted by a number below their product
-constexpr double kNothing = 2e10;    ///< how far off the nearest thing is where there is none
+constexpr double kNothing = 2e10;                       ///< how far off the nearest thing is where there is none
 
 class Gatherer {
 public:

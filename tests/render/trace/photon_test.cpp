@@ -178,7 +178,8 @@ TEST_CASE("the search finds what POV-Ray's heap is left with", "[photons]")
             ++asked;
             same += a == b && found.radius2 == Approx(known.limit).epsilon(1e-12) ? 1 : 0;
             CHECK(found.found.size() == known.heap.size());
-            if (normal != nullptr) trace::PhotonSearch<true>(places, boxes, point, up, most).find_in_order(radius, found);
+            if (normal != nullptr)
+                trace::PhotonSearch<true>(places, boxes, point, up, most).find_in_order(radius, found);
             else trace::PhotonSearch<false>(places, boxes, point, up, most).find_in_order(radius, found);
             CHECK(found.found.size() == known.heap.size());
             CHECK(found.radius2 == Approx(known.limit).epsilon(1e-6));
