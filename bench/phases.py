@@ -1,13 +1,16 @@
 #!/usr/bin/python3
 """Trace and parse times against POV-Ray over whole collections of scenes.
 
-usage: bench/phases.py [SCENE...] [--folder FOLDER]... [--own-only] [--threads 1] [--runs 3] [--clock cpu|wall]
-                       [--bar 6] [--least 2.5] [--cache FILE] [--json FILE] [--markdown FILE] [--csv FILE]
+usage: bench/phases.py [SCENE...] [--effects] [--folder FOLDER]... [--own-only] [--threads 1] [--runs 3]
+                       [--clock cpu|wall] [--bar 6] [--least 2.5]
+                       [--cache FILE] [--json FILE] [--markdown FILE] [--csv FILE]
 
 Measured are the scenes of `scenes/phases`, the eight of `bench/run.py` and those of every FOLDER (that of the package
 povray-examples if none is given) which POV-Ray traces for --slow seconds or more. A scene of a folder whose picture is
 not POV-Ray's is left out and listed; one of ours that differs is a failure. bench/README.md says what each clock tells.
 SCENE picks scenes by their name in the table; * and ? stand for any letters.
+--effects: nine scenes of povray-examples whose light scatters and bounces, with one thread and two, medians of five
+runs, and a bar of 5 for each of them; what else is given goes before that.
 Exit status 1 if the geometric mean of the ratios is below --bar, one of them below --least, a run fails or a scene of
 ours is wrong.
 """
@@ -29,6 +32,12 @@ from phases_table import MATCH, markdown, plain, remark, summary
 
 EXAMPLES = "/usr/share/doc/povray/examples"
 SIZE = ["+W320", "+H240", "-A"]  # of the scenes of a folder, which have no line of options
+# Those of --effects: media, radiosity, photons, light below surfaces, and all together. Some take POV-Ray a minute
+# at SIZE.
+EFFECTS = {"advanced/mediasky": None, "interior/media/media4": (640, 480), "radiosity/cornell": None,
+           "radiosity/patio-radio_37": None, "advanced/blocks/stackerday": (160, 120),
+           "advanced/grenadine/grenadine": None, "advanced/optics": None, "subsurface/subsurface": (160, 120),
+           "advanced/benchmark/benchmark": (160, 120)}
 OPTIONS = re.compile(r"^// bench:(.*)$", re.M)  # that line in a scene of ours
 COMMON = ["-D", "-P", "+FN8"]
 # A stage in POV-Ray's statistics: its name, wall seconds, then processor seconds of all threads.
@@ -55,9 +64,11 @@ def own_scenes():
         yield Scene(name, speed.HERE / f"scenes/{name}.pov", [f"+W{width}", f"+H{height}", "-A"], True)
 
 
-def folder_scenes(folder):
+def folder_scenes(folder, effects):
     for path in sorted(folder.rglob("*.pov")):
-        yield Scene(str(path.relative_to(folder).with_suffix("")), path, SIZE, False)
+        name = str(path.relative_to(folder).with_suffix(""))
+        size = EFFECTS.get(name) if effects else None
+        yield Scene(name, path, [f"+W{size[0]}", f"+H{size[1]}", "-A"] if size else SIZE, False)
 
 
 class Copies:
@@ -179,19 +190,28 @@ def arguments():
     parser.add_argument("scenes", nargs="*", metavar="SCENE")
     parser.add_argument("--folder", type=pathlib.Path, action="append", metavar="FOLDER",
                         help=f"a collection of scenes ({EXAMPLES})")
+    parser.add_argument("--effects", action="store_true", help="nine scenes whose light scatters and bounces")
     parser.add_argument("--own-only", action="store_true", help="the scenes of this folder alone")
-    parser.add_argument("--threads", type=int, nargs="+", default=[1])
-    parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--threads", type=int, nargs="+", help="(1)")
+    parser.add_argument("--runs", type=int, help="of each, of which the median counts (3)")
     parser.add_argument("--clock", choices=["cpu", "wall"], default="cpu")
     parser.add_argument("--slow", type=float, default=0.2, help="POV-Ray's least seconds for a scene of a folder (0.2)")
     parser.add_argument("--limit", type=float, default=600, help="most seconds for a run (600)")
-    parser.add_argument("--bar", type=float, default=6.0, help="least geometric mean (6)")
-    parser.add_argument("--least", type=float, default=2.5, help="least ratio of a scene (2.5)")
+    parser.add_argument("--bar", type=float, help="least geometric mean (6)")
+    parser.add_argument("--least", type=float, help="least ratio of a scene (2.5)")
     for kind in ("cache", "json", "markdown", "csv"):
         parser.add_argument(f"--{kind}", metavar="FILE")
     parser.add_argument("--whittle", default=str(speed.HERE.parent / "build/release/whittle"))
     parser.add_argument("--povray", default="povray")
     options = parser.parse_args()
+    usual = dict(threads=[1], runs=3, bar=6.0, least=2.5)
+    if options.effects:
+        usual = dict(threads=[1, 2], runs=5, bar=5.0, least=5.0)
+        options.scenes = options.scenes or list(EFFECTS)
+        options.slow = 0.0
+    for name, value in usual.items():
+        if getattr(options, name) is None:
+            setattr(options, name, value)
     speed.programs_from_here(options)
     return parser, options
 
@@ -204,7 +224,8 @@ def main():
         return not options.scenes or any(fnmatch.fnmatchcase(scene.name, name) for name in options.scenes)
 
     groups = [(None, [scene for scene in own_scenes() if wanted(scene)])]
-    groups += [(folder, [scene for scene in folder_scenes(folder) if wanted(scene)]) for folder in folders]
+    groups += [(folder, [scene for scene in folder_scenes(folder, options.effects) if wanted(scene)])
+               for folder in folders]
     if not any(scenes for _, scenes in groups):
         parser.error("no such scene")
 
