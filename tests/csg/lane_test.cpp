@@ -36,7 +36,12 @@ glm::dvec3 direction(Rng& rng, const glm::dvec3& origin, const glm::dvec3& targe
 template <class T>
 bool one_interval(const T& solid, const Ray& ray, Interval& out)
 {
-    if constexpr (requires { solid.interval(ray, out); }) {
+    if constexpr (std::is_same_v<T, Triangle>) {  // one crossing, and no way out
+        double t = 0.0;
+        if (!solid.crossing(ray, t)) return false;
+        out = {t, t, 0, kUndrawnFace};
+        return true;
+    } else if constexpr (requires { solid.interval(ray, out); }) {
         return solid.interval(ray, out);
     } else {
         Span memory[4];
@@ -177,6 +182,14 @@ TEST_CASE("intervals in lanes are those of single rays, bit for bit", "[csg][lan
                            {0, rng.uniform(-1, 1), 0},
                            rng.uniform(-1, 0.5),
                            frame};
+        });
+    }
+    SECTION("triangle")
+    {
+        check_kind([](Rng& rng, const Transform&, const glm::dvec3& p) {
+            if (rng.coin())
+                return Triangle::make({p - glm::dvec3(2, 0, 2), p + glm::dvec3(3, 0, 0), p + glm::dvec3(0, 0, 3)});
+            return Triangle::make({p + rng.point(2.0), p + rng.point(2.0), p + rng.point(2.0)});
         });
     }
     SECTION("upright cone")

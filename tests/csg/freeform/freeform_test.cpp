@@ -144,6 +144,40 @@ TEST_CASE("blobs hold where their fields exceed the threshold", "[csg][freeform]
     }
 }
 
+TEST_CASE("of a blob the nearest end alone is the nearest of all", "[csg][freeform]")
+{
+    int found = 0, none = 0;
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        INFO("blob " << seed);
+        Rng rng(seed);
+        const Blob blob(rng.uniform(0.1, 0.6) * (seed % 7 == 6 ? -1.0 : 1.0),
+                        random_components(rng, seed % 5 == 4 ? 40 : 1 + static_cast<int>(seed % 12)));
+        for (int i = 0; i < 200; ++i) {
+            const Ray ray{rng.point(1.5), rng.direction()};  // often from inside
+            const double from = rng.uniform(-1.0, 0.5), to = rng.coin() ? kInfinity : from + rng.uniform(0.1, 2.0);
+            const auto nearest = [&](bool first_only) {
+                IntersectionList record(from, to, first_only);
+                blob.intersect(ray, record);
+                double least = kInfinity;
+                const auto offer = [&](double t, std::uint32_t face) {
+                    if (face != kUndrawnFace && t >= from && t <= to) least = std::min(least, t);
+                };
+                record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                    offer(in, in_face);
+                    offer(out, out_face);
+                });
+                return least;
+            };
+            const double all = nearest(false), first = nearest(true);
+            ++(all < kInfinity ? found : none);
+            REQUIRE((all < kInfinity) == (first < kInfinity));
+            if (all < kInfinity) REQUIRE(std::abs(all - first) <= 1e-9);
+        }
+    }
+    CHECK(found > 1000);
+    CHECK(none > 1000);
+}
+
 TEST_CASE("a ball's field makes a ball", "[csg][freeform]")
 {
     const double r = std::sqrt(1.0 - std::sqrt(0.5));  // spec 5a, 5.11: 0.541196100146

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <fstream>
 #include <numbers>
 #include <random>
@@ -187,6 +188,26 @@ TEST_CASE("the search finds what POV-Ray's heap is left with", "[photons]")
     }
     INFO(same << " of " << asked);
     CHECK(same > asked * 93 / 100);  // photons on the wrong side of a node
+}
+
+TEST_CASE("photons of a file that are nowhere are not found", "[photons]")
+{
+    std::mt19937 random(17);
+    for (const std::size_t count : {1u, 7u, 8u, 9u, 64u, 65u, 600u}) {
+        std::vector<trace::Photon> photons = random_photons(random, count, 1.0f);
+        std::size_t somewhere = count;
+        for (std::size_t i = 0; i < count; i += 3, --somewhere)
+            (i % 2 == 0 ? photons[i].x : photons[i].z) = i % 4 == 0 ? std::numeric_limits<float>::quiet_NaN()
+                                                                    : std::numeric_limits<float>::infinity();
+        trace::PhotonMap map;
+        map.take(photons);
+        map.gather_most = 1000;
+        trace::NearPhotons found;
+        map.find(glm::dvec3(0), 1e6, nullptr, found);
+        CHECK(found.found.size() <= somewhere);
+        CHECK(2 * found.found.size() >= somewhere);  // nodes that are nowhere hide some, as from POV-Ray
+        for (const trace::NearPhotons::Near& near : found.found) CHECK(std::isfinite(near.distance2));
+    }
 }
 
 TEST_CASE("a map comes back from its file as it was", "[photons]")
