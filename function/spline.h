@@ -32,7 +32,7 @@ private:
         Values value;
     };
     std::vector<Values> second_derivatives() const;
-    std::vector<Knot> knots_;      ///< by t
+    std::vector<Knot> knots_;          ///< by t
     std::vector<Values> derivatives_;  ///< of second order, at the knots; empty: not finished
     std::uint32_t components_ = 2;
 };

@@ -57,9 +57,9 @@ struct Error : std::runtime_error {
 
 /// A macro, a loop or a file that time went to.
 struct ReadingCost {
-    std::string what;  ///< "macro", "loop" or "file"
-    std::string name;  ///< of the macro, "#while", path of the file
-    std::string place;  ///< "path:line:column" of its body or its directive
+    std::string what;                         ///< "macro", "loop" or "file"
+    std::string name;                         ///< of the macro, "#while", path of the file
+    std::string place;                        ///< "path:line:column" of its body or its directive
     double seconds = 0.0, own_seconds = 0.0;  ///< with what it calls, and without
 };
 

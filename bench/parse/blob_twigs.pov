@@ -4,7 +4,7 @@ global_settings { assumed_gamma 1 }
 #declare Count = 0;
 #macro Twig(From, Along, Level)
   #local To = From + Along;
-  cylinder { From, To, 0.1*vlength(Along), 1 }
+  cylinder { From, To, 0.1*vlength(Along), 1 pigment { rgb <Level/15, 0.3, 0.2> } }
   #declare Count = Count + 1;
   #if (Level > 0)
     Twig(To, vrotate(Along, <0, 40, 25>)*0.8, Level - 1)

@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #declare Total = 0;
-#for (Round, 1, 4000)
+#for (Round, 1, 8000)
   #include "deep_1.inc"
 #end
 #debug concat("total ", str(Total, 0, 0), "\n")

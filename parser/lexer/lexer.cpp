@@ -87,8 +87,8 @@ struct number_list {
     }
 };
 
-struct item : sor<number_list, blanks, word, number_with_two_points, number, line_comment, block_comment, open_comment, text,
-                  open_text, pair, mark, illegal> {};
+struct item : sor<number_list, blanks, word, number_with_two_points, number, line_comment, block_comment, open_comment,
+                  text, open_text, pair, mark, illegal> {};
 struct whole : star<item> {};
 
 // --- what becomes of it ------------------------------------------------------------------------------------------
@@ -98,8 +98,9 @@ struct Builder {
     Names& names;
     std::uint16_t file_index;
     bool lists = true;
-    Kind list = Kind::Bad;  ///< the word that begins a list of numbers, if the last token was that or the brace behind it
-    bool open = false;      ///< it was the brace
+    Kind list =
+        Kind::Bad;      ///< the word that begins a list of numbers, if the last token was that or the brace behind it
+    bool open = false;  ///< it was the brace
 
     Token& add(Kind kind, const char* at)
     {

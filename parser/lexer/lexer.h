@@ -24,7 +24,7 @@ struct SourceFile {
 
     using Place = scene::LineAndColumn;
     Place locate(std::uint32_t offset) const { return lines().place(offset); }
-    const scene::LineTable& lines() const;  ///< made when it is asked for
+    const scene::LineTable& lines() const;                 ///< made when it is asked for
     std::string_view line_text(std::uint32_t line) const;  ///< without its line end
     /// The text of a token as the author wrote it (a word, a number, a string with its quotes).
     std::string_view token_text(const Token& token) const;

@@ -47,7 +47,8 @@ public:
     }
 
 private:
-    /// Digits of at most 2^53 times or over a power of ten up to 10^22 are rounded once; others are left to the library.
+    /// Digits of at most 2^53 times or over a power of ten up to 10^22 are rounded once; others are left to the
+    /// library.
     bool literal(double& value)
     {
         const char* const begin = at_;

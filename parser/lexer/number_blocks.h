@@ -26,10 +26,10 @@ constexpr bool begins_numbers(Kind keyword)
            keyword == Kind::NormalIndices || keyword == Kind::UvIndices;
 }
 
-/// Reads the list from `at`, behind the brace, up to its end: behind the last corner of a triangle, at the closing brace
-/// of a list. Values are added to `values`; a face that names textures has six, three indices and the numbers of its
-/// textures or kNoTexture (all faces of its list then). Returns where it ends; null, with nothing added: it is no such
-/// list. `first`: where its first number or '<' stands.
+/// Reads the list from `at`, behind the brace, up to its end: behind the last corner of a triangle, at the closing
+/// brace of a list. Values are added to `values`; a face that names textures has six, three indices and the numbers of
+/// its textures or kNoTexture (all faces of its list then). Returns where it ends; null, with nothing added: it is no
+/// such list. `first`: where its first number or '<' stands.
 const char* read_number_list(Kind keyword, const char* at, const char* end, std::vector<double>& values,
                              NumberList& list, const char*& first);
 

@@ -99,11 +99,11 @@ public:
     const Options& options() const { return options_; }
     GrammarHooks& hooks() { return hooks_; }
     std::vector<std::uint32_t>& random_streams() { return random_streams_; }
-    std::vector<std::string> files() const;  ///< paths in order of SourceRef::file
+    std::vector<std::string> files() const;       ///< paths in order of SourceRef::file
     std::vector<scene::LineTable> lines() const;  ///< by file
     std::vector<Message>& messages() { return messages_; }
     const Statistics& statistics() const { return statistics_; }
-    std::vector<ReadingCost> reading_costs(std::size_t most);  ///< up to now
+    std::vector<ReadingCost> reading_costs(std::size_t most);       ///< up to now
     std::vector<std::string>& data_files() { return data_files_; }  ///< opened for reading, in order
 
     /// Full path of a file by the rules of `#include` (current folder, library path, scene's folder, the including

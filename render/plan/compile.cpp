@@ -51,7 +51,11 @@ csg::Tolerance tolerance(const CompiledScene& scene)
 
 }  // namespace
 
-CompiledScene compile(const scene::Description& description, const Options& options)
+namespace {
+
+/// `planned` is called when no object is asked for any more.
+template <class Planned>
+CompiledScene compile_all(const scene::Description& description, const Options& options, Planned&& planned)
 {
     CompiledScene out;
     out.options = options;
@@ -64,7 +68,9 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     TextureCompiler textures(description, options.quality, out.textures, notes);
     MediaCompiler media(textures, options.quality, out.media);
     GeometryCompiler geometry(description, options, textures, media, out, notes);
+    geometry.expect(description.objects.size());
     for (const scene::Object& object : description.objects) geometry.add(object);
+    planned();
     if (description.camera.normal) out.camera_normal = textures.normal(*description.camera.normal, false);
     if (description.camera.bokeh && description.camera.bokeh->pigment)
         out.bokeh = textures.pigment(*description.camera.bokeh->pigment);
@@ -81,8 +87,21 @@ CompiledScene compile(const scene::Description& description, const Options& opti
     out.radiosity = radiosity(description, out);
     out.tolerance = tolerance(out);
     find_camera_interiors(out);
-    for (const scene::Unsupported& note : notes) out.decisions.push_back({note.what, "not rendered yet", description.place(note.source)});
+    for (const scene::Unsupported& note : notes)
+        out.decisions.push_back({note.what, "not rendered yet", description.place(note.source)});
     return out;
+}
+
+}  // namespace
+
+CompiledScene compile(const scene::Description& description, const Options& options)
+{
+    return compile_all(description, options, [] {});
+}
+
+CompiledScene compile(scene::Description&& description, const Options& options)
+{
+    return compile_all(description, options, [&] { description.objects.clear(); });
 }
 
 std::string explain(const CompiledScene& scene)

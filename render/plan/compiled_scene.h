@@ -124,6 +124,8 @@ struct CompiledScene {
 
 /// Compiles a description. Throws std::runtime_error for a scene that cannot be compiled.
 CompiledScene compile(const scene::Description& description, const Options& options);
+/// The same; the objects are dropped as soon as they are planned, before the hierarchy wants their memory.
+CompiledScene compile(scene::Description&& description, const Options& options);
 
 /// --explain: the decisions, one a line.
 std::string explain(const CompiledScene& scene);

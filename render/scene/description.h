@@ -98,8 +98,8 @@ struct Description {
     int effective_version = 362;
     double default_importance = 1.0;  ///< `radiosity` of #default: of objects that say nothing, and of the sky
     Camera camera;
-    ObjectList objects;  ///< in order; lights among them
-    TexturePtr default_texture;   ///< in force at the end
+    ObjectList objects;          ///< in order; lights among them
+    TexturePtr default_texture;  ///< in force at the end
     Color background{0, 0, 0, 0, 1};
     bool background_given = false;
     std::optional<SkySphere> sky_sphere;

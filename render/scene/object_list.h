@@ -2,10 +2,15 @@
 
 #include "render/scene/object.h"
 
+#include <sys/mman.h>
+
 #include <cstddef>
+#include <cstdlib>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace scene {
@@ -44,8 +49,20 @@ public:
         std::size_t at_ = 0;
     };
     ObjectList() = default;
-    ObjectList(ObjectList&&) = default;
-    ObjectList& operator=(ObjectList&&) = default;
+    ~ObjectList() { clear(); }
+    ObjectList(ObjectList&& other) noexcept
+        : blocks_(std::move(other.blocks_)), memory_(std::move(other.memory_)), size_(std::exchange(other.size_, 0)),
+          free_(std::exchange(other.free_, 0)), next_(std::exchange(other.next_, nullptr))
+    {}
+    ObjectList& operator=(ObjectList&& other) noexcept
+    {
+        std::swap(blocks_, other.blocks_);
+        std::swap(memory_, other.memory_);
+        std::swap(size_, other.size_);
+        std::swap(free_, other.free_);
+        std::swap(next_, other.next_);
+        return *this;
+    }
     ObjectList(const ObjectList& other)
     {
         for (const Object& one : other) push_back(one);
@@ -57,12 +74,19 @@ public:
     }
     void push_back(Object object)
     {
-        if (blocks_.empty() || blocks_.back().size() == kBlock) blocks_.emplace_back().reserve(kBlock);
-        blocks_.back().push_back(std::move(object));
+        if (size_ == blocks_.size() * kBlock) add_block();
+        new (blocks_.back() + size_ % kBlock) Object(std::move(object));
+        ++size_;
     }
-    std::size_t size() const { return blocks_.empty() ? 0 : (blocks_.size() - 1) * kBlock + blocks_.back().size(); }
-    bool empty() const { return blocks_.empty(); }
-    void clear() { blocks_.clear(); }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    void clear()
+    {
+        for (std::size_t i = 0; i < size_; ++i) (*this)[i].~Object();
+        blocks_.clear();
+        memory_.clear();
+        size_ = free_ = 0;
+    }
     Object& operator[](std::size_t i) { return blocks_[i / kBlock][i % kBlock]; }
     const Object& operator[](std::size_t i) const { return blocks_[i / kBlock][i % kBlock]; }
     const Object& at(std::size_t i) const
@@ -71,8 +95,8 @@ public:
         return (*this)[i];
     }
     const Object& front() const { return (*this)[0]; }
-    const Object& back() const { return blocks_.back().back(); }
-    Object& back() { return blocks_.back().back(); }
+    const Object& back() const { return (*this)[size_ - 1]; }
+    Object& back() { return (*this)[size_ - 1]; }
 
     Iterator<ObjectList, Object> begin() { return {this, 0}; }
     Iterator<ObjectList, Object> end() { return {this, size()}; }
@@ -80,8 +104,31 @@ public:
     Iterator<const ObjectList, const Object> end() const { return {this, size()}; }
 
 private:
-    static constexpr std::size_t kBlock = 128;
-    std::vector<std::vector<Object>> blocks_;
+    static constexpr std::size_t kBlock = 128, kFewBlocks = 16, kHugePage = std::size_t{2} << 20;
+    struct Free {
+        void operator()(void* memory) const { std::free(memory); }
+    };
+    /// The first blocks by themselves, later ones many at a time where one page of the system is enough for all.
+    void add_block()
+    {
+        constexpr std::size_t kBytes = kBlock * sizeof(Object), kMany = kHugePage / kBytes;
+        if (free_ == 0) {
+            const bool many = blocks_.size() >= kFewBlocks;
+            void* const memory = many ? std::aligned_alloc(kHugePage, kHugePage) : std::malloc(kBytes);
+            if (!memory) throw std::bad_alloc();
+            memory_.emplace_back(memory);
+            if (many) madvise(memory, kHugePage, MADV_HUGEPAGE);
+            next_ = static_cast<Object*>(memory);
+            free_ = many ? kMany : 1;
+        }
+        blocks_.push_back(next_);
+        next_ += kBlock;
+        --free_;
+    }
+    std::vector<Object*> blocks_;
+    std::vector<std::unique_ptr<void, Free>> memory_;
+    std::size_t size_ = 0, free_ = 0;  ///< free: blocks left of the memory that was asked for last
+    Object* next_ = nullptr;           ///< the first of them
 };
 
 }  // namespace scene

@@ -9,7 +9,8 @@ std::vector<Unsupported> unsupported_features(const Description& description)
     std::vector<Unsupported> found;
     std::set<std::string> told;
     for (const Object& object : description.unsupported_objects)
-        if (told.insert(object.details->unsupported).second) found.push_back({object.details->unsupported, object.source});
+        if (told.insert(object.details->unsupported).second)
+            found.push_back({object.details->unsupported, object.source});
     return found;
 }
 

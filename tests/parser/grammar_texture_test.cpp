@@ -50,7 +50,8 @@ TEST_CASE("classic turbulence stands apart, warps in order of evaluation", "[par
 {
     const scene::Description d =
         parsed("sphere { 0, 1 pigment { granite turbulence 0.5 scale 2 warp { repeat x } translate y rotate z } }");
-    const auto& p = std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind)->pattern;
+    const auto& p =
+        std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind)->pattern;
     REQUIRE(p.warps.size() == 3);
     CHECK(std::holds_alternative<csg::Transform>(p.warps[0]));
     CHECK(std::holds_alternative<scene::RepeatWarp>(p.warps[1]));
@@ -92,7 +93,8 @@ TEST_CASE("a declared texture can be used by the declaration right behind it", "
 TEST_CASE("list patterns fill up with their defaults", "[parser][texture]")
 {
     const scene::Description d = parsed("plane { y, 0 pigment { checker rgb 1 } }");
-    const auto& p = *std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind);
+    const auto& p =
+        *std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind);
     CHECK(p.pattern.frequency == 0);
     const auto& colors = std::get<scene::ColorMap>(p.map);
     REQUIRE(colors.size() == 2);
@@ -104,7 +106,8 @@ TEST_CASE("the old form of a colour map gives two entries", "[parser][texture]")
 {
     const scene::Description d =
         parsed("sphere { 0, 1 pigment { bozo color_map { [0, 0.5 color rgb 0 color rgb 1] [0.5 rgb x] } } }");
-    const auto& p = *std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind);
+    const auto& p =
+        *std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind);
     CHECK(std::get<scene::ColorMap>(p.map).size() == 3);
 }
 

@@ -141,9 +141,9 @@ def arrays(n):
 
 
 KINDS = {  # how many make it dear enough to be counted
-    blob: 400, prism: 1000, lathe: 400, sor: 400, polygon: 1000, sphere_sweep: 400, operands: 1000, cut: 100, statements: 500, moved: 300,
-    shared: 300, copies: 1000, chain: 250, groups: 60, color_map: 60, mesh2: 2000, triangles: 1000, textured_triangles: 300, spline: 1000,
-    asked_spline: 500, texts: 60, names: 2000, includes: 60, lights: 60, clips: 60, arrays: 5000}
+    blob: 2500, prism: 1000, lathe: 400, sor: 400, polygon: 1000, sphere_sweep: 400, operands: 1000, cut: 100, statements: 500, moved: 1200,
+    shared: 300, copies: 1000, chain: 1000, groups: 60, color_map: 60, mesh2: 2000, triangles: 1000, textured_triangles: 300, spline: 1000,
+    asked_spline: 1000, texts: 60, names: 2000, includes: 60, lights: 60, clips: 60, arrays: 5000}
 
 
 def instructions(whittle, text):

@@ -259,8 +259,7 @@ struct face_indices : item<Kind::FaceIndices> {
     {
         const std::vector<Indices> all = read_indices(s, "face_indices", s.data->vertices.size(), true);
         s.data->faces.reserve(s.data->faces.size() + all.size());
-        for (const Indices& one : all)
-            s.data->faces.push_back({one.at, kNoIndices, kNoIndices, one.texture});
+        for (const Indices& one : all) s.data->faces.push_back({one.at, kNoIndices, kNoIndices, one.texture});
     }
 };
 template <Kind kind, std::array<std::uint32_t, 3> Data::Face::*member>

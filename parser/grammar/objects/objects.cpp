@@ -196,10 +196,22 @@ bool read_object(SceneBuilder& build, scene::Object& object)
         in.next();
         read_wrapper(build, in.last(), object);
         return true;
-    case Kind::LightGroup: in.next(); object = read_light_group(build, in.last()); return true;
-    case Kind::LightSource: in.next(); object = read_light(build, in.last()); return true;
-    case Kind::Mesh: in.next(); object = read_mesh(build, in.last()); return true;
-    case Kind::Mesh2: in.next(); object = read_mesh2(build, in.last()); return true;
+    case Kind::LightGroup:
+        in.next();
+        object = read_light_group(build, in.last());
+        return true;
+    case Kind::LightSource:
+        in.next();
+        object = read_light(build, in.last());
+        return true;
+    case Kind::Mesh:
+        in.next();
+        object = read_mesh(build, in.last());
+        return true;
+    case Kind::Mesh2:
+        in.next();
+        object = read_mesh2(build, in.last());
+        return true;
     default: return false;
     }
 }

@@ -182,7 +182,7 @@ struct projected_through : item<Kind::ProjectedThrough> {
     static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through"); }
 };
 struct light_photons : item<Kind::Photons> {
-    static void act(LightState& s) 
+    static void act(LightState& s)
     {
         std::shared_ptr<const scene::PhotonFlags>& own = s.object.details.edit().photons;
         own = read_photon_flags(s.build, true, own.get());
@@ -229,8 +229,7 @@ scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source)
     LightState s(build, object);
     read_block<LightItems>(build, s, "light_source", [&] {
         if (const auto declared = in.accept_identifier<std::shared_ptr<const scene::Object>>()) {
-            if (!scene::is_light(**declared))
-                in.fail(in.last(), "this identifier is no light_source");
+            if (!scene::is_light(**declared)) in.fail(in.last(), "this identifier is no light_source");
             object = **declared;
             return;
         }

@@ -39,8 +39,8 @@ void read_list(NormalState& s, int count)
     }
     const scene::NormalPtr usual = s.build.default_layer().normal;
     while (static_cast<int>(map.size()) < count)
-        map.push_back({static_cast<double>(map.size()),
-                       std::make_shared<scene::Normal>(usual ? *usual : scene::Normal{})});
+        map.push_back(
+            {static_cast<double>(map.size()), std::make_shared<scene::Normal>(usual ? *usual : scene::Normal{})});
     s.normal.map = std::move(map);
 }
 

@@ -59,10 +59,7 @@ struct texture_map : item<Kind::TextureMap> {
 };
 using TextureItems = table<TextureState, pigment, normal, finish, no_bump_scale, texture_map>;
 
-void become(TextureState& s, scene::Pattern pattern)
-{
-    s.texture.kind = Patterned({std::move(pattern), {}});
-}
+void become(TextureState& s, scene::Pattern pattern) { s.texture.kind = Patterned({std::move(pattern), {}}); }
 
 /// tiles { texture { A } tile2 texture { B } }: a checker whose odd cells show A (spec 4, 14).
 void read_tiles(TextureState& s)

@@ -112,9 +112,7 @@ void PovrayReporter::message(const parser::Message& message)
 void PovrayReporter::parsed(const parser::Result& result, double seconds)
 {
     parsing_ = false;
-    const auto lights =
-        std::count_if(result.scene.objects.begin(), result.scene.objects.end(),
-                      scene::is_light);
+    const auto lights = std::count_if(result.scene.objects.begin(), result.scene.objects.end(), scene::is_light);
     const auto all = static_cast<long long>(result.scene.objects.size());
     put(Stream::Statistic,
         titled("Parser Statistics") +

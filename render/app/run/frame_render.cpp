@@ -44,8 +44,8 @@ bool print_stage(const Settings& settings, const parser::Result& parsed)
     const scene::Description& description = parsed.scene;
     if (settings.explain)
         for (const parser::ReadingCost& cost : parsed.statistics.costs)
-            fmt::print(stderr, "reading: {:.3f} s in {} {}, {:.3f} s of it its own{}\n", cost.seconds, cost.what, cost.name,
-                       cost.own_seconds, cost.what == "file" ? "" : " (" + cost.place + ")");
+            fmt::print(stderr, "reading: {:.3f} s in {} {}, {:.3f} s of it its own{}\n", cost.seconds, cost.what,
+                       cost.name, cost.own_seconds, cost.what == "file" ? "" : " (" + cost.place + ")");
     if (settings.dump == Dump::Scene) fmt::print("{}", scene::dump(description));
     if (settings.dump != Dump::Plan && !settings.explain) return settings.dump == Dump::Scene || settings.parse_only;
     const plan::CompiledScene compiled = plan::compile(description, plan_options(settings));
@@ -140,8 +140,7 @@ int render_frame(Run& run, const Frame& frame)
     if (settings.deps) print_dependencies(settings, parsed);
     if (print_stage(settings, parsed)) return kSuccess;
 
-    const plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
-    parsed.scene.objects.clear();  // a million of them are not wanted any more
+    const plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings));
     times.finish("plan");
     return render_picture({run, last_resort, compiled, file_settings(settings, parsed.scene), path,
                            [&] { return picture_identity(options, compiled.options, parsed); }},

@@ -252,7 +252,8 @@ void cut_box(const scene::Object& operand, bool subtracted, csg::Aabb& box)
         if (operand.inverse != subtracted) return;
         cut = extent(operand);
         if (const auto* quadric = std::get_if<scene::Quadric>(&operand.shape))
-            cut = smaller_quadric_box(cut, *quadric, *operand.transform, box.intersected(clip_box(operand.details->clipped_by)));
+            cut = smaller_quadric_box(cut, *quadric, *operand.transform,
+                                      box.intersected(clip_box(operand.details->clipped_by)));
     }
     box = box.intersected(cut);
 }

@@ -48,7 +48,8 @@ const std::vector<scene::Object>& clips_of(const scene::Object& object)
 {
     static const std::vector<scene::Object> none;
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
-    return freeform && std::holds_alternative<csg::BicubicPatch>(freeform->shape->kind) ? none : object.details->clipped_by;
+    return freeform && std::holds_alternative<csg::BicubicPatch>(freeform->shape->kind) ? none
+                                                                                        : object.details->clipped_by;
 }
 
 csg::Tree::Op tree_op(scene::CsgOp op)
@@ -71,6 +72,13 @@ GeometryCompiler::GeometryCompiler(const scene::Description& description, const 
       fields_(description, options, notes), starts_(camera_starts(out.camera, out.mesh_camera.get())),
       photons_(compile_photons(description, options.quality))
 {}
+
+void GeometryCompiler::expect(std::size_t statements)
+{
+    out_.objects.reserve(statements);
+    out_.surfaces.reserve(statements);
+    out_.geometry.items.reserve(statements);
+}
 
 void GeometryCompiler::add(const scene::Object& object)
 {
@@ -120,7 +128,8 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     own.no_image = above.no_image || object.flags.no_image;
     own.no_reflection = above.no_reflection || object.flags.no_reflection;
     own.no_radiosity = above.no_radiosity || object.flags.no_radiosity;
-    if (object.details->radiosity_importance) own.importance = static_cast<float>(*object.details->radiosity_importance);
+    if (object.details->radiosity_importance)
+        own.importance = static_cast<float>(*object.details->radiosity_importance);
     own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
     own.to_world = is_light(object) ? above.to_world : above.to_world * *object.transform;
     own.parent_growth = own.growth = above.growth;
@@ -254,8 +263,8 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
         Inherited mine = below(operand, cuts ? later : own);
         aim_photons(operand, mine);
         const auto* parts = std::get_if<scene::Csg>(&operand.shape);
-        const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union && operand.details->clipped_by.empty() &&
-                           !operand.inverse;
+        const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union &&
+                           operand.details->clipped_by.empty() && !operand.inverse;
         if (cutaway && made.operands.empty() && csg.op == scene::CsgOp::Difference && plain && !mine.texture)
             return cut_parts(csg, *parts, operand, own, mine);
         made.operands.push_back(bounded(tree(operand, mine), operand, mine));

@@ -27,6 +27,8 @@ public:
     GeometryCompiler(const scene::Description& description, const Options& options, TextureCompiler& textures,
                      MediaCompiler& media, CompiledScene& out, std::vector<scene::Unsupported>& notes);
 
+    /// Before the first: so many statements will come.
+    void expect(std::size_t statements);
     /// A statement of the scene. Lights inside are collected too.
     void add(const scene::Object& object);
     /// After the last object: opacity of surfaces, then the hierarchy.

@@ -264,7 +264,8 @@ std::string dump(const Description& d)
         out.close();
     }
     for (const Unsupported& u : d.unsupported)
-        out.line("unsupported", fmt::format("{} at {}:{}", u.what, d.line_of(u.source).line, d.line_of(u.source).column));
+        out.line("unsupported",
+                 fmt::format("{} at {}:{}", u.what, d.line_of(u.source).line, d.line_of(u.source).column));
     return out.take();
 }
 

@@ -81,7 +81,8 @@ TEST_CASE("freeform solids answer as POV-Ray's do", "[plan][shapes]")
         REQUIRE(read.scene.objects.size() == 1);
         Shape& shape = shapes[name];
         shape.object = read.scene.objects.front();
-        CHECK((shape.object.details->written == nullptr || !kUnsupported.contains(std::string(shape.object.details->written->keyword))));
+        CHECK((shape.object.details->written == nullptr ||
+               !kUnsupported.contains(std::string(shape.object.details->written->keyword))));
         shape.probe = std::make_unique<plan::ObjectProbe>(shape.object);
     }
     for (const Row& row : test_support::csv_table(WHITTLE_TEST_DATA "/shapes.csv")) {
