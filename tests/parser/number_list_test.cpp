@@ -42,7 +42,7 @@ TEST_CASE("literal lists of meshes mean what the same text means token by token"
 {
     const std::string points =
         "vertex_vectors { 4, <0,0,0>, <1,0,-0.0> <.5 , 1.e0,- 2>,\n<0.1e1,1e-3,12345678901234567890> }";
-    for (const std::string& text : {
+    for (const std::string& text : std::vector<std::string>{
              "mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } }",
              "mesh { triangle { <0,0,0> <1,0,-0>\t<0,1e2,0> uv_vectors <0,0> <1,0> <0,1> } }",
              "mesh { smooth_triangle { <0,0,0>,<0,0,1>, <1,0,0>,<0,0,1>, <0,1,0>,<0,1,1> texture { pigment { rgb 1 } } "
@@ -112,7 +112,7 @@ TEST_CASE("numbers of lists are rounded as the library rounds them", "[parser][m
 TEST_CASE("messages about literal lists stand where they stood", "[parser][mesh]")
 {
     const std::string points = "mesh2 { vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } ";
-    for (const std::string& text : {
+    for (const std::string& text : std::vector<std::string>{
              points + "face_indices { 2, <0,1,2>,\n <0,3,1> } }",
              points + "face_indices { 1, <0,-1,2> } }",
              points + "texture_list { 1, texture { } } face_indices { 2, <0,1,2>, 0, <0,1,2>, 0, 7, 0 } }",

@@ -111,8 +111,9 @@ TEST_CASE("media have the defaults of their version, and what was declared keeps
            now.variance == 1.0 / 128.0));
     CHECK((now.emission == glm::vec3(0.5f) && now.absorption == glm::vec3(0) && now.collect && now.densities.empty()));
     const std::string old = "#version 3.1; #declare M = media { samples 3, 7 }\n";
-    const scene::Media then =
-        of(old + "#version 3.7; sphere { 0, 1 } media { M scattering { 5, rgb 1 eccentricity 0.5 } }").media.front();
+    const scene::Description both =
+        of(old + "#version 3.7; sphere { 0, 1 } media { M scattering { 5, rgb 1 eccentricity 0.5 } }");
+    const scene::Media& then = both.media.front();
     CHECK((then.method == scene::Media::Method::Random && then.intervals == 10 && then.samples_least == 3 &&
            then.samples_most == 7));
     CHECK((then.scattering.phase == scene::Media::Phase::HenyeyGreenstein && then.scattering.eccentricity == 0.5 &&

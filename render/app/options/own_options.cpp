@@ -70,7 +70,7 @@ constexpr OwnOption kOwnOptions[] = {
      "a file mapped into memory in which another program watches the picture grow; also +SMFILE, as LeoCAD has it",
      [](Settings& s, const std::string& v) { s.preview_file = v; }},
     {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
-    {"explain", "", "say what the plan kept, what it left out and why",
+    {"explain", "", "say where reading spent its time, what the plan kept, what it left out and why",
      [](Settings& s, const std::string&) { s.explain = true; }},
     {"faithful", "",
      "POV-Ray's constants where better ones are usual, to find the cause of a difference: docs/faithful.md",
