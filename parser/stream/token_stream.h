@@ -355,6 +355,7 @@ private:
     std::vector<scene::SourceRef> open_blocks_;  ///< of the statement
     std::unordered_map<std::uint32_t, Deprecation> deprecated_;
     std::vector<std::uint32_t> random_streams_;
+    RandomUndo random_undo_{random_streams_};
     std::vector<Message> messages_;
     std::unordered_set<std::string> warned_;  ///< first lines of the warnings so far
     Statistics statistics_;

@@ -57,6 +57,15 @@ TEST_CASE("a compiled expression follows its names", "[parser][expression]")
           "3 5 7 ");
 }
 
+// POV-Ray 3.7 prints "2 3 4".
+TEST_CASE("an element given to a macro is given by reference in each pass of a loop", "[parser][expression]")
+{
+    CHECK(parser_test::debug_of("#version 3.7;\n#macro Inc(X) #declare X = X + 1; #end\n"
+                                "#declare A = array[3]{1, 2, 3}; #declare I = 0;\n"
+                                "#while (I < 3) Inc(A[I]) #declare I = I + 1; #end\n"
+                                "#for (I, 0, 2) #debug str(A[I], 0, 0) #end") == "234");
+}
+
 TEST_CASE("a division by zero warns also where it is compiled, and once", "[parser][expression]")
 {
     parser_test::NoGrammar grammar;

@@ -2,6 +2,7 @@
 
 #include "function/program.h"
 #include "parser/lexer/token.h"
+#include "parser/stream/expressions/random_undo.h"
 #include "parser/stream/symbols.h"
 #include "parser/stream/value.h"
 
@@ -91,15 +92,31 @@ struct CompiledExpression {
 /// What a list works on.
 struct CompiledContext {
     const Symbols& symbols;
-    std::vector<std::uint32_t>& random_streams;
+    RandomUndo& random;
     GrammarHooks& hooks;
+};
+
+/// What names mean to the compiler: what they mean now, unless something else is known of them.
+class Meanings {
+public:
+    explicit Meanings(const Symbols& symbols) : symbols_(symbols) {}
+    virtual ~Meanings() = default;
+    virtual const Value* find(std::uint32_t name) const { return symbols_.find(name); }
+    /// Components of the elements of an array that has none yet; 0: not known.
+    virtual int components(std::uint32_t /*name*/) const { return 0; }
+
+protected:
+    const Symbols& symbols_;
 };
 
 /// Compiles the expression at tokens[begin] if it is of the kinds known here and ends before `limit` at a token that
 /// ends it for certain. Nothing is executed; false: leave it to the reader of tokens.
 bool compile_expression(const Token* tokens, std::uint32_t begin, std::uint32_t limit, const CompiledKey& key,
-                        const Symbols& symbols, CompiledExpression& out);
+                        const Meanings& meanings, CompiledExpression& out);
 /// False: something is not as the list expects, and nothing has changed.
 bool run_compiled(const CompiledExpression& expression, const CompiledContext& context, double* result);
+/// One operation of the list, on a stack whose first free place is `top`. False: not as expected, nothing has changed.
+bool run_operation(const CompiledExpression& expression, const CompiledOp& op, const CompiledContext& context,
+                   double* top);
 
 }  // namespace parser

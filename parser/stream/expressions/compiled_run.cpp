@@ -2,6 +2,7 @@
 
 #include "function/evaluate.h"
 #include "parser/stream/hooks.h"
+#include "parser/stream/expressions/compiled_functions.h"
 #include "parser/stream/expressions/operand.h"
 
 #include <algorithm>
@@ -12,99 +13,6 @@ namespace parser {
 namespace {
 
 using Code = CompiledOp::Code;
-constexpr double kDegree = 0.01745329251994329576;
-
-/// Streams of random numbers are set back where a list stops halfway.
-class RandomUndo {
-public:
-    explicit RandomUndo(std::vector<std::uint32_t>& streams) : streams_(streams) {}
-    bool draw(double index, double& out)
-    {
-        const std::int32_t i = to_int32(index);
-        if (used_ == std::size(old_) || i < 0 || static_cast<std::size_t>(i) >= streams_.size()) return false;
-        std::uint32_t& s = streams_[static_cast<std::size_t>(i)];
-        old_[used_++] = {i, s};
-        s = 1812433253u * s + 12345u;
-        out = s / 4294967295.0;
-        return true;
-    }
-    bool give_up()
-    {
-        while (used_ > 0) {
-            --used_;
-            streams_[static_cast<std::size_t>(old_[used_].index)] = old_[used_].state;
-        }
-        return false;
-    }
-
-private:
-    struct Old {
-        std::int32_t index;
-        std::uint32_t state;
-    };
-    std::vector<std::uint32_t>& streams_;
-    Old old_[8];
-    std::size_t used_ = 0;
-};
-
-/// False where the reader of tokens has something to say.
-bool function_of_one(Kind kind, double& a)
-{
-    switch (kind) {
-    case Kind::Abs: a = std::abs(a); return true;
-    case Kind::Acos:
-        if (!(a >= -1.0 && a <= 1.0)) return false;
-        a = std::acos(a);
-        return true;
-    case Kind::Asin:
-        if (!(a >= -1.0 && a <= 1.0)) return false;
-        a = std::asin(a);
-        return true;
-    case Kind::Atan: a = std::atan(a); return true;
-    case Kind::Cosh: a = std::cosh(a); return true;
-    case Kind::Sinh: a = std::sinh(a); return true;
-    case Kind::Tanh: a = std::tanh(a); return true;
-    case Kind::Ceil: a = std::ceil(a); return true;
-    case Kind::Cos: a = std::cos(a); return true;
-    case Kind::Degrees: a = a / kDegree; return true;
-    case Kind::Exp: a = std::exp(a); return true;
-    case Kind::Floor: a = std::floor(a); return true;
-    case Kind::Int: a = to_int32(a); return true;
-    case Kind::Ln:
-        if (!(a > 0.0)) return false;
-        a = std::log(a);
-        return true;
-    case Kind::Log:
-        if (!(a > 0.0)) return false;
-        a = std::log10(a);
-        return true;
-    case Kind::Radians: a = a * kDegree; return true;
-    case Kind::Sin: a = std::sin(a); return true;
-    case Kind::Sqrt:
-        if (!(a >= 0.0)) return false;
-        a = std::sqrt(a);
-        return true;
-    default: a = std::tan(a); return true;
-    }
-}
-
-bool function_of_two(Kind kind, double& a, double b)
-{
-    switch (kind) {
-    case Kind::Atan2:
-        if (std::abs(a) <= kSame && std::abs(b) <= kSame) return false;
-        a = std::atan2(a, b);
-        return true;
-    case Kind::Div: a = to_int32(a / b); return true;
-    case Kind::Mod: a = std::fmod(a, b); return true;
-    default:
-        if (a == 0.0 && b == 0.0) return false;
-        a = std::pow(a, b);
-        return true;
-    }
-}
-
-bool truth(double v) { return std::abs(v) > kSame; }
 
 /// left (a numbers) op right (b numbers), the result where left stood. False: a division by zero.
 bool combine(Code code, double* left, int a, const double* right, int b)
@@ -178,24 +86,21 @@ void put3(double* to, const glm::dvec3& v)
     to[2] = v.z;
 }
 
-/// A list at work: its stack and what it has to undo.
+/// A list at work on a stack.
 class Run {
 public:
-    Run(const CompiledExpression& expression, const CompiledContext& context)
-        : expression_(expression), context_(context), random_(context.random_streams)
+    Run(const CompiledExpression& expression, const CompiledContext& context, double* top)
+        : expression_(expression), context_(context), top_(top)
     {}
 
-    bool all(double* result)
+    bool all()
     {
         for (const CompiledOp& op : expression_.ops)
-            if (!step(op)) return random_.give_up();
-        result[0] = stack_[0];
-        for (int i = 1; i < expression_.count; ++i) result[i] = stack_[i];
+            if (!step(op)) return context_.random.give_up();
         return true;
     }
 
-private:
-    /// The operations that most lists are made of.
+    /// One operation; first those that most lists are made of.
     bool step(const CompiledOp& op)
     {
         switch (op.code) {
@@ -249,11 +154,12 @@ private:
             top_ -= 2;
             top_[-1] = glm::length(at3(top_ - 1));
             return true;
-        case Code::Random: return random_.draw(top_[-1], top_[-1]);
+        case Code::Random: return context_.random.draw(top_[-1], top_[-1]);
         default: return shape(op) || function(op);
         }
     }
 
+private:
     /// What moves, chooses or turns over components. False: none of these.
     bool shape(const CompiledOp& op)
     {
@@ -385,9 +291,7 @@ private:
 
     const CompiledExpression& expression_;
     const CompiledContext& context_;
-    RandomUndo random_;
-    double stack_[64];        // not cleared: a list writes before it reads
-    double* top_ = stack_;    // the first free place
+    double* top_;             // the first free place
     glm::dvec3 normal_{0.0};  // that the last trace() found
 };
 
@@ -395,7 +299,18 @@ private:
 
 bool run_compiled(const CompiledExpression& expression, const CompiledContext& context, double* result)
 {
-    return Run(expression, context).all(result);
+    double stack[64];  // not cleared: a list writes before it reads
+    context.random.keep();
+    if (!Run(expression, context, stack).all()) return false;
+    result[0] = stack[0];
+    for (int i = 1; i < expression.count; ++i) result[i] = stack[i];
+    return true;
+}
+
+bool run_operation(const CompiledExpression& expression, const CompiledOp& op, const CompiledContext& context,
+                   double* top)
+{
+    return Run(expression, context, top).step(op);
 }
 
 }  // namespace parser

@@ -26,7 +26,7 @@ bool TokenStream::find_compiled(CompiledKey key, Tuple& out)
     }
     if (!deprecated_.empty() || language_.version < 150) return false;
 
-    const CompiledContext context{symbols_, random_streams_, hooks_};
+    const CompiledContext context{symbols_, random_undo_, hooks_};
     int lists = 0;
     for (std::uint32_t list = site < kFirst ? kNoIndex : site - kFirst; list != kNoIndex; ++lists) {
         const CompiledExpression& expression = compiled_[list];
@@ -42,14 +42,14 @@ bool TokenStream::compile_here(CompiledKey key, std::uint32_t at, Tuple& out)
     const Cursor& cursor = cursors_.back();
     std::uint32_t& site = cursor.sites[at];
     CompiledExpression made;
-    if (!compile_expression(cursor.tokens, at, cursor.end, key, symbols_, made)) {
+    if (!compile_expression(cursor.tokens, at, cursor.end, key, Meanings(symbols_), made)) {
         if (site < kFirst) site = kNever;
         return false;
     }
     made.next = site < kFirst ? kNoIndex : site - kFirst;
     site = static_cast<std::uint32_t>(compiled_.size()) + kFirst;
     compiled_.push_back(std::move(made));
-    return run_compiled(compiled_.back(), {symbols_, random_streams_, hooks_}, out.at.data()) &&
+    return run_compiled(compiled_.back(), {symbols_, random_undo_, hooks_}, out.at.data()) &&
            take_compiled(compiled_.back(), at, out);
 }
 
@@ -126,6 +126,8 @@ Cell TokenStream::argument_compiled()
         ++cursor.position;
         return cell;
     }
+    // `A[I]` alone is the element itself: what the macro does to its parameter happens to the array.
+    if (tokens[at].kind == Kind::Identifier && behind == Kind::LeftSquare) return nullptr;
     Tuple value;
     if (!run_compiled_here(1, false, value)) return nullptr;
     return make_cell(value.stored());

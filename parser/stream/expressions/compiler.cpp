@@ -142,10 +142,10 @@ bool ends_surely(Kind kind, bool raw)
 }  // namespace
 
 bool compile_expression(const Token* tokens, std::uint32_t begin, std::uint32_t limit, const CompiledKey& key,
-                        const Symbols& symbols, CompiledExpression& out)
+                        const Meanings& meanings, CompiledExpression& out)
 {
     out.key = key;
-    Compiler compiler(tokens, begin, limit, symbols, out);
+    Compiler compiler(tokens, begin, limit, meanings, out);
     const int count = key.full() ? compiler.full(key.requested()) : compiler.sum(key.requested());
     if (count < 1 || count > 5 || !ends_surely(compiler.kind(), key.raw())) return false;
     const auto stores = [](const CompiledOp& op) { return op.code == CompiledOp::Code::StoreNormal; };

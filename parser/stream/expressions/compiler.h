@@ -12,9 +12,9 @@ namespace parser {
 class Compiler {
 public:
     using Code = CompiledOp::Code;
-    Compiler(const Token* tokens, std::uint32_t at, std::uint32_t limit, const Symbols& symbols,
+    Compiler(const Token* tokens, std::uint32_t at, std::uint32_t limit, const Meanings& meanings,
              CompiledExpression& out)
-        : tokens_(tokens), at_(at), limit_(limit), symbols_(symbols), out_(out)
+        : tokens_(tokens), at_(at), limit_(limit), meanings_(meanings), out_(out)
     {}
 
     int sum(int requested);
@@ -91,7 +91,7 @@ private:
 
     const Token* tokens_;
     std::uint32_t at_, limit_;
-    const Symbols& symbols_;
+    const Meanings& meanings_;
     CompiledExpression& out_;
     int depth_ = 0;
     std::size_t nesting_ = 0;

@@ -8,7 +8,7 @@ namespace parser {
 int Compiler::identifier(int requested)
 {
     const Token& name = tokens_[at_++];
-    const Value* value = symbols_.find(name.name);
+    const Value* value = meanings_.find(name.name);
     if (!value) return -1;
     if (const Tuple* tuple = value->get_if<Tuple>()) {
         if (tuple->count == 1) {
@@ -34,10 +34,11 @@ int Compiler::element(const Token& name, const Array& array, int requested)
     for (const Value& one : array.elements)
         if (one.set()) {
             sample = one.get_if<Tuple>();
+            if (!sample) return -1;
             break;
         }
-    if (!sample) return -1;
-    const int count = sample->count;
+    const int count = sample ? sample->count : meanings_.components(name.name);
+    if (count == 0) return -1;
     CompiledOp& op = emit(Code::Element, count - dimensions);
     op.name = name.name;
     op.a = static_cast<std::uint8_t>(dimensions);
@@ -199,7 +200,7 @@ bool Compiler::object(std::uint32_t& name)
 {
     if (kind() != Kind::Identifier) return false;
     name = tokens_[at_++].name;
-    const Value* value = symbols_.find(name);
+    const Value* value = meanings_.find(name);
     if (!value || !value->get_if<std::shared_ptr<const scene::Object>>()) return false;
     take(Kind::Comma);
     return true;
@@ -217,7 +218,7 @@ int Compiler::trace(int requested)
     if (take(Kind::Comma)) {
         if (kind() != Kind::Identifier) return -1;
         emit(Code::StoreNormal, 0).name = tokens_[at_].name;
-        if (!symbols_.find(tokens_[at_++].name)) return -1;
+        if (!meanings_.find(tokens_[at_++].name)) return -1;
     }
     return take(Kind::RightParen) ? pad(3, std::max(3, requested)) : -1;
 }
