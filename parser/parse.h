@@ -32,7 +32,8 @@ struct Options {
     std::string include_header;       ///< file to include ahead of the scene; empty: none
     SceneQueries* queries = nullptr;  ///< answers trace(), inside(), eval_pigment, ...; null: they are errors
     std::uint64_t most_tokens =
-        0;  ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
+        0;               ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
+    bool blocks = true;  ///< loops and macros over numbers and texts are compiled; false: read word by word, for tests
     const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then: when set, reading ends with Cancelled
 };
 

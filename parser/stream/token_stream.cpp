@@ -1,3 +1,4 @@
+#include "parser/stream/blocks/runner.h"
 #include "parser/stream/token_stream.h"
 
 #include "parser/stream/messages.h"
@@ -14,6 +15,13 @@ namespace {
 /// Deep enough for any real scene, shallow enough for an 8 MB stack also in a sanitizer build.
 constexpr int kDeepestNesting = 400;
 
+bool may_begin_block(Kind directive)
+{
+    return directive == Kind::Declare || directive == Kind::Local || directive == Kind::If ||
+           directive == Kind::While || directive == Kind::For || directive == Kind::Switch ||
+           directive == Kind::Ifdef || directive == Kind::Ifndef;
+}
+
 }  // namespace
 
 TokenStream::TokenStream(const Options& options, GrammarHooks& hooks, MessageSink sink, void* sink_context)
@@ -23,6 +31,7 @@ TokenStream::TokenStream(const Options& options, GrammarHooks& hooks, MessageSin
     language_.version_set = options.version_given;
     later_ = options.most_tokens != 0 ? options.most_tokens : std::numeric_limits<std::uint64_t>::max();
     predefine();
+    runner_ = std::make_unique<blocks::Runner>(*this);
 }
 
 TokenStream::~TokenStream() = default;
@@ -160,7 +169,9 @@ void TokenStream::execute_directive()
     const auto guard = nest();
     const bool raw = std::exchange(raw_operators_, false);
     last_ = &word;
-    if (!execute(word.kind, hash)) --cursors_.back().position;  // `#sphere` means `sphere`
+    const bool again = !blocks_.empty() && blocks_.back().repeats;
+    const bool done = again && may_begin_block(word.kind) && runner_->at_directive(hash);
+    if (!done && !execute(word.kind, hash)) --cursors_.back().position;  // `#sphere` means `sphere`
     raw_operators_ = raw;
 }
 

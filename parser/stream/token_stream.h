@@ -20,6 +20,10 @@
 
 namespace parser {
 
+namespace blocks {
+class Runner;
+}
+
 /// Executes directives and macro calls and hands on plain tokens, one token of look-ahead.
 class TokenStream {
 public:
@@ -64,6 +68,11 @@ public:
     scene::SourceRef here();        ///< of the token that peek() shows
     scene::SourceRef last() const;  ///< of the token taken last
     scene::SourceRef start() const { return place(files_.front()->tokens.front()); }  ///< of the scene's first token
+    scene::SourceRef end_of_scene() const  ///< of the scene's last token, however the text before it was read
+    {
+        const std::vector<Token>& all = files_.front()->tokens;
+        return place(all[all.size() < 2 ? 0 : all.size() - 2]);
+    }
     scene::SourceRef place(const Token& token) const;
     scene::LineAndColumn line_and_column(const scene::SourceRef& at) const;  ///< for messages
     const Token& taken_last() const { return *last_; }
@@ -173,6 +182,7 @@ public:
     void bare_directive(const Token& word);
 
 private:
+    friend class blocks::Runner;
     static inline const Token kNoToken;
     struct Cursor {
         std::uint16_t file = 0;
@@ -337,6 +347,7 @@ private:
     std::string scene_folder_;
     std::vector<std::vector<std::uint32_t>> sites_;  // by file and token; see compiled_sites.cpp
     std::vector<CompiledExpression> compiled_;
+    std::unique_ptr<blocks::Runner> runner_;
     std::vector<std::shared_ptr<const Macro>> macros_;  // all there ever were: one may be redefined while it is called
     std::vector<Cell> arguments_;                       // of the macro calls that are being read
     std::vector<Cursor> cursors_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "function/program.h"
+#include "parser/lexer/token.h"
 #include "render/scene/description.h"
 
 #include <array>

@@ -182,7 +182,7 @@ void SceneBuilder::read_scene()
     if (!errors.empty()) throw Error(errors);
     tell_unsupported();
     if (description.objects.empty() && description.unsupported_objects.empty())
-        stream_->warn(stream_->last(), "the scene has no objects");
+        stream_->warn(stream_->end_of_scene(), "the scene has no objects");
     tell_missing_settings();
 }
 

@@ -1,3 +1,4 @@
+#include "parser/stream/blocks/runner.h"
 #include "parser/stream/expressions/expression.h"
 #include "parser/stream/token_stream.h"
 
@@ -36,6 +37,7 @@ void TokenStream::begin_while(std::uint32_t hash)
 
 void TokenStream::end_while(std::uint32_t hash)
 {
+    if (runner_->at_end_of_pass(hash)) return;
     const Block loop = blocks_.back();
     if (loop.cursors != cursors_.size() || loop.file != cursors_.back().file)
         fail(last(), "this loop does not end in the file where it began");
@@ -72,6 +74,7 @@ void TokenStream::begin_for(std::uint32_t hash)
 
 void TokenStream::end_for(std::uint32_t hash)
 {
+    if (runner_->at_end_of_pass(hash)) return;
     const Block& loop = blocks_.back();
     if (loop.cursors != cursors_.size() || loop.file != cursors_.back().file)
         fail(last(), "this loop does not end in the file where it began");

@@ -6,6 +6,7 @@
 #include "parser/stream/symbols.h"
 #include "parser/stream/value.h"
 
+#include <string>
 #include <vector>
 
 /// Expressions that loops and macros read again and again, compiled at their second reading to a list of operations on
@@ -14,6 +15,9 @@
 /// afresh.
 namespace parser {
 
+namespace blocks {
+struct Program;
+}
 class GrammarHooks;
 struct LanguageState;
 
@@ -72,6 +76,24 @@ struct CompiledOp {
         Inside,
         Trace,
         StoreNormal,
+        // Texts, on a stack of their own; in blocks only.
+        TextConstant,
+        TextLoad,
+        TextElement,
+        TextAppend,
+        TextNumber,
+        TextTuple,
+        TextCharacter,
+        TextPart,
+        TextUpper,
+        TextLower,
+        TextLength,
+        TextFirst,
+        TextValue,
+        TextOrder,
+        TextRelation,
+        DimensionSize,
+        MacroCall,
     };
     Code code = Code::Constant;
     std::uint8_t a = 1, b = 1;  ///< component counts of the operands, or what the code says
@@ -80,12 +102,35 @@ struct CompiledOp {
     double number = 0;  ///< Constant, AddNumber, MultiplyNumber
 };
 
+/// What a macro is given in a call that stands in an expression.
+struct CompiledArgument {
+    enum class Kind : std::uint8_t { Name, Element, Number, Text };
+    Kind kind = Kind::Number;
+    std::uint8_t count = 1;  ///< components, or subscripts
+    std::uint32_t name = 0;  ///< Name, Element
+};
+
+/// A macro that gives a number or vector where it is called.
+struct CompiledCall {
+    std::shared_ptr<const Macro> macro;
+    std::vector<CompiledArgument> arguments;
+    std::uint32_t token = 0, after = 0;  ///< the macro's name; behind the arguments
+    std::uint32_t guards = 0;            ///< at most so deep is the reader of tokens nested there
+    int requested = 1;                   ///< see requested_expr
+    bool raw = true;                     ///< directives may not be executed behind the value
+    bool alone = false;                  ///< it is all of a sum: the value may be one
+    bool named = false;                  ///< the value may be a variable as such (an answer of Meanings::value_of)
+    const blocks::Program* program = nullptr;  ///< that gives the value (another)
+};
+
 struct CompiledExpression {
     CompiledKey key;
     std::uint32_t end = 0;   ///< token behind the expression
     std::uint8_t count = 1;  ///< components of the result
     std::vector<CompiledOp> ops;
     std::vector<function::FunctionPtr> functions;  ///< that Call expects, by CompiledOp::b
+    std::vector<std::string> texts;                ///< that TextConstant names
+    std::vector<CompiledCall> calls;               ///< that MacroCall names
     std::uint32_t next = kNoIndex;                 ///< another list for the same place
 };
 
@@ -104,6 +149,11 @@ public:
     virtual const Value* find(std::uint32_t name) const { return symbols_.find(name); }
     /// Components of the elements of an array that has none yet; 0: not known.
     virtual int components(std::uint32_t /*name*/) const { return 0; }
+    /// The text of a literal; false: texts are left to the reader of tokens.
+    virtual bool literal(const Token& /*token*/, std::string& /*out*/) const { return false; }
+    virtual bool texts() const { return false; }
+    /// Components of the value that a macro gives; 0: not known, or it is not that simple.
+    virtual int value_of(CompiledCall& /*call*/) const { return 0; }
 
 protected:
     const Symbols& symbols_;
@@ -113,6 +163,16 @@ protected:
 /// ends it for certain. Nothing is executed; false: leave it to the reader of tokens.
 bool compile_expression(const Token* tokens, std::uint32_t begin, std::uint32_t limit, const CompiledKey& key,
                         const Meanings& meanings, CompiledExpression& out);
+/// The same of a text: its list leaves one text.
+bool compile_text(const Token* tokens, std::uint32_t begin, std::uint32_t limit, const Meanings& meanings,
+                  CompiledExpression& out);
+/// One operand without a sign, and nothing behind it.
+bool compile_operand(const Token* tokens, std::uint32_t begin, std::uint32_t limit, int requested,
+                     const Meanings& meanings, CompiledExpression& out);
+/// Whether a text begins at the token.
+bool begins_text(const Token& token, const Meanings& meanings);
+/// What Meanings::components() says of an array of texts.
+inline constexpr int kTextElements = 6;
 /// False: something is not as the list expects, and nothing has changed.
 bool run_compiled(const CompiledExpression& expression, const CompiledContext& context, double* result);
 /// One operation of the list, on a stack whose first free place is `top`. False: not as expected, nothing has changed.

@@ -20,6 +20,7 @@ bool Compiler::fold_number(Code code, int left)
 
 int Compiler::sum(int requested)
 {
+    if (stands_alone()) alone_ = at_;
     int left = product(requested);
     while (left > 0 && (kind() == Kind::Plus || kind() == Kind::Minus)) {
         const Code code = take(Kind::Plus) ? Code::Add : (++at_, Code::Subtract);
@@ -48,6 +49,14 @@ int Compiler::product(int requested)
 
 int Compiler::relation(int requested)
 {
+    if (meanings_.texts() && begins_text(tokens_[at_], meanings_)) {
+        if (!text() || !is_relation(kind())) return -1;
+        const Kind which = tokens_[at_++].kind;
+        if (!text()) return -1;
+        text_depth_ -= 2;
+        emit(Code::TextRelation, 1).kind = which;
+        return splat(requested);
+    }
     int left = sum(requested);
     while (left > 0 && is_relation(kind())) {
         const Kind which = tokens_[at_++].kind;
@@ -115,19 +124,31 @@ int Compiler::primary(int requested)
     switch (first) {
     case Kind::Number: return constant(tokens_[at_++].number, requested);
     case Kind::Identifier: return identifier(requested);
-    case Kind::Less: ++at_; return literal();
+    case Kind::Less: {
+        ++at_;
+        ++brackets_;
+        const int count = literal();
+        --brackets_;
+        return count;
+    }
     case Kind::LeftParen: {
         ++at_;
+        ++brackets_;
         const int count = full(requested);
+        --brackets_;
         return count > 0 && take(Kind::RightParen) ? count : -1;
     }
     case Kind::U: ++at_; return tuple({1, 0}, 0);
     case Kind::V: ++at_; return tuple({0, 1}, 0);
     default: break;
     }
-    if (lexical_class(first) == LexicalClass::Float) return ++at_, float_word(first, requested);
-    if (lexical_class(first) == LexicalClass::Vector) return ++at_, vector_word(first, requested);
-    return -1;
+    const LexicalClass word = lexical_class(first);
+    if (word != LexicalClass::Float && word != LexicalClass::Vector) return -1;
+    ++at_;
+    ++brackets_;
+    const int count = word == LexicalClass::Float ? float_word(first, requested) : vector_word(first, requested);
+    --brackets_;
+    return count;
 }
 
 namespace {
@@ -153,6 +174,26 @@ bool compile_expression(const Token* tokens, std::uint32_t begin, std::uint32_t 
         if (std::any_of(store + 1, out.ops.end(),
                         [](const CompiledOp& op) { return op.code != CompiledOp::Code::Constant; }))
             return false;
+    out.count = static_cast<std::uint8_t>(count);
+    out.end = compiler.at();
+    return true;
+}
+
+bool compile_text(const Token* tokens, std::uint32_t begin, std::uint32_t limit, const Meanings& meanings,
+                  CompiledExpression& out)
+{
+    Compiler compiler(tokens, begin, limit, meanings, out);
+    if (!compiler.text() || compiler.kind() == Kind::Bad || compiler.kind() == Kind::EndOfText) return false;
+    out.end = compiler.at();
+    return true;
+}
+
+bool compile_operand(const Token* tokens, std::uint32_t begin, std::uint32_t limit, int requested,
+                     const Meanings& meanings, CompiledExpression& out)
+{
+    Compiler compiler(tokens, begin, limit, meanings, out);
+    const int count = compiler.primary(requested);
+    if (count < 1 || count > 5) return false;
     out.count = static_cast<std::uint8_t>(count);
     out.end = compiler.at();
     return true;

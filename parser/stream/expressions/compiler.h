@@ -19,11 +19,13 @@ public:
 
     int sum(int requested);
     int full(int requested);
+    bool text();
+    int primary(int requested);
     std::uint32_t at() const { return at_; }
     Kind kind() const { return at_ < limit_ ? tokens_[at_].kind : Kind::EndOfText; }
 
 private:
-    static constexpr std::size_t kDeepestStack = 48, kDeepestNesting = 40;
+    static constexpr std::size_t kDeepestStack = 48, kDeepestNesting = 40, kDeepestTexts = 12;
     bool take(Kind wanted)
     {
         if (kind() != wanted) return false;
@@ -73,7 +75,6 @@ private:
     bool fold_number(Code code, int left);
     int product(int requested);
     int factor(int requested);
-    int primary(int requested);
     int relation(int requested);
     int select(int count, int requested);
     int identifier(int requested);
@@ -85,6 +86,20 @@ private:
     int trace(int requested);
     bool object(std::uint32_t& name);
     int vector_word(Kind word, int requested);
+    bool text_function(Kind word);
+    bool text_identifier();
+    int number_of_text(Kind word);
+    bool dimension_size(Kind word);
+    int macro_call(const std::shared_ptr<const Macro>& macro, int requested);
+    bool macro_argument(CompiledArgument& out);
+    const std::shared_ptr<const Macro>* macro_at(std::uint32_t at) const;
+    bool stands_alone() const;
+    bool push_text()
+    {
+        if (++text_depth_ > kDeepestTexts) too_deep_ = true;
+        return !too_deep_;
+    }
+    bool comma() { return take(Kind::Comma), true; }
     bool number(bool whole = false) { return (whole ? full(1) : sum(1)) == 1; }
     bool vector();
     bool begins_operand() const;
@@ -93,8 +108,9 @@ private:
     std::uint32_t at_, limit_;
     const Meanings& meanings_;
     CompiledExpression& out_;
-    int depth_ = 0;
-    std::size_t nesting_ = 0;
+    int depth_ = 0, brackets_ = 0;
+    std::uint32_t alone_ = kNoIndex;  ///< token of a macro call that is all of a sum
+    std::size_t nesting_ = 0, text_depth_ = 0;
     bool too_deep_ = false;
 };
 

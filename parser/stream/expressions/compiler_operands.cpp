@@ -22,6 +22,7 @@ int Compiler::identifier(int requested)
     }
     if (const auto* array = value->get_if<std::shared_ptr<Array>>()) return element(name, **array, requested);
     if (const auto* function = value->get_if<function::FunctionPtr>()) return call(name, *function, requested);
+    if (const auto* macro = value->get_if<std::shared_ptr<const Macro>>()) return macro_call(*macro, requested);
     return -1;
 }
 
@@ -191,6 +192,12 @@ int Compiler::float_function(Kind word)
         if (!number(true)) return -1;
         emit(word == Kind::Rand ? Code::Random : Code::Function1, 0).kind = word;
         return 1;
+    case Kind::Asc:
+    case Kind::Strlen:
+    case Kind::Val:
+    case Kind::Strcmp: return number_of_text(word);
+    case Kind::Dimensions:
+    case Kind::DimensionSize: return dimension_size(word) ? 1 : -1;
     default: return -1;
     }
 }

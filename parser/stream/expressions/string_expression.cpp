@@ -30,7 +30,8 @@ std::optional<std::string> plain_number_text(double value, int width, int precis
     return text;
 }
 
-/// C's %*.*f: width < 0 pads with zeros, precision < 0 means 6 decimals; very long numbers use %g.
+}  // namespace
+
 std::string number_text(double value, double width_wanted, double precision_wanted)
 {
     constexpr int kLongest = 255, kMost = 2 * kLongest;
@@ -44,6 +45,8 @@ std::string number_text(double value, double width_wanted, double precision_want
     if (length >= kLongest) return "<invalid>";
     return std::string(text, static_cast<std::size_t>(length));
 }
+
+namespace {
 
 std::string read_vstr(TokenStream& stream)
 {

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "parser/stream/blocks/emitter.h"
+
+#include <unordered_map>
+
+namespace parser::blocks {
+
+/// The text that a block stands in.
+struct Source {
+    const Token* tokens = nullptr;
+    const std::vector<std::string>* strings = nullptr;
+    bool plain_texts = true;  ///< literals mean what they say, as far as they are ASCII
+};
+
+using Known = std::unordered_map<std::uint32_t, Value>;
+
+/// Macros compiled for the values that they give.
+class Library {
+public:
+    virtual ~Library() = default;
+    /// Null: the macro gives no number or vector, or it is not that simple. `known`: what names will mean in it.
+    virtual const Program* value_of(const CompiledCall& call, const Known& known) = 0;
+};
+
+/// Compiles directives one after the other. What it does not know becomes a stop: the reader of tokens goes on there.
+class BlockCompiler : public Meanings {
+public:
+    BlockCompiler(const Source& source, const Symbols& symbols, Library& library, Program& program)
+        : Meanings(symbols), source_(source), tokens_(source.tokens), library_(library), program_(program),
+          emitter_(program)
+    {}
+
+    /// The directives from `begin` on, until one that is not known or until `end`, and then a stop.
+    void sequence(std::uint32_t begin, std::uint32_t end);
+    /// The body of a macro, and then the return.
+    void macro(const Macro& macro);
+    /// The body of a macro for its value. False: not possible.
+    bool value(const CompiledCall& call, Known known);
+
+    const Value* find(std::uint32_t name) const override;
+    int components(std::uint32_t name) const override;
+    bool literal(const Token& token, std::string& out) const override;
+    bool texts() const override { return true; }
+    int value_of(CompiledCall& call) const override;
+
+private:
+    /// A loop or `#switch` around what is compiled, whose end is not known yet.
+    struct Leavable {
+        std::uint32_t place;
+        std::vector<std::uint32_t> jumps;  ///< operations that lead behind it
+    };
+    struct Branch {
+        Kind word = Kind::End;
+        std::uint32_t hash = 0, begin = 0, end = 0;  ///< tokens of the body
+        std::uint32_t body = kNoIndex;               ///< operation
+        std::vector<std::uint32_t> jumps;            ///< that lead to the body
+    };
+
+    Kind kind(std::uint32_t at) const { return tokens_[at].kind; }
+    bool block(std::uint32_t begin, std::uint32_t end, std::uint32_t place);
+    bool statement(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    void stop(std::uint32_t at, std::uint32_t place);
+    void mark(std::uint32_t token, std::uint32_t place);
+    /// The same; what stands before `end` may draw random numbers.
+    void mark_drawing(std::uint32_t token, std::uint32_t place, std::uint32_t end);
+    bool draws(const Token& token) const;
+    std::uint32_t open(std::uint32_t parent, PlaceKind kind, std::uint32_t branch);
+
+    bool number(std::uint32_t& at, std::uint32_t end, bool full);
+    bool condition(std::uint32_t& at, std::uint32_t end);
+    bool range_of_case(std::uint32_t& at, std::uint32_t end);
+    bool test(std::uint32_t hash, std::uint32_t& at, std::uint32_t end, std::uint32_t& jump);
+    bool if_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool branches_of(std::uint32_t hash, std::uint32_t end, std::vector<Branch>& out) const;
+    bool switch_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool case_test(Branch& branch, std::uint32_t end, std::uint32_t value);
+    bool while_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool for_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool break_directive(std::uint32_t& at, std::uint32_t place);
+
+    bool declare(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool declare_element(std::uint32_t& at, std::uint32_t end);
+    bool declare_text(std::uint32_t& at, std::uint32_t end, bool local);
+    bool declare_array(std::uint32_t& at, std::uint32_t end, bool local);
+    bool ended(std::uint32_t& at, std::uint32_t end, bool numeric);
+    bool may_declare(std::uint32_t name, const Value& sample, bool local) const;
+    void know(std::uint32_t name, Value sample, bool local);
+    bool subscripts(std::uint32_t& at, std::uint32_t end, std::size_t count);
+
+    bool value_block(std::uint32_t begin, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
+    bool value_branches(std::uint32_t hash, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
+    bool value_at(std::uint32_t begin, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
+    bool macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool argument(std::uint32_t& at, std::uint32_t end, Argument& out);
+
+    const Source& source_;
+    const Token* tokens_;
+    Library& library_;
+    Program& program_;
+    Emitter emitter_;
+    Known known_;
+    std::unordered_map<std::uint32_t, int> elements_;
+    std::vector<Leavable> open_;
+    std::vector<std::uint32_t> returns_;  ///< operations that lead to the end of the macro
+    std::uint32_t root_ = kNoIndex;       ///< token at which the sequence begins
+    bool in_macro_ = false, named_ = false;
+    std::uint32_t text_arguments_ = 0;
+};
+
+}  // namespace parser::blocks

@@ -1,0 +1,284 @@
+#include "parser/stream/blocks/compiler.h"
+
+#include <algorithm>
+
+/// Declarations and calls.
+namespace parser::blocks {
+namespace {
+
+constexpr std::uint32_t kMostTextArguments = 8;
+
+std::uint8_t slot_kind(const Value& value)
+{
+    if (const Tuple* const tuple = value.get_if<Tuple>()) return static_cast<std::uint8_t>(tuple->count);
+    if (value.get_if<std::string>()) return kText;
+    return value.get_if<std::shared_ptr<Array>>() ? kArray : kAny;
+}
+
+/// After a keyword of a colour; 0: it is none that is known here.
+int components_of_color(Kind kind)
+{
+    switch (kind) {
+    case Kind::Rgb: return 3;
+    case Kind::Rgbf:
+    case Kind::Rgbt: return 4;
+    case Kind::Rgbft: return 5;
+    default: return 0;
+    }
+}
+
+}  // namespace
+
+/// Whether a declaration leaves the kind of the name as it is, or makes it.
+bool BlockCompiler::may_declare(std::uint32_t name, const Value& sample, bool local) const
+{
+    const Value* const old = find(name);
+    if (!old || !old->set() || slot_kind(*old) == slot_kind(sample)) return true;
+    return local && !known_.contains(name) && !symbols_.in_current_scope(name);
+}
+
+void BlockCompiler::know(std::uint32_t name, Value sample, bool local)
+{
+    const Value* const old = find(name);
+    if (!old || !old->set() || local) known_.insert_or_assign(name, std::move(sample));
+}
+
+/// Behind a declaration: the semicolon, two of them behind a number.
+bool BlockCompiler::ended(std::uint32_t& at, std::uint32_t end, bool numeric)
+{
+    if (at >= end || kind(at) != Kind::Semicolon) return false;
+    ++at;
+    if (numeric && at < end && kind(at) == Kind::Semicolon) ++at;
+    return true;
+}
+
+bool BlockCompiler::declare(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
+{
+    const bool local = kind(at + 1) == Kind::Local;
+    if (at + 4 >= end || kind(at + 2) != Kind::Identifier) return false;
+    std::uint32_t semicolon = at;
+    while (semicolon < end && kind(semicolon) != Kind::Semicolon) ++semicolon;
+    mark_drawing(at, place, semicolon);
+    at += 2;
+    if (kind(at + 1) == Kind::LeftSquare) return declare_element(at, end);
+    if (kind(at + 1) != Kind::Equal) return false;
+    const Token& first = tokens_[at + 2];
+    if (first.kind == Kind::Array) return declare_array(at, end, local);
+    if (begins_text(first, *this)) return declare_text(at, end, local);
+    const Value* const meant = first.kind == Kind::Identifier ? find(first.name) : nullptr;
+    if (meant && meant->get_if<std::shared_ptr<Array>>() && kind(at + 3) == Kind::Semicolon)
+        return declare_array(at, end, local);
+
+    const std::uint32_t name = tokens_[at].name, begin = at + (first.kind == Kind::Color ? 3u : 2u);
+    const int color = components_of_color(kind(begin));
+    const CompiledKey key = color != 0 ? CompiledKey(color, true, true) : CompiledKey(1, false, true);
+    const bool transmits = kind(begin) == Kind::Rgbt;
+    CompiledExpression read;
+    if ((first.kind == Kind::Color && color == 0) ||
+        !compile_expression(tokens_, begin + (color != 0 ? 1 : 0), end, key, *this, read) ||
+        (color != 0 && read.count > color))
+        return false;
+    const std::uint8_t written = read.count, count = color != 0 ? 5 : written;
+    at = read.end;
+    const Value sample(Tuple{{}, count});
+    if (!may_declare(name, sample, local) || !emitter_.expression(std::move(read))) return false;
+    if (color != 0) emitter_.color(written, transmits);
+    const std::uint32_t to = emitter_.slot(name, count);
+    if (to == kNoIndex || !ended(at, end, true)) return false;
+    know(name, sample, local);
+    if (count == 1) return emitter_.store_number(to, local), true;
+    const std::uint32_t registers = emitter_.in_registers(count);
+    Op& op = emitter_.emit(kStoreTuple);
+    op.to = to;
+    op.a = registers;
+    op.b = count;
+    op.jump = local ? 1 : 0;
+    return true;
+}
+
+/// `[ number ]`, so many times: on the stack.
+bool BlockCompiler::subscripts(std::uint32_t& at, std::uint32_t end, std::size_t count)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        if (at >= end || kind(at) != Kind::LeftSquare) return false;
+        ++at;
+        if (!number(at, end, false) || at >= end || kind(at) != Kind::RightSquare) return false;
+        ++at;
+    }
+    return true;
+}
+
+bool BlockCompiler::declare_element(std::uint32_t& at, std::uint32_t end)
+{
+    const std::uint32_t name = tokens_[at].name;
+    const Value* const meant = find(name);
+    const auto* const array = meant ? meant->get_if<std::shared_ptr<Array>>() : nullptr;
+    if (!array || (*array)->growing || (*array)->mixed) return false;
+    const std::size_t dimensions = (*array)->sizes.size();
+    const std::uint32_t slot = emitter_.slot(name, kArray);
+    ++at;
+    if (slot == kNoIndex || !subscripts(at, end, dimensions) || at + 1 >= end || kind(at) != Kind::Equal) return false;
+    ++at;
+    CompiledExpression read;
+    if (begins_text(tokens_[at], *this)) {
+        if (!compile_text(tokens_, at, end, *this, read)) return false;
+        at = read.end;
+        const std::uint32_t first = emitter_.in_registers(dimensions);
+        if (!emitter_.expression(std::move(read)) || !ended(at, end, false)) return false;
+        Op& op = emitter_.emit(kStoreTextElement);
+        op.a = slot;
+        op.b = first;
+        op.jump = static_cast<std::int32_t>(dimensions);
+        elements_[name] = kTextElements;
+        return true;
+    }
+    if (!compile_expression(tokens_, at, end, CompiledKey(1, false, true), *this, read)) return false;
+    const std::uint8_t count = read.count;
+    at = read.end;
+    if (!emitter_.expression(std::move(read)) || !ended(at, end, true)) return false;
+    elements_[name] = count;
+    if (count == 1) return emitter_.store_element(slot, dimensions), true;
+    const std::uint32_t first = emitter_.in_registers(dimensions + count);
+    Op& op = emitter_.emit(kStoreElement);
+    op.a = slot;
+    op.b = first;
+    op.to = static_cast<std::uint32_t>(dimensions);
+    op.jump = count;
+    return true;
+}
+
+bool BlockCompiler::declare_text(std::uint32_t& at, std::uint32_t end, bool local)
+{
+    const std::uint32_t name = tokens_[at].name;
+    CompiledExpression read;
+    const Value sample{std::string()};
+    if (!may_declare(name, sample, local) || !compile_text(tokens_, at + 2, end, *this, read)) return false;
+    at = read.end;
+    const std::uint32_t to = emitter_.slot(name, kText);
+    if (to == kNoIndex || !emitter_.expression(std::move(read)) || !ended(at, end, false)) return false;
+    know(name, sample, local);
+    Op& op = emitter_.emit(kStoreText);
+    op.to = to;
+    op.jump = local ? 1 : 0;
+    return true;
+}
+
+/// `array[N][M]` or the name of another array.
+bool BlockCompiler::declare_array(std::uint32_t& at, std::uint32_t end, bool local)
+{
+    const std::uint32_t name = tokens_[at].name;
+    at += 2;
+    auto sample = std::make_shared<Array>();
+    if (!may_declare(name, Value(sample), local)) return false;
+    const std::uint32_t to = emitter_.slot(name, kArray);
+    if (to == kNoIndex) return false;
+    if (kind(at) == Kind::Identifier) {
+        const std::uint32_t from = emitter_.slot(tokens_[at].name, kArray);
+        const Value copied = *find(tokens_[at].name);
+        const int of = components(tokens_[at].name);
+        if (from == kNoIndex || !ended(++at, end, false)) return false;
+        know(name, copied, local);
+        if (of != 0) elements_[name] = of;
+        Op& op = emitter_.emit(kCopyArray);
+        op.to = to;
+        op.a = from;
+        op.jump = local ? 1 : 0;
+        return true;
+    }
+    std::size_t dimensions = 0;
+    for (++at; dimensions < 5 && at < end && kind(at) == Kind::LeftSquare; ++dimensions)
+        if (!subscripts(at, end, 1)) return false;
+    if (dimensions == 0 || at >= end) return false;
+    const bool semicolon = kind(at) == Kind::Semicolon;
+    if (!semicolon && kind(at) != Kind::Hash) return false;
+    at += semicolon ? 1 : 0;
+    sample->sizes.assign(dimensions, 1);
+    know(name, Value(sample), true);
+    const std::uint32_t first = emitter_.in_registers(dimensions);
+    Op& op = emitter_.emit(kMakeArray);
+    op.a = to;
+    op.b = first;
+    op.to = static_cast<std::uint32_t>(dimensions);
+    op.jump = local ? 1 : 0;
+    return true;
+}
+
+bool BlockCompiler::argument(std::uint32_t& at, std::uint32_t end, Argument& out)
+{
+    const auto ends = [&](std::uint32_t i) {
+        return i < end && (kind(i) == Kind::Comma || kind(i) == Kind::RightParen);
+    };
+    const Value* const meant = kind(at) == Kind::Identifier ? find(tokens_[at].name) : nullptr;
+    if (meant && ends(at + 1)) {
+        out.kind = Argument::Kind::Name;
+        out.name = tokens_[at].name;
+        if (slot_kind(*meant) == kAny) return false;
+        ++at;
+        return true;
+    }
+    const auto* const array = meant ? meant->get_if<std::shared_ptr<Array>>() : nullptr;
+    if (array) {  // an element alone is given by reference
+        const std::uint32_t before = at, slot = emitter_.slot(tokens_[at].name, kArray);
+        const std::size_t count = (*array)->sizes.size(), ops = program_.ops.size();
+        ++at;
+        if (slot == kNoIndex || !subscripts(at, end, count)) return false;
+        if (ends(at)) {
+            out.kind = Argument::Kind::Element;
+            out.count = static_cast<std::uint8_t>(count);
+            out.slot = slot;
+            out.first = emitter_.in_registers(count);
+            return true;
+        }
+        emitter_.rewind(ops, count);
+        at = before;
+    }
+    CompiledExpression read;
+    if (begins_text(tokens_[at], *this)) {
+        if (text_arguments_ >= kMostTextArguments || !compile_text(tokens_, at, end, *this, read)) return false;
+        at = read.end;
+        if (!ends(at) || !emitter_.expression(std::move(read))) return false;
+        out.kind = Argument::Kind::Text;
+        out.first = text_arguments_++;  // its place among the texts that are on the stack
+        return true;
+    }
+    if (!compile_expression(tokens_, at, end, CompiledKey(1, false, false), *this, read)) return false;
+    out.kind = Argument::Kind::Number;
+    out.count = read.count;
+    at = read.end;
+    if (!ends(at) || !emitter_.expression(std::move(read))) return false;
+    out.first = emitter_.in_registers(out.count);
+    return true;
+}
+
+bool BlockCompiler::macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
+{
+    const Value* const meant = find(tokens_[at].name);
+    const auto* const macro = meant ? meant->get_if<std::shared_ptr<const Macro>>() : nullptr;
+    if (!macro || at + 2 >= end || kind(at + 1) != Kind::LeftParen) return false;
+    if (std::find((*macro)->optional.begin(), (*macro)->optional.end(), true) != (*macro)->optional.end()) return false;
+    Call call;
+    call.macro = *macro;
+    call.token = at;
+    call.place = place;
+    text_arguments_ = 0;
+    std::uint32_t close = at, depth = 0;
+    do {
+        depth += kind(++close) == Kind::LeftParen ? 1u : 0u;
+        depth -= kind(close) == Kind::RightParen ? 1u : 0u;
+    } while (depth > 0 && close + 1 < end);
+    mark_drawing(at, place, close);
+    at += 2;
+    for (std::size_t i = 0; i < (*macro)->parameters.size(); ++i) {
+        Argument given;
+        if (at >= end || kind(at) == Kind::RightParen || !argument(at, end, given)) return false;
+        call.arguments.push_back(given);
+        if (at < end && kind(at) == Kind::Comma) ++at;
+    }
+    if (at >= end || kind(at) != Kind::RightParen) return false;
+    call.after = ++at;
+    emitter_.emit(kCall).a = static_cast<std::uint32_t>(program_.calls.size());
+    program_.calls.push_back(std::move(call));
+    return true;
+}
+
+}  // namespace parser::blocks

@@ -1,0 +1,198 @@
+#include "parser/stream/blocks/machine.h"
+#include "parser/stream/blocks/operations.h"
+#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expressions/operand.h"
+#include "parser/stream/text.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+/// Texts: as string_expression.cpp reads them. What is not plain ASCII is left to it where characters are counted.
+namespace parser::blocks {
+namespace {
+
+const std::string* text_of(Machine& m, std::uint32_t slot)
+{
+    const Value* const value = m.value_of(slot);
+    return value ? value->get_if<std::string>() : nullptr;
+}
+
+Value* element_of(Machine& m, const Op* op, Array*& array)
+{
+    Value* const value = m.value_of(op->a);
+    auto* const held = value ? value->get_if<std::shared_ptr<Array>>() : nullptr;
+    if (!held || (*held)->sizes.size() != static_cast<std::size_t>(op->jump)) return nullptr;
+    array = held->get();
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < array->sizes.size(); ++i) {
+        const double at = m.registers[op->b + i] + kSubscriptSlack;
+        if (!(at >= 0.0 && at < array->sizes[i])) return nullptr;
+        index = index * array->sizes[i] + static_cast<std::size_t>(at);
+    }
+    return &array->elements[index];
+}
+
+const Op* constant(const Op* op, Machine& m)
+{
+    m.texts[op->to] = m.program->texts[op->a];
+    return op + 1;
+}
+
+const Op* load(const Op* op, Machine& m)
+{
+    const std::string* const text = text_of(m, op->a);
+    if (!text) return m.leave(op);
+    m.texts[op->to] = *text;
+    return op + 1;
+}
+
+const Op* load_text_element(const Op* op, Machine& m)
+{
+    Array* array = nullptr;
+    const Value* const element = element_of(m, op, array);
+    const auto* const text = element ? element->get_if<std::string>() : nullptr;
+    if (!text) return m.leave(op);
+    m.texts[op->to] = *text;
+    return op + 1;
+}
+
+const Op* append(const Op* op, Machine& m)
+{
+    m.texts[op->to] += m.texts[op->a];
+    return op + 1;
+}
+
+const Op* number(const Op* op, Machine& m)
+{
+    const double* const given = m.registers + op->a;
+    m.texts[op->to] = number_text(given[0], given[1], given[2]);
+    return op + 1;
+}
+
+/// vstr: the separator is what stands in the register of the result.
+const Op* tuple(const Op* op, Machine& m)
+{
+    const double* const given = m.registers + op->a;
+    const int count = std::clamp(to_int32(given[0]), 2, 5), known = static_cast<int>(op->b);
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        if (i > 0) text += m.texts[op->to];
+        text += number_text(i < known ? given[1 + i] : 0.0, given[1 + known], given[2 + known]);
+    }
+    m.texts[op->to] = std::move(text);
+    return op + 1;
+}
+
+const Op* character(const Op* op, Machine& m)
+{
+    const double code = m.registers[op->a];
+    if (!(code >= 1.0 && code < 128.0)) return m.leave(op);
+    m.texts[op->to].assign(1, static_cast<char>(code));
+    return op + 1;
+}
+
+const Op* part(const Op* op, Machine& m)
+{
+    std::string& text = m.texts[op->to];
+    const int first = to_int32(m.registers[op->a]), count = to_int32(m.registers[op->a + 1]);
+    if (!is_ascii(text) || first < 1 || count < 0 ||
+        static_cast<long>(first) + count - 1 > static_cast<long>(text.size()))
+        return m.leave(op);
+    text = text.substr(static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
+    return op + 1;
+}
+
+template <bool upper>
+const Op* change_case(const Op* op, Machine& m)
+{
+    std::string& text = m.texts[op->to];
+    if (!is_ascii(text)) return m.leave(op);
+    for (char& c : text) {
+        if (upper && c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+        if (!upper && c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    }
+    return op + 1;
+}
+
+const Op* length(const Op* op, Machine& m)
+{
+    const std::string& text = m.texts[op->a];
+    if (!is_ascii(text)) return m.leave(op);
+    m.registers[op->to] = static_cast<double>(text.size());
+    return op + 1;
+}
+
+const Op* first(const Op* op, Machine& m)
+{
+    const std::string& text = m.texts[op->a];
+    if (!is_ascii(text)) return m.leave(op);
+    m.registers[op->to] = text.empty() ? 0.0 : static_cast<unsigned char>(text[0]);
+    return op + 1;
+}
+
+const Op* number_in(const Op* op, Machine& m)
+{
+    m.registers[op->to] = std::strtod(m.texts[op->a].c_str(), nullptr);
+    return op + 1;
+}
+
+const Op* order(const Op* op, Machine& m)
+{
+    const std::string &a = m.texts[op->a], &b = m.texts[op->b];
+    if (!is_ascii(a) || !is_ascii(b)) return m.leave(op);
+    double difference = 0.0;
+    for (std::size_t i = 0; (i < a.size() || i < b.size()) && difference == 0.0; ++i)
+        difference = (i < a.size() ? a[i] : 0) - (i < b.size() ? b[i] : 0);
+    m.registers[op->to] = difference;
+    return op + 1;
+}
+
+const Op* relation(const Op* op, Machine& m)
+{
+    const int compared = m.texts[op->a].compare(m.texts[op->b]);
+    m.registers[op->to] = relation_holds(static_cast<Kind>(op->jump), compared, 0.0) ? 1.0 : 0.0;
+    return op + 1;
+}
+
+const Op* store_text(const Op* op, Machine& m)
+{
+    Value* const to = m.value_to_store(op->to, op->jump != 0);
+    if (!to) return m.leave(op);
+    if (auto* const same = to->get_if<std::string>()) same->swap(m.texts[op->a]);
+    else *to = std::move(m.texts[op->a]);
+    return op + 1;
+}
+
+const Op* store_text_element(const Op* op, Machine& m)
+{
+    static const std::uint32_t kTexts = kind_of(Value(std::string()));
+    Array* array = nullptr;
+    Value* const element = element_of(m, op, array);
+    if (!element || array->mixed || (array->kind != 0 && array->kind != kTexts)) return m.leave(op);
+    if (m.values != 0) m.note(*m.slots[op->a].value->get_if<std::shared_ptr<Array>>(), element);
+    array->kind = kTexts;
+    *element = std::move(m.texts[op->to]);
+    return op + 1;
+}
+
+}  // namespace
+
+const Handler kTextConstant = constant;
+const Handler kTextLoad = load;
+const Handler kTextElement = load_text_element;
+const Handler kTextAppend = append;
+const Handler kTextNumber = number;
+const Handler kTextTuple = tuple;
+const Handler kTextCharacter = character;
+const Handler kTextPart = part;
+const Handler kTextUpper = change_case<true>;
+const Handler kTextLower = change_case<false>;
+const Handler kTextLength = length;
+const Handler kTextFirst = first;
+const Handler kTextValue = number_in;
+const Handler kTextOrder = order;
+const Handler kTextRelation = relation;
+const Handler kStoreText = store_text;
+const Handler kStoreTextElement = store_text_element;
+
+}  // namespace parser::blocks

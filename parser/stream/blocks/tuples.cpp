@@ -1,0 +1,86 @@
+#include "parser/stream/blocks/machine.h"
+#include "parser/stream/blocks/operations.h"
+
+/// Vectors and colours, and what is borrowed from the operations of single expressions.
+namespace parser::blocks {
+namespace {
+
+const Op* load_tuple(const Op* op, Machine& m)
+{
+    const double* const from = m.slots[op->a].numbers;
+    if (!from) return m.missing(op, op->a);
+    double* const to = m.registers + op->to;
+    for (std::uint32_t i = 0; i < op->b; ++i) to[i] = from[i];
+    return op + 1;
+}
+
+const Op* load_component(const Op* op, Machine& m)
+{
+    const double* const from = m.slots[op->a].numbers;
+    if (!from) return m.missing(op, op->a);
+    m.registers[op->to] = from[op->b];
+    return op + 1;
+}
+
+const Op* store_tuple(const Op* op, Machine& m)
+{
+    const bool local = op->jump != 0;
+    double* to = local ? m.slots[op->to].own : m.slots[op->to].numbers;
+    if (!to) {
+        if (!(to = m.place_to_store(op->to, local))) return m.leave(op);
+    } else if (!local && m.values != 0) {
+        m.note(op->to);
+    }
+    const double* const from = m.registers + op->a;
+    if (op->b == 5)
+        for (std::uint32_t i = 0; i < 5; ++i) to[i] = static_cast<float>(from[i]);  // Tuple::stored
+    else
+        for (std::uint32_t i = 0; i < op->b; ++i) to[i] = from[i];
+    return op + 1;
+}
+
+const Op* add_tuple(const Op* op, Machine& m)
+{
+    for (std::uint32_t i = 0; i < op->b; ++i) m.registers[op->to + i] += m.registers[op->a + i];
+    return op + 1;
+}
+
+const Op* subtract_tuple(const Op* op, Machine& m)
+{
+    for (std::uint32_t i = 0; i < op->b; ++i) m.registers[op->to + i] -= m.registers[op->a + i];
+    return op + 1;
+}
+
+const Op* scale_tuple(const Op* op, Machine& m)
+{
+    const double factor = m.registers[op->a];
+    for (std::uint32_t i = 0; i < op->b; ++i) m.registers[op->to + i] *= factor;
+    return op + 1;
+}
+
+const Op* divide_tuple(const Op* op, Machine& m)
+{
+    const double divisor = m.registers[op->a];
+    if (divisor == 0.0) return m.leave(op);
+    for (std::uint32_t i = 0; i < op->b; ++i) m.registers[op->to + i] /= divisor;
+    return op + 1;
+}
+
+const Op* borrowed(const Op* op, Machine& m)
+{
+    const CompiledExpression& expression = m.program->expressions[op->a];
+    return run_operation(expression, expression.ops[op->b], m.context, m.registers + op->to) ? op + 1 : m.leave(op);
+}
+
+}  // namespace
+
+const Handler kLoadTuple = load_tuple;
+const Handler kLoadComponent = load_component;
+const Handler kStoreTuple = store_tuple;
+const Handler kAddTuple = add_tuple;
+const Handler kSubtractTuple = subtract_tuple;
+const Handler kScaleTuple = scale_tuple;
+const Handler kDivideTuple = divide_tuple;
+const Handler kBorrowed = borrowed;
+
+}  // namespace parser::blocks
