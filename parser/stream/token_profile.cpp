@@ -7,7 +7,7 @@
 // Which macros, loops and files are open, for ReadingProfile.
 namespace parser {
 
-void TokenStream::spend_time()
+void TokenStream::spend_time(std::span<const ReadingProfile::Place> inner)
 {
     constexpr std::size_t kInnermost = 256;  // of a recursion a thousand deep the innermost tell enough
     open_places_.clear();
@@ -23,6 +23,7 @@ void TokenStream::spend_time()
             if (blocks_[block].kind == BlockKind::While || blocks_[block].kind == BlockKind::For)
                 open_places_.push_back({ReadingProfile::What::Loop, blocks_[block].file, blocks_[block].branch});
     }
+    open_places_.insert(open_places_.end(), inner.begin(), inner.end());
     profile_.spend(open_places_);
 }
 

@@ -229,7 +229,8 @@ private:
     }
     const Token& advance_further();
     void allow_more(const Token& next);
-    void spend_time();  ///< token_profile.cpp
+    /// inner: what is open in a block at work. token_profile.cpp
+    void spend_time(std::span<const ReadingProfile::Place> inner = {});
     const Token* innermost_loop() const;
     void leave_cursor();
     bool is_macro(const Token& token) const;

@@ -132,8 +132,20 @@ const Program* Runner::value_of(const CompiledCall& call, const Known& known)
     return nullptr;
 }
 
+/// The loop that was entered and the calls in it; loops inside of them count as theirs.
+void Runner::spend_time()
+{
+    open_.clear();
+    if (loop_ != kNoIndex) open_.push_back({ReadingProfile::What::Loop, stream_.cursors_.back().file, loop_});
+    for (const Frame& frame : machine_.frames)
+        if (frame.call)
+            open_.push_back({ReadingProfile::What::Macro, frame.call->macro->file, frame.call->macro->name});
+    stream_.spend_time(open_);
+}
+
 std::int64_t Runner::more()
 {
+    spend_time();
     constexpr std::uint64_t kShareOfBlocks = 1 << 14;  // numbers only: they take a millisecond
     if (stream_.options_.cancel && *stream_.options_.cancel) return 0;
     const std::uint64_t share = std::min(kShareOfBlocks, stream_.later_);
@@ -146,6 +158,7 @@ bool Runner::at_directive(std::uint32_t hash)
     if (!usable()) return false;
     std::uint32_t& here = site(stream_.cursors_.back().file, hash);
     Program* const program = here == kNever ? nullptr : program_at(here, hash);
+    loop_ = program && program->again != kNoIndex ? hash : kNoIndex;
     return program && run(*program, here, 0, hash);
 }
 
@@ -170,6 +183,7 @@ bool Runner::at_end_of_pass(std::uint32_t hash_of_end)
         stream_.blocks_.push_back(loop);
         return false;
     }
+    loop_ = loop.branch;
     machine_.enter(*program, stream_.symbols_.depth());
     if (counts) {
         const Place& place = program->places[statement_at(*program, &program->ops[program->again]).place];

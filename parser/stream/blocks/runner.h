@@ -37,12 +37,15 @@ private:
     void put_back(std::uint32_t token, std::uint32_t place);
     void open_places(const Frame& frame, std::uint32_t place);
     bool found_wanting(Program& program) const;
+    void spend_time();
 
     TokenStream& stream_;
     Machine machine_;
     std::vector<std::vector<std::uint32_t>> sites_;  ///< by file and token
     std::vector<std::unique_ptr<Program>> programs_;
     std::unordered_map<const Macro*, Program*> macros_;
+    std::uint32_t loop_ = kNoIndex;            ///< the Hash of the loop at work; kNoIndex: the block is none
+    std::vector<ReadingProfile::Place> open_;  ///< of spend_time()
     struct ValueProgram {
         Program* program = nullptr;
         bool at_work = false;

@@ -117,12 +117,14 @@ private:
     }
 
     /// What the camera sees lies together, and rays that point the same way form a beam; points of later bounces are
-    /// scattered, and a beam starts in one of them.
+    /// scattered, and a beam starts in one of them. In the first pass rays stay in order: later ones are to find what
+    /// earlier ones have gathered deeper down.
     void sort()
     {
         const auto count = static_cast<std::uint32_t>(scratch_.pending.size());
         scratch_.order.resize(count);
         for (std::uint32_t i = 0; i < count; ++i) scratch_.order[i] = i;
+        if (context_.filling != nullptr && context_.filling->in_order) return;
         scratch_.keys.clear();
         for (const GatherRay& ray : scratch_.pending)
             scratch_.keys.push_back(static_cast<std::uint16_t>(way(ray.direction)));
