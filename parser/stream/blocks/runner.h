@@ -2,6 +2,7 @@
 
 #include "parser/stream/blocks/compiler.h"
 #include "parser/stream/blocks/machine.h"
+#include "parser/stream/reading_profile.h"
 
 #include <map>
 #include <unordered_map>
