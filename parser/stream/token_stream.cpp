@@ -1,6 +1,7 @@
 #include "parser/stream/blocks/runner.h"
 #include "parser/stream/token_stream.h"
 
+#include "parser/stream/limits.h"
 #include "parser/stream/messages.h"
 
 #include <fmt/format.h>
@@ -11,9 +12,6 @@
 
 namespace parser {
 namespace {
-
-/// Deep enough for any real scene, shallow enough for an 8 MB stack also in a sanitizer build.
-constexpr int kDeepestNesting = 400;
 
 bool may_begin_block(Kind directive)
 {
@@ -38,7 +36,7 @@ TokenStream::~TokenStream() = default;
 
 TokenStream::Nesting::Nesting(TokenStream& stream) : stream_(stream)
 {
-    if (stream_.nesting_ >= kDeepestNesting) stream_.fail(stream_.last(), "this is nested too deeply");
+    if (stream_.nesting_ >= kMostNesting) stream_.fail(stream_.last(), "this is nested too deeply");
     ++stream_.nesting_;
 }
 

@@ -49,10 +49,6 @@ csg::Tolerance tolerance(const CompiledScene& scene)
     return csg::Tolerance::of_scene(glm::max(edges.x, glm::max(edges.y, edges.z)));
 }
 
-}  // namespace
-
-namespace {
-
 /// `planned` is called when no object is asked for any more.
 template <class Planned>
 CompiledScene compile_all(const scene::Description& description, const Options& options, Planned&& planned)

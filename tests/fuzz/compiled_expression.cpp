@@ -106,14 +106,10 @@ struct Said {
     bool refused = false;
 };
 
-/// The sign of a NaN that arithmetic made is left open (IEEE 754, section 6.3): which operand it comes from is up to
-/// the order of operands in the machine's instruction.
 void keep_debug(void* said, const parser::Message& message)
 {
     if (message.severity != parser::Severity::Debug) return;
-    std::string text = message.text;
-    for (std::size_t at = 0; (at = text.find("-nan", at)) != std::string::npos;) text.erase(at, 1);
-    static_cast<Said*>(said)->text += text;
+    static_cast<Said*>(said)->text += fuzz::without_sign_of_nan(message.text);
 }
 
 Said said_by(const std::string& text)
@@ -149,11 +145,6 @@ void fuzz::one(const Bytes& bytes)
 std::vector<fuzz::Bytes> fuzz::seeds()
 {
     std::vector<Bytes> all;
-    for (std::uint32_t seed = 1; seed < 40; ++seed) {
-        std::uint32_t state = seed * 2654435761u;
-        all.emplace_back();
-        for (int i = 0; i < 60; ++i)
-            all.back().push_back(static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24));
-    }
+    for (std::uint32_t seed = 1; seed < 40; ++seed) all.push_back(noise(seed, 60));
     return all;
 }

@@ -1,5 +1,4 @@
-#include "parser/stream/blocks/machine.h"
-#include "parser/stream/blocks/operations.h"
+#include "parser/stream/blocks/operands.h"
 #include "parser/stream/expressions/compiled_functions.h"
 
 #include <array>
@@ -44,14 +43,6 @@ bool holds(double a, double b)
     if constexpr (f == Binary::Equal) return !(std::abs(a - b) > kSame);
     if constexpr (f == Binary::NotEqual) return std::abs(a - b) > kSame;
     return false;
-}
-
-template <Operand where>
-const double* fetch(const Op* op, std::uint32_t operand, const Machine& m)
-{
-    if constexpr (where == Operand::Register) return m.registers + operand;
-    if constexpr (where == Operand::Slot) return m.slots[operand].numbers;
-    return &op->number;
 }
 
 template <Target where>

@@ -1,5 +1,4 @@
-#include "parser/stream/blocks/machine.h"
-#include "parser/stream/blocks/operations.h"
+#include "parser/stream/blocks/operands.h"
 #include "parser/stream/expressions/expression.h"
 #include "parser/stream/expressions/operand.h"
 
@@ -12,40 +11,12 @@ namespace {
 
 constexpr double kMostElementsHere = 1'000'000;  // a larger array is made by the reader of tokens
 
-Array* array_of(Machine& m, std::uint32_t slot)
-{
-    Value* const value = m.value_of(slot);
-    auto* const held = value ? value->get_if<std::shared_ptr<Array>>() : nullptr;
-    return held ? held->get() : nullptr;
-}
-
-/// Null: a subscript is outside, or there are more or fewer of them than the array has.
-Value* element_at(Array* array, const double* subscripts, std::size_t count)
-{
-    if (!array || array->sizes.size() != count) return nullptr;
-    std::size_t index = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double at = subscripts[i] + kSubscriptSlack;
-        if (!(at >= 0.0 && at < array->sizes[i])) return nullptr;
-        index = index * array->sizes[i] + static_cast<std::size_t>(at);
-    }
-    return &array->elements[index];
-}
-
-template <Operand where>
-const double* subscript(const Op* op, std::uint32_t operand, const Machine& m)
-{
-    if constexpr (where == Operand::Register) return m.registers + operand;
-    if constexpr (where == Operand::Slot) return m.slots[operand].numbers;
-    return &op->number;
-}
-
 template <Operand S>
 const Op* load_element(const Op* op, Machine& m)
 {
-    const double* const at = subscript<S>(op, op->b, m);
+    const double* const at = fetch<S>(op, op->b, m);
     if (S == Operand::Slot && !at) return m.missing(op, op->b);
-    const Value* const element = element_at(array_of(m, op->a), at, 1);
+    const Value* const element = element_at(held_array(m, op->a), at, 1);
     const Tuple* const tuple = element ? element->get_if<Tuple>() : nullptr;
     if (!tuple || tuple->count != 1) return m.leave(op);
     m.registers[op->to] = tuple->at[0];
@@ -56,12 +27,12 @@ template <Operand S, Operand T>
 const Op* load_element2(const Op* op, Machine& m)
 {
     const auto last = static_cast<std::uint32_t>(op->jump);
-    const double* const first = subscript<S>(op, op->b, m);
+    const double* const first = fetch<S>(op, op->b, m);
     if (S == Operand::Slot && !first) return m.missing(op, op->b);
-    const double* const second = subscript<T>(op, last, m);
+    const double* const second = fetch<T>(op, last, m);
     if (T == Operand::Slot && !second) return m.missing(op, last);
     const double at[2] = {*first, *second};
-    const Value* const element = element_at(array_of(m, op->a), at, 2);
+    const Value* const element = element_at(held_array(m, op->a), at, 2);
     const Tuple* const tuple = element ? element->get_if<Tuple>() : nullptr;
     if (!tuple || tuple->count != 1) return m.leave(op);
     m.registers[op->to] = tuple->at[0];
@@ -71,23 +42,11 @@ const Op* load_element2(const Op* op, Machine& m)
 const Op* load_elements(const Op* op, Machine& m)
 {
     double* const at = m.registers + op->to;
-    const Value* const element = element_at(array_of(m, op->a), at, op->b);
+    const Value* const element = element_at(held_array(m, op->a), at, op->b);
     const Tuple* const tuple = element ? element->get_if<Tuple>() : nullptr;
     if (!tuple || tuple->count != op->jump) return m.leave(op);
     for (int i = 0; i < op->jump; ++i) at[i] = tuple->at[static_cast<std::size_t>(i)];
     return op + 1;
-}
-
-void note_element(Machine& m, std::uint32_t slot, Value* element)
-{
-    if (m.values != 0) m.note(*m.slots[slot].value->get_if<std::shared_ptr<Array>>(), element);
-}
-
-/// Whether a value of that kind may become an element; the first one binds all.
-bool takes(Array& array, std::uint32_t kind)
-{
-    if (array.kind == 0) array.kind = kind;
-    return array.kind == kind && !array.mixed;
 }
 
 std::uint32_t kind_of_components(int count) { return kind_of(Value(Tuple{{}, count})); }
@@ -95,15 +54,15 @@ std::uint32_t kind_of_components(int count) { return kind_of(Value(Tuple{{}, cou
 template <Operand S, Operand V>
 const Op* store_element(const Op* op, Machine& m)
 {
-    const double* const at = subscript<S>(op, op->b, m);
+    const double* const at = fetch<S>(op, op->b, m);
     if (S == Operand::Slot && !at) return m.missing(op, op->b);
-    const double* const value = subscript<V>(op, op->to, m);
+    const double* const value = fetch<V>(op, op->to, m);
     if (V == Operand::Slot && !value) return m.missing(op, op->to);
     static const std::uint32_t kNumber = kind_of_components(1);
-    Array* const array = array_of(m, op->a);
+    const std::shared_ptr<Array>* const array = held_array(m, op->a);
     Value* const element = element_at(array, at, 1);
-    if (!element || !takes(*array, kNumber)) return m.leave(op);
-    note_element(m, op->a, element);
+    if (!element || !takes(**array, kNumber)) return m.leave(op);
+    note_element(m, *array, element);
     if (Tuple* const tuple = element->get_if<Tuple>()) *tuple = Tuple::of(*value);
     else *element = Tuple::of(*value);
     return op + 1;
@@ -112,13 +71,13 @@ const Op* store_element(const Op* op, Machine& m)
 const Op* store_elements(const Op* op, Machine& m)
 {
     const double* const at = m.registers + op->b;
-    Array* const array = array_of(m, op->a);
+    const std::shared_ptr<Array>* const array = held_array(m, op->a);
     Value* const element = element_at(array, at, op->to);
-    if (!element || !takes(*array, kind_of_components(op->jump))) return m.leave(op);
+    if (!element || !takes(**array, kind_of_components(op->jump))) return m.leave(op);
     Tuple made;
     made.count = op->jump;
     for (std::size_t i = 0; i < static_cast<std::size_t>(op->jump); ++i) made.at[i] = at[op->to + i];
-    note_element(m, op->a, element);
+    note_element(m, *array, element);
     *element = made.stored();
     return op + 1;
 }
@@ -154,16 +113,17 @@ const Op* copy_array(const Op* op, Machine& m)
 /// Register `to` becomes the size of the dimension that it names, or (b = 0) the number of dimensions.
 const Op* dimension_size(const Op* op, Machine& m)
 {
-    const Array* const array = array_of(m, op->a);
-    if (!array) return m.leave(op);
+    const std::shared_ptr<Array>* const held = held_array(m, op->a);
+    if (!held) return m.leave(op);
+    const Array& array = **held;
     double& to = m.registers[op->to];
     if (op->b == 0) {
-        to = static_cast<double>(array->sizes.size());
+        to = static_cast<double>(array.sizes.size());
         return op + 1;
     }
     const std::int32_t which = to_int32(to);
-    const bool known = which >= 1 && static_cast<std::size_t>(which) <= array->sizes.size();
-    to = known ? array->sizes[static_cast<std::size_t>(which) - 1] : 0.0;
+    const bool known = which >= 1 && static_cast<std::size_t>(which) <= array.sizes.size();
+    to = known ? array.sizes[static_cast<std::size_t>(which) - 1] : 0.0;
     return op + 1;
 }
 

@@ -76,6 +76,8 @@ private:
     bool branches_of(std::uint32_t hash, std::uint32_t end, std::vector<Branch>& out) const;
     bool switch_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool case_test(Branch& branch, std::uint32_t end, std::uint32_t value);
+    void land_breaks();
+    std::uint32_t end_of_loop(std::uint32_t hash, std::uint32_t end) const;
     bool while_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool for_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool break_directive(std::uint32_t& at, std::uint32_t place);

@@ -108,16 +108,29 @@ bool BlockCompiler::switch_directive(std::uint32_t& at, std::uint32_t end, std::
         before = open(place, PlaceKind::Switch, branch.hash);
         block(branch.begin, branch.end, before);
     }
-    emitter_.land(open_.back().jumps);
-    open_.pop_back();
+    land_breaks();
     at = last + 2;
     return true;
 }
 
+/// Every `#break` of the innermost loop or `#switch` leads here, which is behind it.
+void BlockCompiler::land_breaks()
+{
+    emitter_.land(open_.back().jumps);
+    open_.pop_back();
+}
+
+/// The Hash of the `#end` of the loop that begins at one; kNoIndex: it is not in the text.
+std::uint32_t BlockCompiler::end_of_loop(std::uint32_t hash, std::uint32_t end) const
+{
+    const std::uint32_t closing = tokens_[hash].jump;
+    return closing != kNoIndex && closing + 1 < end && kind(closing + 1) == Kind::End ? closing : kNoIndex;
+}
+
 bool BlockCompiler::while_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
 {
-    const std::uint32_t hash = at, closing = tokens_[hash].jump;
-    if (closing == kNoIndex || closing + 1 >= end || kind(closing + 1) != Kind::End) return false;
+    const std::uint32_t hash = at, closing = end_of_loop(hash, end);
+    if (closing == kNoIndex) return false;
     std::uint32_t body = hash + 2;
     mark_drawing(hash, place, closing);
     if (!condition(body, closing)) return false;
@@ -142,16 +155,15 @@ bool BlockCompiler::while_directive(std::uint32_t& at, std::uint32_t end, std::u
     const std::uint32_t back = emitter_.jump_if(true);
     program_.ops[back].jump = static_cast<std::int32_t>(first) - static_cast<std::int32_t>(back);
     emitter_.land(done);
-    emitter_.land(open_.back().jumps);
-    open_.pop_back();
+    land_breaks();
     at = closing + 2;
     return true;
 }
 
 bool BlockCompiler::for_directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
 {
-    const std::uint32_t hash = at, closing = tokens_[hash].jump;
-    if (closing == kNoIndex || closing + 1 >= end || kind(closing + 1) != Kind::End) return false;
+    const std::uint32_t hash = at, closing = end_of_loop(hash, end);
+    if (closing == kNoIndex) return false;
     mark_drawing(hash, place, closing);
     std::uint32_t body = hash + 2;
     if (kind(body) != Kind::LeftParen || kind(body + 1) != Kind::Identifier || kind(body + 2) != Kind::Comma)
@@ -197,8 +209,7 @@ bool BlockCompiler::for_directive(std::uint32_t& at, std::uint32_t end, std::uin
     next.b = kept + 1;
     next.jump = static_cast<std::int32_t>(first) - static_cast<std::int32_t>(emitter_.size() - 1);
     emitter_.land(done);
-    emitter_.land(open_.back().jumps);
-    open_.pop_back();
+    land_breaks();
     at = closing + 2;
     return true;
 }

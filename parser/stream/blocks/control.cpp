@@ -1,7 +1,7 @@
-#include "parser/stream/blocks/machine.h"
-#include "parser/stream/blocks/operations.h"
+#include "parser/stream/blocks/operands.h"
 #include "parser/stream/expressions/expression.h"
 #include "parser/stream/expressions/operand.h"
+#include "parser/stream/limits.h"
 
 #include <cmath>
 #include <utility>
@@ -9,13 +9,6 @@
 /// Branches, loops, calls.
 namespace parser::blocks {
 namespace {
-
-constexpr double kSlackOfLoops = 1e-10;  // as in loops.cpp
-
-bool one_more(double value, double limit, double step)
-{
-    return step > 0 ? value < limit + kSlackOfLoops : value > limit - kSlackOfLoops;
-}
 
 const Op* jump(const Op* op, Machine&) { return op + op->jump; }
 
@@ -57,11 +50,11 @@ double* variable(Machine& m, std::uint32_t slot)
 const Op* for_begin(const Op* op, Machine& m)
 {
     const double* const given = m.registers + op->b;
-    if (!(std::abs(given[2]) >= kSlackOfLoops)) return m.leave(op);
+    if (!(std::abs(given[2]) >= kSlackOfFor)) return m.leave(op);
     double* const value = variable(m, op->a);
     if (!value) return m.leave(op);
     *value = given[0];
-    return one_more(given[0], given[1], given[2]) ? op + 1 : op + op->jump;
+    return for_goes_on(given[0], given[1], given[2]) ? op + 1 : op + op->jump;
 }
 
 const Op* for_next(const Op* op, Machine& m)
@@ -70,7 +63,7 @@ const Op* for_next(const Op* op, Machine& m)
     double* const value = variable(m, op->a);
     if (!value) return m.leave(op);
     *value += given[1];
-    return one_more(*value, given[0], given[1]) ? op + op->jump : op + 1;
+    return for_goes_on(*value, given[0], given[1]) ? op + op->jump : op + 1;
 }
 
 const Op* one_case(const Op* op, Machine& m)
@@ -95,18 +88,10 @@ Cell given(const Argument& argument, Machine& m)
         return plain ? cell : nullptr;
     }
     case Argument::Kind::Element: {
-        const Value* const value = m.value_of(argument.slot);
-        const auto* const held = value ? value->get_if<std::shared_ptr<Array>>() : nullptr;
-        if (!held || (*held)->sizes.size() != argument.count) return nullptr;
-        std::size_t index = 0;
-        for (std::size_t i = 0; i < argument.count; ++i) {
-            const double at = m.registers[argument.first + i] + kSubscriptSlack;
-            if (!(at >= 0.0 && at < (*held)->sizes[i])) return nullptr;
-            index = index * (*held)->sizes[i] + static_cast<std::size_t>(at);
-        }
-        Value& element = (*held)->elements[index];
-        const bool plain = element.get_if<Tuple>() || element.get_if<std::string>();
-        return plain ? Cell(*held, &element) : nullptr;
+        const std::shared_ptr<Array>* const held = held_array(m, argument.slot);
+        Value* const element = element_at(held, m.registers + argument.first, argument.count);
+        const bool plain = element && (element->get_if<Tuple>() || element->get_if<std::string>());
+        return plain ? Cell(*held, element) : nullptr;
     }
     case Argument::Kind::Number: {
         Tuple made;

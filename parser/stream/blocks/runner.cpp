@@ -1,6 +1,7 @@
 #include "parser/stream/blocks/runner.h"
 
 #include "parser/stream/blocks/compiler.h"
+#include "parser/stream/limits.h"
 #include "parser/stream/token_stream.h"
 
 #include <algorithm>
@@ -41,6 +42,12 @@ std::uint32_t& Runner::site(std::uint16_t file, std::uint32_t token)
     return sites_[file][token];
 }
 
+Source Runner::source_of(std::uint16_t file) const
+{
+    const SourceFile& in = *stream_.files_[file];
+    return {in.tokens.data(), &in.strings, stream_.language_.charset != Charset::System};
+}
+
 Program& Runner::compile(std::uint32_t attempt)
 {
     Program& made = *programs_.emplace_back(std::make_unique<Program>());
@@ -75,8 +82,7 @@ Program* Runner::program_at(std::uint32_t& site, std::uint32_t hash)
         if (bad >= hash && bad < end) return nullptr;
     const auto index = static_cast<std::uint32_t>(programs_.size());  // macros may be compiled on the way
     Program& made = compile(attempt);
-    const Source source{file.tokens.data(), &file.strings, stream_.language_.charset != Charset::System};
-    BlockCompiler(source, stream_.symbols_, *this, made).sequence(hash, end);
+    BlockCompiler(source_of(cursor.file), stream_.symbols_, *this, made).sequence(hash, end);
     if (made.ops.front().run == kStop) return nullptr;
     site = index + kFirst;
     return &made;
@@ -94,9 +100,7 @@ const Program& Runner::program_of(const std::shared_ptr<const Macro>& macro)
     const bool stale = known && known->version != stream_.language_.version;
     if (known && !stale && !found_wanting(*known)) return *known;
     Program& made = compile(known && !stale ? known->attempt + 1 : 0);
-    const SourceFile& file = *stream_.files_[macro->file];
-    const Source source{file.tokens.data(), &file.strings, stream_.language_.charset != Charset::System};
-    BlockCompiler(source, stream_.symbols_, *this, made).macro(*macro);
+    BlockCompiler(source_of(macro->file), stream_.symbols_, *this, made).macro(*macro);
     known = &made;
     return made;
 }
@@ -121,13 +125,11 @@ const Program* Runner::value_of(const CompiledCall& call, const Known& known)
     if (kept.failures >= kMostAttempts) return nullptr;
     Program& made = compile(0);
     kept = {&made, true, kept.failures};
-    const SourceFile& file = *stream_.files_[call.macro->file];
-    const Source source{file.tokens.data(), &file.strings, stream_.language_.charset != Charset::System};
-    const bool good = file.bad.empty() && BlockCompiler(source, stream_.symbols_, *this, made).value(call, known);
-    ValueProgram& done = values_[call.macro.get()][form];
-    done.at_work = false;
+    const bool good = stream_.files_[call.macro->file]->bad.empty() &&
+                      BlockCompiler(source_of(call.macro->file), stream_.symbols_, *this, made).value(call, known);
+    kept.at_work = false;
     if (good) return &made;
-    ++done.failures;
+    ++kept.failures;
     made.result = 0;
     return nullptr;
 }
@@ -196,12 +198,10 @@ bool Runner::at_end_of_pass(std::uint32_t hash_of_end)
 /// False: it was left where it was entered.
 bool Runner::run(Program& program, std::uint32_t& site, std::uint32_t op, std::uint32_t entered_at)
 {
-    constexpr std::size_t kMostCalls = 2000, kMostBlocks = 10'000;  // macros.cpp, conditionals.cpp
-    constexpr std::size_t kRoom = 100;                              // for those of the block itself
-    constexpr std::uint32_t kMostNesting = 400;                     // token_stream.cpp
+    constexpr std::size_t kRoom = 100;  // for the conditionals and loops of the block itself
     const std::size_t cursors = stream_.cursors_.size();
     if (op == 0) machine_.enter(program, stream_.symbols_.depth());
-    machine_.most_frames = cursors < kMostCalls ? kMostCalls - cursors : 0;
+    machine_.most_frames = cursors < kDeepestCalls ? kDeepestCalls - cursors : 0;
     machine_.blocks = stream_.blocks_.size();
     machine_.most_blocks = kMostBlocks - kRoom;
     machine_.budget = static_cast<std::int64_t>(std::min<std::uint64_t>(stream_.left_, 1 << 20));
@@ -209,7 +209,7 @@ bool Runner::run(Program& program, std::uint32_t& site, std::uint32_t op, std::u
     machine_.calls = 0;
     machine_.values = 0;
     machine_.guards = static_cast<std::uint32_t>(stream_.nesting_) + 1;
-    machine_.most_guards = kMostNesting;
+    machine_.most_guards = static_cast<std::uint32_t>(kMostNesting);
     machine_.notes.clear();
     stream_.random_undo_.keep();
     machine_.run(program.ops.data() + op);

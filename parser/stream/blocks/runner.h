@@ -33,6 +33,7 @@ private:
     bool usable() const;
     std::uint32_t& site(std::uint16_t file, std::uint32_t token);
     Program* program_at(std::uint32_t& site, std::uint32_t hash);
+    Source source_of(std::uint16_t file) const;
     Program& compile(std::uint32_t attempt);
     bool run(Program& program, std::uint32_t& site, std::uint32_t op, std::uint32_t entered_at);
     void put_back(std::uint32_t token, std::uint32_t place);

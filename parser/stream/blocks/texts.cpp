@@ -1,5 +1,4 @@
-#include "parser/stream/blocks/machine.h"
-#include "parser/stream/blocks/operations.h"
+#include "parser/stream/blocks/operands.h"
 #include "parser/stream/expressions/expression.h"
 #include "parser/stream/expressions/operand.h"
 #include "parser/stream/text.h"
@@ -17,19 +16,9 @@ const std::string* text_of(Machine& m, std::uint32_t slot)
     return value ? value->get_if<std::string>() : nullptr;
 }
 
-Value* element_of(Machine& m, const Op* op, Array*& array)
+Value* element_of(Machine& m, const Op* op)
 {
-    Value* const value = m.value_of(op->a);
-    auto* const held = value ? value->get_if<std::shared_ptr<Array>>() : nullptr;
-    if (!held || (*held)->sizes.size() != static_cast<std::size_t>(op->jump)) return nullptr;
-    array = held->get();
-    std::size_t index = 0;
-    for (std::size_t i = 0; i < array->sizes.size(); ++i) {
-        const double at = m.registers[op->b + i] + kSubscriptSlack;
-        if (!(at >= 0.0 && at < array->sizes[i])) return nullptr;
-        index = index * array->sizes[i] + static_cast<std::size_t>(at);
-    }
-    return &array->elements[index];
+    return element_at(held_array(m, op->a), m.registers + op->b, static_cast<std::size_t>(op->jump));
 }
 
 const Op* constant(const Op* op, Machine& m)
@@ -48,8 +37,7 @@ const Op* load(const Op* op, Machine& m)
 
 const Op* load_text_element(const Op* op, Machine& m)
 {
-    Array* array = nullptr;
-    const Value* const element = element_of(m, op, array);
+    const Value* const element = element_of(m, op);
     const auto* const text = element ? element->get_if<std::string>() : nullptr;
     if (!text) return m.leave(op);
     m.texts[op->to] = *text;
@@ -166,11 +154,9 @@ const Op* store_text(const Op* op, Machine& m)
 const Op* store_text_element(const Op* op, Machine& m)
 {
     static const std::uint32_t kTexts = kind_of(Value(std::string()));
-    Array* array = nullptr;
-    Value* const element = element_of(m, op, array);
-    if (!element || array->mixed || (array->kind != 0 && array->kind != kTexts)) return m.leave(op);
-    if (m.values != 0) m.note(*m.slots[op->a].value->get_if<std::shared_ptr<Array>>(), element);
-    array->kind = kTexts;
+    Value* const element = element_of(m, op);
+    if (!element || !takes(**held_array(m, op->a), kTexts)) return m.leave(op);
+    note_element(m, *held_array(m, op->a), element);
     *element = std::move(m.texts[op->to]);
     return op + 1;
 }

@@ -1,4 +1,5 @@
 #include "parser/stream/expressions/expression.h"
+#include "parser/stream/limits.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@ namespace parser {
 namespace {
 
 constexpr double kTruth = 1e-10;  // values up to this size count as false (spec 1, 9)
-constexpr std::size_t kMostBlocks = 10'000;
 
 bool opens(Kind kind)
 {

@@ -1,3 +1,4 @@
+#include "parser/stream/elements.h"
 #include "parser/stream/expressions/expression.h"
 #include "parser/stream/token_stream.h"
 

@@ -1,20 +1,11 @@
 #include "parser/stream/blocks/runner.h"
 #include "parser/stream/expressions/expression.h"
+#include "parser/stream/limits.h"
 #include "parser/stream/token_stream.h"
 
 #include <cmath>
 
 namespace parser {
-namespace {
-
-constexpr double kSlack = 1e-10;  // of #for: the last value may miss the end by this much (spec 1, 9.5)
-
-bool goes_on(double value, double limit, double step)
-{
-    return step > 0 ? value < limit + kSlack : value > limit - kSlack;
-}
-
-}  // namespace
 
 void TokenStream::leave_loop(std::uint32_t hash_of_loop)
 {
@@ -64,11 +55,11 @@ void TokenStream::begin_for(std::uint32_t hash)
     if (peek().kind != Kind::RightParen) loop.step = float_expr(*this);
     expect(Kind::RightParen, "')'");
     while (cursors_.size() > loop.cursors) leave_cursor();
-    if (!(std::abs(loop.step) >= kSlack)) fail(place(name), "the step of this #for is zero");
+    if (!(std::abs(loop.step) >= kSlackOfFor)) fail(place(name), "the step of this #for is zero");
     loop.variable = symbols_.local(name.name, symbols_.depth());
     *loop.variable = Tuple::of(start);
     loop.again = cursors_.back().position;
-    if (!goes_on(start, loop.limit, loop.step)) return leave_loop(hash);
+    if (!for_goes_on(start, loop.limit, loop.step)) return leave_loop(hash);
     push_block(loop);
 }
 
@@ -82,7 +73,7 @@ void TokenStream::end_for(std::uint32_t hash)
     if (!variable || variable->count != 1) fail(last(), "the variable of this #for is no longer a number");
     const double value = variable->at[0] + loop.step;
     *variable = Tuple::of(value);
-    if (goes_on(value, loop.limit, loop.step)) {
+    if (for_goes_on(value, loop.limit, loop.step)) {
         cursors_.back().position = loop.again;
         return;
     }

@@ -1,3 +1,4 @@
+#include "parser/stream/limits.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
@@ -5,12 +6,6 @@
 #include <utility>
 
 namespace parser {
-namespace {
-
-/// Far more than POV-Ray's 98; reached only by a recursion without end.
-constexpr std::size_t kDeepestCalls = 2000;
-
-}  // namespace
 
 void TokenStream::define_macro(std::uint32_t hash)
 {

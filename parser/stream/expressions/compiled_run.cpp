@@ -1,6 +1,7 @@
 #include "parser/stream/expressions/compiled.h"
 
 #include "function/evaluate.h"
+#include "parser/stream/elements.h"
 #include "parser/stream/hooks.h"
 #include "parser/stream/expressions/compiled_functions.h"
 #include "parser/stream/expressions/operand.h"
@@ -49,15 +50,10 @@ bool load_element(const CompiledOp& op, const Symbols& symbols, double* subscrip
 {
     const Value* value = symbols.find(op.name);
     const auto* held = value ? value->get_if<std::shared_ptr<Array>>() : nullptr;
-    if (!held || (*held)->sizes.size() != op.a) return false;
-    const Array& array = **held;
-    std::size_t index = 0;
-    for (std::size_t i = 0; i < op.a; ++i) {
-        const double at = subscripts[i] + kSubscriptSlack;
-        if (!(at >= 0.0 && at < array.sizes[i])) return false;
-        index = index * array.sizes[i] + static_cast<std::size_t>(at);
-    }
-    const Tuple* element = array.elements[index].get_if<Tuple>();
+    if (!held) return false;
+    const std::size_t index = element_index(**held, subscripts, op.a);
+    if (index == kNoElement) return false;
+    const Tuple* element = (*held)->elements[index].get_if<Tuple>();
     if (!element || element->count != op.b) return false;
     for (std::size_t i = 0; i < op.b; ++i) subscripts[i] = element->at[i];
     return true;

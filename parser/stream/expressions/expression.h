@@ -49,7 +49,4 @@ inline Tuple requested_expr(TokenStream& stream, int requested, Level level)
                                                                             : read_expr(stream, requested, level);
 }
 
-/// Added to subscripts and sizes before they are cut to an integer: 0.9999999999999 means 1 (spec 1, 11).
-inline constexpr double kSubscriptSlack = 1e-10;
-
 }  // namespace parser

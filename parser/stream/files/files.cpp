@@ -1,5 +1,6 @@
 #include "parser/stream/expressions/expression.h"
 #include "parser/stream/files/file_policy.h"
+#include "parser/stream/limits.h"
 #include "parser/stream/messages.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
@@ -207,7 +208,7 @@ void TokenStream::include_named(const std::string& name, const Token& call, cons
     }
     std::size_t depth = 0;
     for (const Cursor& cursor : cursors_) depth += !cursor.macro;
-    if (depth >= kDeepestIncludes || cursors_.size() >= 2 * kDeepestIncludes + 2000)
+    if (depth >= kDeepestIncludes || cursors_.size() >= 2 * kDeepestIncludes + kDeepestCalls)
         fail(at, "files include each other too deeply; does one include itself?");
 
     const std::uint16_t file = again != included_.end() ? again->second : loaded(path, at);

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "csg/base/lanes.h"
 #include "render/trace/photon/near_photons.h"
 #include "render/trace/photon/pack_lanes.h"
 #include "render/trace/photon/photon_boxes.h"
-#include "render/trace/photon/photon_places.h"
+#include "render/trace/photon/photon_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +22,7 @@ class PhotonSearch {
 public:
     PhotonSearch(const PhotonPlaces& places, const PhotonBoxes& boxes, const glm::dvec3& point,
                  const glm::dvec3& normal, int most)
-        : places_(places), boxes_(boxes), point_(point), normal_(normal),
+        : places_(places), boxes_(boxes), from_(places, point, normal),
           most_(static_cast<std::size_t>(std::max(most, 1)))
     {}
 
@@ -40,7 +39,7 @@ public:
             if (count_ > most_ || here == all_) break;
         }
         out.likely2 = all_;
-        out.asked = point_;
+        out.asked = from_.point;
         if (count_ > most_) {
             part(most_);
             out.likely2 = bound_;
@@ -51,7 +50,8 @@ public:
             }
             double farthest = 0.0;
             for (std::size_t k = 0; k < most_; ++k)
-                if (distance2_[k] >= static_cast<float>(bound_)) farthest = std::max(farthest, exact(number_[k]));
+                if (distance2_[k] >= static_cast<float>(bound_))
+                    farthest = std::max(farthest, from_.squared(number_[k]));
             out.radius2 = farthest;
         }
         out.found.resize(count_);
@@ -69,7 +69,6 @@ public:
 private:
     using Near = NearPhotons::Near;
     using Float = csg::lanes::FloatPart;
-    static constexpr double kFlattening = 16.0;
     static constexpr double kRounding = 1.0 + 1e-6;  ///< of what is kept in single precision
     static constexpr std::size_t kLanes = PhotonBoxes::kWide;
     static constexpr std::size_t kSpare = 256;  ///< so many more than are asked for are kept before they are parted
@@ -87,12 +86,6 @@ private:
         parted_ = out.parted.data();
         bin_ = out.bins.data();
         number_ = out.numbers.data();
-        // A coordinate as the sum of two numbers in single precision: what is subtracted from them is right to the
-        // last.
-        for (int k = 0; k < 3; ++k) {
-            high_[k] = static_cast<float>(point_[k]);
-            low_[k] = static_cast<float>(point_[k] - static_cast<double>(high_[k]));
-        }
     }
 
     /// What should hold the nearest: around a point nearby they were found so near.
@@ -101,7 +94,7 @@ private:
         constexpr double kWider = 1.25, kSure = 1.0 + 1e-5;
         if (!(before.likely2 > 0.0)) return all_;
         if constexpr (kFlat) return kWider * before.likely2;
-        const double radius = std::sqrt(before.likely2) + glm::distance(point_, before.asked);
+        const double radius = std::sqrt(before.likely2) + glm::distance(from_.point, before.asked);
         return kSure * radius * radius;
     }
 
@@ -147,30 +140,6 @@ private:
         count_ = kept;
         bound_ = static_cast<double>(farthest);
     }
-    double exact(std::uint32_t photon) const { return distance2(photon); }
-
-    double distance2(double dx, double dy, double dz) const
-    {
-        const double d2 = dx * dx + dy * dy + dz * dz;
-        if constexpr (!kFlat) return d2;
-        return d2 * (1.0 + kFlattening * std::abs(normal_.x * dx + normal_.y * dy + normal_.z * dz));
-    }
-    /// In single precision, which is enough to tell which are nearest.
-    Float distances2(const Float& x, const Float& y, const Float& z) const
-    {
-        const Float dx = x - Float(high_.x) - Float(low_.x), dy = y - Float(high_.y) - Float(low_.y),
-                    dz = z - Float(high_.z) - Float(low_.z), d2 = dx * dx + dy * dy + dz * dz;
-        if constexpr (!kFlat) return d2;
-        const glm::vec3 n(normal_);
-        return d2 * (Float(1.0f) + Float(static_cast<float>(kFlattening)) *
-                                       xsimd::abs(Float(n.x) * dx + Float(n.y) * dy + Float(n.z) * dz));
-    }
-    double distance2(std::size_t i) const
-    {
-        return distance2(static_cast<double>(places_.x[i]) - point_.x, static_cast<double>(places_.y[i]) - point_.y,
-                         static_cast<double>(places_.z[i]) - point_.z);
-    }
-
     /// Whether POV-Ray comes to a photon that lies in reach.
     bool reached(std::uint32_t photon) const
     {
@@ -180,7 +149,7 @@ private:
     }
     bool passes(std::uint32_t photon, std::uint32_t gate) const
     {
-        const double off = places_.along(gate, places_.axis[gate]) - point_[places_.axis[gate]];
+        const double off = places_.along(gate, places_.axis[gate]) - from_.point[places_.axis[gate]];
         const bool beyond = photon < gate ? !(off > 0.0) : off > 0.0;
         return !beyond || off * off < all_;
     }
@@ -229,7 +198,8 @@ private:
     {
         // Rounding may put a box farther off than it is: by less than this share.
         constexpr float kNearer = 1.0f - 1e-5f;
-        const Float zero(0.0f), x(high_.x), y(high_.y), z(high_.z), rest_x(low_.x), rest_y(low_.y), rest_z(low_.z);
+        const Float zero(0.0f), x(from_.high.x), y(from_.high.y), z(from_.high.z), rest_x(from_.low.x),
+            rest_y(from_.low.y), rest_z(from_.low.z);
         const Float limit(static_cast<float>(bound_));
         std::uint32_t near = 0;
         for (std::size_t k = 0; k < kLanes; k += Float::size) {
@@ -253,7 +223,7 @@ private:
         alignas(64) std::array<float, kLanes> d2;
         std::uint32_t near = 0;
         for (std::size_t k = 0; k < kLanes; k += Float::size) {
-            const Float here = distances2(load(leaf.x, k), load(leaf.y, k), load(leaf.z, k));
+            const Float here = from_.squared(load(leaf.x, k), load(leaf.y, k), load(leaf.z, k));
             here.store_aligned(d2.data() + k);
             near |= csg::lanes::mask(here < limit) << k;
         }
@@ -274,8 +244,8 @@ private:
         std::size_t count = 0;
         std::uint32_t beyond = 0;
         for (std::size_t i = first; i < end; i += Float::size) {
-            const Float d2 = distances2(Float::load_unaligned(&places_.x[i]), Float::load_unaligned(&places_.y[i]),
-                                        Float::load_unaligned(&places_.z[i]));
+            const Float d2 = from_.squared(Float::load_unaligned(&places_.x[i]), Float::load_unaligned(&places_.y[i]),
+                                           Float::load_unaligned(&places_.z[i]));
             const std::uint32_t part = end - i < Float::size ? (1u << (end - i)) - 1u : ~0u;
             count += static_cast<std::size_t>(std::popcount(csg::lanes::mask(d2 < most) & part));
             beyond |= csg::lanes::mask((d2 > least) & (d2 < surely)) & part;
@@ -315,14 +285,14 @@ private:
             }
             const std::size_t middle = (at.first + at.end - 1) / 2;
             if (at.alone) {
-                const double d2 = distance2(middle);
+                const double d2 = from_.squared(middle);
                 if (!(d2 < all_)) continue;
                 if (d2 > bound_ * kRounding) return Order::OthersBetween;
                 ++met;
                 continue;
             }
             const int axis = places_.axis[middle];
-            const double off = places_.along(middle, axis) - point_[axis];
+            const double off = places_.along(middle, axis) - from_.point[axis];
             const Waiting below{at.first, middle, false}, above{middle + 1, at.end, false};
             if (off * off < all_) {
                 waiting[count++] = {at.first, at.end, true};
@@ -346,7 +316,7 @@ private:
         };
         const auto nearer = [](const Near& a, const Near& b) { return a.distance2 < b.distance2; };
         const auto meet = [&](std::size_t photon) {
-            const double d2 = distance2(photon);
+            const double d2 = from_.squared(photon);
             if (!(d2 < bound_)) return;
             const Near here{static_cast<float>(d2), static_cast<std::uint32_t>(photon)};
             if (count_ < most_) {
@@ -357,7 +327,7 @@ private:
             std::pop_heap(found, found + count_, nearer);
             found[count_ - 1] = here;
             std::push_heap(found, found + count_, nearer);
-            bound_ = exact(found[0].photon);
+            bound_ = from_.squared(found[0].photon);
         };
         std::array<Waiting, 192> waiting;
         std::size_t count = 0;
@@ -369,7 +339,7 @@ private:
             if (at.first >= at.end) continue;
             const std::size_t middle = (at.first + at.end - 1) / 2;
             const int axis = places_.axis[middle];
-            const double off = places_.along(middle, axis) - point_[axis];
+            const double off = places_.along(middle, axis) - from_.point[axis];
             const Waiting below{at.first, middle, Waiting::Whole, false},
                 above{middle + 1, at.end, Waiting::Whole, false};
             if (at.part == Waiting::Whole && at.end - at.first == 1) {  // half of all: nothing lies below it
@@ -389,9 +359,8 @@ private:
 
     const PhotonPlaces& places_;
     const PhotonBoxes& boxes_;
-    const glm::dvec3 point_, normal_;
+    const PhotonDistance<kFlat> from_;
     const std::size_t most_;
-    glm::vec3 high_{0}, low_{0};
     double all_ = 0, bound_ = 0;
     float *distance2_ = nullptr, *parted_ = nullptr;
     std::int32_t* bin_ = nullptr;

@@ -93,8 +93,13 @@ private:
     }
 
     /// What the first few samples say is what all that follow are close enough to, so they are POV-Ray's: its parts one
-    /// after the other, and its directions.
-    static bool in_order(const Pass& pass) { return pass.number == 0; }
+    /// after the other, and its directions. Not where the first pass has so many rays that threads would wait for them
+    /// (scenes mostly write 0.08 for pretrace_start).
+    bool in_order(const Pass& pass) const
+    {
+        constexpr double kMostAcross = 32.0;  // rays
+        return pass.number == 0 && pass.step * kMostAcross >= std::max(parts_.width, parts_.height);
+    }
 
     /// Tiles of a sub-pass do not see each other's samples: there are few of them as long as there are few samples.
     bool run(const Pass& pass, std::vector<PartTile>& tiles)
