@@ -76,6 +76,7 @@ private:
         return top;
     }
     bool operation(const CompiledExpression& read, std::size_t& at, std::uint32_t expression);
+    bool load_text(const CompiledOp& op);
     bool text_operation(const CompiledOp& op);
     bool load_tuple(const CompiledExpression& read, std::size_t& at);
     bool element(const CompiledOp& op);

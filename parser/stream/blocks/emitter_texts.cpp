@@ -2,6 +2,38 @@
 
 namespace parser::blocks {
 
+/// A text that is there already, onto the texts.
+bool Emitter::load_text(const CompiledOp& op)
+{
+    using Code = CompiledOp::Code;
+    switch (op.code) {
+    case Code::TextConstant: {
+        Op& made = emit(kTextConstant);
+        made.to = texts_++;
+        made.a = static_cast<std::uint32_t>(program_.texts.size());
+        program_.texts.push_back(program_.expressions.back().texts[op.name]);
+        return true;
+    }
+    case Code::TextLoad: {
+        const std::uint32_t from = slot(op.name, kText);
+        Op& made = emit(kTextLoad);
+        made.to = texts_++;
+        made.a = from;
+        return from != kNoIndex;
+    }
+    default: {
+        const std::uint32_t from = slot(op.name, kArray), first = in_registers(op.a);
+        Op& made = emit(kTextElement);
+        made.to = texts_++;
+        made.a = from;
+        made.b = first;
+        made.jump = op.a;
+        drop(op.a);
+        return from != kNoIndex;
+    }
+    }
+}
+
 bool Emitter::text_operation(const CompiledOp& op)
 {
     const auto text_of = [&](std::uint32_t back) { return texts_ - back; };
@@ -26,30 +58,9 @@ bool Emitter::text_operation(const CompiledOp& op)
     };
     using Code = CompiledOp::Code;
     switch (op.code) {
-    case Code::TextConstant: {
-        Op& made = emit(kTextConstant);
-        made.to = texts_++;
-        made.a = static_cast<std::uint32_t>(program_.texts.size());
-        program_.texts.push_back(program_.expressions.back().texts[op.name]);
-        return true;
-    }
-    case Code::TextLoad: {
-        const std::uint32_t from = slot(op.name, kText);
-        Op& made = emit(kTextLoad);
-        made.to = texts_++;
-        made.a = from;
-        return from != kNoIndex;
-    }
-    case Code::TextElement: {
-        const std::uint32_t from = slot(op.name, kArray), first = in_registers(op.a);
-        Op& made = emit(kTextElement);
-        made.to = texts_++;
-        made.a = from;
-        made.b = first;
-        made.jump = op.a;
-        drop(op.a);
-        return from != kNoIndex;
-    }
+    case Code::TextConstant:
+    case Code::TextLoad:
+    case Code::TextElement: return load_text(op);
     case Code::TextAppend: {
         Op& made = emit(kTextAppend);
         made.to = text_of(2);
