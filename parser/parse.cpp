@@ -46,7 +46,7 @@ Result parse_text(const std::string& text, const std::string& name, const Option
 std::string dump_tokens(const std::string& path)
 {
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw Error(fmt::format("{}: error: cannot read this file", path));
+    if (!in) throw Error({path, {}}, "cannot read this file");
     SourceFile file;
     file.path = path;
     file.text.assign(std::istreambuf_iterator<char>(in), {});

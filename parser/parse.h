@@ -1,11 +1,11 @@
 #pragma once
 
 #include "render/scene/description.h"
+#include "render/scene/message.h"
 
 #include <atomic>
 #include <cstdint>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,21 +40,12 @@ struct Options {
 /// Thrown when Options::cancel asks for it.
 struct Cancelled {};
 
-enum class Severity { Debug, Note, Warning, Error };
+using scene::Message;
+using scene::Severity;
 
-/// One message, already rendered as text in the form of STYLE.md: `file:line:column: error: ...`, source line, caret,
-/// notes for macros and includes. Debug text is as the scene wrote it.
-struct Message {
-    Severity severity;
-    std::string text;
-    scene::SourceRef source;
-};
-
-/// Thrown once for a scene that cannot be read; what() is the rendered message, or several where it was safe to go on
-/// behind a statement with a mistake.
-struct Error : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+/// Thrown once for a scene that cannot be read: one message, or several where it was safe to go on behind a statement
+/// with a mistake.
+using scene::Error;
 
 /// A macro, a loop or a file that time went to.
 struct ReadingCost {

@@ -1,7 +1,5 @@
 #include "parser/stream/messages.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace parser {
@@ -55,11 +53,9 @@ std::size_t character_start(std::string_view text, std::size_t at)
     return std::min(at, text.size());
 }
 
-std::string render_message(const SourceFile& file, const scene::LineAndColumn& at, std::string_view kind,
-                           std::string_view text)
+scene::QuotedLine quoted_line(const SourceFile& file, const scene::LineAndColumn& at)
 {
     const auto [line, column] = at;
-    if (line == 0) return fmt::format("{}: {}: {}", file.path, kind, text);
     std::string source = printable(file.line_text(line));  // as many bytes
     std::size_t caret = column - 1;
     if (source.size() > kLongestLine) {
@@ -71,8 +67,7 @@ std::string render_message(const SourceFile& file, const scene::LineAndColumn& a
     std::string below;  // a blank a character
     for (std::size_t i = 0; i < caret; ++i)
         if (i >= source.size() || !continues(source[i])) below += i < source.size() && source[i] == '\t' ? '\t' : ' ';
-    return fmt::format("{}:{}:{}: {}: {}\n{:>5} | {}\n{:>5} | {}^", file.path, line, column, kind, text, line, source,
-                       "", below);
+    return {std::move(source), std::move(below)};
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b)

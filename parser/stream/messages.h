@@ -2,6 +2,7 @@
 
 #include "parser/lexer/lexer.h"
 #include "parser/nearest.h"
+#include "render/scene/message.h"
 
 #include <string>
 #include <string_view>
@@ -9,10 +10,8 @@
 
 namespace parser {
 
-/// `path:line:column: kind: text`, the source line and a caret under the column. Long lines are cut around the caret.
-/// `line` 0 (a place that stands nowhere): the text alone after the path.
-std::string render_message(const SourceFile& file, const scene::LineAndColumn& at, std::string_view kind,
-                           std::string_view text);
+/// The line of a place, which is somewhere. Long lines are cut around it.
+scene::QuotedLine quoted_line(const SourceFile& file, const scene::LineAndColumn& at);
 
 /// The text with '?' for control characters and for bytes that are no UTF-8; tabs stay.
 std::string printable(std::string_view text);

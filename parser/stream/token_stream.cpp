@@ -62,8 +62,7 @@ void TokenStream::allow_more(const Token& next)
     if (options_.cancel && *options_.cancel) {
         const Token* loop = innermost_loop();
         const scene::SourceRef at = place(loop ? *loop : next);
-        report(Severity::Note, at,
-               rendered(at, "note", loop ? "reading is cancelled, in this loop" : "reading is cancelled here"));
+        report(located(Severity::Note, at, loop ? "reading is cancelled, in this loop" : "reading is cancelled here"));
         throw Cancelled();
     }
     if (later_ == 0) fail(place(next), "the limit of tokens is reached: does this loop end?");
@@ -253,34 +252,37 @@ void TokenStream::expect_closing(std::string_view what, std::string_view block, 
     if (!accept(Kind::RightBrace)) fail_expected(what, where_opened(block, brace));
 }
 
-std::string TokenStream::rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const
+scene::Message TokenStream::message(Severity severity, const scene::SourceRef& at, std::string_view text) const
 {
-    if (at.file >= files_.size()) return fmt::format("{}: {}", kind, text);
-    std::string all = render_message(*files_[at.file], line_and_column(at), kind, text);
-    constexpr std::size_t kMostNotes = 8;  // a runaway recursion has hundreds, most of them alike
-    std::string note;
-    std::size_t notes = 0, again = 0;
-    const auto end_note = [&] {
-        if (!note.empty()) all += '\n' + note + (again > 1 ? fmt::format(", {} times", again) : "");
-        again = 0;
-        ++notes;
-    };
-    for (std::size_t i = cursors_.size(); i-- > 1 && notes < kMostNotes; ++again) {
-        const Cursor& cursor = cursors_[i];
-        const scene::SourceRef call = place(*cursor.call);
-        const scene::LineAndColumn at_call = line_and_column(call);
-        std::string next =
-            fmt::format("{}:{}:{}: note: {}", files_[call.file]->path, at_call.line, at_call.column,
-                        cursor.macro ? "in the expansion of macro " + names_.word(cursor.name) : "included here");
-        if (next == note) continue;
-        if (!note.empty()) end_note();
-        note = std::move(next);
-    }
-    if (notes < kMostNotes) end_note();
-    return all;
+    Message out{severity, std::string(text), {}, {}, {}, at};
+    if (at.file >= files_.size()) return out;
+    out.place = {files_[at.file]->path, line_and_column(at)};
+    return out;
 }
 
-void TokenStream::fail(const scene::SourceRef& at, std::string_view text) { throw Error(rendered(at, "error", text)); }
+scene::Message TokenStream::located(Severity severity, const scene::SourceRef& at, std::string_view text) const
+{
+    Message out = message(severity, at, text);
+    if (at.file >= files_.size()) return out;
+    if (out.place.at.line > 0) out.quote = quoted_line(*files_[at.file], out.place.at);
+    constexpr std::size_t kMostNotes = 8;  // a runaway recursion has hundreds, most of them alike
+    for (std::size_t i = cursors_.size(); i-- > 1;) {
+        const Cursor& cursor = cursors_[i];
+        const scene::SourceRef call = place(*cursor.call);
+        scene::RelatedPlace next{{files_[call.file]->path, line_and_column(call)},
+                                 cursor.macro ? "in the expansion of macro " + names_.word(cursor.name)
+                                              : "included here"};
+        if (!out.related.empty() && scene::same_place(out.related.back(), next)) ++out.related.back().times;
+        else if (out.related.size() < kMostNotes) out.related.push_back(std::move(next));
+        else break;
+    }
+    return out;
+}
+
+void TokenStream::fail(const scene::SourceRef& at, std::string_view text)
+{
+    throw Error(located(Severity::Error, at, text));
+}
 
 void TokenStream::fail_bad(const Token& token) { fail(place(token), files_[token.file]->strings[token.name]); }
 
@@ -323,31 +325,24 @@ void TokenStream::fail_undeclared(const Token& token)
     fail(place(token), fmt::format("'{}' is not declared; did you mean '{}'?", word, nearest.best()));
 }
 
-void TokenStream::report(Severity severity, const scene::SourceRef& at, std::string text)
+void TokenStream::report(Message message)
 {
-    messages_.push_back({severity, std::move(text), at});
+    messages_.push_back(std::move(message));
     if (sink_) sink_(sink_context_, messages_.back());
 }
 
 void TokenStream::warn(const scene::SourceRef& at, std::string_view text)
 {
-    if (!warned_.insert(first_line(at, text)).second) return;
-    report(Severity::Warning, at, rendered(at, "warning", text));
-}
-
-std::string TokenStream::first_line(const scene::SourceRef& at, std::string_view text) const
-{
-    const scene::LineAndColumn found = line_and_column(at);
-    return fmt::format("{}:{}:{}: warning: {}", at.file < files_.size() ? files_[at.file]->path : "", found.line,
-                       found.column, text);
+    if (!warned_.insert(message_text(message(Severity::Warning, at, text))).second) return;
+    report(located(Severity::Warning, at, text));
 }
 
 /// #warning: each time, but what it is and how it was reached only once.
 void TokenStream::warn_as_written(const scene::SourceRef& at, const std::string& text)
 {
-    std::string line = first_line(at, text);
-    const bool first = warned_.insert(line).second;
-    report(Severity::Warning, at, first ? rendered(at, "warning", text) : std::move(line));
+    Message line = message(Severity::Warning, at, text);
+    const bool first = warned_.insert(message_text(line)).second;
+    report(first ? located(Severity::Warning, at, text) : std::move(line));
 }
 
 }  // namespace parser

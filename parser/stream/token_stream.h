@@ -321,10 +321,12 @@ private:
     std::uint16_t load(const std::string& path, std::string text, bool main_text);
     void open_main(std::uint16_t file, const std::string& path);
     void predefine();
-    std::string first_line(const scene::SourceRef& at, std::string_view text) const;
+    /// A message with its place alone.
+    scene::Message message(Severity severity, const scene::SourceRef& at, std::string_view text) const;
+    /// The same with the source line and how it was reached.
+    scene::Message located(Severity severity, const scene::SourceRef& at, std::string_view text) const;
     void warn_as_written(const scene::SourceRef& at, const std::string& text);
-    void report(Severity severity, const scene::SourceRef& at, std::string text);
-    std::string rendered(const scene::SourceRef& at, std::string_view kind, std::string_view text) const;
+    void report(scene::Message message);
 
     // data_files.cpp
     void open_data_file();

@@ -84,7 +84,7 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
     out.tolerance = tolerance(out);
     find_camera_interiors(out);
     for (const scene::Unsupported& note : notes)
-        out.decisions.push_back({note.what, "not rendered yet", description.place(note.source)});
+        out.decisions.push_back({note.what, "not rendered yet", scene::place_text(description.place(note.source))});
     return out;
 }
 

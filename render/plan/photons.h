@@ -55,7 +55,7 @@ struct PhotonPlan {
     std::vector<PhotonSurface> surfaces{{}};  ///< by Surface::photons
     std::vector<PhotonTarget> targets;        ///< in order of declaration
     std::vector<PhotonLight> lights;
-    std::string place;  ///< of the settings in the text, "file:line:column", for messages
+    scene::Place place;  ///< of the settings in the text, for messages
 };
 
 }  // namespace plan

@@ -3,6 +3,7 @@
 #include "render/scene/effects.h"
 #include "render/scene/line_table.h"
 #include "render/scene/media.h"
+#include "render/scene/message.h"
 #include "render/scene/mesh_camera.h"
 #include "render/scene/object_list.h"
 #include "render/scene/rainbow.h"
@@ -115,12 +116,12 @@ struct Description {
         return source.somewhere() && source.file < lines.size() ? lines[source.file].place(source.offset)
                                                                 : LineAndColumn{};
     }
-    /// "path:line:column"; empty for what stands nowhere.
-    std::string place(const SourceRef& source) const
+    /// Without a path for what stands nowhere.
+    Place place(const SourceRef& source) const
     {
         const LineAndColumn at = line_of(source);
         if (at.line == 0 || source.file >= files.size()) return {};
-        return files[source.file] + ':' + std::to_string(at.line) + ':' + std::to_string(at.column);
+        return {files[source.file], at};
     }
     /// Whether surfaces light each other at a quality (+Q; spec 6, 1.5).
     bool has_radiosity(int quality) const { return global.radiosity.has_value() && quality >= 9; }

@@ -221,7 +221,7 @@ struct Said {
 void keep(void* said, const parser::Message& message)
 {
     static_cast<Said*>(said)->text += std::to_string(static_cast<int>(message.severity)) +
-                                      fuzz::without_sign_of_nan(message.text) + "\n";
+                                      fuzz::without_sign_of_nan(message_text(message)) + "\n";
 }
 
 Said said_by(const std::string& text, bool blocks)

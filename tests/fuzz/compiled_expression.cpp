@@ -109,7 +109,7 @@ struct Said {
 void keep_debug(void* said, const parser::Message& message)
 {
     if (message.severity != parser::Severity::Debug) return;
-    static_cast<Said*>(said)->text += fuzz::without_sign_of_nan(message.text);
+    static_cast<Said*>(said)->text += fuzz::without_sign_of_nan(message_text(message));
 }
 
 Said said_by(const std::string& text)

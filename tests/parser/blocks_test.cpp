@@ -23,7 +23,8 @@ std::string said_by(const std::string& text, bool blocks, const std::vector<std:
     options.library_path = library;
     options.most_tokens = 300'000;
     const auto keep = [](void* to, const parser::Message& message) {
-        *static_cast<std::string*>(to) += std::to_string(static_cast<int>(message.severity)) + message.text + "\n";
+        *static_cast<std::string*>(to) += std::to_string(static_cast<int>(message.severity)) + message_text(message) +
+                                          "\n";
     };
     try {
         parser::parse_text(text, "t.pov", options, keep, &said);
@@ -159,7 +160,9 @@ TEST_CASE("a compiled loop without end can be cancelled, and says where", "[pars
         std::this_thread::sleep_for(std::chrono::milliseconds(30));
         cancel = true;
     });
-    const auto keep = [](void* to, const parser::Message& message) { *static_cast<std::string*>(to) += message.text; };
+    const auto keep = [](void* to, const parser::Message& message) {
+        *static_cast<std::string*>(to) += message_text(message);
+    };
     bool cancelled = false;
     try {
         parser::parse_text("#version 3.7;\n#declare A = 0;\n  #while (1) #declare A = A + 1; #end\n", "t.pov", options,

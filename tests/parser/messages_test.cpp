@@ -22,6 +22,22 @@ std::string error_of_file(const std::string& path, const parser::Options& option
     }
 }
 
+std::vector<scene::Message> errors_of(const std::string& text)
+{
+    try {
+        parser::parse_text(kBegin + "\n" + text, "t.pov", {});
+    } catch (const parser::Error& error) {
+        std::string all;
+        for (const scene::Message& message : error.messages()) {
+            if (!all.empty()) all += '\n';
+            all += message_text(message);
+        }
+        CHECK(all == error.what());
+        return error.messages();
+    }
+    return {};
+}
+
 std::vector<std::string> warnings(const std::string& path)
 {
     std::vector<std::string> all;
@@ -29,7 +45,7 @@ std::vector<std::string> warnings(const std::string& path)
         parser::parse_file(
             path, {},
             [](void* to, const parser::Message& message) {
-                static_cast<std::vector<std::string>*>(to)->push_back(message.text);
+                static_cast<std::vector<std::string>*>(to)->push_back(message_text(message));
             },
             &all);
     } catch (const parser::Error&) {}
@@ -71,7 +87,7 @@ TEST_CASE("a loop whose reading is cancelled is named by its line", "[parser][me
     options.cancel = &cancel;
     std::string told;
     const auto listen = [](void* to, const parser::Message& message) {
-        *static_cast<std::string*>(to) += message.text;
+        *static_cast<std::string*>(to) += message_text(message);
     };
     CHECK_THROWS_AS(parser::parse_text(kBegin + "\n#declare I = 0;\n#while (I >= 0)\n #declare I = I + 1;\n#end",
                                        "t.pov", options, listen, &told),
@@ -83,7 +99,7 @@ TEST_CASE("a loop whose reading is cancelled is named by its line", "[parser][me
     const auto cancel_at_debug = [](void* to, const parser::Message& message) {
         if (message.severity == parser::Severity::Debug)
             static_cast<std::pair<std::atomic<bool>*, std::string*>*>(to)->first->store(true);
-        else *static_cast<std::pair<std::atomic<bool>*, std::string*>*>(to)->second += message.text;
+        else *static_cast<std::pair<std::atomic<bool>*, std::string*>*>(to)->second += message_text(message);
     };
     std::pair<std::atomic<bool>*, std::string*> both{&later, &told};
     CHECK_THROWS_AS(
@@ -141,4 +157,38 @@ TEST_CASE("a file that includes itself is told in few words", "[parser][messages
         CHECK(bytes < 12'000);
         CHECK(bytes > 50);
     }
+}
+
+TEST_CASE("an error is kept in parts until it is told", "[parser][messages]")
+{
+    const auto errors = errors_of("#macro M(N)\n #if (N > 0) M(N - 1) #else sphere { 0, bad } #end\n#end\nM(3)\n");
+    REQUIRE(errors.size() == 1);
+    const scene::Message& error = errors.front();
+    CHECK(error.severity == parser::Severity::Error);
+    CHECK(error.place.path == "t.pov");
+    CHECK(error.place.at.line == 3);
+    CHECK(error.place.at.column == 41);
+    CHECK(error.text == "expected the radius (a number), found 'bad', which is not declared");
+    REQUIRE(error.quote);
+    CHECK(error.quote->text.substr(error.quote->indent.size(), 3) == "bad");
+    REQUIRE(error.related.size() == 2);
+    CHECK(error.related[0].times == 3);
+    CHECK(error.related[0].place.at.line == 3);
+    CHECK(error.related[1].place.at.line == 5);
+    CHECK(error.related[1].text == "in the expansion of macro M");
+}
+
+TEST_CASE("each statement that is wrong has a message of its own", "[parser][messages]")
+{
+    const auto errors = errors_of("sphere { 0 }\nbox { 0, 1 }\nplane { 7 }\n");
+    REQUIRE(errors.size() == 2);
+    CHECK(errors[0].place.at.line == 2);
+    CHECK(errors[1].place.at.line == 4);
+}
+
+TEST_CASE("what stands nowhere or is a whole file is told without a line", "[parser][messages]")
+{
+    CHECK(scene::message_text({scene::Severity::Warning, "dark", {}, {}, {}, {}}) == "warning: dark");
+    CHECK(scene::message_text({scene::Severity::Error, "bad", {"a.pov", {}}, {}, {}, {}}) == "a.pov: error: bad");
+    CHECK(scene::message_text({scene::Severity::Debug, "as it is", {"a.pov", {1, 1}}, {}, {}, {}}) == "as it is");
 }

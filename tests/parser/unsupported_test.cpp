@@ -52,7 +52,8 @@ std::vector<std::string> told(const std::string& text)
                             {})
              .messages) {
         CHECK(message.severity == parser::Severity::Warning);
-        std::string line = message.text.substr(9, message.text.find('\n') - 9);
+        const std::string all = message_text(message);
+        std::string line = all.substr(9, all.find('\n') - 9);
         lines.push_back(line);
     }
     return lines;

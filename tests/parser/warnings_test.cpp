@@ -65,7 +65,7 @@ TEST_CASE("as many warnings as POV-Ray gives", "[parser][warnings]")
         for (const parser::Message& message : result.messages) {
             CHECK(message.severity == parser::Severity::Warning);
             CHECK(message.source.somewhere());
-            told += message.text + '\n';
+            told += message_text(message) + '\n';
         }
         INFO(told);
         CHECK(result.messages.size() == scene.warnings);

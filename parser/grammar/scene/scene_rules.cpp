@@ -169,17 +169,17 @@ bool SceneBuilder::read_statement()
 
 void SceneBuilder::read_scene()
 {
-    constexpr int kMostErrors = 20;
-    std::string errors;
-    for (int count = 0;;) {
+    constexpr std::size_t kMostErrors = 20;
+    std::vector<scene::Message> errors;
+    for (;;) {
         try {
             if (!read_statement()) break;
         } catch (const Error& error) {
-            errors += (count == 0 ? "" : "\n") + std::string(error.what());
-            if (++count == kMostErrors || !stream_->skip_statement()) throw Error(errors);
+            errors.insert(errors.end(), error.messages().begin(), error.messages().end());
+            if (errors.size() >= kMostErrors || !stream_->skip_statement()) throw Error(std::move(errors));
         }
     }
-    if (!errors.empty()) throw Error(errors);
+    if (!errors.empty()) throw Error(std::move(errors));
     tell_unsupported();
     if (description.objects.empty() && description.unsupported_objects.empty())
         stream_->warn(stream_->end_of_scene(), "the scene has no objects");

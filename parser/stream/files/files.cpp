@@ -28,8 +28,8 @@ bool is_file(const fs::path& path)
 std::uint16_t TokenStream::load(const std::string& path, std::string text, bool main_text)
 {
     constexpr std::size_t kMostFiles = 60'000, kMostBytes = 0xffffffffu;
-    if (files_.size() >= kMostFiles) throw Error(path + ": error: too many files");
-    if (text.size() >= kMostBytes) throw Error(path + ": error: this file is too long");
+    if (files_.size() >= kMostFiles) throw Error({path, {}}, "too many files");
+    if (text.size() >= kMostBytes) throw Error({path, {}}, "this file is too long");
     const auto index = static_cast<std::uint16_t>(files_.size());
     auto source = std::make_unique<SourceFile>();
     source->path = path;
@@ -61,8 +61,8 @@ void TokenStream::open_file(const std::string& path)
     auto text = kept_files_.read(path);
     std::error_code error;
     if (!text && !fs::exists(path, error))
-        throw Error(path + ": error: there is no such file" + nearest_file(path, {""}, ".pov"));
-    if (!text) throw Error(path + ": error: cannot read this file");
+        throw Error({path, {}}, "there is no such file" + nearest_file(path, {""}, ".pov"));
+    if (!text) throw Error({path, {}}, "cannot read this file");
     open_main(load(path, std::move(*text), true), path);
 }
 
@@ -230,7 +230,7 @@ void TokenStream::message_directive(Kind kind)
     if (kind == Kind::Error) fail(at, text);
     if (kind == Kind::Warning) return warn_as_written(at, text);
     if (kind != Kind::Debug) warn(at, fmt::format("#{} prints where #debug does", spelling(kind)));
-    report(Severity::Debug, at, text);
+    report({Severity::Debug, text, {}, {}, {}, at});
 }
 
 }  // namespace parser

@@ -37,7 +37,7 @@ public:
     virtual ~ConsoleReporter() = default;
 
     virtual void begin(const FrameFacts& facts) = 0;
-    virtual void message(const parser::Message& message) = 0;
+    virtual void message(const scene::Message& message) = 0;
     virtual void parsed(const parser::Result& result, double seconds) = 0;
     virtual void rendering() = 0;
     virtual void pass(const std::string& name) = 0;  ///< one of several passes of a picture begins, at 0
@@ -47,8 +47,8 @@ public:
     virtual void skipped(const std::string& path) = 0;  ///< +C: it is there already
     virtual void note(const std::string& text) = 0;
     virtual void cancelled(const Kept& kept) = 0;
-    virtual void failed(const std::string& text) = 0;  ///< an error that ends the run
-    virtual void finished() = 0;                       ///< all frames done
+    virtual void failed(const std::vector<scene::Message>& errors) = 0;  ///< what ends the run; at least one
+    virtual void finished() = 0;                                         ///< all frames done
 
 protected:
     void put(Stream stream, std::string_view text) { streams_.put(stream, text); }

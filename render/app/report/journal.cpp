@@ -4,8 +4,6 @@
 
 #include <sys/resource.h>
 
-#include <regex>
-
 namespace app {
 
 void Journal::begin(const FrameFacts& facts)
@@ -18,14 +16,9 @@ void Journal::begin(const FrameFacts& facts)
     speaker_.begin(facts);
 }
 
-void Journal::message(const parser::Message& message)
+void Journal::message(const scene::Message& message)
 {
-    using parser::Severity;
-    const char* severity = message.severity == Severity::Debug     ? "debug"
-                           : message.severity == Severity::Note    ? "note"
-                           : message.severity == Severity::Warning ? "warning"
-                                                                   : "error";
-    if (!frames_.empty()) frames_.back().messages.push_back({severity, message.text});
+    if (!frames_.empty()) frames_.back().messages.push_back(message);
     speaker_.message(message);
 }
 
@@ -65,7 +58,7 @@ void Journal::skipped(const std::string& path)
 
 void Journal::note(const std::string& text)
 {
-    notes_.push_back({"note", text});
+    notes_.push_back({scene::Severity::Note, text, {}, {}, {}, {}});
     speaker_.note(text);
 }
 
@@ -76,31 +69,47 @@ void Journal::cancelled(const Kept& kept)
     speaker_.cancelled(kept);
 }
 
-void Journal::failed(const std::string& text)
+void Journal::failed(const std::vector<scene::Message>& errors)
 {
-    error_ = text;
-    speaker_.failed(text);
+    errors_ = errors;
+    speaker_.failed(errors);
 }
 
 void Journal::finished() { speaker_.finished(); }
 
-void Journal::put_message(JsonWriter& json, const Told& told) const
+namespace {
+
+void put_place(JsonWriter& json, const scene::Place& place)
 {
-    static const std::regex kPlaced(R"(^(.+):(\d+):(\d+): (?:error|warning|note): (.*)$)");
-    const std::string first = told.text.substr(0, told.text.find('\n'));
-    std::smatch part;
-    const bool placed = told.severity != "debug" && std::regex_match(first, part, kPlaced);
+    if (place.path.empty()) return;
+    json.key("file").text(place.path);
+    if (place.at.line == 0) return;
+    json.key("line").integer(place.at.line);
+    json.key("column").integer(place.at.column);
+}
+
+void put_message(JsonWriter& json, const scene::Message& message)
+{
     json.begin_object();
-    json.key("severity").text(told.severity);
-    if (placed) {
-        json.key("file").text(part[1].str());
-        json.key("line").integer(std::stoll(part[2]));
-        json.key("column").integer(std::stoll(part[3]));
-        json.key("text").text(part[4].str());
+    json.key("severity").text(name_of(message.severity));
+    put_place(json, message.place);
+    json.key("text").text(message.text);
+    if (!message.place.path.empty()) json.key("shown").text(message_text(message));
+    if (!message.related.empty()) {
+        json.key("related").begin_array();
+        for (const scene::RelatedPlace& one : message.related) {
+            json.begin_object();
+            put_place(json, one.place);
+            json.key("text").text(one.text);
+            json.key("times").integer(static_cast<std::int64_t>(one.times));
+            json.end();
+        }
+        json.end();
     }
-    json.key(placed ? "shown" : "text").text(told.text);
     json.end();
 }
+
+}  // namespace
 
 void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
 {
@@ -158,7 +167,7 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     }
     json.end();
     json.key("messages").begin_array();
-    for (const Told& told : frame.messages) put_message(json, told);
+    for (const scene::Message& message : frame.messages) put_message(json, message);
     json.end();
     json.end();
 }
@@ -193,8 +202,8 @@ std::string Journal::text(int status) const
     for (const std::string& file : settings_.ini_files) json.text(file);
     json.end();
     json.key("messages").begin_array();
-    for (const Told& told : notes_) put_message(json, told);
-    if (!error_.empty()) put_message(json, {"error", error_});
+    for (const scene::Message& note : notes_) put_message(json, note);
+    for (const scene::Message& error : errors_) put_message(json, error);
     json.end();
     json.key("frames").begin_array();
     for (const FrameRecord& frame : frames_) put_frame(json, frame);

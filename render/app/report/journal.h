@@ -17,7 +17,7 @@ public:
     {}
 
     void begin(const FrameFacts& facts) override;
-    void message(const parser::Message& message) override;
+    void message(const scene::Message& message) override;
     void parsed(const parser::Result& result, double seconds) override;
     void rendering() override { speaker_.rendering(); }
     void pass(const std::string& name) override { speaker_.pass(name); }
@@ -27,19 +27,16 @@ public:
     void skipped(const std::string& path) override;
     void note(const std::string& text) override;
     void cancelled(const Kept& kept) override;
-    void failed(const std::string& text) override;
+    void failed(const std::vector<scene::Message>& errors) override;
     void finished() override;
 
     /// An error that nobody needs to be told of.
-    void record_error(const std::string& text) { error_ = text; }
+    void record_error(const std::string& text) { errors_ = {{scene::Severity::Error, text, {}, {}, {}, {}}}; }
 
     /// The record as JSON (docs/command_line.md has its fields). \param status exit status
     std::string text(int status) const;
 
 private:
-    struct Told {
-        std::string severity, text;  ///< text in the form of the console: place, words, source line
-    };
     struct FrameRecord {
         int number = 0;
         double clock = 0.0;
@@ -49,20 +46,18 @@ private:
         parser::Statistics parser;
         std::vector<std::string> files;
         std::size_t objects = 0;
-        std::vector<Told> messages;
+        std::vector<scene::Message> messages;
         std::vector<std::pair<std::string, double>> phases;
         std::optional<trace::RenderStatistics> statistics;
     };
     void put_frame(class JsonWriter& json, const FrameRecord& frame) const;
-    void put_message(class JsonWriter& json, const Told& told) const;
 
     using Clock = std::chrono::steady_clock;
     ConsoleReporter& speaker_;
     const Settings& settings_;
     const Clock::time_point start_ = Clock::now();
     std::vector<FrameRecord> frames_;
-    std::vector<Told> notes_;
-    std::string error_;
+    std::vector<scene::Message> notes_, errors_;
     bool cancelled_ = false;
 };
 

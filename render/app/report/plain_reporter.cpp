@@ -13,12 +13,13 @@ void PlainReporter::begin(const FrameFacts& facts)
             fmt::format("frame {} of {}, clock {:g}\n", facts.frame.number, facts.list.last_frame, facts.frame.clock));
 }
 
-void PlainReporter::message(const parser::Message& message)
+void PlainReporter::message(const scene::Message& message)
 {
-    using parser::Severity;
-    if (message.severity == Severity::Debug) return put(Stream::Debug, message.text);
+    using scene::Severity;
+    const std::string text = message_text(message);
+    if (message.severity == Severity::Debug) return put(Stream::Debug, text);
     const Stream stream = message.severity == Severity::Error ? Stream::Fatal : Stream::Warning;
-    put(stream, message.text.ends_with('\n') ? message.text : message.text + "\n");
+    put(stream, text.ends_with('\n') ? text : text + "\n");
 }
 
 void PlainReporter::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
@@ -49,12 +50,13 @@ void PlainReporter::cancelled(const Kept& kept)
     if (!kept.picture.empty()) put(Stream::Lines, fmt::format("{} shows it\n", kept.picture));
 }
 
-void PlainReporter::failed(const std::string& text)
+void PlainReporter::failed(const std::vector<scene::Message>& errors)
 {
     bar_.reset();
-    // A message with a place has its own "error:"; others get the program's name.
-    const bool placed = text.find("error:") != std::string::npos;
-    put(Stream::Fatal, fmt::format("{}{}\n", placed ? "" : "whittle: error: ", text));
+    std::string all;
+    for (const scene::Message& error : errors)
+        all += (error.place.path.empty() ? "whittle: " : "") + message_text(error) + "\n";
+    put(Stream::Fatal, all);
 }
 
 }  // namespace app

@@ -13,7 +13,7 @@ public:
     PlainReporter(Streams& streams, bool progress) : ConsoleReporter(streams), with_bar_(progress) {}
 
     void begin(const FrameFacts& facts) override;
-    void message(const parser::Message& message) override;
+    void message(const scene::Message& message) override;
     void parsed(const parser::Result&, double) override {}
     void rendering() override { bar_.emplace(with_bar_); }
     void pass(const std::string& name) override { bar_.emplace(with_bar_, name); }
@@ -23,7 +23,7 @@ public:
     void skipped(const std::string& path) override;
     void note(const std::string& text) override;
     void cancelled(const Kept& kept) override;
-    void failed(const std::string& text) override;
+    void failed(const std::vector<scene::Message>& errors) override;
     void finished() override {}
 
 private:

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 namespace app {
@@ -45,27 +44,26 @@ double seconds_of(const StageTimes& times, std::string_view stage)
 
 }  // namespace
 
-std::string povray_message(const std::string& text, const char* plain)
+std::string povray_text(const scene::Message& message, const char* plain)
 {
-    static const std::regex kPlaced(R"(^(.+):(\d+):(\d+): (error|warning|note): (.*)$)");
-    std::istringstream lines(text);
-    std::string line, out;
-    std::smatch part;
-    bool first = true;
-    while (std::getline(lines, line)) {
-        if (std::regex_match(line, part, kPlaced)) {
-            const std::string kind = part[4];
-            if (kind == "note") out += fmt::format(" {}\n", line);
-            else
-                out += fmt::format("File '{}' line {}: Parse {}: {}\n at column {}\n", part[1].str(), part[2].str(),
-                                   kind == "error" ? "Error" : "Warning", part[5].str(), part[3].str());
-        } else if (first) {
-            out += fmt::format("{}: {}\n", plain, line);
-        } else {
-            out += line.starts_with(' ') ? line + "\n" : " " + line + "\n";
-        }
-        first = false;
-    }
+    using scene::Severity;
+    const std::size_t end = std::min(message.text.find('\n'), message.text.size());
+    const std::string words = message.text.substr(0, end), place = place_text(message.place);
+    std::string out;
+    if (place.empty()) out = fmt::format("{}: {}\n", plain, words);
+    else if (message.place.at.line == 0)
+        out = fmt::format("{}: {}: {}: {}\n", plain, place, name_of(message.severity), words);
+    else if (message.severity == Severity::Note) out = fmt::format(" {}: note: {}\n", place, words);
+    else
+        out = fmt::format("File '{}' line {}: Parse {}: {}\n at column {}\n", message.place.path, message.place.at.line,
+                          message.severity == Severity::Error ? "Error" : "Warning", words, message.place.at.column);
+    // What follows the words of the message as the console of our own has it.
+    const std::string all = message_text(message);
+    const std::size_t head = all.find('\n');
+    if (head == std::string::npos) return out;
+    std::istringstream lines(all.substr(head + 1));
+    for (std::string line; std::getline(lines, line);)
+        out += fmt::format("{}{}\n", line.starts_with(' ') ? "" : " ", line);
     return out;
 }
 
@@ -96,16 +94,14 @@ void PovrayReporter::begin(const FrameFacts& f)
     parsing_ = true;
 }
 
-void PovrayReporter::message(const parser::Message& message)
+void PovrayReporter::message(const scene::Message& message)
 {
-    using parser::Severity;
+    using scene::Severity;
     switch (message.severity) {
     case Severity::Debug: return put(Stream::Debug, message.text);
-    case Severity::Error: return put(Stream::Fatal, povray_message(message.text, "Parse Error"));
-    case Severity::Note:
-    case Severity::Warning:
-        return put(Stream::Warning,
-                   povray_message(message.text, message.severity == Severity::Note ? "Note" : "Parse Warning"));
+    case Severity::Error: return put(Stream::Fatal, povray_text(message, "Parse Error"));
+    case Severity::Note: return put(Stream::Warning, povray_text(message, "Note"));
+    case Severity::Warning: return put(Stream::Warning, povray_text(message, "Parse Warning"));
     }
 }
 
@@ -179,10 +175,12 @@ void PovrayReporter::cancelled(const Kept& kept)
     put(Stream::Lines, "Render cancelled by user\n\n");
 }
 
-void PovrayReporter::failed(const std::string& text)
+void PovrayReporter::failed(const std::vector<scene::Message>& errors)
 {
     if (percent_ >= 0) put(Stream::Lines, "\n");
-    put(Stream::Fatal, povray_message(text, parsing_ ? "Parse Error" : "Fatal error"));
+    std::string all;
+    for (const scene::Message& error : errors) all += povray_text(error, parsing_ ? "Parse Error" : "Fatal error");
+    put(Stream::Fatal, all);
     if (parsing_) put(Stream::Lines, "Fatal error in parser: Cannot parse input.\n");
     put(Stream::Lines, "Render failed\n\n");
 }

@@ -14,7 +14,7 @@ public:
     PovrayReporter(Streams& streams, bool verbose) : ConsoleReporter(streams), verbose_(verbose) {}
 
     void begin(const FrameFacts& facts) override;
-    void message(const parser::Message& message) override;
+    void message(const scene::Message& message) override;
     void parsed(const parser::Result& result, double seconds) override;
     void rendering() override;
     void pass(const std::string& name) override;
@@ -24,7 +24,7 @@ public:
     void skipped(const std::string& path) override;
     void note(const std::string& text) override;
     void cancelled(const Kept& kept) override;
-    void failed(const std::string& text) override;
+    void failed(const std::vector<scene::Message>& errors) override;
     void finished() override;
 
 private:
@@ -38,8 +38,8 @@ private:
     bool parsing_ = false;
 };
 
-/// Messages of the form `file:line:column: error: text` as `File 'file' line n: Parse Error: text`, the lines that
-/// follow with a blank in front. \param plain said of text without a place: "Parse Error", "Error"
-std::string povray_message(const std::string& text, const char* plain);
+/// As POV-Ray tells it: `File 'file' line n: Parse Error: words`, the lines that follow with a blank in front.
+/// \param plain said of what has no place: "Parse Error", "Fatal error"
+std::string povray_text(const scene::Message& message, const char* plain);
 
 }  // namespace app

@@ -273,7 +273,7 @@ int PictureRun::render()
     if (cancelled()) return give_up();
     tell_far();
     put_in_place();
-    if (indirect_ && !indirect_->failed_save.empty()) throw std::runtime_error(indirect_->failed_save);
+    if (indirect_ && indirect_->failed_save) throw scene::Error(*indirect_->failed_save);
     task_.run.reporter.rendered(times_, statistics_);
     return kSuccess;
 }

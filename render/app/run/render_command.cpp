@@ -38,9 +38,15 @@ int render_frames(Run& run, ShellCommands& commands, const Frame*& at)
     return kSuccess;
 }
 
-int fail(const std::string& text, ConsoleReporter& reporter, ShellCommands& commands, const Frame* at)
+std::vector<scene::Message> messages_of(const std::exception& error)
 {
-    reporter.failed(text);
+    if (const auto* told = dynamic_cast<const scene::Error*>(&error)) return told->messages();
+    return {{scene::Severity::Error, error.what(), {}, {}, {}, {}}};
+}
+
+int fail(const std::vector<scene::Message>& errors, ConsoleReporter& reporter, ShellCommands& commands, const Frame* at)
+{
+    reporter.failed(errors);
     commands.fatal_error(at);
     return kError;
 }
@@ -57,10 +63,11 @@ int render_all(Run& run)
     } catch (const AbortedRun&) {
         run.reporter.cancelled({});
     } catch (const std::exception& error) {
-        return fail(error.what(), run.reporter, commands, at);
+        return fail(messages_of(error), run.reporter, commands, at);
     }
     if (commands.abort_is_error(at))
-        return fail("ended by the user, and User_Abort_Return makes that an error", run.reporter, commands, at);
+        return fail(messages_of(std::runtime_error("ended by the user, and User_Abort_Return makes that an error")),
+                    run.reporter, commands, at);
     return kCancelled;
 }
 
@@ -79,7 +86,7 @@ int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& repor
         if (traces && settings.output_to_file) run.files.prepare(settings.file_type);
         return render_all(run);
     } catch (const std::exception& error) {
-        reporter.failed(error.what());
+        reporter.failed(messages_of(error));
         return kError;
     }
 }

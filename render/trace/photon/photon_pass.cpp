@@ -91,10 +91,9 @@ public:
         }
         constexpr double kMostShot = 1e9;  // half an hour of one processor, and more than memory holds
         if (!(expected_ <= kMostShot))
-            throw std::runtime_error(fmt::format("{}: error: these photons would be {:.3g}, and at most {:.0g} are "
-                                                 "shot; a wider spacing or a count makes "
-                                                 "them fewer",
-                                                 plan_.place, expected_, kMostShot));
+            throw scene::Error(plan_.place, fmt::format("these photons would be {:.3g}, and at most {:.0g} are shot; a "
+                                                        "wider spacing or a count makes them fewer",
+                                                        expected_, kMostShot));
         for (std::size_t i = 0; i < units.size(); ++i)
             if (aims[i].has_way() && !shoot(units[i], aims[i])) return false;
         return true;
@@ -211,9 +210,9 @@ private:
     {
         constexpr std::size_t kMostKept = 200'000'000;  // 4 GB
         if (surface.size() + media.size() > kMostKept)
-            throw std::runtime_error(
-                fmt::format("{}: error: more than {} photons stay in the scene; a wider spacing makes them fewer",
-                            plan_.place, kMostKept));
+            throw scene::Error(
+                plan_.place,
+                fmt::format("more than {} photons stay in the scene; a wider spacing makes them fewer", kMostKept));
     }
 
     struct Ring {
@@ -251,7 +250,7 @@ bool find_photons(const plan::CompiledScene& scene, const RenderOptions& options
         try {
             file = read_photon_file(settings.load_file);
         } catch (const std::runtime_error& error) {
-            throw std::runtime_error(fmt::format("{}: error: {}", scene.photons->place, error.what()));
+            throw scene::Error(scene.photons->place, error.what());
         }
         out.photons.take(std::move(file.surface));
         out.media_photons.take(std::move(file.media));
@@ -268,7 +267,7 @@ bool find_photons(const plan::CompiledScene& scene, const RenderOptions& options
         try {
             write_photon_file(settings.save_file, out.photons.photons(), out.media_photons.photons());
         } catch (const std::runtime_error& error) {
-            out.failed_save = fmt::format("{}: error: {}", scene.photons->place, error.what());
+            out.failed_save.emplace(scene.photons->place, error.what());
         }
     }
     LibraryRandom random;
