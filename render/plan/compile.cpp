@@ -1,4 +1,5 @@
 #include "render/plan/camera_starts.h"
+#include "render/plan/free_sampling.h"
 #include "render/plan/compiled_scene.h"
 #include "render/plan/compile_subsurface.h"
 #include "render/plan/geometry/geometry.h"
@@ -67,6 +68,10 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
     geometry.expect(description.objects.size());
     for (const scene::Object& object : description.objects) geometry.add(object);
     planned();
+    if (options.free_sampling) {
+        for (light::Light& light : out.lights.lights) free_light(light);
+        free_lens(out.camera);
+    }
     if (description.camera.normal) out.camera_normal = textures.normal(*description.camera.normal, false);
     if (description.camera.bokeh && description.camera.bokeh->pigment)
         out.bokeh = textures.pigment(*description.camera.bokeh->pigment);

@@ -42,6 +42,8 @@ struct Options {
     bool faithful = false;                ///< POV-Ray's constants where better ones are usual (docs/faithful.md)
     bool grain_stream =
         false;  ///< crand as POV-Ray on one thread: pixels depend on those before, so for one thread alone
+    bool free_sampling =
+        false;  ///< camera samples are many: each asks few places of area lights and lenses, anywhere on them
     bool scalar_light =
         false;  ///< every surface goes through the lights by itself, as most do in vector lanes: tests compare the two
 };

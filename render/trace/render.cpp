@@ -1,8 +1,7 @@
 #include "render/trace/render.h"
 
-#include "render/trace/kernel/kernel_module.h"
+#include "render/trace/kernel/tracers.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -10,22 +9,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <vector>
 
 namespace trace {
 namespace {
-
-struct FreeTracer {
-    const KernelTable* kernel;
-    void operator()(BlockTracer* tracer) const { kernel->free(tracer); }
-};
-
-/// One thread's part: the tracer and the colours of the block at hand.
-struct Worker {
-    std::unique_ptr<BlockTracer, FreeTracer> tracer;
-    std::vector<scene::Color> colors;
-};
 
 void store(const Block& block, const std::vector<scene::Color>& colors, image::Image& image)
 {
@@ -67,11 +54,7 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
 
     const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    tbb::enumerable_thread_specific<Worker> workers([&] {
-        return Worker{std::unique_ptr<BlockTracer, FreeTracer>(kernel.make(scene, options.indirect, options.cancel),
-                                                               FreeTracer{&kernel}),
-                      {}};
-    });
+    Tracers workers(kernel, scene, options);
 
     const Blocks blocks(scene.options);
     const std::size_t last = std::min(options.last, blocks.size());
@@ -87,7 +70,7 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
                 return;
             }
             if (has_done && options.done[i]) return;
-            Worker& worker = workers.local();
+            Tracers::Worker& worker = workers.local();
             const Block block = blocks[i];
             worker.colors.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
             if (!kernel.trace(*worker.tracer, block, worker.colors.data())) {
@@ -102,7 +85,7 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
     });
 
     RenderStatistics statistics;
-    for (const Worker& worker : workers) statistics.rays += kernel.counts(*worker.tracer);
+    statistics.rays = workers.counts();
     statistics.threads = threads;
     statistics.isa = kernel.isa;
     statistics.cancelled = stopped;

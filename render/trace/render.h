@@ -41,6 +41,8 @@ struct RenderStatistics {
     int threads = 1;
     std::string isa;  ///< "v2", "v3" or "v4"
     bool cancelled = false;
+    std::uint64_t samples = 0;  ///< of a picture of many samples (sampling/sampled_render.h); 0: of another
+    double error = 0;           ///< and what the spread of its samples says of it, in shown levels, root mean square
 
     /// Of two parts of one picture.
     RenderStatistics& operator+=(const RenderStatistics& other)

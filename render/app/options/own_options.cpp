@@ -2,8 +2,11 @@
 
 #include "render/app/options/nearest.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace app {
 
@@ -28,6 +31,45 @@ void set_memory(Settings& s, const std::string& value)
     if (error != std::errc() || end != value.data() + value.size() || !(s.memory > 0.0))
         throw OptionError("--memory wants MB, found '" + value + "'");
     s.memory *= 1e6;
+}
+
+/// The number at the beginning of a value, above 0 and at most `most`; what follows it in `rest`.
+double positive(const char* option, const std::string& value, double most, std::string& rest)
+{
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error != std::errc() || !(number > 0.0) || number > most)
+        throw OptionError(fmt::format("{} wants a number above 0 and at most {:g}, found '{}'", option, most, value));
+    rest.assign(end, value.data() + value.size());
+    return number;
+}
+
+void set_samples(Settings& s, const std::string& value)
+{
+    constexpr double kMost = 65536.0;
+    std::string rest;
+    const double number = positive("--samples", value, kMost, rest);
+    if (rest == "%" || rest == "%error") s.samples_error = 2.55 * number;
+    else if (rest.empty() && number == std::floor(number)) s.samples = static_cast<int>(number);
+    else throw OptionError("--samples wants a whole number of samples or an error in percent, found '" + value + "'");
+}
+
+void set_error(Settings& s, const std::string& value)
+{
+    std::string rest;
+    s.error = positive("--error", value, 255.0, rest);
+    if (!rest.empty()) throw OptionError("--error wants levels of 255, found '" + value + "'");
+}
+
+void set_time(Settings& s, const std::string& value)
+{
+    constexpr double kMost = 1e6;
+    std::string rest;
+    s.time = positive("--time", value, kMost, rest);
+    if (rest == "m" || rest == "min") s.time *= 60.0;
+    else if (rest == "h") s.time *= 3600.0;
+    else if (!rest.empty() && rest != "s")
+        throw OptionError("--time wants seconds, or minutes with m, hours with h, found '" + value + "'");
 }
 
 /// In the order in which texts show them.
@@ -69,6 +111,14 @@ constexpr OwnOption kOwnOptions[] = {
     {"preview", "FILE",
      "a file mapped into memory in which another program watches the picture grow; also +SMFILE, as LeoCAD has it",
      [](Settings& s, const std::string& v) { s.preview_file = v; }},
+    {"samples", "N or N%",
+     "N samples in each pixel, of area lights and lenses too, or as many as bring the error to N % of white; instead "
+     "of "
+     "antialiasing",
+     set_samples},
+    {"error", "LEVELS",
+     "samples where they are needed, until the estimated error of the picture is so many levels of 255", set_error},
+    {"time", "SECONDS", "samples where they are needed, for so long a frame; also 2m, 1h", set_time},
     {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
     {"explain", "", "say where reading spent its time, what the plan kept, what it left out and why",
      [](Settings& s, const std::string&) { s.explain = true; }},

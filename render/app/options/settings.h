@@ -48,6 +48,13 @@ struct Settings {
     int threads = 0;  ///< 0: one per core
     int block_size = 32;
 
+    // Many samples (docs/error_and_time.md); all 0: as antialiasing says.
+    int samples = 0;             ///< in each pixel
+    double samples_error = 0.0;  ///< as many in each pixel as this error needs, of 255
+    double error = 0.0;          ///< estimated, of 255, that a picture may have
+    double time = 0.0;           ///< seconds that a frame may take
+    bool sampled() const { return samples > 0 || samples_error > 0.0 || error > 0.0 || time > 0.0; }
+
     // Output file.
     bool output_to_file = true;
     std::string output_file;  ///< as given; output_path() makes the name of it

@@ -146,11 +146,13 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
         count("reflected_rays", rays.reflected);
         count("refracted_rays", rays.refracted);
         count("supersamples", rays.supersamples);
+        if (frame.statistics->samples > 0) count("samples", frame.statistics->samples);
     }
     json.end();
     if (frame.statistics) {
         json.key("threads").integer(frame.statistics->threads);
         json.key("isa").text(frame.statistics->isa);
+        if (frame.statistics->samples > 0) json.key("expected_error").number(frame.statistics->error);
     }
     json.key("files").begin_array();
     for (const std::string& file : frame.files) json.text(file);

@@ -26,6 +26,9 @@ std::string report_text(const StageTimes& times, const trace::RenderStatistics& 
     text += fmt::format("\nrays   camera {}  shadow {}  reflected {}  refracted {}", rays.camera, rays.shadow,
                         rays.reflected, rays.refracted);
     if (rays.supersamples) text += fmt::format("  (supersamples {})", rays.supersamples);
+    if (statistics.samples)
+        text += fmt::format("\nerror  {:.3f} of 255 expected from the spread of {} samples", statistics.error,
+                            statistics.samples);
     const double total = static_cast<double>(rays.camera + rays.shadow + rays.reflected + rays.refracted);
     const double rate = statistics.seconds_trace > 0.0 ? total / statistics.seconds_trace / 1e6 : 0.0;
     return text + fmt::format("\nspeed  {:.2f} million rays per second, {} thread{}, {}\n", rate, statistics.threads,

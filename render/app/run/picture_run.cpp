@@ -9,6 +9,7 @@
 #include "render/image/picture_writer.h"
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/indirect/passes.h"
+#include "render/trace/sampling/sampled_render.h"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -71,6 +72,7 @@ private:
     trace::RenderOptions render_options();
     bool find_indirect_light();
     bool trace(std::size_t first, std::size_t last);
+    bool trace_samples();
     bool write_rows(int end);
     void put_in_place();
     void tell_far();
@@ -100,6 +102,8 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
       strip_(rows_of_blocks_in(picture_memory(settings_), blocks_, settings_.width, settings_.height, task.file.type)),
       in_strips_(strip_ < blocks_.rows())
 {
+    if (settings_.sampled() && in_strips_)
+        throw std::runtime_error("not enough memory is free for the samples of so large a picture");
     if (strip_ == 0)
         throw std::runtime_error("not enough memory is left for the picture");  // it was when the run began
     picture_.width = settings_.width;
@@ -113,6 +117,7 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
         task.run.reporter.note("there is no room beside the picture for what is finished of it: +C will not find any");
         return;
     }
+    if (settings_.sampled()) return;  // all blocks are begun anew in each pass
     if (task.compiled.options.grain_stream)
         return;  // random numbers follow from those of the blocks before: none can be taken up
     std::filesystem::path beside(task.path);
@@ -193,6 +198,34 @@ bool PictureRun::trace(std::size_t first, std::size_t last)
     return !statistics_.cancelled;
 }
 
+/// The same of a picture of many samples, pass after pass. False: cancelled.
+bool PictureRun::trace_samples()
+{
+    trace::SamplingGoal goal;
+    goal.samples = static_cast<std::uint32_t>(settings_.samples);
+    goal.even = settings_.samples_error > 0.0;
+    goal.error = goal.even ? settings_.samples_error : settings_.error;
+    double before = 0.0;
+    for (const auto& [stage, seconds] : times_.stages()) before += seconds;
+    if (settings_.time > 0.0) goal.seconds = std::max(settings_.time - before, 1e-3);
+    trace::RenderOptions options = render_options();
+    options.indirect = indirect_.get();
+    const image::Transcoder shown(task_.file.encoding.curves.working, image::TransferCurve::srgb());
+    const auto level = [&shown](double light) {
+        return 255.0 * std::clamp(static_cast<double>(shown.to_file(static_cast<float>(light))), 0.0, 1.0);
+    };
+    trace::SampledPicture samples(settings_.width, settings_.height);
+    const auto after_pass = [&](double share) {
+        samples.show(picture_);
+        for (std::size_t i = 0; preview_ && i < blocks_.size(); ++i) preview_->show(blocks_[i], picture_);
+        any_done_ = true;
+        if (!goal.samples) task_.run.reporter.progress(share);
+    };
+    statistics_ = trace::render_sampled(task_.compiled, options, goal, level, samples, after_pass);
+    times_.finish("trace");
+    return !statistics_.cancelled;
+}
+
 /// Rows above `end`, as far as they are not in the file. False: cancelled.
 bool PictureRun::write_rows(int end)
 {
@@ -263,7 +296,7 @@ int PictureRun::render()
     for (std::size_t first = 0; first < blocks_.rows(); first += strip_) {
         const std::size_t last = std::min(first + strip_, blocks_.rows());
         prepare_strip(first, last);
-        if (!trace(first, last)) return give_up();
+        if (!(settings_.sampled() ? trace_samples() : trace(first, last))) return give_up();
         const trace::Block lowest = blocks_[last * blocks_.per_row() - 1];
         if (!write_rows(last == blocks_.rows() ? settings_.height : lowest.top + lowest.height)) return give_up();
         if (!in_strips_) continue;

@@ -55,7 +55,8 @@ plan::Options plan_options(const Settings& settings)
     options.end_column = window.last_column;
     options.block_size = settings.block_size;
     options.faithful = settings.faithful;
-    options.grain_stream = settings.faithful && settings.threads == 1;
+    options.free_sampling = settings.sampled();
+    options.grain_stream = settings.faithful && settings.threads == 1 && !settings.sampled();
     if (settings.split_unions) options.split_unions = *settings.split_unions;
     return options;
 }

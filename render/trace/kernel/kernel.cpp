@@ -51,6 +51,17 @@ public:
         return true;
     }
 
+    /// The same for samples that lie anywhere.
+    bool sample(std::span<const SamplePosition> positions, scene::Color* out)
+    {
+        try {
+            few(this, positions.data(), static_cast<int>(positions.size()), out);
+        } catch (const csg::Cancelled&) {
+            return false;
+        }
+        return true;
+    }
+
     /// The tile's hits ask for light, and what they find is handed back; their colours are of no use.
     bool pretrace(const radiosity::PassTile& tile, radiosity::TileFindings& out)
     {
@@ -276,6 +287,9 @@ const KernelTable kTable = {
     },
     [](BlockTracer* tracer) { delete tracer; },
     [](BlockTracer& tracer, const Block& block, scene::Color* out) { return tracer.trace(block, out); },
+    [](BlockTracer& tracer, std::span<const SamplePosition> positions, scene::Color* out) {
+        return tracer.sample(positions, out);
+    },
     [](BlockTracer& tracer, const radiosity::PassTile& tile, radiosity::TileFindings& out) {
         return tracer.pretrace(tile, out);
     },

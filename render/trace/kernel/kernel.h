@@ -30,6 +30,9 @@ struct KernelTable {
     void (*free)(BlockTracer* tracer);
     /// Colours of the block's pixels, row by row. False: `cancel` was set meanwhile, and the tracer can only be freed.
     bool (*trace)(BlockTracer& tracer, const Block& block, scene::Color* out);
+    /// Colours of samples that lie anywhere; neighbours in the list should be neighbours in the picture. False:
+    /// cancelled, as above.
+    bool (*sample)(BlockTracer& tracer, std::span<const SamplePosition> positions, scene::Color* out);
     /// A tile of a pass of radiosity. False: cancelled, as above.
     bool (*pretrace)(BlockTracer& tracer, const radiosity::PassTile& tile, radiosity::TileFindings& out);
     RayCounts (*counts)(const BlockTracer& tracer);

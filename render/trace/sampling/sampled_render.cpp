@@ -1,0 +1,283 @@
+#include "render/trace/sampling/sampled_render.h"
+
+#include "render/trace/kernel/tracers.h"
+#include "render/trace/sampling/sobol.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace trace {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kSide = 8;                   // of the squares whose samples make tiles of rays
+constexpr std::uint32_t kFirst = 8;        // samples of each pixel before its spread is believed
+constexpr std::uint32_t kMost = 1u << 16;  // of a pixel
+constexpr double kGrowth = 4.0;            // most samples of a pixel after a pass, by those before it
+constexpr double kAim = 0.95;              // of the error asked for, as it is but estimated
+
+std::uint32_t seed_of(int x, int y)
+{
+    const auto v = static_cast<std::uint32_t>(y) * 0x9e3779b9u + static_cast<std::uint32_t>(x);
+    return owen_scrambled(v, 0x2545f491u);
+}
+
+class SampledRender {
+public:
+    SampledRender(const plan::CompiledScene& scene, const RenderOptions& options, const SamplingGoal& goal,
+                  const ShownLevel& shown, SampledPicture& picture)
+        : scene_(scene), options_(options), goal_(goal), shown_(shown), picture_(picture),
+          kernel_(load_kernel(options.isa)), tracers_(kernel_, scene, options), blocks_(scene.options),
+          wanted_(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()), 0)
+    {
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            const Block block = blocks_[i];
+            for (int row = 0; row < block.height; ++row)
+                for (int column = 0; column < block.width; ++column)
+                    window_.push_back(index(block.left + column, block.top + row));
+        }
+    }
+
+    RenderStatistics run(const std::function<void(double)>& after_pass)
+    {
+        const int threads = options_.threads > 0 ? options_.threads : tbb::info::default_concurrency();
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                        static_cast<std::size_t>(threads));
+        RenderStatistics out;
+        tbb::task_arena arena(threads);
+        want_first();
+        while (true) {
+            const Clock::time_point begun = Clock::now();
+            const std::uint64_t before = taken_;
+            arena.execute([&] { pass(); });
+            const double took = std::chrono::duration<double>(Clock::now() - begun).count();
+            if (took > 0.0) rate_ = static_cast<double>(taken_ - before) / took;
+            variances_ = picture_.variances(shown_, scene_.options);
+            out.error = picture_.expected_error(variances_, shown_, scene_.options);
+            if (after_pass) after_pass(met(out.error));
+            if (stopped_ || !want_more(out.error)) break;
+        }
+        out.samples = picture_.samples();
+        out.rays = tracers_.counts();
+        out.threads = threads;
+        out.isa = kernel_.isa;
+        out.cancelled = stopped_;
+        out.seconds_trace = seconds();
+        return out;
+    }
+
+private:
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width()) + static_cast<std::size_t>(x);
+    }
+    SampledPicture::Pixel& pixel(std::size_t at)
+    {
+        const auto width = static_cast<std::size_t>(picture_.width());
+        return picture_.at(static_cast<int>(at % width), static_cast<int>(at / width));
+    }
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    double left() const { return goal_.seconds > 0.0 ? goal_.seconds - seconds() : 0.0; }
+
+    /// Share of the goal, for those who wait.
+    double met(double error) const
+    {
+        double share = 0.0;
+        if (goal_.samples > 0)
+            share = std::max(share, static_cast<double>(taken_) /
+                                        (static_cast<double>(goal_.samples) * static_cast<double>(window_.size())));
+        if (goal_.error > 0.0) share = std::max(share, error > 0.0 ? goal_.error * goal_.error / (error * error) : 1.0);
+        if (goal_.seconds > 0.0) share = std::max(share, seconds() / goal_.seconds);
+        return std::min(share, 1.0);
+    }
+
+    void want_first()
+    {
+        std::uint32_t first = goal_.seconds > 0.0 ? 1 : kFirst;
+        if (goal_.samples > 0) first = std::min(first, goal_.samples);
+        for (const std::size_t at : window_) wanted_[at] = first;
+    }
+
+    /// What the next pass takes, in wanted_. False: nothing.
+    bool want_more(double error)
+    {
+        if (goal_.error > 0.0 && fewest() >= kFirst && error <= kAim * goal_.error) return false;
+        double room = std::numeric_limits<double>::infinity();
+        if (goal_.seconds > 0.0) {
+            // The half of what is left: what a pass costs is better known after it.
+            constexpr double kLast = 0.05;  // of the time: then all of it
+            const double rest = left();
+            if (rest <= 0.0) return false;
+            room = rate_ * (rest < kLast * goal_.seconds ? rest : 0.5 * rest);
+            if (room < 1.0) return false;
+        }
+        const std::uint32_t least = fewest();
+        if (goal_.samples > 0 || goal_.even || least < kFirst) return want_evenly(least, error, room);
+        return want_by_spread(error, room);
+    }
+
+    std::uint32_t fewest()
+    {
+        std::uint32_t least = kMost;
+        for (const std::size_t at : window_) least = std::min(least, pixel(at).count);
+        return least;
+    }
+
+    bool want_evenly(std::uint32_t now, double error, double room)
+    {
+        const double pixels = static_cast<double>(window_.size());
+        double more = std::min(static_cast<double>(now), room / pixels);
+        if (goal_.samples > 0) more = std::min(more, static_cast<double>(goal_.samples) - now);
+        const auto each = static_cast<std::uint32_t>(std::max(more, 0.0));
+        if (each == 0 && (goal_.samples > 0 || goal_.even || room < 1.0)) return false;
+        if (each == 0 || now + each > kMost) return now < kFirst ? false : want_by_spread(error, room);
+        for (const std::size_t at : window_) wanted_[at] = each;
+        return true;
+    }
+
+    /// Samples in proportion to the spread make the error of the whole least (Neyman 1934).
+    bool want_by_spread(double error, double room)
+    {
+        double spreads = 0.0;
+        for (const std::size_t at : window_) spreads += std::sqrt(variances_[at]);
+        if (!(spreads > 0.0)) return false;  // nothing that more samples would change
+        double scale = std::numeric_limits<double>::infinity();
+        if (goal_.error > 0.0) {
+            // The error falls at least as fast as that of samples anywhere.
+            double by_spread = 0.0;
+            for (const std::size_t at : window_) by_spread += variances_[at] / std::max(pixel(at).count, 1u);
+            by_spread = std::sqrt(by_spread / (3.0 * static_cast<double>(window_.size())));
+            const double aim = kAim * goal_.error * by_spread / error;
+            scale = spreads / (3.0 * static_cast<double>(window_.size()) * aim * aim);
+        }
+        double all = want_scaled(scale);
+        if (all > room) {
+            double low = 0.0, high = std::isfinite(scale) ? scale : static_cast<double>(kMost) * kMost;
+            for (int i = 0; i < 60; ++i) {
+                const double middle = low > 0.0 ? std::sqrt(low * high) : high * 0x1p-40;
+                (want_scaled(middle) > room ? high : low) = middle;
+            }
+            all = want_scaled(low);
+        }
+        return all >= 1.0;
+    }
+
+    double want_scaled(double scale)
+    {
+        double all = 0.0;
+        for (const std::size_t at : window_) {
+            const double now = pixel(at).count, spread = std::sqrt(variances_[at]);
+            const double wanted = spread > 0.0 ? std::min({scale * spread, kGrowth * now, static_cast<double>(kMost)})
+                                               : 0.0;
+            const double more = std::floor(std::max(wanted - now, 0.0));
+            wanted_[at] = static_cast<std::uint32_t>(more);
+            all += more;
+        }
+        return all;
+    }
+
+    void pass()
+    {
+        std::uint64_t all = 0;
+        for (const std::size_t at : window_) all += wanted_[at];
+        std::atomic<std::uint64_t> done = 0;
+        const bool ends = goal_.seconds > 0.0 && taken_ > 0;
+        tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t i) {
+            if (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) stopped_ = true;
+            if (stopped_ || (ends && left() <= 0.0)) return;
+            const Block block = blocks_[i];
+            for (int top = 0; top < block.height; top += kSide)
+                for (int column = 0; column < block.width; column += kSide) {
+                    const Block square{block.left + column, block.top + top, std::min(kSide, block.width - column),
+                                       std::min(kSide, block.height - top)};
+                    if (!take(square, done)) {
+                        stopped_ = true;
+                        return;
+                    }
+                }
+            if (options_.progress && all > 0 && goal_.samples > 0)
+                options_.progress(
+                    std::min(1.0, static_cast<double>(taken_ + done) /
+                                      (static_cast<double>(goal_.samples) * static_cast<double>(window_.size()))));
+        });
+        taken_ += done;
+    }
+
+    /// The samples that the pixels of a square want: the first of each, the second of each, and so on, so that tiles of
+    /// rays are as wide as the square.
+    bool take(const Block& square, std::atomic<std::uint64_t>& done)
+    {
+        constexpr std::size_t kAtOnce = 16 * csg::kTileRays;
+        std::array<SamplePosition, kAtOnce> positions;
+        std::array<SampledPicture::Pixel*, kAtOnce> owners;
+        std::size_t count = 0;
+        Tracers::Worker& worker = tracers_.local();
+        worker.colors.resize(kAtOnce);
+        const auto flush = [&] {
+            if (!kernel_.sample(*worker.tracer, {positions.data(), count}, worker.colors.data())) return false;
+            for (std::size_t i = 0; i < count; ++i) owners[i]->add(worker.colors[i]);
+            done += count;
+            count = 0;
+            return true;
+        };
+        std::array<std::uint32_t, kSide * kSide> first;
+        std::uint32_t most = 0;
+        const auto each = [&](auto&& f) {
+            for (int row = 0; row < square.height; ++row)
+                for (int column = 0; column < square.width; ++column)
+                    f(static_cast<std::size_t>(row * kSide + column), square.left + column, square.top + row);
+        };
+        each([&](std::size_t k, int x, int y) {
+            first[k] = picture_.at(x, y).count;
+            most = std::max(most, wanted_[index(x, y)]);
+        });
+        bool going = true;
+        for (std::uint32_t n = 0; n < most && going; ++n)
+            each([&](std::size_t k, int x, int y) {
+                if (!going || n >= wanted_[index(x, y)]) return;
+                const std::array<double, 2> at = sobol_point(seed_of(x, y), first[k] + n);
+                positions[count] = {x - 0.5 + at[0], y - 0.5 + at[1]};
+                owners[count++] = &picture_.at(x, y);
+                if (count == kAtOnce) going = flush();
+            });
+        return going && (count == 0 || flush());
+    }
+
+    const plan::CompiledScene& scene_;
+    const RenderOptions& options_;
+    const SamplingGoal& goal_;
+    const ShownLevel& shown_;
+    SampledPicture& picture_;
+    const KernelTable& kernel_;
+    Tracers tracers_;
+    const Blocks blocks_;
+    std::vector<std::size_t> window_;    ///< its pixels
+    std::vector<std::uint32_t> wanted_;  ///< samples of each pixel in the pass at hand
+    std::vector<double> variances_;
+    const Clock::time_point start_ = Clock::now();
+    std::uint64_t taken_ = 0;  ///< in the passes before
+    double rate_ = 0.0;        ///< samples a second, in the last pass
+    std::atomic<bool> stopped_ = false;
+};
+
+}  // namespace
+
+RenderStatistics render_sampled(const plan::CompiledScene& scene, const RenderOptions& options,
+                                const SamplingGoal& goal, const ShownLevel& shown, SampledPicture& picture,
+                                const std::function<void(double)>& after_pass)
+{
+    const KernelTable& kernel = load_kernel(options.isa);
+    function::use(kernel.evaluators);
+    return SampledRender(scene, options, goal, shown, picture).run(after_pass);
+}
+
+}  // namespace trace
