@@ -5,6 +5,7 @@
 #include "render/app/options/ini_file.h"
 #include "render/app/report/console_reporter.h"
 #include "render/app/run/render_command.h"
+#include "render/app/study/report_command.h"
 
 #include <fmt/format.h>
 
@@ -58,6 +59,10 @@ bool is_compare(const std::vector<std::string>& arguments) { return !arguments.e
 int run(const std::vector<std::string>& arguments, app::Settings& settings)
 {
     if (is_compare(arguments)) return app::compare_command({arguments.begin() + 1, arguments.end()});
+    if (!arguments.empty() && arguments[0] == "report") {
+        for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) std::signal(signal, cancel);
+        return app::report_command({arguments.begin() + 1, arguments.end()}, cancellation);
+    }
     if (has_word(arguments, {"--help", "-help", "-h", "-?"})) {
         fmt::print("{}", app::help_text());
         return app::kSuccess;

@@ -210,7 +210,7 @@ bool PictureRun::trace_samples()
     if (settings_.time > 0.0) goal.seconds = std::max(settings_.time - before, 1e-3);
     trace::RenderOptions options = render_options();
     options.indirect = indirect_.get();
-    const image::Transcoder shown(task_.file.encoding.curves.working, image::TransferCurve::srgb());
+    const image::Transcoder shown(task_.file.encoding.curves.working, task_.file.encoding.curves.file);
     const auto level = [&shown](double light) {
         return 255.0 * std::clamp(static_cast<double>(shown.to_file(static_cast<float>(light))), 0.0, 1.0);
     };

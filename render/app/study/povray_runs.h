@@ -1,0 +1,35 @@
+#pragma once
+
+#include "render/image/files.h"
+#include "render/study/study.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// The real POV-Ray as a program, to measure beside.
+class PovrayRuns {
+public:
+    /// \param program name or path; empty or not POV-Ray's: there is none
+    explicit PovrayRuns(const std::string& program);
+    bool found() const { return !version_.empty(); }
+    const std::string& version() const { return version_; }  ///< as it tells it
+
+    struct Found {
+        study::Shown picture;
+        double seconds;  ///< of photons, radiosity and trace, as it tells them
+    };
+    /// Nothing: it failed, told no times, or took longer than five minutes.
+    std::optional<Found> render(const std::string& scene, const std::vector<std::string>& switches,
+                                const image::Files& files) const;
+
+private:
+    std::string program_, version_;
+};
+
+/// What was found in the statistics that POV-Ray prints: wall seconds of photons, radiosity and trace together.
+std::optional<double> povray_seconds(const std::string& text);
+
+}  // namespace app

@@ -1,0 +1,201 @@
+#include "render/study/ladder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace study {
+namespace {
+
+using Settings = std::vector<Setting>;
+
+void add_antialiasing(Settings& out)
+{
+    out.push_back({"antialiasing", "-A", [](Trial& t) { t.options.antialiasing.method = 0; }, {"-A"}});
+    for (int method = 1; method <= 2; ++method)
+        for (const double threshold : {0.3, 0.1, 0.03, 0.0})
+            for (int depth = 2; depth <= 4; ++depth) {
+                // What differs by more than the threshold is rarely worth more than the least depth, and the other way
+                // round: the corners of the table.
+                if ((threshold == 0.3 && depth == 4) || (threshold == 0.0 && depth == 4)) continue;
+                const std::string name = fmt::format("+A{:g} +AM{} +R{}", threshold, method, depth);
+                out.push_back(
+                    {fmt::format("antialiasing, method {}", method),
+                     name,
+                     [=](Trial& t) {
+                         t.options.antialiasing.method = method;
+                         t.options.antialiasing.threshold = threshold;
+                         t.options.antialiasing.depth = depth;
+                     },
+                     {fmt::format("+A{:g}", threshold), fmt::format("+AM{}", method), fmt::format("+R{}", depth)}});
+            }
+}
+
+void add_samples(Settings& out)
+{
+    for (const std::uint32_t samples : {1u, 4u, 16u, 64u, 256u})
+        out.push_back({"samples",
+                       fmt::format("--samples={}", samples),
+                       [=](Trial& t) {
+                           t.options.free_sampling = true;
+                           t.goal.samples = samples;
+                       },
+                       {}});
+    for (const double error : {4.0, 2.0, 1.0, 0.5, 0.25})
+        out.push_back({"samples where needed",
+                       fmt::format("--error={:g}", error),
+                       [=](Trial& t) {
+                           t.options.free_sampling = true;
+                           t.goal.error = error;
+                       },
+                       {}});
+}
+
+/// The rest stands on a picture whose edges are sure: its own error is to be seen. Lamps and lenses stay as given.
+void smooth(Trial& trial) { trial.goal.samples = 32; }
+
+void add_lamps(Settings& out, const light::LightSet& lights)
+{
+    if (std::none_of(lights.lights.begin(), lights.lights.end(), [](const light::Light& light) { return light.area; }))
+        return;
+    for (const int size : {1, 2, 3, 5, 9, 17, 33})
+        for (const int adaptive : {100, 1}) {
+            if (adaptive == 1 && size < 5) continue;
+            const bool all = adaptive > 1;
+            out.push_back({all ? "area lights, all lamps" : "area lights, adaptive 1",
+                           fmt::format("area_light {0}, {0}{1}", size, all ? "" : " adaptive 1"),
+                           [=](Trial& t) {
+                               smooth(t);
+                               t.compiled = [=](plan::CompiledScene& compiled) {
+                                   for (light::Light& light : compiled.lights.lights) {
+                                       if (!light.area) continue;
+                                       light.size1 = light.size1 > 1 ? size : 1;
+                                       light.size2 = light.size2 > 1 ? size : 1;
+                                       light.adaptive = adaptive;
+                                   }
+                               };
+                           },
+                           {}});
+        }
+}
+
+void add_lens(Settings& out, const scene::Camera& camera)
+{
+    if (camera.aperture == 0.0 || camera.blur_samples <= 0) return;
+    for (const int samples : {4, 7, 19, 37, 100, 300})
+        out.push_back({"lens",
+                       fmt::format("blur_samples {}", samples),
+                       [=](Trial& t) {
+                           t.options.antialiasing.method = 0;  // a lens smooths
+                           t.scene.camera.blur_samples = samples;
+                           t.scene.camera.blur_fewest = std::min(t.scene.camera.blur_fewest, samples);
+                       },
+                       {}});
+}
+
+void add_depth(Settings& out, const trace::RayCounts& rays)
+{
+    if (rays.reflected + rays.refracted == 0) return;
+    for (const int depth : {1, 2, 3, 5, 8, 12, 20})
+        out.push_back({"depth of reflection",
+                       fmt::format("max_trace_level {}", depth),
+                       [=](Trial& t) {
+                           smooth(t);
+                           t.scene.global.max_trace_level = depth;
+                       },
+                       {}});
+    for (const double bailout : {0.1, 0.03, 0.01, 0.001})
+        out.push_back({"adc_bailout",
+                       fmt::format("adc_bailout {:g}", bailout),
+                       [=](Trial& t) {
+                           smooth(t);
+                           t.scene.global.adc_bailout = bailout;
+                       },
+                       {}});
+}
+
+void add_radiosity(Settings& out, const scene::GlobalSettings& global)
+{
+    if (!global.radiosity) return;
+    for (const int count : {10, 35, 100, 300, 1000})
+        out.push_back({"radiosity, rays",
+                       fmt::format("count {}", count),
+                       [=](Trial& t) {
+                           smooth(t);
+                           t.scene.global.radiosity->count = count;
+                       },
+                       {}});
+    for (const double bound : {3.0, 1.8, 1.0, 0.5, 0.25})
+        out.push_back({"radiosity, error_bound",
+                       fmt::format("error_bound {:g}", bound),
+                       [=](Trial& t) {
+                           smooth(t);
+                           t.scene.global.radiosity->error_bound = bound;
+                       },
+                       {}});
+}
+
+void add_photons(Settings& out, const scene::GlobalSettings& global)
+{
+    if (!global.photons || !global.photons->active() || !global.photons->load_file.empty()) return;
+    for (const double share : {4.0, 2.0, 1.0, 0.5})
+        out.push_back({"photons",
+                       fmt::format("spacing times {:g}", share),
+                       [=](Trial& t) {
+                           smooth(t);
+                           t.scene.global.photons->spacing *= share;
+                           t.scene.global.photons->count /= share * share;
+                       },
+                       {}});
+}
+
+void scale_samples(plan::MediaSet& media, double share)
+{
+    for (plan::Media& one : media.media) {
+        one.samples_least = one.samples_most = std::max(1, static_cast<int>(std::lround(one.samples_least * share)));
+        one.enough.clear();
+    }
+}
+
+void add_media(Settings& out, const plan::MediaSet& media)
+{
+    if (media.media.empty()) return;
+    for (const double share : {0.25, 0.5, 1.0, 2.0, 4.0})
+        out.push_back({"media",
+                       fmt::format("samples times {:g}", share),
+                       [=](Trial& t) {
+                           smooth(t);
+                           t.compiled = [=](plan::CompiledScene& compiled) { scale_samples(compiled.media, share); };
+                       },
+                       {}});
+}
+
+}  // namespace
+
+Settings ladder(const scene::Description& scene, const plan::CompiledScene& compiled, const trace::RayCounts& rays)
+{
+    Settings out;
+    add_antialiasing(out);
+    add_samples(out);
+    add_lamps(out, compiled.lights);
+    add_lens(out, scene.camera);
+    add_depth(out, rays);
+    add_radiosity(out, scene.global);
+    add_photons(out, scene.global);
+    add_media(out, compiled.media);
+    return out;
+}
+
+void make_truth(Trial& trial, double error, double seconds)
+{
+    constexpr int kDeep = 15;
+    constexpr double kFaint = 1e-3;
+    trial.options.free_sampling = true;
+    trial.goal.error = error;
+    trial.goal.seconds = seconds;
+    trial.scene.global.max_trace_level = std::max(trial.scene.global.max_trace_level, kDeep);
+    trial.scene.global.adc_bailout = std::min(trial.scene.global.adc_bailout, kFaint);
+}
+
+}  // namespace study

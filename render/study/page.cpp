@@ -1,0 +1,197 @@
+#include "render/study/page.h"
+
+#include "render/study/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace study {
+namespace {
+
+constexpr const char* kHead = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>Error against run time</title>
+<style>
+body{font:15px/1.5 system-ui,sans-serif;max-width:1100px;margin:2em auto;padding:0 1em;color:#222}
+h1{font-size:1.6em} h2{margin-top:2.2em;border-top:1px solid #ccc;padding-top:.7em;font-size:1.25em}
+table{border-collapse:collapse;font-size:13px} td,th{padding:.15em .7em;text-align:right;border-bottom:1px solid #eee}
+td:first-child,td:nth-child(2),th:first-child,th:nth-child(2){text-align:left} tr.best{background:#eef7ee}
+tr.povray{color:#777} svg text{font:12px system-ui,sans-serif;fill:#333} .decade{stroke:#ddd} .tick{stroke:#f3f3f3}
+.floor{fill:#f2ead8} .wanted{stroke:#2e8b57;stroke-dasharray:2 4} figure{display:inline-block;margin:.5em 1em .5em 0}
+figcaption{font-size:13px;color:#555} img{image-rendering:pixelated;max-width:340px} pre{white-space:pre-wrap;font-size:13px}
+code{background:#f5f5f5;padding:0 .25em}
+</style></head><body>
+)";
+
+std::string base64(const std::string& bytes)
+{
+    static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const auto byte = [&](std::size_t k) {
+            return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u;
+        };
+        const unsigned three = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for (int k = 0; k < 4; ++k)
+            out += i + static_cast<std::size_t>(k) > bytes.size() ? '=' : kLetters[three >> (18 - 6 * k) & 63u];
+    }
+    return out;
+}
+
+std::string figure(const Shown& picture, const std::string& caption, const PngOf& png)
+{
+    return fmt::format("<figure><img alt='' src='data:image/png;base64,{}'><figcaption>{}</figcaption></figure>\n",
+                       base64(png(picture)), escaped(caption));
+}
+
+std::vector<Series> series_of(const Section& section)
+{
+    std::vector<Series> out;
+    for (const Result& result : section.results) {
+        const std::string name = (result.povray ? "POV-Ray, " : "") + result.family;
+        auto found = std::find_if(out.begin(), out.end(), [&](const Series& s) { return s.name == name; });
+        if (found == out.end()) {
+            Series one;
+            one.name = name;
+            one.color = series_color(out.size());
+            one.dashed = result.povray;
+            out.push_back(std::move(one));
+            found = out.end() - 1;
+        }
+        found->points.push_back({result.seconds, result.error.levels, result.name});
+    }
+    return out;
+}
+
+/// What the curves teach, in sentences.
+std::string lesson(const Section& section, const Circumstances& circumstances)
+{
+    std::string out = "<p>";
+    if (const Result* best = cheapest(section.results, circumstances.wanted))
+        out += fmt::format(
+            "The fastest setting with at most {:g} of 255 of error is <code>{}</code>: {:.3g} in {:.3g} s. ",
+            circumstances.wanted, escaped(best->name), best->error.levels, best->seconds);
+    else out += fmt::format("No setting reached {:g} of 255. ", circumstances.wanted);
+    // What each family can't get below: more of it is time for nothing.
+    std::set<std::string> told;
+    for (const Result& one : section.results) {
+        if (one.povray || !told.insert(one.family).second) continue;
+        const Result *least = &one, *fastest = &one;
+        std::size_t count = 0;
+        for (const Result& other : section.results) {
+            if (other.povray || other.family != one.family) continue;
+            ++count;
+            if (other.error.levels < least->error.levels) least = &other;
+            if (other.seconds < fastest->seconds) fastest = &other;
+        }
+        if (count < 3) continue;
+        out += fmt::format("{}: from {:.3g} in {:.3g} s to {:.3g} in {:.3g} s", escaped(one.family),
+                           fastest->error.levels, fastest->seconds, least->error.levels, least->seconds);
+        double cheap = least->seconds;
+        const Result* enough = nullptr;
+        for (const Result& other : section.results)
+            if (!other.povray && other.family == one.family && other.error.levels <= 1.1 * least->error.levels &&
+                other.seconds < cheap) {
+                cheap = other.seconds;
+                enough = &other;
+            }
+        if (enough)
+            out += fmt::format(", of which <code>{}</code> gets all but a tenth in {:.3g} s", escaped(enough->name),
+                               cheap);
+        out += ". ";
+    }
+    return out + "</p>\n";
+}
+
+std::string table(const Section& section)
+{
+    const std::vector<const Result*> front = pareto_front(section.results);
+    std::string out = "<table><tr><th>kind</th><th>setting</th><th>seconds</th><th>RMS, of 255</th><th>RMS, linear</th>"
+                      "<th>beyond 3/255</th><th>FLIP</th><th>million rays</th></tr>\n";
+    for (const Result& r : section.results) {
+        const bool best = std::find(front.begin(), front.end(), &r) != front.end();
+        out += fmt::format("<tr{}><td>{}{}</td><td><code>{}</code></td><td>{:.3f}</td><td>{:.3f}</td><td>{:.5f}</td>"
+                           "<td>{:.2f} %</td><td>{:.4f}</td><td>{}</td></tr>\n",
+                           best       ? " class='best'"
+                           : r.povray ? " class='povray'"
+                                      : "",
+                           r.povray ? "POV-Ray, " : "", escaped(r.family), escaped(r.name), r.seconds, r.error.levels,
+                           r.error.linear, 100.0 * r.error.beyond, r.error.flip,
+                           r.rays > 0 ? fmt::format("{:.2f}", static_cast<double>(r.rays) / 1e6) : "");
+    }
+    return out + "</table>\n<p>Green: no other setting here is both faster and nearer.</p>\n";
+}
+
+std::string pictures(const Section& section, const PngOf& png)
+{
+    std::string out =
+        figure(section.truth.picture, fmt::format("the truth: {:.0f} samples a pixel", section.truth.samples), png);
+    const std::vector<const Result*> front = pareto_front(section.results);
+    std::set<std::size_t> chosen;
+    if (!front.empty()) chosen = {0, front.size() / 2, front.size() - 1};
+    for (const std::size_t i : chosen) {
+        out += figure(front[i]->picture, fmt::format("{}: {:.3g} s", front[i]->name, front[i]->seconds), png);
+        out += figure(difference(section.truth.picture, front[i]->picture),
+                      fmt::format("its difference, five times: {:.3g} of 255", front[i]->error.levels), png);
+    }
+    return out;
+}
+
+}  // namespace
+
+Shown difference(const Shown& truth, const Shown& picture)
+{
+    constexpr float kTimes = 5.0f;
+    Shown out = truth;
+    for (std::size_t i = 0; i < out.values.size(); ++i)
+        out.values[i] = std::clamp(0.5f + kTimes * (picture.values[i] - truth.values[i]), 0.0f, 1.0f);
+    return out;
+}
+
+std::string page(const std::vector<Section>& sections, const Circumstances& c, const PngOf& png)
+{
+    std::string out = kHead;
+    out += "<h1>Error against run time</h1>\n";
+    out += fmt::format(
+        "<p>Seconds are wall clock of passes and trace on {} thread{}, without reading. Errors are distances "
+        "from the truth: the same scene with many samples a pixel, lamps and lenses drawn freely and no "
+        "adaptivity. The band at the foot of a plot is what the truth itself may be off by.</p>\n",
+        c.threads, c.threads == 1 ? "" : "s");
+    out += fmt::format("<pre>{}\n{}\nWhittle {}{}</pre>\n", escaped(c.command), escaped(c.machine), escaped(c.version),
+                       c.povray.empty() ? std::string() : ", " + escaped(c.povray));
+    for (const Section& section : sections) {
+        out += fmt::format("<h2>{}</h2>\n", escaped(section.scene));
+        if (!section.unmeasured.empty()) {
+            out += fmt::format("<p>Not measured: {}</p>\n", escaped(section.unmeasured));
+            continue;
+        }
+        out += fmt::format(
+            "<p>{} x {} pixels. The truth: {:.0f} samples a pixel in {:.1f} s, expected to be off by {:.3f} of "
+            "255.</p>\n",
+            section.width, section.height, section.truth.samples, section.truth.seconds, section.truth.expected_error);
+        out +=
+            plot(series_of(section), {"seconds", "error, levels of 255 (RMS)", section.truth.expected_error, c.wanted});
+        out += lesson(section, c) + table(section) + pictures(section, png);
+    }
+    return out + "</body></html>\n";
+}
+
+std::string csv(const std::vector<Section>& sections)
+{
+    std::string out = "scene,program,family,setting,seconds,rms_levels,rms_linear,beyond_3,flip,rays,truth_error\n";
+    const auto quoted = [](const std::string& text) {
+        std::string copy;
+        for (const char ch : text) copy += ch == '"' ? std::string("\"\"") : std::string(1, ch);
+        return '"' + copy + '"';
+    };
+    for (const Section& section : sections)
+        for (const Result& r : section.results)
+            out += fmt::format("{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.6g}\n", quoted(section.scene),
+                               r.povray ? "povray" : "whittle", quoted(r.family), quoted(r.name), r.seconds,
+                               r.error.levels, r.error.linear, r.error.beyond, r.error.flip, r.rays,
+                               section.truth.expected_error);
+    return out;
+}
+
+}  // namespace study

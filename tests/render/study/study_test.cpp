@@ -1,0 +1,181 @@
+// Error against run time: docs/error_and_time.md.
+#include "render/image/compare/flip.h"
+#include "render/study/page.h"
+#include "render/study/plot.h"
+#include "tests/parser/grammar_support.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace {
+
+const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                          "camera { location <0,1,-4> look_at 0 }\n";
+constexpr int kWidth = 32, kHeight = 24;
+
+std::vector<float> plain(std::size_t pixels, float r, float g, float b)
+{
+    std::vector<float> out;
+    for (std::size_t i = 0; i < pixels; ++i) out.insert(out.end(), {r, g, b});
+    return out;
+}
+
+study::Study study_of(const scene::Description& scene)
+{
+    plan::Options options;
+    options.width = kWidth;
+    options.height = kHeight;
+    return {scene, options, trace::RenderOptions{}, {image::TransferCurve::linear(), image::TransferCurve::srgb()}};
+}
+
+std::set<std::string> families(const std::string& text)
+{
+    const scene::Description scene = parser::parse_text(kHead + text, "t.pov", {}).scene;
+    std::set<std::string> out;
+    const study::Study study = study_of(scene);
+    for (const study::Setting& setting : study.settings()) out.insert(setting.family);
+    return out;
+}
+
+bool any_with(const std::set<std::string>& names, const std::string& part)
+{
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& n) { return n.find(part) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_CASE("FLIP of plain pictures is that of its formula", "[study]")
+{
+    // Black beside white: |L| = 100 and no hue, redistributed beyond the knee at 0.4 of green beside blue.
+    const auto black = plain(20 * 20, 0, 0, 0), white = plain(20 * 20, 1, 1, 1), grey = plain(20 * 20, .5f, .5f, .5f);
+    const double most = std::pow(203.3, 0.7), knee = 0.4 * most;
+    const double expected = 0.95 + (std::pow(100.0, 0.7) - knee) / (most - knee) * 0.05;
+    CHECK(image::mean_flip(black, white, 20, 20) == Approx(expected).margin(1e-3));
+    CHECK(image::mean_flip(white, black, 20, 20) == Approx(expected).margin(1e-3));
+    CHECK(image::mean_flip(grey, grey, 20, 20) == 0.0);
+    // L of sRGB 0.5 is 53.389.
+    const double lightness = std::pow(53.389, 0.7);
+    CHECK(image::mean_flip(black, grey, 20, 20) ==
+          Approx(lightness < knee ? 0.95 * lightness / knee : 0.95 + 0.05 * (lightness - knee) / (most - knee))
+              .margin(1e-3));
+}
+
+TEST_CASE("FLIP: edges weigh more than what is plain, single pixels blur", "[study]")
+{
+    constexpr int kSide = 40;
+    auto flat = plain(kSide * kSide, .5f, .5f, .5f), edge = flat, dots = flat;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const auto at = static_cast<std::size_t>(3 * (y * kSide + x) + c);
+                edge[at] = x < kSide / 2 ? .4f : .6f;
+                dots[at] = (x + y) % 2 == 0 ? .4f : .6f;  // eyes do not resolve these at 67 pixels a degree
+            }
+    const auto at_edge = image::flip(flat, edge, kSide, kSide), at_dots = image::flip(flat, dots, kSide, kSide);
+    const auto of = [&](const std::vector<float>& v, int x, int y) {
+        return v[static_cast<std::size_t>(y * kSide + x)];
+    };
+    CHECK(of(at_edge, kSide / 2, 20) > of(at_edge, 2, 20));
+    CHECK(of(at_dots, 20, 20) < 0.25f * of(at_edge, 2, 20));
+    for (const float v : at_edge) {
+        CHECK(v >= 0.0f);
+        CHECK(v <= 1.0f);
+    }
+}
+
+TEST_CASE("a scene is asked about what it has and nothing else", "[study]")
+{
+    const auto plain_scene = families("light_source { 5*y rgb 1 } sphere { 0, 1 pigment { rgb 1 } }");
+    CHECK(plain_scene == std::set<std::string>{"antialiasing", "antialiasing, method 1", "antialiasing, method 2",
+                                               "samples", "samples where needed"});
+    const auto rich = families("light_source { 5*y rgb 1 area_light x, z, 3, 3 }\n"
+                               "sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }\n"
+                               "plane { y, -1 pigment { rgb .5 } }");
+    CHECK(any_with(rich, "area lights"));
+    CHECK(any_with(rich, "reflection"));
+    CHECK(!any_with(rich, "lens"));
+    CHECK(!any_with(rich, "radiosity"));
+    CHECK(!any_with(rich, "media"));
+    CHECK(any_with(families("media { emission .1 } sphere { 0, 1 }"), "media"));
+}
+
+TEST_CASE("errors are those of their definition", "[study]")
+{
+    study::Shown truth{2, 1, {0, 0, 0, .5f, .5f, .5f}}, other{2, 1, {0, 0, 0, .5f, .5f, .6f}};
+    const study::Error error = study::error_of(truth, other, image::TransferCurve::linear());
+    CHECK(error.levels == Approx(25.5 / std::sqrt(6.0)).epsilon(1e-5));
+    CHECK(error.linear == Approx(0.1 / std::sqrt(6.0)).epsilon(1e-5));
+    CHECK(error.beyond == 0.5);
+    CHECK(study::error_of(truth, truth, image::TransferCurve::srgb()).levels == 0.0);
+}
+
+TEST_CASE("the front holds what nothing beats, and the cheapest is on it", "[study]")
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(0.01, 1.0);
+    for (int round = 0; round < 50; ++round) {
+        std::vector<study::Result> results(30);
+        for (study::Result& r : results) {
+            r.seconds = any(random);
+            r.error.levels = any(random);
+            r.povray = any(random) < 0.2;
+        }
+        const auto front = study::pareto_front(results);
+        for (const study::Result& r : results) {
+            if (r.povray) continue;
+            const bool beaten = std::any_of(results.begin(), results.end(), [&](const study::Result& o) {
+                return !o.povray && o.seconds < r.seconds && o.error.levels < r.error.levels;
+            });
+            CHECK(beaten == (std::find(front.begin(), front.end(), &r) == front.end()));
+        }
+        const double wanted = any(random);
+        const study::Result* best = study::cheapest(results, wanted);
+        for (const study::Result& r : results)
+            if (!r.povray && r.error.levels <= wanted) {
+                REQUIRE(best != nullptr);
+                CHECK(best->seconds <= r.seconds);
+            }
+    }
+}
+
+TEST_CASE("more samples are nearer to the truth, and a page tells it", "[study]")
+{
+    const scene::Description scene =
+        parser::parse_text(
+            kHead + "light_source { <3,5,-3> rgb 1 area_light x, z, 3, 3 }\n"
+                    "plane { y,-1 pigment { checker rgb 1 rgb .2 } } sphere { 0, 1 pigment { rgb <1,.5,.2> } }\n",
+            "<t>.pov", {})
+            .scene;
+    study::Study study = study_of(scene);
+    study::Section section;
+    section.scene = "<t>.pov";
+    section.width = kWidth;
+    section.height = kHeight;
+    section.truth = study.find_truth(0.3, 20.0);
+    CHECK(section.truth.expected_error <= 0.3);
+    double before = 1e9;
+    for (const study::Setting& setting : study.settings()) {
+        if (setting.family != "samples" || setting.name == "--samples=256") continue;
+        const auto result = study.run(setting);
+        REQUIRE(result);
+        CHECK(result->error.levels < before);
+        before = result->error.levels;
+        section.results.push_back(*result);
+    }
+    CHECK(section.results.size() == 4);
+    study::Circumstances about;
+    about.wanted = 2.0 * before;
+    const std::string page = study::page({section}, about, [](const study::Shown&) { return std::string("png"); });
+    CHECK(page.find("&lt;t&gt;.pov") != std::string::npos);
+    CHECK(page.find("<t>.pov") == std::string::npos);
+    CHECK(page.find("<svg") != std::string::npos);
+    CHECK(page.find("cG5n") != std::string::npos);  // "png" in base 64
+    CHECK(page.find("The fastest setting with at most") != std::string::npos);
+    const std::string csv = study::csv({section});
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
+}
