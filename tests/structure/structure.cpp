@@ -33,7 +33,11 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"render/plan", {"csg", "function", "render/scene", "render/texture", "render/light", "render/image"}},
     {"render/trace",
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image"}},
-    {"render/app", {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace"}},
+    {"render/study",
+     {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
+      "render/trace"}},
+    {"render/app",
+     {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace", "render/study"}},
 };
 
 /// Libraries with one home.
