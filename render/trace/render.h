@@ -52,6 +52,8 @@ struct RenderStatistics {
         threads = other.threads;
         isa = other.isa;
         cancelled = cancelled || other.cancelled;
+        samples = other.samples;
+        error = other.error;
         return *this;
     }
 };

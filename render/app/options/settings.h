@@ -53,7 +53,9 @@ struct Settings {
     double samples_error = 0.0;  ///< as many in each pixel as this error needs, of 255
     double error = 0.0;          ///< estimated, of 255, that a picture may have
     double time = 0.0;           ///< seconds that a frame may take
-    bool sampled() const { return samples > 0 || samples_error > 0.0 || error > 0.0 || time > 0.0; }
+    double shutter = 0.0;        ///< share of the time to the next frame that a picture is exposed for
+    int motion_samples = 16;     ///< moments of it
+    bool sampled() const { return samples > 0 || samples_error > 0.0 || error > 0.0 || time > 0.0 || shutter > 0.0; }
 
     // Output file.
     bool output_to_file = true;

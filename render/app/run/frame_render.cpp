@@ -94,6 +94,36 @@ parser::Result parse_scene(Run& run, const Frame& frame, const std::string& path
     }
 }
 
+int moments(const Settings& settings) { return settings.shutter > 0.0 ? settings.motion_samples : 1; }
+
+/// The frame at moment k of its exposure, which begins with it.
+Frame at_moment(const Run& run, const Frame& frame, int k)
+{
+    if (!(run.settings.shutter > 0.0)) return frame;
+    const double interval = run.list.animation && run.list.clock_delta != 0.0 ? run.list.clock_delta : 1.0;
+    Frame out = frame;
+    out.clock += static_cast<float>((k + 0.5) / run.settings.motion_samples * run.settings.shutter * interval);
+    return out;
+}
+
+/// A scene at a later moment: whatever it has to tell was told at the first.
+std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, const std::string& path)
+{
+    const Settings& settings = run.settings;
+    parser::Options options = parser_options(settings, run.list, frame);
+    SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
+    options.queries = &queries;
+    options.cancel = &run.cancel.requested;
+    if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
+    try {
+        parser::Result parsed = run.input ? parser::parse_text(*run.input, "stdin", options)
+                                          : parser::parse_file(find_scene(settings), options);
+        return std::make_unique<plan::CompiledScene>(plan::compile(std::move(parsed.scene), plan_options(settings)));
+    } catch (const parser::Cancelled&) {
+        throw AbortedRun();
+    }
+}
+
 void refuse_warnings(const parser::Result& parsed)
 {
     const auto count = std::count_if(parsed.messages.begin(), parsed.messages.end(),
@@ -133,7 +163,7 @@ int render_frame(Run& run, const Frame& frame)
     SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
     parser::Options options;
     LastResort last_resort(run.cancel, [&run] { run.reporter.cancelled({}); });  // until the picture file is in place
-    parser::Result parsed = parse_scene(run, frame, path, options, queries);
+    parser::Result parsed = parse_scene(run, at_moment(run, frame, 0), path, options, queries);
     times.finish("parse");
     run.reporter.parsed(parsed, times.stages().back().second);
     if (settings.warnings_are_errors) refuse_warnings(parsed);
@@ -142,8 +172,10 @@ int render_frame(Run& run, const Frame& frame)
 
     const plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings));
     times.finish("plan");
+    const auto moment = [&](int k) { return compiled_at(run, at_moment(run, frame, k), path); };
     return render_picture({run, last_resort, compiled, file_settings(settings, parsed.scene), path,
-                           [&] { return picture_identity(options, compiled.options, parsed); }},
+                           [&] { return picture_identity(options, compiled.options, parsed); }, moment,
+                           moments(settings)},
                           times);
 }
 

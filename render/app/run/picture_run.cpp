@@ -198,18 +198,17 @@ bool PictureRun::trace(std::size_t first, std::size_t last)
     return !statistics_.cancelled;
 }
 
-/// The same of a picture of many samples, pass after pass. False: cancelled.
+/// The same of a picture of many samples, pass after pass, moment after moment. False: cancelled.
 bool PictureRun::trace_samples()
 {
     trace::SamplingGoal goal;
     goal.samples = static_cast<std::uint32_t>(settings_.samples);
+    if (task_.moments > 1) goal.samples = std::max(1u, goal.samples / static_cast<std::uint32_t>(task_.moments));
     goal.even = settings_.samples_error > 0.0;
     goal.error = goal.even ? settings_.samples_error : settings_.error;
     double before = 0.0;
     for (const auto& [stage, seconds] : times_.stages()) before += seconds;
     if (settings_.time > 0.0) goal.seconds = std::max(settings_.time - before, 1e-3);
-    trace::RenderOptions options = render_options();
-    options.indirect = indirect_.get();
     const image::Transcoder shown(task_.file.encoding.curves.working, task_.file.encoding.curves.file);
     const auto level = [&shown](double light) {
         return 255.0 * std::clamp(static_cast<double>(shown.to_file(static_cast<float>(light))), 0.0, 1.0);
@@ -221,7 +220,17 @@ bool PictureRun::trace_samples()
         any_done_ = true;
         if (!goal.samples) task_.run.reporter.progress(share);
     };
-    statistics_ = trace::render_sampled(task_.compiled, options, goal, level, samples, after_pass);
+    for (int k = 0; k < task_.moments && !statistics_.cancelled; ++k) {
+        trace::RenderOptions options = render_options();
+        if (task_.moments > 1)
+            options.progress = [&](double share) { task_.run.reporter.progress((k + share) / task_.moments); };
+        const auto later = k > 0 ? task_.moment(k) : nullptr;
+        const plan::CompiledScene& scene = later ? *later : task_.compiled;
+        const auto light = later ? trace::run_passes(scene, options) : indirect_;
+        options.indirect = light.get();
+        if (cancelled()) return false;
+        statistics_ += trace::render_sampled(scene, options, goal, level, samples, after_pass);
+    }
     times_.finish("trace");
     return !statistics_.cancelled;
 }

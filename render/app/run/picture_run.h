@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace app {
@@ -20,6 +21,9 @@ struct PictureTask {
     const image::FileSettings file;
     const std::string path;                         ///< of the picture; empty: standard output or standard error
     const std::function<std::uint64_t()> identity;  ///< see StateFile
+    /// The scene at moment k of so many that the picture is the mean of; moment 0 is `compiled`.
+    const std::function<std::unique_ptr<plan::CompiledScene>(int k)> moment = {};
+    const int moments = 1;
 };
 
 /// Returns the exit status; what was done is kept where it is cancelled. Throws for what ends the run.

@@ -102,6 +102,7 @@ private:
 
     void want_first()
     {
+        before_ = fewest();
         std::uint32_t first = goal_.seconds > 0.0 ? 1 : kFirst;
         if (goal_.samples > 0) first = std::min(first, goal_.samples);
         for (const std::size_t at : window_) wanted_[at] = first;
@@ -136,7 +137,7 @@ private:
     {
         const double pixels = static_cast<double>(window_.size());
         double more = std::min(static_cast<double>(now), room / pixels);
-        if (goal_.samples > 0) more = std::min(more, static_cast<double>(goal_.samples) - now);
+        if (goal_.samples > 0) more = std::min(more, static_cast<double>(goal_.samples) - (now - before_));
         const auto each = static_cast<std::uint32_t>(std::max(more, 0.0));
         if (each == 0 && (goal_.samples > 0 || goal_.even || room < 1.0)) return false;
         if (each == 0 || now + each > kMost) return now < kFirst ? false : want_by_spread(error, room);
@@ -264,8 +265,9 @@ private:
     std::vector<std::uint32_t> wanted_;  ///< samples of each pixel in the pass at hand
     std::vector<double> variances_;
     const Clock::time_point start_ = Clock::now();
-    std::uint64_t taken_ = 0;  ///< in the passes before
-    double rate_ = 0.0;        ///< samples a second, in the last pass
+    std::uint32_t before_ = 0;  ///< samples of a pixel when the run began
+    std::uint64_t taken_ = 0;   ///< in the passes before
+    double rate_ = 0.0;         ///< samples a second, in the last pass
     std::atomic<bool> stopped_ = false;
 };
 

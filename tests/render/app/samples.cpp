@@ -1,10 +1,13 @@
 // Pictures asked for by samples, by error and by time: docs/error_and_time.md.
+#include "render/image/files.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 namespace {
@@ -67,6 +70,45 @@ TEST_CASE("samples, errors and times that make no sense are told", "[program][sa
         CHECK(ended.err.find("wants") != std::string::npos);
         CHECK(!std::filesystem::exists(folder / "b.png"));
     }
+}
+
+TEST_CASE("a shutter blurs what moves by the time that it is there", "[program][samples]")
+{
+    SampledFolder folder;
+    // White where x < clock, of a view from -1 to 1: of a clock from 0 to 1 the share 1 - x of the time.
+    support::write_text(folder / "m.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                                          "camera { orthographic location -z right 2*x up 1*y direction z }\n"
+                                          "#debug concat(str(clock, 0, 6), \"\\n\")\n"
+                                          "plane { z, 1 pigment {\n"
+                                          "  function { select(x - clock, 1, 0) } color_map { [0 rgb 0] [1 rgb 1] } }\n"
+                                          "  finish { ambient 1 diffuse 0 } }\n");
+    const auto render = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"m.pov", "+W64", "+H8", "+FN16"});
+        return run_program(folder.path(), WHITTLE_PROGRAM, words);
+    };
+    const auto ended = render({"Shutter=1", "Motion_Samples=64", "+Oa.png"});
+    REQUIRE(ended.status == 0);
+    CHECK(ended.err.find("0.007812") != std::string::npos);  // told once, at the first of the moments
+    CHECK(ended.err.find("0.023438") == std::string::npos);
+    const image::Picture picture = image::Files().read(folder / "a.png");
+    for (int x = 0; x < 64; ++x) {
+        const double at = (x + 0.5) / 32.0 - 1.0, share = std::clamp(1.0 - at, 0.0, 1.0);
+        const auto light = static_cast<double>(image::TransferCurve::srgb().decode(picture.at(x, 4)[0]));
+        CHECK(std::abs(light - share) < 1.6 / 64.0);
+    }
+    // In an animation the share of what is left to the next frame.
+    REQUIRE(render({"Shutter=0.5", "Motion_Samples=8", "+KFI1", "+KFF5", "+SF3", "+EF3", "+Ob.png"}).status == 0);
+    const image::Picture third = image::Files().read(folder / "b3.png");
+    const auto light_at = [&](double at) {
+        const int x = static_cast<int>((at + 1.0) * 32.0);
+        return static_cast<double>(image::TransferCurve::srgb().decode(third.at(x, 4)[0]));
+    };
+    CHECK(light_at(0.45) == Approx(1.0).margin(1e-3));
+    CHECK(light_at(0.5625) == Approx(0.5).margin(0.13));
+    CHECK(light_at(0.66) == Approx(0.0).margin(1e-3));
+    const auto refused = render({"Shutter=1", "--error=1"});
+    CHECK(refused.status == 1);
+    CHECK(refused.err.find("Shutter") != std::string::npos);
 }
 
 TEST_CASE("samples are the same on one thread and on four", "[program][samples]")
