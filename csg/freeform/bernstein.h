@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/roots/polynomial_roots.h"
+#include "csg/roots/safeguarded_newton.h"
 
 #include <array>
 #include <functional>
@@ -60,17 +61,12 @@ inline double only_change(const std::array<double, count>& b)
         return bracketed(c, 4, 0.0, 1.0, b[0] <= 0.0, t, 1e-15);
     } else {
         constexpr double kClose = 1e-9;  // of the interval: the last of Newton's steps doubles its digits
-        double low = 0.0, high = 1.0;
-        for (int i = 0; i < 100; ++i) {
-            double value = 0.0, slope = 0.0;
-            casteljau(b, t, value, slope);
-            ((value > 0.0) == (b[0] > 0.0) ? low : high) = t;
-            double next = t - value / slope;
-            if (!(next > low && next < high)) next = 0.5 * (low + high);
-            if (std::abs(next - t) <= kClose) return next;
-            t = next;
-        }
-        return t;
+        const auto at = [&b](double place) {
+            ValueAndSlope here{};
+            casteljau(b, place, here.value, here.slope);
+            return here;
+        };
+        return safeguarded_newton(at, 0.0, 1.0, !(b[0] > 0.0), t, {kClose, 0.0});
     }
 }
 

@@ -2,6 +2,7 @@
 
 // Continues polynomial_shape.h: the root finder, inline because it is compiled once per instruction set.
 #include "csg/roots/low_degree_roots.h"
+#include "csg/roots/safeguarded_newton.h"
 #include "csg/solids/shared/polynomial_shape.h"
 
 #include <algorithm>
@@ -22,24 +23,15 @@ inline void evaluate(const double* c, int degree, double t, double& value, doubl
     }
 }
 
-/// The sign change between lo and hi, from `t` on: Newton, kept inside the bracket by bisection, until it moves by less
-/// than `close` of itself. From afar Newton gains but a part 1 / degree a step: then bisection is quicker.
+/// The sign change of a polynomial between lo and hi, from `t` on, until it moves by less than `close` of itself.
 inline double bracketed(const double* c, int degree, double lo, double hi, bool negative_at_lo, double t, double close)
 {
-    double before = hi - lo;
-    for (int i = 0; i < 300; ++i) {
-        double value = 0.0, slope = 0.0;
-        evaluate(c, degree, t, value, slope);
-        if (value == 0.0) return t;
-        ((value < 0.0) == negative_at_lo ? lo : hi) = t;
-        double next = t - value / slope;
-        const double step = std::abs(next - t);
-        if (!(next > lo && next < hi) || step > 0.5 * before) next = 0.5 * (lo + hi);
-        before = std::abs(next - t);
-        if (std::abs(next - t) <= close * std::abs(t) || next == lo || next == hi) return next;
-        t = next;
-    }
-    return t;
+    const auto at = [=](double place) {
+        ValueAndSlope here{};
+        evaluate(c, degree, place, here.value, here.slope);
+        return here;
+    };
+    return safeguarded_newton<true>(at, lo, hi, negative_at_lo, t, {0.0, close}, 300);
 }
 
 /// No root, nor one of a derivative, is larger by amount (Fujiwara 1916: twice the largest |c[n - k] / c[n]|^(1/k)),

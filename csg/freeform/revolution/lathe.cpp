@@ -1,5 +1,7 @@
 #include "csg/freeform/revolution/lathe_reach.h"
 
+#include "csg/roots/safeguarded_newton.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -8,20 +10,11 @@ namespace {
 
 bool finite(const glm::dvec2& p) { return std::abs(p.x) < kInfinity && std::abs(p.y) < kInfinity; }
 
-/// Where a component of a piece is `level` between lo and hi, within which it rises or falls: bisection and Newton.
+/// Where a component of a piece is `level` between lo and hi, within which it rises or falls.
 double reached(const auto& piece, int k, double level, double lo, double hi, bool falling)
 {
-    double w = 0.5 * (lo + hi);
-    for (int i = 0; i < 80; ++i) {
-        const double value = piece.at(w)[k] - level;
-        if (value == 0.0) return w;
-        ((value < 0.0) != falling ? lo : hi) = w;
-        double next = w - value / piece.slope(w)[k];
-        if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-        if (next == w || next == lo || next == hi) return next;
-        w = next;
-    }
-    return w;
+    const auto at = [&](double w) { return ValueAndSlope{piece.at(w)[k] - level, piece.slope(w)[k]}; };
+    return safeguarded_newton(at, lo, hi, !falling, 0.5 * (lo + hi), {}, 80);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "csg/freeform/revolution/lathe_point.h"
 #include "csg/freeform/revolution/lathe_reach.h"
 #include "csg/freeform/sorted_ends.h"
+#include "csg/roots/safeguarded_newton.h"
 
 #include <array>
 
@@ -193,18 +194,10 @@ private:
     /// Where the arc has the height of the foot.
     double level_parameter(const Arc& arc, double above_start, double above_end) const
     {
-        double lo = arc.lo, hi = arc.hi, w = lo + (hi - lo) * (above_start / (above_start - above_end));
-        for (int i = 0; i < 60 && !arc.straight; ++i) {
-            const double above = arc.at(w).y - ray_.foot;
-            if (above == 0.0) break;
-            ((above < 0.0) == (above_start < 0.0) ? lo : hi) = w;
-            double next = w - above / arc.slope(w).y;
-            if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-            const double moved = std::abs(next - w);
-            w = next;
-            if (moved <= kClose) break;
-        }
-        return w;
+        const double w = arc.lo + (arc.hi - arc.lo) * (above_start / (above_start - above_end));
+        if (arc.straight) return w;
+        const auto at = [&](double v) { return ValueAndSlope{arc.at(v).y - ray_.foot, arc.slope(v).y}; };
+        return safeguarded_newton(at, arc.lo, arc.hi, above_start < 0.0, w, {kClose, 0.0}, 60);
     }
 
     /// beyond() along a straight arc is a quadratic whose discriminant needs no difference of nearly equal numbers but
@@ -288,25 +281,18 @@ private:
             across = std::sqrt(glm::max((radius - c) * (radius + c), 0.0));
             return ray_.rise * across - ray_.run * std::abs(above);
         };
-        double lo = start.w, hi = end.w;
+        const double lo = start.w, hi = end.w;
         const double before = value(start.radius, start.above), after = value(end.radius, end.above);
         double w = before != after ? lo + (hi - lo) * (before / (before - after)) : 0.5 * (lo + hi);
         if (!(w > lo && w < hi)) w = 0.5 * (lo + hi);
-        for (int i = 0; i < 80; ++i) {
-            const glm::dvec2 p = arc.at(w), d = arc.slope(w);
+        const auto at = [&](double v) {
+            const glm::dvec2 p = arc.at(v), d = arc.slope(v);
             const double above = p.y - ray_.foot, now = value(p.x, above);
-            if (now == 0.0) break;
-            ((now > 0.0) == start.out() ? lo : hi) = w;
-            const double slope = by_roots
-                                     ? ray_.rise * d.x * p.x / across - ray_.run * sign * d.y
-                                     : 2.0 * (ray_.rise * ray_.rise * p.x * d.x - ray_.run * ray_.run * above * d.y);
-            double next = w - now / slope;
-            if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-            const double moved = std::abs(next - w);
-            w = next;
-            if (moved <= kClose) break;
-        }
-        return w;
+            return ValueAndSlope{
+                now, by_roots ? ray_.rise * d.x * p.x / across - ray_.run * sign * d.y
+                              : 2.0 * (ray_.rise * ray_.rise * p.x * d.x - ray_.run * ray_.run * above * d.y)};
+        };
+        return safeguarded_newton(at, lo, hi, !start.out(), w, {kClose, 0.0}, 80);
     }
 
     // Of the parameter, 0 to 1 along a segment: the step that is this small has squared the error before it.

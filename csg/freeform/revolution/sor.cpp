@@ -1,5 +1,6 @@
 #include "csg/freeform/revolution/sor.h"
 
+#include "csg/roots/safeguarded_newton.h"
 #include "csg/solids/shared/outline_shape.h"
 
 #include <algorithm>
@@ -146,22 +147,11 @@ private:
         return true;
     }
 
-    /// Newton, kept in the bracket by bisection.
     template <class Value, class Slope>
     static double root(const Value& value, const Slope& slope, double lo, double hi, bool out_at_lo)
     {
-        double v = 0.5 * (lo + hi);
-        for (int i = 0; i < 100; ++i) {
-            const double now = value(v);
-            if (now == 0.0) break;
-            ((now > 0.0) == out_at_lo ? lo : hi) = v;
-            double next = v - now / slope(v);
-            if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-            if (next == v || next == lo || next == hi) return next;
-            if (std::abs(next - v) <= 1e-16 * std::abs(v)) return next;
-            v = next;
-        }
-        return v;
+        const auto at = [&](double v) { return ValueAndSlope{value(v), slope(v)}; };
+        return safeguarded_newton(at, lo, hi, !out_at_lo, 0.5 * (lo + hi), {0.0, 1e-16});
     }
 
     const Sor& sor_;

@@ -1,5 +1,7 @@
 #include "csg/freeform/surface/superellipsoid.h"
 
+#include "csg/roots/safeguarded_newton.h"
+
 #include <cmath>
 #include <utility>
 
@@ -133,18 +135,11 @@ bool Superellipsoid::each_change(const Line& line, Range in, Range ends, int dep
     if ((concave && changes) || slope_has_sign(line, in.low, in.high)) {
         if (!changes) return true;
         const bool rises = ends.high > 0.0;
-        double low = in.low, high = in.high, t = 0.5 * (low + high);
-        for (int i = 0; i < 200; ++i) {
+        const auto at = [&](double t) {
             const Slope here = along(line, t);
-            if (here.value == 0.0) break;
-            ((here.value > 0.0) == rises ? high : low) = t;
-            double next = t - here.value / here.slope;
-            if (!(next > low && next < high)) next = 0.5 * (low + high);
-            const bool done = std::abs(next - t) <= 1e-15 * std::abs(t) || next <= low || next >= high;
-            t = next;
-            if (done) break;
-        }
-        return found(t);
+            return ValueAndSlope{here.value, here.slope};
+        };
+        return found(safeguarded_newton(at, in.low, in.high, rises, 0.5 * (in.low + in.high), {0.0, 1e-15}, 200));
     }
     const double middle = 0.5 * (in.low + in.high);
     if (depth == 0) return !changes || found(middle);

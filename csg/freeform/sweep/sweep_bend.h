@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/freeform/sweep/sphere_sweep.h"
+#include "csg/roots/safeguarded_newton.h"
 
 #include <algorithm>
 #include <array>
@@ -75,21 +76,15 @@ private:
     /// Where reach is largest: its slope only falls.
     double peak() const
     {
-        double low = 0.0, high = 1.0;
+        const double low = 0.0, high = 1.0;
         const double at_low = at(low).dreach, at_high = at(high).dreach;
         if (at_low <= 0.0) return low;
         if (at_high >= 0.0) return high;
-        double u = at_low / (at_low - at_high);
-        for (int i = 0; i < 60; ++i) {
+        const auto slope = [this](double u) {
             const Place here = at(u);
-            (here.dreach > 0.0 ? low : high) = u;
-            double next = u - here.dreach / here.ddreach;
-            if (!(next > low && next < high)) next = 0.5 * (low + high);
-            const double step = std::abs(next - u);
-            u = next;
-            if (step < kClose) break;
-        }
-        return u;
+            return ValueAndSlope{here.dreach, here.ddreach};
+        };
+        return safeguarded_newton(slope, low, high, false, at_low / (at_low - at_high), {kClose, 0.0}, 60);
     }
 
     /// Least sign * m - sqrt(reach); twice the root times its derivative is 2 sign m' sqrt(reach) - reach', which
@@ -98,7 +93,7 @@ private:
     {
         const auto rising = [&](const Place& p) { return 2.0 * sign * p.dm * std::sqrt(p.reach) - p.dreach > 0.0; };
         const bool left = rising(summit);
-        double low = left ? 0.0 : top, high = left ? top : 1.0;
+        const double low = left ? 0.0 : top, high = left ? top : 1.0;
         const double rim = left ? 0.0 : 1.0;
         const Place outer = at(rim);
         if (rim == top || (outer.reach > 0.0 && rising(outer) == left))
@@ -108,22 +103,15 @@ private:
                      away = std::abs(summit.dm) * std::sqrt(summit.reach / (bend * (bend + summit.dm * summit.dm)));
         double u = left ? top - away : top + away;
         if (!(u > low && u < high)) u = 0.5 * (low + high);
-        Place here = summit;
-        for (int i = 0; i < 60; ++i) {
-            here = at(u);
-            double next = 0.5 * (low + high);
-            if (here.reach > 0.0) {
-                const double root = std::sqrt(here.reach), value = 2.0 * sign * here.dm * root - here.dreach;
-                (value > 0.0 ? high : low) = u;
-                next = u - value / (2.0 * sign * here.ddm * root + sign * here.dm * here.dreach / root - here.ddreach);
-            } else {
-                (left ? low : high) = u;
-            }
-            if (!(next > low && next < high)) next = 0.5 * (low + high);
-            const double step = std::abs(next - u);
-            if (step < kClose) break;
-            u = next;
-        }
+        const auto slope = [&](double v) {
+            const Place here = at(v);
+            if (!(here.reach > 0.0)) return ValueAndSlope{left ? -1.0 : 1.0, 0.0};  // beyond the end: halved
+            const double root = std::sqrt(here.reach);
+            return ValueAndSlope{2.0 * sign * here.dm * root - here.dreach,
+                                 2.0 * sign * here.ddm * root + sign * here.dm * here.dreach / root - here.ddreach};
+        };
+        u = safeguarded_newton(slope, low, high, true, u, {kClose, 0.0}, 60);
+        const Place here = at(u);
         return {sign * here.m - std::sqrt(std::max(here.reach, 0.0)), u};
     }
 

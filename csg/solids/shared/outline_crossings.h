@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/base/lanes.h"
+#include "csg/roots/safeguarded_newton.h"
 #include "csg/solids/shared/outline_shape.h"
 
 #include <algorithm>
@@ -56,22 +57,15 @@ inline void curve_crossings(const OutlinePiece& piece, const OutlineLine& line, 
         const double hi = i < n ? turns[i] : 1.0;
         const double after = i < n ? ((a * hi + b) * hi + c) * hi + d : last;
         if ((before < 0.0) != (after < 0.0)) {
-            // Newton between the turns, kept in the bracket.
-            double low = lo, high = hi, w = lo + (hi - lo) * (before / (before - after));
+            double w = lo + (hi - lo) * (before / (before - after));
             if (a == 0.0) {
                 const double root = only_root_of(b, c, d, before < 0.0);
                 if (root > lo && root < hi) w = root;
             }
-            for (int k = 0; k < 60; ++k) {
-                const double value = ((a * w + b) * w + c) * w + d;
-                if (value == 0.0) break;
-                ((value < 0.0) == (before < 0.0) ? low : high) = w;
-                double next = w - value / ((3.0 * a * w + 2.0 * b) * w + c);
-                if (!(next > low && next < high)) next = 0.5 * (low + high);
-                if (std::abs(next - w) <= 1e-16) break;
-                w = next;
-            }
-            f(w);
+            const auto at = [=](double v) {
+                return ValueAndSlope{((a * v + b) * v + c) * v + d, (3.0 * a * v + 2.0 * b) * v + c};
+            };
+            f(safeguarded_newton(at, lo, hi, before < 0.0, w, {1e-16, 0.0}, 60));
         }
         lo = hi;
         before = after;

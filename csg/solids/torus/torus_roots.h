@@ -1,6 +1,7 @@
 #pragma once
 
 // Continues torus.h: the inline solver.
+#include "csg/roots/safeguarded_newton.h"
 #include "csg/solids/torus/torus.h"
 #include "csg/solids/torus/torus_quartic.h"
 
@@ -8,25 +9,16 @@ namespace csg {
 
 namespace detail {
 
-/// Root of a function with opposite signs at lo and hi: Newton, kept inside the bracket by bisection, until it moves by
-/// no more than `close`.
+/// Root of a function with opposite signs at lo and hi, until it moves by no more than `close`.
 template <class Function>
 double bracketed_root(const Function& f, double lo, double hi, bool negative_at_lo, double close)
 {
-    double t = 0.5 * (lo + hi);
-    for (int i = 0; i < 80; ++i) {
-        double value = 0.0, slope = 0.0;
-        f(t, value, slope);
-        if (value == 0.0) return t;
-        ((value < 0.0) == negative_at_lo ? lo : hi) = t;
-        double next = t - value / slope;
-        if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-        if (next == t || next == lo || next == hi) return next;
-        const double moved = std::abs(next - t);
-        t = next;
-        if (moved <= close) return t;
-    }
-    return t;
+    const auto at = [&f](double t) {
+        ValueAndSlope here{};
+        f(t, here.value, here.slope);
+        return here;
+    };
+    return safeguarded_newton(at, lo, hi, negative_at_lo, 0.5 * (lo + hi), {close, 0.0}, 80);
 }
 
 /// Turns of the quartic inside (lo, hi), in order: they separate its roots. How far they are off costs only its square.
