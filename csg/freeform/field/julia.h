@@ -58,6 +58,8 @@ public:
     static constexpr bool kClosed = true, kInverseClosed = false;
 
 private:
+    class Orbits;
+    class Ahead;
     class Lanes;
     struct March {
         bool inside;
