@@ -19,19 +19,24 @@ public:
     void run()
     {
         if (std::isnan(shape_.across_) || std::isnan(shape_.along_)) return;
-        Set left = prepare();
-        left = leave_out(left, which(left, [&](std::size_t k) { return begin(k) > from_[k]; }), 1.0);
-        left = leave_out(left, which(left, [&](std::size_t k) { return end(k) < to_[k]; }), -1.0);
-        const Set entered = newton(left, 1.0, from_, to_, in_);
-        const Set passing = which(entered, [&](std::size_t k) { return out_[k].enter(start_[k] + in_[k], 0); });
-        each(passing, [&](std::size_t k) {
-            from_[k] = -to_[k];
-            to_[k] = back_[k] = -in_[k];
-        });
-        Numbers exit;
-        const Set left_again = newton(passing, -1.0, from_, to_, exit);
+        const Set left = leave_out(prepare());
+        const auto enter = [&](std::size_t k) { return out_[k].enter(start_[k] + in_[k], 0); };
+        Set passing = 0, left_again = 0;
+        if (few(left) && which(left, [&](std::size_t k) { return may_leave(k); }) != 0) {
+            const Ways both = both_ways(left);
+            passing = which(both.forth, enter);
+            // The ends were looked for as far as the ranges begin, not the entries. Steps only grow.
+            left_again = which(passing & both.back, [&](std::size_t k) { return exit_[k] <= -in_[k]; });
+        } else {
+            passing = which(newton(left, 1.0, from_, to_, in_), enter);
+            each(passing, [&](std::size_t k) {
+                from_[k] = -to_[k];
+                to_[k] = -in_[k];
+            });
+            left_again = newton(passing, -1.0, from_, to_, exit_);
+        }
         each(passing,
-             [&](std::size_t k) { out_[k].leave(start_[k] - ((left_again >> k & 1u) != 0 ? exit[k] : back_[k]), 0); });
+             [&](std::size_t k) { out_[k].leave(start_[k] - ((left_again >> k & 1u) != 0 ? exit_[k] : -in_[k]), 0); });
     }
 
 private:
@@ -59,6 +64,10 @@ private:
         each(rays, [&](std::size_t k) { out |= Set{holds(k) ? 1u : 0u} << k; });
         return out;
     }
+    /// So few that entries and exits fit in the lanes together.
+    static bool few(Set rays) { return 2 * std::popcount(rays) <= lanes::kDoubles; }
+    /// Whether the end may be asked for: not if the entry is the nearest one wanted.
+    bool may_leave(std::size_t k) const { return !(out_[k].first_only && begin(k) <= from_[k]); }
     double begin(std::size_t k) const { return out_[k].from - start_[k]; }
     double end(std::size_t k) const { return out_[k].to - start_[k]; }
 
@@ -185,20 +194,13 @@ private:
     }
 
     /// Leaves out the rays that are outside where their range begins and go away from there, or where it ends and still
-    /// come nearer: a convex length meets 1 no more. `side`: 1 for the begin, -1 for the end.
-    Set leave_out(Set rays, Set asked, double side) const
+    /// come nearer: a convex length meets 1 no more.
+    Set leave_out(Set rays) const
     {
         alignas(64) std::array<double, kWide> px, py, pz, dx, dy, dz;
         std::array<std::size_t, kWide> of{};
-        while (asked != 0) {
-            std::size_t count = 0;
-            for (; count < kWide && asked != 0; asked &= asked - 1) {
-                const auto k = static_cast<std::size_t>(std::countr_zero(asked));
-                const double t = side > 0.0 ? begin(k) : end(k);
-                of[count] = k;
-                px[count] = ox_[k] + t * dx_[k], py[count] = oy_[k] + t * dy_[k], pz[count] = oz_[k] + t * dz_[k];
-                dx[count] = side * dx_[k], dy[count] = side * dy_[k], dz[count++] = side * dz_[k];
-            }
+        std::size_t count = 0;
+        const auto ask_all = [&] {
             const auto away = [&](auto zero) {
                 using T = decltype(zero);
                 const auto at = [&](const std::array<double, kWide>& from) { return load(zero, from.data()); };
@@ -209,7 +211,18 @@ private:
             const std::uint32_t missed = count == 1 ? away(0.0) : away(Double(0.0));
             for (std::size_t i = 0; i < count; ++i)
                 if ((missed >> i & 1u) != 0) rays &= ~(Set{1} << of[i]);
-        }
+            count = 0;
+        };
+        const auto ask = [&](std::size_t k, double t, double side) {
+            of[count] = k;
+            px[count] = ox_[k] + t * dx_[k], py[count] = oy_[k] + t * dy_[k], pz[count] = oz_[k] + t * dz_[k];
+            dx[count] = side * dx_[k], dy[count] = side * dy_[k], dz[count] = side * dz_[k];
+            if (++count == kWide) ask_all();
+        };
+        each(which(rays, [&](std::size_t k) { return begin(k) > from_[k]; }),
+             [&](std::size_t k) { ask(k, begin(k), 1.0); });
+        each(which(rays, [&](std::size_t k) { return end(k) < to_[k]; }), [&](std::size_t k) { ask(k, end(k), -1.0); });
+        if (count != 0) ask_all();
         return rays;
     }
 
@@ -259,6 +272,43 @@ private:
         return met;
     }
 
+    /// Rays that come in along their directions, and those that do against them, into in_ and exit_.
+    struct Ways {
+        Set forth = 0, back = 0;
+    };
+    /// newton() both ways at once, of few rays: those back in the lanes behind the others.
+    Ways both_ways(Set rays)
+    {
+        alignas(64) std::array<double, kWide> ox{}, oy{}, oz{}, dx{}, dy{}, dz{}, t{}, end{};
+        std::array<std::size_t, kWide> of{};
+        const auto count = static_cast<std::size_t>(std::popcount(rays));
+        std::size_t lane = 0;
+        for (const double way : {1.0, -1.0})
+            each(rays, [&](std::size_t k) {
+                ox[lane] = ox_[k], oy[lane] = oy_[k], oz[lane] = oz_[k];
+                dx[lane] = way * dx_[k], dy[lane] = way * dy_[k], dz[lane] = way * dz_[k];
+                t[lane] = way > 0.0 ? from_[k] : -to_[k], end[lane] = way > 0.0 ? to_[k] : -from_[k];
+                of[lane++] = k;
+            });
+        const auto at = [](const std::array<double, kWide>& numbers) { return Double::load_aligned(numbers.data()); };
+        const Vector<Double> o{at(ox), at(oy), at(oz)}, d{at(dx), at(dy), at(dz)};
+        const Double last = at(end);
+        std::uint32_t busy = (1u << lane) - 1u;
+        Ways met;
+        for (int i = 0; i < kMostSteps && busy != 0; ++i) {
+            const Step<Double> step = next_step(o, d, at(t), last);
+            step.t.store_aligned(t.data());
+            for (std::uint32_t found = busy & step.met; found != 0; found &= found - 1) {
+                const auto which = static_cast<std::size_t>(std::countr_zero(found));
+                const bool forth = which < count;
+                (forth ? in_ : exit_)[of[which]] = t[which];
+                (forth ? met.forth : met.back) |= Set{1} << of[which];
+            }
+            busy &= ~(step.met | step.missed);
+        }
+        return met;
+    }
+
     bool newton_alone(std::size_t k, double way, double from, double to, double& found) const
     {
         const Vector<double> o{ox_[k], oy_[k], oz_[k]}, d{way * dx_[k], way * dy_[k], way * dz_[k]};
@@ -294,7 +344,7 @@ private:
     alignas(64) Numbers ox_, oy_, oz_, dx_, dy_, dz_;  ///< of the rays, from the point nearest to the middle
     alignas(64) Numbers start_;                        ///< of that point in the ray's parameter
     alignas(64) Numbers from_, to_;                    ///< where Newton begins and ends
-    Numbers in_, back_;
+    Numbers in_, exit_;
 };
 
 void Superellipsoid::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
