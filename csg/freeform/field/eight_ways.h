@@ -94,22 +94,41 @@ public:
     /// the others. growth: null without `evaluate`.
     std::uint32_t search(std::uint32_t searching, const GradientGrowth* growth, std::uint32_t& crossed)
     {
-        std::uint32_t asking = 0;
+        std::uint32_t asking = 0, beyond = 0;
         crossed = 0;
-        while (searching != 0) {
-            std::uint32_t beyond = 0;
-            for (std::size_t i = 0; i < kWide; i += lanes::kDoubles) {
-                const Found found = look(i, searching >> i & kAll, growth);
-                asking |= found.asking << i;
-                crossed |= found.crossed << i;
-                beyond |= found.beyond << i;
+        if (searching == 0) return 0;
+        for (std::size_t i = 0; i < kWide; i += lanes::kDoubles) {
+            const Found found = look(i, searching >> i & kAll, growth);
+            asking |= found.asking << i;
+            crossed |= found.crossed << i;
+            beyond |= found.beyond << i;
+        }
+        // The pieces behind: seldom many, of few lanes.
+        for (std::uint32_t left = searching & ~(asking | crossed | beyond); left != 0; left &= left - 1) {
+            const std::uint32_t bit = left & (0u - left);
+            switch (go_on(static_cast<std::size_t>(std::countr_zero(left)), growth, false)) {
+            case Piece::Asks: asking |= bit; break;
+            case Piece::Crossed: crossed |= bit; break;
+            case Piece::None: break;
             }
-            searching &= ~(asking | crossed | beyond);
-            for (std::uint32_t left = searching; left != 0; left &= left - 1)
-                if (!next_piece(static_cast<std::size_t>(std::countr_zero(left)))) searching &= ~(left & (0u - left));
         }
         return asking;
     }
+
+    enum class Piece { Asks, Crossed, None };
+    // The same for one lane while no other is busy.
+    glm::dvec3 point(std::size_t lane) const
+    {
+        const Ray along = ray(lane);
+        return (far_ >> lane & 1u) != 0 ? fused_at(along, at_.v[lane]) : along.at(at_.v[lane]);
+    }
+    void take_middle(std::size_t lane, double field)
+    {
+        ends_[lane][waiting_[lane]++] = {far_t_.v[lane], far_f_.v[lane]};
+        far_t_.v[lane] = at_.v[lane];
+        far_f_.v[lane] = sign_.v[lane] * field;
+    }
+    Piece search_alone(std::size_t lane, const GradientGrowth* growth) { return go_on(lane, growth, true); }
 
 private:
     using Double = lanes::Double;
@@ -153,16 +172,43 @@ private:
         return {asking, whole & lanes::mask(far_f < Double(0.0)), beyond};
     }
 
-    /// What waits lies behind: it begins where the last piece ended. False: none does.
-    bool next_piece(std::size_t lane)
+    /// look() at the nearest piece of one lane if it is `new_near`, and at what waits behind, as far as need be: each
+    /// piece begins where the last one ended.
+    Piece go_on(std::size_t lane, const GradientGrowth* growth, bool new_near)
     {
-        if (waiting_[lane] == 0) return false;
-        const Sample& far = ends_[lane][--waiting_[lane]];
-        near_t_.v[lane] = far_t_.v[lane];
-        near_f_.v[lane] = far_f_.v[lane];
-        far_t_.v[lane] = far.t;
-        far_f_.v[lane] = far.f;
-        return true;
+        const double speed = speed_.v[lane], accuracy = accuracy_.v[lane], to = to_.v[lane];
+        double gradient = gradient_.v[lane];
+        Sample near{near_t_.v[lane], near_f_.v[lane]}, far{far_t_.v[lane], far_f_.v[lane]};
+        std::size_t waiting = waiting_[lane];
+        Piece found = Piece::None;
+        for (bool known = !new_near;; known = true) {
+            if (known) {
+                if (waiting == 0) break;
+                near = far;
+                far = ends_[lane][--waiting];
+            }
+            if (near.t > to) break;
+            const double length = far.t - near.t, world = speed * length;
+            if (growth != nullptr) {
+                const double least = std::abs(far.f - near.f) / world * growth->room;
+                if (gradient < least) gradient = least * growth->room;
+            }
+            const double t = near.t + 0.5 * length;
+            if (length < accuracy || t == near.t || t == far.t) {
+                if (!(far.f < 0.0)) continue;
+                found = Piece::Crossed;
+            } else {
+                if (!(near.f + far.f - gradient * world < 0.0)) continue;
+                found = Piece::Asks;
+                at_.v[lane] = t;
+            }
+            near_t_.v[lane] = near.t, near_f_.v[lane] = near.f;
+            far_t_.v[lane] = far.t, far_f_.v[lane] = far.f;
+            break;
+        }
+        gradient_.v[lane] = gradient;
+        waiting_[lane] = waiting;
+        return found;
     }
 
     Eight origin_[3], direction_[3], speed_, accuracy_, gradient_, to_, sign_;

@@ -159,13 +159,21 @@ void Isosurface::intersect_many(std::span<const Ray> rays, IntersectionList* out
     EightPoints p;
     Eight field{};
     while (busy != 0) {
-        ways.points(busy, p);
         if ((busy & (busy - 1)) == 0) {
             const auto one = static_cast<std::size_t>(std::countr_zero(busy));
-            field.v[one] = terms_.field->value({p.x.v[one], p.y.v[one], p.z.v[one]});
-        } else {
-            terms_.field->values(p, field);
+            const double v = terms_.field->value(ways.point(one)) - terms_.threshold;
+            searching = halving;
+            if (halving != 0) ways.take_middle(one, v);
+            else go_on(one, walks[one].take(v));
+            if (searching == 0) continue;
+            const EightWays::Piece next = ways.search_alone(one, terms_.evaluate ? &growth : nullptr);
+            halving = next == EightWays::Piece::Asks ? searching : 0;
+            if (halving == 0)
+                go_on(one, next == EightWays::Piece::Crossed ? walks[one].cross(ways.crossing(one)) : walks[one].end());
+            continue;
         }
+        ways.points(busy, p);
+        terms_.field->values(p, field);
         for (double& v : field.v) v -= terms_.threshold;
         searching = halving;
         ways.take_middles(halving, field);
