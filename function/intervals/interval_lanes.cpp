@@ -24,6 +24,9 @@ namespace {
 
 struct Ends {
     Batch low, high;
+    Ends() = default;
+    Ends(const Batch& l, const Batch& h) : low(l), high(h) {}
+    Ends(double v) : low(v), high(v) {}  // implicit: constants of formulas
 };
 
 Ends ends(const EightIntervals& a, std::size_t i)
@@ -83,12 +86,26 @@ Ends absolute(const Ends& a)
     return {xsimd::select(through, Batch(0.0), xsimd::min(l, h)), xsimd::max(l, h)};
 }
 
-Ends square(const Ends& a)
+/// The square of what is written twice.
+Ends squared(const Ends& a)
 {
     const Ends s = absolute(a);
     const Ends out = widened(s.low * s.low, s.high * s.high);
     return {xsimd::max(out.low, Batch(0.0)), out.high};
 }
+
+/// No root of a wholly negative number: it may be any.
+Ends sqrt(const Ends& a) { return widened(xsimd::sqrt(xsimd::max(a.low, Batch(0.0))), xsimd::sqrt(a.high)); }
+Ends larger(const Ends& a, const Ends& b) { return {xsimd::max(a.low, b.low), xsimd::max(a.high, b.high)}; }
+Ends field_limit(const Ends& a)
+{
+    const auto limit = [](const Batch& v) { return xsimd::min(Batch(10.0), xsimd::max(Batch(-10.0), v)); };
+    return {limit(a.low), limit(a.high)};
+}
+Ends operator+(const Ends& a, const Ends& b) { return widened(a.low + b.low, a.high + b.high); }
+Ends operator-(const Ends& a, const Ends& b) { return widened(a.low - b.high, a.high - b.low); }
+// A number times itself is no product of two.
+Ends operator*(const Ends& a, const Ends& b) { return &a == &b ? squared(a) : multiply(a, b); }
 
 Ends divide(const Ends& a, const Ends& b)
 {
@@ -145,10 +162,9 @@ EightIntervals arc_tangent(const EightIntervals& y, const EightIntervals& x)
     return batchwise(y, x, [](const Ends& a, const Ends& b) { return arc_tangent(a, b); });
 }
 
-/// The square of what is written twice.
 EightIntervals squared(const EightIntervals& a)
 {
-    return batchwise(a, a, [](const Ends& x, const Ends&) { return square(x); });
+    return batchwise(a, a, [](const Ends& x, const Ends&) { return squared(x); });
 }
 EightIntervals absolute(const EightIntervals& a)
 {
@@ -156,30 +172,19 @@ EightIntervals absolute(const EightIntervals& a)
 }
 EightIntervals sqrt(const EightIntervals& a)
 {
-    return batchwise(a, a, [](const Ends& x, const Ends&) {
-        return widened(xsimd::sqrt(xsimd::max(x.low, Batch(0.0))),
-                       xsimd::sqrt(x.high));  // no root of a wholly negative number: it may be any
-    });
+    return batchwise(a, a, [](const Ends& x, const Ends&) { return sqrt(x); });
 }
 EightIntervals larger(const EightIntervals& a, const EightIntervals& b)
 {
-    return batchwise(a, b, [](const Ends& x, const Ends& y) {
-        return Ends{xsimd::max(x.low, y.low), xsimd::max(x.high, y.high)};
-    });
+    return batchwise(a, b, [](const Ends& x, const Ends& y) { return larger(x, y); });
 }
-EightIntervals field_limit(const EightIntervals& a)
-{
-    const auto limit = [](const Batch& v) { return xsimd::min(Batch(10.0), xsimd::max(Batch(-10.0), v)); };
-    return batchwise(a, a, [&](const Ends& x, const Ends&) { return Ends{limit(x.low), limit(x.high)}; });
-}
-
 EightIntervals operator+(const EightIntervals& a, const EightIntervals& b)
 {
-    return batchwise(a, b, [](const Ends& x, const Ends& y) { return widened(x.low + y.low, x.high + y.high); });
+    return batchwise(a, b, [](const Ends& x, const Ends& y) { return x + y; });
 }
 EightIntervals operator-(const EightIntervals& a, const EightIntervals& b)
 {
-    return batchwise(a, b, [](const Ends& x, const Ends& y) { return widened(x.low - y.high, x.high - y.low); });
+    return batchwise(a, b, [](const Ends& x, const Ends& y) { return x - y; });
 }
 EightIntervals operator*(const EightIntervals& a, const EightIntervals& b)
 {
@@ -274,7 +279,7 @@ struct Rules<EightIntervals> {
                                    const double*)
     {
         EightIntervals out;
-        if (arithmetic_range(n, a, out)) return out;
+        if (in_registers(n, count, a, out)) return out;
         if (n == 47) return arc_tangent(distance<EightIntervals>(a[0], 0.0, a[2]), a[1]);
         if (n == 69) return arc_tangent(a[0], a[2]);
         return each_lane([&](std::size_t lane) {
@@ -297,6 +302,19 @@ struct Rules<EightIntervals> {
 
 private:
     static constexpr std::size_t kMostParameters = 16;
+
+    /// A formula from its first step to its last for what a register holds: no step waits for memory.
+    static bool in_registers(std::uint32_t n, std::uint32_t count, const EightIntervals* a, EightIntervals& out)
+    {
+        Ends one[kMostParameters], found;
+        for (std::size_t i = 0; i < kLanes; i += kWidth) {
+            for (std::uint32_t k = 0; k < count; ++k) one[k] = ends(a[k], i);
+            if (!arithmetic_range(n, one, found)) return false;
+            found.low.store_aligned(out.low + i);
+            found.high.store_aligned(out.high + i);
+        }
+        return true;
+    }
 };
 
 void evaluate_intervals(const Function& function, const double (*low)[kLanes], const double (*high)[kLanes],

@@ -1,5 +1,6 @@
 #include "csg/freeform/field/isosurface_search.h"
 
+#include "csg/base/lanes.h"
 #include "csg/roots/fused_at.h"
 
 #include <algorithm>
@@ -11,14 +12,20 @@ namespace {
 constexpr int kParts = 8;
 constexpr double kRoom = 4 * 0x1p-52;  // relative error of a point of the ray, generously
 
-/// Sides of the boxes between t[k] and t[k + 1], with room for rounding.
+/// Sides of the boxes between from + k step and from + (k + 1) step, with room for rounding.
 void sides(double origin, double direction, double from, double step, EightRanges& out)
 {
-    for (int k = 0; k < kParts; ++k) {
-        const double a = origin + (from + k * step) * direction, b = origin + (from + (k + 1) * step) * direction;
-        const double room = kRoom * (std::abs(origin) + std::abs(a) + std::abs(b));
-        out.low.v[k] = std::min(a, b) - room;
-        out.high.v[k] = std::max(a, b) + room;
+    using lanes::Double;
+    alignas(64) static constexpr double kPart[kParts] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const Double size(std::abs(origin));
+    for (std::size_t k = 0; k < kParts; k += lanes::kDoubles) {
+        const auto place = [&](const Double& part) {
+            return Double(origin) + (Double(from) + part * Double(step)) * Double(direction);
+        };
+        const Double part = Double::load_aligned(kPart + k), a = place(part), b = place(part + Double(1.0)),
+                     room = Double(kRoom) * (size + xsimd::abs(a) + xsimd::abs(b));
+        (xsimd::min(b, a) - room).store_aligned(out.low.v + k);
+        (xsimd::max(b, a) + room).store_aligned(out.high.v + k);
     }
 }
 
