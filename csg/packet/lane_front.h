@@ -3,6 +3,7 @@
 #include "csg/packet/beam.h"
 #include "csg/packet/lane_solids.h"
 #include "csg/packet/lane_torus.h"
+#include "csg/packet/packet_slabs.h"
 #include "csg/tree/program.h"
 #include "csg/packet/tile_rays.h"
 
@@ -29,7 +30,11 @@ struct LeafEnd {
 template <class Rays>
 class LaneFront {
 public:
-    LaneFront(const SolidStore& store, const Beam& beam, const Rays& rays) : store_(store), beam_(beam), rays_(rays) {}
+    LaneFront(const SolidStore& store, const Beam& beam, const Rays& rays) : store_(store), beam_(&beam), rays_(rays) {}
+    /// Of rays that form no beam.
+    LaneFront(const SolidStore& store, const PacketSlabs<Rays>& slabs, const Rays& rays)
+        : store_(store), slabs_(&slabs), rays_(rays)
+    {}
 
     /// The nearest crossing, for the rays of the mask; the form is simple(). The answers are in `t` and `end` until the
     /// next question.
@@ -234,15 +239,34 @@ private:
             for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) near_cut(form, k, mask);
             return true;
         }
+        if (slabs_ != nullptr) return sieve_cuts(form, term, mask);
         const float limit = rounded_up(rays_.farthest(0, rays_.groups));
         for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
             alignas(32) float near[8];
-            std::uint32_t met = beam_.meet(form.cut_boxes[first / 8].bounds, limit, near);
+            std::uint32_t met = beam_->meet(form.cut_boxes[first / 8].bounds, limit, near);
             for (; met != 0; met &= met - 1) {
                 const std::uint32_t k = first + static_cast<std::uint32_t>(std::countr_zero(met));
                 if (k >= term.cut_last) break;
                 if (cuts_ == kMostCuts) return false;
                 near_cut(form, k, mask);
+            }
+        }
+        return true;
+    }
+
+    /// The same where the rays form no beam. False also where a hierarchy serves a ray by itself.
+    bool sieve_cuts(const SumOfProducts& form, const ProductTerm& term, RayMask mask)
+    {
+        if (term.tree != ProductTerm::kNoTree) return false;
+        for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
+            alignas(32) float near[8];
+            std::array<RayMask, 8> rays;
+            std::uint32_t met = slabs_->meet(form.cut_boxes[first / 8].bounds, mask, rays, near);
+            for (; met != 0; met &= met - 1) {
+                const auto place = static_cast<std::uint32_t>(std::countr_zero(met));
+                if (first + place >= term.cut_last) break;
+                if (cuts_ == kMostCuts) return false;
+                meet_cut_of(form, first + place, rays[place]);
             }
         }
         return true;
@@ -255,7 +279,11 @@ private:
             return glm::dvec3(bounds[row][k % 8], bounds[row + 1][k % 8], bounds[row + 2][k % 8]);
         };
         const RayMask near = rays_.meet(corner(0), corner(3), mask);
-        if (near == 0) return;
+        if (near != 0) meet_cut_of(form, k, near);
+    }
+
+    void meet_cut_of(const SumOfProducts& form, std::uint32_t k, RayMask near)
+    {
         const std::uint32_t leaf = form.cuts[k].first;
         if (form.cuts[k].count == 1 && form.leaves[leaf].convex) meet_cut(form, leaf, near);
         else if (form.cuts[k].count != 1 || !cut_by_torus(form, leaf, near)) undecided |= near;  // not for lanes
@@ -368,7 +396,8 @@ private:
     }
 
     const SolidStore& store_;
-    const Beam& beam_;
+    const Beam* beam_ = nullptr;
+    const PacketSlabs<Rays>* slabs_ = nullptr;
     const Rays& rays_;
     double reach_ = -1.0;
     alignas(64) Lanes in_, out_, in_end_, out_end_;

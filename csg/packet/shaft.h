@@ -38,7 +38,7 @@ public:
     {
         LaneFront<Rays> front(world.store, beam_, rays);
         LaneBoolean<Rays> boolean(world.store, rays);
-        TileLeaf<Rays, Query> leaf{world, beam_, rays, query, world.shadow_kinds, front, boolean};
+        TileLeaf<Rays, Query> leaf{world, &beam_, rays, query, world.shadow_kinds, front, boolean};
         for (std::size_t i = 0; i < endless_count_; ++i) leaf.item(endless_[i], rays.all());
         for (std::size_t i = 0; i < leaf_count_; ++i) {
             if (i % kBetweenLooks == 0 && rays.farthest(0, rays.groups) < 0.0) return;

@@ -20,7 +20,7 @@ namespace csg {
 template <class Rays, class Query>
 struct TileLeaf {
     const WorldData& world;
-    const Beam& beam;
+    const Beam* beam;  ///< null: the rays form none
     Rays& rays;
     Query& query;
     std::uint32_t kinds;
@@ -34,7 +34,19 @@ struct TileLeaf {
             return;
         }
         const RayMask mask = rays.meet(lower, upper, rays_of_groups(first, last));
-        if (mask == 0) return;
+        if (mask != 0) items(leaf, mask);
+    }
+
+    /// The block for rays that form no beam.
+    void open(ChildWord leaf, RayMask mask) const
+    {
+        if (leaf.kind() == LeafKind::Spheres) spheres(world.spheres[leaf.index()], mask);
+        else items(leaf, mask);
+    }
+
+private:
+    void items(ChildWord leaf, RayMask mask) const
+    {
         if (leaf.kind() == LeafKind::Item) {
             item(leaf.index(), mask);
             return;
@@ -44,6 +56,7 @@ struct TileLeaf {
             triangle(world.bvh.triangle_members[k], mask);
     }
 
+public:
     /// An item against the rays of the mask.
     void item(std::uint32_t index, RayMask mask) const
     {
@@ -147,7 +160,7 @@ private:
 
     void spheres(const SphereBlock& block, int first, int last) const
     {
-        for (std::uint32_t mask = beam.meet(block); mask != 0; mask &= mask - 1) {
+        for (std::uint32_t mask = beam->meet(block); mask != 0; mask &= mask - 1) {
             const int k = std::countr_zero(mask);
             if ((world.items[block.item[k]].visible & kinds) == 0) continue;
             const glm::dvec3 center(block.x[k], block.y[k], block.z[k]);
@@ -157,6 +170,28 @@ private:
                                            block.radius[k]);
             });
         }
+    }
+
+    /// Of rays that form no beam: the spheres of the block in lanes.
+    void spheres(const SphereBlock& block, RayMask mask) const
+    {
+        each_ray(mask, [&](std::size_t k) {
+            alignas(64) double near[8], far[8];
+            const Ray ray = rays.ray(static_cast<int>(k));
+            for (std::uint32_t met = sphere_block(block, ray, near, far); met != 0; met &= met - 1) {
+                const auto s = static_cast<std::size_t>(std::countr_zero(met));
+                const std::uint32_t index = block.item[s];
+                if (!(near[s] <= far[s]) || (world.items[index].visible & kinds) == 0) continue;
+                const PartId solid = world.items[index].solid;
+                const SurfaceId surface = world.store.surface(solid);
+                if (near[s] >= rays.t_min[k] && near[s] <= rays.limit[k]) {
+                    query.hit(index, k, {near[s], surface, solid, 0, false});
+                    if (query.first_only(world.items[index])) continue;
+                }
+                if (far[s] >= rays.t_min[k] && far[s] <= rays.limit[k])
+                    query.hit(index, k, {far[s], surface, solid, 0, false});
+            }
+        });
     }
 
     void each(std::uint32_t item, int ray) const

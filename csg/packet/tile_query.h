@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/packet/lane_equal.h"
+#include "csg/packet/packet_walk.h"
 #include "csg/packet/tile_leaf.h"
 
 /// The two questions a tile asks, in vector lanes where the solid allows it. Compiled once per instruction set. Numbers
@@ -48,11 +49,12 @@ public:
     NearestOfTile(const WorldData& world, Rays& rays, Scratch& scratch, HitTile& out)
         : world_(world), rays_(rays), scratch_(scratch), out_(out)
     {
-        out.t.fill(kInfinity);
-        out.surface.fill(kNoSurface);
-        item_.fill(kNone);
-        nearer_.fill(kInfinity);
-        if constexpr (Rays::kShared) reach_.fill(Nearest::reach_of(rays.origin));
+        const int places = rays.groups * kRayGroup;
+        std::fill_n(out.t.begin(), places, kInfinity);
+        std::fill_n(out.surface.begin(), places, kNoSurface);
+        std::fill_n(item_.begin(), places, kNone);
+        std::fill_n(nearer_.begin(), places, kInfinity);
+        if constexpr (Rays::kShared) std::fill_n(reach_.begin(), places, Nearest::reach_of(rays.origin));
         else
             for (std::size_t k = 0; k < static_cast<std::size_t>(rays.count); ++k)
                 reach_[k] = Nearest::reach_of(rays.origin_of(k));
@@ -285,10 +287,22 @@ inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Qu
     if (!beam.narrow()) return false;
     LaneFront<Rays> front(world.store, beam, rays);
     LaneBoolean<Rays> boolean(world.store, rays);
-    TileLeaf<Rays, Query> leaf{world, beam, rays, query, kinds, front, boolean};
+    TileLeaf<Rays, Query> leaf{world, &beam, rays, query, kinds, front, boolean};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
     TileWalk(world.bvh, beam, rays, kinds, leaf).run();
     return true;
+}
+
+/// The same of rays that form no beam.
+template <class Rays, class Query>
+inline void ask_packet(const WorldData& world, Rays& rays, std::uint32_t kinds, Query& query)
+{
+    const PacketSlabs<Rays> slabs(rays);
+    LaneFront<Rays> front(world.store, slabs, rays);
+    LaneBoolean<Rays> boolean(world.store, rays);
+    TileLeaf<Rays, Query> leaf{world, nullptr, rays, query, kinds, front, boolean};
+    for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
+    PacketWalk(world.bvh, slabs, rays, kinds, leaf).run();
 }
 
 /// Fewer rays than this go one by one: a beam of few rays that fly apart meets more than they do. Where two come near
@@ -317,6 +331,15 @@ inline int fewest_for_beam(const WorldData& world, const RayTile& rays)
             ++near == kFewestTogether)
             return kFewestTogether;
     return kFewestForBeam;
+}
+
+/// Fewer rays than this that form no beam, or in a larger world, are not asked together: there each of them soon goes
+/// its own way, and what they share weighs less than its cost.
+inline int fewest_for_packet(const WorldData& world)
+{
+    constexpr int kFewest = 6;
+    constexpr std::size_t kMostNodes = 128;
+    return world.bvh.nodes.size() <= kMostNodes ? kFewest : kTileRays + 1;
 }
 
 }  // namespace csg

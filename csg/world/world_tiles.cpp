@@ -29,6 +29,13 @@ void shadow_of_cluster(const World& world, const WorldData& data, const RayTile&
         return true;
     };
     if (!data.faithful && in_lanes(rays, fewest_for_beam(data, rays), answered)) return;
+    const auto together = [&](auto&& lanes) {
+        ShadowOfTile query(data, lanes, scratch);
+        ask_packet(data, lanes, data.shadow_kinds, query);
+        for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
+        return true;
+    };
+    if (!data.faithful && in_lanes(rays, fewest_for_packet(data), together)) return;
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         out[i] = world.shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
@@ -45,6 +52,13 @@ void crossings_of_cluster(const World& world, const WorldData& data, const RayTi
         return true;
     };
     if (!data.faithful && in_lanes(rays, fewest_for_beam(data, rays), answered)) return;
+    const auto together = [&](auto&& lanes) {
+        CrossingsOfTile query(data, lanes, scratch, out);
+        ask_packet(data, lanes, data.shadow_kinds, query);
+        query.finish();
+        return true;
+    };
+    if (!data.faithful && in_lanes(rays, fewest_for_packet(data), together)) return;
     std::vector<Hit>& hits = scratch.hits();
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -60,9 +74,10 @@ void crossings_of_cluster(const World& world, const WorldData& data, const RayTi
 void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
 {
     scratch.cancel.look();
-    const auto answered = [&](auto&& lanes) {
+    const auto ask = [&](auto&& lanes, bool beam) {
         NearestOfTile query(*data_, lanes, scratch, out);
-        if (!ask_tile(*data_, lanes, kind_bit, query)) return false;
+        if (!beam) ask_packet(*data_, lanes, kind_bit, query);
+        else if (!ask_tile(*data_, lanes, kind_bit, query)) return false;
         query.finish();
         if (!data_->ordered.empty()) {
             for (int i = 0; i < rays.count; ++i) {
@@ -75,8 +90,14 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
         }
         return true;
     };
+    const auto answered = [&](auto&& lanes) { return ask(lanes, true); };
+    const auto together = [&](auto&& lanes) { return ask(lanes, false); };
     const int fewest = fewest_for_beam(*data_, rays);
     if (in_lanes(rays, fewest, answered)) {
+        if (data_->faithful) recheck(rays, kind_bit, scratch, out);
+        return;
+    }
+    if (in_lanes(rays, fewest_for_packet(*data_), together)) {
         if (data_->faithful) recheck(rays, kind_bit, scratch, out);
         return;
     }

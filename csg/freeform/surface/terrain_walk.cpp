@@ -2,15 +2,16 @@
 
 namespace csg {
 
-/// The part of the ray over the grid.
+/// The part of the ray over the grid. Its end is the grid's, not the end of what is asked for: that depends on what the
+/// ray has met before, and where the terrain is crossed is found between the ends of a step.
 bool TerrainWalk::clip(double& first, double& last) const
 {
-    Interval column{.entry = out_.from, .exit = out_.to}, side;
+    Interval column{.entry = out_.from, .exit = kInfinity}, side;
     if (!slab(ray_.origin.x, ray_.direction.x, 0.0, field_.scale_.x, side) || !narrow(column, side)) return false;
     if (!slab(ray_.origin.z, ray_.direction.z, 0.0, field_.scale_.z, side) || !narrow(column, side)) return false;
     first = column.entry;
     last = column.exit;
-    return true;
+    return first <= out_.to;
 }
 
 void TerrainWalk::run()
@@ -19,7 +20,7 @@ void TerrainWalk::run()
     const double down = ray_.direction.y, height = ray_.origin.y;
     if (!clip(first, last)) return;
     if (field_.floor_ > field_.top_) {  // all of it under water
-        Interval over{.entry = first, .exit = last}, below;
+        Interval over{.entry = first, .exit = std::min(last, out_.to)}, below;
         if (!slab(height, down, -kInfinity, field_.floor_, below) || !narrow(over, below)) return;
         if (out_.enter(over.entry, kUndrawnFace)) out_.leave(over.exit, kUndrawnFace);
         return;
@@ -40,9 +41,9 @@ void TerrainWalk::run()
         enter_band(begin, first < low);
         const HeightField::Blocks& all = field_.blocks_.back();
         walk(field_.blocks_.size(), {0, all.columns, 0, all.rows}, begin, end);
-        if (!done_ && end == high) leave_band(end, down < 0.0);
+        if (!done_ && end == high && end <= out_.to) leave_band(end, down < 0.0);
     }
-    if (inside_ && !done_) out_.leave(last, kUndrawnFace);
+    if (inside_ && !done_) out_.leave(std::min(last, out_.to), kUndrawnFace);
 }
 
 /// Which side of the terrain the ray is on where it comes into the band at t, through its floor or top (`from_beyond`)
@@ -88,6 +89,7 @@ void TerrainWalk::walk(std::size_t level, const Window& window, double from, dou
         const double edge = by_x ? at_x : at_z;
         step.from = step.to;
         step.y_from = step.y_to;
+        if (step.from > out_.to) return;
         step.to = std::max(step.from, std::min(edge, to));
         step.y_to = y(step.to);
         if (level == 0) cell(i, k, step);

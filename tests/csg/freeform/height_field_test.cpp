@@ -124,6 +124,37 @@ TEST_CASE("no ray slips between the cells of a flat floor", "[csg][height_field]
     }
 }
 
+TEST_CASE("where a ray meets the terrain does not depend on how far it looks", "[csg][height_field]")
+{
+    int met = 0;
+    for (std::uint32_t seed = 0; seed < 20000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const HeightField::Grid grid = random_grid(rng, seed % 3 == 0);
+        const HeightField field(grid);
+        const Ray ray = random_ray(rng, grid, static_cast<int>(seed % 5));
+        const auto nearest = [&](double to) {
+            IntersectionList record(0.0, to, true);
+            field.intersect(ray, record);
+            double t = kInfinity;
+            const auto offer = [&](double at, std::uint32_t face) {
+                if (at >= 0.0 && at <= to && at < t && face != kUndrawnFace) t = at;
+            };
+            record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                offer(in, in_face);
+                offer(out, out_face);
+            });
+            return t;
+        };
+        const double t = nearest(kInfinity);
+        if (t == kInfinity) continue;
+        ++met;
+        // The end lies in the cell of the crossing as a rule.
+        for (const double beyond : {1e-12, 1e-6, 1e-3, 1e-2, 0.5}) REQUIRE(nearest(t * (1.0 + beyond)) == t);
+    }
+    REQUIRE(met > 5000);
+}
+
 TEST_CASE("numbers that are none leave a height field unharmed", "[csg][height_field]")
 {
     HeightField::Grid grid;

@@ -94,8 +94,23 @@ csg::RayTile onward_tile(Rng& rng, double spread)
     return tile;
 }
 
+/// Rays that fly apart, from few to all: no beam holds them.
+csg::RayTile scattered_tile(Rng& rng)
+{
+    csg::RayTile tile = onward_tile(rng, 0.05);
+    tile.common_origin = rng.below(4) == 0;
+    tile.count = 1 + static_cast<int>(rng.below(64));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(tile.count); ++k) {
+        csg::Ray ray = random_ray(rng);
+        if (tile.common_origin) ray.origin = tile.ray(0).origin;
+        tile.set(k, ray, 1e-4, rng.below(3) == 0 ? rng.uniform(1.0, 30.0) : csg::kInfinity);
+    }
+    return tile;
+}
+
 csg::RayTile any_tile(Rng& rng, int k)
 {
+    if (k % 4 == 1) return scattered_tile(rng);
     const double spread = k % 3 == 0 ? 0.05 : 0.003;
     return (rng.below(2) == 0) ? camera_tile(rng, spread) : onward_tile(rng, k % 5 == 0 ? 0.15 : spread);
 }
