@@ -86,14 +86,15 @@ glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, const 
                        double eta)
 {
     const double c = -glm::dot(d, n);
-    const double s = finish.fresnel ? fresnel_share(eta, c)
-                     : finish.reflection_falloff == 1.0f
-                         ? 1.0 - c
-                         : std::pow(1.0 - c, static_cast<double>(finish.reflection_falloff));
-    const auto share = static_cast<float>(s);
-    glm::vec3 r = finish.reflection_min == finish.reflection_max
-                      ? finish.reflection_max
-                      : share * finish.reflection_max + (1.0f - share) * finish.reflection_min;
+    glm::vec3 r = finish.reflection_max;
+    if (finish.reflection_min != finish.reflection_max) {
+        const double s = finish.fresnel ? fresnel_share(eta, c)
+                         : finish.reflection_falloff == 1.0f
+                             ? 1.0 - c
+                             : std::pow(1.0 - c, static_cast<double>(finish.reflection_falloff));
+        const auto share = static_cast<float>(s);
+        r = share * finish.reflection_max + (1.0f - share) * finish.reflection_min;
+    }
     if (finish.reflection_metallic != 0.0f) r *= metallic_tint(finish.reflection_metallic, c, pigment);
     return r;
 }

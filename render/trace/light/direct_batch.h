@@ -17,8 +17,9 @@ namespace trace {
 
 class DirectBatch {
 public:
-    explicit DirectBatch(Context& context)
-        : context_(context), set_(context.scene.textures), scratch_(context.scratch.shade),
+    /// count: hits and misses of the tile.
+    DirectBatch(Context& context, int count)
+        : context_(context), count_(count), set_(context.scene.textures), scratch_(context.scratch.shade),
           bends_normals_(context.scene.settings.quality >= 8)
     {
         rows_.fill(0);
@@ -147,9 +148,7 @@ public:
     /// The colour of the light at hand, of all hits or of one.
     void begin_light(const glm::vec3& color)
     {
-        scratch_.reaching.red.fill(color.x);
-        scratch_.reaching.green.fill(color.y);
-        scratch_.reaching.blue.fill(color.z);
+        scratch_.reaching.fill(color, count_);
         dark_ = dark(color) ? ~HitMask{0} : 0;
     }
     void begin_light(std::size_t k, const glm::vec3& color)
@@ -181,7 +180,7 @@ public:
         for (std::size_t depth = 0; depth < depths_; ++depth) {
             RowPage& at = scratch_.pages[depth];
             at.gained_before = at.gained;
-            at.gained.fill(0.0f);
+            at.gained.fill(glm::vec3(0), count_);
         }
     }
     void end_group()
@@ -207,12 +206,12 @@ public:
                 const float *glow = (at.glow.*channel).data(), *gained = (at.gained.*channel).data(),
                             *filter = (at.filter.*channel).data();
                 if (depth == 0) {
-                    for (std::size_t k = 0; k < csg::kTileRays; ++k) sum[k] = glow[k] + gained[k];
+                    each_place(count_, [&](std::size_t k) { sum[k] = glow[k] + gained[k]; });
                     continue;
                 }
                 // The top layer's filter is 1.
-                for (std::size_t k = 0; k < csg::kTileRays; ++k)
-                    sum[k] += here[k] != 0 ? filter[k] * (glow[k] + gained[k]) : 0.0f;
+                each_place(count_,
+                           [&](std::size_t k) { sum[k] += here[k] != 0 ? filter[k] * (glow[k] + gained[k]) : 0.0f; });
             }
         };
         each(&TileColors::red);
@@ -277,8 +276,8 @@ private:
         if (d == depths_) {
             ++depths_;
             at.holds = at.bent = at.scalar = at.lit = at.shiny = at.raised = at.tinted = 0;
-            at.gained.fill(0.0f);
-            if (d == 0) at.filter.fill(1.0f);
+            at.gained.fill(glm::vec3(0), count_);
+            if (d == 0) at.filter.fill(glm::vec3(1), count_);
         }
         return at;
     }
@@ -297,11 +296,9 @@ private:
         const texture::Finish& finish = set_.finishes[of.finish];
         const glm::vec3 emitted = finish.ambient + finish.emission;
         const bool shiny = finish.phong > 0.0f || finish.specular > 0.0f;
-        if (at.holds == 0) {  // places that other hits take are written again
+        if (at.holds == 0 && !few(hits)) {  // places that other hits take are written again
             at.finish.fill(&finish);
-            at.emitted.red.fill(emitted.x);
-            at.emitted.green.fill(emitted.y);
-            at.emitted.blue.fill(emitted.z);
+            at.emitted.fill(emitted, csg::kTileRays);
             at.finish_diffuse.fill(finish.diffuse);
             if (shiny) at.lobe.fill(finish);
         } else {
@@ -358,35 +355,51 @@ private:
     /// Pigments of hits; of some, `clear`, opacity counts.
     void color(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
+        if (few(hits)) return color_each(at, hits, clear, c);
         const LaneMask here(hits), counts(clear);
         alignas(64) TileFloats alpha;
         alpha.fill(1.0f);
         if (clear != 0 && set_.legacy_opacity) {
             for_each_hit(hits & clear, [&](std::size_t k) { alpha[k] = texture::opacity(c.at(k), true); });
         } else if (clear != 0) {
-            for (std::size_t k = 0; k < csg::kTileRays; ++k)
-                alpha[k] = counts[k] != 0 ? 1.0f - c.filter[k] - c.transmit[k] : 1.0f;
+            each_place(count_,
+                       [&](std::size_t k) { alpha[k] = counts[k] != 0 ? 1.0f - c.filter[k] - c.transmit[k] : 1.0f; });
         }
         if (context_.indirect != nullptr)
-            for (std::size_t k = 0; k < csg::kTileRays; ++k) at.alpha[k] = here[k] != 0 ? alpha[k] : at.alpha[k];
+            each_place(count_, [&](std::size_t k) { at.alpha[k] = here[k] != 0 ? alpha[k] : at.alpha[k]; });
         const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {
             float *pigment = (at.pigment.*channel).data(), *glow = (at.glow.*channel).data();
             const float* emitted = (at.emitted.*channel).data();
-            for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+            each_place(count_, [&](std::size_t k) {
                 pigment[k] = here[k] != 0 ? from[k] : pigment[k];
                 glow[k] = here[k] != 0 ? from[k] * emitted[k] * alpha[k] : glow[k];
-            }
+            });
         };
         component(c.red, &TileColors::red);
         component(c.green, &TileColors::green);
         component(c.blue, &TileColors::blue);
-        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+        each_place(count_, [&](std::size_t k) {
             const double diffuse = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
             at.diffuse[k] = here[k] != 0 ? diffuse : at.diffuse[k];
-        }
+        });
+    }
+
+    /// The same hit by hit.
+    void color_each(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
+    {
+        for_each_hit(hits, [&](std::size_t k) {
+            const scene::Color own = c.at(k);
+            const float alpha = has(clear, k) ? texture::opacity(own, set_.legacy_opacity) : 1.0f;
+            if (context_.indirect != nullptr) at.alpha[k] = alpha;
+            const glm::vec3 rgb = own.rgb();
+            at.pigment.set(k, rgb);
+            at.glow.set(k, rgb * at.emitted[k] * alpha);
+            at.diffuse[k] = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha);
+        });
     }
 
     Context& context_;
+    const int count_;
     const texture::TextureSet& set_;
     ShadeScratch& scratch_;
     const bool bends_normals_;

@@ -149,7 +149,7 @@ private:
     HitMask illuminate_from_point(const light::Light& light)
     {
         toward_point(light, scratch_.hits, tile_.count(), scratch_.light);
-        scratch_.lit_colors.fill(light.color);
+        std::fill_n(scratch_.lit_colors.begin(), tile_.count(), light.color);
         batch_.begin_light(light.color);
         return light.color == glm::vec3(0) ? 0 : ~HitMask{0};
     }

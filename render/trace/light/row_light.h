@@ -44,24 +44,24 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
     find_intensities(at, n, turning, scratch.light, rays.count, on, intensity);
     const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
     TileFloats diffuse, strength{};
-    for (std::size_t k = 0; k < csg::kTileRays; ++k) diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]);
+    each_place(rays.count, [&](std::size_t k) { diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]); });
     if (shiny != 0) {
         alignas(64) TileLanes found{};
         find_highlights(rays, n, scratch.light, at.lobe, shiny, found);
         const LaneMask shines(shiny);
-        for (std::size_t k = 0; k < csg::kTileRays; ++k)
-            strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f;
+        each_place(rays.count,
+                   [&](std::size_t k) { strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f; });
     }
     const HitMask tinted = at.tinted & shiny;
     const LaneMask gains(on & ~tinted), has_diffuse(at.lit);
     for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
         const float *pigment = (at.pigment.*channel).data(), *color = (scratch.reaching.*channel).data();
         float* gained = (at.gained.*channel).data();
-        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+        each_place(rays.count, [&](std::size_t k) {
             const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
             const float light_here = from_diffuse + (strength[k] != 0.0f ? strength[k] * color[k] : 0.0f);
             gained[k] = gains[k] != 0 ? gained[k] + light_here : gained[k];
-        }
+        });
     }
     for_each_hit(tinted, [&](std::size_t k) {
         const glm::vec3 color = scratch.reaching[k], rgb = at.pigment[k];

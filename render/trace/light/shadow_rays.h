@@ -69,16 +69,16 @@ inline bool shadow_rays(ShadeScratch& scratch, HitMask asking, const glm::dvec3*
     beam.common_origin = lamp != nullptr;
     if (asking == first_hits(beam.count)) {
         const auto count = static_cast<std::size_t>(beam.count);
-        beam.t_min = ends.from;
-        beam.t_max = ends.to;
+        std::copy_n(ends.from.begin(), count, beam.t_min.begin());
+        std::copy_n(ends.to.begin(), count, beam.t_max.begin());
         const auto put = [&](TileLanes& origin, TileLanes& direction, const TileLanes& point, int axis,
                              const TileLanes& to_light) {
             if (lamp != nullptr) {
                 std::fill_n(origin.begin(), count, (*lamp)[axis]);
                 for (std::size_t i = 0; i < count; ++i) direction[i] = -to_light[i];
             } else {
-                origin = point;
-                direction = to_light;
+                std::copy_n(point.begin(), count, origin.begin());
+                std::copy_n(to_light.begin(), count, direction.begin());
             }
         };
         put(beam.ox, beam.dx, scratch.hits.x, 0, toward.x);

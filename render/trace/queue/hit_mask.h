@@ -22,6 +22,20 @@ inline void for_each_hit(HitMask mask, F&& f)
 inline std::size_t first_hit(HitMask mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
 inline bool has(HitMask mask, std::size_t k) { return (mask >> k & 1) != 0; }
 
+/// f(k) for the places of a tile of so many hits, and those that fill up its last sixteen: loops without a remainder
+/// for vector lanes.
+template <class F>
+inline void each_place(int count, F&& f)
+{
+    constexpr std::size_t kBlock = 16;
+    static_assert(csg::kTileRays % kBlock == 0);
+    for (std::size_t first = 0; first < static_cast<std::size_t>(count); first += kBlock)
+        for (std::size_t k = first; k < first + kBlock; ++k) f(k);
+}
+
+/// Hits so few that it is sooner done for each of them than for all places of the tile.
+inline bool few(HitMask hits) { return std::popcount(hits) <= 8; }
+
 /// Hits 0 <= k < count.
 inline HitMask first_hits(int count) { return count < csg::kTileRays ? (HitMask{1} << count) - 1 : ~HitMask{0}; }
 

@@ -27,6 +27,13 @@ struct alignas(64) TileColors {
         green.fill(v);
         blue.fill(v);
     }
+    /// One colour for a tile's first `count` hits, and for places that fill up the last lanes.
+    void fill(const glm::vec3& c, int count)
+    {
+        each_place(count, [&](std::size_t k) { red[k] = c.x; });
+        each_place(count, [&](std::size_t k) { green[k] = c.y; });
+        each_place(count, [&](std::size_t k) { blue[k] = c.z; });
+    }
 };
 
 /// Up to one row of each hit on its way through the lights: a layer of a texture that it shows.

@@ -18,7 +18,7 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     RayQueue& queue = context.scratch.shade.queue;
     queue.begin_tile();
     const SegmentTile tile(context, rays, hits, camera, starts, queued);
-    DirectBatch batch(context);
+    DirectBatch batch(context, rays.count);
     const HitMask dimmed = AirStage(context, tile).run();
     SurfaceStage(context, tile, batch, dimmed).run();
     LightStage(context, tile, batch).run();

@@ -54,7 +54,8 @@ private:
         const texture::Pigment& pigment = set.pigments[index];
         const bool solid = pigment.kind == texture::Pigment::Kind::Solid;
         if (solid) {
-            scratch_.solid.fill(pigment.color);
+            if (few(group)) for_each_hit(group, [&](std::size_t k) { scratch_.solid.set(k, pigment.color); });
+            else scratch_.solid.fill(pigment.color);
             batch_.color(group, scratch_.solid);
         }
         if (solid && !batch_.bent(first_hit(group))) return;
