@@ -40,4 +40,21 @@ glm::dvec2 jitter(double x, double y)
             static_cast<double>(kJitter[hash(truncated(1019 * x), truncated(1021 * y)) & 255u])};
 }
 
+void jitter(const double* x, const double* y, int count, double* jitter_x, double* jitter_y)
+{
+    // Plain loops, apart from the look-ups: the compiler puts eight numbers into a register.
+    std::array<std::uint32_t, 64> ax, ay, bx, by;
+    const std::size_t lanes = (static_cast<std::size_t>(count) + 7u) & ~std::size_t{7};
+    for (std::size_t i = 0; i < lanes; ++i) {
+        ax[i] = truncated(1021 * x[i]);
+        ay[i] = truncated(1019 * y[i]);
+        bx[i] = truncated(1019 * x[i]);
+        by[i] = truncated(1021 * y[i]);
+    }
+    for (std::size_t i = 0; i < lanes; ++i) {
+        jitter_x[i] = static_cast<double>(kJitter[hash(ax[i], ay[i]) & 255u]);
+        jitter_y[i] = static_cast<double>(kJitter[hash(bx[i], by[i]) & 255u]);
+    }
+}
+
 }  // namespace trace

@@ -132,6 +132,20 @@ bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& r
     return (long_enough & kAll) == kAll;
 }
 
+void CameraRays::unscaled_perspective(const double* px, const double* py, int count, double* dx, double* dy,
+                                      double* dz) const
+{
+    using csg::lanes::Double;
+    const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
+    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+        const Double u = (Double::load_aligned(px + i) + Double(0.5)) / Double(width_) - Double(0.5);
+        const Double v = (Double(height_ - 0.5) - Double::load_aligned(py + i)) / Double(height_) - Double(0.5);
+        (Double(d.x) + u * Double(r.x) + v * Double(up.x)).store_aligned(dx + i);
+        (Double(d.y) + u * Double(r.y) + v * Double(up.y)).store_aligned(dy + i);
+        (Double(d.z) + u * Double(r.z) + v * Double(up.z)).store_aligned(dz + i);
+    }
+}
+
 glm::dvec3 CameraRays::polar(double theta, double a, double b) const
 {
     const double phi = std::atan2(b, a);

@@ -35,6 +35,11 @@ public:
     /// as from ray(). Reads up to a multiple of 8. False if one of them has no length.
     bool perspective(const double* px, const double* py, csg::RayTile& rays) const;
 
+    /// Directions of any length of a perspective camera's samples, in vector lanes; the same bits as from
+    /// unscaled_ray(). Reads and writes up to a multiple of 8.
+    void unscaled_perspective(const double* px, const double* py, int count, double* dx, double* dy, double* dz) const;
+    bool is_perspective() const { return camera_.kind == scene::Camera::Kind::Perspective; }
+
     /// All rays start in the eye: a tile of them is a beam.
     bool common_origin() const { return common_origin_; }
 

@@ -1,5 +1,6 @@
 #include "render/trace/camera/focal_blur.h"
 
+#include "csg/base/lanes.h"
 #include "render/texture/evaluate.h"
 #include "render/plan/chi_square.h"
 #include "render/trace/antialias/jitter.h"
@@ -32,6 +33,9 @@ const LensSet& set_of(int samples)
         if (samples >= set.size) return set;
     return kSets.back();
 }
+
+/// Of 16 steps across a pixel, from its centre.
+double step(std::uint32_t k) { return (2.0 * k + 1.0) / 32.0 - 0.5; }
 
 /// k + 1 mirrored at the point in a number system (Halton 1964).
 double radical_inverse(int base, int k)
@@ -67,6 +71,7 @@ FocalBlur::FocalBlur(const scene::Camera& camera, const texture::TextureSet& tex
                        kLens.begin() + static_cast<std::ptrdiff_t>(set.first) + fixed);
         place_further_samples();
     }
+    for (std::uint32_t k = 0; k < 256; ++k) moves_.push_back((jitter(step(k / 16), step(k % 16)) - 0.5) / 16.0);
     thresholds_.assign(static_cast<std::size_t>(samples_) + 1, 0.0);
     if (samples_ < 2) return;
     const double last = plan::chi_square(samples_ - 1, camera.confidence);
@@ -165,9 +170,8 @@ bool FocalBlur::ray(const CameraRays& rays, const glm::dvec2& position, int n, c
 {
     const std::uint32_t seed = truncated(313.0 * position.x + 11.0) + truncated(311.0 * position.y + 17.0) +
                                static_cast<std::uint32_t>(n);
-    const auto step = [](std::uint32_t index) { return (2.0 * (permuted(index) % 16u) + 1.0) / 32.0 - 0.5; };
-    const glm::dvec2 within{step(seed), step(seed + 1)};
-    const glm::dvec2 moved = position + within + (jitter(within.x, within.y) - 0.5) / 16.0;
+    const std::uint32_t across = permuted(seed) % 16u, down = permuted(seed + 1) % 16u;
+    const glm::dvec2 moved = position + glm::dvec2(step(across), step(down)) + moves_[16u * across + down];
     const bool found = rays.unscaled_ray(moved.x, moved.y, out);
     const glm::dvec2 place =
         radius_ * (places_[static_cast<std::size_t>(n)] + 2.0 * amplitude_ * jitter(moved.x + 0.5, moved.y - 0.5));
@@ -179,6 +183,55 @@ bool FocalBlur::ray(const CameraRays& rays, const glm::dvec2& position, int n, c
     if (!(length > 0.0)) return false;
     out.direction = direction / length;
     return true;
+}
+
+bool FocalBlur::rays(const CameraRays& rays, const Waiting& samples, csg::RayTile& out) const
+{
+    using csg::lanes::Double;
+    if (!rays.is_perspective()) return false;
+    constexpr std::size_t kRays = csg::kTileRays;
+    alignas(64) std::array<double, kRays> x, y, shifted_x{}, shifted_y{}, place_x, place_y;
+    std::array<std::uint32_t, kRays> seed;
+    const std::size_t lanes = (static_cast<std::size_t>(samples.count) + 7u) & ~std::size_t{7};
+    for (std::size_t i = 0; i < lanes; ++i)
+        seed[i] = truncated(313.0 * samples.x[i] + 11.0) + truncated(311.0 * samples.y[i] + 17.0) +
+                  static_cast<std::uint32_t>(samples.n[i]);
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const std::uint32_t across = permuted(seed[i]) % 16u, down = permuted(seed[i] + 1) % 16u;
+        const glm::dvec2& move = moves_[16u * across + down];
+        x[i] = samples.x[i] + step(across) + move.x;
+        y[i] = samples.y[i] + step(down) + move.y;
+        shifted_x[i] = x[i] + 0.5;
+        shifted_y[i] = y[i] - 0.5;
+        const glm::dvec2& place = places_[static_cast<std::size_t>(samples.n[i])];
+        place_x[i] = place.x;
+        place_y[i] = place.y;
+    }
+    rays.unscaled_perspective(x.data(), y.data(), samples.count, out.dx.data(), out.dy.data(), out.dz.data());
+    jitter(shifted_x.data(), shifted_y.data(), samples.count, x.data(), y.data());
+    const auto all = [](bool ok, Double length) {
+        constexpr std::uint32_t kAll = (1u << csg::lanes::kDoubles) - 1u;
+        return ok && csg::lanes::mask(length > Double(0.0)) == kAll;
+    };
+    const Double radius(radius_), swing(2.0 * amplitude_), ratio(focal_ratio_);
+    bool found = true;
+    for (std::size_t i = 0; i < lanes; i += csg::lanes::kDoubles) {
+        const auto at = [i](const auto& values) { return Double::load_aligned(values.data() + i); };
+        const Double across = radius * (at(place_x) + swing * at(x)), along = radius * (at(place_y) + swing * at(y));
+        const auto offset = [&](int axis) { return across * Double(right_[axis]) - along * Double(up_[axis]); };
+        const Double ox = offset(0), oy = offset(1), oz = offset(2);
+        const Double dx = at(out.dx) * ratio - ox, dy = at(out.dy) * ratio - oy, dz = at(out.dz) * ratio - oz;
+        const Double length = xsimd::sqrt(dx * dx + dy * dy + dz * dz);
+        found = all(found, length);
+        (Double(location_.x) + ox).store_aligned(out.ox.data() + i);
+        (Double(location_.y) + oy).store_aligned(out.oy.data() + i);
+        (Double(location_.z) + oz).store_aligned(out.oz.data() + i);
+        (dx / length).store_aligned(out.dx.data() + i);
+        (dy / length).store_aligned(out.dy.data() + i);
+        (dz / length).store_aligned(out.dz.data() + i);
+    }
+    out.count = samples.count;
+    return found;
 }
 
 }  // namespace trace

@@ -33,6 +33,17 @@ public:
     /// Sample n of a position; false: it has no ray, though it starts somewhere.
     bool ray(const CameraRays& rays, const glm::dvec2& position, int n, csg::Ray& out) const;
 
+    /// Samples that wait to become a tile of rays: number n of the position (x, y). What lies behind them is from
+    /// before.
+    struct Waiting {
+        alignas(64) std::array<double, csg::kTileRays> x{}, y{};
+        std::array<int, csg::kTileRays> n{};
+        int count = 0;
+    };
+    /// Their rays in vector lanes, the same bits as from ray(). False if one has none, or the camera is no perspective
+    /// one.
+    bool rays(const CameraRays& rays, const Waiting& samples, csg::RayTile& out) const;
+
 private:
     void place_further_samples();
     void place_by_brightness(const texture::TextureSet& set, std::uint32_t bokeh);
@@ -41,6 +52,7 @@ private:
     double radius_ = 0, amplitude_ = 0, focal_ratio_ = 1;
     glm::dvec3 location_{0}, right_{0}, up_{0};
     std::vector<glm::dvec2> places_;
+    std::vector<glm::dvec2> moves_;   ///< by which way jitter moves each of 16 x 16 places within a pixel
     std::vector<double> thresholds_;  ///< by the number of samples
 };
 

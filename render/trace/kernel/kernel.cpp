@@ -19,6 +19,20 @@
 #endif
 
 namespace trace {
+namespace {
+
+/// A tile's samples such that neighbours in the list are neighbours in the picture: the bits of row and column in turn.
+constexpr std::array<std::uint8_t, kTileRays> kNearInTile = [] {
+    std::array<std::uint8_t, kTileRays> order{};
+    for (unsigned k = 0; k < kTileRays; ++k) {
+        const unsigned column = (k & 1u) | (k >> 1 & 2u) | (k >> 2 & 4u),
+                       row = (k >> 1 & 1u) | (k >> 2 & 2u) | (k >> 3 & 4u);
+        order[k] = static_cast<std::uint8_t>(kTileSide * row + column);
+    }
+    return order;
+}();
+
+}  // namespace
 
 /// Traces blocks for one thread: samples to rays, rays to hits, hits to colours, a tile at a time.
 class BlockTracer {
@@ -189,50 +203,70 @@ private:
             *targets_[i] = sums[i].count > 0 ? sums[i].mean() : scene::Color{0, 0, 0, 0, 1};
     }
 
-    /// Samples of the tile in batches, each until it is certain; rays of different samples share tiles.
+    /// Samples of the tile in batches, each until it is certain; rays of different samples share tiles. All that go on
+    /// have as many.
     void finish_blurred()
     {
-        std::array<FocalBlur::Sums, kTileRays> sums{};
-        std::array<int, kTileRays> going{}, owner{};
-        int left = samples_;
-        std::array<bool, kTileRays> clouded{};
-        for (int i = 0; i < left; ++i) going[static_cast<std::size_t>(i)] = i;
+        sums_.fill({});
+        clouded_.fill(false);
+        std::array<int, kTileRays> going;
+        int left = 0;
+        for (const std::uint8_t i : kNearInTile)
+            if (i < samples_) going[static_cast<std::size_t>(left++)] = i;
         rays_.common_origin = false;
-        const auto flush = [&] {
-            if (rays_.count > 0) trace_rays();
-            for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i)
-                sums[static_cast<std::size_t>(owner[i])].add(colors_[i], true);
-            rays_.count = 0;
-        };
-        rays_.count = 0;
-        while (left > 0) {
+        waiting_.count = 0;
+        for (int taken = 0; left > 0;) {
+            const int more = blur_.batch(taken);
             for (int g = 0; g < left; ++g) {
                 const int i = going[static_cast<std::size_t>(g)];
-                const auto k = static_cast<std::size_t>(i);
-                const int taken = sums[k].count;
-                for (int n = taken, end = taken + blur_.batch(taken); n < end; ++n) {
-                    csg::Ray ray;
-                    const bool has_ray = blur_.ray(camera_, {x_[k], y_[k]}, n, ray);
-                    starts_.find(static_cast<std::size_t>(rays_.count), ray.origin, clouded[k]);
-                    if (!has_ray) {
-                        sums[k].add({0, 0, 0, 0, 1}, false);
-                        continue;
-                    }
-                    owner[static_cast<std::size_t>(rays_.count)] = i;
-                    place(rays_.count++, ray);
-                    if (rays_.count == kTileRays) flush();
+                for (int n = taken; n < taken + more; ++n) {
+                    const auto at = static_cast<std::size_t>(waiting_.count++);
+                    waiting_.x[at] = x_[static_cast<std::size_t>(i)];
+                    waiting_.y[at] = y_[static_cast<std::size_t>(i)];
+                    waiting_.n[at] = n;
+                    owner_[at] = i;
+                    if (waiting_.count == kTileRays) trace_waiting();
                 }
             }
-            flush();
+            trace_waiting();
+            taken += more;
             int kept = 0;
             for (int g = 0; g < left; ++g) {
                 const int i = going[static_cast<std::size_t>(g)];
-                const FocalBlur::Sums& of = sums[static_cast<std::size_t>(i)];
-                if (blur_.batch(of.count) > 0 && !blur_.converged(of)) going[static_cast<std::size_t>(kept++)] = i;
+                const FocalBlur::Sums& of = sums_[static_cast<std::size_t>(i)];
+                if (blur_.batch(taken) > 0 && !blur_.converged(of)) going[static_cast<std::size_t>(kept++)] = i;
                 else *targets_[static_cast<std::size_t>(i)] = of.mean();
             }
             left = kept;
         }
+    }
+
+    void trace_waiting()
+    {
+        const int count = waiting_.count;
+        if (count == 0) return;
+        if (!starts_.asked() && blur_.rays(camera_, waiting_, rays_)) {
+            trace_rays();
+        } else {
+            rays_.count = 0;
+            for (int i = 0; i < count; ++i) place_waiting(static_cast<std::size_t>(i));
+            if (rays_.count > 0) trace_rays();
+        }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i)
+            sums_[static_cast<std::size_t>(owner_[i])].add(colors_[i], true);
+        waiting_.count = 0;
+    }
+
+    /// A sample without a ray is done.
+    void place_waiting(std::size_t i)
+    {
+        const auto k = static_cast<std::size_t>(owner_[i]);
+        csg::Ray ray;
+        const bool has_ray = blur_.ray(camera_, {waiting_.x[i], waiting_.y[i]}, waiting_.n[i], ray);
+        starts_.find(static_cast<std::size_t>(rays_.count), ray.origin, clouded_[k]);
+        if (!has_ray) return sums_[k].add({0, 0, 0, 0, 1}, false);
+        owner_[static_cast<std::size_t>(rays_.count)] = owner_[i];
+        place(rays_.count++, ray);
     }
 
     void put(int i, const csg::Ray& ray)
@@ -272,6 +306,10 @@ private:
     scene::Color unused_;
     alignas(64) std::array<double, kTileRays> x_{}, y_{};  ///< sample positions of the tile at hand
     int samples_ = 0;
+    FocalBlur::Waiting waiting_;
+    std::array<FocalBlur::Sums, kTileRays> sums_{};  ///< of a blurred tile's positions
+    std::array<bool, kTileRays> clouded_{};
+    std::array<int, kTileRays> owner_{};  ///< by ray of a blurred tile: its position
     RayTile rays_;
     HitTile hits_;
     scene::Color colors_[kTileRays];

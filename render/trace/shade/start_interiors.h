@@ -36,8 +36,10 @@ public:
         clouded = !lists_[ray].all_hollow(scene_.interiors);
     }
 
-private:
+    /// False: find() does nothing.
     bool asked() const { return !scene_.start_holders.empty(); }
+
+private:
 
     const plan::CompiledScene& scene_;
     csg::World world_;

@@ -60,6 +60,37 @@ TEST_CASE("rays of focal blur meet on the focal plane and leave a lens of half t
     CHECK(farthest < 0.65);  // a quarter of the aperture and the jitter
 }
 
+TEST_CASE("rays of focal blur are the same in lanes and alone", "[camera][blur]")
+{
+    scene::Camera camera = lens(60);
+    camera.location = {1.5, -2.25, 0.3};
+    camera.direction = glm::dvec3(0.1, -0.2, 1.3);
+    const FocalBlur blur = blur_of(camera);
+    const trace::CameraRays rays(camera, 320, 240);
+    for (const int count : {64, 13, 1}) {
+        FocalBlur::Waiting waiting;
+        waiting.count = count;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            waiting.x[i] = 17.0 * static_cast<double>(i) - 0.37;
+            waiting.y[i] = 3.0 * static_cast<double>(i) + 0.125;
+            waiting.n[i] = static_cast<int>(7 * i % 60);
+        }
+        csg::RayTile tile;
+        REQUIRE(blur.rays(rays, waiting, tile));
+        REQUIRE(tile.count == count);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            INFO("ray " << i << " of " << count);
+            csg::Ray alone;
+            REQUIRE(blur.ray(rays, {waiting.x[i], waiting.y[i]}, waiting.n[i], alone));
+            CHECK(alone.origin == glm::dvec3(tile.ox[i], tile.oy[i], tile.oz[i]));
+            CHECK(alone.direction == glm::dvec3(tile.dx[i], tile.dy[i], tile.dz[i]));
+        }
+    }
+    camera.kind = scene::Camera::Kind::Fisheye;
+    csg::RayTile tile;
+    CHECK_FALSE(blur.rays(trace::CameraRays(camera, 320, 240), {}, tile));
+}
+
 TEST_CASE("focal blur is certain of what does not change, and of nothing at variance 0", "[camera][blur]")
 {
     FocalBlur::Sums same, mixed;
