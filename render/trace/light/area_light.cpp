@@ -2,44 +2,19 @@
 
 #include "csg/packet/lane_equal.h"
 #include "csg/base/tolerance.h"
-#include "render/trace/queue/lane_masks.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace trace {
 namespace {
 
-constexpr float kRefined = 0.1f;  // neighbouring samples that differ by more are refined (spec 3, 12.6)
-
-/// f(k, channel) for every lane of the groups of eight that have a hit, and every channel of colours.
-template <class F>
-void each_lane(HitMask hits, F&& f)
+constexpr std::uint64_t kJitterPurpose = 1000;  // of the random numbers of node 0
+bool all_grey(HitMask hits, const TileColors& of)
 {
-    for (std::size_t first = 0; hits >> first != 0; first += csg::kTileSide) {
-        if ((hits >> first & 0xff) == 0) {
-            if (first + csg::kTileSide >= csg::kTileRays) return;
-            continue;
-        }
-        for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue})
-            for (std::size_t k = first; k < first + csg::kTileSide; ++k) f(k, channel);
-        if (first + csg::kTileSide >= csg::kTileRays) return;
-    }
-}
-
-/// Which of the hits, or of their neighbours.
-HitMask differ(HitMask hits, const TileColors& a, const TileColors& b)
-{
-    alignas(64) std::array<std::uint32_t, csg::kTileRays> far{};
-    for (std::size_t first = 0; first < csg::kTileRays; first += csg::kTileSide) {
-        if ((hits >> first & 0xff) == 0) continue;
-        for (std::size_t k = first; k < first + csg::kTileSide; ++k) {
-            const float d = std::abs(a.red[k] - b.red[k]) + std::abs(a.green[k] - b.green[k]) +
-                            std::abs(a.blue[k] - b.blue[k]);
-            far[k] = d > kRefined ? 1u : 0u;
-        }
-    }
-    return csg::lanes::equal(far, 1u);
+    bool grey = true;
+    for_each_hit(hits, [&](std::size_t k) { grey &= of.red[k] == of.green[k] && of.green[k] == of.blue[k]; });
+    return grey;
 }
 
 }  // namespace
@@ -50,6 +25,8 @@ AreaLight::AreaLight(Context& context, const light::Light& light, const csg::Hit
       interiors_(interiors)
 {
     area_.known.clear();
+    area_.lit.clear();
+    area_.mixed.clear();
     area_.row.clear();
     area_.column.clear();
     area_.place.assign(static_cast<std::size_t>(light.size1) * static_cast<std::size_t>(light.size2),
@@ -71,9 +48,16 @@ void AreaLight::shadows(HitMask hits, TileColors& out)
         if (light_.atmosphere) for_each_hit(hits, [this](std::size_t k) { rests_[k] = rest_to_corner(k); });
         return;
     }
+    bright_ = bright(hits);
+    grey_ = !scratch_.traits.filters && all_grey(hits, color_);
     want_all(0, 0, light_.size1 - 1, light_.size2 - 1, 0);
     ask(hits);
-    rectangle(0, 0, light_.size1 - 1, light_.size2 - 1, 0, hits, out);
+    // Dimmed light asks in POV-Ray's order: what was asked last counts (Rest). Where the rays of a hit are a beam,
+    // others do not join it.
+    by_level_ = !light_.atmosphere && (shaft_ || !by_hit_);
+    if (by_level_) refine(hits);
+    rectangle(0, 0, light_.size1 - 1, light_.size2 - 1, 0, hits, false, out);
+    if (grey_) out.green = out.red, out.blue = out.red;
 }
 
 /// Of the last corner, where nothing stands between.
@@ -122,22 +106,10 @@ void AreaLight::find_shaft(HitMask hits)
     if (!shaft_->serves()) shaft_.reset();
 }
 
-/// All nodes that are asked for whatever they tell.
-void AreaLight::want_all(int i1, int j1, int i2, int j2, int depth)
+std::uint32_t AreaLight::place(int i, int j) const
 {
-    want(i1, j1), want(i2, j1), want(i1, j2), want(i2, j2);
-    if (depth >= light_.adaptive || !(i2 - i1 > 1 || j2 - j1 > 1)) return;
-    const int i_low = (i1 + i2) / 2, i_high = (i1 + i2 + 1) / 2, j_low = (j1 + j2) / 2, j_high = (j1 + j2 + 1) / 2;
-    want_all(i1, j1, i_low, j_low, depth + 1);
-    want_all(i_high, j1, i2, j_low, depth + 1);
-    want_all(i1, j_high, i_low, j2, depth + 1);
-    want_all(i_high, j_high, i2, j2, depth + 1);
-}
-
-const TileColors& AreaLight::value(int i, int j) const
-{
-    return area_.values[area_.place[static_cast<std::size_t>(i) * static_cast<std::size_t>(light_.size2) +
-                                    static_cast<std::size_t>(j)]];
+    return area_
+        .place[static_cast<std::size_t>(i) * static_cast<std::size_t>(light_.size2) + static_cast<std::size_t>(j)];
 }
 
 void AreaLight::want(int i, int j)
@@ -148,9 +120,10 @@ void AreaLight::want(int i, int j)
     if (fresh) {
         place = static_cast<std::uint32_t>(area_.known.size());
         area_.known.push_back(0);
+        area_.lit.push_back(0);
+        area_.mixed.push_back(0);
         area_.row.push_back(i);
         area_.column.push_back(j);
-        if (area_.values.size() < area_.known.size()) area_.values.emplace_back();
     }
     // What is asked for again is one of the corners asked for just before.
     constexpr std::ptrdiff_t kCorners = 16;
@@ -161,6 +134,13 @@ void AreaLight::want(int i, int j)
 /// The nodes wanted, for the hits that do not know them.
 void AreaLight::ask(HitMask hits)
 {
+    ask_nodes(hits);
+    trace_samples();
+}
+
+/// The same without the samples that do not fill a tile: they wait.
+void AreaLight::ask_nodes(HitMask hits)
+{
     if (by_hit_)
         for_each_hit(hits, [&](std::size_t k) {
             for (const std::uint32_t n : area_.wanted) ask(n, HitMask{1} << k);
@@ -168,58 +148,39 @@ void AreaLight::ask(HitMask hits)
     else
         for (const std::uint32_t n : area_.wanted) ask(n, hits);
     area_.wanted.clear();
-    trace_samples();
 }
 
 void AreaLight::ask(std::uint32_t node, HitMask hits)
 {
     HitMask& known = area_.known[node];
-    const HitMask asking = hits & ~known;
+    HitMask asking = hits & ~known;
     known |= asking;
-    for_each_hit(asking, [&](std::size_t k) {
-        node_[samples_] = node;
-        hit_[samples_++] = static_cast<std::uint32_t>(k);
+    while (asking != 0) {
+        // The first of them, as many as there are places left.
+        const HitMask now = deposited(first_hits(static_cast<int>(kRays - samples_)), asking);
+        asking &= ~now;
+        const Asked asked{now, node, static_cast<std::uint32_t>(samples_)};
+        asked_[asked_count_++] = asked;
+        for_each_hit(now, [&](std::size_t k) { hit_[samples_++] = static_cast<std::uint32_t>(k); });
+        const double row = area_.row[node], column = area_.column[node];
+        for (std::size_t n = asked.first; n < samples_; ++n) row_[n] = row, column_[n] = column;
+        if (light_.jitter) {
+            const auto number = static_cast<std::int64_t>(row * static_cast<double>(light_.size2) + column);
+            const std::uint64_t purpose = 2 * static_cast<std::uint64_t>(number) + kJitterPurpose;
+            for (std::size_t n = asked.first; n < samples_; ++n) purpose_[n] = purpose;
+        }
         if (samples_ == kRays) trace_samples();
-    });
-}
-
-void AreaLight::rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hits, TileColors& out)
-{
-    HitMask divided = i2 - i1 > 1 || j2 - j1 > 1 ? hits : 0;
-    {
-        const TileColors &c00 = value(i1, j1), &c10 = value(i2, j1), &c01 = value(i1, j2), &c11 = value(i2, j2);
-        if (divided != 0 && depth >= light_.adaptive)
-            divided &= differ(hits, c00, c10) | differ(hits, c00, c01) | differ(hits, c11, c10) |
-                       differ(hits, c11, c01);
-        each_lane(hits, [&](std::size_t k, auto c) {
-            (out.*c)[k] = ((c00.*c)[k] + (c10.*c)[k] + (c01.*c)[k] + (c11.*c)[k]) * 0.25f;
-        });
     }
-    if (divided == 0) return;
-    const int i_low = (i1 + i2) / 2, i_high = (i1 + i2 + 1) / 2, j_low = (j1 + j2) / 2, j_high = (j1 + j2 + 1) / 2;
-    const int quarters[4][4] = {
-        {i1, j1, i_low, j_low}, {i_high, j1, i2, j_low}, {i1, j_high, i_low, j2}, {i_high, j_high, i2, j2}};
-    if (depth >= light_.adaptive) {
-        for (const auto& q : quarters) want(q[0], q[1]), want(q[2], q[1]), want(q[0], q[3]), want(q[2], q[3]);
-        ask(divided);
-    }
-    TileColors sum, quarter;
-    for (int c = 0; c < 4; ++c) {
-        const auto& q = quarters[c];
-        rectangle(q[0], q[1], q[2], q[3], depth + 1, divided, c == 0 ? sum : quarter);
-        if (c == 0) continue;
-        each_lane(divided, [&](std::size_t k, auto of) { (sum.*of)[k] += (quarter.*of)[k]; });
-    }
-    const LaneMask here(divided);
-    each_lane(divided,
-              [&](std::size_t k, auto of) { (out.*of)[k] = here[k] != 0 ? (sum.*of)[k] * 0.25f : (out.*of)[k]; });
 }
 
 void AreaLight::trace_samples()
 {
     if (samples_ == 0) return;
-    std::fill(node_.begin() + static_cast<std::ptrdiff_t>(samples_), node_.end(), node_[0]);
-    std::fill(hit_.begin() + static_cast<std::ptrdiff_t>(samples_), hit_.end(), hit_[0]);
+    lanes_ = (samples_ + 7) & ~std::size_t{7};
+    for (std::size_t n = samples_; n < lanes_; ++n) {
+        hit_[n] = hit_[0], row_[n] = row_[0], column_[n] = column_[0];
+        if (light_.jitter) purpose_[n] = purpose_[0];
+    }
     make_rays();
     const csg::RayTile& rays = scratch_.rays;
     csg::CrossingTile& met = scratch_.crossings;
@@ -235,56 +196,41 @@ void AreaLight::trace_samples()
             shaft_ ? context_.world.shadow(rays, *shaft_, geometry, met.ending.data())
                    : context_.world.shadow(rays, geometry, met.ending.data());
     }
-    for (std::size_t first = 0; first < samples_;) {
-        std::size_t last = first + 1;
-        while (last < samples_ && node_[last] == node_[first]) ++last;
-        keep(first, last);
-        first = last;
+    HitMask seen = 0, near = 0;  // by sample: the light is there; it is too near for a shadow
+    for (std::size_t n = 0; n < lanes_; n += csg::lanes::kDoubles) {
+        using csg::lanes::Double;
+        const auto at = [n](const auto& values) { return Double::load_aligned(values.data() + n); };
+        seen |= HitMask{csg::lanes::mask(at(distance_) > Double(-csg::kInfinity))} << n;
+        near |= HitMask{csg::lanes::mask(at(rays.t_max) <= at(rays.t_min))} << n;
     }
+    const auto ends = [&](Shadow as) {
+        return csg::lanes::equal(reinterpret_cast<const std::uint8_t*>(met.ending.data()),
+                                 static_cast<std::uint8_t>(as));
+    };
+    const HitMask lit = seen & (near | ~ends(Shadow::Blocked)), filtered = seen & ~near & ends(Shadow::Filtered);
+    for (std::size_t i = 0; i < asked_count_; ++i) {
+        const Asked& asked = asked_[i];
+        area_.lit[asked.node] |= deposited(lit >> asked.first, asked.hits);
+        if (light_.atmosphere) keep_rests(asked);
+        const HitMask mixed = deposited(filtered >> asked.first, asked.hits);
+        if (mixed != 0) keep_filtered(asked, mixed);
+    }
+    asked_count_ = 0;
     samples_ = 0;
 }
 
-/// What samples first <= n < last of one node found.
-void AreaLight::keep(std::size_t first, std::size_t last)
+void AreaLight::keep_filtered(const Asked& asked, HitMask hits)
 {
-    const csg::RayTile& rays = scratch_.rays;
-    const csg::CrossingTile& met = scratch_.crossings;
-    HitMask here = 0, lit = 0, other = 0;
-    for (std::size_t n = first; n < last; ++n) {
-        const HitMask bit = HitMask{1} << hit_[n];
-        here |= bit;
-        if (!(distance_[n] > -csg::kInfinity)) continue;  // it does not see the light
-        const Shadow ending = met.ending[n];
-        const bool near = rays.t_max[n] <= rays.t_min[n];  // too near to the light for a shadow
-        if (ending == Shadow::Blocked && !near) continue;
-        lit |= bit;
-        if (ending == Shadow::Filtered && !near) other |= bit;
-    }
-    TileColors& value = area_.values[node_[first]];
-    constexpr std::size_t kFew = 16;  // hits that are cheaper one by one
-    if (last - first < kFew) {
-        for (std::size_t n = first; n < last; ++n)
-            value.set(hit_[n], has(lit, hit_[n]) ? color_[hit_[n]] : glm::vec3(0));
-    } else {
-        const LaneMask mine(here), bright(lit);
-        each_lane(here, [&](std::size_t k, auto c) {
-            const float v = bright[k] != 0 ? (color_.*c)[k] : 0.0f;
-            (value.*c)[k] = mine[k] != 0 ? v : (value.*c)[k];
-        });
-    }
-    if (light_.atmosphere) keep_rests(first, last);
-    if (other != 0) keep_filtered(first, last, other, value);
+    area_.mixed[asked.node] |= hits;
+    if (area_.filtered.size() <= asked.node) area_.filtered.resize(area_.known.size());
+    for (std::size_t n = asked.first; n < asked.last(); ++n)
+        if (has(hits, hit_[n])) area_.filtered[asked.node].set(hit_[n], sample_color(n));
 }
 
-void AreaLight::keep_filtered(std::size_t first, std::size_t last, HitMask hits, TileColors& value)
+void AreaLight::keep_rests(const Asked& asked)
 {
-    for (std::size_t n = first; n < last; ++n)
-        if (has(hits, hit_[n])) value.set(hit_[n], sample_color(n));
-}
-
-void AreaLight::keep_rests(std::size_t first, std::size_t last)
-{
-    for (std::size_t n = first; n < last; ++n) rests_[hit_[n]] = {{x_[n], y_[n], z_[n]}, 0.0, distance_[n]};
+    for (std::size_t n = asked.first; n < asked.last(); ++n)
+        rests_[hit_[n]] = {{x_[n], y_[n], z_[n]}, 0.0, distance_[n]};
 }
 
 /// Of a sample whose shadow ray crosses what filters light.

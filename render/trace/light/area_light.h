@@ -5,6 +5,8 @@
 #include "render/trace/queue/hit_mask.h"
 #include "render/trace/shade/shade_context.h"
 
+#include <array>
+#include <bit>
 #include <optional>
 #include <vector>
 
@@ -22,7 +24,7 @@ public:
     AreaLight(Context& context, const light::Light& light, const csg::HitTile& met,
               const InteriorList* const* interiors);
 
-    /// What reaches the hits, in `out`; others' places are anything.
+    /// What reaches the hits, in `out`; others' places are anything. Once for a light.
     void shadows(HitMask hits, TileColors& out);
 
     /// Where the shadow ray of a hit that was asked last has left its last surface behind, and where it ends: for
@@ -39,20 +41,41 @@ private:
     void find_shaft(HitMask hits);
     Rest rest_to_corner(std::size_t k) const;
     bool scattered(HitMask hits) const;
+    HitMask bright(HitMask hits) const;
+    void refine(HitMask hits);
+    template <class F>
+    auto with_corners(int i1, int j1, int i2, int j2, HitMask hits, F&& f) const;
+    template <class Corners>
+    HitMask divided(int i1, int j1, int i2, int j2, int depth, HitMask hits, const Corners& corners) const;
     void want_all(int i1, int j1, int i2, int j2, int depth);
     void want(int i, int j);
-    const TileColors& value(int i, int j) const;
+    void want_corners(const std::array<int, 4>& quarter);
+    struct Quarters;
+    std::uint32_t place(int i, int j) const;
+    /// What reaches the hits from the four corners of a rectangle.
+    struct LitCorners;
+    struct MixedCorners;
+    template <class Corners>
+    void rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hits, const Corners& corners, bool add,
+                   TileColors& out);
     void ask(HitMask hits);
+    void ask_nodes(HitMask hits);
     void ask(std::uint32_t node, HitMask hits);
-    void rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hits, TileColors& out);
+    /// Puts the mean over a rectangle into `out`, or adds it to what is there.
+    void rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hits, bool add, TileColors& out);
     void trace_samples();
     void make_rays();
     void place_on_light();
     void jitter(TileLanes& row, TileLanes& column) const;
     void project();
-    void keep(std::size_t first, std::size_t last);
-    [[gnu::noinline]] void keep_rests(std::size_t first, std::size_t last);
-    [[gnu::noinline]] void keep_filtered(std::size_t first, std::size_t last, HitMask hits, TileColors& value);
+    /// Samples of one node, which wait side by side: for these hits, in order.
+    struct Asked {
+        HitMask hits;
+        std::uint32_t node, first;
+        std::size_t last() const { return first + static_cast<std::size_t>(std::popcount(hits)); }
+    };
+    [[gnu::noinline]] void keep_rests(const Asked& asked);
+    [[gnu::noinline]] void keep_filtered(const Asked& asked, HitMask hits);
     glm::vec3 sample_color(std::size_t ray);
 
     Context& context_;
@@ -62,13 +85,21 @@ private:
     const InteriorList* const* interiors_;
     std::optional<csg::Shaft> shaft_;
     bool by_hit_ = false;      ///< the rays of a hit are closer to each other than those to a node
+    bool by_level_ = false;    ///< all nodes are asked for by levels of rectangles before any is summed up
     std::size_t samples_ = 0;  ///< waiting for their shadow rays
-    alignas(64) std::array<std::uint32_t, kRays> node_, hit_;  ///< of each
-    alignas(64) TileLanes from_;                               ///< where shadow rays of a hit begin
+    std::size_t lanes_ = 0;    ///< as many, up to a multiple of 8: those behind the last are like the first
+    std::size_t asked_count_ = 0;
+    std::array<Asked, kRays> asked_;                        ///< they belong to
+    alignas(64) std::array<std::uint32_t, kRays> hit_;      ///< of each sample
+    alignas(64) std::array<std::uint64_t, kRays> purpose_;  ///< of its first random number, of lights with jitter
+    alignas(64) TileLanes row_, column_;                    ///< of its node
+    alignas(64) TileLanes from_;                            ///< where shadow rays of a hit begin
     alignas(64) TileLanes x_, y_, z_, distance_;  ///< of each sample: its offset on the light, then the direction to it
     TileColors color_;                            ///< before shadows
-    std::array<light::AreaAxes, kRays> axes_;     ///< by hit, where the light turns to it
-    std::array<Rest, kRays> rests_;               ///< by hit, where the light is dimmed (Light::atmosphere)
+    HitMask bright_ = 0;                          ///< hits where all of it is a difference to refine
+    bool grey_ = false;                        ///< its channels are alike, and nothing filters it: they are summed once
+    std::array<light::AreaAxes, kRays> axes_;  ///< by hit, where the light turns to it
+    std::array<Rest, kRays> rests_;            ///< by hit, where the light is dimmed (Light::atmosphere)
 };
 
 }  // namespace trace

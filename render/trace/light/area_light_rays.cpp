@@ -1,54 +1,47 @@
 #include "render/trace/light/area_light.h"
-#include "render/trace/random.h"
+#include "render/trace/random_lanes.h"
 
 #include <algorithm>
 #include <cmath>
 
 // Shadow rays to the samples of an area light, a sample a lane.
 namespace trace {
-namespace {
-
-constexpr std::uint32_t kJitterPurpose = 1000;  // of the random numbers of node 0
-
-}  // namespace
-
 /// Moves the samples within their cells, by numbers of the point and the node (random_at).
 void AreaLight::jitter(TileLanes& row, TileLanes& column) const
 {
-    alignas(64) std::array<std::uint64_t, kRays> purpose;
-    const auto size = static_cast<double>(light_.size2);
-    for (std::size_t n = 0; n < kRays; ++n)
-        purpose[n] = 2 * static_cast<std::uint64_t>(static_cast<std::int64_t>(row[n] * size + column[n])) +
-                     kJitterPurpose;
     const csg::RayTile& rays = scratch_.rays;
-    for (std::size_t n = 0; n < kRays; ++n) {
-        row[n] += random_at({rays.ox[n], rays.oy[n], rays.oz[n]}, static_cast<std::uint32_t>(purpose[n])) - 0.5;
-        column[n] += random_at({rays.ox[n], rays.oy[n], rays.oz[n]}, static_cast<std::uint32_t>(purpose[n]) + 1u) - 0.5;
-    }
+    alignas(64) TileLanes by;
+    const auto move = [&](TileLanes& of, std::uint32_t number) {
+        random_at(rays.ox.data(), rays.oy.data(), rays.oz.data(), purpose_.data(), number, lanes_, by.data());
+        for (std::size_t n = 0; n < lanes_; ++n) of[n] += by[n] - 0.5;
+    };
+    move(row, 0);
+    move(column, 1);
 }
 
 /// Places of the samples on the light: light::node_offset, a sample a lane. Their rays have their origins.
 void AreaLight::place_on_light()
 {
     alignas(64) TileLanes p, q, m;
-    for (std::size_t n = 0; n < kRays; ++n) p[n] = area_.row[node_[n]], q[n] = area_.column[node_[n]];
+    std::copy_n(row_.begin(), lanes_, p.begin());
+    std::copy_n(column_.begin(), lanes_, q.begin());
     if (light_.jitter) jitter(p, q);
-    const auto share = [](TileLanes& of, int size) {
+    const auto share = [this](TileLanes& of, int size) {
         if (size <= 1) return of.fill(0.0);
         const double over = size - 1;
-        for (double& v : of) v = v / over - 0.5;
+        for (std::size_t n = 0; n < lanes_; ++n) of[n] = of[n] / over - 0.5;
     };
     share(p, light_.size1);
     share(q, light_.size2);
     m.fill(1.0);
     if (light_.circular)
-        for (std::size_t n = 0; n < kRays; ++n) {
+        for (std::size_t n = 0; n < lanes_; ++n) {
             p[n] += light::kCircleShift;
             q[n] += light::kCircleShift;
             m[n] = std::max(std::abs(p[n]), std::abs(q[n])) / std::sqrt(p[n] * p[n] + q[n] * q[n]);
         }
     if (light_.circular && light_.orient) {
-        for (std::size_t n = 0; n < kRays; ++n) {
+        for (std::size_t n = 0; n < lanes_; ++n) {
             const light::AreaAxes& axes = axes_[hit_[n]];
             const glm::dvec3 at = (axes.size * p[n] * m[n]) * axes.a + (axes.size * q[n] * m[n]) * axes.b;
             x_[n] = at.x, y_[n] = at.y, z_[n] = at.z;
@@ -56,7 +49,7 @@ void AreaLight::place_on_light()
         return;
     }
     const glm::dvec3 a = light_.axis1, b = light_.axis2;
-    for (std::size_t n = 0; n < kRays; ++n) {
+    for (std::size_t n = 0; n < lanes_; ++n) {
         const double pm = p[n] * m[n], qm = q[n] * m[n];
         x_[n] = pm * a.x + qm * b.x;
         y_[n] = pm * a.y + qm * b.y;
@@ -71,14 +64,18 @@ void AreaLight::make_rays()
     csg::RayTile& rays = scratch_.rays;
     rays.common_origin = false;
     rays.count = static_cast<int>(samples_);
-    for (std::size_t n = 0; n < kRays; ++n) {
-        const std::size_t k = hit_[n];
-        rays.ox[n] = hits.x[k], rays.oy[n] = hits.y[k], rays.oz[n] = hits.z[k];
-        rays.t_min[n] = from_[k];
+    if (asked_[0].hits == ~HitMask{0}) {
+        rays.ox = hits.x, rays.oy = hits.y, rays.oz = hits.z, rays.t_min = from_;
+    } else {
+        for (std::size_t n = 0; n < lanes_; ++n) {
+            const std::size_t k = hit_[n];
+            rays.ox[n] = hits.x[k], rays.oy[n] = hits.y[k], rays.oz[n] = hits.z[k];
+            rays.t_min[n] = from_[k];
+        }
     }
     place_on_light();
     if (light_.kind == light::Light::Kind::Cylinder || light_.parallel) {
-        for (std::size_t n = 0; n < kRays; ++n) {
+        for (std::size_t n = 0; n < lanes_; ++n) {
             const light::Illumination lit =
                 light::toward(light_, {rays.ox[n], rays.oy[n], rays.oz[n]}, {x_[n], y_[n], z_[n]});
             x_[n] = lit.direction.x, y_[n] = lit.direction.y, z_[n] = lit.direction.z;
@@ -86,15 +83,17 @@ void AreaLight::make_rays()
         }
     } else {
         const glm::dvec3 l = light_.location;
-        for (std::size_t n = 0; n < kRays; ++n) {
+        for (std::size_t n = 0; n < lanes_; ++n) {
             const double x = (l.x + x_[n]) - rays.ox[n], y = (l.y + y_[n]) - rays.oy[n], z = (l.z + z_[n]) - rays.oz[n];
             distance_[n] = std::sqrt(x * x + y * y + z * z);
             x_[n] = x / distance_[n], y_[n] = y / distance_[n], z_[n] = z / distance_[n];
         }
     }
-    rays.dx = x_, rays.dy = y_, rays.dz = z_;
+    std::copy_n(x_.begin(), lanes_, rays.dx.begin());
+    std::copy_n(y_.begin(), lanes_, rays.dy.begin());
+    std::copy_n(z_.begin(), lanes_, rays.dz.begin());
     if (light_.projector) project();
-    for (std::size_t n = 0; n < kRays; ++n) rays.t_max[n] = distance_[n] - rays.t_min[n];
+    for (std::size_t n = 0; n < lanes_; ++n) rays.t_max[n] = distance_[n] - rays.t_min[n];
 }
 
 /// Samples that are not seen through the light's projector get a distance of -infinity; the others end there.
