@@ -2,6 +2,7 @@
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 /// numbers: iterations, exponent, exterior type and factor, interior type and factor, magnet type (spec 4, 5.6).
@@ -115,49 +116,85 @@ struct ComplexLanes {
     Double a, b;
 };
 
-/// power_set of as many points as there are lanes, in the same order of operations; c may be the points.
-void power_set_lanes(const Pattern& pattern, ComplexLanes z, const ComplexLanes& c, std::size_t count, double* out)
+/// power_set of some vectors of points, in the same order of operations; c may be the points. A step waits for the one
+/// before it, so several vectors are worked on in turn. Squares: the exponent is 2, and products that are alike are
+/// made once.
+template <bool Squares, std::size_t Vectors>
+void power_set_lanes(const Pattern& pattern, std::array<ComplexLanes, Vectors> z,
+                     const std::array<ComplexLanes, Vectors>& c, std::size_t count, double* out)
 {
     const int exponent = static_cast<int>(pattern.numbers[1]), n = static_cast<int>(pattern.numbers[0]);
-    const auto square = [](const ComplexLanes& w) { return w.a * w.a + w.b * w.b; };
-    const std::uint32_t everyone = (1u << csg::lanes::kDoubles) - 1;
-    Double smallest = square(z);
-    std::uint32_t escaped = 0;
-    for (int k = 0; k < n && escaped != everyone; ++k) {
-        ComplexLanes r = z;
-        for (int i = 1; i < exponent; ++i) r = {r.a * z.a - r.b * z.b, r.a * z.b + r.b * z.a};
-        z = {r.a + c.a, r.b + c.b};
-        const Double size = square(z);
-        smallest = xsimd::select(size < smallest, size, smallest);
-        // A lane that is out stays out: its size grows or is no number, so only the first time counts.
-        const auto out_now = size > Double(kEscape);
-        const std::uint32_t fresh = csg::lanes::mask(out_now) & ~escaped;
-        if (fresh == 0) continue;
-        alignas(64) double za[csg::lanes::kDoubles], zb[csg::lanes::kDoubles];
-        z.a.store_aligned(za);
-        z.b.store_aligned(zb);
-        for (std::size_t i = 0; i < count; ++i)
-            if ((fresh >> i & 1u) != 0) out[i] = exterior(pattern, k, {za[i], zb[i]});
-        escaped |= fresh;
+    constexpr std::uint32_t kEveryone = (1u << kLanes) - 1;
+    const auto part = [](const Double& v, std::size_t lane) {
+        alignas(64) double parts[kLanes];
+        v.store_aligned(parts);
+        return parts[lane];
+    };
+    std::array<Double, Vectors> smallest, a2, b2;  // a2, b2: squares of the parts of z
+    std::array<std::uint32_t, Vectors> inside{};
+    for (std::size_t v = 0; v < Vectors; ++v) {
+        a2[v] = z[v].a * z[v].a;
+        b2[v] = z[v].b * z[v].b;
+        smallest[v] = a2[v] + b2[v];
+        if (count > v * kLanes) inside[v] = kEveryone;
     }
-    alignas(64) double za[csg::lanes::kDoubles], zb[csg::lanes::kDoubles], least[csg::lanes::kDoubles];
-    z.a.store_aligned(za);
-    z.b.store_aligned(zb);
-    smallest.store_aligned(least);
-    for (std::size_t i = 0; i < count; ++i)
-        if ((escaped >> i & 1u) == 0) out[i] = interior(pattern, least[i], {za[i], zb[i]});
+    for (int k = 0; k < n; ++k) {
+        std::uint32_t left = 0;
+        for (std::size_t v = 0; v < Vectors; ++v) {
+            ComplexLanes r = z[v];
+            if constexpr (Squares) {
+                const Double product = r.a * r.b;
+                r = {a2[v] - b2[v], product + product};
+            } else {
+                for (int i = 1; i < exponent; ++i) r = {r.a * z[v].a - r.b * z[v].b, r.a * z[v].b + r.b * z[v].a};
+            }
+            z[v] = {r.a + c[v].a, r.b + c[v].b};
+            a2[v] = z[v].a * z[v].a;
+            b2[v] = z[v].b * z[v].b;
+            const Double size = a2[v] + b2[v];
+            smallest[v] = xsimd::select(size < smallest[v], size, smallest[v]);
+            // A lane that is out stays out: its size grows or is no number, so only the first time counts.
+            const std::uint32_t fresh = csg::lanes::mask(size > Double(kEscape)) & inside[v];
+            if (fresh != 0) [[unlikely]] {
+                for (std::size_t i = 0; i < kLanes && v * kLanes + i < count; ++i)
+                    if ((fresh >> i & 1u) != 0)
+                        out[v * kLanes + i] = exterior(pattern, k, {part(z[v].a, i), part(z[v].b, i)});
+                inside[v] &= ~fresh;
+            }
+            left |= inside[v];
+        }
+        if (left == 0) return;
+    }
+    for (std::size_t v = 0; v < Vectors; ++v)
+        for (std::size_t i = 0; i < kLanes && v * kLanes + i < count; ++i)
+            if ((inside[v] >> i & 1u) != 0)
+                out[v * kLanes + i] = interior(pattern, part(smallest[v], i), {part(z[v].a, i), part(z[v].b, i)});
+}
+
+template <bool Squares>
+void power_set_points(const Pattern& pattern, const Points& p, double* out)
+{
+    constexpr std::size_t kVectors = 2, kAtOnce = kVectors * kLanes;
+    static_assert(kMostPoints % kAtOnce == 0);
+    for (std::size_t i = 0; i < p.size(); i += kAtOnce) {
+        std::array<ComplexLanes, kVectors> z, c;
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            // A vector behind the last point is anything; nobody asks for it.
+            z[v] = {get(p.x, i + v * kLanes), get(p.y, i + v * kLanes)};
+            c[v] = pattern.kind == PatternKind::Mandel
+                       ? z[v]
+                       : ComplexLanes{Double(pattern.vector.x), Double(pattern.vector.y)};
+        }
+        power_set_lanes<Squares>(pattern, z, c, std::min(kAtOnce, p.size() - i), out + i);
+    }
 }
 
 }  // namespace
 
 void power_set_values(const Pattern& pattern, const Points& p, Values& out)
 {
-    for (std::size_t i = 0; i < p.size(); i += kLanes) {
-        const ComplexLanes z{Double::load_aligned(p.x.data() + i), Double::load_aligned(p.y.data() + i)};
-        const ComplexLanes c =
-            pattern.kind == PatternKind::Mandel ? z : ComplexLanes{Double(pattern.vector.x), Double(pattern.vector.y)};
-        power_set_lanes(pattern, z, c, std::min(kLanes, p.size() - i), out.data() + i);
-    }
+    if (static_cast<int>(pattern.numbers[1]) == 2) power_set_points<true>(pattern, p, out.data());
+    else power_set_points<false>(pattern, p, out.data());
 }
 
 double julia(const Pattern& pattern, const glm::dvec3& p)
