@@ -70,9 +70,16 @@ std::shared_ptr<const MeshCamera> compile_mesh_camera(const scene::Camera& camer
     out->rays_per_pixel = written.rays_per_pixel;
     out->method = static_cast<MeshCamera::Method>(written.distribution);
     out->max_distance = written.max_distance < kTiny ? 0.0 : written.max_distance;
+    const auto data_of = [](const scene::MeshCamera::Member& member) -> const scene::MeshData& {
+        return *std::get<scene::Mesh>(member.object->shape).data;
+    };
+    // A hundred rays a pixel are some hundred megabytes, which should not be moved while they grow.
+    std::size_t faces = 0;
+    for (const scene::MeshCamera::Member& member : written.meshes) faces += data_of(member).faces.size();
+    if (out->method != MeshCamera::Method::ByUv) out->faces.reserve(faces);
     for (const scene::MeshCamera::Member& member : written.meshes) {
         const scene::Object& object = *member.object;
-        const scene::MeshData& mesh = *std::get<scene::Mesh>(object.shape).data;
+        const scene::MeshData& mesh = data_of(member);
         const auto first = static_cast<std::uint32_t>(out->faces.size());
         if (out->method == MeshCamera::Method::ByUv && !out->corners.empty()) continue;  // further meshes are not used
         add_faces(*out, mesh, {camera, *object.transform}, written.smooth);

@@ -71,6 +71,12 @@ bool CameraRays::ray(double px, double py, csg::Ray& out, int k) const
     return out.direction == out.direction;
 }
 
+void CameraRays::fetch(double px, double py, int k) const
+{
+    if (camera_.kind == Kind::Mesh && extras_.mesh)
+        fetch_mesh_camera_ray(*extras_.mesh, px, py, static_cast<int>(width_), static_cast<int>(height_), k);
+}
+
 bool CameraRays::unscaled_ray(double px, double py, csg::Ray& out) const
 {
     glm::dvec2 place;

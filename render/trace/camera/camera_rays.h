@@ -28,6 +28,9 @@ public:
     /// A mesh camera may average several rays for one sample, and some of them may be missing; all others have one.
     int rays_per_sample() const { return extras_.mesh ? extras_.mesh->rays_per_pixel : 1; }
 
+    /// Asks memory for what ray() will read of a mesh.
+    void fetch(double px, double py, int k) const;
+
     /// The same with a direction of any length, 0 too.
     bool unscaled_ray(double px, double py, csg::Ray& out) const;
 

@@ -37,13 +37,16 @@ bool ray_by_uv(const MeshCamera& camera, const glm::dvec2& at, csg::Ray& out)
     return false;
 }
 
-}  // namespace
-
-bool mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, int height, int k, csg::Ray& out)
+/// Where a sample lies among the faces.
+glm::dvec2 place_of(double px, double py, int width, int height)
 {
     // Half a pixel above the sample: the first two rows of a picture show the same faces, as POV-Ray's do.
-    const double x = std::clamp(px + 0.5, 0.0, width - 1.0), y = std::clamp(py - 0.5, 0.0, height - 1.0);
-    if (camera.method == Method::ByUv) return ray_by_uv(camera, {(x - 0.5) / width, 1.0 - (y + 0.5) / height}, out);
+    return {std::clamp(px + 0.5, 0.0, width - 1.0), std::clamp(py - 0.5, 0.0, height - 1.0)};
+}
+
+/// The ray of the face that a sample shows; null: there is none. Not for method ByUv.
+const MeshCamera::Ray* face_of(const MeshCamera& camera, double x, double y, int width, int k)
+{
     const double column = std::floor(x), row = std::floor(y);
     double face = row * width + column;
     MeshCamera::Range range{0, static_cast<std::uint32_t>(camera.faces.size())};
@@ -57,10 +60,31 @@ bool mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, 
         range = camera.meshes[which];
         face = row * std::floor(wide) + column;
     }
-    if (!(face < range.count)) return false;
-    const MeshCamera::Ray& from = camera.faces[range.first + static_cast<std::uint32_t>(face)];
-    out = {from.origin, from.direction};
+    if (!(face < range.count)) return nullptr;
+    return camera.faces.data() + (range.first + static_cast<std::uint32_t>(face));
+}
+
+}  // namespace
+
+bool mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, int height, int k, csg::Ray& out)
+{
+    const glm::dvec2 at = place_of(px, py, width, height);
+    if (camera.method == Method::ByUv)
+        return ray_by_uv(camera, {(at.x - 0.5) / width, 1.0 - (at.y + 0.5) / height}, out);
+    const MeshCamera::Ray* from = face_of(camera, at.x, at.y, width, k);
+    if (from == nullptr) return false;
+    out = {from->origin, from->direction};
     return true;
+}
+
+void fetch_mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, int height, int k)
+{
+    if (camera.method == Method::ByUv) return;
+    const glm::dvec2 at = place_of(px, py, width, height);
+    const MeshCamera::Ray* from = face_of(camera, at.x, at.y, width, k);
+    if (from == nullptr) return;
+    __builtin_prefetch(from);
+    __builtin_prefetch(&from->direction.z);
 }
 
 }  // namespace trace

@@ -195,6 +195,9 @@ private:
                 owner[static_cast<std::size_t>(rays_.count)] = i;
                 put(rays_.count++, ray);
             }
+            // While these are traced, the next ones come from memory.
+            if (k + 1 < camera_.rays_per_sample())
+                for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i) camera_.fetch(x_[i], y_[i], k + 1);
             if (rays_.count > 0) trace_rays();
             for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i)
                 sums[owner[i]].add(colors_[i], true);
