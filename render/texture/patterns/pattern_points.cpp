@@ -200,6 +200,12 @@ void pattern_values(const TextureSet& set, const Pattern& pattern, const Points&
 void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p, const Around& around, ColorPoints& out)
 {
     const Pigment& pigment = set.pigments[index];
+    if (pigment.kind == Pigment::Kind::Uv) {
+        Points places;
+        for (std::size_t i = 0; i < p.size(); ++i) places.add({around[i]->uv.x, around[i]->uv.y, 0.0});
+        places.pad();
+        return pigment_colors(set, set.children[pigment.first], places, around, out);
+    }
     const bool color_map = pigment.kind == Pigment::Kind::ColorMap;
     if (!color_map && pigment.kind != Pigment::Kind::PigmentMap && pigment.kind != Pigment::Kind::Average) {
         for (std::size_t i = 0; i < p.size(); ++i) out.set(i, pigment_color(set, index, p.at(i), *around[i]));

@@ -3,9 +3,11 @@
 #include "render/trace/air/air_stage.h"
 #include "render/trace/indirect/indirect_stage.h"
 #include "render/trace/light/light_stage.h"
+#include "render/trace/shade/sky.h"
 #include "render/trace/shade/surface_stage.h"
 
 #include <algorithm>
+#include <array>
 
 namespace trace {
 namespace {
@@ -29,7 +31,11 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     const auto put = [&](std::size_t k, const scene::Color& color) {
         queue.colors[tile.slot(k)] = has(dimmed, k) ? context.scratch.shade.air[k](color) : color;
     };
-    for_each_hit(missed, [&](std::size_t k) { put(k, sky_color(context, tile.state(k))); });
+    if (missed != 0) {
+        std::array<scene::Color, kTileRays> sky;
+        sky_colors(context, tile, missed, sky.data());
+        for_each_hit(missed, [&](std::size_t k) { put(k, sky[k]); });
+    }
     for_each_hit(batch.all_alone(), [&](std::size_t k) { put(k, scene::Color::of(batch.sum(k))); });
     queue.end_tile();
 }

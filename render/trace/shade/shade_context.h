@@ -191,9 +191,6 @@ glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool sh
 glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,
                      const glm::dvec3& normal, const glm::dvec3& l);
 
-/// What a ray sees that meets nothing (spec 2, sections 14 and 15).
-scene::Color sky_color(const Context& context, const RayState& state);
-
 /// Share of light that fog lets pass over a length.
 glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
 

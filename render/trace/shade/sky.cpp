@@ -1,18 +1,22 @@
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/shade/sky.h"
+
+#include "render/texture/evaluate_points.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace trace {
 namespace {
 
-scene::Color layered_sky(const Context& context, const RayState& state, const texture::Sky& sky, bool see_through)
+/// color_of(i) is the colour of layer i.
+template <class ColorOf>
+scene::Color layered_sky(const texture::Sky& sky, bool see_through, ColorOf&& color_of)
 {
     glm::vec3 sum(0), filter(1);
     for (std::size_t i = sky.layers.size(); i-- > 0;) {
-        const texture::Surroundings around{{}, {}, state.ray.direction};
-        const scene::Color c =
-            texture::pigment_color(context.scene.textures, sky.layers[i], state.ray.direction, around);
+        const scene::Color c = color_of(i);
         sum += c.rgb() * (1.0f - c.filter - c.transmit) * filter * sky.emission;
         filter *= c.rgb() * c.filter + c.transmit;
     }
@@ -25,14 +29,13 @@ scene::Color layered_sky(const Context& context, const RayState& state, const te
     return out;
 }
 
-scene::Color legacy_sky(const Context& context, const RayState& state, const texture::Sky& sky)
+template <class ColorOf>
+scene::Color legacy_sky(const texture::Sky& sky, ColorOf&& color_of)
 {
     scene::Color sum, filter{1, 1, 1, 1, 1};
     float share = 1;
     for (std::size_t i = sky.layers.size(); i-- > 0;) {
-        const texture::Surroundings around{{}, {}, state.ray.direction};
-        const scene::Color c =
-            texture::pigment_color(context.scene.textures, sky.layers[i], state.ray.direction, around);
+        const scene::Color c = color_of(i);
         const float own = share * (1.0f - c.filter - c.transmit);
         sum.red += c.red * own;
         sum.green += c.green * own;
@@ -45,20 +48,57 @@ scene::Color legacy_sky(const Context& context, const RayState& state, const tex
                             sky.background.rgb() * (filter.rgb() * filter.filter + filter.transmit));
 }
 
-}  // namespace
-
-scene::Color sky_color(const Context& context, const RayState& state)
+/// What a ray sees of the sky with its layers in these colours.
+template <class ColorOf>
+scene::Color seen_sky(const texture::Sky& sky, bool mirrored, ColorOf&& color_of)
 {
-    const texture::Sky& sky = context.scene.sky;
-    const bool mirrored = state.kind != plan::RayKind::Image;
     if (sky.layers.empty()) {
         scene::Color c = sky.background;
         if (mirrored) c.filter = c.transmit = 0.0f;
         return c;
     }
-    if (!sky.legacy) return layered_sky(context, state, sky, sky.alpha_output && !mirrored);
+    if (!sky.legacy) return layered_sky(sky, sky.alpha_output && !mirrored, color_of);
     if (sky.alpha_output && !mirrored) return {0, 0, 0, 0, 1};
-    return legacy_sky(context, state, sky);
+    return legacy_sky(sky, color_of);
+}
+
+scene::Color sky_color(const Context& context, const RayState& state)
+{
+    const texture::Sky& sky = context.scene.sky;
+    const texture::Surroundings around{{}, {}, state.ray.direction};
+    return seen_sky(sky, state.kind != plan::RayKind::Image, [&](std::size_t i) {
+        return texture::pigment_color(context.scene.textures, sky.layers[i], state.ray.direction, around);
+    });
+}
+
+}  // namespace
+
+void sky_colors(const Context& context, const SegmentTile& tile, HitMask missed, scene::Color* out)
+{
+    constexpr int kFewest = 3;              // rays whose pigments are worth being asked for together
+    constexpr std::size_t kMostLayers = 4;  // skies have one or two
+    const texture::Sky& sky = context.scene.sky;
+    if (sky.layers.empty() || sky.layers.size() > kMostLayers || std::popcount(missed) < kFewest)
+        return for_each_hit(missed, [&](std::size_t k) { out[k] = sky_color(context, tile.state(k)); });
+    texture::Points directions;
+    std::array<texture::Surroundings, csg::kTileRays> around;
+    texture::Around each_around;
+    for_each_hit(missed, [&](std::size_t k) {
+        const glm::dvec3& direction = tile.state(k).ray.direction;
+        around[directions.size()] = {{}, {}, direction};
+        each_around[directions.size()] = &around[directions.size()];
+        directions.add(direction);
+    });
+    directions.pad();
+    std::array<texture::ColorPoints, kMostLayers> colors;
+    for (std::size_t i = 0; i < sky.layers.size(); ++i)
+        texture::pigment_colors(context.scene.textures, sky.layers[i], directions, each_around, colors[i]);
+    std::size_t n = 0;
+    for_each_hit(missed, [&](std::size_t k) {
+        const bool mirrored = tile.state(k).kind != plan::RayKind::Image;
+        out[k] = seen_sky(sky, mirrored, [&](std::size_t i) { return colors[i].at(n); });
+        ++n;
+    });
 }
 
 }  // namespace trace

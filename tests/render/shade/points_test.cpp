@@ -62,6 +62,7 @@ std::uint32_t random_pigment(Rng& rng, TextureSet& set, int depth)
     Pigment pigment;
     pigment.kind = depth == 0 || rng.flip() ? (rng.below(6) == 0 ? Kind::Solid : Kind::ColorMap)
                    : rng.below(4) == 0      ? Kind::Average
+                   : rng.below(4) == 0      ? Kind::Uv
                                             : Kind::PigmentMap;
     const auto color = [&] {
         return scene::Color{float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), 0.1f,
@@ -70,7 +71,7 @@ std::uint32_t random_pigment(Rng& rng, TextureSet& set, int depth)
     pigment.color = color();
     pigment.count = static_cast<std::uint32_t>(1 + rng.below(rng.below(4) == 0 ? 12 : 5));
     std::vector<std::uint32_t> children(pigment.count, 0);
-    if (pigment.kind == Kind::PigmentMap || pigment.kind == Kind::Average)
+    if (pigment.kind == Kind::PigmentMap || pigment.kind == Kind::Average || pigment.kind == Kind::Uv)
         for (auto& child : children) child = random_pigment(rng, set, depth - 1);
     pigment.pattern = static_cast<std::uint32_t>(set.patterns.size());
     set.patterns.push_back(random_pattern(rng, set));
@@ -94,13 +95,16 @@ TEST_CASE("pigments of many points have the bits of each point alone", "[texture
         TextureSet set;
         const std::uint32_t pigment = random_pigment(rng, set, 2);
         const Points p = random_points(rng);
-        const Surroundings none;
+        std::array<Surroundings, kMostPoints> places;
         Around around;
-        around.fill(&none);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            places[i].uv = {rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)};
+            around[i] = &places[i];
+        }
         ColorPoints colors;
         pigment_colors(set, pigment, p, around, colors);
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const scene::Color c = pigment_color(set, pigment, p.at(i), none), m = colors.at(i);
+            const scene::Color c = pigment_color(set, pigment, p.at(i), places[i]), m = colors.at(i);
             REQUIRE(bits(c.red) == bits(m.red));
             REQUIRE(bits(c.green) == bits(m.green));
             REQUIRE(bits(c.blue) == bits(m.blue));

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "render/trace/queue/segment_tile.h"
+
+namespace trace {
+
+/// What rays of a tile see that meet nothing (spec 2, sections 14 and 15): out[k] for each of them.
+void sky_colors(const Context& context, const SegmentTile& tile, HitMask missed, scene::Color* out);
+
+}  // namespace trace
