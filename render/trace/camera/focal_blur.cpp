@@ -190,7 +190,7 @@ bool FocalBlur::rays(const CameraRays& rays, const Waiting& samples, csg::RayTil
     using csg::lanes::Double;
     if (!rays.is_perspective()) return false;
     constexpr std::size_t kRays = csg::kTileRays;
-    alignas(64) std::array<double, kRays> x, y, shifted_x{}, shifted_y{}, place_x, place_y;
+    alignas(64) std::array<double, kRays> x{}, y{}, shifted_x{}, shifted_y{}, place_x, place_y;
     std::array<std::uint32_t, kRays> seed;
     const std::size_t lanes = (static_cast<std::size_t>(samples.count) + 7u) & ~std::size_t{7};
     for (std::size_t i = 0; i < lanes; ++i)

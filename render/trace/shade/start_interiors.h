@@ -40,7 +40,6 @@ public:
     bool asked() const { return !scene_.start_holders.empty(); }
 
 private:
-
     const plan::CompiledScene& scene_;
     csg::World world_;
     std::array<InteriorList, kTileRays> lists_;
