@@ -2,7 +2,7 @@
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 
 /// numbers: iterations, exponent, exterior type and factor, interior type and factor, magnet type (spec 4, 5.6).
@@ -112,80 +112,95 @@ namespace {
 
 using csg::lanes::Double;
 
-struct ComplexLanes {
-    Double a, b;
+/// power_set of as many points as there are lanes, in the same order of operations; the point itself may be the
+/// constant. Squares: the exponent is 2, and products that are alike are made once.
+template <bool Squares>
+struct Orbits {
+    Double a, b, of_a, of_b;        ///< z, and what is added to each of its powers
+    Double a2, b2, size, smallest;  ///< squares of the parts of z; their sum, and the least that it was
+    std::uint32_t inside;           ///< lanes that have not escaped
+
+    Orbits(const Pattern& pattern, const Double& x, const Double& y, std::uint32_t lanes)
+        : a(x), b(y), of_a(x), of_b(y), a2(x * x), b2(y * y), size(a2 + b2), smallest(size), inside(lanes)
+    {
+        if (pattern.kind != PatternKind::Mandel) of_a = Double(pattern.vector.x), of_b = Double(pattern.vector.y);
+    }
+
+    /// The lanes that escape now. A lane that is out stays out: its size grows or is no number.
+    [[gnu::always_inline]] std::uint32_t step(int exponent)
+    {
+        Double ra = a, rb = b;
+        if constexpr (Squares) {
+            const Double product = a * b;
+            ra = a2 - b2;
+            rb = product + product;
+        } else {
+            for (int i = 1; i < exponent; ++i) {
+                const Double next = ra * a - rb * b;
+                rb = ra * b + rb * a;
+                ra = next;
+            }
+        }
+        a = ra + of_a;
+        b = rb + of_b;
+        a2 = a * a;
+        b2 = b * b;
+        size = a2 + b2;
+        smallest = xsimd::select(size < smallest, size, smallest);
+        const std::uint32_t fresh = csg::lanes::mask(size > Double(kEscape)) & inside;
+        inside &= ~fresh;
+        return fresh;
+    }
 };
 
-/// power_set of some vectors of points, in the same order of operations; c may be the points. A step waits for the one
-/// before it, so several vectors are worked on in turn. Squares: the exponent is 2, and products that are alike are
-/// made once.
-template <bool Squares, std::size_t Vectors>
-void power_set_lanes(const Pattern& pattern, std::array<ComplexLanes, Vectors> z,
-                     const std::array<ComplexLanes, Vectors>& c, std::size_t count, double* out)
+/// value(z, the least square of its length) of some lanes.
+template <class Value>
+void put_lanes(const Double& a, const Double& b, const Double& smallest, std::uint32_t lanes, double* out,
+               Value&& value)
 {
-    const int exponent = static_cast<int>(pattern.numbers[1]), n = static_cast<int>(pattern.numbers[0]);
-    constexpr std::uint32_t kEveryone = (1u << kLanes) - 1;
-    const auto part = [](const Double& v, std::size_t lane) {
-        alignas(64) double parts[kLanes];
-        v.store_aligned(parts);
-        return parts[lane];
-    };
-    std::array<Double, Vectors> smallest, a2, b2;  // a2, b2: squares of the parts of z
-    std::array<std::uint32_t, Vectors> inside{};
-    for (std::size_t v = 0; v < Vectors; ++v) {
-        a2[v] = z[v].a * z[v].a;
-        b2[v] = z[v].b * z[v].b;
-        smallest[v] = a2[v] + b2[v];
-        if (count > v * kLanes) inside[v] = kEveryone;
+    alignas(64) double za[kLanes], zb[kLanes], least[kLanes];
+    a.store_aligned(za);
+    b.store_aligned(zb);
+    smallest.store_aligned(least);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+        out[i] = value(Complex{za[i], zb[i]}, least[i]);
     }
-    for (int k = 0; k < n; ++k) {
-        std::uint32_t left = 0;
-        for (std::size_t v = 0; v < Vectors; ++v) {
-            ComplexLanes r = z[v];
-            if constexpr (Squares) {
-                const Double product = r.a * r.b;
-                r = {a2[v] - b2[v], product + product};
-            } else {
-                for (int i = 1; i < exponent; ++i) r = {r.a * z[v].a - r.b * z[v].b, r.a * z[v].b + r.b * z[v].a};
-            }
-            z[v] = {r.a + c[v].a, r.b + c[v].b};
-            a2[v] = z[v].a * z[v].a;
-            b2[v] = z[v].b * z[v].b;
-            const Double size = a2[v] + b2[v];
-            smallest[v] = xsimd::select(size < smallest[v], size, smallest[v]);
-            // A lane that is out stays out: its size grows or is no number, so only the first time counts.
-            const std::uint32_t fresh = csg::lanes::mask(size > Double(kEscape)) & inside[v];
-            if (fresh != 0) [[unlikely]] {
-                for (std::size_t i = 0; i < kLanes && v * kLanes + i < count; ++i)
-                    if ((fresh >> i & 1u) != 0)
-                        out[v * kLanes + i] = exterior(pattern, k, {part(z[v].a, i), part(z[v].b, i)});
-                inside[v] &= ~fresh;
-            }
-            left |= inside[v];
-        }
-        if (left == 0) return;
-    }
-    for (std::size_t v = 0; v < Vectors; ++v)
-        for (std::size_t i = 0; i < kLanes && v * kLanes + i < count; ++i)
-            if ((inside[v] >> i & 1u) != 0)
-                out[v * kLanes + i] = interior(pattern, part(smallest[v], i), {part(z[v].a, i), part(z[v].b, i)});
 }
 
 template <bool Squares>
+[[gnu::noinline]] void put_escaped(const Pattern& pattern, int k, const Orbits<Squares> orbits, std::uint32_t lanes,
+                                   double* out)
+{
+    put_lanes(orbits.a, orbits.b, orbits.smallest, lanes, out,
+              [&](Complex z, double) { return exterior(pattern, k, z); });
+}
+
+/// Two vectors of points in turn: a step waits for the one before it.
+template <bool Squares>
 void power_set_points(const Pattern& pattern, const Points& p, double* out)
 {
-    constexpr std::size_t kVectors = 2, kAtOnce = kVectors * kLanes;
-    static_assert(kMostPoints % kAtOnce == 0);
-    for (std::size_t i = 0; i < p.size(); i += kAtOnce) {
-        std::array<ComplexLanes, kVectors> z, c;
-        for (std::size_t v = 0; v < kVectors; ++v) {
-            // A vector behind the last point is anything; nobody asks for it.
-            z[v] = {get(p.x, i + v * kLanes), get(p.y, i + v * kLanes)};
-            c[v] = pattern.kind == PatternKind::Mandel
-                       ? z[v]
-                       : ComplexLanes{Double(pattern.vector.x), Double(pattern.vector.y)};
+    const int exponent = static_cast<int>(pattern.numbers[1]), n = static_cast<int>(pattern.numbers[0]);
+    static_assert(kMostPoints % (2 * kLanes) == 0);
+    for (std::size_t i = 0; i < p.size(); i += 2 * kLanes) {
+        const auto lanes = [&](std::size_t at) {
+            return at < p.size() ? (1u << std::min(kLanes, p.size() - at)) - 1u : 0u;
+        };
+        Orbits<Squares> first(pattern, get(p.x, i), get(p.y, i), lanes(i));
+        // A vector behind the last point is anything; nobody asks for it.
+        Orbits<Squares> second(pattern, get(p.x, i + kLanes), get(p.y, i + kLanes), lanes(i + kLanes));
+        for (int k = 0; k < n && (first.inside | second.inside) != 0; ++k) {
+            const std::uint32_t fresh = first.step(exponent), others = second.step(exponent);
+            if ((fresh | others) == 0) continue;
+            if (fresh != 0) put_escaped(pattern, k, first, fresh, out + i);
+            if (others != 0) put_escaped(pattern, k, second, others, out + i + kLanes);
         }
-        power_set_lanes<Squares>(pattern, z, c, std::min(kAtOnce, p.size() - i), out + i);
+        const auto put_inside = [&](const Orbits<Squares>& of, double* to) {
+            put_lanes(of.a, of.b, of.smallest, of.inside, to,
+                      [&](Complex z, double least) { return interior(pattern, least, z); });
+        };
+        put_inside(first, out + i);
+        put_inside(second, out + i + kLanes);
     }
 }
 
