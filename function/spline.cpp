@@ -21,11 +21,12 @@ void Spline::add(double t, const Values& value, std::uint32_t count)
 
 namespace {
 
+/// The rest is 0.
 template <class F>
-Values each(F&& f)
+Values each(std::size_t components, F&& f)
 {
     Values out{};
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = f(k);
+    for (std::size_t k = 0; k < components; ++k) out[k] = f(k);
     return out;
 }
 
@@ -48,13 +49,14 @@ std::vector<Values> Spline::second_derivatives() const
     for (std::size_t j = 1; j + 1 < n; ++j) {
         const double pivot = 2.0 * (h(j - 1) + h(j)) - h(j - 1) * above[j - 1];
         above[j] = h(j) / pivot;
-        m[j] = each([&](std::size_t k) {
+        m[j] = each(components_, [&](std::size_t k) {
             const double slope = (knots_[j + 1].value[k] - knots_[j].value[k]) / h(j);
             const double before = (knots_[j].value[k] - knots_[j - 1].value[k]) / h(j - 1);
             return (6.0 * (slope - before) - h(j - 1) * m[j - 1][k]) / pivot;
         });
     }
-    for (std::size_t j = n - 1; j-- > 1;) m[j] = each([&](std::size_t k) { return m[j][k] - above[j] * m[j + 1][k]; });
+    for (std::size_t j = n - 1; j-- > 1;)
+        m[j] = each(components_, [&](std::size_t k) { return m[j][k] - above[j] * m[j + 1][k]; });
     return m;
 }
 
@@ -71,12 +73,13 @@ Values Spline::at(double t, Kind as) const
     std::size_t i = static_cast<std::size_t>(found - knots_.begin());
     if (!(t < knots_.back().t)) i = count;
     if (as == Kind::Cubic) {
-        if (count == 2) return each([&](std::size_t k) { return (knot(0).value[k] + knot(1).value[k]) / 2.0; });
+        if (count == 2)
+            return each(components_, [&](std::size_t k) { return (knot(0).value[k] + knot(1).value[k]) / 2.0; });
         if (i < 2) return knot(1).value;
         if (i >= last) return knot(last - 1).value;
         const std::size_t a = i - 1;
         const double step = knot(i).t - knot(a).t, u = (t - knot(a).t) / step, u2 = u * u, u3 = u2 * u;
-        return each([&](std::size_t k) {
+        return each(components_, [&](std::size_t k) {
             const auto slope = [&](std::size_t j) {
                 return (knot(j + 1).value[k] - knot(j).value[k]) / (knot(j + 1).t - knot(j).t);
             };
@@ -91,7 +94,7 @@ Values Spline::at(double t, Kind as) const
     const double d = t - knot(a).t, h = knot(i).t - knot(a).t;
     if (as == Kind::Quadratic && count > 2) {
         const std::size_t p = i < 2 ? 0 : i - 2;
-        return each([&](std::size_t k) {
+        return each(components_, [&](std::size_t k) {
             return parabola(t, knot(p).t, knot(p).value[k], knot(p + 1).t, knot(p + 1).value[k], knot(p + 2).t,
                             knot(p + 2).value[k]);
         });
@@ -99,12 +102,13 @@ Values Spline::at(double t, Kind as) const
     if (as == Kind::Natural && count > 2) {
         const std::vector<Values> fresh = derivatives_.empty() ? second_derivatives() : std::vector<Values>{};
         const std::vector<Values>& m = derivatives_.empty() ? fresh : derivatives_;
-        return each([&](std::size_t k) {
+        return each(components_, [&](std::size_t k) {
             const double slope = (knot(i).value[k] - knot(a).value[k]) / h - h * (m[i][k] + 2.0 * m[a][k]) / 6.0;
             return knot(a).value[k] + d * (slope + d * (m[a][k] / 2.0 + d * (m[i][k] - m[a][k]) / (6.0 * h)));
         });
     }
-    return each([&](std::size_t k) { return knot(a).value[k] + d * (knot(i).value[k] - knot(a).value[k]) / h; });
+    return each(components_,
+                [&](std::size_t k) { return knot(a).value[k] + d * (knot(i).value[k] - knot(a).value[k]) / h; });
 }
 
 }  // namespace function

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "parser/queries.h"
+#include "parser/stream/ready_statement.h"
 #include "parser/stream/value.h"
 
+#include <memory>
 #include <optional>
 
 namespace parser {
@@ -32,6 +34,10 @@ public:
     {
         return std::nullopt;
     }
+
+    /// The statement that stands where the reader does, if TokenStream::peek_statement() may find one there. Null: it
+    /// is of no kind that does without its tokens.
+    virtual std::unique_ptr<ReadyStatement> prepare(StatementReader& /*reader*/) { return nullptr; }
 
     /// Questions to a declared object; nullopt: cannot be answered (the stream makes it an error at the call).
     virtual std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>&, const glm::dvec3& /*origin*/,

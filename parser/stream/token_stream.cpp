@@ -93,6 +93,36 @@ void TokenStream::leave_cursor()
     cursors_.pop_back();
 }
 
+TokenStream::Again::Again(TokenStream& stream, const Token* begin, const Token* end)
+    : stream_(stream), depth_(stream.cursors_.size()), ahead_(stream.ahead_), last_(stream.last_),
+      has_ahead_(stream.has_ahead_), ahead_raw_(stream.ahead_raw_), raw_operators_(stream.raw_operators_),
+      left_(stream.left_)
+{
+    const Token* const tokens = stream.files_[begin->file]->tokens.data();
+    Cursor cursor;
+    cursor.file = begin->file;
+    cursor.macro = true;
+    cursor.tokens = tokens;
+    cursor.position = static_cast<std::uint32_t>(begin - tokens);
+    cursor.end = static_cast<std::uint32_t>(end - tokens);
+    cursor.blocks = stream.blocks_.size();
+    stream.cursors_.push_back(cursor);
+    stream.symbols_.open_scope();
+    stream.has_ahead_ = stream.ahead_raw_ = stream.raw_operators_ = false;
+    stream.left_ = cursor.end;  // they are counted with the block that they stand in
+}
+
+TokenStream::Again::~Again()
+{
+    while (stream_.cursors_.size() > depth_) stream_.leave_cursor();
+    stream_.ahead_ = ahead_;
+    stream_.last_ = last_;
+    stream_.has_ahead_ = has_ahead_;
+    stream_.ahead_raw_ = ahead_raw_;
+    stream_.raw_operators_ = raw_operators_;
+    stream_.left_ = left_;
+}
+
 bool TokenStream::is_macro(const Token& token) const
 {
     if (token.kind != Kind::Identifier) return false;
@@ -124,6 +154,7 @@ void TokenStream::fetch()
         case Kind::Identifier:
             if (const Value* value = symbols_.find(token.name))
                 if (const auto* macro = value->get_if<std::shared_ptr<const Macro>>()) {
+                    const Expected expected(statements_, false);  // in its arguments
                     call_macro(token, **macro);
                     break;
                 }
@@ -167,6 +198,8 @@ void TokenStream::execute_directive()
     const bool raw = std::exchange(raw_operators_, false);
     last_ = &word;
     const bool again = !blocks_.empty() && blocks_.back().repeats;
+    const Expected expected(statements_, false);  // in what the directive reads
+    runner_->expect_statements(expected.before());
     const bool done = again && may_begin_block(word.kind) && runner_->at_directive(hash);
     if (!done && !execute(word.kind, hash)) --cursors_.back().position;  // `#sphere` means `sphere`
     raw_operators_ = raw;

@@ -42,6 +42,14 @@ public:
         if (!has_ahead_ ? !fetch_plain() : ahead_raw_) fetch();
         return *ahead_;
     }
+    /// The same where a statement of the grammar may begin: those that blocks know are done on the way
+    /// (GrammarHooks::prepare).
+    const Token& peek_statement()
+    {
+        if (has_ahead_ && !ahead_raw_) return *ahead_;
+        const Expected expected(statements_, true);
+        return peek();
+    }
     const Token& next()  ///< takes it
     {
         peek();
@@ -93,6 +101,13 @@ public:
     /// is taken. Array subscripts are read: `texture { T[2] }`.
     template <class T>
     std::optional<T> accept_identifier();
+    /// Reads plain tokens of a text, from one to behind another, by themselves: where it stands stays as it is.
+    template <class Read>
+    void read_again(const Token* begin, const Token* end, Read&& read)
+    {
+        const Again again(*this, begin, end);
+        read();
+    }
     /// The values of a Numbers token.
     std::span<const double> values_of(const Token& numbers) const
     {
@@ -184,6 +199,19 @@ public:
 private:
     friend class blocks::Runner;
     static inline const Token kNoToken;
+    /// Whether statements of the grammar may stand here, until the end of the scope.
+    class Expected {
+    public:
+        Expected(bool& flag, bool expected) : flag_(flag), before_(flag) { flag = expected; }
+        ~Expected() { flag_ = before_; }
+        Expected(const Expected&) = delete;
+        Expected& operator=(const Expected&) = delete;
+        bool before() const { return before_; }
+
+    private:
+        bool& flag_;
+        const bool before_;
+    };
     struct Cursor {
         std::uint16_t file = 0;
         bool macro = false;      ///< else a whole text
@@ -193,6 +221,20 @@ private:
         std::uint32_t* sites = nullptr;  ///< of the file, once asked for
         std::size_t blocks = 0;          ///< blocks open when it was entered
         const Token* call = &kNoToken;   ///< where the macro was called or the file included
+    };
+    class Again {
+    public:
+        Again(TokenStream& stream, const Token* begin, const Token* end);
+        ~Again();
+        Again(const Again&) = delete;
+        Again& operator=(const Again&) = delete;
+
+    private:
+        TokenStream& stream_;
+        std::size_t depth_;
+        const Token *ahead_, *last_;
+        bool has_ahead_, ahead_raw_, raw_operators_;
+        std::uint64_t left_;
     };
     enum class BlockKind : std::uint8_t { If, Switch, While, For, Macro };
     struct Block {
@@ -359,6 +401,7 @@ private:
     const Token* ahead_ = &kNoToken;  ///< tokens of files never move
     const Token* last_ = &kNoToken;
     bool has_ahead_ = false, ahead_raw_ = false, raw_operators_ = false;
+    bool statements_ = false;  ///< what is fetched may be a statement of the grammar
     std::uint64_t taken_ = 0;
     std::uint64_t left_ = 0,
                   later_ = 0;  ///< tokens that may be read before allow_more(), and after; Options::most_tokens in all

@@ -72,12 +72,17 @@ public:
         *this = ObjectList(other);
         return *this;
     }
-    void push_back(Object object)
+    void push_back(Object object) { emplace_back(std::move(object)); }
+    template <class... Arguments>
+    Object& emplace_back(Arguments&&... arguments)
     {
         if (size_ == blocks_.size() * kBlock) add_block();
-        new (blocks_.back() + size_ % kBlock) Object(std::move(object));
+        Object* const made = new (&blocks_[size_ / kBlock][size_ % kBlock])
+            Object(std::forward<Arguments>(arguments)...);
         ++size_;
+        return *made;
     }
+    void pop_back() { back().~Object(), --size_; }
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     void clear()

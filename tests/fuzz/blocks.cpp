@@ -1,6 +1,8 @@
-// Loops and macros over numbers, texts and arrays are compiled as a whole. The bytes choose a program; compiled it has
-// to say what it says read word by word: the same texts, warnings and error, at the same places.
+// Loops and macros over numbers, texts, arrays and objects are compiled as a whole. The bytes choose a program;
+// compiled it has to say what it says read word by word: the same texts, warnings and error, at the same places, and
+// the same objects.
 #include "parser/parse.h"
+#include "render/scene/description.h"
 #include "tests/fuzz/target.h"
 
 #include <array>
@@ -20,6 +22,10 @@ public:
             "#declare L=array[4]{1,-2,5,7}#declare Q=array[2][2]{{1,2},{3,4}}#declare P=array[2]{<1,2,3>,<4,5,6>}\n"
             "#declare T=array[3]{\"x\",\"yy\",\"\"}#declare S=\"text\";#declare K=rgbft<.1,.2,.3,.4,.5>;\n"
             "#declare R=seed(7);#declare F=function(x){x*x-1}#declare Depth=0;#declare Steps=0;\n"
+            "#declare Ball=sphere{0,1}#declare Paint=texture{pigment{rgb<.1,.2,.3>}}#declare Tiles=texture{checker "
+            "texture{Paint}texture{Paint finish{phong 1}}}#declare Shine=finish{specular .5}#declare "
+            "Move=transform{rotate y*20 translate x}#declare Green=rgb<0,1,0>;#declare "
+            "Curve=spline{cubic_spline 0,<0,1>,1,<2,3>,2,<5,1>,4,<1,0>}\n"
             "#macro Show()#debug concat(str(A,0,9),\" \",str(B,0,9),\" \",str(I,0,9),\" \",vstr(3,V,\",\",0,9),\" \",S,"
             "\" \",str(L[0],0,9),\" \",str(L[2],0,9),\" \",str(Q[1][0],0,9),\" \",T[1],\" "
             "\",str(rand(R),0,9),\"\\n\")#end\n"
@@ -81,7 +87,7 @@ private:
 
     std::string statement(int depth)
     {
-        const std::size_t form = depth > 3 ? choice(8) : choice(22);
+        const std::size_t form = depth > 3 ? choice(8) : choice(29);
         switch (form) {
         case 8:
         case 9: return "#if(" + condition() + ")\n" + body(depth + 1) + "#end\n";
@@ -118,6 +124,26 @@ private:
                                                                  : string(1));
             return text + ")\n";
         }
+        case 22: return "Ball\n";
+        case 23:
+        case 24:
+        case 25: return object(depth);
+        case 26: {
+            const std::string loop = "#for(J,1," + std::to_string(choice(7)) + ")\n";
+            switch (choice(3)) {
+            case 0:
+                return "union{" + loop + object(depth + 1) + (choice(3) ? "" : declared()) + "#end " +
+                       modifiers(depth) + "}\n";
+            case 1:
+                return "blob{threshold .5 " + loop + component(depth + 1) + "#end sphere{0,1,1}" + modifiers(depth) +
+                       "}\n";
+            default: return "mesh{" + loop + face(depth + 1) + "#end triangle{x,y,z}" + modifiers(depth) + "}\n";
+            }
+        }
+        case 27: return "#declare Ball=" + object(depth);
+        case 28:
+            return choice(2) ? "#declare Paint=texture{pigment{rgb " + vector(1) + "}}\n"
+                             : "#declare Green=rgb " + vector(2) + ";\n";
         case 19: return "Show()\n";
         case 20:
             switch (choice(4)) {
@@ -130,6 +156,99 @@ private:
         }
     }
 
+    std::string modifiers(int depth)
+    {
+        static constexpr std::array kFixed = {"texture{Paint}",
+                                              "finish{Shine}",
+                                              "finish{phong 1}",
+                                              "no_shadow ",
+                                              "hollow ",
+                                              "pigment{checker}",
+                                              "normal{bumps .3}",
+                                              "transform{Move}",
+                                              "inverse ",
+                                              "pigment{Green}",
+                                              "texture{Tiles}",
+                                              "hollow off ",
+                                              "pigment{gradient x color_map{[0 Green][1 rgb B]}}",
+                                              "transform Move ",
+                                              "texture{Paint finish{Shine}}",
+                                              "pigment{rgb 1}",
+                                              "no_image ",
+                                              "interior{ior 1.5}",
+                                              "pigment{color Green transmit .5}",
+                                              "uv_mapping "};
+        std::string text;
+        for (std::size_t i = choice(4); i > 0; --i) {
+            switch (choice(9)) {
+            case 0: text += "translate " + vector(depth); break;
+            case 1: text += "rotate " + vector(depth); break;
+            case 2: text += "scale " + (choice(2) ? number(2) : vector(depth)); break;
+            case 3: text += std::string("pigment{") + (choice(2) ? "rgb " : "color rgbt ") + vector(2) + "}"; break;
+            case 4:
+                text += "texture{pigment{rgb " + vector(2) + "}" + (choice(2) ? "finish{Shine}" : "normal{dents B}") +
+                        "}";
+                break;
+            default: text += kFixed[choice(kFixed.size())];
+            }
+            text += choice(6) ? " " : "\n";
+        }
+        return text;
+    }
+
+    std::string object(int depth)
+    {
+        const std::string comma = choice(4) ? "," : " ";
+        const auto v = [&] { return vector(depth + 2); };
+        const auto n = [&] { return number(depth + 2); };
+        std::string text;
+        switch (choice(depth > 3 ? 8 : 13)) {
+        case 0:
+        case 1: text = "sphere{" + v() + comma + n(); break;
+        case 2: text = "box{" + v() + comma + v(); break;
+        case 3: text = "cylinder{" + v() + comma + v() + comma + n() + (choice(2) ? " open " : " "); break;
+        case 4: text = "cone{" + v() + comma + n() + comma + v() + comma + n() + (choice(2) ? " open " : " "); break;
+        case 5: text = choice(2) ? "torus{" + n() + comma + n() : "plane{" + v() + comma + n(); break;
+        case 6:
+            text = choice(2) ? "triangle{" + v() + comma + v() + comma + v() : "triangle{<0,0,0>,<1,0,0>,<0,1,2>";
+            break;
+        case 7:
+            text = choice(2) ? "disc{" + v() + comma + v() + comma + n() + (choice(2) ? "" : ",0.1") : "object{Ball";
+            break;
+        case 8:
+            text = "smooth_triangle{" + v() + comma + v() + comma + v() + comma + v() + comma + v() + comma + v();
+            break;
+        case 9: text = "object{" + object(depth + 1); break;
+        default: {
+            static constexpr std::array kOperators = {"union{", "difference{", "intersection{", "merge{"};
+            text = kOperators[choice(kOperators.size())];
+            for (std::size_t i = 1 + choice(3); i > 0; --i)
+                text += choice(6) ? object(depth + 1) : std::string("Ball ");
+        }
+        }
+        return text + " " + modifiers(depth + 1) + "}\n";
+    }
+
+    std::string component(int depth)
+    {
+        const std::string tail = number(depth + 2) + (choice(2) ? "," : " strength ") + number(depth + 2) + " " +
+                                 modifiers(depth + 2) + "}\n";
+        switch (choice(4)) {
+        case 0: return "component " + number(3) + " " + number(3) + " " + vector(3) + "\n";
+        case 1: return "cylinder{" + vector(depth + 2) + "," + vector(depth + 2) + "," + tail;
+        default: return "sphere{" + vector(depth + 2) + "," + tail;
+        }
+    }
+
+    std::string face(int depth)
+    {
+        const bool smooth = choice(3) == 0;
+        std::string text = smooth ? "smooth_triangle{" : "triangle{";
+        for (int i = 0; i < (smooth ? 6 : 3); ++i) text += vector(depth + 2) + (choice(3) ? "," : " ");
+        static constexpr std::array kTails = {"", "", "uv_vectors <0,0>,<1,0>,<A,1>", "texture{Paint}"};
+        return text + kTails[choice(kTails.size())] + "}\n";
+    }
+
     std::string condition()
     {
         static constexpr std::array kRelations = {"<", ">", "<=", ">=", "=", "!="};
@@ -140,9 +259,9 @@ private:
     std::string number(int depth)
     {
         static constexpr std::array kPlain = {
-            "A",     "B",   "I",   "J",    "1",           "0",        "2.5",           "X",
-            "Y",     "V.x", "pi",  "3",    "L[mod(I,4)]", "Q[1][0]",  "P[mod(J,2)].z", "A",
-            "K.red", "I+1", "New", "L[J]", "rand(R)",     "strlen(S)"};
+            "A",     "B",   "I",   "J",    "1",           "0",         "2.5",           "X",
+            "Y",     "V.x", "pi",  "3",    "L[mod(I,4)]", "Q[1][0]",   "P[mod(J,2)].z", "A",
+            "K.red", "I+1", "New", "L[J]", "rand(R)",     "strlen(S)", "Curve(I).x"};
         static constexpr std::array kSigns = {"+", "-", "*", "/", "+", "-", "*", "<", ">=", "=", "!=", "&", "|"};
         static constexpr std::array kOne = {"sin", "abs", "floor", "int", "F", "-", "!", "sqrt", "radians", "F"};
         static constexpr std::array kTwo = {"max", "min", "mod", "pow", "atan2", "div"};
@@ -156,7 +275,7 @@ private:
                                                         : number(depth + 2);
             return choice(3) ? "(" + name + "(" + given + "))" : name + "(" + given + ")";
         }
-        if (depth > 3 || form < 6) return kPlain[choice(kPlain.size() - (choice(8) ? 4 : 0))];
+        if (depth > 3 || form < 6) return kPlain[choice(kPlain.size() - (choice(8) ? 5 : 0))];
         const auto inner = [&] { return number(depth + 1); };
         const std::string first = inner();
         switch (form) {
@@ -231,8 +350,8 @@ Said said_by(const std::string& text, bool blocks)
     options.blocks = blocks;
     options.most_tokens = 100'000;
     try {
-        parser::parse_text(text, "fuzz.pov", options, keep, &said);
-        said.text += "read to its end";
+        const parser::Result result = parser::parse_text(text, "fuzz.pov", options, keep, &said);
+        said.text += "read to its end\n" + fuzz::without_sign_of_nan(scene::dump(result.scene));
     } catch (const parser::Error& error) {
         said.text += error.what();
         said.unending = std::string_view(error.what()).find("the limit of tokens") != std::string_view::npos;

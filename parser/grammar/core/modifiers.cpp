@@ -251,6 +251,12 @@ struct ModifierItems {
 
 }  // namespace
 
+bool read_modifier(SceneBuilder& build, scene::Object& object)
+{
+    ObjectState s(build, object);
+    return ModifierItems::match(build, s);
+}
+
 void read_component_modifiers(SceneBuilder& build, scene::Object& object)
 {
     using Items = table<ObjectState, texture, pigment, normal, finish>;

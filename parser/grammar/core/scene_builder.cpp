@@ -49,10 +49,15 @@ void SceneBuilder::add(scene::Object object)
         set_aside(std::move(object));
         return;
     }
+    complete(object);
+    description.objects.push_back(std::move(object));
+}
+
+void SceneBuilder::complete(scene::Object& object)
+{
     object.default_texture = default_texture_;
     if (description.default_importance != 1.0 && !object.details->radiosity_importance)
         object.details.edit().radiosity_importance = description.default_importance;
-    description.objects.push_back(std::move(object));
 }
 
 void SceneBuilder::set_aside(scene::Object object)

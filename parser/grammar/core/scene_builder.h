@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parser/grammar/ready/receiver.h"
 #include "parser/stream/token_input.h"
 #include "parser/stream/token_stream.h"
 #include "render/font/font.h"
@@ -12,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 
 namespace parser {
 
@@ -30,6 +32,7 @@ public:
 
     std::optional<Value> parse_declared_value(TokenStream& stream) override;
     void parse_default(TokenStream& stream) override;
+    std::unique_ptr<ReadyStatement> prepare(StatementReader& tokens) override;
     void version_changed(int version, const Options& options) override;
     std::optional<function::SceneReference> parse_function_thing(TokenStream& stream) override;
     std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>& object, const glm::dvec3& origin,
@@ -83,9 +86,28 @@ public:
     font::Fonts fonts;
     std::map<std::string, std::string> font_files;  ///< paths by what the text calls them
     OperandStack::Memory operand_memory;
+    Receiver* receiver = nullptr;                      ///< of statements that need no tokens, where some may stand
+    std::unordered_set<const Token*> changing_blocks;  ///< of textures, not worth keeping
     std::vector<scene::Object> gathered;  ///< operands of the CSG objects that are being read: see objects.cpp
 
 private:
+    /// Objects of the scene.
+    class TopLevel final : public ObjectReceiver {
+    public:
+        explicit TopLevel(SceneBuilder& build) : build_(build) {}
+        scene::Object& place() override { return build_.description.objects.emplace_back(); }
+        bool keep() override
+        {
+            build_.complete(build_.description.objects.back());
+            return true;
+        }
+        void drop() override { build_.description.objects.pop_back(); }
+
+    private:
+        SceneBuilder& build_;
+    };
+    /// What an object statement at top level gets.
+    void complete(scene::Object& object);
     [[noreturn]] void fail_open(std::string_view what);
     [[noreturn]] void fail_close(std::string_view what, const scene::SourceRef& opened);
     /// One statement of the scene; false at the end of the text.
@@ -102,6 +124,7 @@ private:
     SceneQueries* queries();
     int default_noise_generator() const;  ///< of the language version
     TokenStream* stream_ = nullptr;
+    TopLevel top_level_{*this};
     scene::TexturePtr default_texture_;
     std::set<std::string> told_;
     std::shared_ptr<const scene::Object> solid_;  ///< the last that was found to have an inside
@@ -132,6 +155,8 @@ bool is_patch(const scene::Object& object);
 bool has_inside(const scene::Object& object);
 /// Modifiers of any object until something else stands there.
 void read_modifiers(SceneBuilder& build, scene::Object& object);
+/// One of them, if it is next.
+bool read_modifier(SceneBuilder& build, scene::Object& object);
 /// texture, pigment, normal, finish and transformations of a blob's component.
 void read_component_modifiers(SceneBuilder& build, scene::Object& object);
 

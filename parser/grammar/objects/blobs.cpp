@@ -84,7 +84,9 @@ scene::Freeform shape_of(const scene::Blob& blob)
 
 bool read_parameters(SolidReader& s, scene::Blob& blob)
 {
+    ComponentReceiver receiver(blob);
     for (;;) {
+        peek_for(s.in(), s.build().receiver, receiver);
         if (read_one(s, blob, std::tuple(field(Kind::Threshold, &scene::Blob::threshold)))) continue;
         if (s.accept(Kind::Sturm) || s.accept(Kind::Hierarchy)) optional_flag(s.in());
         else if (!read_component(s, blob)) break;

@@ -317,7 +317,9 @@ scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source)
     object.source = source;
     const auto opened = build.open_block("mesh");
     const bool declared = declared_mesh(in, object);
+    FaceReceiver receiver(*s.data);
     for (bool more = !declared; more;) {
+        peek_for(in, build.receiver, receiver);
         if (in.accept(Kind::Triangle)) read_face(s, false);
         else if (in.accept(Kind::SmoothTriangle)) read_face(s, true);
         else if (table<MeshState, inside_vector>::match(build, s)) continue;

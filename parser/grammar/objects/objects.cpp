@@ -38,6 +38,8 @@ public:
     ~Gathered() { all_.erase(first(), all_.end()); }
     Gathered(const Gathered&) = delete;
     Gathered& operator=(const Gathered&) = delete;
+    scene::Object& place() { return all_.emplace_back(); }
+    void drop() { all_.pop_back(); }
     void add(scene::Object object) { all_.push_back(std::move(object)); }
     std::shared_ptr<const std::vector<scene::Object>> take()
     {
@@ -49,6 +51,27 @@ private:
     std::vector<scene::Object>::iterator first() { return all_.begin() + static_cast<std::ptrdiff_t>(below_); }
     std::vector<scene::Object>& all_;
     std::size_t below_;
+};
+
+/// Operands of CSG.
+struct Operands final : ObjectReceiver {
+    Operands(SceneBuilder& builder, bool cuts_inside) : build(builder), objects(builder), cuts(cuts_inside) {}
+    scene::Object& place() override { return objects.place(); }
+    bool keep() override
+    {
+        const bool inside = has_inside(build.gathered.back());
+        if (cuts && !inside) return false;
+        all_inside = all_inside && inside;
+        ++written;
+        return true;
+    }
+    void drop() override { objects.drop(); }
+
+    SceneBuilder& build;
+    Gathered objects;
+    const bool cuts;  ///< each has to have an inside
+    bool all_inside = true;
+    std::size_t written = 0;
 };
 
 }  // namespace
@@ -141,23 +164,22 @@ void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object)
     } else {
         object.source = source;
         if (keyword == Kind::Composite) in.warn(source, "'composite' is an old word for 'union'");
-        Gathered operands(build);
-        std::size_t written = 0;
-        bool all_inside = true;
-        for (;; ++written) {
+        Operands operands(build, keyword == Kind::Intersection || keyword == Kind::Difference);
+        for (;; ++operands.written) {
             scene::Object operand;
+            peek_for(in, build.receiver, operands);
             if (!read_object(build, operand)) break;
             const bool inside = has_inside(operand);
-            if ((keyword == Kind::Intersection || keyword == Kind::Difference) && !inside)
-                in.warn(operand.source, "what has no inside cannot be cut or cut with");
+            if (operands.cuts && !inside) in.warn(operand.source, "what has no inside cannot be cut or cut with");
             if (operand.drawn()) {
-                all_inside = all_inside && inside;
-                operands.add(std::move(operand));
+                operands.all_inside = operands.all_inside && inside;
+                operands.objects.add(std::move(operand));
             } else build.set_aside(std::move(operand));
         }
-        if (written < 2 && build.version() >= 150)
+        if (operands.written < 2 && build.version() >= 150)
             in.warn(source, std::string(name) + " should have at least two objects");
-        object.shape = scene::Csg{op_of(keyword), operands.take(), true, false, false, false, all_inside, {}};
+        object.shape =
+            scene::Csg{op_of(keyword), operands.objects.take(), true, false, false, false, operands.all_inside, {}};
     }
     read_modifiers(build, object);
     build.close_block(name, opened);

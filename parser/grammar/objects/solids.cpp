@@ -1,29 +1,48 @@
 #include "parser/grammar/core/rules.h"
+#include "parser/grammar/objects/solid_shapes.h"
 
 #include <array>
-#include <span>
 
 /// Solids given by a few numbers: what stands between the keyword's brace and the first modifier.
 namespace parser {
 namespace {
 
 struct SolidState : BlockState {
-    SolidState(SceneBuilder& builder, scene::Object& made) : BlockState(builder), object(made) {}
+    SolidState(SceneBuilder& builder, Kind keyword, scene::Object& made)
+        : BlockState(builder), form(*solid_form(keyword)), object(made)
+    {}
+    const SolidForm& form;
     scene::Object& object;
-};
-/// Shorter distances between a cylinder's or cone's ends, and shorter normals of a plane, are errors (spec 5a, 5).
-constexpr double kDegenerate = 1e-10;
 
-/// Points that were found by asking an unsupported object are guesses: what they make is not the scene's fault.
-void check_ends(SolidState& s, const glm::dvec3& base, glm::dvec3& cap, const char* message)
+    /// The components of the values that were read, in order.
+    std::array<double, 18> values()
+    {
+        std::array<double, 18> all{};
+        std::size_t at = 0;
+        for (const char kind : form.values) at += kind == 'v' ? 3 : 1;
+        for (std::size_t i = form.values.size(); i-- > 0;) {
+            if (form.values[i] == 'n') {
+                all[--at] = pop_float();
+                continue;
+            }
+            const glm::dvec3 v = pop_vector();
+            at -= 3;
+            for (int c = 0; c < 3; ++c) all[at + static_cast<std::size_t>(c)] = v[c];
+        }
+        return all;
+    }
+};
+
+bool open_ends(SolidState& s) { return s.stream().accept(Kind::Open); }
+
+/// The ends of a cylinder or cone are one point. Points that were found by asking an unsupported object are guesses:
+/// what they make is not the scene's fault.
+void same_ends(SolidState& s, const glm::dvec3& base, glm::dvec3& cap, const char* message)
 {
-    if (glm::distance(base, cap) >= kDegenerate) return;
     if (!s.build.guessed) s.stream().fail(s.object.source, message);
     s.stream().warn(s.object.source, message);
     cap = base + glm::dvec3(0, 1, 0);
 }
-
-bool open_ends(SolidState& s) { return s.stream().accept(Kind::Open); }
 
 struct center : seq<a_vector> {};
 struct radius : seq<opt_comma, a_number> {};
@@ -31,8 +50,7 @@ struct sphere : seq<must<center>, must<radius>> {};
 void make_sphere(SolidState& s)
 {
     read_rule<sphere>(s.build, s);
-    const double r = s.pop_float();
-    s.object.shape = scene::Sphere{s.pop_vector(), r};
+    s.form.set(s.values().data(), false, s.object);
 }
 
 struct corner : seq<a_vector> {};
@@ -41,8 +59,7 @@ struct box : seq<must<corner>, must<second_corner>> {};
 void make_box(SolidState& s)
 {
     read_rule<box>(s.build, s);
-    const glm::dvec3 b = s.pop_vector(), a = s.pop_vector();
-    s.object.shape = scene::Box{glm::min(a, b), glm::max(a, b)};
+    s.form.set(s.values().data(), false, s.object);
 }
 
 struct plane_normal : seq<a_vector> {};
@@ -51,11 +68,8 @@ struct plane : seq<must<plane_normal>, must<plane_distance>> {};
 void make_plane(SolidState& s)
 {
     read_rule<plane>(s.build, s);
-    const double distance = s.pop_float();
-    const glm::dvec3 normal = s.pop_vector();
-    if (glm::length(normal) < kDegenerate)
+    if (!s.form.set(s.values().data(), false, s.object))
         s.stream().fail(s.object.source, "this plane's normal is zero, so it has no direction");
-    s.object.shape = scene::Plane{glm::normalize(normal), distance};
 }
 
 struct end_point : seq<a_vector> {};
@@ -64,27 +78,20 @@ struct cylinder : seq<must<end_point>, must<other_end>, must<radius>> {};
 void make_cylinder(SolidState& s)
 {
     read_rule<cylinder>(s.build, s);
-    scene::Cylinder c;
-    c.radius = s.pop_float();
-    c.cap = s.pop_vector();
-    c.base = s.pop_vector();
-    c.open = open_ends(s);
-    check_ends(s, c.base, c.cap, "this cylinder's ends are the same point");
-    s.object.shape = c;
+    const auto v = s.values();
+    if (s.form.set(v.data(), open_ends(s), s.object)) return;
+    auto& made = std::get<scene::Cylinder>(s.object.shape);
+    same_ends(s, made.base, made.cap, "this cylinder's ends are the same point");
 }
 
 struct cone : seq<must<end_point>, must<radius>, must<other_end>, must<radius>> {};
 void make_cone(SolidState& s)
 {
     read_rule<cone>(s.build, s);
-    scene::Cone c;
-    c.cap_radius = s.pop_float();
-    c.cap = s.pop_vector();
-    c.base_radius = s.pop_float();
-    c.base = s.pop_vector();
-    c.open = open_ends(s);
-    check_ends(s, c.base, c.cap, "this cone's ends are the same point");
-    s.object.shape = c;
+    const auto v = s.values();
+    if (s.form.set(v.data(), open_ends(s), s.object)) return;
+    auto& made = std::get<scene::Cone>(s.object.shape);
+    same_ends(s, made.base, made.cap, "this cone's ends are the same point");
 }
 
 struct major_radius : seq<a_number> {};
@@ -93,8 +100,7 @@ struct torus : seq<must<major_radius>, must<minor_radius>> {};
 void make_torus(SolidState& s)
 {
     read_rule<torus>(s.build, s);
-    const double minor = s.pop_float();
-    s.object.shape = scene::Torus{s.pop_float(), minor};
+    s.form.set(s.values().data(), false, s.object);
 }
 
 struct square_terms : seq<a_vector> {};
@@ -105,12 +111,7 @@ struct quadric : seq<must<square_terms>, must<mixed_terms>, must<linear_terms>, 
 void make_quadric(SolidState& s)
 {
     read_rule<quadric>(s.build, s);
-    scene::Quadric q;
-    q.constant = s.pop_float();
-    q.linear = s.pop_vector();
-    q.mixed = s.pop_vector();
-    q.square = s.pop_vector();
-    s.object.shape = q;
+    s.form.set(s.values().data(), false, s.object);
 }
 
 struct disc_normal : seq<opt_comma, a_vector> {};
@@ -118,14 +119,9 @@ struct disc : seq<must<center>, must<disc_normal>, must<radius>> {};
 void make_disc(SolidState& s)
 {
     read_rule<disc>(s.build, s);
-    scene::Disc d;
-    d.radius = s.pop_float();
-    const glm::dvec3 normal = s.pop_vector();
-    d.normal = glm::length(normal) > 0 ? glm::normalize(normal) : normal;
-    d.center = s.pop_vector();
+    s.form.set(s.values().data(), false, s.object);
     s.stream().accept_comma();
-    if (at_expression(s.stream())) d.hole = parser::float_expr(s.stream());
-    s.object.shape = d;
+    if (at_expression(s.stream())) std::get<scene::Disc>(s.object.shape).hole = parser::float_expr(s.stream());
 }
 
 struct vertex : seq<opt_comma, a_vector> {};
@@ -135,39 +131,23 @@ struct smooth_triangle
     : seq<must<vertex>, must<vertex_normal>, must<vertex>, must<vertex_normal>, must<vertex>, must<vertex_normal>> {};
 void make_triangle(SolidState& s)
 {
-    scene::Triangle t{};
+    bool good = false;
     if (s.stream().peek().kind == Kind::Numbers) {
-        const std::span<const double> v = s.stream().values_of(s.stream().next());
-        for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+        good = s.form.set(s.stream().values_of(s.stream().next()).data(), false, s.object);
     } else {
         read_rule<triangle>(s.build, s);
-        for (std::size_t i = 3; i-- > 0;) t.vertex[i] = s.pop_vector();
+        good = s.form.set(s.values().data(), false, s.object);
     }
-    if (glm::length(glm::cross(t.vertex[1] - t.vertex[0], t.vertex[2] - t.vertex[0])) == 0.0)
-        s.stream().warn(s.object.source, "this triangle's corners lie on a line");
-    s.object.shape = t;
+    if (!good) s.stream().warn(s.object.source, "this triangle's corners lie on a line");
 }
 void make_smooth_triangle(SolidState& s)
 {
-    scene::Triangle t{};
-    const auto normals = std::make_shared<std::array<glm::dvec3, 3>>();
     if (s.stream().peek().kind == Kind::Numbers) {
-        const std::span<const double> v = s.stream().values_of(s.stream().next());
-        for (std::size_t i = 0; i < 3; ++i) {
-            t.vertex[i] = {v[6 * i], v[6 * i + 1], v[6 * i + 2]};
-            (*normals)[i] = {v[6 * i + 3], v[6 * i + 4], v[6 * i + 5]};
-        }
-    } else {
-        read_rule<smooth_triangle>(s.build, s);
-        for (std::size_t i = 3; i-- > 0;) {
-            (*normals)[i] = s.pop_vector();
-            t.vertex[i] = s.pop_vector();
-        }
+        s.form.set(s.stream().values_of(s.stream().next()).data(), false, s.object);
+        return;
     }
-    for (glm::dvec3& normal : *normals)
-        if (glm::length(normal) > 0) normal = glm::normalize(normal);
-    t.normal = normals;
-    s.object.shape = t;
+    read_rule<smooth_triangle>(s.build, s);
+    s.form.set(s.values().data(), false, s.object);
 }
 
 struct SolidEntry {
@@ -258,7 +238,7 @@ void read_solid(SceneBuilder& build, Kind keyword, scene::Object& object)
     if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Object>>()) {
         object = **declared;
     } else {
-        SolidState s(build, object);
+        SolidState s(build, keyword, object);
         kMakers[static_cast<std::size_t>(keyword)](s);
     }
     read_modifiers(build, object);

@@ -158,7 +158,7 @@ bool SceneBuilder::read_statement()
 {
     SceneState s(*this);
     stream_->begin_statement();
-    if (stream_->peek().kind == Kind::EndOfText) return false;
+    if (peek_for(*stream_, receiver, top_level_).kind == Kind::EndOfText) return false;
     stream_->begin_statement();
     if (SceneItems::match(*this, s) || read_old_setting(*this)) return true;
     scene::Object object;

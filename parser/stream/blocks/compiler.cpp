@@ -85,8 +85,12 @@ bool BlockCompiler::statement(std::uint32_t& at, std::uint32_t end, std::uint32_
 
 bool BlockCompiler::directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
 {
-    if (kind(at) == Kind::Identifier) return macro_call(at, end, place);
-    if (kind(at) != Kind::Hash || at + 1 >= end) return false;
+    if (kind(at) != Kind::Hash) {
+        const Value* const meant = kind(at) == Kind::Identifier ? find(tokens_[at].name) : nullptr;
+        const bool call = meant && meant->get_if<std::shared_ptr<const Macro>>();
+        return call ? macro_call(at, end, place) : ready_statement(at, end, place);
+    }
+    if (at + 1 >= end) return false;
     switch (kind(at + 1)) {
     case Kind::Declare:
     case Kind::Local: return declare(at, end, place);

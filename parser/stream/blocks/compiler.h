@@ -10,7 +10,8 @@ namespace parser::blocks {
 struct Source {
     const Token* tokens = nullptr;
     const std::vector<std::string>* strings = nullptr;
-    bool plain_texts = true;  ///< literals mean what they say, as far as they are ASCII
+    const std::vector<double>* numbers = nullptr;  ///< of Numbers tokens
+    bool plain_texts = true;                       ///< literals mean what they say, as far as they are ASCII
 };
 
 using Known = std::unordered_map<std::uint32_t, Value>;
@@ -21,6 +22,8 @@ public:
     virtual ~Library() = default;
     /// Null: the macro gives no number or vector, or it is not that simple. `known`: what names will mean in it.
     virtual const Program* value_of(const CompiledCall& call, const Known& known) = 0;
+    /// A statement of the grammar, where one may stand. Null: it is left to the reader of tokens.
+    virtual std::unique_ptr<ReadyStatement> prepare(StatementReader& reader) = 0;
 };
 
 /// Compiles directives one after the other. What it does not know becomes a stop: the reader of tokens goes on there.
@@ -45,6 +48,7 @@ public:
     int value_of(CompiledCall& call) const override;
 
 private:
+    friend class ReadyCompiler;
     /// A loop or `#switch` around what is compiled, whose end is not known yet.
     struct Leavable {
         std::uint32_t place;
@@ -95,6 +99,7 @@ private:
     bool value_branches(std::uint32_t hash, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
     bool value_at(std::uint32_t begin, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
     bool macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool ready_statement(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool argument(std::uint32_t& at, std::uint32_t end, Argument& out);
 
     const Source& source_;
@@ -108,6 +113,7 @@ private:
     std::vector<std::uint32_t> returns_;  ///< operations that lead to the end of the macro
     std::uint32_t root_ = kNoIndex;       ///< token at which the sequence begins
     bool in_macro_ = false, named_ = false;
+    bool gives_value_ = false;  ///< a value is wanted, no statements
     std::uint32_t text_arguments_ = 0;
 };
 

@@ -27,7 +27,7 @@ int BlockCompiler::value_of(CompiledCall& call) const
 bool BlockCompiler::value(const CompiledCall& call, Known known)
 {
     known_ = std::move(known);
-    in_macro_ = true;
+    in_macro_ = gives_value_ = true;
     program_.registers = kStackRegisters;
     program_.named = true;  // as long as it is not known
     if (!value_block(call.macro->begin, call.macro->end, kNoIndex, call) || !returns_.empty()) return false;

@@ -3,6 +3,7 @@
 #include "parser/stream/expressions/operand.h"
 #include "parser/stream/limits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -160,8 +161,25 @@ const Op* give(const Op* op, Machine& m)
     return back;
 }
 
+const Op* constants(const Op* op, Machine& m)
+{
+    const ReadyValues& values = m.program->ready[op->a];
+    std::copy(values.constants.begin(), values.constants.end(), m.registers + values.first);
+    return op + 1;
+}
+
+const Op* ready(const Op* op, Machine& m)
+{
+    constexpr std::uint32_t kGuards = 40;  // more than the reader of tokens would need for it
+    const ReadyValues& values = m.program->ready[op->a];
+    const bool may = m.statements && m.values == 0 && m.guards + kGuards < m.most_guards;
+    return may && values.statement->run(m.registers + values.first, m.symbols) ? op + 1 : m.leave(op);
+}
+
 }  // namespace
 
+const Handler kConstants = constants;
+const Handler kReady = ready;
 const Handler kJump = jump;
 const Handler kStop = stop;
 const Handler kSpend = spend;

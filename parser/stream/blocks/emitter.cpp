@@ -218,7 +218,10 @@ bool Emitter::operation(const CompiledExpression& read, std::size_t& at, std::ui
             const Entry operand = pop();
             return unary(negate_handler(operand.where), operand), true;
         }
-    case Code::Splat: in_registers(1); return borrow(expression, at, 1, op.a);
+    case Code::Splat:
+        if (stack_.back().where == Operand::Register) return borrow(expression, at, 1, op.a);
+        for (std::uint8_t i = 1; i < op.a; ++i) stack_.push_back(Entry(stack_.back()));
+        return true;
     case Code::MacroCall: return macro_call(read.calls[op.name], op.a);
     default: return op.code >= Code::TextConstant ? text_operation(op) : tuples(op, expression, at);
     }
@@ -258,6 +261,7 @@ bool Emitter::tuples(const CompiledOp& op, std::uint32_t expression, std::size_t
     case Code::Rotate:
     case Code::Trace: return borrow(expression, at, 6, 3);
     case Code::Normalize: return borrow(expression, at, 3, 3);
+    case Code::Curve: return borrow(expression, at, 1, op.b);
     case Code::Call: return borrow(expression, at, op.a, program_.expressions[expression].functions[op.b]->components);
     default: return false;
     }
@@ -286,6 +290,17 @@ void Emitter::move_to(std::uint32_t kept)
     op.to = kept;
     op.a = top.index;
     op.number = top.number;
+}
+
+void Emitter::move_all_to(std::uint32_t kept, std::size_t count, double* constants)
+{
+    const std::size_t first = stack_.size() - count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Entry& from = stack_[first + i];
+        if (from.where == Operand::Constant) constants[i] = from.number;
+        else fill(kept + i, from.where, from.index);
+    }
+    drop(count);
 }
 
 std::uint32_t Emitter::jump_if(bool sense)

@@ -50,6 +50,8 @@ public:
     /// Where calls stand from here on.
     void at_place(std::uint32_t place) { place_ = place; }
     void move_to(std::uint32_t kept);  ///< the number on top
+    /// The `count` numbers on top go to registers from `kept` on; constants go to `constants` instead.
+    void move_all_to(std::uint32_t kept, std::size_t count, double* constants);
 
 private:
     struct Entry {

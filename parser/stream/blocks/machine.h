@@ -94,6 +94,7 @@ public:
     std::size_t most_frames = 0;              ///< calls inside each other, the outermost block included
     std::size_t blocks = 0, most_blocks = 0;  ///< conditionals, loops and calls that are open, at the last call
     std::uint64_t calls = 0;
+    bool statements = false;                    ///< statements of the grammar may stand in the block
     std::size_t values = 0;                     ///< calls at work whose values are wanted
     std::uint32_t guards = 0, most_guards = 0;  ///< how deep the reader of tokens would be nested
     std::vector<Note> notes;                    ///< while there are such calls

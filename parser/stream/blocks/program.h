@@ -2,6 +2,7 @@
 
 #include "parser/stream/expressions/compiled.h"
 #include "parser/stream/language_state.h"
+#include "parser/stream/ready_statement.h"
 
 #include <cstdint>
 #include <deque>
@@ -74,6 +75,13 @@ struct Call {
     std::uint32_t guards = 0;        ///< see CompiledCall
 };
 
+/// A statement of the grammar and its values as far as they are constants.
+struct ReadyValues {
+    std::unique_ptr<ReadyStatement> statement;
+    std::vector<double> constants;
+    std::uint32_t first = 0;  ///< register of the first value
+};
+
 struct Program {
     std::vector<Op> ops;
     std::vector<SlotInfo> slots;
@@ -82,6 +90,7 @@ struct Program {
     std::vector<Call> calls;
     std::deque<CompiledExpression> expressions;  ///< that operations are borrowed from
     std::vector<std::string> texts;
+    std::vector<ReadyValues> ready;
     std::uint32_t registers = 0;
     std::uint32_t again = kNoIndex;  ///< the block is a loop: where its next pass is asked for
     std::uint32_t stops = 0;         ///< how often it was left before its end

@@ -5,6 +5,7 @@
 #include "parser/stream/token_stream.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace parser::blocks {
 namespace {
@@ -45,7 +46,7 @@ std::uint32_t& Runner::site(std::uint16_t file, std::uint32_t token)
 Source Runner::source_of(std::uint16_t file) const
 {
     const SourceFile& in = *stream_.files_[file];
-    return {in.tokens.data(), &in.strings, stream_.language_.charset != Charset::System};
+    return {in.tokens.data(), &in.strings, &in.numbers, stream_.language_.charset != Charset::System};
 }
 
 Program& Runner::compile(std::uint32_t attempt)
@@ -134,6 +135,11 @@ const Program* Runner::value_of(const CompiledCall& call, const Known& known)
     return nullptr;
 }
 
+std::unique_ptr<ReadyStatement> Runner::prepare(StatementReader& reader)
+{
+    return machine_.statements ? stream_.hooks_.prepare(reader) : nullptr;
+}
+
 /// The loop that was entered and the calls in it; loops inside of them count as theirs.
 void Runner::spend_time()
 {
@@ -158,6 +164,7 @@ std::int64_t Runner::more()
 bool Runner::at_directive(std::uint32_t hash)
 {
     if (!usable()) return false;
+    machine_.statements = std::exchange(expected_, false);
     std::uint32_t& here = site(stream_.cursors_.back().file, hash);
     Program* const program = here == kNever ? nullptr : program_at(here, hash);
     loop_ = program && program->again != kNoIndex ? hash : kNoIndex;
@@ -167,6 +174,7 @@ bool Runner::at_directive(std::uint32_t hash)
 bool Runner::at_end_of_pass(std::uint32_t hash_of_end)
 {
     if (!usable()) return false;
+    machine_.statements = std::exchange(expected_, false);
     const TokenStream::Block loop = stream_.blocks_.back();
     if (loop.cursors != stream_.cursors_.size() || loop.file != stream_.cursors_.back().file) return false;
     std::uint32_t& here = site(loop.file, loop.branch);

@@ -18,6 +18,8 @@ class Runner : public Supply, private Library {
 public:
     explicit Runner(TokenStream& stream);
 
+    /// Whether statements of the grammar may stand where the directive does that comes next.
+    void expect_statements(bool expected) { expected_ = expected; }
     /// The stream stands behind the word of a directive whose Hash is given, in text that is read again. True: that
     /// directive, and maybe many more, are done.
     bool at_directive(std::uint32_t hash);
@@ -30,6 +32,7 @@ public:
 private:
     enum State : std::uint32_t { kUnseen, kSeen, kNever, kFirst };
     const Program* value_of(const CompiledCall& call, const Known& known) override;
+    std::unique_ptr<ReadyStatement> prepare(StatementReader& reader) override;
     bool usable() const;
     std::uint32_t& site(std::uint16_t file, std::uint32_t token);
     Program* program_at(std::uint32_t& site, std::uint32_t hash);
@@ -46,6 +49,7 @@ private:
     std::vector<std::vector<std::uint32_t>> sites_;  ///< by file and token
     std::vector<std::unique_ptr<Program>> programs_;
     std::unordered_map<const Macro*, Program*> macros_;
+    bool expected_ = false;
     std::uint32_t loop_ = kNoIndex;            ///< the Hash of the loop at work; kNoIndex: the block is none
     std::vector<ReadingProfile::Place> open_;  ///< of spend_time()
     struct ValueProgram {

@@ -76,6 +76,7 @@ struct CompiledOp {
         Inside,
         Trace,
         StoreNormal,
+        Curve,
         // Texts, on a stack of their own; in blocks only.
         TextConstant,
         TextLoad,
@@ -95,6 +96,7 @@ struct CompiledOp {
         DimensionSize,
         MacroCall,
     };
+    static constexpr std::uint8_t kOwnKind = 255;  ///< Curve: `a` if the call names no kind of spline
     Code code = Code::Constant;
     std::uint8_t a = 1, b = 1;  ///< component counts of the operands, or what the code says
     Kind kind = Kind::Number;   ///< Relation, Function1, Function2: which

@@ -1,6 +1,7 @@
 #include "parser/stream/expressions/compiled.h"
 
 #include "function/evaluate.h"
+#include "function/spline.h"
 #include "parser/stream/elements.h"
 #include "parser/stream/hooks.h"
 #include "parser/stream/expressions/compiled_functions.h"
@@ -234,6 +235,7 @@ private:
         case Code::Inside: return inside(op);
         case Code::Trace: return trace(op);
         case Code::StoreNormal: return store_normal(op);
+        case Code::Curve: return curve(op);
         default: return false;
         }
     }
@@ -273,6 +275,19 @@ private:
         if (!answer) return false;
         normal_ = answer->hit ? answer->normal : glm::dvec3(0.0);
         put3(top_ - 3, answer->hit ? answer->point : glm::dvec3(0.0));
+        return true;
+    }
+
+    bool curve(const CompiledOp& op)
+    {
+        const Value* value = context_.symbols.find(op.name);
+        const auto* held = value ? value->get_if<std::shared_ptr<const function::Spline>>() : nullptr;
+        if (!held || (*held)->components() != op.b) return false;
+        const function::Spline& spline = **held;
+        const bool own = op.a == CompiledOp::kOwnKind;
+        const auto at = spline.at(top_[-1], own ? spline.kind : static_cast<function::Spline::Kind>(op.a));
+        --top_;
+        for (std::size_t i = 0; i < op.b; ++i) *top_++ = at[i];
         return true;
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "function/spline.h"
 #include "parser/stream/expressions/compiled.h"
 #include "parser/stream/expressions/operand.h"
 
@@ -81,6 +82,7 @@ private:
     int element(const Token& name, const Array& array, int requested);
     int literal();
     int call(const Token& name, const function::FunctionPtr& function, int requested);
+    int curve(const Token& name, const function::Spline& spline);
     int float_word(Kind word, int requested);
     int float_function(Kind word);
     int trace(int requested);

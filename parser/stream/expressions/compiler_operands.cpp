@@ -22,6 +22,7 @@ int Compiler::identifier(int requested)
     }
     if (const auto* array = value->get_if<std::shared_ptr<Array>>()) return element(name, **array, requested);
     if (const auto* function = value->get_if<function::FunctionPtr>()) return call(name, *function, requested);
+    if (const auto* spline = value->get_if<std::shared_ptr<const function::Spline>>()) return curve(name, **spline);
     if (const auto* macro = value->get_if<std::shared_ptr<const Macro>>()) return macro_call(*macro, requested);
     return -1;
 }
@@ -67,6 +68,43 @@ int Compiler::call(const Token& name, const function::FunctionPtr& function, int
     op.b = static_cast<std::uint8_t>(out_.functions.size());
     out_.functions.push_back(function);
     return count == 1 ? splat(requested) : count;
+}
+
+namespace {
+
+std::uint8_t kind_of_curve(Kind word)
+{
+    using Kinds = function::Spline::Kind;
+    switch (word) {
+    case Kind::LinearSpline: return static_cast<std::uint8_t>(Kinds::Linear);
+    case Kind::QuadraticSpline: return static_cast<std::uint8_t>(Kinds::Quadratic);
+    case Kind::CubicSpline: return static_cast<std::uint8_t>(Kinds::Cubic);
+    case Kind::NaturalSpline: return static_cast<std::uint8_t>(Kinds::Natural);
+    default: return CompiledOp::kOwnKind;
+    }
+}
+
+}  // namespace
+
+/// `( t )` or `( t, kind )` behind the name of a spline.
+int Compiler::curve(const Token& name, const function::Spline& spline)
+{
+    ++brackets_;
+    const bool given = take(Kind::LeftParen) && number();
+    --brackets_;
+    std::uint8_t as = CompiledOp::kOwnKind;
+    if (given && take(Kind::Comma)) {
+        as = kind_of_curve(kind());
+        if (as == CompiledOp::kOwnKind) return -1;
+        ++at_;
+    }
+    if (!given || !take(Kind::RightParen)) return -1;
+    const auto count = static_cast<int>(spline.components());
+    CompiledOp& op = emit(Code::Curve, count - 1);
+    op.name = name.name;
+    op.a = as;
+    op.b = static_cast<std::uint8_t>(count);
+    return count;
 }
 
 bool Compiler::begins_operand() const

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "parser/lexer/token.h"
+#include "render/scene/object.h"
+
+#include <string_view>
+
+namespace parser {
+
+/// How a solid of a few numbers is written, and what they make.
+struct SolidForm {
+    Kind keyword;
+    std::string_view values;  ///< v: a vector, n: a number; commas between them may be left out
+    bool may_be_open;
+    /// `v`: the components of all values. False: there is something to say about them, nothing was done.
+    bool (*set)(const double* v, bool open, scene::Object& object);
+};
+
+/// Null: no such solid.
+const SolidForm* solid_form(Kind keyword);
+
+}  // namespace parser

@@ -1,0 +1,98 @@
+#include "parser/grammar/ready/recipe.h"
+
+namespace parser {
+namespace {
+
+using SharedObject = std::shared_ptr<const scene::Object>;
+
+/// A declared object that is drawn.
+const scene::Object* declared_object(const Making& m, std::uint32_t name)
+{
+    const auto* const declared = m.meaning<SharedObject>(name);
+    return declared && (*declared)->drawn() ? declared->get() : nullptr;
+}
+
+scene::CsgOp csg_op_of(Kind keyword)
+{
+    switch (keyword) {
+    case Kind::Intersection: return scene::CsgOp::Intersection;
+    case Kind::Difference: return scene::CsgOp::Difference;
+    case Kind::Merge: return scene::CsgOp::Merge;
+    default: return scene::CsgOp::Union;
+    }
+}
+
+}  // namespace
+
+bool ModifierRecipe::apply(const Making& m, scene::Object& object) const
+{
+    // Each is put together as read_transformation() does, so that the same products are rounded.
+    const csg::Transform none;
+    switch (keyword) {
+    case Kind::Translate: object.transform_by(csg::Transform::translate(m.vector(value)) * none); return true;
+    case Kind::Rotate: object.transform_by(csg::Transform::rotate_degrees(m.vector(value)) * none); return true;
+    case Kind::Scale: {
+        const glm::dvec3 by = m.vector(value);
+        if (by.x == 0.0 || by.y == 0.0 || by.z == 0.0) return false;
+        object.transform_by(csg::Transform::scale(by) * none);
+        return true;
+    }
+    case Kind::Transform: {
+        const auto* const declared = m.meaning<std::shared_ptr<const csg::Transform>>(name);
+        if (!declared) return false;
+        object.transform_by(**declared * none);
+        return true;
+    }
+    case Kind::NoShadow: object.flags.no_shadow = true; return true;
+    case Kind::NoImage: object.flags.no_image = true; return true;
+    case Kind::NoReflection: object.flags.no_reflection = true; return true;
+    case Kind::Hollow: object.flags.hollow = true; return true;
+    default: return change->apply(m, object.texture);
+    }
+}
+
+bool apply_modifiers(const std::vector<ModifierRecipe>& modifiers, const Making& m, scene::Object& object)
+{
+    for (const ModifierRecipe& one : modifiers)
+        if (!one.apply(m, object)) return false;
+    return true;
+}
+
+bool ObjectRecipe::make_operands(const Making& m, scene::Object& object) const
+{
+    const auto all = std::make_shared<std::vector<scene::Object>>(operands.size());
+    const bool cuts = keyword == Kind::Intersection || keyword == Kind::Difference;
+    bool all_inside = true;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        if (!operands[i].make(m, (*all)[i])) return false;
+        const bool inside = has_inside((*all)[i]);
+        if (cuts && !inside) return false;
+        all_inside = all_inside && inside;
+    }
+    object.shape = scene::Csg{csg_op_of(keyword), all, true, false, false, false, all_inside, {}};
+    return true;
+}
+
+bool ObjectRecipe::make_shape(const Making& m, scene::Object& object) const
+{
+    if (name != kNoIndex) {
+        const scene::Object* const declared = declared_object(m, name);
+        if (!declared) return false;
+        object = *declared;
+        if (!solid) object.source = source;
+        return true;
+    }
+    object.source = source;
+    if (solid) return solid->set(m.values + value, open, object);
+    if (keyword != Kind::Object) return make_operands(m, object);
+    if (!operands.front().make(m, object)) return false;
+    object.source = source;
+    return true;
+}
+
+bool ObjectRecipe::make(const Making& m, scene::Object& object) const
+{
+    return make_shape(m, object) && apply_modifiers(modifiers, m, object);
+}
+
+}  // namespace parser
