@@ -76,6 +76,23 @@ TEST_CASE("what a scene reads: items need commas, the end closes", "[parser][fil
     folder.write("c.txt", "1,2,3,\n");
     CHECK(debug_of("#fopen F \"c.txt\" read " + loop) == "4 3");
     folder.write("d.txt", "-1.5e1, <1,-2,3>, \"two \\\"words\\\"\"");
+    // In a compiled loop: the end of the file in the middle of an item's list, a vector and a text on the way.
+    const std::string sums =
+        "#declare A=0;#declare B=0;#declare T=0;#declare N=0;#while(defined(F))#read(F,A,B)#declare "
+        "T=T*3+A-B;#declare N=N+1;#end #debug concat(str(T,0,0),\" \",str(N,0,0))";
+    folder.write("e.txt", "1,2,3,4,5,6,7,8,-9,10,11,12,13");
+    CHECK(debug_of("#fopen F \"e.txt\" read " + sums) == "-1253 7");
+    folder.write("e.txt", "1,2,3,4,5,6,7,8, 9 // last\n,10,11,12,13,14,\n");
+    CHECK(debug_of("#fopen F \"e.txt\" read " + sums) == "-3280 8");
+    folder.write("e.txt", "1,2,3,4,5,6,7,8,<9,1,2>,10,11,12");
+    CHECK_THROWS(debug_of("#fopen F \"e.txt\" read " + sums));
+    // A file that is written while it is read: what it held when it was opened.
+    std::string many;
+    for (int i = 0; i < 60'000; ++i) many += "1,\n";
+    folder.write("f.txt", many);
+    CHECK(debug_of("#fopen F \"f.txt\" read #declare A=0;#declare N=0;#read(F,A)#fopen G \"f.txt\" write "
+                   "#write(G,5)#fclose G #while(defined(F))#read(F,A)#declare N=N+A;#end #debug str(N,0,0)") ==
+          "60000");
     CHECK(debug_of("#fopen F \"d.txt\" read #read(F,A,V,S) #debug concat(str(A,0,1),vstr(3,V,\",\",0,0),S)") ==
           "-15.01,-2,3two \"words\"");
     CHECK(debug_of("#declare A=array[2]{0,0} #fopen F \"b.txt\" read #read(F,A[1],A[0]) #debug "

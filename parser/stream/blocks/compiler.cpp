@@ -101,6 +101,7 @@ bool BlockCompiler::directive(std::uint32_t& at, std::uint32_t end, std::uint32_
     case Kind::For: return for_directive(at, end, place);
     case Kind::Switch: return switch_directive(at, end, place);
     case Kind::Break: return break_directive(at, place);
+    case Kind::Read: return read_numbers(at, end, place);
     default: return false;
     }
 }

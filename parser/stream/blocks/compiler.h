@@ -100,6 +100,8 @@ private:
     bool value_at(std::uint32_t begin, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
     bool macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool ready_statement(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool read_numbers(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool while_defined(std::uint32_t& at, std::uint32_t place, std::uint32_t closing);
     bool argument(std::uint32_t& at, std::uint32_t end, Argument& out);
 
     const Source& source_;

@@ -132,6 +132,7 @@ bool BlockCompiler::while_directive(std::uint32_t& at, std::uint32_t end, std::u
     const std::uint32_t hash = at, closing = end_of_loop(hash, end);
     if (closing == kNoIndex) return false;
     std::uint32_t body = hash + 2;
+    if (kind(body) == Kind::LeftParen && kind(body + 1) == Kind::Defined) return while_defined(at, place, closing);
     mark_drawing(hash, place, closing);
     if (!condition(body, closing)) return false;
     std::vector<std::uint32_t> done = {emitter_.jump_if(false)};
@@ -153,6 +154,39 @@ bool BlockCompiler::while_directive(std::uint32_t& at, std::uint32_t end, std::u
     std::uint32_t again = hash + 2;
     if (!condition(again, closing)) return false;
     const std::uint32_t back = emitter_.jump_if(true);
+    program_.ops[back].jump = static_cast<std::int32_t>(first) - static_cast<std::int32_t>(back);
+    emitter_.land(done);
+    land_breaks();
+    at = closing + 2;
+    return true;
+}
+
+/// `#while (defined(NAME))`
+bool BlockCompiler::while_defined(std::uint32_t& at, std::uint32_t place, std::uint32_t closing)
+{
+    const std::uint32_t hash = at, name = hash + 5, body = name + 3;
+    const bool plain = body <= closing && kind(hash + 4) == Kind::LeftParen && kind(name) == Kind::Identifier &&
+                       kind(name + 1) == Kind::RightParen && kind(name + 2) == Kind::RightParen;
+    if (!plain) return false;
+    const auto test = [&](bool sense) {
+        Op& op = emitter_.emit(kSet);
+        op.a = emitter_.slot(tokens_[name].name, kAny);
+        op.b = sense ? 1 : 0;
+        return emitter_.size() - 1;
+    };
+    mark(hash, place);
+    const std::vector<std::uint32_t> done = {test(false)};
+    const std::uint32_t inside = open(place, PlaceKind::While, hash);
+    program_.places[inside].again = hash + 2;
+    open_.push_back({inside, {}});
+    const std::uint32_t first = emitter_.size();
+    mark(body, inside);
+    emitter_.emit(kSpend).a = closing - hash;
+    block(body, closing, inside);
+    if (hash == root_) program_.again = emitter_.size();
+    mark(closing, inside);
+    emitter_.clear();
+    const std::uint32_t back = test(true);
     program_.ops[back].jump = static_cast<std::int32_t>(first) - static_cast<std::int32_t>(back);
     emitter_.land(done);
     land_breaks();

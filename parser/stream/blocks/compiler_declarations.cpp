@@ -250,6 +250,34 @@ bool BlockCompiler::argument(std::uint32_t& at, std::uint32_t end, Argument& out
     return true;
 }
 
+/// `#read (FILE, A, B, ...)` into variables that are numbers already.
+bool BlockCompiler::read_numbers(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
+{
+    const std::uint32_t hash = at, file = hash + 3;
+    if (file + 1 >= end || kind(hash + 2) != Kind::LeftParen || kind(file) != Kind::Identifier) return false;
+    const Value* const opened = find(tokens_[file].name);
+    if (!opened || !opened->get_if<std::shared_ptr<DataFile>>()) return false;
+    mark(hash, place);
+    ReadSite site;
+    site.file = tokens_[file].name;
+    std::uint32_t next = file + 1;
+    for (; next < end && kind(next) != Kind::RightParen; ++next) {
+        if (kind(next) == Kind::Comma) ++next;
+        if (next >= end || kind(next) != Kind::Identifier || site.slots.size() >= kStackRegisters / 2) return false;
+        const Value* const target = find(tokens_[next].name);
+        const Tuple* const number = target ? target->get_if<Tuple>() : nullptr;
+        const std::uint32_t slot = emitter_.slot(tokens_[next].name, kFloat);
+        if (!number || number->count != 1 || slot == kNoIndex) return false;
+        if (next + 1 < end && kind(next + 1) != Kind::Comma && kind(next + 1) != Kind::RightParen) return false;
+        site.slots.push_back(slot);
+    }
+    if (next >= end || site.slots.empty()) return false;
+    emitter_.emit(kRead).a = static_cast<std::uint32_t>(program_.reads.size());
+    program_.reads.push_back(std::move(site));
+    at = next + 1;
+    return true;
+}
+
 bool BlockCompiler::macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
 {
     const Value* const meant = find(tokens_[at].name);

@@ -1,6 +1,7 @@
 #include "parser/stream/blocks/operands.h"
 #include "parser/stream/expressions/expression.h"
 #include "parser/stream/expressions/operand.h"
+#include "parser/stream/files/data_file.h"
 #include "parser/stream/limits.h"
 
 #include <algorithm>
@@ -176,8 +177,23 @@ const Op* ready(const Op* op, Machine& m)
     return may && values.statement->run(m.registers + values.first, m.symbols) ? op + 1 : m.leave(op);
 }
 
+/// The end of the file, and what is no number, are for the reader of tokens.
+const Op* read(const Op* op, Machine& m)
+{
+    const ReadSite& site = m.program->reads[op->a];
+    const Value* const value = m.symbols.find(site.file);
+    const auto* const file = value ? value->get_if<std::shared_ptr<DataFile>>() : nullptr;
+    if (!file || !(*file)->reading() || m.values != 0) return m.leave(op);
+    for (const std::uint32_t slot : site.slots)
+        if (!m.slots[slot].numbers && !m.missing(op, slot)) return nullptr;
+    if (!(*file)->read_numbers(m.registers, site.slots.size())) return m.leave(op);
+    for (std::size_t i = 0; i < site.slots.size(); ++i) *m.slots[site.slots[i]].numbers = m.registers[i];
+    return op + 1;
+}
+
 }  // namespace
 
+const Handler kRead = read;
 const Handler kConstants = constants;
 const Handler kReady = ready;
 const Handler kJump = jump;

@@ -99,6 +99,7 @@ extern const Handler kCallValue;  ///< a: which call; the value goes to the regi
 extern const Handler kGive;       ///< the value of a macro: b components in registers from a on
 extern const Handler kConstants;  ///< constants of ready statement a to its registers
 extern const Handler kReady;      ///< ready statement a
+extern const Handler kRead;       ///< numbers from a file: read site a
 extern const Handler kForBegin;   ///< slot a; registers b: first value, limit, step; jumps if there is no pass
 extern const Handler kForNext;    ///< slot a; registers b: limit, step; jumps if there is one more pass
 extern const Handler kCase;       ///< jumps if register a equals register b (`#case`)

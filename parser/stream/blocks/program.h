@@ -82,6 +82,12 @@ struct ReadyValues {
     std::uint32_t first = 0;  ///< register of the first value
 };
 
+/// `#read` of numbers into variables that are numbers.
+struct ReadSite {
+    std::uint32_t file = kNoIndex;     ///< name of the open file
+    std::vector<std::uint32_t> slots;  ///< in order
+};
+
 struct Program {
     std::vector<Op> ops;
     std::vector<SlotInfo> slots;
@@ -91,6 +97,7 @@ struct Program {
     std::deque<CompiledExpression> expressions;  ///< that operations are borrowed from
     std::vector<std::string> texts;
     std::vector<ReadyValues> ready;
+    std::vector<ReadSite> reads;
     std::uint32_t registers = 0;
     std::uint32_t again = kNoIndex;  ///< the block is a loop: where its next pass is asked for
     std::uint32_t stops = 0;         ///< how often it was left before its end

@@ -8,10 +8,12 @@
 namespace parser {
 namespace {
 
-bool is(const std::string& text, std::size_t at, int (*test)(int))
-{
-    return at < text.size() && test(static_cast<unsigned char>(text[at])) != 0;
-}
+bool is(char c, int (*test)(int)) { return test(static_cast<unsigned char>(c)) != 0; }
+
+/// As std::isspace has it.
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
@@ -22,55 +24,118 @@ bool DataFile::write(const std::string& bytes)
     return true;
 }
 
+/// More of the file stands in `text` then. False: there is no more.
+bool DataFile::more()
+{
+    if (!in) return false;
+    const std::size_t keep = std::min(position, held_ ? *held_ - dropped : position);
+    text.erase(0, keep);
+    position -= keep;
+    dropped += keep;
+    const std::size_t before = text.size();
+    text.resize(before + window);
+    const std::size_t got = std::fread(text.data() + before, 1, window, in.get());
+    text.resize(before + got);
+    if (got < window) in.reset();
+    return got > 0;
+}
+
+bool DataFile::fetch(std::size_t ahead)
+{
+    while (position + ahead >= text.size())
+        if (!more()) return false;
+    return true;
+}
+
 /// White space and both forms of comments, block comments within each other.
 void DataFile::skip_blanks()
 {
-    for (;;) {
-        if (is(text, position, std::isspace)) {
+    while (has(0)) {
+        if (is_blank(text[position])) {
             ++position;
-        } else if (text.compare(position, 2, "//") == 0) {
-            position = std::min(text.find('\n', position), text.size());
-        } else if (text.compare(position, 2, "/*") == 0) {
+        } else if (text[position] != '/') {
+            return;
+        } else if (stands("//")) {
+            while (has(0) && text[position] != '\n') ++position;
+        } else if (stands("/*")) {
             std::size_t depth = 0;
             do {
-                const bool opens = text.compare(position, 2, "/*") == 0, closes = text.compare(position, 2, "*/") == 0;
+                const bool opens = stands("/*"), closes = stands("*/");
                 depth += opens;
                 depth -= closes;
                 position += opens || closes ? 2 : 1;
-            } while (depth > 0 && position < text.size());
+            } while (depth > 0 && has(0));
         } else {
             return;
         }
     }
 }
 
+/// A number without a sign, if one begins here.
+bool DataFile::plain_number(double& to)
+{
+    if (!has(0)) return false;
+    const bool begins = is_digit(text[position]) || (text[position] == '.' && has(1) && is_digit(text[position + 1]));
+    if (!begins) return false;
+    for (;;) {
+        to = 0;
+        const char* const last = text.data() + text.size();
+        const auto [end, error] = std::from_chars(text.data() + position, last, to);
+        constexpr std::ptrdiff_t kExponent = 2;  // `e+` and no digit yet
+        if (in && last - end <= kExponent) {  // it may go on in what is not read yet
+            more();
+            continue;
+        }
+        if (error == std::errc::result_out_of_range) to = 0;
+        position = static_cast<std::size_t>(end - text.data());
+        return true;
+    }
+}
+
 DataFile::Token DataFile::token()
 {
     skip_blanks();
-    if (position >= text.size()) return {};
+    if (!has(0)) return {};
     const char c = text[position];
-    if (is(text, position, std::isdigit) || (c == '.' && is(text, position + 1, std::isdigit))) {
-        Token number{Mark::Number, 0, {}};
-        const auto [end, error] = std::from_chars(text.data() + position, text.data() + text.size(), number.number);
-        if (error == std::errc::result_out_of_range) number.number = 0;
-        position = static_cast<std::size_t>(end - text.data());
-        return number;
-    }
+    if (Token number{Mark::Number, 0, {}}; plain_number(number.number)) return number;
     if (c == '"') {
         Token string{Mark::Text, 0, {}};
-        for (++position; position < text.size() && text[position] != '"'; ++position) {
-            if (text[position] == '\\' && position + 1 < text.size() && text[position + 1] == '"') ++position;
+        for (++position; has(0) && text[position] != '"'; ++position) {
+            if (text[position] == '\\' && has(1) && text[position + 1] == '"') ++position;
             string.text += text[position];
         }
-        position = std::min(position + 1, text.size());
+        position += has(0) ? 1 : 0;
         return string;
     }
-    std::size_t end = position + 1;
-    if (std::isalpha(static_cast<unsigned char>(c)) || c == '_')
-        while (is(text, end, std::isalnum) || (end < text.size() && text[end] == '_')) ++end;
-    Token other{Mark::Other, 0, text.substr(position, end - position)};
-    position = end;
+    std::size_t length = 1;
+    if (is(c, std::isalpha) || c == '_')
+        while (has(length) && (is(text[position + length], std::isalnum) || text[position + length] == '_')) ++length;
+    Token other{Mark::Other, 0, text.substr(position, length)};
+    position += length;
     return other;
+}
+
+bool DataFile::read_numbers(double* to, std::size_t count)
+{
+    held_ = dropped + position;
+    bool good = true;
+    for (std::size_t i = 0; good && i < count; ++i) {
+        skip_blanks();
+        const bool sign = has(0) && (text[position] == '-' || text[position] == '+');
+        const bool minus = sign && text[position] == '-';
+        if (sign) {
+            ++position;
+            skip_blanks();
+        }
+        good = plain_number(to[i]);
+        if (minus) to[i] = -to[i];
+        if (good) skip_blanks();
+        if (good && has(0) && text[position] == ',') ++position;
+        else good = good && token().mark != Mark::End;
+    }
+    if (!good) position = *held_ - dropped;
+    held_.reset();
+    return good;
 }
 
 double DataFile::signed_number(Token first)
@@ -94,7 +159,7 @@ std::optional<DataFile::Item> DataFile::read_item()
         if (vector.count == 5) throw std::runtime_error("expected '>' after five components");
         vector.at[static_cast<std::size_t>(vector.count++)] = signed_number(std::move(next));
         skip_blanks();
-        if (position < text.size() && text[position] == ',') ++position;
+        if (has(0) && text[position] == ',') ++position;
     }
     if (vector.count < 2) throw std::runtime_error("a vector needs at least two components");
     return vector;

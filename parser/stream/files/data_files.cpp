@@ -68,15 +68,23 @@ void TokenStream::open_data_file()
     const Token way = raw_next();
     if (way.kind == Kind::Read) {
         const std::string path = find_file(file->path, {});
-        std::optional<std::string> text = path.empty() ? std::nullopt : kept_files_.read(path);
-        if (!text) fail(at, fmt::format("cannot open '{}' for reading{}", file->path, why_not_found()));
-        if (!kept_files_.has(path)) data_files_.push_back(path);
-        file->text = std::move(*text);
+        const bool kept = !path.empty() && kept_files_.has(path);
+        if (kept) file->text = kept_files_.read(path).value_or(std::string());
+        else if (std::error_code error; std::filesystem::is_regular_file(path, error))
+            file->in.reset(std::fopen(path.c_str(), "rb"));
+        if (!kept && !file->in) fail(at, fmt::format("cannot open '{}' for reading{}", file->path, why_not_found()));
+        if (!kept) data_files_.push_back(path);
     } else if (way.kind == Kind::Write || way.kind == Kind::Append) {
         if (!may_write(options_, file->path))
             fail(at, fmt::format("a scene may not write to '{}': it lies outside of the current folder and the "
                                  "output's (--allow-write)",
                                  file->path));
+        // What is being read stays as it was when it was opened.
+        for (std::uint32_t one = 0; one < names_.size(); ++one) {
+            const Cell cell = symbols_.find_global(one);
+            const auto* const open = cell ? cell->get_if<std::shared_ptr<DataFile>>() : nullptr;
+            if (open && *open) (*open)->load_all();
+        }
         const bool append = way.kind == Kind::Append;
         if (options_.write_nothing) file->kept = kept_files_.open(file->path, append);
         else file->out.reset(std::fopen(file->path.c_str(), append ? "ab" : "wb"));
