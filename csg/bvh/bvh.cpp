@@ -2,6 +2,8 @@
 
 #include "csg/base/rounding.h"
 
+#include <emmintrin.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,8 +33,31 @@ double half_area(const Aabb& box)
     return e.x * e.y + e.y * e.z + e.z * e.x;
 }
 
+/// A box as the least of six numbers, the upper corner's with their signs turned: two of them a register.
+struct Box {
+    __m128d least[3];
+
+    static Box of(const Aabb& box)
+    {
+        return {{_mm_set_pd(box.lower.y, box.lower.x), _mm_set_pd(-box.upper.x, box.lower.z),
+                 _mm_set_pd(-box.upper.z, -box.upper.y)}};
+    }
+    static Box none() { return {{_mm_set1_pd(kInfinity), _mm_set1_pd(kInfinity), _mm_set1_pd(kInfinity)}}; }
+    void include(const Box& other)
+    {
+        for (int i = 0; i < 3; ++i) least[i] = _mm_min_pd(other.least[i], least[i]);
+    }
+    double half_area() const
+    {
+        alignas(16) double v[6];
+        for (int i = 0; i < 3; ++i) _mm_store_pd(v + 2 * i, least[i]);
+        const double x = -v[3] - v[0], y = -v[4] - v[1], z = -v[5] - v[2];
+        return x >= 0.0 && y >= 0.0 && z >= 0.0 ? x * y + y * z + z * x : 0.0;
+    }
+};
+
 /// Blocks that `count` things of a kind fill: the unit of cost of a leaf.
-double blocks(std::uint32_t count, std::uint32_t capacity) { return std::ceil(count / static_cast<double>(capacity)); }
+double blocks(std::uint32_t count, std::uint32_t capacity) { return (count + capacity - 1) / capacity; }
 
 struct Split {
     int axis = -1;
@@ -65,7 +90,8 @@ private:
         nodes_[at].bounds = bounds;
         const std::uint32_t count = end - begin, capacity = block_capacity(inputs_[begin].kind);
         const bool fits = one_kind && count <= capacity;
-        const Split split = best_split(begin, end, centers, half_area(bounds), one_kind ? capacity : 1u);
+        const Split split = count > 1 ? best_split(begin, end, centers, half_area(bounds), one_kind ? capacity : 1u)
+                                      : Split();
         if (fits && (count == 1 || split.cost >= 1.0)) {
             nodes_[at].begin = begin;
             nodes_[at].end = end;
@@ -88,42 +114,63 @@ private:
         return std::clamp(static_cast<int>((value - lower) * scale), 0, bins - 1);
     }
 
+    /// What falls into the bins of each axis.
+    struct Bins {
+        Box boxes[3][kMostBins];
+        std::uint32_t counts[3][kMostBins];
+
+        explicit Bins(int bins)
+        {
+            for (int axis = 0; axis < 3; ++axis) {
+                std::fill_n(boxes[axis], bins, Box::none());
+                std::fill_n(counts[axis], bins, 0u);
+            }
+        }
+    };
+
     /// The cheapest cut, in units of one leaf block tested; axis -1 if all centres coincide.
     Split best_split(std::uint32_t begin, std::uint32_t end, const Aabb& centers, double parent_area,
                      std::uint32_t capacity) const
     {
         Split best;
         const int bins = bins_for(end - begin);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double extent = centers.upper[axis] - centers.lower[axis];
-            if (!(extent > 0.0)) continue;
-            const double scale = bins / extent;
-            Aabb boxes[kMostBins];
-            std::uint32_t counts[kMostBins] = {};
-            for (std::uint32_t i = begin; i < end; ++i) {
-                const int bin = bin_of(center(inputs_[i])[axis], centers.lower[axis], scale, bins);
-                boxes[bin].include(inputs_[i].bounds);
-                ++counts[bin];
+        const glm::dvec3 extent = centers.upper - centers.lower;
+        glm::dvec3 scale(0.0);  // of an axis without extent: all in the first bin, which is not looked at
+        for (int axis = 0; axis < 3; ++axis)
+            if (extent[axis] > 0.0) scale[axis] = bins / extent[axis];
+        Bins all(bins);
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const Box box = Box::of(inputs_[i].bounds);
+            const glm::dvec3 at = center(inputs_[i]);
+            for (int axis = 0; axis < 3; ++axis) {
+                const int bin = bin_of(at[axis], centers.lower[axis], scale[axis], bins);
+                all.boxes[axis][bin].include(box);
+                ++all.counts[axis][bin];
             }
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(extent[axis] > 0.0)) continue;
+            const Box* const boxes = all.boxes[axis];
+            const std::uint32_t* const counts = all.counts[axis];
             double right_cost[kMostBins] = {};
-            Aabb sweep;
+            Box sweep = Box::none();
             std::uint32_t count = 0;
             double cost_so_far = kInfinity;
             for (int bin = bins - 1; bin > 0; --bin) {
                 if (counts[bin] > 0) {
                     sweep.include(boxes[bin]);
                     count += counts[bin];
-                    cost_so_far = half_area(sweep) * blocks(count, capacity);
+                    cost_so_far = sweep.half_area() * blocks(count, capacity);
                 }
                 right_cost[bin] = cost_so_far;
             }
-            sweep = Aabb{};
+            sweep = Box::none();
             count = 0;
             for (int bin = 1; bin < bins; ++bin) {
                 if (counts[bin - 1] == 0) continue;  // the same cut as before
                 sweep.include(boxes[bin - 1]);
                 count += counts[bin - 1];
-                const double sum = half_area(sweep) * blocks(count, capacity) + right_cost[bin];
+                const double sum = sweep.half_area() * blocks(count, capacity) + right_cost[bin];
                 const double cost = kNodeCost + (parent_area > 0.0 ? sum / parent_area : 0.0);
                 if (cost < best.cost) best = {axis, bin, cost};
             }
@@ -131,29 +178,41 @@ private:
         return best;
     }
 
+    /// What is meant to stand first does so then, both parts in their order; where the second begins.
+    template <class First>
+    std::uint32_t part(std::uint32_t begin, std::uint32_t end, First&& first)
+    {
+        later_.clear();
+        std::uint32_t middle = begin;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            if (!first(inputs_[i])) later_.push_back(inputs_[i]);
+            else if (middle++ != i) inputs_[middle - 1] = inputs_[i];
+        }
+        std::copy(later_.begin(), later_.end(), inputs_.begin() + static_cast<std::ptrdiff_t>(middle));
+        return middle;
+    }
+
     std::uint32_t partition(std::uint32_t begin, std::uint32_t end, const Split& split, const Aabb& centers)
     {
-        const auto first = inputs_.begin();
         if (split.axis >= 0) {
             const double lower = centers.lower[split.axis];
             const int bins = bins_for(end - begin);
             const double scale = bins / (centers.upper[split.axis] - lower);
-            const auto cut = std::stable_partition(first + begin, first + end, [&](const BvhInput& input) {
-                return bin_of(center(input)[split.axis], lower, scale, bins) < split.bin;
+            const std::uint32_t middle = part(begin, end, [&](const BvhInput& input) {
+                const double at = 0.5 * (input.bounds.lower[split.axis] + input.bounds.upper[split.axis]);
+                return bin_of(at, lower, scale, bins) < split.bin;
             });
-            const auto middle = static_cast<std::uint32_t>(cut - first);
             if (middle != begin && middle != end) return middle;
         }
         // All centres coincide: part the kinds, or else the count.
         const LeafKind kind = inputs_[begin].kind;
-        const auto cut =
-            std::stable_partition(first + begin, first + end, [&](const BvhInput& i) { return i.kind == kind; });
-        const auto middle = static_cast<std::uint32_t>(cut - first);
+        const std::uint32_t middle = part(begin, end, [&](const BvhInput& i) { return i.kind == kind; });
         return middle != end ? middle : begin + (end - begin) / 2;
     }
 
     std::vector<BvhInput>& inputs_;
     std::vector<BinaryNode> nodes_;
+    std::vector<BvhInput> later_;  ///< scratch of part()
 };
 
 /// Gathers the binary tree into nodes of eight by opening the child of largest area.
