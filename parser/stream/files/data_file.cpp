@@ -82,7 +82,7 @@ bool DataFile::plain_number(double& to)
         const char* const last = text.data() + text.size();
         const auto [end, error] = std::from_chars(text.data() + position, last, to);
         constexpr std::ptrdiff_t kExponent = 2;  // `e+` and no digit yet
-        if (in && last - end <= kExponent) {  // it may go on in what is not read yet
+        if (in && last - end <= kExponent) {     // it may go on in what is not read yet
             more();
             continue;
         }
