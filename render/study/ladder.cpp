@@ -194,6 +194,7 @@ void make_truth(Trial& trial, double error, double seconds)
     trial.options.free_sampling = true;
     trial.goal.error = error;
     trial.goal.seconds = seconds;
+    trial.goal.seed = 1;  // none of its samples are those that it judges
     trial.scene.global.max_trace_level = std::max(trial.scene.global.max_trace_level, kDeep);
     trial.scene.global.adc_bailout = std::min(trial.scene.global.adc_bailout, kFaint);
 }

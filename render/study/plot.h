@@ -5,7 +5,7 @@
 
 namespace study {
 
-/// Points of one kind; joined in the order of x where `line` says so.
+/// Points of one kind. Where `line` says so, those are joined that lie lower than all to the left of them.
 struct Series {
     struct Point {
         double x, y;

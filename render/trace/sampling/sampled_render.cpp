@@ -25,10 +25,10 @@ constexpr std::uint32_t kMost = 1u << 16;  // of a pixel
 constexpr double kGrowth = 4.0;            // most samples of a pixel after a pass, by those before it
 constexpr double kAim = 0.95;              // of the error asked for, as it is but estimated
 
-std::uint32_t seed_of(int x, int y)
+std::uint32_t seed_of(int x, int y, std::uint32_t seed)
 {
     const auto v = static_cast<std::uint32_t>(y) * 0x9e3779b9u + static_cast<std::uint32_t>(x);
-    return owen_scrambled(v, 0x2545f491u);
+    return owen_scrambled(v, 0x2545f491u + seed);
 }
 
 class SampledRender {
@@ -245,7 +245,7 @@ private:
         for (std::uint32_t n = 0; n < most && going; ++n)
             each([&](std::size_t k, int x, int y) {
                 if (!going || n >= wanted_[index(x, y)]) return;
-                const std::array<double, 2> at = sobol_point(seed_of(x, y), first[k] + n);
+                const std::array<double, 2> at = sobol_point(seed_of(x, y, goal_.seed), first[k] + n);
                 positions[count] = {x - 0.5 + at[0], y - 0.5 + at[1]};
                 owners[count++] = &picture_.at(x, y);
                 if (count == kAtOnce) going = flush();

@@ -181,6 +181,22 @@ TEST_CASE("the same samples for any number of threads and any instruction set", 
     }
 }
 
+TEST_CASE("another seed has other samples", "[sampling]")
+{
+    trace::SamplingGoal one = samples(16), two = one;
+    two.seed = 1;
+    const Sampled a = sampled(kSlantedEdge, one), b = sampled(kSlantedEdge, two);
+    CHECK_FALSE(same(a.picture, b.picture));
+    // Both as far from the truth as they expect to be, and from each other by as much as the two errors come to.
+    double apart = 0.0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x)
+            apart += std::pow(255.0 * (a.picture.at(x, y).mean(0) - b.picture.at(x, y).mean(0)), 2);
+    apart = std::sqrt(apart / (kWidth * kHeight));
+    const double both = std::hypot(error_against(a.picture, share_above), error_against(b.picture, share_above));
+    CHECK(apart == Approx(both).epsilon(0.25));
+}
+
 TEST_CASE("a picture that has no spread takes its first samples alone", "[sampling]")
 {
     const std::string text = "camera { location -z look_at 0 } background { rgb <.5,.25,.125> }\n";
