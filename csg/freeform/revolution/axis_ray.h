@@ -4,6 +4,7 @@
 #include "csg/solids/common.h"
 
 #include <cmath>
+#include <utility>
 
 namespace csg {
 
@@ -68,10 +69,21 @@ public:
     /// The same of r^2 - nearest^2.
     double at_square(double room, double y, double side) const
     {
-        // Near the ray's own nearest point the radius says little, the height still does.
-        if (rise > run || room < rise * rise * (room + nearest2_)) return at_height(y);
+        if (!tells(room)) return at_height(y);
         const double along = std::sqrt(glm::max(room, 0.0)) / run;
         return start_ + (shift_ + ((side < 0.0) == (way_.y < 0.0) ? along : -along)) / length_;
+    }
+    /// Whether at_square() goes by the radius: near the ray's own nearest point it says little, the height still does.
+    bool tells(double room) const { return !(rise > run || room < rise * rise * (room + nearest2_)); }
+    /// Between them lies every crossing of a profile that rises or falls from one circle to the other, in height and in
+    /// radius, on one side: the parameters of both by the same of the two.
+    std::pair<double, double> between(double r0, double y0, double r1, double y1, double side) const
+    {
+        const double room0 = (r0 - nearest) * (r0 + nearest), room1 = (r1 - nearest) * (r1 + nearest);
+        const bool by_radius = tells(room0) && tells(room1);
+        const double a = by_radius ? at_square(room0, y0, side) : at_height(y0),
+                     b = by_radius ? at_square(room1, y1, side) : at_height(y1);
+        return {sooner(glm::min(a, b)), later(glm::max(a, b))};
     }
     /// Ray parameter at height y; not of level rays.
     double at_height(double y) const { return start_ + (y - origin_.y) / way_.y / length_; }

@@ -125,14 +125,15 @@ private:
     {
         return {w, radius, height, above, slope.x, slope.y, ray_.beyond(radius, above)};
     }
-    /// A crossing lies between these. Out of the range that was asked for it matters only that there is one. Where one
-    /// is enough, the others wait for their turn, the nearest first.
+    /// A crossing lies between these. Where one is enough, those out of the range that was asked for are left out, and
+    /// the others wait for their turn, the nearest first. Where all are told, those out of the range are as exact as
+    /// any: CSG goes on from them.
     void add_between(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
     {
-        const double a = ray_.at(start.radius, start.height, side), b = ray_.at(end.radius, end.height, side);
-        if (glm::max(a, b) < from_ || glm::min(a, b) > best_.t) return first_only_ ? void() : events_.add(a, face_);
         if (!first_only_) return add_at(arc, refined(arc, start, end), side);
-        const Waiting one{glm::min(a, b), side, face_, start, end};
+        const auto [least, most] = ray_.between(start.radius, start.height, end.radius, end.height, side);
+        if (most < from_ || least > best_.t) return;
+        const Waiting one{least, side, face_, start, end};
         if (waiting_count_ == kMostWaiting) return resolve(one);
         std::uint32_t at = waiting_count_++;
         for (; at > 0 && waiting_[at - 1].nearest > one.nearest; --at) waiting_[at] = waiting_[at - 1];

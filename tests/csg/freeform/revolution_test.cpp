@@ -117,6 +117,36 @@ TEST_CASE("the nearest crossing alone is the nearest of all", "[csg][revolution]
     }
 }
 
+TEST_CASE("every end of a lathe that is told of a range is one of all, to the last digit", "[csg][revolution]")
+{
+    // A cut of CSG may ask again with another range, and what it is told decides where the next ray begins.
+    const Curve vase = spline({{0, -0.3}, {0, 0}, {1, 0.2}, {0.3, 0.9}, {0.9, 1.6}, {0, 2}, {-1, 2}});
+    const Freeform solid = lathe(vase);
+    int told = 0;
+    for (std::uint32_t seed = 0; seed < 6000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const Ray ray = some_ray(rng, seed, 1.0);
+        const auto ends_of = [&](double from, double to) {
+            std::vector<double> ends;
+            IntersectionList record(from, to, false);
+            solid.intersect(ray, record);
+            record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                if (in_face != kUndrawnFace) ends.push_back(in);
+                if (out_face != kUndrawnFace) ends.push_back(out);
+            });
+            return ends;
+        };
+        const std::vector<double> all = ends_of(-kInfinity, kInfinity);
+        const double from = rng.uniform(0.0, 6.0), to = from + rng.uniform(0.0, 3.0);
+        for (const double end : ends_of(from, to)) {
+            ++told;
+            REQUIRE(std::find(all.begin(), all.end(), end) != all.end());
+        }
+    }
+    CHECK(told > 2000);
+}
+
 TEST_CASE("a lathe's scale is the ray's", "[csg][revolution]")
 {
     const std::vector<glm::dvec2> points = {{0, -0.3}, {0, 0}, {1, 0.2}, {0.3, 0.9}, {0.9, 1.6}, {0, 2}, {-1, 2}};
