@@ -73,6 +73,12 @@ void Blob::add(const Component& component)
     const glm::dvec3 half = 0.5 * (box.upper - box.lower);
     field.middle = field.is_sphere ? unit.offset : 0.5 * (box.lower + box.upper);
     field.reach2 = field.is_sphere ? r * r * factor * factor : glm::dot(half, half);
+    if (const std::size_t i = fields_.size(); i < kMostLoose) {
+        loose_.x[i] = field.middle.x;
+        loose_.y[i] = field.middle.y;
+        loose_.z[i] = field.middle.z;
+        loose_.reach2[i] = field.reach2;
+    }
     fields_.push_back(field);
     boxes_.push_back(padded(box));
 }

@@ -58,8 +58,16 @@ private:
     };
     /// The field of a component along a stretch of the ray: strength w^2, w = w0 + w1 s + w2 s^2, s = t - ref.
     struct Stretch {
-        double enter, leave, ref, w0, w1, w2, strength, most;
+        double enter, leave, ref, w0, w1, w2, strength;
+        double most;  ///< the field is nowhere above it in the range asked for, nor are sums above the sum of these
 
+        /// Adds to `most` what the field has where it is nearest to `top`, its vertex, in the range.
+        void bound(double top, double from, double to)
+        {
+            if (!(strength > 0.0)) return;
+            const double at = w(std::min(std::max(std::min(std::max(top, enter), leave), from), to));
+            most += strength * at * at;
+        }
         double w(double t) const { return w0 + (t - ref) * (w1 + (t - ref) * w2); }
         /// The middle Bernstein ordinate between two places.
         double between(double a, double b) const
@@ -68,20 +76,31 @@ private:
         }
     };
     struct Walk;
+    struct Chord;
 
     void add(const Component& component);
     void bound();
     void intersect(const Ray& ray, Walk& walk, IntersectionList& out) const;
-    /// Writes the stretches that the ray has in a component, three at most, and moves on behind them.
-    void gather(const Field& field, const Ray& ray, double inverse, double from, double to, Stretch*& out) const;
+    /// Write the stretches that the ray has in a component, three at most, and move on behind them.
+    void gather(const Field& field, const Chord& chord, const Ray& ray, double inverse, double from, double to,
+                Stretch*& out) const;
     void gather_capsule(const Field& field, const Ray& ray, double from, double to, Stretch*& out) const;
+    void gather_loose(const Ray& ray, double inverse, double from, double to, Stretch*& out) const;
     template <class F>
     void each_near(const glm::dvec3& p, F&& f) const;
 
     static constexpr std::size_t kMostLoose = 12;  ///< more components go through a hierarchy
+    /// Of a strength: what sums of fields and the places where they cross the threshold are off by, and far more.
+    static constexpr double kRounding = 1e-13;
+
+    /// The spheres around the fields, side by side.
+    struct Loose {
+        std::array<double, kMostLoose> x{}, y{}, z{}, reach2{};  ///< reach2 0: none
+    };
 
     double threshold_;
     std::vector<Field> fields_;
+    Loose loose_;  ///< of the first fields
     std::vector<Aabb> boxes_;
     Bvh tree_;  ///< empty below that number
     Aabb box_, extent_;

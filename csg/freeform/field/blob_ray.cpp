@@ -50,7 +50,15 @@ struct Blob::Walk {
         }
     }
 
-    /// No sum of fields is above this where `active` are.
+    /// No sum of fields in the range asked for is above this.
+    double most_of_all() const
+    {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < stretch_count; ++k) sum += stretches[k].most;
+        return sum;
+    }
+
+    /// Nor above this where `active` are.
     double most() const
     {
         double sum = 0.0;
@@ -75,26 +83,62 @@ struct Blob::Walk {
     }
 };
 
-/// `inverse`: 1 over the square of the direction's length.
-void Blob::gather(const Field& field, const Ray& ray, double inverse, double from, double to, Stretch*& out) const
+/// Where a ray is nearest to the middle of a sphere around a field, and half of what it has inside.
+struct Blob::Chord {
+    double ref, half;
+    double left2;  ///< reach squared less the distance squared; not positive: outside of the range or of the sphere
+    double slope;  ///< of half the squared distance, at ref: 0 but for rounding
+
+    /// (x, y, z): the middle. `inverse`: 1 over the square of the direction's length.
+    static Chord of(const Ray& ray, double inverse, double from, double to, double x, double y, double z, double reach2)
+    {
+        const glm::dvec3& d = ray.direction;
+        x = ray.origin.x - x;
+        y = ray.origin.y - y;
+        z = ray.origin.z - z;
+        const double ref = -(x * d.x + y * d.y + z * d.z) * inverse;
+        x += ref * d.x;
+        y += ref * d.y;
+        z += ref * d.z;
+        const double inside2 = reach2 - (x * x + y * y + z * z);
+        const double half = std::sqrt(inside2 > 0.0 ? inside2 * inverse : 0.0);
+        const bool beside = (ref + half < from) | (ref - half > to);
+        return {ref, half, beside ? 0.0 : inside2, x * d.x + y * d.y + z * d.z};
+    }
+};
+
+void Blob::gather(const Field& field, const Chord& chord, const Ray& ray, double inverse, double from, double to,
+                  Stretch*& out) const
 {
-    const glm::dvec3 o = ray.origin - field.middle;
-    const double ref = -glm::dot(o, ray.direction) * inverse;
-    const glm::dvec3 foot = o + ref * ray.direction;
-    const double left2 = field.reach2 - glm::dot(foot, foot);
-    if (!(left2 > 0.0)) return;
+    if (!(chord.left2 > 0.0)) return;
     if (!field.is_sphere) return gather_capsule(field, ray, from, to, out);
-    const double half = std::sqrt(left2 * inverse);
-    if (ref + half < from || ref - half > to) return;
-    const double scale = 1.0 / field.reach2, w0 = left2 * scale;
-    *out++ = {ref - half,
-              ref + half,
-              ref,
-              w0,
-              -2.0 * scale * glm::dot(foot, ray.direction),
-              -scale / inverse,
-              field.strength,
-              field.strength > 0.0 ? field.strength * w0 * w0 : 0.0};
+    const double scale = 1.0 / field.reach2;
+    Stretch& s = *out++;
+    s = {chord.ref - chord.half,     chord.ref + chord.half, chord.ref,      chord.left2 * scale,
+         -2.0 * scale * chord.slope, -scale / inverse,       field.strength, kRounding * std::abs(field.strength)};
+    s.bound(chord.ref, from, to);
+}
+
+/// Of a few components, with no hierarchy: each lane asks for another sphere.
+void Blob::gather_loose(const Ray& ray, double inverse, double from, double to, Stretch*& out) const
+{
+    constexpr std::size_t kLanes = 4;
+    static_assert(kMostLoose % kLanes == 0);
+    for (std::size_t first = 0; first < fields_.size(); first += kLanes) {
+        std::array<double, kLanes> ref, half, left2, slope;
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            const std::size_t i = first + k;
+            const Chord chord =
+                Chord::of(ray, inverse, from, to, loose_.x[i], loose_.y[i], loose_.z[i], loose_.reach2[i]);
+            ref[k] = chord.ref;
+            half[k] = chord.half;
+            left2[k] = chord.left2;
+            slope[k] = chord.slope;
+        }
+        for (std::size_t k = 0; k < kLanes; ++k)
+            if (left2[k] > 0.0)
+                gather(fields_[first + k], {ref[k], half[k], left2[k], slope[k]}, ray, inverse, from, to, out);
+    }
 }
 
 void Blob::gather_capsule(const Field& field, const Ray& ray, double from, double to, Stretch*& out) const
@@ -102,6 +146,7 @@ void Blob::gather_capsule(const Field& field, const Ray& ray, double from, doubl
     const glm::dvec3 u = field.unit(ray.origin), d = field.to_unit * ray.direction;
     // Where the nearest point of the axis is its inner part, its lower or its upper end; a sphere is one end.
     const auto add = [&](const glm::dvec3& o, const glm::dvec3& v, double low, double high) {
+        if (!(low < high) || high < from || low > to) return;
         const double a = glm::dot(v, v);
         double nearest = a > 0.0 ? -glm::dot(o, v) / a : 0.0;
         nearest = std::isfinite(nearest) ? nearest : 0.0;
@@ -122,12 +167,9 @@ void Blob::gather_capsule(const Field& field, const Ray& ray, double from, doubl
         low = std::max(low, -1e300);
         high = std::min(high, 1e300);
         if (!(low < high) || high < from || low > to) return;
-        Stretch s{low, high, ref, w0, 2.0 * half, -a, field.strength, 0.0};
-        if (field.strength > 0.0) {
-            const double top = s.w(glm::clamp(nearest, low, high));
-            s.most = field.strength * top * top;
-        }
-        *out++ = s;
+        Stretch& s = *out++;
+        s = {low, high, ref, w0, 2.0 * half, -a, field.strength, kRounding * std::abs(field.strength)};
+        s.bound(nearest, from, to);
     };
     if (field.length == 0.0) return add(u, d, -kInfinity, kInfinity);
     const glm::dvec3 upper_u(u.x, u.y, u.z - field.length), flat_u(u.x, u.y, 0.0), flat_d(d.x, d.y, 0.0);
@@ -179,16 +221,20 @@ void Blob::intersect(const Ray& ray, Walk& walk, IntersectionList& out) const
     const double from = out.from - start, to = out.to - start;
     Stretch* next = walk.stretches;
     if (tree_.nodes.empty()) {
-        for (const Field& field : fields_) gather(field, near, inverse, from, to, next);
+        gather_loose(near, inverse, from, to, next);
     } else {
         const double limit = std::max(to, 0.0);  // below 0 the walk would end
         traverse(tree_, RaySlabs(near), from, limit, ~0u, [&](ChildWord leaf) {
-            gather(fields_[leaf.index()], near, inverse, from, to, next);
+            const Field& field = fields_[leaf.index()];
+            const glm::dvec3& c = field.middle;
+            gather(field, Chord::of(near, inverse, from, to, c.x, c.y, c.z, field.reach2), near, inverse, from, to,
+                   next);
             return limit;
         });
     }
     walk.stretch_count = static_cast<std::size_t>(next - walk.stretches);
-    if (walk.stretch_count == 0 && threshold_ >= 0.0) return;
+    // Most rays that meet fields stay below the threshold, and those that leave a surface have its better part behind.
+    if (threshold_ >= 0.0 && walk.most_of_all() < threshold_) return;
     walk.sort_ends();
 
     bool inside = 0.0 > threshold_;
@@ -209,8 +255,7 @@ void Blob::intersect(const Ray& ray, Walk& walk, IntersectionList& out) const
         const double b = i + 1 < walk.end_count ? walk.ends[i + 1].t : a;
         if (!(a < b) || b < from) continue;
         if (a > to) break;
-        // Sums in another order differ by far less than the rest of the rounding.
-        if (!inside && walk.most() * (1.0 + 1e-12) < threshold_) continue;
+        if (!inside && walk.most() < threshold_) continue;
         // Of the nearest end alone, what lies before the range need not be found.
         const bool cut = out.first_only && a < from;
         if (cut) a = from;

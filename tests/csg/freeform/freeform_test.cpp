@@ -144,7 +144,7 @@ TEST_CASE("blobs hold where their fields exceed the threshold", "[csg][freeform]
     }
 }
 
-TEST_CASE("of a blob the nearest end alone is the nearest of all", "[csg][freeform]")
+TEST_CASE("of a blob the nearest end alone is the nearest of all, in the range and of the whole ray", "[csg][freeform]")
 {
     int found = 0, none = 0;
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
@@ -155,11 +155,13 @@ TEST_CASE("of a blob the nearest end alone is the nearest of all", "[csg][freefo
         for (int i = 0; i < 200; ++i) {
             const Ray ray{rng.point(1.5), rng.direction()};  // often from inside
             const double from = rng.uniform(-1.0, 0.5), to = rng.coin() ? kInfinity : from + rng.uniform(0.1, 2.0);
-            const auto nearest = [&](bool first_only) {
-                IntersectionList record(from, to, first_only);
+            bool in_doubt = false;
+            const auto nearest = [&](double asked_from, double asked_to, bool first_only) {
+                IntersectionList record(asked_from, asked_to, first_only);
                 blob.intersect(ray, record);
                 double least = kInfinity;
                 const auto offer = [&](double t, std::uint32_t face) {
+                    in_doubt = in_doubt || std::min(std::abs(t - from), std::abs(t - to)) <= 1e-9;
                     if (face != kUndrawnFace && t >= from && t <= to) least = std::min(least, t);
                 };
                 record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
@@ -168,10 +170,14 @@ TEST_CASE("of a blob the nearest end alone is the nearest of all", "[csg][freefo
                 });
                 return least;
             };
-            const double all = nearest(false), first = nearest(true);
+            const double all = nearest(from, to, false), first = nearest(from, to, true),
+                         anywhere = nearest(-kInfinity, kInfinity, false);
             ++(all < kInfinity ? found : none);
             REQUIRE((all < kInfinity) == (first < kInfinity));
             if (all < kInfinity) REQUIRE(std::abs(all - first) <= 1e-9);
+            if (in_doubt) continue;
+            REQUIRE((all < kInfinity) == (anywhere < kInfinity));
+            if (all < kInfinity) REQUIRE(std::abs(all - anywhere) <= 1e-9);
         }
     }
     CHECK(found > 1000);
