@@ -119,25 +119,26 @@ void Blob::gather(const Field& field, const Chord& chord, const Ray& ray, double
     s.bound(chord.ref, from, to);
 }
 
-/// Of a few components, with no hierarchy: each lane asks for another sphere.
+/// Of a few components, with no hierarchy: lanes ask which spheres the ray's line meets.
 void Blob::gather_loose(const Ray& ray, double inverse, double from, double to, Stretch*& out) const
 {
     constexpr std::size_t kLanes = 4;
     static_assert(kMostLoose % kLanes == 0);
+    typedef double Lanes __attribute__((vector_size(sizeof(double) * kLanes)));
+    const glm::dvec3 &o = ray.origin, &d = ray.direction;
+    const auto lanes_at = [](const double* at) { return Lanes{at[0], at[1], at[2], at[3]}; };
     for (std::size_t first = 0; first < fields_.size(); first += kLanes) {
-        std::array<double, kLanes> ref, half, left2, slope;
+        const Lanes x = o.x - lanes_at(&loose_.x[first]), y = o.y - lanes_at(&loose_.y[first]),
+                    z = o.z - lanes_at(&loose_.z[first]);
+        const Lanes ref = -(x * d.x + y * d.y + z * d.z) * inverse;
+        const Lanes fx = x + ref * d.x, fy = y + ref * d.y, fz = z + ref * d.z;
+        const Lanes left2 = lanes_at(&loose_.reach2[first]) - (fx * fx + fy * fy + fz * fz);
         for (std::size_t k = 0; k < kLanes; ++k) {
-            const std::size_t i = first + k;
-            const Chord chord =
-                Chord::of(ray, inverse, from, to, loose_.x[i], loose_.y[i], loose_.z[i], loose_.reach2[i]);
-            ref[k] = chord.ref;
-            half[k] = chord.half;
-            left2[k] = chord.left2;
-            slope[k] = chord.slope;
+            if (!(left2[k] > 0.0)) continue;
+            const Field& field = fields_[first + k];
+            const glm::dvec3& c = field.middle;
+            gather(field, Chord::of(ray, inverse, from, to, c.x, c.y, c.z, field.reach2), ray, inverse, from, to, out);
         }
-        for (std::size_t k = 0; k < kLanes; ++k)
-            if (left2[k] > 0.0)
-                gather(fields_[first + k], {ref[k], half[k], left2[k], slope[k]}, ray, inverse, from, to, out);
     }
 }
 
