@@ -20,6 +20,9 @@ void pattern_values(const TextureSet& set, const Pattern& pattern, const Points&
 /// perturb of each normal at its point; what perturb leaves in the surroundings is lost. Both padded.
 void perturb_points(const TextureSet& set, std::uint32_t normal, const Points& p, const Around& around, Points& n);
 
+/// glm::normalize of each. Padded.
+void normalize_points(Points& n);
+
 /// pigment_color of each point; p.count colours are written.
 void pigment_colors(const TextureSet& set, std::uint32_t pigment, const Points& p, const Around& around,
                     ColorPoints& out);

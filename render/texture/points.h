@@ -36,9 +36,11 @@ struct Points {
         z[i] = p.z;
     }
     /// A copy of padded points; what lies behind them is not.
-    void take(const Points& from)
+    void take(const Points& from) { take(from, from.count); }
+    /// The same of the first so many.
+    void take(const Points& from, int first)
     {
-        count = from.count;
+        count = first;
         const std::size_t end = (size() + 7) & ~std::size_t{7};
         std::copy_n(from.x.data(), end, x.data());
         std::copy_n(from.y.data(), end, y.data());

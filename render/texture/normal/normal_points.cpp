@@ -3,7 +3,22 @@
 #include "render/texture/normal/normal_height.h"
 #include "render/texture/point_lanes.h"
 
+#include <array>
+#include <cmath>
+
 namespace texture {
+
+void normalize_points(Points& n)
+{
+    for (std::size_t i = 0; i < n.size(); i += kLanes) {
+        const Double x = get(n.x, i), y = get(n.y, i), z = get(n.z, i),
+                     inverse = Double(1.0) / xsimd::sqrt(x * x + y * y + z * z);
+        (x * inverse).store_aligned(n.x.data() + i);
+        (y * inverse).store_aligned(n.y.data() + i);
+        (z * inverse).store_aligned(n.z.data() + i);
+    }
+}
+
 namespace {
 
 /// n + amount * (x, y, z) of every point, a vector at a time; `amount` by the place of the vector.
@@ -93,6 +108,36 @@ void bend_by_wrinkles(const Normal& normal, const Points& p, Points& n)
     }
 }
 
+/// by_waves of normal.cpp: the sines are the library's, one by one, all else goes in vectors.
+void bend_by_waves(const TextureSet& set, const Normal& normal, const Pattern& pattern, const Points& p, bool waves,
+                   Points& n)
+{
+    const Double count(static_cast<double>(set.wave_sources.size())), frequency(pattern.frequency),
+        phase(pattern.phase), amount(normal.amount), zero(0.0), one(1.0);
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double px = get(p.x, i), py = get(p.y, i), pz = get(p.z, i);
+        Double nx = get(n.x, i), ny = get(n.y, i), nz = get(n.z, i);
+        for (std::size_t source = 0; source < set.wave_sources.size(); ++source) {
+            const glm::dvec3& at = set.wave_sources[source];
+            const Double x = px - Double(at.x), y = py - Double(at.y), z = pz - Double(at.z);
+            const Double length = xsimd::sqrt(x * x + y * y + z * z), l = xsimd::select(length == zero, one, length);
+            const Double f(waves ? set.wave_frequencies[source] : 1.0), v = l * frequency * f + phase,
+                                                                        size = xsimd::abs(v);
+            alignas(64) std::array<double, kLanes> s;
+            (Double(kTau) * (size - xsimd::floor(size))).store_aligned(s.data());
+            for (double& angle : s) angle = std::sin(angle);
+            const Double sine = Double::load_aligned(s.data());
+            const Double by = amount * xsimd::select(v >= zero, sine, -sine) / (f * l * count);
+            nx = nx + by * x;
+            ny = ny + by * y;
+            nz = nz + by * z;
+        }
+        nx.store_aligned(n.x.data() + i);
+        ny.store_aligned(n.y.data() + i);
+        nz.store_aligned(n.z.data() + i);
+    }
+}
+
 /// False: this kind is asked point by point.
 bool bend(const TextureSet& set, const Normal& normal, const Pattern& pattern, const Points& p, const Around& around,
           Points& n)
@@ -101,23 +146,11 @@ bool bend(const TextureSet& set, const Normal& normal, const Pattern& pattern, c
     case PatternKind::Bumps: bend_by_bumps(normal, p, n); return true;
     case PatternKind::Dents: bend_by_dents(normal, pattern, p, n); return true;
     case PatternKind::Wrinkles: bend_by_wrinkles(normal, p, n); return true;
-    case PatternKind::Ripples:
-    case PatternKind::Waves:
+    case PatternKind::Ripples: bend_by_waves(set, normal, pattern, p, false, n); return true;
+    case PatternKind::Waves: bend_by_waves(set, normal, pattern, p, true, n); return true;
     case PatternKind::Quilted:
     case PatternKind::Facets: return false;
     default: bend_by_height(set, normal, pattern, p, around, n); return true;
-    }
-}
-
-/// glm::normalize of each.
-void normalize(Points& n)
-{
-    for (std::size_t i = 0; i < n.size(); i += kLanes) {
-        const Double x = get(n.x, i), y = get(n.y, i), z = get(n.z, i),
-                     inverse = Double(1.0) / xsimd::sqrt(x * x + y * y + z * z);
-        (x * inverse).store_aligned(n.x.data() + i);
-        (y * inverse).store_aligned(n.y.data() + i);
-        (z * inverse).store_aligned(n.z.data() + i);
     }
 }
 
@@ -137,19 +170,19 @@ void multiply(const glm::dmat3& m, Points& n)
 /// normal_into() and normal_out_of() of each.
 void into_pattern(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n)
 {
-    if (!keep_length) normalize(n);
+    if (!keep_length) normalize_points(n);
     for (std::uint32_t i = 0; i < pattern.warp_count; ++i)
         if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i])) multiply(t->normal_into, n);
-    if (!keep_length) normalize(n);
+    if (!keep_length) normalize_points(n);
 }
 
 void out_of_pattern(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n)
 {
-    if (!keep_length) normalize(n);
+    if (!keep_length) normalize_points(n);
     for (std::uint32_t i = pattern.warp_count; i-- > 0;)
         if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i]))
             multiply(glm::transpose(t->linear), n);
-    if (!keep_length) normalize(n);
+    if (!keep_length) normalize_points(n);
 }
 
 }  // namespace
@@ -159,13 +192,15 @@ void perturb_points(const TextureSet& set, std::uint32_t index, const Points& p,
     const Normal& normal = set.normals[index];
     if (normal.map == Normal::Map::None || normal.map == Normal::Map::Slopes) {
         const Pattern& pattern = set.patterns[normal.pattern];
-        Points q = p, local = n;
+        Points q, local;
+        q.take(p);
+        local.take(n);
         warp_points(set, pattern, q, kAllLive);
         into_pattern(set, pattern, normal.no_bump_scale, local);
         if (bend(set, normal, pattern, q, around, local)) {
             out_of_pattern(set, pattern, normal.no_bump_scale, local);
-            if (!normal.no_bump_scale) normalize(local);
-            n = local;
+            if (!normal.no_bump_scale) normalize_points(local);
+            n.take(local);
             return;
         }
     }

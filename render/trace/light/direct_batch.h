@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/texture/evaluate_points.h"
+#include "render/trace/shade/bent_normals.h"
 #include "render/trace/queue/lane_masks.h"
 #include "render/trace/shade/shade_context.h"
 #include "render/trace/light/row_light.h"
@@ -322,34 +323,8 @@ private:
     /// Unit normals of a layer's hits.
     void bend(const Bend& of)
     {
-        const TileHits& places = scratch_.hits;
-        texture::Points points, n;
-        texture::Around around;
-        if ((of.hits & (of.hits + 1)) == 0) {  // the first so many
-            points = scratch_.points;
-            n.x.v = places.nx;
-            n.y.v = places.ny;
-            n.z.v = places.nz;
-            points.count = n.count = std::popcount(of.hits);
-            for (std::size_t k = 0; k < points.size(); ++k) around[k] = &scratch_.around[k];
-        } else {
-            for_each_hit(of.hits, [&](std::size_t k) {
-                around[points.size()] = &scratch_.around[k];
-                points.add(scratch_.points.at(k));
-                n.add(places.normal(k));
-            });
-        }
-        points.pad();
-        n.pad();
-        texture::perturb_points(set_, of.normal, points, around, n);
         RowPage& at = scratch_.pages[of.depth];
-        std::size_t i = 0;
-        for_each_hit(of.hits, [&](std::size_t k) {
-            const glm::dvec3 unit = glm::normalize(n.at(i++));
-            at.nx[k] = unit.x;
-            at.ny[k] = unit.y;
-            at.nz[k] = unit.z;
-        });
+        bend_normals(set_, of.normal, of.hits, scratch_, at.nx, at.ny, at.nz);
     }
 
     /// Pigments of hits; of some, `clear`, opacity counts.

@@ -108,13 +108,23 @@ inline constexpr std::uint32_t kPrefetchedLayers = 8;
 /// Pigments of layers by depth below the top; of the hits that were asked there.
 using PrefetchedColors = std::array<texture::ColorPoints, kPrefetchedLayers>;
 
-/// Pigments of the layers of one hit; those that layers above hide are not there.
+/// The same of normals as layers bend them, of unit length.
+struct BentNormals {
+    texture::Values x, y, z;
+
+    glm::dvec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
+};
+using PrefetchedNormals = std::array<BentNormals, kPrefetchedLayers>;
+
+/// Pigments of the layers of one hit, and normals of those that bend them; what layers above hide is not there.
 struct PrefetchedPigments {
     std::uint32_t texture, layers;
     const PrefetchedColors* colors;
+    const PrefetchedNormals* normals;
     std::size_t hit;
 
     scene::Color of(std::uint32_t layer) const { return (*colors)[layers - 1 - layer].at(hit); }
+    glm::dvec3 normal(std::uint32_t layer) const { return (*normals)[layers - 1 - layer].at(hit); }
 };
 
 }  // namespace trace

@@ -118,6 +118,7 @@ struct ShadeScratch {
     std::array<LayeredGroup, csg::kTileRays> layered;
     std::size_t layered_count = 0;
     PrefetchedColors prefetched;                   ///< pigments of the layers of those
+    PrefetchedNormals bent_normals;                ///< and their normals, where rays go on from them
     std::array<HitMask, kPrefetchedLayers> asked;  ///< by depth: where they are
     std::array<float, csg::kTileRays> quality;     ///< of rays that gather: how far they were followed (spec 6, 4.3)
     csg::CrossingTile crossings;                   ///< of the shadow rays; only how they end where nothing filters

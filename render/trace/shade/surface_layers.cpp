@@ -10,11 +10,12 @@ namespace {
 
 /// The layer's normal, bent by the layer and carried through the patterns around it (spec 3, section 4). Of unit
 /// length, but within texture maps with no_bump_scale: there it is as long as their transformations make it, and lit
-/// so.
+/// so. layer: its place in the texture.
 [[gnu::always_inline]] inline glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal,
-                                                      const glm::dvec3& p)
+                                                      std::uint32_t layer, const glm::dvec3& p)
 {
     if (normal == texture::kNone || context.scene.settings.quality < 8) return hit.normal;
+    if (hit.prefetched != nullptr) return hit.prefetched->normal(layer);
     const auto& set = context.scene.textures;
     glm::dvec3 n = hit.normal;
     const auto around = [&](std::size_t i) -> const texture::Texture& { return set.textures[hit.enclosing[i]]; };
@@ -44,7 +45,7 @@ scene::Color pigment_of(const Context& context, const HitContext& hit, const tex
     const auto& set = context.scene.textures;
     const texture::Layer& layer = set.layers[texture.first + index];
     const texture::Finish& finish = set.finishes[layer.finish];
-    const glm::dvec3 normal = layer_normal(context, hit, layer.normal, p);
+    const glm::dvec3 normal = layer_normal(context, hit, layer.normal, index, p);
     if (stack.mirrors.empty()) stack.top_normal = normal;
     const scene::Color c = pigment_of(context, hit, texture, index, p);
     Mirror& mirror = stack.mirrors.emplace_back();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/light/direct_batch.h"
+#include "render/trace/shade/bent_normals.h"
 #include "render/trace/shade/prefetch_pigments.h"
 #include "render/trace/queue/segment_tile.h"
 
@@ -66,9 +67,16 @@ private:
     void begin_layers(HitMask group, csg::SurfaceId surface, const PatternedLayers& of)
     {
         layered_ |= group;
-        scratch_.layered[scratch_.layered_count++] = {group, of.texture,
-                                                      of.alone && lights_ && !scratch_.traits.scalar_rows};
         surround(group, surface);
+        const bool alone = of.alone && lights_ && !scratch_.traits.scalar_rows;
+        if (scratch_.layered_count != 0) {  // both sides of a surface share their vectors
+            LayeredGroup& last = scratch_.layered[scratch_.layered_count - 1];
+            if (last.texture == of.texture && last.alone == alone) {
+                last.hits |= group;
+                return;
+            }
+        }
+        scratch_.layered[scratch_.layered_count++] = {group, of.texture, alone};
     }
 
     /// The hits as patterns see them.
@@ -98,7 +106,24 @@ private:
         const HitMask open = prefetch_pigments(scratch_, set, bailout);
         for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
             const LayeredGroup& group = scratch_.layered[g];
-            if (group.alone && (group.hits & ~open) != 0) batch_.begin(group.hits & ~open, set.textures[group.texture]);
+            const HitMask hidden = group.alone ? group.hits & ~open : 0;
+            const texture::Texture& texture = set.textures[group.texture];
+            if (hidden != 0) batch_.begin(hidden, texture);
+            if (context_.scene.settings.quality >= 8) bend(group.hits & ~hidden, texture);
+        }
+    }
+
+    /// Normals of the layers of hits that rays go on from.
+    void bend(HitMask hits, const texture::Texture& of)
+    {
+        const auto& set = context_.scene.textures;
+        for (std::uint32_t depth = 0; depth < of.count; ++depth) {
+            const std::uint32_t normal = set.layers[of.first + of.count - 1 - depth].normal;
+            const HitMask here = hits & scratch_.asked[depth];
+            if (here == 0) return;
+            if (normal == texture::kNone) continue;
+            BentNormals& to = scratch_.bent_normals[depth];
+            bend_normals(set, normal, here, scratch_, to.x.v, to.y.v, to.z.v);
         }
     }
 
@@ -156,7 +181,8 @@ private:
         for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
             const LayeredGroup& group = scratch_.layered[g];
             if (has(group.hits, k))
-                out = {group.texture, context_.scene.textures.textures[group.texture].count, &scratch_.prefetched, k};
+                out = {group.texture, context_.scene.textures.textures[group.texture].count, &scratch_.prefetched,
+                       &scratch_.bent_normals, k};
         }
         return true;
     }

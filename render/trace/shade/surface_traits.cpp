@@ -115,7 +115,7 @@ SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks)
     return {texture.first, !texture.plain};
 }
 
-/// The texture itself if it has layers with patterns, and few enough.
+/// The texture itself if it has layers with patterns or bent normals, and few enough.
 PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool looks)
 {
     if (index == texture::kNone) return {};
@@ -125,7 +125,8 @@ PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, boo
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
         const texture::Layer& layer = set.layers[i];
         const texture::Finish& finish = set.finishes[layer.finish];
-        patterned |= set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid;
+        patterned |= set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid ||
+                     layer.normal != texture::kNone;
         all_alone &= plain_light(finish) && !finish.reflects();
         if (looks && layer.normal != texture::kNone) return {};
     }

@@ -13,7 +13,7 @@ struct SingleLayer {
     bool goes_on = false;  ///< it may mirror light or let it through
 };
 
-/// A texture of layers with patterns.
+/// A texture of layers with patterns or bent normals.
 struct PatternedLayers {
     std::uint32_t texture = plan::kNone;
     bool alone = false;  ///< no layer has more than colour, diffuse light and highlights
@@ -24,7 +24,7 @@ struct SurfaceTraits {
     bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
     SingleLayer outer, inner;    ///< as seen from outside, and where the raw normal faces along the ray
-    PatternedLayers outer_patterned, inner_patterned;  ///< textures whose pigments a tile looks up together
+    PatternedLayers outer_patterned, inner_patterned;  ///< textures whose layers a tile looks up together
     glm::vec3 filter{1};                               ///< steady_filter: by this (spec 3, 13.2)
 };
 
