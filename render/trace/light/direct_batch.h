@@ -56,6 +56,7 @@ public:
         if (set_.finishes[layer.finish].lit()) lit_ |= hits;
         add_layer(0, hits, layer);
         for_each_hit(hits, [&](std::size_t k) { rows_[k] = 1; });
+        if (set_.finishes[layer.finish].crand > 0.0f) for_each_hit(hits, [&](std::size_t k) { grains_[k] = 0; });
     }
 
     void color(HitMask hits, const texture::ColorPoints& c)
@@ -171,7 +172,7 @@ public:
     void add(const light::Light& light, const csg::RayTile& rays)
     {
         for (std::size_t depth = 0; depth < depths_ && reached_ != 0; ++depth)
-            light_page(scratch_.pages[depth], reached_, bent_ | two_sided_, light, rays, scratch_);
+            light_page(scratch_.pages[depth], reached_, bent_ | two_sided_, light, rays, scratch_, grains_);
         reached_ = 0;
     }
 
@@ -276,7 +277,7 @@ private:
         RowPage& at = scratch_.pages[d];
         if (d == depths_) {
             ++depths_;
-            at.holds = at.bent = at.scalar = at.lit = at.shiny = at.raised = at.tinted = 0;
+            at.holds = at.bent = at.scalar = at.lit = at.shiny = at.grainy = at.raised = at.tinted = 0;
             at.gained.fill(glm::vec3(0), count_);
             if (d == 0) at.filter.fill(glm::vec3(1), count_);
         }
@@ -289,6 +290,7 @@ private:
         if ((finish.phong > 0.0f || finish.specular > 0.0f) && context_.bounce == 0) at.shiny |= hits;
         if (finish.brilliance != 1.0f) at.raised |= hits;
         if (finish.metallic > 0.0f) at.tinted |= hits;
+        if (finish.crand > 0.0f) at.grainy |= hits;
     }
 
     RowPage& add_layer(std::size_t depth, HitMask hits, const texture::Layer& of)
@@ -381,6 +383,7 @@ private:
     HitMask holds_ = 0, goes_on_ = 0, alone_ = 0, bent_ = 0, two_sided_ = 0, scalar_ = 0, lit_ = 0, reached_ = 0,
             dark_ = 0;
     std::array<std::uint16_t, csg::kTileRays> rows_;
+    std::array<std::uint32_t, csg::kTileRays> grains_;  ///< asked for so far, of hits whose only row has some
     std::size_t depths_ = 0, bends_ = 0;
 };
 

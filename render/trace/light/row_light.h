@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/queue/lane_masks.h"
+#include "render/trace/random.h"
 #include "render/trace/shade/shade_context.h"
 
 #include <cmath>
@@ -30,9 +31,10 @@ inline void find_intensities(const RowPage& at, const double* const (&n)[3], Hit
 }
 
 /// Adds what a light gives to a page's rows. reached: hits that it reaches, with ShadeScratch::reaching; turning: hits
-/// of which some rows may face away from it.
+/// of which some rows may face away from it; grains: numbers of `crand` asked for so far, by hit.
 inline void light_page(RowPage& at, HitMask reached, HitMask turning, const light::Light& light,
-                       const csg::RayTile& rays, const ShadeScratch& scratch)
+                       const csg::RayTile& rays, const ShadeScratch& scratch,
+                       std::array<std::uint32_t, csg::kTileRays>& grains)
 {
     HitMask on = at.holds & reached & ~at.scalar;
     if (on == 0) return;
@@ -45,6 +47,10 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
     const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
     TileFloats diffuse, strength{};
     each_place(rays.count, [&](std::size_t k) { diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]); });
+    for_each_hit(on & at.grainy, [&](std::size_t k) {
+        const double less = static_cast<double>(at.finish[k]->crand) * random_at(scratch.hits.point(k), grains[k]++);
+        diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k] - less);
+    });
     if (shiny != 0) {
         alignas(64) TileLanes found{};
         find_highlights(rays, n, scratch.light, at.lobe, shiny, found);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/light/area_light.h"
+#include "render/trace/light/focused_light.h"
 #include "render/trace/light/restarted_rays.h"
 #include "render/trace/light/shadow_rays.h"
 
@@ -126,7 +127,9 @@ private:
     void pass_filtered(HitMask rays, bool in_air, const HitOf& hit_of)
     {
         if (rays == 0) return;
+        focused_ = false;
         if (scratch_.traits.restarts()) restart(rays, hit_of);
+        else if (scratch_.traits.focuses && !scratch_.rays.common_origin) focus(rays, hit_of);
         const plan::CompiledScene& scene = context_.scene;
         const bool media = scratch_.traits.media || (in_air && scene.atmosphere.extinguishes);
         MediaShadows* later = media ? &context_.scratch.media().shadows : nullptr;
@@ -148,6 +151,23 @@ private:
         });
         later->run(scene, [&](std::size_t k, const glm::vec3& share) { colors[k] *= share; });
         for_each_hit(rays, [&](std::size_t ray) { tell(hit_of(ray), colors[hit_of(ray)]); });
+    }
+
+    /// What surfaces leave of light that they focus.
+    template <class HitOf>
+    [[gnu::noinline]] void focus(HitMask rays, const HitOf& hit_of)
+    {
+        if (scratch_.focused == nullptr) scratch_.focused = std::make_unique<FocusScratch>();
+        focused_ = true;
+        FocusedLight focused(context_);
+        const csg::CrossingTile& met = scratch_.crossings;
+        for_each_hit(rays & ~equal(met.ending, Shadow::Clear), [&](std::size_t ray) {
+            if (met.count[ray] == csg::CrossingTile::kTooMany) return;
+            const std::size_t k = hit_of(ray);
+            focused.add(ray, {scratch_.hits.point(k), scratch_.light.direction(k)}, met.hits[ray].data(),
+                        met.count[ray]);
+        });
+        focused.run();
     }
 
     /// The crossings of rays that begin anew behind each of them.
@@ -190,13 +210,15 @@ private:
         }
         if (caught.stops(k, scratch_.crossings.hits[ray].data(), count)) return glm::vec3(0);
         return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
-                                    lit, scratch_.rays.common_origin, scratch_.crossings.hits[ray].data(), count, air);
+                                    lit, scratch_.rays.common_origin, scratch_.crossings.hits[ray].data(), count, air,
+                                    focused_ ? scratch_.focused->filters[ray].data() : nullptr);
     }
 
     Context& context_;
     ShadeScratch& scratch_;
     const Tile& tile_;
     Sink& sink_;
+    bool focused_ = false;  ///< FocusScratch::filters are those of the light at hand
 };
 
 }  // namespace trace

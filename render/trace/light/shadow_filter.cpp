@@ -110,20 +110,22 @@ struct ShadowState : RayState {
     }
 };
 
-/// Light past crossings at their distances from the point, nearest first: color. before: the distance of the last one.
+/// Light past crossings at their distances from the point, nearest first: color. before: the distance of the last one;
+/// focused: as shadow_transmittance() has it.
 void past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3& color, const Hit* first,
-                    const Hit* last, double& before, const ShadowAir& air)
+                    const Hit* last, double& before, const ShadowAir& air, const glm::vec3* focused = nullptr)
 {
     const SceneTraits& traits = context.scratch.shade.traits;
-    for (; first != last; ++first) {
+    for (const Hit* const begin = first; first != last; ++first) {
         const Hit& crossing = *first;
         if (crossing.t - before <= tolerance) continue;  // the next ray would not see it
         if (air.atmosphere) color *= atmosphere_share(context, ray, before, crossing.t, false, air);
         if (traits.media && !dark(color))
             color *= interior_media_share(context.scene, ray, before, crossing.t, air.later, air.lane);
         const SurfaceTraits& surface = traits.surfaces[crossing.surface];
-        color *= surface.steady_filter
-                     ? surface.filter
+        color *= surface.steady_filter ? surface.filter
+                 : surface.focuses && focused != nullptr
+                     ? focused[first - begin]
                      : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
         if (traits.fades || traits.media || air.atmosphere) {
             const std::uint32_t interior = context.scene.surfaces[crossing.surface].interior;
@@ -204,7 +206,7 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
 
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
-                               Hit* crossings, std::size_t count, const ShadowAir& air)
+                               Hit* crossings, std::size_t count, const ShadowAir& air, const glm::vec3* focused)
 {
     Hit* const end = crossings + count;
     if (from_light) {
@@ -220,7 +222,7 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
     ShadowState ray(point, lit.direction, tolerance, interiors);
     double before = 0.0;
     glm::vec3 color = lit.color;
-    past_crossings(context, ray, tolerance, color, crossings, end, before, air);
+    past_crossings(context, ray, tolerance, color, crossings, end, before, air, focused);
     if (air.last_crossing != nullptr) *air.last_crossing = before;
     else if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, true, air);
     return color;

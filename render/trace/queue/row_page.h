@@ -41,6 +41,7 @@ struct RowPage {
     HitMask holds, bent;     ///< hits that have a row here; of them, those with a normal of their own
     HitMask scalar;          ///< of them, those that go through the lights one by one
     HitMask lit, shiny;      ///< with diffuse light; with highlights
+    HitMask grainy;          ///< from whose diffuse light `crand` takes some off; alone on their hits
     HitMask raised, tinted;  ///< whose diffuse cosine is raised to a power; whose highlights are metallic
     std::array<const texture::Finish*, csg::kTileRays> finish;
     SpecularLobe lobe;   ///< of the shiny hits

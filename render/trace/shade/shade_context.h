@@ -144,10 +144,12 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
                          const Hit* first = nullptr, RestartedRay* known = nullptr);
 
 /// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point
-/// or from the light; they are turned round in place.
+/// or from the light; they are turned round in place. focused: what surfaces leave of light that they focus, by
+/// crossing, where they are nearest first from the point and that is known.
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
-                               Hit* crossings, std::size_t count, const ShadowAir& air = {});
+                               Hit* crossings, std::size_t count, const ShadowAir& air = {},
+                               const glm::vec3* focused = nullptr);
 
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);

@@ -87,6 +87,19 @@ struct RestartedScratch {
     csg::HitTile hits;
 };
 
+/// Crossings of shadow rays with surfaces that focus light, and what they leave of it (light/focused_light.h).
+struct FocusScratch {
+    struct Place {
+        std::uint8_t ray, crossing;
+    };
+    csg::RayTile rays;
+    csg::HitTile hits;
+    TileHits places;
+    std::array<Place, csg::kTileRays> place;
+    /// By shadow ray and crossing, where SurfaceTraits::focuses.
+    std::array<std::array<glm::vec3, csg::CrossingTile::kMost>, csg::kTileRays> filters;
+};
+
 /// What shading keeps per thread; grows to what the scene needs and stays.
 struct ShadeScratch {
     SceneTraits traits;                ///< filled by the first tile
@@ -123,6 +136,7 @@ struct ShadeScratch {
     std::array<float, csg::kTileRays> quality;     ///< of rays that gather: how far they were followed (spec 6, 4.3)
     csg::CrossingTile crossings;                   ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
+    std::unique_ptr<FocusScratch> focused;          ///< of the light at hand, in scenes that need it
     std::unique_ptr<RestartedScratch> restarted;    ///< of the light at hand, in scenes that need it
     PhotonShadow photon_shadow;                     ///< of the light at hand
     NearPhotons near_photons, wide_photons;         ///< around the hit at hand

@@ -91,15 +91,25 @@ bool any_looks(const TextureSet& set)
     return std::any_of(set.patterns.begin(), set.patterns.end(), looks);
 }
 
-/// The light of its own side, without iridescence and grain.
-bool plain_light(const texture::Finish& finish)
+/// The light of its own side, without iridescence; grain: it may have some.
+bool plain_light(const texture::Finish& finish, bool grain)
 {
-    return finish.diffuse_back == 0.0f && finish.irid == 0.0f && finish.crand == 0.0f;
+    return finish.diffuse_back == 0.0f && finish.irid == 0.0f && (grain || finish.crand == 0.0f);
+}
+
+/// Whether rows that are their hit's only ones find their grain in lanes: numbers are asked for in the order of the
+/// lights, but not by nodes of lights, some of which may be dark.
+bool grain_in_lanes(const plan::CompiledScene& scene)
+{
+    const auto& lights = scene.lights.lights;
+    return !scene.options.grain_stream && std::none_of(lights.begin(), lights.end(), [](const light::Light& light) {
+        return light.area_illumination;
+    });
 }
 
 /// One layer that has no more than colour, diffuse light, highlights and either a bent normal or mirroring and
-/// refraction. looks: some pattern does at bent normals.
-SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks)
+/// refraction. looks: some pattern does at bent normals; grain: it may have some.
+SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks, bool grain)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
@@ -108,7 +118,7 @@ SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks)
     const texture::Finish& finish = set.finishes[layer.finish];
     if (set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid && !texture.opaque)
         return {};  // it may be missing
-    if (!plain_light(finish)) return {};
+    if (!plain_light(finish, grain)) return {};
     if (layer.normal != texture::kNone)
         return texture.opaque && !finish.reflects() && !looks ? SingleLayer{texture.first, false} : SingleLayer{};
     if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
@@ -127,10 +137,16 @@ PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, boo
         const texture::Finish& finish = set.finishes[layer.finish];
         patterned |= set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid ||
                      layer.normal != texture::kNone;
-        all_alone &= plain_light(finish) && !finish.reflects();
+        all_alone &= plain_light(finish, false) && !finish.reflects();
         if (looks && layer.normal != texture::kNone) return {};
     }
     return patterned ? PatternedLayers{index, all_alone} : PatternedLayers{};
+}
+
+bool one_layer(const TextureSet& set, std::uint32_t index)
+{
+    const texture::Texture& texture = set.textures[index];
+    return texture.kind == texture::Texture::Kind::Layers && texture.count == 1;
 }
 
 /// Whether shadow rays have to meet a part from the point itself.
@@ -184,7 +200,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     traits.scalar_rows = scene.options.scalar_light;
     traits.even_fog = scene.rainbows.empty() && scene.media.media.empty() &&
                       std::all_of(scene.fogs.begin(), scene.fogs.end(), even);
-    const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures);
+    const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures), grain = grain_in_lanes(scene);
     traits.looked_around = uv || looks;
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
@@ -210,16 +226,20 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         if (surface.double_illuminate) {
             all[i].outer_patterned.alone = all[i].inner_patterned.alone = false;
         } else {
-            all[i].outer = single_layer(scene.textures, surface.texture, looks);
+            all[i].outer = single_layer(scene.textures, surface.texture, looks, grain);
             all[i].inner = surface.interior_texture == plan::kNone
                                ? all[i].outer
-                               : single_layer(scene.textures, surface.interior_texture, looks);
+                               : single_layer(scene.textures, surface.interior_texture, looks, grain);
         }
         const bool focused = surface.interior != plan::kNone &&
                              scene.interiors[surface.interior].caustics_power != 0.0f;
-        if (focused || surface.texture == plan::kNone) continue;
+        if (surface.texture == plan::kNone) continue;
         if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
-        all[i].steady_filter = plain_filter(scene.textures, surface.texture, all[i].filter);
+        const bool plain = plain_filter(scene.textures, surface.texture, all[i].filter);
+        all[i].steady_filter = plain && !focused;
+        all[i].focuses = plain && focused && !traits.scalar_rows && all[i].batched && surface.part_count == 0 &&
+                         !looks && one_layer(scene.textures, surface.texture);
+        traits.focuses |= all[i].focuses;
     }
     traits.own_rays = boxes_of_own_rays(scene, traits);
     return traits;

@@ -23,9 +23,10 @@ struct SurfaceTraits {
     bool needs_uv = true;        ///< something of its textures looks at surface coordinates
     bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
+    bool focuses = false;        ///< filtered alike, but for the angle at which light meets the normal (`caustics`)
     SingleLayer outer, inner;    ///< as seen from outside, and where the raw normal faces along the ray
     PatternedLayers outer_patterned, inner_patterned;  ///< textures whose layers a tile looks up together
-    glm::vec3 filter{1};                               ///< steady_filter: by this (spec 3, 13.2)
+    glm::vec3 filter{1};                               ///< steady_filter, focuses: by this (spec 3, 13.2)
 };
 
 struct SceneTraits {
@@ -34,6 +35,7 @@ struct SceneTraits {
     bool looked_around = false;  ///< some texture asks for more than the point (texture::Surroundings)
     bool grouped = false;        ///< some surface is not reached by all lights
     bool filters = false;        ///< some surface lets a shadow ray through
+    bool focuses = false;        ///< some surface does so in a way that is worked out for a whole tile
     bool fades = false;          ///< light fades inside some interior
     bool media = false;          ///< some interior holds media that dim light
     bool scalar_rows = false;    ///< Options::scalar_light

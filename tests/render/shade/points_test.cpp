@@ -1,3 +1,4 @@
+#include "render/texture/noise/noise.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/function_host.h"
 #include "tests/render/shade/random_points.h"
@@ -173,6 +174,9 @@ TEST_CASE("normals of many points have the bits of each bent alone", "[texture][
         INFO("seed " << seed);
         Rng rng(seed);
         TextureSet set;
+        set.wave_sources.resize(10);
+        set.wave_frequencies.resize(10);
+        wave_sources(10, set.wave_sources.data(), set.wave_frequencies.data());
         Normal normal;
         normal.map =
             std::array{Map::None, Map::None, Map::Slopes, Map::Average}[static_cast<std::size_t>(rng.below(4))];
@@ -189,8 +193,8 @@ TEST_CASE("normals of many points have the bits of each bent alone", "[texture][
         Pattern pattern = random_pattern(rng, set);
         using K = PatternKind;
         if (rng.flip())
-            pattern.kind = std::array{K::Bumps, K::Dents, K::Wrinkles, K::Quilted,
-                                      K::Facets}[static_cast<std::size_t>(rng.below(5))];
+            pattern.kind = std::array{K::Bumps, K::Dents, K::Wrinkles, K::Ripples, K::Waves, K::Quilted, K::Facets}
+                [static_cast<std::size_t>(rng.below(7))];
         if (pattern.kind == K::Facets || pattern.kind == K::Quilted)
             pattern.numbers = {rng.uniform(0.1, 1.0), rng.uniform(0.1, 1.0), 2.0};
         set.patterns.push_back(pattern);

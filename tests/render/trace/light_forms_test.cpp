@@ -41,6 +41,7 @@ public:
         out += "plane { y,-1 " + texture() + "}\n";
         for (int i = 0; i < 3; ++i)
             out += one_of({"sphere { 0,.9 ", "box { -.8,.8 ", "torus { .7,.25 ", "cone { -y,.9,y,.2 "}) + texture() +
+                   one_of({"", "interior { ior 1.2 caustics 1.7 } "}) +
                    one_of({"", "texture { pigment { agate color_map { [0 rgbt <.3,1,.6,.7>] [1 rgbt <1,1,1,.2>] } } " +
                                    finish() + "} "}) +
                    "translate <" + number(-2, 2) + "," + number(-.5, .5) + "," + number(-2, 2) + "> }\n";
@@ -58,13 +59,16 @@ private:
         return "finish { ambient " + number(0, .2) + "diffuse " + number(0, 1) + "brilliance " +
                one_of({"1 ", "2.5 ", ".7 "}) + "phong " + one_of({"0 ", "1.2 ", ".4 "}) + "phong_size " +
                number(3, 90) + "specular " + one_of({"0 ", ".8 "}) + "roughness " + number(.003, .1) + "metallic " +
-               one_of({"0 ", "1 ", ".5 "}) + "reflection " + one_of({"0 ", ".3 "}) + "} ";
+               one_of({"0 ", "1 ", ".5 "}) + "reflection " + one_of({"0 ", ".3 "}) + "crand " +
+               one_of({"0 ", "0 ", ".2 "}) + "} ";
     }
     std::string texture()
     {
         return "texture { pigment { " +
                one_of({"bozo", "checker", "gradient x", "agate", "rgb <1,.5,.2>", "rgbf <.9,.5,.7,.6>"}) + " } " +
-               one_of({"", "normal { bumps .6 scale .2 } ", "normal { wrinkles .8 } "}) + finish() + "} ";
+               one_of({"", "normal { bumps .6 scale .2 } ", "normal { wrinkles .8 } ",
+                       "normal { ripples .4 scale .3 } ", "normal { waves .4 scale .3 } "}) +
+               finish() + "} ";
     }
 
     std::mt19937& random_;
