@@ -1,8 +1,11 @@
 #include "csg/freeform/field/blob.h"
 
+#include "csg/freeform/freeform.h"
 #include "csg/freeform/similarity.h"
 #include "csg/base/hit.h"
 #include "csg/solids/common.h"
+
+#include <mutex>
 
 namespace csg {
 namespace {
@@ -36,6 +39,8 @@ Aabb extent_of(const Transform& frame, const glm::dvec3& center, double radius, 
 Blob::Blob(double threshold, const std::vector<Component>& components)
     : threshold_(std::abs(threshold) < kLeastThreshold ? -kLeastThreshold : threshold)
 {
+    fields_.reserve(components.size());
+    boxes_.reserve(components.size());
     for (const Component& component : components) {
         add(component);
         if (!(component.strength > 0.0)) continue;
@@ -47,6 +52,24 @@ Blob::Blob(double threshold, const std::vector<Component>& components)
         extent_.include(extent_of(component.frame, glm::dvec3(0.0), component.radius, component.length == 0.0));
     }
     bound();
+}
+
+struct Blob::Later {
+    std::function<Blob()> make;
+    std::once_flag once;
+    std::shared_ptr<const FreeformShape> shape = nullptr;
+};
+
+Blob::Blob(std::function<Blob()> make) : later_(std::make_shared<Later>(std::move(make))) {}
+
+std::shared_ptr<const FreeformShape> Blob::made() const
+{
+    if (!later_) return nullptr;
+    std::call_once(later_->once, [this] {
+        later_->shape = make_freeform<Blob>(later_->make());
+        later_->make = nullptr;  // with what it kept
+    });
+    return later_->shape;
 }
 
 void Blob::add(const Component& component)
@@ -92,6 +115,7 @@ void Blob::bound()
     middle_ = 0.5 * (box_.lower + box_.upper);
     if (fields_.size() <= kMostLoose) return;
     std::vector<BvhInput> inputs;
+    inputs.reserve(fields_.size());
     for (std::size_t i = 0; i < fields_.size(); ++i)
         inputs.push_back({.bounds = boxes_[i], .index = static_cast<std::uint32_t>(i)});
     tree_ = build_bvh(std::move(inputs));

@@ -3,10 +3,13 @@
 #include "csg/bvh/bvh.h"
 #include "csg/freeform/intersection_list.h"
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace csg {
 
+struct FreeformShape;
 struct Share;
 
 /// Where the fields of spheres and capsules add up to the threshold (spec 5a, 5.11; manual: Blob). A component's field
@@ -24,6 +27,10 @@ public:
 
     /// Components that cannot be seen (no strength, no radius, numbers that are not finite) are left out.
     Blob(double threshold, const std::vector<Component>& components);
+    /// Of a description, which may be copied often or never be drawn: `make` makes it, and nothing can be asked of it.
+    explicit Blob(std::function<Blob()> make);
+    /// The blob that such a description stands for, made when it is asked for first; null: it is none.
+    std::shared_ptr<const FreeformShape> made() const;
 
     void intersect(const Ray& ray, IntersectionList& out) const;
     bool contains(const glm::dvec3& p) const;
@@ -77,6 +84,7 @@ private:
     };
     struct Walk;
     struct Chord;
+    struct Later;
 
     void add(const Component& component);
     void bound();
@@ -98,13 +106,14 @@ private:
         std::array<double, kMostLoose> x{}, y{}, z{}, reach2{};  ///< reach2 0: none
     };
 
-    double threshold_;
+    double threshold_ = 0.0;
     std::vector<Field> fields_;
     Loose loose_;  ///< of the first fields
     std::vector<Aabb> boxes_;
     Bvh tree_;  ///< empty below that number
     Aabb box_, extent_;
     glm::dvec3 middle_{0.0};
+    std::shared_ptr<Later> later_;  ///< null: made
 };
 
 }  // namespace csg

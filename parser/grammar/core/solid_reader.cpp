@@ -11,6 +11,7 @@ bool read_as(SolidReader& s)
     auto written = std::make_shared<scene::WrittenSolid>();
     written->keyword = s.keyword();
     written->source = s.source();
+    s.written = written;
     const bool drawn = read_parameters(s, written->parameters.emplace<Solid>());
     s.object().details.edit().written = std::move(written);
     return drawn;

@@ -32,6 +32,8 @@ class SolidReader : public BlockReader, SolidGrammars<scene::AnySolid> {
 public:
     SolidReader(SceneBuilder& build, scene::Object& object) : BlockReader(build), object_(object) {}
     scene::Object& object() { return object_; }
+    /// What is being read: for what is made of it later.
+    std::shared_ptr<const scene::WrittenSolid> written;
 
 private:
     scene::Object& object_;

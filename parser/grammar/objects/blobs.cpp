@@ -61,21 +61,32 @@ csg::Blob::Component shape_of(const Component& c)
     return out;
 }
 
-scene::Freeform shape_of(const scene::Blob& blob)
+/// `parts`: which of the textures each component has.
+csg::Blob made_of(const scene::Blob& blob, const std::vector<std::uint32_t>& parts)
 {
     std::vector<csg::Blob::Component> components;
-    std::vector<TexturePtr> textures{nullptr};  // the object's own comes first
-    std::unordered_map<const scene::Texture*, std::uint32_t> parts{{nullptr, 0}};
     components.reserve(blob.components.size());
-    for (const Component& written : blob.components) {
-        csg::Blob::Component component = shape_of(written);
+    for (std::size_t i = 0; i < blob.components.size(); ++i)
+        components.emplace_back(shape_of(blob.components[i])).part = parts[i];
+    return csg::Blob(blob.threshold, components);
+}
+
+/// The blob itself is made when it is asked for: most files that are read ask for nothing before the picture is
+/// planned.
+scene::Freeform shape_of(std::shared_ptr<const scene::WrittenSolid> written, const scene::Blob& blob)
+{
+    std::vector<TexturePtr> textures{nullptr};  // the object's own comes first
+    std::unordered_map<const scene::Texture*, std::uint32_t> known{{nullptr, 0}};
+    std::vector<std::uint32_t> parts;
+    parts.reserve(blob.components.size());
+    for (const Component& component : blob.components) {
         const auto [part, fresh] =
-            parts.try_emplace(written.texture.get(), static_cast<std::uint32_t>(textures.size()));
-        if (fresh) textures.push_back(written.texture);
-        component.part = part->second;
-        components.push_back(component);
+            known.try_emplace(component.texture.get(), static_cast<std::uint32_t>(textures.size()));
+        if (fresh) textures.push_back(component.texture);
+        parts.push_back(part->second);
     }
-    scene::Freeform made{csg::make_freeform<csg::Blob>(blob.threshold, components)};
+    const auto make = [kept = std::move(written), &blob, parts = std::move(parts)] { return made_of(blob, parts); };
+    scene::Freeform made{csg::make_freeform<csg::Blob>(std::function<csg::Blob()>(make))};
     if (textures.size() > 1) made.part_textures = std::make_shared<const std::vector<TexturePtr>>(std::move(textures));
     return made;
 }
@@ -92,7 +103,7 @@ bool read_parameters(SolidReader& s, scene::Blob& blob)
         else if (!read_component(s, blob)) break;
     }
     if (blob.components.empty()) s.build().fail_unknown("a component of the blob: sphere or cylinder");
-    s.object().shape = shape_of(blob);
+    s.object().shape = shape_of(s.written, blob);
     return true;
 }
 

@@ -124,6 +124,8 @@ struct ShapeExtent {
     }
     csg::Aabb operator()(const scene::Freeform& s) const
     {
+        if (const auto* blob = std::get_if<csg::Blob>(&s.shape->kind))
+            if (const auto made = blob->made()) return corners_moved({}, made->extent(t));
         if (const auto* patch = std::get_if<csg::BicubicPatch>(&s.shape->kind)) {
             csg::Aabb points;
             for (const auto& row : patch->input().points)

@@ -119,6 +119,8 @@ struct ToWorld {
     csg::Solid operator()(const scene::Polynomial& s) const { return csg::Polynomial{s.shape, t}; }
     csg::Solid operator()(const scene::Freeform& s) const
     {
+        if (const auto* blob = std::get_if<csg::Blob>(&s.shape->kind))
+            if (const auto made = blob->made()) return csg::Freeform{made, t};
         const auto* patch = std::get_if<csg::BicubicPatch>(&s.shape->kind);
         if (patch == nullptr) return csg::Freeform{s.shape, t};
         // A patch is flat enough or not where it stands (spec 5b, 5).
