@@ -197,6 +197,21 @@ TEST_CASE("a ball's field makes a ball", "[csg][freeform]")
     }
 }
 
+TEST_CASE("a blob of a description is made once, when it is asked for", "[csg][freeform]")
+{
+    int made = 0;
+    const Blob later([&] {
+        ++made;
+        return Blob(0.5, {sphere({0, 0, 0}, 1.0, 1.0)});
+    });
+    const Blob copy = later;
+    CHECK(made == 0);
+    const auto first = later.made(), second = copy.made();
+    CHECK((made == 1 && first == second));
+    CHECK(std::get<Blob>(first->kind).contains({0, 0, 0}));
+    CHECK(!std::get<Blob>(first->kind).made());
+}
+
 TEST_CASE("parts of a blob share a point by their fields", "[csg][freeform]")
 {
     Blob::Component red = sphere({-0.7, 0, 0}, 1.5, 1.0), blue = sphere({0.7, 0, 0}, 1.5, 1.0);
