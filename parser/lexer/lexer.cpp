@@ -93,6 +93,8 @@ struct whole : star<item> {};
 
 // --- what becomes of it ------------------------------------------------------------------------------------------
 
+constexpr std::size_t kBytesOfNumber = 8;  ///< of text, about
+
 struct Builder {
     SourceFile& file;
     Names& names;
@@ -120,6 +122,8 @@ struct Builder {
         open = false;
         list = Kind::Bad;
         const std::size_t before = file.numbers.size();
+        // A long file has many: pages that are never written to take no memory, copies of what is there do.
+        if (before == 0) file.numbers.reserve(static_cast<std::size_t>(text_end - at) / kBytesOfNumber);
         NumberList found;
         const char* first = nullptr;
         const char* const list_end = read_number_list(keyword, at, text_end, file.numbers, found, first);

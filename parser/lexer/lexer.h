@@ -3,6 +3,7 @@
 #include "parser/lexer/token.h"
 #include "render/scene/line_table.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,12 +16,17 @@ namespace parser {
 /// of the next branch at the same level (at last of `#end`), kNoIndex where the file ends first: a false branch is
 /// left in one step. For Hash tokens before other words it is kNoIndex.
 struct SourceFile {
-    std::string path;  ///< as told in messages
-    std::string text;
+    std::string path;                  ///< as told in messages
+    std::string text;                  ///< empty once it was given back: whole_text() has it
     std::vector<Token> tokens;         ///< ends with EndOfText
     std::vector<std::string> strings;  ///< raw text of String tokens, messages of Bad tokens
     std::vector<double> numbers;       ///< of Numbers tokens
     std::vector<std::uint32_t> bad;    ///< indices of Bad tokens, ascending: skipped text must be well-formed too
+
+    /// Frees the text of a long file, which only messages ask for from now on. `reread` reads it again; empty: it is
+    /// not what it was.
+    void give_text_back(std::function<std::string()> reread);
+    const std::string& whole_text() const;
 
     using Place = scene::LineAndColumn;
     Place locate(std::uint32_t offset) const { return lines().place(offset); }
@@ -30,6 +36,8 @@ struct SourceFile {
     std::string_view token_text(const Token& token) const;
 
 private:
+    std::function<std::string()> reread_;
+    mutable std::string again_;
     mutable scene::LineTable lines_;
 };
 

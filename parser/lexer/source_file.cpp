@@ -4,6 +4,20 @@
 
 namespace parser {
 
+void SourceFile::give_text_back(std::function<std::string()> reread)
+{
+    lines();
+    text = std::string();
+    reread_ = std::move(reread);
+}
+
+const std::string& SourceFile::whole_text() const
+{
+    if (!reread_) return text;
+    if (again_.empty()) again_ = reread_();
+    return again_;
+}
+
 const scene::LineTable& SourceFile::lines() const
 {
     if (lines_.empty()) lines_ = scene::LineTable(text);
@@ -13,7 +27,8 @@ const scene::LineTable& SourceFile::lines() const
 std::string_view SourceFile::line_text(std::uint32_t line) const
 {
     if (line == 0 || line > lines().lines()) return {};
-    const std::string_view rest = std::string_view(text).substr(lines().start(line));
+    const std::string_view all = whole_text();
+    const std::string_view rest = all.substr(std::min<std::size_t>(lines().start(line), all.size()));
     return rest.substr(0, rest.find_first_of("\r\n"));
 }
 
@@ -30,7 +45,8 @@ std::string_view first_of_numbers(std::string_view rest)
 
 std::string_view SourceFile::token_text(const Token& token) const
 {
-    const std::string_view rest = std::string_view(text).substr(std::min<std::size_t>(token.offset, text.size()));
+    const std::string_view all = whole_text();
+    const std::string_view rest = all.substr(std::min<std::size_t>(token.offset, all.size()));
     const auto until = [&](auto stop) {
         std::size_t length = 1;
         while (length < rest.size() && !stop(length)) ++length;

@@ -115,7 +115,12 @@ public:
         return std::span(files_[numbers.file]->numbers).subspan(numbers.name, count);
     }
     /// The rest of the file, from the token on.
-    std::string text_from(const Token& token) const { return files_[token.file]->text.substr(token.offset); }
+    /// Nothing if the file is not what it was when it was read.
+    std::string text_from(const Token& token) const
+    {
+        const std::string& text = files_[token.file]->whole_text();
+        return token.offset < text.size() ? text.substr(token.offset) : std::string();
+    }
     /// Raw string token -> text (escapes resolved, characters as the charset says); `path`: backslashes stay.
     std::string string_text(const Token& token, bool path);
 

@@ -192,3 +192,26 @@ TEST_CASE("what stands nowhere or is a whole file is told without a line", "[par
     CHECK(scene::message_text({scene::Severity::Error, "bad", {"a.pov", {}}, {}, {}, {}}) == "a.pov: error: bad");
     CHECK(scene::message_text({scene::Severity::Debug, "as it is", {"a.pov", {1, 1}}, {}, {}, {}}) == "as it is");
 }
+
+TEST_CASE("a message quotes a long file, whose text is not kept, unless it has changed since", "[parser][messages]")
+{
+    const support::TemporaryFolder folder;
+    const std::string begin = "#version 3.7; global_settings { assumed_gamma 1 }\n";
+    std::string filling;
+    while (filling.size() < (5u << 20)) filling += "// a line that is read over\n";
+    const std::string end = "sphere { 0, 1 } cone { 0, wrong, 1, 2 }\n";
+    const auto whole_error = [&](const std::string& before) {
+        support::write_text(folder / "long.inc", filling + before + end);
+        support::write_text(folder / "a.pov", begin + "#include \"long.inc\"");
+        try {
+            parser::parse_file(folder / "a.pov", {});
+        } catch (const parser::Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK_THAT(whole_error(""), Catch::Contains(" | " + end));
+    // It is written anew while it is read: shorter, and nothing of it is quoted.
+    const std::string changed = whole_error("#fopen F \"" + (folder / "long.inc") + "\" write #fclose F\n");
+    CHECK_THAT(changed, Catch::Contains("long.inc:") && !Catch::Contains("cone"));
+}

@@ -130,6 +130,7 @@ scene::SourceRef place_in_list(TokenStream& in, const Token& numbers, std::size_
 {
     SourceFile list;
     list.text = in.text_from(numbers);
+    if (list.text.empty()) return {numbers.file, numbers.offset};
     Names names;
     tokenize(list, 0, names, false, false);
     std::size_t at = 0;

@@ -17,6 +17,22 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepestIncludes = 100;  // POV-Ray stops at 32
 
+constexpr std::size_t kKeptText = 4u << 20;  // bytes: a longer file is read again if a message quotes it
+
+/// Reads the file of `length` bytes again if nobody wrote to it since.
+std::function<std::string()> reader_of(const std::string& path, std::size_t length)
+{
+    std::error_code error;
+    const auto written = fs::last_write_time(path, error);
+    const auto size = error ? 0 : fs::file_size(path, error);
+    if (error || size != length) return nullptr;
+    return [path = fs::absolute(path), written, size]() -> std::string {
+        std::error_code gone;
+        if (fs::last_write_time(path, gone) != written || gone || fs::file_size(path, gone) != size || gone) return {};
+        return KeptFiles().read(path.string()).value_or(std::string());
+    };
+}
+
 bool is_file(const fs::path& path)
 {
     std::error_code error;
@@ -38,6 +54,8 @@ std::uint16_t TokenStream::load(const std::string& path, std::string text, bool 
     ++statistics_.files;
     statistics_.bytes += source->text.size();
     statistics_.tokens += source->tokens.size();
+    if (source->text.size() >= kKeptText && !kept_files_.has(path))
+        if (auto reread = reader_of(path, source->text.size())) source->give_text_back(std::move(reread));
     files_.push_back(std::move(source));
     return index;
 }
