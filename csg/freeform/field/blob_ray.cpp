@@ -2,6 +2,8 @@
 #include "csg/freeform/field/blob.h"
 #include "csg/bvh/traverse.h"
 
+#include <cstring>
+
 /// A ray through a blob: the stretches that it has in each component's reach, and between their ends a sum of quartics.
 namespace csg {
 
@@ -126,13 +128,16 @@ void Blob::gather_loose(const Ray& ray, double inverse, double from, double to, 
     static_assert(kMostLoose % kLanes == 0);
     typedef double Lanes __attribute__((vector_size(sizeof(double) * kLanes)));
     const glm::dvec3 &o = ray.origin, &d = ray.direction;
-    const auto lanes_at = [](const double* at) { return Lanes{at[0], at[1], at[2], at[3]}; };
     for (std::size_t first = 0; first < fields_.size(); first += kLanes) {
-        const Lanes x = o.x - lanes_at(&loose_.x[first]), y = o.y - lanes_at(&loose_.y[first]),
-                    z = o.z - lanes_at(&loose_.z[first]);
+        Lanes x, y, z, reach2;
+        std::memcpy(&x, &loose_.x[first], sizeof x);
+        std::memcpy(&y, &loose_.y[first], sizeof y);
+        std::memcpy(&z, &loose_.z[first], sizeof z);
+        std::memcpy(&reach2, &loose_.reach2[first], sizeof reach2);
+        x = o.x - x, y = o.y - y, z = o.z - z;
         const Lanes ref = -(x * d.x + y * d.y + z * d.z) * inverse;
         const Lanes fx = x + ref * d.x, fy = y + ref * d.y, fz = z + ref * d.z;
-        const Lanes left2 = lanes_at(&loose_.reach2[first]) - (fx * fx + fy * fy + fz * fz);
+        const Lanes left2 = reach2 - (fx * fx + fy * fy + fz * fz);
         for (std::size_t k = 0; k < kLanes; ++k) {
             if (!(left2[k] > 0.0)) continue;
             const Field& field = fields_[first + k];
