@@ -15,6 +15,7 @@ constexpr std::size_t kIndent = 24;  // of meanings
 
 constexpr const char* kUsage = R"(usage: whittle [options] scene.pov     renders to scene.png
        whittle compare A B [--out diff.png] [--tolerance n] [--share x]
+       whittle report SCENE... [-o report.html] [options]
 
 A word is a switch (+ turns on, - turns off), Keyword=value, a scene (*.pov), a library folder (it ends in /) or an INI
 file, name or name[section]. Later words win. +I- reads the scene from standard input, +O- writes the picture to standard

@@ -41,6 +41,11 @@ whittle \- renders POV-Ray scene files
 .IR n ]
 .RB [ \-\-share
 .IR x ]
+.br
+.B whittle report
+.I SCENE...
+.RB [ \-o
+.IR report.html ]
 .SH DESCRIPTION
 Whittle reads a scene in the language of POV-Ray 3.7 and writes a picture, by default a PNG file beside the scene.
 It takes the switches and INI files of POV-Ray. Called by a name that begins with
