@@ -4,6 +4,7 @@
 #include "render/app/output/output_name.h"
 #include "render/app/output/partial_picture.h"
 #include "render/app/output/preview_file.h"
+#include "render/app/output/scratch_folder.h"
 #include "render/app/run/shell_commands.h"
 #include "render/app/output/state_file.h"
 #include "render/image/picture_writer.h"
@@ -12,7 +13,6 @@
 #include "render/trace/sampling/sampled_render.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -27,20 +27,7 @@ namespace {
 /// Standard output gets its picture through a file of its own: picture libraries want to seek.
 class StreamedFile {
 public:
-    explicit StreamedFile(image::FileType type)
-        : folder_((std::filesystem::temp_directory_path() / "whittle-XXXXXX").string())
-    {
-        if (!mkdtemp(folder_.data()))
-            throw image::FileError("cannot make a folder in '" + std::filesystem::temp_directory_path().string() + "'");
-        path_ = folder_ + "/picture" + image::extension(type);
-    }
-    StreamedFile(const StreamedFile&) = delete;
-    StreamedFile& operator=(const StreamedFile&) = delete;
-    ~StreamedFile()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
+    explicit StreamedFile(image::FileType type) : path_(folder_ / ("picture" + std::string(image::extension(type)))) {}
     const std::string& path() const { return path_; }
     void send(std::FILE* stream) const
     {
@@ -52,7 +39,8 @@ public:
     }
 
 private:
-    std::string folder_, path_;
+    ScratchFolder folder_;
+    std::string path_;
 };
 
 /// One picture being made.
@@ -102,7 +90,8 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
       strip_(rows_of_blocks_in(picture_memory(settings_), blocks_, settings_.width, settings_.height, task.file.type)),
       in_strips_(strip_ < blocks_.rows())
 {
-    if (settings_.sampled() && in_strips_)
+    const double samples = trace::SampledPicture::kBytesPerPixel * settings_.width * settings_.height;
+    if (settings_.sampled() && (in_strips_ || samples > picture_memory(settings_)))
         throw std::runtime_error("not enough memory is free for the samples of so large a picture");
     if (strip_ == 0)
         throw std::runtime_error("not enough memory is left for the picture");  // it was when the run began

@@ -35,6 +35,8 @@ public:
         : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     {}
 
+    static constexpr double kBytesPerPixel = sizeof(Pixel) + sizeof(double) + 16;  ///< with what a render adds to it
+
     int width() const { return width_; }
     int height() const { return height_; }
     Pixel& at(int x, int y) { return pixels_[index(x, y)]; }

@@ -1,6 +1,7 @@
 #include "render/trace/sampling/sampled_render.h"
 
 #include "render/trace/kernel/tracers.h"
+#include "render/trace/random.h"
 #include "render/trace/sampling/sobol.h"
 
 #include <tbb/global_control.h>
@@ -27,8 +28,9 @@ constexpr double kAim = 0.95;              // of the error asked for, as it is b
 
 std::uint32_t seed_of(int x, int y, std::uint32_t seed)
 {
-    const auto v = static_cast<std::uint32_t>(y) * 0x9e3779b9u + static_cast<std::uint32_t>(x);
-    return owen_scrambled(v, 0x2545f491u + seed);
+    const std::uint64_t place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32 |
+                                static_cast<std::uint32_t>(x);
+    return static_cast<std::uint32_t>(stirred(stirred(place + 0x9e3779b97f4a7c15u) + seed));
 }
 
 class SampledRender {
@@ -59,6 +61,7 @@ public:
             const Clock::time_point begun = Clock::now();
             const std::uint64_t before = taken_;
             arena.execute([&] { pass(); });
+            ++passes_;
             const double took = std::chrono::duration<double>(Clock::now() - begun).count();
             if (took > 0.0) rate_ = static_cast<double>(taken_ - before) / took;
             variances_ = picture_.variances(shown_, scene_.options);
@@ -111,19 +114,22 @@ private:
     /// What the next pass takes, in wanted_. False: nothing.
     bool want_more(double error)
     {
-        if (goal_.error > 0.0 && fewest() >= kFirst && error <= kAim * goal_.error) return false;
-        double room = std::numeric_limits<double>::infinity();
-        if (goal_.seconds > 0.0) {
-            // The half of what is left: what a pass costs is better known after it.
-            constexpr double kLast = 0.05;  // of the time: then all of it
-            const double rest = left();
-            if (rest <= 0.0) return false;
-            room = rate_ * (rest < kLast * goal_.seconds ? rest : 0.5 * rest);
-            if (room < 1.0) return false;
-        }
-        const std::uint32_t least = fewest();
-        if (goal_.samples > 0 || goal_.even || least < kFirst) return want_evenly(least, error, room);
-        return want_by_spread(error, room);
+        const std::uint32_t now = fewest(), taken = now - before_;
+        if (goal_.error > 0.0 && now >= kFirst && error <= kAim * goal_.error) return false;
+        const double room = room_left();
+        if (room < 1.0 || now >= kMost) return false;
+        if (goal_.samples > 0) return want_evenly(std::min(taken, goal_.samples - taken), room);
+        return goal_.even || now < kFirst ? want_evenly(now, room) : want_by_spread(error, room);
+    }
+
+    /// Samples that the next pass may take: half of what the time allows, as what a pass costs is better known after
+    /// it.
+    double room_left() const
+    {
+        constexpr double kLast = 0.05;  // of the time: then all of it
+        if (!(goal_.seconds > 0.0)) return std::numeric_limits<double>::infinity();
+        const double rest = std::max(left(), 0.0);
+        return rate_ * (rest < kLast * goal_.seconds ? rest : 0.5 * rest);
     }
 
     std::uint32_t fewest()
@@ -133,15 +139,17 @@ private:
         return least;
     }
 
-    bool want_evenly(std::uint32_t now, double error, double room)
+    /// As many for each pixel; where there is no room for that, one for each of some, scattered over the picture.
+    bool want_evenly(std::uint32_t each, double room)
     {
         const double pixels = static_cast<double>(window_.size());
-        double more = std::min(static_cast<double>(now), room / pixels);
-        if (goal_.samples > 0) more = std::min(more, static_cast<double>(goal_.samples) - (now - before_));
-        const auto each = static_cast<std::uint32_t>(std::max(more, 0.0));
-        if (each == 0 && (goal_.samples > 0 || goal_.even || room < 1.0)) return false;
-        if (each == 0 || now + each > kMost) return now < kFirst ? false : want_by_spread(error, room);
-        for (const std::size_t at : window_) wanted_[at] = each;
+        const double all = std::min(static_cast<double>(each), room / pixels);
+        if (!(all > 0.0)) return false;
+        const auto sure = static_cast<std::uint32_t>(all);
+        for (const std::size_t at : window_) {
+            const double place = owen_scrambled(reversed_bits(static_cast<std::uint32_t>(at)), passes_) * 0x1p-32;
+            wanted_[at] = sure > 0 ? sure : place < all ? 1 : 0;
+        }
         return true;
     }
 
@@ -267,7 +275,8 @@ private:
     const Clock::time_point start_ = Clock::now();
     std::uint32_t before_ = 0;  ///< samples of a pixel when the run began
     std::uint64_t taken_ = 0;   ///< in the passes before
-    double rate_ = 0.0;         ///< samples a second, in the last pass
+    std::uint32_t passes_ = 0;
+    double rate_ = 0.0;  ///< samples a second, in the last pass
     std::atomic<bool> stopped_ = false;
 };
 

@@ -209,3 +209,28 @@ TEST_CASE("a picture that has no spread takes its first samples alone", "[sampli
     const Sampled timed = sampled(text, goal);
     CHECK(timed.statistics.seconds_trace < 10.0);
 }
+
+TEST_CASE("a time that does not hold another sample of each pixel is used all the same", "[sampling]")
+{
+    // Many lamps and mirrors: a sample of the picture takes tens of milliseconds.
+    const std::string text = "camera { location <0,1,-4> look_at 0 }\n"
+                             "light_source { <3,5,-3> rgb 1 area_light x, z, 9, 9 area_illumination on }\n"
+                             "plane { y,-1 pigment { checker rgb 1 rgb .2 } finish { reflection .3 } }\n"
+                             "sphere { 0, 1 pigment { bozo scale .1 } finish { reflection .3 phong .5 } }\n";
+    trace::SamplingGoal goal;
+    goal.samples = 1;
+    const double one = sampled(text, goal, 1).statistics.seconds_trace;
+    goal.samples = 0;
+    goal.seconds = 1.7 * one;
+    const Sampled found = sampled(text, goal, 1);
+    INFO(one << " s for one, " << found.statistics.seconds_trace << " of " << goal.seconds);
+    CHECK(found.statistics.samples > 1u * kWidth * kHeight);
+    CHECK(found.statistics.seconds_trace > 0.5 * goal.seconds);
+    std::uint32_t most = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            CHECK(found.picture.at(x, y).count >= 1);
+            most = std::max(most, found.picture.at(x, y).count);
+        }
+    CHECK(most >= 2);
+}
