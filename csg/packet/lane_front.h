@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/packet/beam.h"
+#include "csg/packet/cut_runs.h"
 #include "csg/packet/lane_solids.h"
 #include "csg/packet/lane_torus.h"
 #include "csg/packet/packet_slabs.h"
@@ -84,7 +85,8 @@ public:
         bool enters = in > -kInfinity, leaves = out < kInfinity;
         for (std::uint32_t first = 0; first < count;) {
             std::uint32_t last = first + 1, longest = first;
-            if (!run_of(cuts, count, last, longest)) return false;
+            if (!run_of_cuts(cuts.data(), count, last, longest, [&](double a, double b) { return close(a, b); }))
+                return false;
             const Piece &opens = cuts[first], &closes = cuts[longest];
             enters = enters && !(opens.in < in && closes.out > in);
             leaves = leaves && !(opens.in < out && closes.out > out);
@@ -110,10 +112,7 @@ private:
     static constexpr std::uint32_t kMostCuts = 48;  ///< that one tile meets
     static constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
 
-    /// A cut along one ray.
-    struct Piece {
-        double in, out, in_code, out_code;
-    };
+    using Piece = CutPiece;
 
     static Double load(const Lanes& from, int i) { return Double::load_aligned(from.data() + i); }
     static void store(Lanes& to, int i, Double v) { v.store_aligned(to.data() + i); }
@@ -168,28 +167,6 @@ private:
             cuts[at] = piece;
         }
         return true;
-    }
-
-    /// The cuts from last - 1 on that hang together: up to `last`; the one that ends last is `longest`. False where
-    /// ends coincide that decide what is drawn.
-    bool run_of(const std::array<Piece, kMostCuts>& cuts, std::uint32_t count, std::uint32_t& last,
-                std::uint32_t& longest) const
-    {
-        if (last < count && close(cuts[last].in, cuts[last - 1].in)) return false;
-        bool tied = false;
-        for (; last < count; ++last) {
-            const double until = cuts[longest].out;
-            if (close(cuts[last].in, until)) return false;
-            if (cuts[last].in > until) break;
-            const bool same = close(cuts[last].out, until);
-            if (cuts[last].out > until) {
-                longest = last;
-                tied = same;
-            } else {
-                tied = tied || same;
-            }
-        }
-        return !tied;
     }
 
     /// in_ to out_: what all leaves hold. Returns the rays for which something is left.

@@ -154,7 +154,7 @@ void TokenStream::fetch()
         case Kind::Identifier:
             if (const Value* value = symbols_.find(token.name))
                 if (const auto* macro = value->get_if<std::shared_ptr<const Macro>>()) {
-                    const Expected expected(statements_, false);  // in its arguments
+                    const FlagInScope expected(statements_, false);  // in its arguments
                     call_macro(token, **macro);
                     break;
                 }
@@ -198,7 +198,7 @@ void TokenStream::execute_directive()
     const bool raw = std::exchange(raw_operators_, false);
     last_ = &word;
     const bool again = !blocks_.empty() && blocks_.back().repeats;
-    const Expected expected(statements_, false);  // in what the directive reads
+    const FlagInScope expected(statements_, false);  // in what the directive reads
     runner_->expect_statements(expected.before());
     const bool done = again && may_begin_block(word.kind) && runner_->at_directive(hash);
     if (!done && !execute(word.kind, hash)) --cursors_.back().position;  // `#sphere` means `sphere`

@@ -7,6 +7,7 @@
 #include "parser/stream/files/kept_files.h"
 #include "parser/stream/language_state.h"
 #include "parser/stream/reading_profile.h"
+#include "parser/stream/reading_state.h"
 #include "parser/stream/symbols.h"
 
 #include <memory>
@@ -47,7 +48,7 @@ public:
     const Token& peek_statement()
     {
         if (has_ahead_ && !ahead_raw_) return *ahead_;
-        const Expected expected(statements_, true);
+        const FlagInScope expected(statements_, true);
         return peek();
     }
     const Token& next()  ///< takes it
@@ -114,8 +115,7 @@ public:
         const std::size_t count = numbers.jump * static_cast<std::size_t>(numbers.number);
         return std::span(files_[numbers.file]->numbers).subspan(numbers.name, count);
     }
-    /// The rest of the file, from the token on.
-    /// Nothing if the file is not what it was when it was read.
+    /// The rest of the file, from the token on. Nothing if the file is not what it was when it was read.
     std::string text_from(const Token& token) const
     {
         const std::string& text = files_[token.file]->whole_text();
@@ -203,30 +203,6 @@ public:
 
 private:
     friend class blocks::Runner;
-    static inline const Token kNoToken;
-    /// Whether statements of the grammar may stand here, until the end of the scope.
-    class Expected {
-    public:
-        Expected(bool& flag, bool expected) : flag_(flag), before_(flag) { flag = expected; }
-        ~Expected() { flag_ = before_; }
-        Expected(const Expected&) = delete;
-        Expected& operator=(const Expected&) = delete;
-        bool before() const { return before_; }
-
-    private:
-        bool& flag_;
-        const bool before_;
-    };
-    struct Cursor {
-        std::uint16_t file = 0;
-        bool macro = false;      ///< else a whole text
-        std::uint32_t name = 0;  ///< of the macro
-        std::uint32_t position = 0, end = 0;
-        const Token* tokens = nullptr;   ///< of the file
-        std::uint32_t* sites = nullptr;  ///< of the file, once asked for
-        std::size_t blocks = 0;          ///< blocks open when it was entered
-        const Token* call = &kNoToken;   ///< where the macro was called or the file included
-    };
     class Again {
     public:
         Again(TokenStream& stream, const Token* begin, const Token* end);
@@ -241,18 +217,6 @@ private:
         bool has_ahead_, ahead_raw_, raw_operators_;
         std::uint64_t left_;
     };
-    enum class BlockKind : std::uint8_t { If, Switch, While, For, Macro };
-    struct Block {
-        BlockKind kind = BlockKind::If;
-        bool repeats = false;  ///< its text may be read again: a loop or macro, or in one
-        std::uint16_t file = 0;
-        std::uint32_t branch = 0;    ///< Hash of the branch that is being read
-        std::uint32_t again = 0;     ///< While: token of its condition; For: first token of the body
-        std::size_t cursors = 0;     ///< depth of the cursor it began in
-        Cell variable;               ///< For
-        double limit = 0, step = 0;  ///< For
-    };
-
     void fetch();
     /// The common case of fetch(): nothing is ahead and a token stands next that is nothing to execute.
     bool fetch_plain()

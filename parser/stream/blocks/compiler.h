@@ -3,6 +3,7 @@
 #include "parser/stream/blocks/emitter.h"
 
 #include <unordered_map>
+#include <utility>
 
 namespace parser::blocks {
 
@@ -101,6 +102,9 @@ private:
     bool macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool ready_statement(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool read_numbers(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    std::pair<std::uint32_t, std::uint32_t> while_body(std::uint32_t hash, std::uint32_t body, std::uint32_t closing,
+                                                       std::uint32_t place);
+    void end_while(std::uint32_t back, std::uint32_t first, const std::vector<std::uint32_t>& left);
     bool while_defined(std::uint32_t& at, std::uint32_t place, std::uint32_t closing);
     bool argument(std::uint32_t& at, std::uint32_t end, Argument& out);
 

@@ -135,15 +135,8 @@ bool BlockCompiler::while_directive(std::uint32_t& at, std::uint32_t end, std::u
     if (kind(body) == Kind::LeftParen && kind(body + 1) == Kind::Defined) return while_defined(at, place, closing);
     mark_drawing(hash, place, closing);
     if (!condition(body, closing)) return false;
-    std::vector<std::uint32_t> done = {emitter_.jump_if(false)};
-    const std::uint32_t inside = open(place, PlaceKind::While, hash);
-    program_.places[inside].again = hash + 2;
-    open_.push_back({inside, {}});
-    const std::uint32_t first = emitter_.size();
-    mark(body, inside);
-    emitter_.emit(kSpend).a = closing - hash;
-    block(body, closing, inside);
-    if (hash == root_) program_.again = emitter_.size();
+    const std::vector<std::uint32_t> done = {emitter_.jump_if(false)};
+    const auto [inside, first] = while_body(hash, body, closing, place);
     mark_drawing(closing, inside, closing);
     for (std::uint32_t i = hash; i < body; ++i)
         if (draws(tokens_[i]) && !program_.statements.back().undo) {
@@ -153,12 +146,32 @@ bool BlockCompiler::while_directive(std::uint32_t& at, std::uint32_t end, std::u
     emitter_.clear();
     std::uint32_t again = hash + 2;
     if (!condition(again, closing)) return false;
-    const std::uint32_t back = emitter_.jump_if(true);
-    program_.ops[back].jump = static_cast<std::int32_t>(first) - static_cast<std::int32_t>(back);
-    emitter_.land(done);
-    land_breaks();
+    end_while(emitter_.jump_if(true), first, done);
     at = closing + 2;
     return true;
+}
+
+/// What `#while` repeats: its place, and its first operation.
+std::pair<std::uint32_t, std::uint32_t> BlockCompiler::while_body(std::uint32_t hash, std::uint32_t body,
+                                                                  std::uint32_t closing, std::uint32_t place)
+{
+    const std::uint32_t inside = open(place, PlaceKind::While, hash);
+    program_.places[inside].again = hash + 2;
+    open_.push_back({inside, {}});
+    const std::uint32_t first = emitter_.size();
+    mark(body, inside);
+    emitter_.emit(kSpend).a = closing - hash;
+    block(body, closing, inside);
+    if (hash == root_) program_.again = emitter_.size();
+    return {inside, first};
+}
+
+/// The operation `back` goes to the first of the loop again; what left it goes on behind.
+void BlockCompiler::end_while(std::uint32_t back, std::uint32_t first, const std::vector<std::uint32_t>& left)
+{
+    program_.ops[back].jump = static_cast<std::int32_t>(first) - static_cast<std::int32_t>(back);
+    emitter_.land(left);
+    land_breaks();
 }
 
 /// `#while (defined(NAME))`
@@ -176,20 +189,10 @@ bool BlockCompiler::while_defined(std::uint32_t& at, std::uint32_t place, std::u
     };
     mark(hash, place);
     const std::vector<std::uint32_t> done = {test(false)};
-    const std::uint32_t inside = open(place, PlaceKind::While, hash);
-    program_.places[inside].again = hash + 2;
-    open_.push_back({inside, {}});
-    const std::uint32_t first = emitter_.size();
-    mark(body, inside);
-    emitter_.emit(kSpend).a = closing - hash;
-    block(body, closing, inside);
-    if (hash == root_) program_.again = emitter_.size();
+    const auto [inside, first] = while_body(hash, body, closing, place);
     mark(closing, inside);
     emitter_.clear();
-    const std::uint32_t back = test(true);
-    program_.ops[back].jump = static_cast<std::int32_t>(first) - static_cast<std::int32_t>(back);
-    emitter_.land(done);
-    land_breaks();
+    end_while(test(true), first, done);
     at = closing + 2;
     return true;
 }

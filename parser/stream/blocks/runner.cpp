@@ -70,7 +70,7 @@ Program* Runner::program_at(std::uint32_t& site, std::uint32_t hash)
         return nullptr;
     }
     site = kNever;
-    const TokenStream::Cursor& cursor = stream_.cursors_.back();
+    const Cursor& cursor = stream_.cursors_.back();
     const SourceFile& file = *stream_.files_[cursor.file];
     std::uint32_t end = cursor.end;
     if (stream_.blocks_.empty() || !stream_.blocks_.back().repeats) {
@@ -175,13 +175,13 @@ bool Runner::at_end_of_pass(std::uint32_t hash_of_end)
 {
     if (!usable()) return false;
     machine_.statements = std::exchange(expected_, false);
-    const TokenStream::Block loop = stream_.blocks_.back();
+    const Block loop = stream_.blocks_.back();
     if (loop.cursors != stream_.cursors_.size() || loop.file != stream_.cursors_.back().file) return false;
     std::uint32_t& here = site(loop.file, loop.branch);
     if (here == kNever) return false;
     const auto& tokens = stream_.files_[loop.file]->tokens;
     if (tokens[loop.branch].jump != hash_of_end) return false;
-    const bool counts = loop.kind == TokenStream::BlockKind::For;
+    const bool counts = loop.kind == BlockKind::For;
     if (counts) {
         const std::uint32_t name = tokens[loop.branch + 3].name;  // # for ( name
         if (!stream_.symbols_.in_current_scope(name) || stream_.symbols_.find(name) != loop.variable.get())
@@ -251,15 +251,15 @@ void Runner::put_back(std::uint32_t token, std::uint32_t place)
         const bool innermost = i + 1 == machine_.frames.size();
         const Call* const call = innermost ? nullptr : machine_.frames[i + 1].call;
         open_places(frame, innermost ? place : call->place);
-        TokenStream::Cursor& cursor = stream_.cursors_.back();
+        Cursor& cursor = stream_.cursors_.back();
         cursor.position = innermost ? token : call->after;
         if (innermost) break;
-        TokenStream::Block marker;
-        marker.kind = TokenStream::BlockKind::Macro;
+        Block marker;
+        marker.kind = BlockKind::Macro;
         marker.repeats = true;
         marker.file = cursor.file;
         marker.cursors = stream_.cursors_.size();
-        TokenStream::Cursor entered;
+        Cursor entered;
         entered.file = call->macro->file;
         entered.macro = true;
         entered.name = call->macro->name;
@@ -280,8 +280,8 @@ void Runner::open_places(const Frame& frame, std::uint32_t place)
     if (place == kNoIndex) return;
     const Place& opened = frame.program->places[place];
     open_places(frame, opened.parent);
-    using Kind = TokenStream::BlockKind;
-    TokenStream::Block block;
+    using Kind = BlockKind;
+    Block block;
     block.kind = opened.kind == PlaceKind::If       ? Kind::If
                  : opened.kind == PlaceKind::Switch ? Kind::Switch
                  : opened.kind == PlaceKind::While  ? Kind::While

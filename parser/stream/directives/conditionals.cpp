@@ -54,7 +54,7 @@ bool TokenStream::read_defined()
     return cell && cell->set();
 }
 
-TokenStream::Block TokenStream::block(BlockKind kind, std::uint32_t hash) const
+Block TokenStream::block(BlockKind kind, std::uint32_t hash) const
 {
     Block made;
     made.kind = kind;

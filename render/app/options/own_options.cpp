@@ -1,8 +1,7 @@
 #include "render/app/options/own_options.h"
 
 #include "render/app/options/nearest.h"
-
-#include <fmt/format.h>
+#include "render/app/options/positive.h"
 
 #include <algorithm>
 #include <charconv>
@@ -33,17 +32,6 @@ void set_memory(Settings& s, const std::string& value)
     s.memory *= 1e6;
 }
 
-/// The number at the beginning of a value, above 0 and at most `most`; what follows it in `rest`.
-double positive(const char* option, const std::string& value, double most, std::string& rest)
-{
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (error != std::errc() || !(number > 0.0) || number > most)
-        throw OptionError(fmt::format("{} wants a number above 0 and at most {:g}, found '{}'", option, most, value));
-    rest.assign(end, value.data() + value.size());
-    return number;
-}
-
 void set_samples(Settings& s, const std::string& value)
 {
     constexpr double kMost = 65536.0;
@@ -54,12 +42,7 @@ void set_samples(Settings& s, const std::string& value)
     else throw OptionError("--samples wants a whole number of samples or an error in percent, found '" + value + "'");
 }
 
-void set_error(Settings& s, const std::string& value)
-{
-    std::string rest;
-    s.error = positive("--error", value, 255.0, rest);
-    if (!rest.empty()) throw OptionError("--error wants levels of 255, found '" + value + "'");
-}
+void set_error(Settings& s, const std::string& value) { s.error = whole_positive("--error", value, 255.0); }
 
 void set_time(Settings& s, const std::string& value)
 {

@@ -1,16 +1,16 @@
 #include "render/app/study/povray_runs.h"
 
-#include <stdlib.h>
+#include "render/app/output/scratch_folder.h"
 
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 
 namespace app {
 namespace {
 
-std::string quoted(const std::string& word)
+/// A word for the shell, whatever is in it.
+std::string shell_word(const std::string& word)
 {
     std::string out = "'";
     for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -26,25 +26,6 @@ bool output_of(const std::string& command, std::string& out)
     for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;) out.append(block.data(), n);
     return pclose(pipe) == 0;
 }
-
-class Scratch {
-public:
-    Scratch() : path_((std::filesystem::temp_directory_path() / "whittle-XXXXXX").string())
-    {
-        if (mkdtemp(path_.data()) == nullptr) path_.clear();
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    ~Scratch()
-    {
-        std::error_code ignored;
-        if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-    }
-    const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
-};
 
 }  // namespace
 
@@ -66,7 +47,7 @@ std::optional<double> povray_seconds(const std::string& text)
 PovrayRuns::PovrayRuns(const std::string& program) : program_(program)
 {
     std::string told;
-    if (program.empty() || !output_of(quoted(program) + " --version", told)) return;
+    if (program.empty() || !output_of(shell_word(program) + " --version", told)) return;
     // Whittle under POV-Ray's name says so.
     const std::size_t at = told.find("POV-Ray 3.");
     if (at == std::string::npos || told.find("hittle") != std::string::npos) return;
@@ -76,12 +57,12 @@ PovrayRuns::PovrayRuns(const std::string& program) : program_(program)
 std::optional<PovrayRuns::Found> PovrayRuns::render(const std::string& scene, const std::vector<std::string>& switches,
                                                     const image::Files& files) const
 {
-    const Scratch scratch;
-    if (!found() || scratch.path().empty()) return {};
-    const std::string picture = scratch.path() + "/a.png";
-    std::string command = "timeout 300 " + quoted(program_) + " " + quoted("+I" + scene) + " " +
-                          quoted("+O" + picture) + " +FN16 -D -P -GD";
-    for (const std::string& word : switches) command += " " + quoted(word);
+    if (!found()) return {};
+    const ScratchFolder scratch;
+    const std::string picture = scratch / "a.png";
+    std::string command = "timeout 300 " + shell_word(program_) + " " + shell_word("+I" + scene) + " " +
+                          shell_word("+O" + picture) + " +FN16 -D -P -GD";
+    for (const std::string& word : switches) command += " " + shell_word(word);
     std::string told;
     if (!output_of(command, told)) return {};
     const std::optional<double> seconds = povray_seconds(told);

@@ -2,6 +2,8 @@
 
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
+#include "render/app/options/positive.h"
+#include "render/app/output/scratch_folder.h"
 #include "render/app/report/json_writer.h"
 #include "render/app/report/progress.h"
 #include "render/app/run/frame_render.h"
@@ -10,6 +12,7 @@
 #include "render/app/run/scene_queries.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/study/povray_runs.h"
+#include "render/image/picture_writer.h"
 #include "render/study/page.h"
 
 #include <fmt/format.h>
@@ -17,8 +20,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -52,15 +53,6 @@ struct Request {
     std::string command;
 };
 
-double positive_number(const std::string& option, const std::string& text)
-{
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size() || !(number > 0.0) || std::isinf(number))
-        throw OptionError(fmt::format("{} wants a number above 0, found '{}'", option, text));
-    return number;
-}
-
 Request request_of(const std::vector<std::string>& arguments)
 {
     Request request;
@@ -84,10 +76,10 @@ Request request_of(const std::vector<std::string>& arguments)
         if (equals == std::string::npos && i + 1 == arguments.size()) throw OptionError(name + " wants a value");
         const std::string value = equals == std::string::npos ? arguments[++i] : word.substr(equals + 1);
         if (name == "-o" || name == "--out") request.out = value;
-        else if (name == "--truth-error") request.truth_error = positive_number(name, value);
-        else if (name == "--truth-seconds") request.truth_seconds = positive_number(name, value);
-        else if (name == "--longest") request.longest = positive_number(name, value);
-        else if (name == "--want") request.wanted = positive_number(name, value);
+        else if (name == "--truth-error") request.truth_error = whole_positive(name, value);
+        else if (name == "--truth-seconds") request.truth_seconds = whole_positive(name, value);
+        else if (name == "--longest") request.longest = whole_positive(name, value);
+        else if (name == "--want") request.wanted = whole_positive(name, value);
         else request.povray = value == "off" ? "" : value;
     }
     if (request.scenes.empty()) throw OptionError("no scene given: whittle report scene.pov, or whittle report --help");
@@ -107,15 +99,14 @@ void check_place(const std::string& path)
         throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
 }
 
-/// Replaced as a whole: what was there stays until the new text is complete.
 void put_file(const std::string& path, const std::string& text)
 {
-    const std::string part = path + ".part";
-    std::ofstream out(part, std::ios::binary);
+    image::Replacement file(path);
+    std::ofstream out(file.beside(), std::ios::binary);
     out << text;
-    if (!out.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", part));
+    if (!out.flush()) throw image::FileError(fmt::format("cannot write '{}'", path));
     out.close();
-    std::filesystem::rename(part, path);
+    file.put_in_place();
 }
 
 std::string machine()
@@ -239,13 +230,12 @@ private:
     {
         image::Raster raster{picture.width, picture.height, 3, 8, {}};
         for (const float v : picture.values) raster.samples.push_back(image::quantised(v, 8));
-        const std::string path = request_.out + ".picture.png";
+        const ScratchFolder scratch;
+        const std::string path = scratch / "a.png";
         files_.write(path, raster, image::FileType::Png, image::TransferCurve::srgb());
         std::ifstream in(path, std::ios::binary);
         std::ostringstream bytes;
         bytes << in.rdbuf();
-        in.close();
-        std::filesystem::remove(path);
         return std::move(bytes).str();
     }
 
