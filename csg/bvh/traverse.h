@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/bvh/slab_axis.h"
 #include "csg/bvh/bvh.h"
 #include "csg/base/lanes.h"
 #include "csg/base/rounding.h"
@@ -20,18 +21,7 @@ public:
             const bool backward = std::signbit(d);
             // Clamped, so that 0 * infinity never arises; 1e30 times any distance in a scene is past its end.
             const double inverse = std::abs(d) < 1e-30 ? (backward ? -1e30 : 1e30) : 1.0 / d;
-            // Twice the error of the conversion to either side: cheaper than the neighbouring floats, and boxes are
-            // only a sieve.
-            const auto origin = static_cast<float>(ray.origin[axis]);
-            const float error = std::abs(origin) * 2.4e-7f + 1e-37f;
-            const float down = origin - error, up = origin + error;
-            near_row[axis] = backward ? axis + 3 : axis;
-            far_row[axis] = backward ? axis : axis + 3;
-            near_origin[axis] = backward ? down : up;
-            far_origin[axis] = backward ? up : down;
-            // Three roundings of 6e-8 each: conversion, difference and product.
-            near_inverse[axis] = static_cast<float>(inverse * (1.0 - 2.4e-7));
-            far_inverse[axis] = static_cast<float>(inverse * (1.0 + 3.6e-7));
+            axes_[axis] = SlabAxis(axis, ray.origin[axis], inverse, backward);
         }
     }
 
@@ -43,16 +33,7 @@ public:
         for (int part = 0; part < lanes::kFloatParts; ++part) {
             const int at = part * lanes::kFloatPart;
             FloatPart first(t_min), last(t_max);
-            for (int axis = 0; axis < 3; ++axis) {
-                const FloatPart a =
-                    (FloatPart::load_aligned(bounds[near_row[axis]] + at) - FloatPart(near_origin[axis])) *
-                    FloatPart(near_inverse[axis]);
-                const FloatPart b =
-                    (FloatPart::load_aligned(bounds[far_row[axis]] + at) - FloatPart(far_origin[axis])) *
-                    FloatPart(far_inverse[axis]);
-                first = xsimd::max(first, a);
-                last = xsimd::min(last, b);
-            }
+            for (const SlabAxis& axis : axes_) axis.cut(bounds, at, first, last);
             first.store_aligned(near + at);
             mask |= lanes::mask(first <= last) << at;
         }
@@ -60,8 +41,7 @@ public:
     }
 
 private:
-    int near_row[3], far_row[3];
-    float near_origin[3], far_origin[3], near_inverse[3], far_inverse[3];
+    SlabAxis axes_[3];
 };
 
 /// Calls leaf(ChildWord) for the blocks that the ray meets, nearer children first. leaf returns the new far limit; a

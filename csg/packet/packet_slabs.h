@@ -1,7 +1,8 @@
 #pragma once
 
-#include "csg/bvh/bvh.h"
 #include "csg/base/rounding.h"
+#include "csg/bvh/bvh.h"
+#include "csg/bvh/slab_axis.h"
 #include "csg/packet/tile_rays.h"
 
 #include <array>
@@ -20,16 +21,8 @@ public:
         const RayLanes* const inverse[3] = {&rays.inverse_x, &rays.inverse_y, &rays.inverse_z};
         for (int axis = 0; axis < 3; ++axis)
             for (std::size_t k = 0; k < count; ++k) {
-                const bool backward = std::signbit((*direction[axis])[k]);
-                const auto origin = static_cast<float>(rays.origin_of(k)[axis]);
-                const float error = std::abs(origin) * kConversion + 1e-37f;
-                Axis& at = slabs_[k].axis[axis];
-                at.near_row = backward ? axis + 3 : axis;
-                at.far_row = backward ? axis : axis + 3;
-                at.near_origin = backward ? origin - error : origin + error;
-                at.far_origin = backward ? origin + error : origin - error;
-                at.near_inverse = static_cast<float>((*inverse[axis])[k] * kNearer);
-                at.far_inverse = static_cast<float>((*inverse[axis])[k] * kFarther);
+                slabs_[k].axes[axis] =
+                    SlabAxis(axis, rays.origin_of(k)[axis], (*inverse[axis])[k], std::signbit((*direction[axis])[k]));
             }
         for (std::size_t k = 0; k < count; ++k) slabs_[k].begin = rounded_down(rays.t_min[k]);
     }
@@ -59,16 +52,8 @@ public:
     }
 
 private:
-    // As in RaySlabs.
-    static constexpr float kConversion = 2.4e-7f;
-    static constexpr double kNearer = 1.0 - 2.4e-7, kFarther = 1.0 + 3.6e-7;
-
-    struct Axis {
-        int near_row, far_row;
-        float near_origin, far_origin, near_inverse, far_inverse;
-    };
     struct Slabs {
-        Axis axis[3];
+        SlabAxis axes[3];
         float begin;
     };
 
@@ -82,12 +67,7 @@ private:
         for (int part = 0; part < lanes::kFloatParts; ++part) {
             const int at = part * lanes::kFloatPart;
             FloatPart first(ray.begin), last(limit);
-            for (const Axis& axis : ray.axis) {
-                const FloatPart near = FloatPart::load_aligned(bounds[axis.near_row] + at),
-                                far = FloatPart::load_aligned(bounds[axis.far_row] + at);
-                first = xsimd::max(first, (near - FloatPart(axis.near_origin)) * FloatPart(axis.near_inverse));
-                last = xsimd::min(last, (far - FloatPart(axis.far_origin)) * FloatPart(axis.far_inverse));
-            }
+            for (const SlabAxis& axis : ray.axes) axis.cut(bounds, at, first, last);
             const auto meets = first <= last;
             nearest[part] = xsimd::select(meets, xsimd::min(nearest[part], first), nearest[part]);
             mask |= lanes::mask(meets) << at;

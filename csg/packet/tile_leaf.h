@@ -44,19 +44,6 @@ struct TileLeaf {
         else items(leaf, mask);
     }
 
-private:
-    void items(ChildWord leaf, RayMask mask) const
-    {
-        if (leaf.kind() == LeafKind::Item) {
-            item(leaf.index(), mask);
-            return;
-        }
-        const auto& start = world.bvh.triangle_first;
-        for (std::uint32_t k = start[leaf.index()]; k < start[leaf.index() + 1]; ++k)
-            triangle(world.bvh.triangle_members[k], mask);
-    }
-
-public:
     /// An item against the rays of the mask.
     void item(std::uint32_t index, RayMask mask) const
     {
@@ -82,6 +69,17 @@ public:
     }
 
 private:
+    void items(ChildWord leaf, RayMask mask) const
+    {
+        if (leaf.kind() == LeafKind::Item) {
+            item(leaf.index(), mask);
+            return;
+        }
+        const auto& start = world.bvh.triangle_first;
+        for (std::uint32_t k = start[leaf.index()]; k < start[leaf.index() + 1]; ++k)
+            triangle(world.bvh.triangle_members[k], mask);
+    }
+
     static bool serves_ends(const WorldItem& item, RayMask mask)
     {
         constexpr int kFewest = 3;
