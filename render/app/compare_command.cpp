@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <numeric>
 
 namespace app {
 
@@ -22,16 +23,20 @@ struct Request {
     image::FileType out_type = image::FileType::Png;
     double tolerance = 3.0;  ///< of 255
     double share = 0.99;     ///< of the pixels
+    bool flip = false;       ///< told, and drawn instead of the largest difference
 };
 
 constexpr std::string_view kHelpWords[] = {"--help", "-help", "-h", "-?"};
 
-constexpr const char* kCompareUsage = R"(usage: whittle compare A B [--out diff.png] [--tolerance n] [--share x]
+constexpr const char* kCompareUsage =
+    R"(usage: whittle compare A B [--out diff.png] [--flip] [--tolerance n] [--share x]
 
 How far two pictures of one size are apart. Exit status: 0 they agree, 1 they differ, 2 they cannot be compared.
 
   --out FILE    draw the difference: what agrees as dim grey, the rest from red (just apart) to white; the type is that of
                 the name: .png .ppm .tga .jpg .bmp
+  --flip        how different they look on a screen, A being the reference: the mean of FLIP (Andersson et al. 2020), 0 to 1;
+                --out draws it pixel by pixel, from black (nothing to be seen) to white
   --tolerance n largest difference of a channel that agrees, of 255; usual: 3
   --share x     of the pixels that have to agree, 0 to 1; usual: 0.99
 )";
@@ -66,6 +71,10 @@ Request request_of(const std::vector<std::string>& arguments)
             request.pictures.push_back(word);
             continue;
         }
+        if (word == "--flip") {
+            request.flip = true;
+            continue;
+        }
         const std::size_t equals = word.find('=');
         const std::string option = word.substr(0, equals);
         if (option != "--out" && option != "--tolerance" && option != "--share")
@@ -78,7 +87,7 @@ Request request_of(const std::vector<std::string>& arguments)
     }
     if (request.pictures.size() != 2)
         throw OptionError(
-            "compare wants two pictures: whittle compare A B [--out diff.png] [--tolerance n] [--share x]");
+            "compare wants two pictures: whittle compare A B [--out diff.png] [--flip] [--tolerance n] [--share x]");
     return request;
 }
 
@@ -91,13 +100,16 @@ std::string levels(const float (&pixel)[4], bool alpha)
     return alpha ? fmt::format("{} alpha {:g}", color, rounded_level(pixel[3])) : color;
 }
 
-void print(const Request& request, const image::Comparison& c, bool agree)
+void print(const Request& request, const image::Comparison& c, const std::vector<float>& flip, bool agree)
 {
     fmt::print("agreeing  {:.4f} % of pixels within {:g}/255 in every channel\n", 100.0 * c.agreeing,
                request.tolerance);
     fmt::print("rmse      {:.4f} of 255\n", c.rmse);
     fmt::print("psnr      {}\n", std::isinf(c.psnr) ? "infinite" : fmt::format("{:.2f} dB", c.psnr));
     fmt::print("ssim      {:.6f}\n", c.ssim);
+    if (!flip.empty())
+        fmt::print("flip      {:.6f}\n",
+                   std::accumulate(flip.begin(), flip.end(), 0.0) / static_cast<double>(flip.size()));
     const bool alpha = c.worst_a[3] != c.worst_b[3];
     if (c.largest > 0.0)
         fmt::print("worst     pixel ({}, {}): {} and {}, {:g} apart\n", c.worst_x, c.worst_y, levels(c.worst_a, alpha),
@@ -121,10 +133,13 @@ int compare_command(const std::vector<std::string>& arguments)
         const image::Picture a = files.read(request.pictures[0]), b = files.read(request.pictures[1]);
         const image::Comparison comparison = image::compare(a, b, request.tolerance);
         const bool agree = comparison.agreeing >= request.share;
-        print(request, comparison, agree);
+        const std::vector<float> flip = request.flip ? image::flip_map(a, b) : std::vector<float>{};
+        print(request, comparison, flip, agree);
         if (!request.out.empty())
-            files.write(request.out, image::difference_picture(a, b, request.tolerance), request.out_type,
-                        image::TransferCurve::srgb());
+            files.write(request.out,
+                        request.flip ? image::flip_picture(flip, a.width, a.height)
+                                     : image::difference_picture(a, b, request.tolerance),
+                        request.out_type, image::TransferCurve::srgb());
         return agree ? kAgree : kDiffer;
     } catch (const std::exception& error) {
         fmt::print(stderr, "whittle: error: {}\n", error.what());

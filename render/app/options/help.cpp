@@ -14,7 +14,7 @@ constexpr std::size_t kColumns = 100;
 constexpr std::size_t kIndent = 24;  // of meanings
 
 constexpr const char* kUsage = R"(usage: whittle [options] scene.pov     renders to scene.png
-       whittle compare A B [--out diff.png] [--tolerance n] [--share x]
+       whittle compare A B [--out diff.png] [--flip] [--tolerance n] [--share x]
        whittle report SCENE... [-o report.html] [options]
 
 A word is a switch (+ turns on, - turns off), Keyword=value, a scene (*.pov), a library folder (it ends in /) or an INI

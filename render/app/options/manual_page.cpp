@@ -37,6 +37,7 @@ whittle \- renders POV-Ray scene files
 .I A B
 .RB [ \-\-out
 .IR diff.png ]
+.RB [ \-\-flip ]
 .RB [ \-\-tolerance
 .IR n ]
 .RB [ \-\-share

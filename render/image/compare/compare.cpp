@@ -1,5 +1,6 @@
 #include "render/image/compare/compare.h"
 
+#include "render/image/compare/flip.h"
 #include "render/image/compare/ssim.h"
 
 #include <algorithm>
@@ -51,6 +52,23 @@ void require_same_size(const Picture& a, const Picture& b)
                     " and " + std::to_string(b.width) + "x" + std::to_string(b.height));
 }
 
+std::vector<float> colors_of(const Picture& picture)
+{
+    std::vector<float> out;
+    out.reserve(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const Pixel p = pixel_of(picture, x, y);
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (!std::isfinite(p[c]))
+                    throw FileError("pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is not finite");
+                out.push_back(p[c] / kScale);
+            }
+        }
+    }
+    return out;
+}
+
 std::vector<float> luminance_of(const Picture& picture)
 {
     std::vector<float> grey;
@@ -98,6 +116,20 @@ Comparison compare(const Picture& a, const Picture& b, double tolerance)
                                     : std::numeric_limits<double>::infinity();
     result.ssim = structural_similarity(luminance_of(a), luminance_of(b), a.width, a.height);
     return result;
+}
+
+std::vector<float> flip_map(const Picture& a, const Picture& b)
+{
+    require_same_size(a, b);
+    return flip(colors_of(a), colors_of(b), a.width, a.height);
+}
+
+Raster flip_picture(const std::vector<float>& map, int width, int height)
+{
+    Raster out{width, height, 3, 8, {}};
+    out.samples.reserve(3 * map.size());
+    for (const float v : map) out.samples.insert(out.samples.end(), 3, quantised(v, 8));
+    return out;
 }
 
 Raster difference_picture(const Picture& a, const Picture& b, double tolerance)

@@ -19,6 +19,13 @@ struct Comparison {
 /// differ. \param tolerance largest difference per channel that still agrees, 0 to 255
 Comparison compare(const Picture& a, const Picture& b, double tolerance);
 
+/// FLIP (flip.h) of two pictures of one size, pixel by pixel, 0 to 1; alpha is left out. Throws FileError where the
+/// sizes differ or a value is not finite. \param a the reference
+std::vector<float> flip_map(const Picture& a, const Picture& b);
+
+/// A map of flip_map() to look at: black where nothing is to be seen, white where nothing is alike.
+Raster flip_picture(const std::vector<float>& map, int width, int height);
+
 /// What to look at: `a` as dim grey, each pixel outside the tolerance from red (just outside) to white (255 apart).
 Raster difference_picture(const Picture& a, const Picture& b, double tolerance);
 

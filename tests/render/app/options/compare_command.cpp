@@ -47,6 +47,20 @@ TEST_CASE("compare draws the difference", "[app][compare]")
     CHECK(drawn.at(2, 0)[0] == Approx(32.0 / 255.0));
 }
 
+TEST_CASE("compare --flip draws where a difference is seen", "[app][compare]")
+{
+    const support::TemporaryFolder folder;
+    write(folder / "a.png", 0);
+    write(folder / "b.png", 2);
+    CHECK(compare_command({folder / "a.png", folder / "b.png", "--flip", "--out=" + (folder / "flip.png")}) == 1);
+    const image::Picture drawn = image::Files().read(folder / "flip.png");
+    CHECK(drawn.at(0, 0)[0] > 0.5f);  // black where grey was
+    CHECK(drawn.at(9, 9)[0] < 0.1f);  // far from it
+    CHECK(compare_command({folder / "a.png", folder / "a.png", "--flip", "--out=" + (folder / "none.png")}) == 0);
+    const image::Picture none = image::Files().read(folder / "none.png");
+    CHECK(*std::max_element(none.samples.begin(), none.samples.end()) == 0.0f);
+}
+
 TEST_CASE("what cannot be compared gives status 2", "[app][compare]")
 {
     const support::TemporaryFolder folder;
