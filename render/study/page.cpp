@@ -45,7 +45,17 @@ std::string figure(const Shown& picture, const std::string& caption, const PngOf
                        base64(png(picture)), escaped(caption));
 }
 
-std::vector<Series> series_of(const Section& section)
+/// Every kind of setting of all scenes: a kind has one color throughout.
+std::vector<std::string> families_of(const std::vector<Section>& sections)
+{
+    std::vector<std::string> out;
+    for (const Section& section : sections)
+        for (const Result& result : section.results)
+            if (std::find(out.begin(), out.end(), result.family) == out.end()) out.push_back(result.family);
+    return out;
+}
+
+std::vector<Series> series_of(const Section& section, const std::vector<std::string>& families)
 {
     std::vector<Series> out;
     for (const Result& result : section.results) {
@@ -54,7 +64,8 @@ std::vector<Series> series_of(const Section& section)
         if (found == out.end()) {
             Series one;
             one.name = name;
-            one.color = series_color(out.size());
+            one.color = series_color(static_cast<std::size_t>(
+                std::find(families.begin(), families.end(), result.family) - families.begin()));
             one.dashed = result.povray;
             out.push_back(std::move(one));
             found = out.end() - 1;
@@ -62,6 +73,34 @@ std::vector<Series> series_of(const Section& section)
         found->points.push_back({result.seconds, result.error.levels, result.name});
     }
     return out;
+}
+
+std::string cell_of(const Result* result)
+{
+    return result == nullptr
+               ? "<td>none</td><td></td>"
+               : fmt::format("<td><code>{}</code></td><td>{:.3f}</td>", escaped(result->name), result->seconds);
+}
+
+/// All scenes in one table: what reaches the wanted error soonest.
+std::string summary(const std::vector<Section>& sections, const Circumstances& c)
+{
+    std::string out =
+        fmt::format("<table><tr><th>scene</th><th>fastest within {:g} of 255</th><th>seconds</th>", c.wanted);
+    if (!c.povray.empty()) out += "<th>POV-Ray's fastest</th><th>seconds</th><th>ratio</th>";
+    out += "</tr>\n";
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const Section& section = sections[i];
+        out += fmt::format("<tr><td><a href='#scene{}'>{}</a></td>", i + 1, escaped(section.scene));
+        const Result *ours = cheapest(section.results, c.wanted), *theirs = cheapest(section.results, c.wanted, true);
+        out += cell_of(ours);
+        if (!c.povray.empty()) {
+            out += cell_of(theirs);
+            out += ours && theirs ? fmt::format("<td>{:.1f}</td>", theirs->seconds / ours->seconds) : "<td></td>";
+        }
+        out += "</tr>\n";
+    }
+    return out + "</table>\n";
 }
 
 /// What the curves teach, in sentences.
@@ -107,8 +146,10 @@ std::string lesson(const Section& section, const Circumstances& circumstances)
 std::string table(const Section& section)
 {
     const std::vector<const Result*> front = pareto_front(section.results);
-    std::string out = "<table><tr><th>kind</th><th>setting</th><th>seconds</th><th>RMS, of 255</th><th>RMS, linear</th>"
-                      "<th>beyond 3/255</th><th>FLIP</th><th>million rays</th></tr>\n";
+    std::string out = fmt::format(
+        "<table><tr><th>kind</th><th>setting</th><th>seconds</th><th>RMS, of 255, ± {:.3f}</th><th>RMS, linear</th>"
+        "<th>beyond 3/255</th><th>FLIP</th><th>million rays</th></tr>\n",
+        section.truth.expected_error);
     for (const Result& r : section.results) {
         const bool best = std::find(front.begin(), front.end(), &r) != front.end();
         out += fmt::format("<tr{}><td>{}{}</td><td><code>{}</code></td><td>{:.3f}</td><td>{:.3f}</td><td>{:.5f}</td>"
@@ -156,12 +197,17 @@ std::string page(const std::vector<Section>& sections, const Circumstances& c, c
     out += fmt::format(
         "<p>Seconds are wall clock of passes and trace on {} thread{}, without reading. Errors are distances "
         "from the truth: the same scene with many samples a pixel, lamps and lenses drawn freely and no "
-        "adaptivity. The band at the foot of a plot is what the truth itself may be off by.</p>\n",
+        "adaptivity. The band at the foot of a plot is what the truth itself may be off by, t: an error told as e is "
+        "one of "
+        "e - t to e + t. POV-Ray's curves are dashed; a line joins what nothing faster of its kind comes near.</p>\n",
         c.threads, c.threads == 1 ? "" : "s");
     out += fmt::format("<pre>{}\n{}\nWhittle {}{}</pre>\n", escaped(c.command), escaped(c.machine), escaped(c.version),
                        c.povray.empty() ? std::string() : ", " + escaped(c.povray));
-    for (const Section& section : sections) {
-        out += fmt::format("<h2>{}</h2>\n", escaped(section.scene));
+    out += summary(sections, c);
+    const std::vector<std::string> families = families_of(sections);
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const Section& section = sections[i];
+        out += fmt::format("<h2 id='scene{}'>{}</h2>\n", i + 1, escaped(section.scene));
         if (!section.unmeasured.empty()) {
             out += fmt::format("<p>Not measured: {}</p>\n", escaped(section.unmeasured));
             continue;
@@ -170,10 +216,11 @@ std::string page(const std::vector<Section>& sections, const Circumstances& c, c
             "<p>{} x {} pixels. The truth: {:.0f} samples a pixel in {:.1f} s, expected to be off by {:.3f} of "
             "255.</p>\n",
             section.width, section.height, section.truth.samples, section.truth.seconds, section.truth.expected_error);
-        out +=
-            plot(series_of(section), {"seconds", "error, levels of 255 (RMS)", section.truth.expected_error, c.wanted});
+        out += plot(series_of(section, families),
+                    {"seconds", "error, levels of 255 (RMS)", "s", section.truth.expected_error, c.wanted});
         out += lesson(section, c) + table(section) + pictures(section, png);
     }
+    if (!c.solvers.empty()) out += solver_plots(c.solvers);
     return out + "</body></html>\n";
 }
 

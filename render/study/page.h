@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/study/solvers.h"
 #include "render/study/study.h"
 
 #include <functional>
@@ -19,7 +20,8 @@ struct Section {
 struct Circumstances {
     std::string command, machine, version, povray;  ///< povray: its version; empty: not measured
     int threads = 1;
-    double wanted = 1.0;  ///< levels of error that the page recommends a setting for
+    double wanted = 1.0;             ///< levels of error that the page recommends a setting for
+    std::vector<SolverRow> solvers;  ///< of the laboratory of numbers; empty: not asked for
 };
 
 /// A PNG of a picture, for the page to hold.

@@ -35,9 +35,11 @@ std::string ticks(const Scale& x, const Scale& y)
 {
     std::string out;
     const auto each = [](const Scale& s, auto&& f) {
+        const bool many = s.to - s.from > 6.0;  // decades alone
         for (int decade = static_cast<int>(std::floor(s.from)); decade <= std::ceil(s.to); ++decade)
             for (const int step : {1, 2, 5}) {
                 const double value = step * std::pow(10.0, decade), at = std::log10(value);
+                if (many && step != 1) continue;
                 if (at >= s.from - 1e-9 && at <= s.to + 1e-9) f(value, step == 1);
             }
     };
@@ -54,7 +56,7 @@ std::string ticks(const Scale& x, const Scale& y)
     return out;
 }
 
-std::string drawn(const Series& series, const Scale& x, const Scale& y)
+std::string drawn(const Series& series, const Scale& x, const Scale& y, const std::string& unit)
 {
     std::vector<Series::Point> sorted = series.points;
     std::stable_sort(sorted.begin(), sorted.end(),
@@ -71,8 +73,8 @@ std::string drawn(const Series& series, const Scale& x, const Scale& y)
     }
     for (const Series::Point& p : sorted)
         out += fmt::format(
-            "<circle cx='{:.1f}' cy='{:.1f}' r='3.4' fill='{}'><title>{}: {:.3g} s, {:.3g}</title></circle>", x(p.x),
-            y(p.y), series.color, escaped(p.name), p.x, p.y);
+            "<circle cx='{:.1f}' cy='{:.1f}' r='3.4' fill='{}'><title>{}: {:.3g} {}, {:.3g}</title></circle>", x(p.x),
+            y(p.y), series.color, escaped(p.name), p.x, unit, p.y);
     return out;
 }
 
@@ -123,7 +125,7 @@ std::string plot(const std::vector<Series>& series, const Axes& axes)
     if (axes.wanted > 0.0 && std::log10(axes.wanted) > y.from && std::log10(axes.wanted) < y.to)
         out += fmt::format("<line class='wanted' x1='{:.1f}' x2='{:.1f}' y1='{:.1f}' y2='{:.1f}'/>", x.start, x.end,
                            y(axes.wanted), y(axes.wanted));
-    for (const Series& one : series) out += drawn(one, x, y);
+    for (const Series& one : series) out += drawn(one, x, y, axes.unit);
     double at = kTop + 8;
     for (const Series& one : series) {
         out +=

@@ -17,9 +17,10 @@ struct Series {
 };
 
 struct Axes {
-    std::string x, y;     ///< what they measure, with the unit
-    double floor = 0.0;   ///< y below which differences mean nothing, drawn as a band; 0: none
-    double wanted = 0.0;  ///< y of a line across; 0: none
+    std::string x, y;        ///< what they measure, with the unit
+    std::string unit = "s";  ///< of x, behind a point's value
+    double floor = 0.0;      ///< y below which differences mean nothing, drawn as a band; 0: none
+    double wanted = 0.0;     ///< y of a line across; 0: none
 };
 
 /// A plot with logarithmic axes as an SVG element. Points that are not above 0 lie on the lower edge.

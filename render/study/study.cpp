@@ -127,11 +127,11 @@ std::optional<Result> Study::run(const Setting& setting) const
     return out;
 }
 
-std::vector<const Result*> pareto_front(const std::vector<Result>& results)
+std::vector<const Result*> pareto_front(const std::vector<Result>& results, bool povray)
 {
     std::vector<const Result*> sorted;
     for (const Result& result : results)
-        if (!result.povray) sorted.push_back(&result);
+        if (result.povray == povray) sorted.push_back(&result);
     std::sort(sorted.begin(), sorted.end(), [](const Result* a, const Result* b) {
         return a->seconds != b->seconds ? a->seconds < b->seconds : a->error.levels < b->error.levels;
     });
@@ -141,9 +141,9 @@ std::vector<const Result*> pareto_front(const std::vector<Result>& results)
     return out;
 }
 
-const Result* cheapest(const std::vector<Result>& results, double levels)
+const Result* cheapest(const std::vector<Result>& results, double levels, bool povray)
 {
-    for (const Result* result : pareto_front(results))
+    for (const Result* result : pareto_front(results, povray))
         if (result->error.levels <= levels) return result;
     return nullptr;
 }

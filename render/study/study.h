@@ -78,10 +78,10 @@ private:
     Truth truth_;
 };
 
-/// The results that no other beats in both, seconds and error, fastest first; of Whittle alone.
-std::vector<const Result*> pareto_front(const std::vector<Result>& results);
+/// The results that no other beats in both, seconds and error, fastest first; of Whittle alone, or of POV-Ray.
+std::vector<const Result*> pareto_front(const std::vector<Result>& results, bool povray = false);
 
-/// The fastest of Whittle with at most so many levels of error; null: none has.
-const Result* cheapest(const std::vector<Result>& results, double levels);
+/// The fastest of Whittle, or of POV-Ray, with at most so many levels of error; null: none has.
+const Result* cheapest(const std::vector<Result>& results, double levels, bool povray = false);
 
 }  // namespace study

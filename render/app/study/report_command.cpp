@@ -39,6 +39,7 @@ Error against run time of each scene, over the settings that it has a use for: a
   --truth-seconds=S   and how long it may take; usual: 60
   --want=E            the error that the page names the fastest setting for, of 255; usual: 1
   --longest=S         a setting that takes longer is the last of its kind; usual: 20
+  --solvers=FILE      a table of numerics_lab --csv: error against time of the solvers follows the scenes
   --povray=PROGRAM    the POV-Ray to measure beside, or off; usual: povray, where it is installed
 
 All else is as for a render: +W +H (usual: 320 240), +WT, +L, Declare=, +Q, --isa. Exit status: 0 done, 1 something could not be
@@ -49,6 +50,7 @@ struct Request {
     std::vector<std::string> scenes;
     std::string out = "report.html", povray = "povray";
     double truth_error = 0.1, truth_seconds = 60.0, wanted = 1.0, longest = 20.0;
+    std::vector<study::SolverRow> solvers;
     Settings settings;
     std::string command;
 };
@@ -66,7 +68,7 @@ Request request_of(const std::vector<std::string>& arguments)
         const std::size_t equals = word.find('=');
         const std::string name = word.substr(0, equals);
         const bool own = name == "-o" || name == "--out" || name == "--truth-error" || name == "--truth-seconds" ||
-                         name == "--want" || name == "--longest" || name == "--povray";
+                         name == "--want" || name == "--longest" || name == "--povray" || name == "--solvers";
         if (!own) {
             const bool scene = !word.starts_with('-') && !word.starts_with('+') && equals == std::string::npos &&
                                !word.ends_with('/') && !word.ends_with(".ini");
@@ -79,6 +81,7 @@ Request request_of(const std::vector<std::string>& arguments)
         else if (name == "--truth-error") request.truth_error = whole_positive(name, value);
         else if (name == "--truth-seconds") request.truth_seconds = whole_positive(name, value);
         else if (name == "--longest") request.longest = whole_positive(name, value);
+        else if (name == "--solvers") request.solvers = study::read_solvers(value);
         else if (name == "--want") request.wanted = whole_positive(name, value);
         else request.povray = value == "off" ? "" : value;
     }
@@ -211,6 +214,9 @@ private:
         const unsigned all = std::max(1u, std::thread::hardware_concurrency());
         std::vector<std::string> switches{fmt::format("+W{}", s.width), fmt::format("+H{}", s.height),
                                           fmt::format("+WT{}", s.threads > 0 ? static_cast<unsigned>(s.threads) : all)};
+        // Whittle looks beside the scene by itself.
+        const std::filesystem::path beside = std::filesystem::absolute(file).parent_path();
+        switches.push_back("+L" + beside.string());
         for (const std::string& folder : s.library_path) switches.push_back("+L" + folder);
         for (const auto& [name, value] : s.declared_numbers)
             switches.push_back(fmt::format("Declare={}={}", name, value));
@@ -249,6 +255,7 @@ private:
         about.threads = request_.settings.threads > 0 ? request_.settings.threads
                                                       : static_cast<int>(std::thread::hardware_concurrency());
         about.wanted = request_.wanted;
+        about.solvers = request_.solvers;
         const std::string base = std::filesystem::path(request_.out).replace_extension().string();
         put_file(request_.out, study::page(sections, about, [this](const study::Shown& p) { return png_of(p); }));
         put_file(base + ".csv", study::csv(sections));

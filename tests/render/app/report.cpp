@@ -45,3 +45,23 @@ TEST_CASE("a report that cannot be written or is not understood says so before i
     CHECK(refused({"--nonsense"}).find("unknown option") != std::string::npos);
     CHECK(run_program(folder.path(), WHITTLE_PROGRAM, {"report"}).err.find("no scene given") != std::string::npos);
 }
+
+TEST_CASE("POV-Ray looks for includes beside the scene too", "[program][report]")
+{
+    const support::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "scenes");
+    support::write_text(folder / "scenes/part.inc", "sphere { 0, 1 pigment { rgb 1 } }\n");
+    support::write_text(folder / "scenes/s.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                                                 "camera { location -4*z look_at 0 } light_source { <3,5,-5> rgb 1 }\n"
+                                                 "#include \"part.inc\"\n");
+    // What stands for POV-Ray keeps what it is called with, and fails.
+    support::write_text(folder / "povray", "#!/bin/sh\n"
+                                           "[ \"$1\" = --version ] && echo POV-Ray 3.7.0 && exit 0\n"
+                                           "for w in \"$@\"; do echo \"$w\" >> called.txt; done; exit 1\n");
+    std::filesystem::permissions(folder / "povray", std::filesystem::perms::owner_all);
+    const auto ended = run_program(
+        folder.path(), WHITTLE_PROGRAM,
+        {"report", "scenes/s.pov", "+W16", "+H12", "--povray=./povray", "--truth-error=1", "--truth-seconds=2"});
+    CHECK(ended.status == 0);
+    CHECK(support::text_of(folder / "called.txt").find("+L" + (folder / "scenes") + "\n") != std::string::npos);
+}

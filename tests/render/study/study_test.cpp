@@ -3,6 +3,8 @@
 #include "render/study/page.h"
 #include "render/study/plot.h"
 #include "tests/parser/grammar_support.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
 
@@ -178,4 +180,24 @@ TEST_CASE("more samples are nearer to the truth, and a page tells it", "[study]"
     CHECK(page.find("The fastest setting with at most") != std::string::npos);
     const std::string csv = study::csv({section});
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
+}
+
+TEST_CASE("the laboratory's table becomes plots of error against nanoseconds", "[study]")
+{
+    const support::TemporaryFolder folder;
+    support::write_text(folder / "t.csv", "sweep,value,solid,hits,missed,false,worst,median,ns\n"
+                                          "scale,1e-06,sphere,2,0,0,4e-17,4e-17,180\n"
+                                          "scale,1,torus,2,1,0,2e-14,1e-15,410\n");
+    const std::vector<study::SolverRow> rows = study::read_solvers(folder / "t.csv");
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1].solid == "torus");
+    CHECK(rows[1].missed == 1);
+    CHECK(rows[0].value == 1e-6);
+    const std::string plots = study::solver_plots(rows);
+    CHECK(plots.find("<h3>Quadrics</h3>") != std::string::npos);
+    CHECK(plots.find("torus scale 1: 410 ns, 2e-14") != std::string::npos);
+    CHECK(plots.find("Iterated") == std::string::npos);  // none was asked
+    support::write_text(folder / "other.csv", "a,b\n1,2\n");
+    CHECK_THROWS_WITH(study::read_solvers(folder / "other.csv"), Catch::Contains("no table of numerics_lab"));
+    CHECK_THROWS_WITH(study::read_solvers(folder / "none.csv"), Catch::Contains("cannot read"));
 }
