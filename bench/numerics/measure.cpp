@@ -78,6 +78,30 @@ public:
         return ends;
     }
 
+    /// As many answers as there are rays, and nothing done with them: what is timed.
+    std::uint64_t count(const std::vector<Ray>& rays)
+    {
+        std::uint64_t ends = 0;
+        if (surface_) {
+            for (const Ray& ray : rays) {
+                const auto [first, last] = csg::visible_crossings(object_.program, object_.store, ray, -csg::kInfinity,
+                                                                  csg::kInfinity, object_.scratch);
+                ends += static_cast<std::uint64_t>(last - first);
+            }
+            return ends;
+        }
+        std::visit(
+            [&](const auto& s) {
+                for (const Ray& ray : rays) {
+                    csg::FixedSpans<kMostSpans> spans;
+                    csg::intersect(s, ray, spans);
+                    ends += spans.size();
+                }
+            },
+            solid_);
+        return ends;
+    }
+
 private:
     const csg::Solid& solid_;
     const bool surface_;
@@ -313,23 +337,14 @@ private:
     long spawns_ = 0, acne_ = 0, lost_ = 0;
 };
 
-double nanoseconds(const csg::Solid& solid, const std::vector<Ray>& rays)
+double nanoseconds(Answers& answers, const std::vector<Ray>& rays)
 {
     constexpr double kLong = 2e7;
     using Clock = std::chrono::steady_clock;
     double best = csg::kInfinity, spent = 0.0;
     while (spent < kLong) {
         const auto begin = Clock::now();
-        std::uint64_t ends = 0;
-        std::visit(
-            [&](const auto& s) {
-                for (const Ray& ray : rays) {
-                    csg::FixedSpans<kMostSpans> spans;
-                    csg::intersect(s, ray, spans);
-                    ends += spans.size();
-                }
-            },
-            solid);
+        const std::uint64_t ends = answers.count(rays);
         const double took = std::chrono::duration<double, std::nano>(Clock::now() - begin).count() +
                             (ends == ~std::uint64_t{0} ? 1.0 : 0.0);
         best = glm::min(best, took);
@@ -364,7 +379,10 @@ Row measure(const Sweep& sweep, const std::string& solid, double value, long ray
         if (first.size() < 2000) first.push_back(ray);
         judge.ray(ray, rng, asked ? &asked->emplace_back() : nullptr);
     }
-    if (timed) row.ns = nanoseconds(given.solid, first);
+    if (timed) {
+        Answers answers(given);
+        row.ns = nanoseconds(answers, first);
+    }
     if (!errors.empty()) {
         std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
         row.median = errors[errors.size() / 2];
