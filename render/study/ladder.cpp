@@ -49,7 +49,8 @@ void add_samples(Settings& out)
                            t.options.free_sampling = true;
                            t.goal.error = error;
                        },
-                       {}});
+                       {},
+                       error});
 }
 
 /// The rest stands on a picture whose edges are sure: its own error is to be seen. Lamps and lenses stay as given.

@@ -25,6 +25,7 @@ struct Setting {
     std::string name;                   ///< as one asks for it: "+A0.3 +AM1 +R3", "area_light 9, 9"
     std::function<void(Trial&)> apply;  ///< to the scene as it is given
     std::vector<std::string> switches;  ///< that ask POV-Ray for the same; empty: its text would have to change
+    double asked_error = 0.0;           ///< levels of 255 that it promises; 0: none
 };
 
 /// The settings that a scene has a use for; those of an effect that it lacks are left out. \param compiled the scene as

@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace study {
 namespace {
@@ -101,6 +104,36 @@ std::string summary(const std::vector<Section>& sections, const Circumstances& c
         out += "</tr>\n";
     }
     return out + "</table>\n";
+}
+
+/// What settings that promise an error kept: the error found for each that was asked for.
+std::string promises(const std::vector<Section>& sections)
+{
+    std::set<double, std::greater<>> asked;
+    for (const Section& section : sections)
+        for (const Result& r : section.results)
+            if (r.asked_error > 0.0) asked.insert(r.asked_error);
+    if (asked.empty()) return {};
+    std::string out = "<p>What came of an error that was asked for (RMS, of 255):</p>\n<table><tr><th>scene</th>";
+    for (const double error : asked) out += fmt::format("<th><code>--error={:g}</code></th>", error);
+    out += "</tr>\n";
+    std::map<double, std::pair<int, int>> kept;  // of how many
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        out += fmt::format("<tr><td><a href='#scene{}'>{}</a></td>", i + 1, escaped(sections[i].scene));
+        for (const double error : asked) {
+            const std::vector<Result>& all = sections[i].results;
+            const auto found =
+                std::find_if(all.begin(), all.end(), [&](const Result& r) { return r.asked_error == error; });
+            out += found == all.end() ? "<td></td>" : fmt::format("<td>{:.3f}</td>", found->error.levels);
+            if (found == all.end()) continue;
+            kept[error].first += found->error.levels <= error;
+            ++kept[error].second;
+        }
+        out += "</tr>\n";
+    }
+    out += "<tr><td>kept</td>";
+    for (const double error : asked) out += fmt::format("<td>{} of {}</td>", kept[error].first, kept[error].second);
+    return out + "</tr></table>\n";
 }
 
 /// What the curves teach, in sentences.
@@ -203,7 +236,7 @@ std::string page(const std::vector<Section>& sections, const Circumstances& c, c
         c.threads, c.threads == 1 ? "" : "s");
     out += fmt::format("<pre>{}\n{}\nWhittle {}{}</pre>\n", escaped(c.command), escaped(c.machine), escaped(c.version),
                        c.povray.empty() ? std::string() : ", " + escaped(c.povray));
-    out += summary(sections, c);
+    out += summary(sections, c) + promises(sections);
     const std::vector<std::string> families = families_of(sections);
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const Section& section = sections[i];

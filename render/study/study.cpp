@@ -112,6 +112,7 @@ std::optional<Result> Study::run(const Setting& setting) const
     Result out;
     out.family = setting.family;
     out.name = setting.name;
+    out.asked_error = setting.asked_error;
     out.seconds = std::numeric_limits<double>::infinity();
     double all = 0.0;
     for (int i = 0; i < kMostRuns && all < kEnough; ++i) {

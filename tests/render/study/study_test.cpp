@@ -182,6 +182,24 @@ TEST_CASE("more samples are nearer to the truth, and a page tells it", "[study]"
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
 }
 
+TEST_CASE("a page counts how often an asked error was kept", "[study]")
+{
+    const auto result = [](double asked, double found) {
+        study::Result r;
+        r.family = "samples where needed";
+        r.asked_error = asked;
+        r.error.levels = found;
+        r.seconds = 1.0;
+        return r;
+    };
+    study::Section a, b;
+    a.scene = "a.pov", b.scene = "b.pov";
+    a.results = {result(1.0, 0.9), result(0.5, 0.51)};
+    b.results = {result(1.0, 0.8)};
+    const std::string page = study::page({a, b}, {}, [](const study::Shown&) { return std::string(); });
+    CHECK(page.find("<td>2 of 2</td><td>0 of 1</td>") != std::string::npos);
+}
+
 TEST_CASE("the laboratory's table becomes plots of error against nanoseconds", "[study]")
 {
     const support::TemporaryFolder folder;
