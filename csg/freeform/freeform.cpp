@@ -119,6 +119,17 @@ void Freeform::spans(const Ray& ray, double from, double to, SpanList& out) cons
     });
 }
 
+bool Freeform::meets_no_more(const Ray& ray, double from, double to) const
+{
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.meets_no_more(ray, from, to); })
+                return kind.meets_no_more(local_ray(frame, ray), from, to);
+            else return false;
+        },
+        shape->kind);
+}
+
 bool Freeform::contains(const glm::dvec3& p) const
 {
     return std::visit([&](const auto& kind) { return kind.contains(frame.inverse_point(p)); }, shape->kind);

@@ -47,6 +47,8 @@ struct Freeform {
     void intersect(const Ray& ray, SpanList& out) const { spans(ray, -kInfinity, kInfinity, out); }
     /// Those that meet [from, to]: correct within that range only.
     void spans(const Ray& ray, double from, double to, SpanList& out) const;
+    /// Whether it is soon known that a ray has no crossing from `from` to `to`.
+    bool meets_no_more(const Ray& ray, double from, double to) const;
     bool contains(const glm::dvec3& p) const;
     bool contains_inverted(const glm::dvec3& p) const;
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const;

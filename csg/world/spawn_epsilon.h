@@ -28,6 +28,7 @@ inline bool leaves(const T& solid, const Ray& ray, bool inward, double own, doub
     if constexpr (std::is_same_v<T, Mesh>) return false;  // to be within takes a ray
     if constexpr (std::is_same_v<T, Freeform>) {
         if (solid.surface()) return false;
+        if (solid.meets_no_more(ray, own, usual)) return true;
         inward = solid.contains(ray.at(own));  // at an edge the normal may be that of another wall
     }
     // Of a solid that may be met again and again walls and gaps both thinner than that go unseen.

@@ -17,6 +17,9 @@ public:
     bool intersects_many() const { return convex_; }
     void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
+    /// Whether a ray surely has no crossing from `from` to `to`: a convex one goes away outside, or is inside at both.
+    /// False: it may have. POV-Ray's inside reaches so far out that contains() tells nothing near the surface.
+    bool meets_no_more(const Ray& ray, double from, double to) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t) const;
     Aabb bounds() const { return {glm::dvec3(-kReach), glm::dvec3(kReach)}; }
 

@@ -39,6 +39,20 @@ public:
              [&](std::size_t k) { out_[k].leave(start_[k] - ((left_again >> k & 1u) != 0 ? exit_[k] : -in_[k]), 0); });
     }
 
+    /// Superellipsoid::meets_no_more().
+    bool meets_no_more(const Ray& ray, double from, double to) const
+    {
+        alignas(64) std::array<double, kWide> t;
+        t.fill(to);
+        t[0] = from;
+        const Double at = Double::load_aligned(t.data());
+        const glm::dvec3 &o = ray.origin, &d = ray.direction;
+        const Slope<Double> here =
+            slope<Double>({o.x + at * d.x, o.y + at * d.y, o.z + at * d.z}, {Double(d.x), Double(d.y), Double(d.z)});
+        const std::uint32_t outside = bits(here.value > Double(kOff)), inside = bits(here.value < Double(-kOff));
+        return (outside & bits(here.rate > Double(kOff)) & 1u) != 0 || (inside & 3u) == 3u;
+    }
+
 private:
     using Double = lanes::Double;
     using Set = std::uint64_t;  ///< bit k: ray k
@@ -50,6 +64,7 @@ private:
         1e-15;                              // of the length near 1: nine roundings of one half unit in the last place
     static constexpr double kClose = 1e-9;  // a step so short, local units: the next would be its square
     static constexpr double kSure = 1e-9;   // of the length and its rate: by more than they can be off
+    static constexpr double kOff = 3e-14;   // of the length and its rate: what Newton tells is nearer to the surface
     static constexpr int kMostSteps = 80;   // where the ray grazes, each step halves the way left
 
     template <class F>
@@ -350,6 +365,11 @@ private:
 void Superellipsoid::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
 {
     Convex(*this, rays, out).run();
+}
+
+bool Superellipsoid::meets_no_more(const Ray& ray, double from, double to) const
+{
+    return convex_ && Convex(*this, {}, nullptr).meets_no_more(ray, from, to);
 }
 
 }  // namespace csg

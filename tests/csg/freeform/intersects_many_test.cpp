@@ -210,3 +210,33 @@ TEST_CASE("powers of one number are those of lanes, and near the library's", "[c
     CHECK(lanes::power(0.5, 2.0) == 0.25);
     CHECK(lanes::power(0.7, 0.0) == 1.0);
 }
+
+TEST_CASE("a superellipsoid that is surely met no more on the way off its surface is not met there",
+          "[csg][freeform][many]")
+{
+    if (!runs_here()) return;
+    Rng rng(77);
+    int off = 0, through = 0, known = 0;
+    for (int i = 0; i < share(40000); ++i) {
+        const double e = std::pow(10.0, rng.uniform(-1.5, 0.3)), n = std::pow(10.0, rng.uniform(-1.5, 0.3));
+        const Superellipsoid shape(e, n);
+        const Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), 1.0, 3.0);
+        IntersectionList whole(-kInfinity, kInfinity, false);
+        shape.intersect(ray, whole);
+        const Told ends(whole);
+        if (ends.t.empty()) continue;
+        const glm::dvec3 start = ray.at(ends.t[static_cast<std::size_t>(rng.below(2))]);
+        for (const Ray& next : {Ray{start, rng.direction()}, Ray{start, ray.direction}}) {
+            const double own = 1e-12 * std::pow(10.0, rng.uniform(0.0, 4.0)), usual = 1e-4;
+            if (!shape.meets_no_more(next, own, usual)) continue;
+            ++known;
+            ++(shape.contains(next.at(0.5 * usual)) ? through : off);
+            IntersectionList record(own, usual, false);
+            shape.intersect(next, record);
+            for (const double t : Told(record).t) CHECK((t < own || t > usual));
+        }
+    }
+    CHECK(known > share(40000));
+    CHECK(off > share(10000));
+    CHECK(through > share(10000));
+}
