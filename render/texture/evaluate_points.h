@@ -20,6 +20,10 @@ void pattern_values(const TextureSet& set, const Pattern& pattern, const Points&
 /// perturb of each normal at its point; what perturb leaves in the surroundings is lost. Both padded.
 void perturb_points(const TextureSet& set, std::uint32_t normal, const Points& p, const Around& around, Points& n);
 
+/// normal_into() and normal_out_of() of each. Padded.
+void normals_into(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n);
+void normals_out_of(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n);
+
 /// glm::normalize of each. Padded.
 void normalize_points(Points& n);
 

@@ -167,8 +167,9 @@ void multiply(const glm::dmat3& m, Points& n)
     }
 }
 
-/// normal_into() and normal_out_of() of each.
-void into_pattern(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n)
+}  // namespace
+
+void normals_into(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n)
 {
     if (!keep_length) normalize_points(n);
     for (std::uint32_t i = 0; i < pattern.warp_count; ++i)
@@ -176,7 +177,7 @@ void into_pattern(const TextureSet& set, const Pattern& pattern, bool keep_lengt
     if (!keep_length) normalize_points(n);
 }
 
-void out_of_pattern(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n)
+void normals_out_of(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n)
 {
     if (!keep_length) normalize_points(n);
     for (std::uint32_t i = pattern.warp_count; i-- > 0;)
@@ -184,8 +185,6 @@ void out_of_pattern(const TextureSet& set, const Pattern& pattern, bool keep_len
             multiply(glm::transpose(t->linear), n);
     if (!keep_length) normalize_points(n);
 }
-
-}  // namespace
 
 void perturb_points(const TextureSet& set, std::uint32_t index, const Points& p, const Around& around, Points& n)
 {
@@ -196,9 +195,9 @@ void perturb_points(const TextureSet& set, std::uint32_t index, const Points& p,
         q.take(p);
         local.take(n);
         warp_points(set, pattern, q, kAllLive);
-        into_pattern(set, pattern, normal.no_bump_scale, local);
+        normals_into(set, pattern, normal.no_bump_scale, local);
         if (bend(set, normal, pattern, q, around, local)) {
-            out_of_pattern(set, pattern, normal.no_bump_scale, local);
+            normals_out_of(set, pattern, normal.no_bump_scale, local);
             if (!normal.no_bump_scale) normalize_points(local);
             n.take(local);
             return;

@@ -208,6 +208,7 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
     }
     const bool color_map = pigment.kind == Pigment::Kind::ColorMap;
     if (!color_map && pigment.kind != Pigment::Kind::PigmentMap && pigment.kind != Pigment::Kind::Average) {
+        if (pigment.kind == Pigment::Kind::Solid) return out.fill(pigment.color);
         for (std::size_t i = 0; i < p.size(); ++i) out.set(i, pigment_color(set, index, p.at(i), *around[i]));
         return;
     }

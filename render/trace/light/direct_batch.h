@@ -76,7 +76,7 @@ public:
             const HitMask here = hits & scratch_.asked[depth];
             if (here == 0) return;
             RowPage& at = add_layer(depth, here, set_.layers[texture.first + texture.count - 1 - depth]);
-            color(at, here, texture.plain ? 0 : here, scratch_.prefetched[depth]);
+            color(at, here, texture.plain ? 0 : here, scratch_.prefetched[depth].colors);
             for_each_hit(here, [&](std::size_t k) { rows_[k] = static_cast<std::uint16_t>(depth + 1); });
         }
     }

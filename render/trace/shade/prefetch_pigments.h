@@ -50,7 +50,7 @@ inline HitMask prefetch_pigments(ShadeScratch& scratch, const texture::TextureSe
                                  scratch.around);
         }
         if (asked == 0) break;
-        texture::ColorPoints& colors = scratch.prefetched[depth];
+        texture::ColorPoints& colors = scratch.prefetched[depth].colors;
         scratch.pigments.run(set, [&](HitMask hits, const texture::ColorPoints& found) {
             if (hits == asked) colors = found;
             else for_each_hit(hits, [&](std::size_t k) { colors.set(k, found.at(k)); });

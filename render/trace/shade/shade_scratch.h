@@ -10,6 +10,7 @@
 #include "render/trace/shade/pigment_batch.h"
 #include "render/trace/shade/shade_lanes.h"
 #include "render/trace/shade/surface_traits.h"
+#include "render/trace/shade/texture_maps.h"
 #include "render/trace/queue/ray_queue.h"
 
 #include <array>
@@ -43,6 +44,12 @@ struct LayeredGroup {
     HitMask hits;
     std::uint32_t texture;
     bool alone;  ///< PatternedLayers::alone
+};
+
+/// The same of hits with a texture map.
+struct MappedGroup {
+    HitMask hits;
+    std::uint32_t texture, place;  ///< place: as TextureMaps has looked it up
 };
 
 /// Where the shadow rays of a tile's hits to the light at hand begin and end.
@@ -130,8 +137,11 @@ struct ShadeScratch {
     std::array<texture::Surroundings, csg::kTileRays> around;
     std::array<LayeredGroup, csg::kTileRays> layered;
     std::size_t layered_count = 0;
-    PrefetchedColors prefetched;                   ///< pigments of the layers of those
-    PrefetchedNormals bent_normals;                ///< and their normals, where rays go on from them
+    std::array<LayerPoints, kPrefetchedLayers> prefetched;  ///< by depth: pigments of the layers of those, and normals
+                                                            ///< where rays go on from them
+    TextureMaps maps;                                       ///< of the tile at hand
+    std::array<MappedGroup, csg::kTileRays> mapped;         ///< hits that have the same texture map
+    std::size_t mapped_count = 0;
     std::array<HitMask, kPrefetchedLayers> asked;  ///< by depth: where they are
     std::array<float, csg::kTileRays> quality;     ///< of rays that gather: how far they were followed (spec 6, 4.3)
     csg::CrossingTile crossings;                   ///< of the shadow rays; only how they end where nothing filters

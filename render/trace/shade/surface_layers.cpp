@@ -15,7 +15,7 @@ namespace {
                                                       std::uint32_t layer, const glm::dvec3& p)
 {
     if (normal == texture::kNone || context.scene.settings.quality < 8) return hit.normal;
-    if (hit.prefetched != nullptr) return hit.prefetched->normal(layer);
+    if (hit.prefetched != nullptr && hit.prefetched->bent) return hit.prefetched->normal(layer);
     const auto& set = context.scene.textures;
     glm::dvec3 n = hit.normal;
     const auto around = [&](std::size_t i) -> const texture::Texture& { return set.textures[hit.enclosing[i]]; };

@@ -21,7 +21,7 @@ public:
         lights_ = settings.quality >= 2;
         goes_on_ = settings.quality >= 8 && context_.adc_bailout < 1.0;
         scratch_.pigments.clear();
-        scratch_.layered_count = 0;
+        scratch_.layered_count = scratch_.mapped_count = 0;
         for (HitMask left = tile_.found(); left != 0;) {
             const csg::SurfaceId surface = tile_.hits.surface[first_hit(left)];
             const HitMask group = left & csg::lanes::equal(tile_.hits.surface, surface);
@@ -33,6 +33,7 @@ public:
         scratch_.pigments.run(context_.scene.textures,
                               [this](HitMask hits, const texture::ColorPoints& colors) { batch_.color(hits, colors); });
         if (layered_) finish_layers();
+        if (scratch_.mapped_count != 0) look_up_maps();
         batch_.bend();
         for_each_hit(tile_.found() & ~batch_.all_alone(), [this](std::size_t k) { go_on(k); });
     }
@@ -44,7 +45,8 @@ private:
         if (group == 0) return;
         if (lights_ && !scratch_.traits.scalar_rows && single.index != plan::kNone && (goes_on_ || !single.goes_on))
             begin_single(group, surface, single);
-        else if (layers.texture != plan::kNone) begin_layers(group, surface, layers);
+        else if (layers.texture != plan::kNone && !layers.map) begin_layers(group, surface, layers);
+        else if (layers.texture != plan::kNone && !scratch_.traits.scalar_rows) begin_map(group, surface, layers.texture);
     }
 
     void begin_single(HitMask group, csg::SurfaceId surface, const SingleLayer& single)
@@ -77,6 +79,14 @@ private:
             }
         }
         scratch_.layered[scratch_.layered_count++] = {group, of.texture, alone};
+    }
+
+    void begin_map(HitMask group, csg::SurfaceId surface, std::uint32_t texture)
+    {
+        surround(group, surface);
+        if (scratch_.mapped_count != 0 && scratch_.mapped[scratch_.mapped_count - 1].texture == texture)
+            scratch_.mapped[scratch_.mapped_count - 1].hits |= group;
+        else scratch_.mapped[scratch_.mapped_count++] = {group, texture, 0};
     }
 
     /// The hits as patterns see them.
@@ -113,6 +123,24 @@ private:
         }
     }
 
+    void look_up_maps()
+    {
+        scratch_.maps.clear();
+        for (std::size_t g = 0; g < scratch_.mapped_count; ++g) {
+            MappedGroup& group = scratch_.mapped[g];
+            texture::Points points, normals;
+            texture::Around around;
+            for_each_hit(group.hits, [&](std::size_t k) {
+                around[points.size()] = &scratch_.around[k];
+                points.add(scratch_.points.at(k));
+                normals.add(scratch_.hits.normal(k));
+            });
+            points.pad();
+            normals.pad();
+            group.place = scratch_.maps.look_up(context_, group.texture, group.hits, points, around, normals);
+        }
+    }
+
     /// Normals of the layers of hits that rays go on from.
     void bend(HitMask hits, const texture::Texture& of)
     {
@@ -122,7 +150,7 @@ private:
             const HitMask here = hits & scratch_.asked[depth];
             if (here == 0) return;
             if (normal == texture::kNone) continue;
-            BentNormals& to = scratch_.bent_normals[depth];
+            BentNormals& to = scratch_.prefetched[depth].normals;
             bend_normals(set, normal, here, scratch_, to.x.v, to.y.v, to.z.v);
         }
     }
@@ -143,6 +171,11 @@ private:
         HitContext hit{tile_.place(k, state, met), k, {}};
         const HitDetails& details = tile_.details(k);
         hit.around = {details.point, hit.normal, state.ray.direction, details.uv, true};
+        for (std::size_t g = 0; g < scratch_.mapped_count; ++g) {
+            const MappedGroup& group = scratch_.mapped[g];
+            if (has(group.hits, k))
+                return scratch_.maps.shade(context_, batch_, hit, group.place, scratch_.points.at(k), out);
+        }
         PrefetchedPigments prefetched;
         if (find_prefetched(k, prefetched) && prefetched.texture == texture) hit.prefetched = &prefetched;
         shade_surface(context_, batch_, hit, details, texture, out);
@@ -181,8 +214,8 @@ private:
         for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
             const LayeredGroup& group = scratch_.layered[g];
             if (has(group.hits, k))
-                out = {group.texture, context_.scene.textures.textures[group.texture].count, &scratch_.prefetched,
-                       &scratch_.bent_normals, k};
+                out = {group.texture, context_.scene.textures.textures[group.texture].count, scratch_.prefetched.data(),
+                       k};
         }
         return true;
     }

@@ -1,4 +1,5 @@
 #include "render/trace/light/direct_batch.h"
+#include "render/trace/shade/mix_textures.h"
 
 #include <cmath>
 
@@ -92,26 +93,15 @@ void shade_texture(Context& context, DirectBatch& batch, HitContext& hit, std::u
     }
     const texture::Pattern& pattern = set.patterns[texture.pattern];
     const glm::dvec3 q = texture::warp_point(set, pattern, p);
-    // It stays there: normals of neighbours that are looked at later go through its transformations too, as in POV-Ray.
-    if (hit.enclosing_count < hit.enclosing.size()) hit.enclosing[hit.enclosing_count++] = index;
+    enclose(hit, index);
     if (texture.kind == texture::Texture::Kind::Average) return average(context, batch, hit, texture, q, out);
     if (texture.kind == texture::Texture::Kind::Material)
         return shade_texture(context, batch, hit, texture::material_at(set, texture, q), q, out);
     const double v = texture::pattern_value(set, pattern, q, hit.around);
     const texture::Blend blend = texture::blend_at(set, texture.first, texture.count, v);
-    if (blend.lower == blend.upper) return shade_texture(context, batch, hit, set.children[blend.upper], q, out);
-    RayQueue& queue = context.scratch.shade.queue;
-    const ColorSlot upper = queue.new_slot(), lower = queue.new_slot();
-    const std::uint32_t term = queue.new_terms(1);
-    queue.terms[term].slot = upper;
-    ShadeNode& node = queue.new_node(ShadeNode::Kind::Mix, out);
-    node.through = lower;
-    node.first = term;
-    node.count = 1;
-    node.share = blend.share;
-    // The upper one first: a slope in the lower one sees the normal that it leaves (spec 4, 15.1).
-    shade_texture(context, batch, hit, set.children[blend.upper], q, upper);
-    shade_texture(context, batch, hit, set.children[blend.lower], q, lower);
+    mix_textures(context, blend, out, [&](std::uint32_t entry, ColorSlot slot) {
+        shade_texture(context, batch, hit, set.children[entry], q, slot);
+    });
 }
 
 void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const HitDetails& details,

@@ -1,6 +1,7 @@
 #include "render/trace/shade/surface_traits.h"
 
 #include "render/trace/air/even_fog.h"
+#include "render/trace/shade/looking_patterns.h"
 #include "render/trace/shade/pigment_batch.h"
 
 #include <algorithm>
@@ -82,15 +83,6 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
     return true;
 }
 
-/// Some pattern depends on the normal as other layers have bent it.
-bool any_looks(const TextureSet& set)
-{
-    const auto looks = [](const texture::Pattern& p) {
-        return p.kind == texture::PatternKind::Slope || p.kind == texture::PatternKind::Aoi;
-    };
-    return std::any_of(set.patterns.begin(), set.patterns.end(), looks);
-}
-
 /// The light of its own side, without iridescence; grain: it may have some.
 bool plain_light(const texture::Finish& finish, bool grain)
 {
@@ -108,7 +100,7 @@ bool grain_in_lanes(const plan::CompiledScene& scene)
 }
 
 /// One layer that has no more than colour, diffuse light, highlights and either a bent normal or mirroring and
-/// refraction. looks: some pattern does at bent normals; grain: it may have some.
+/// refraction. looks: some pattern of the scene does at normals; grain: it may have some.
 SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks, bool grain)
 {
     if (index == texture::kNone) return {};
@@ -120,16 +112,21 @@ SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks,
         return {};  // it may be missing
     if (!plain_light(finish, grain)) return {};
     if (layer.normal != texture::kNone)
-        return texture.opaque && !finish.reflects() && !looks ? SingleLayer{texture.first, false} : SingleLayer{};
+        return texture.opaque && !finish.reflects() && !(looks && looks_at_bent(set, index))
+                   ? SingleLayer{texture.first, false}
+                   : SingleLayer{};
     if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
     return {texture.first, !texture.plain};
 }
 
-/// The texture itself if it has layers with patterns or bent normals, and few enough.
+/// The texture itself if it has a map, or layers with patterns or bent normals, and few enough.
 PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool looks)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
+    looks = looks && looks_at_bent(set, index);
+    if (texture.kind == texture::Texture::Kind::Map)
+        return looks ? PatternedLayers{} : PatternedLayers{index, false, true};
     if (texture.kind != texture::Texture::Kind::Layers || texture.count > kPrefetchedLayers) return {};
     bool patterned = false, all_alone = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
@@ -223,6 +220,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         all[i].inner_patterned = surface.interior_texture == plan::kNone
                                      ? all[i].outer_patterned
                                      : patterned_layers(scene.textures, surface.interior_texture, looks);
+        if (surface.part_count != 0 && all[i].outer_patterned.map) all[i].outer_patterned = {};
+        if (surface.part_count != 0 && all[i].inner_patterned.map) all[i].inner_patterned = {};
         if (surface.double_illuminate) {
             all[i].outer_patterned.alone = all[i].inner_patterned.alone = false;
         } else {
@@ -238,7 +237,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         const bool plain = plain_filter(scene.textures, surface.texture, all[i].filter);
         all[i].steady_filter = plain && !focused;
         all[i].focuses = plain && focused && !traits.scalar_rows && all[i].batched && surface.part_count == 0 &&
-                         !looks && one_layer(scene.textures, surface.texture);
+                         one_layer(scene.textures, surface.texture) &&
+                         !(looks && looks_at_bent(scene.textures, surface.texture));
         traits.focuses |= all[i].focuses;
     }
     traits.own_rays = boxes_of_own_rays(scene, traits);

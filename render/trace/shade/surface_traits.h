@@ -13,10 +13,11 @@ struct SingleLayer {
     bool goes_on = false;  ///< it may mirror light or let it through
 };
 
-/// A texture of layers with patterns or bent normals.
+/// A texture of layers with patterns or bent normals, or a texture map.
 struct PatternedLayers {
     std::uint32_t texture = plan::kNone;
     bool alone = false;  ///< no layer has more than colour, diffuse light and highlights
+    bool map = false;
 };
 
 struct SurfaceTraits {

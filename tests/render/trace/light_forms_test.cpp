@@ -39,12 +39,18 @@ public:
         out += "light_source { <4,5,-2> rgb .6 " +
                one_of({"", "shadowless", "parallel point_at 0", "cylinder radius 3 falloff 4 point_at 0"}) + " }\n";
         out += "plane { y,-1 " + texture() + "}\n";
-        for (int i = 0; i < 3; ++i)
-            out += one_of({"sphere { 0,.9 ", "box { -.8,.8 ", "torus { .7,.25 ", "cone { -y,.9,y,.2 "}) + texture() +
-                   one_of({"", "interior { ior 1.2 caustics 1.7 } "}) +
-                   one_of({"", "texture { pigment { agate color_map { [0 rgbt <.3,1,.6,.7>] [1 rgbt <1,1,1,.2>] } } " +
-                                   finish() + "} "}) +
-                   "translate <" + number(-2, 2) + "," + number(-.5, .5) + "," + number(-2, 2) + "> }\n";
+        for (int i = 0; i < 3; ++i) {
+            const std::string solid =
+                                  one_of({"sphere { 0,.9 ", "box { -.8,.8 ", "torus { .7,.25 ", "cone { -y,.9,y,.2 "}),
+                              first = texture();
+            const bool mapped = first.find("texture_map") != std::string::npos;  // nothing lies on top of it
+            out += solid + first + one_of({"", "interior { ior 1.2 caustics 1.7 } "});
+            if (!mapped)
+                out +=
+                    one_of({"", "texture { pigment { agate color_map { [0 rgbt <.3,1,.6,.7>] [1 rgbt <1,1,1,.2>] } } " +
+                                    finish() + "} "});
+            out += "translate <" + number(-2, 2) + "," + number(-.5, .5) + "," + number(-2, 2) + "> }\n";
+        }
         return out;
     }
 
@@ -62,10 +68,20 @@ private:
                one_of({"0 ", "1 ", ".5 "}) + "reflection " + one_of({"0 ", ".3 "}) + "crand " +
                one_of({"0 ", "0 ", ".2 "}) + "} ";
     }
-    std::string texture()
+    /// One of layers, or a map of such, or a map of maps.
+    std::string texture(int depth = 2)
     {
+        if (depth != 0 && random_() % 3 == 0)
+            return "texture { " +
+                   one_of({"leopard", "gradient x scallop_wave", "bozo scale .4", "wood turbulence .3", "crackle solid",
+                           "slope y"}) +
+                   " texture_map { [0 " + texture(depth - 1) + "] [.4 " + texture(depth - 1) + "] [.6 " +
+                   texture(depth - 1) + "] [1 " + texture(depth - 1) + "] } " +
+                   one_of({"", "no_bump_scale ", "rotate 20*x scale <.6,.9,1.2> "}) + "} ";
         return "texture { pigment { " +
-               one_of({"bozo", "checker", "gradient x", "agate", "rgb <1,.5,.2>", "rgbf <.9,.5,.7,.6>"}) + " } " +
+               one_of({"bozo", "checker", "gradient x", "agate", "rgb <1,.5,.2>", "rgbf <.9,.5,.7,.6>", "slope y",
+                       "aoi"}) +
+               " } " +
                one_of({"", "normal { bumps .6 scale .2 } ", "normal { wrinkles .8 } ",
                        "normal { ripples .4 scale .3 } ", "normal { waves .4 scale .3 } "}) +
                finish() + "} ";
