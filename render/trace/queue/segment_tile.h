@@ -45,6 +45,7 @@ public:
     {
         return queued_ != nullptr ? queued_[k].state.ray : rays.ray(static_cast<int>(k));
     }
+    plan::RayKind kind(std::size_t k) const { return queued_ != nullptr ? queued_[k].state.kind : camera_.kind; }
     /// The ray with all that it inherits, until the next one is asked for.
     [[gnu::always_inline]] const RayState& state(std::size_t k) const
     {

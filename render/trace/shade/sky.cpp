@@ -62,12 +62,88 @@ scene::Color seen_sky(const texture::Sky& sky, bool mirrored, ColorOf&& color_of
     return legacy_sky(sky, color_of);
 }
 
-scene::Color sky_color(const Context& context, const RayState& state)
+scene::Color sky_color(const Context& context, const csg::Ray& ray, bool mirrored)
 {
     const texture::Sky& sky = context.scene.sky;
-    const texture::Surroundings around{{}, {}, state.ray.direction};
-    return seen_sky(sky, state.kind != plan::RayKind::Image, [&](std::size_t i) {
-        return texture::pigment_color(context.scene.textures, sky.layers[i], state.ray.direction, around);
+    const texture::Surroundings around{{}, {}, ray.direction};
+    return seen_sky(sky, mirrored, [&](std::size_t i) {
+        return texture::pigment_color(context.scene.textures, sky.layers[i], ray.direction, around);
+    });
+}
+
+constexpr std::size_t kMostLayers = 4;  ///< looked up together; skies have one or two
+using LayerColors = std::array<texture::ColorPoints, kMostLayers>;
+
+/// layered_sky() of many rays of one kind.
+void layered_skies(const texture::Sky& sky, bool see_through, const LayerColors& colors, texture::ColorPoints& out)
+{
+    texture::ColorPoints filter;
+    out.fill({});
+    filter.fill({1, 1, 1, 0, 0});
+    const scene::Color& b = sky.background;
+    const float f = see_through ? b.filter : 0.0f, t = see_through ? b.transmit : 0.0f;
+    const auto add = [](float* sum, float* left, const auto& color, const auto& own, const auto& passes, float emission,
+                        bool emits) {
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+            const float seen = color(k) * own(k) * left[k];
+            sum[k] += emits ? seen * emission : seen;
+            left[k] *= passes(k);
+        }
+    };
+    const auto channel = [&](std::array<float, csg::kTileRays> texture::ColorPoints::*of, float emission, float back) {
+        float *sum = (out.*of).data(), *left = (filter.*of).data();
+        for (std::size_t i = sky.layers.size(); i-- > 0;) {
+            const texture::ColorPoints& c = colors[i];
+            const float* color = (c.*of).data();
+            add(
+                sum, left, [=](std::size_t k) { return color[k]; },
+                [&c](std::size_t k) { return 1.0f - c.filter[k] - c.transmit[k]; },
+                [&c, color](std::size_t k) { return color[k] * c.filter[k] + c.transmit[k]; }, emission, true);
+        }
+        add(
+            sum, left, [=](std::size_t) { return back; }, [=](std::size_t) { return 1.0f - f - t; },
+            [=](std::size_t) { return back * f + t; }, 1.0f, false);
+    };
+    channel(&texture::ColorPoints::red, sky.emission.x, b.red);
+    channel(&texture::ColorPoints::green, sky.emission.y, b.green);
+    channel(&texture::ColorPoints::blue, sky.emission.z, b.blue);
+    for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+        const float clear = std::abs(scene::grey({filter.red[k], filter.green[k], filter.blue[k]}));
+        out.transmit[k] = clear < 1.0f ? clear : 1.0f;
+    }
+}
+
+/// Skies with layers, of rays enough to be looked up together.
+void patterned_skies(const Context& context, const SegmentTile& tile, HitMask missed, scene::Color* out)
+{
+    const texture::Sky& sky = context.scene.sky;
+    const bool looks = context.scratch.shade.traits.looked_around;
+    texture::Points directions;
+    auto& around = context.scratch.shade.around;  // those of hits have been used
+    texture::Around each_around;
+    HitMask mirrored = 0;
+    for_each_hit(missed, [&](std::size_t k) {
+        const glm::dvec3 direction = tile.rays.ray(static_cast<int>(k)).direction;
+        const std::size_t n = directions.size();
+        if (looks) around[n] = {{}, {}, direction};
+        each_around[n] = &around[n];
+        if (tile.kind(k) != plan::RayKind::Image) mirrored |= HitMask{1} << n;
+        directions.add(direction);
+    });
+    directions.pad();
+    LayerColors colors;
+    for (std::size_t i = 0; i < sky.layers.size(); ++i)
+        texture::pigment_colors(context.scene.textures, sky.layers[i], directions, each_around, colors[i]);
+    std::size_t n = 0;
+    if (!sky.legacy && (!sky.alpha_output || mirrored == 0 || mirrored == first_hits(directions.count))) {
+        texture::ColorPoints seen;
+        layered_skies(sky, sky.alpha_output && mirrored == 0, colors, seen);
+        for_each_hit(missed, [&](std::size_t k) { out[k] = seen.at(n++); });
+        return;
+    }
+    for_each_hit(missed, [&](std::size_t k) {
+        out[k] = seen_sky(sky, has(mirrored, n), [&](std::size_t i) { return colors[i].at(n); });
+        ++n;
     });
 }
 
@@ -75,29 +151,14 @@ scene::Color sky_color(const Context& context, const RayState& state)
 
 void sky_colors(const Context& context, const SegmentTile& tile, HitMask missed, scene::Color* out)
 {
-    constexpr int kFewest = 3;              // rays whose pigments are worth being asked for together
-    constexpr std::size_t kMostLayers = 4;  // skies have one or two
+    constexpr int kFewest = 3;  // rays whose pigments are worth being asked for together
     const texture::Sky& sky = context.scene.sky;
-    if (sky.layers.empty() || sky.layers.size() > kMostLayers || std::popcount(missed) < kFewest)
-        return for_each_hit(missed, [&](std::size_t k) { out[k] = sky_color(context, tile.state(k)); });
-    texture::Points directions;
-    std::array<texture::Surroundings, csg::kTileRays> around;
-    texture::Around each_around;
+    if (!sky.layers.empty() && sky.layers.size() <= kMostLayers && std::popcount(missed) >= kFewest)
+        return patterned_skies(context, tile, missed, out);
     for_each_hit(missed, [&](std::size_t k) {
-        const glm::dvec3& direction = tile.state(k).ray.direction;
-        around[directions.size()] = {{}, {}, direction};
-        each_around[directions.size()] = &around[directions.size()];
-        directions.add(direction);
-    });
-    directions.pad();
-    std::array<texture::ColorPoints, kMostLayers> colors;
-    for (std::size_t i = 0; i < sky.layers.size(); ++i)
-        texture::pigment_colors(context.scene.textures, sky.layers[i], directions, each_around, colors[i]);
-    std::size_t n = 0;
-    for_each_hit(missed, [&](std::size_t k) {
-        const bool mirrored = tile.state(k).kind != plan::RayKind::Image;
-        out[k] = seen_sky(sky, mirrored, [&](std::size_t i) { return colors[i].at(n); });
-        ++n;
+        const bool mirrored = tile.kind(k) != plan::RayKind::Image;
+        out[k] = sky.layers.empty() ? seen_sky(sky, mirrored, [](std::size_t) { return scene::Color(); })
+                                    : sky_color(context, tile.rays.ray(static_cast<int>(k)), mirrored);
     });
 }
 
