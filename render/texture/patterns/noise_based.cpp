@@ -57,8 +57,6 @@ double agate(const Pattern& pattern, const glm::dvec3& p)
     return agate_band(pattern, p.z, turbulence_at(pattern, p));
 }
 
-double agate_power(double c) { return c < 0.0 ? 0.0 : std::pow(std::min(1.0, c), 0.77); }
-
 double agate_band(const Pattern& pattern, double z, double turbulence)
 {
     return agate_power((1.0 + series_cycle(1.3 * pattern.numbers[0] * turbulence + 1.1 * z)) / 2.0);

@@ -42,9 +42,8 @@ void agate_bands(const Pattern& pattern, const Points& p, Values& out)
         const Double turbulence = Double::load_aligned(out.data() + i), z = Double::load_aligned(p.z.data() + i);
         const Double c = (Double(1.0) + series_cycle(Double(1.3 * pattern.numbers[0]) * turbulence + Double(1.1) * z)) /
                          Double(2.0);
-        c.store_aligned(out.data() + i);
+        agate_power(c).store_aligned(out.data() + i);
     }
-    for (std::size_t i = 0; i < p.size(); ++i) out[i] = agate_power(out[i]);
 }
 
 /// spherical, cylindrical or planar of each: 1 less the distance from a point, an axis or a plane, to 0.

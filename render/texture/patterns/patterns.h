@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/roots/lane_power.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/points.h"
 
@@ -19,9 +20,16 @@ double wrinkles(const Pattern& pattern, const glm::dvec3& p);
 double agate(const Pattern& pattern, const glm::dvec3& p);
 double marble(const Pattern& pattern, const glm::dvec3& p);
 double wood(const Pattern& pattern, const glm::dvec3& p);
-/// agate from its turbulence, or from the sine that this becomes, 0 to 1; and wood moved by (dx, dy).
+/// agate from its turbulence, or from the sine that this becomes, 0 to 1 (T: a number or vector lanes); and wood moved
+/// by (dx, dy).
 double agate_band(const Pattern& pattern, double z, double turbulence);
-double agate_power(double c);
+template <class T>
+inline T agate_power(const T& c)
+{
+    using csg::lanes::choose;
+    const T zero(0.0), one(1.0), held = choose(c < one, c, one);
+    return choose(held > zero, csg::lanes::power(choose(held > zero, held, one), T(0.77)), zero);
+}
 double wood_ring(const Pattern& pattern, double px, double py, double dx, double dy);
 double spiral1(const Pattern& pattern, const glm::dvec3& p);
 double spiral2(const Pattern& pattern, const glm::dvec3& p);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/roots/lane_power.h"
 #include "render/trace/queue/lane_masks.h"
 #include "render/trace/random.h"
 #include "render/trace/shade/shade_context.h"
@@ -9,6 +10,28 @@
 /// surface_light() for a page of rows, a hit a lane, in the same order of operations. Compiled once per instruction
 /// set.
 namespace trace {
+
+/// Raises the intensities of hits to their finishes' brilliance.
+[[gnu::noinline]] inline void raise_intensities(const RowPage& at, HitMask hits, TileLanes& intensity)
+{
+    using csg::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+    constexpr float kSteepest = 20.0f;  // no cosine above kNearlyZero leaves the range of powers in lanes
+    alignas(64) TileLanes exponent;
+    exponent.fill(1.0);
+    for_each_hit(hits, [&](std::size_t k) {
+        const float brilliance = at.finish[k]->brilliance;
+        if (brilliance > 0.0f && brilliance < kSteepest) exponent[k] = static_cast<double>(brilliance);
+        else intensity[k] = std::pow(intensity[k], static_cast<double>(brilliance));
+    });
+    for (std::size_t i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) {
+        if ((hits >> i & kVector) == 0) continue;
+        const Double v = Double::load_aligned(intensity.data() + i), e = Double::load_aligned(exponent.data() + i);
+        const auto raised = (e != Double(1.0)) & (v > Double(0.0));
+        const Double base = xsimd::select(raised, v, Double(1.0));
+        xsimd::select(raised, csg::lanes::power(base, e), v).store_aligned(intensity.data() + i);
+    }
+}
 
 /// Cosines of a page's normals with the light at hand, by amount, raised to the finish's brilliance; those of `on` that
 /// turn away from it leave, where they are of `turning`: others have been asked before.
@@ -25,9 +48,7 @@ inline void find_intensities(const RowPage& at, const double* const (&n)[3], Hit
         xsimd::abs(facing).store_aligned(intensity.data() + i);
     }
     on &= ~(away & turning);
-    for_each_hit(on & at.raised, [&](std::size_t k) {
-        intensity[k] = std::pow(intensity[k], static_cast<double>(at.finish[k]->brilliance));
-    });
+    if ((on & at.raised) != 0) raise_intensities(at, on & at.raised, intensity);
 }
 
 /// Adds what a light gives to a page's rows. reached: hits that it reaches, with ShadeScratch::reaching; turning: hits
