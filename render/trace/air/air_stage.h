@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/air/even_fog.h"
+#include "render/trace/air/uneven_fog.h"
 #include "render/trace/media/media_stage.h"
 #include "render/trace/queue/segment_tile.h"
 
@@ -92,8 +93,10 @@ private:
         if (!scene.rainbows.empty())
             for_each_hit(hollow, [&](std::size_t k) { air[k].behind(rainbow_air(context_, tile_.ray(k), length(k))); });
         if (!scene.atmosphere.empty()) media.cross_atmosphere(hollow);
-        if (!scene.fogs.empty())
-            for_each_hit(hollow, [&](std::size_t k) { air[k].behind(fog_air(context_, tile_.ray(k), length(k))); });
+        if (scene.fogs.empty()) return;
+        alignas(64) TileLanes lengths;
+        for_each_hit(hollow, [&](std::size_t k) { lengths[k] = length(k); });
+        add_fogs(context_, tile_.rays, hollow, lengths, air);
     }
 
     Context& context_;

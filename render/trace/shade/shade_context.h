@@ -201,9 +201,6 @@ glm::vec3 fog_share(const Context& context, const csg::Ray& ray, double length);
 glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to, bool at_light,
                            const ShadowAir& air = {});
 
-/// Fog over the length of a ray (spec 2, section 16).
-Air fog_air(const Context& context, const csg::Ray& ray, double length);
-
 /// The rainbows that a ray of this length sees (spec 2, section 17).
 Air rainbow_air(const Context& context, const csg::Ray& ray, double length);
 
