@@ -3,6 +3,7 @@
 #include "render/plan/compiled_scene.h"
 #include "render/plan/compile_subsurface.h"
 #include "render/plan/geometry/geometry.h"
+#include "render/plan/path_scene.h"
 
 #include <fmt/format.h>
 
@@ -97,11 +98,13 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
 
 CompiledScene compile(const scene::Description& description, const Options& options)
 {
+    if (options.paths) return compile(scene::Description(description), options);
     return compile_all(description, options, [] {});
 }
 
 CompiledScene compile(scene::Description&& description, const Options& options)
 {
+    if (options.paths) prepare_for_paths(description);
     return compile_all(description, options, [&] { description.objects.clear(); });
 }
 

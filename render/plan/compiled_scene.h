@@ -43,7 +43,8 @@ struct Options {
     bool grain_stream =
         false;  ///< crand as POV-Ray on one thread: pixels depend on those before, so for one thread alone
     bool free_sampling =
-        false;  ///< camera samples are many: each asks few places of area lights and lenses, anywhere on them
+        false;           ///< camera samples are many: each asks few places of area lights and lenses, anywhere on them
+    bool paths = false;  ///< for the path tracer: what takes the place of light between surfaces is left out
     bool scalar_light =
         false;  ///< every surface goes through the lights by itself, as most do in vector lanes: tests compare the two
 };

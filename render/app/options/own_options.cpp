@@ -102,6 +102,11 @@ constexpr OwnOption kOwnOptions[] = {
     {"error", "LEVELS",
      "samples where they are needed, until the estimated error of the picture is so many levels of 255", set_error},
     {"time", "SECONDS", "samples where they are needed, for so long a frame; also 2m, 1h", set_time},
+    {"integrator", "whitted|path",
+     "how light is found: as POV-Ray does, or by paths through the same scene, 64 in each pixel unless samples, error "
+     "or "
+     "time say more",
+     [](Settings& s, const std::string& v) { s.paths = v == "path"; }},
     {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
     {"explain", "", "say where reading spent its time, what the plan kept, what it left out and why",
      [](Settings& s, const std::string&) { s.explain = true; }},

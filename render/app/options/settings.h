@@ -53,9 +53,11 @@ struct Settings {
     double samples_error = 0.0;  ///< as many in each pixel as this error needs, of 255
     double error = 0.0;          ///< estimated, of 255, that a picture may have
     double time = 0.0;           ///< seconds that a frame may take
+    bool paths = false;          ///< by the path tracer (docs/path_tracing.md)
     double shutter = 0.0;        ///< share of the time to the next frame that a picture is exposed for
     int motion_samples = 16;     ///< moments of it
-    bool sampled() const { return samples > 0 || samples_error > 0.0 || error > 0.0 || time > 0.0 || shutter > 0.0; }
+    bool sampled() const { return paths || asks_for_samples() || shutter > 0.0; }
+    bool asks_for_samples() const { return samples > 0 || samples_error > 0.0 || error > 0.0 || time > 0.0; }
 
     // Output file.
     bool output_to_file = true;

@@ -8,6 +8,7 @@
 #include "render/app/run/shell_commands.h"
 #include "render/app/output/state_file.h"
 #include "render/image/picture_writer.h"
+#include "render/plan/path_scene.h"
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/indirect/passes.h"
 #include "render/trace/sampling/sampled_render.h"
@@ -191,7 +192,9 @@ bool PictureRun::trace(std::size_t first, std::size_t last)
 bool PictureRun::trace_samples()
 {
     trace::SamplingGoal goal;
-    goal.samples = static_cast<std::uint32_t>(settings_.samples);
+    constexpr int kUsualPaths = 64;
+    const bool usual = settings_.paths && !settings_.asks_for_samples();
+    goal.samples = static_cast<std::uint32_t>(usual ? kUsualPaths : settings_.samples);
     if (task_.moments > 1) goal.samples = std::max(1u, goal.samples / static_cast<std::uint32_t>(task_.moments));
     goal.even = settings_.samples_error > 0.0;
     goal.error = goal.even ? settings_.samples_error : settings_.error;
@@ -290,6 +293,9 @@ int PictureRun::render()
         if (writer_) std::remove(writer_->growing().c_str());
     });
     task_.run.reporter.rendering();
+    if (settings_.paths && !plan::has_light(task_.compiled))
+        task_.run.reporter.note("nothing in the scene gives light: no light source, no sky or background, no finish "
+                                "with emission; the picture is black");
     if (!find_indirect_light()) return give_up();
     for (std::size_t first = 0; first < blocks_.rows(); first += strip_) {
         const std::size_t last = std::min(first + strip_, blocks_.rows());

@@ -56,6 +56,7 @@ plan::Options plan_options(const Settings& settings)
     options.block_size = settings.block_size;
     options.faithful = settings.faithful;
     options.free_sampling = settings.sampled();
+    options.paths = settings.paths;
     options.grain_stream = settings.faithful && settings.threads == 1 && !settings.sampled();
     if (settings.split_unions) options.split_unions = *settings.split_unions;
     return options;

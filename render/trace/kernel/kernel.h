@@ -4,6 +4,7 @@
 #include "render/plan/compiled_scene.h"
 #include "render/scene/color.h"
 #include "render/trace/antialias/antialias.h"
+#include "render/trace/path/path_tracer.h"
 #include "render/trace/queue/scratch.h"
 #include "render/trace/radiosity/pass_tile.h"
 
@@ -42,6 +43,11 @@ struct KernelTable {
     /// PhotonTracer::follow, and where `jitter` is null count.
     bool (*follow_photons)(PhotonTracer& tracer, const PhotonFlight& flight, std::span<const Emission> photons,
                            const JitterStream* jitter, PhotonYield& out);
+    /// A PathTracer belongs to one thread, as a BlockTracer does.
+    PathTracer* (*make_paths)(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
+    void (*free_paths)(PathTracer* tracer);
+    bool (*trace_paths)(PathTracer& tracer, std::span<const PathSample> samples, PathFound* out);
+    RayCounts (*path_counts)(const PathTracer& tracer);
     function::Evaluators evaluators;  ///< for the fields of solids, which live outside of the module
 };
 

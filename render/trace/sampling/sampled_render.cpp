@@ -1,6 +1,7 @@
 #include "render/trace/sampling/sampled_render.h"
 
 #include "render/trace/kernel/tracers.h"
+#include "render/trace/path/path_workers.h"
 #include "render/trace/random.h"
 #include "render/trace/sampling/sobol.h"
 
@@ -20,7 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kSide = 8;                   // of the squares whose samples make tiles of rays
+constexpr int kSide = 8;  // of the squares whose samples make tiles of rays
+constexpr std::size_t kAtOnce = 16 * csg::kTileRays;
 constexpr std::uint32_t kFirst = 8;        // samples of each pixel before its spread is believed
 constexpr std::uint32_t kMost = 1u << 16;  // of a pixel
 constexpr double kGrowth = 4.0;            // most samples of a pixel after a pass, by those before it
@@ -38,7 +40,8 @@ public:
     SampledRender(const plan::CompiledScene& scene, const RenderOptions& options, const SamplingGoal& goal,
                   const ShownLevel& shown, SampledPicture& picture)
         : scene_(scene), options_(options), goal_(goal), shown_(shown), picture_(picture),
-          kernel_(load_kernel(options.isa)), tracers_(kernel_, scene, options), blocks_(scene.options),
+          kernel_(load_kernel(options.isa)), tracers_(kernel_, scene, options), paths_(kernel_, scene, options),
+          blocks_(scene.options),
           wanted_(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()), 0)
     {
         for (std::size_t i = 0; i < blocks_.size(); ++i) {
@@ -71,6 +74,7 @@ public:
         }
         out.samples = picture_.samples();
         out.rays = tracers_.counts();
+        out.rays += paths_.counts();
         out.threads = threads;
         out.isa = kernel_.isa;
         out.cancelled = stopped_;
@@ -225,7 +229,11 @@ private:
     /// rays are as wide as the square.
     bool take(const Block& square, std::atomic<std::uint64_t>& done)
     {
-        constexpr std::size_t kAtOnce = 16 * csg::kTileRays;
+        return scene_.options.paths ? take_paths(square, done) : take_samples(square, done);
+    }
+
+    bool take_samples(const Block& square, std::atomic<std::uint64_t>& done)
+    {
         std::array<SamplePosition, kAtOnce> positions;
         std::array<SampledPicture::Pixel*, kAtOnce> owners;
         std::size_t count = 0;
@@ -238,12 +246,50 @@ private:
             count = 0;
             return true;
         };
+        return each_wanted(square,
+                           [&](int x, int y, std::uint32_t seed, std::uint32_t index) {
+                               const std::array<double, 2> at = sobol_point(seed, index);
+                               positions[count] = {x - 0.5 + at[0], y - 0.5 + at[1]};
+                               owners[count++] = &picture_.at(x, y);
+                               return count < kAtOnce || flush();
+                           }) &&
+               (count == 0 || flush());
+    }
+
+    /// The same of paths.
+    bool take_paths(const Block& square, std::atomic<std::uint64_t>& done)
+    {
+        PathWorkers::Worker& worker = paths_.local();
+        std::array<SampledPicture::Pixel*, kAtOnce> owners;
+        worker.samples.clear();
+        worker.found.resize(kAtOnce);
+        const auto flush = [&] {
+            if (!kernel_.trace_paths(*worker.tracer, worker.samples, worker.found.data())) return false;
+            for (std::size_t i = 0; i < worker.samples.size(); ++i) owners[i]->add(worker.found[i].color);
+            done += worker.samples.size();
+            worker.samples.clear();
+            return true;
+        };
+        return each_wanted(square,
+                           [&](int x, int y, std::uint32_t seed, std::uint32_t index) {
+                               const std::array<double, 2> at = sobol_point(seed, index);
+                               owners[worker.samples.size()] = &picture_.at(x, y);
+                               worker.samples.push_back({x - 0.5 + at[0], y - 0.5 + at[1], seed, index});
+                               return worker.samples.size() < kAtOnce || flush();
+                           }) &&
+               (worker.samples.empty() || flush());
+    }
+
+    /// f(x, y, seed, index) for each sample that the pixels of a square want, until it is false.
+    template <class F>
+    bool each_wanted(const Block& square, F&& f)
+    {
         std::array<std::uint32_t, kSide * kSide> first;
         std::uint32_t most = 0;
-        const auto each = [&](auto&& f) {
+        const auto each = [&](auto&& of) {
             for (int row = 0; row < square.height; ++row)
                 for (int column = 0; column < square.width; ++column)
-                    f(static_cast<std::size_t>(row * kSide + column), square.left + column, square.top + row);
+                    of(static_cast<std::size_t>(row * kSide + column), square.left + column, square.top + row);
         };
         each([&](std::size_t k, int x, int y) {
             first[k] = picture_.at(x, y).count;
@@ -252,13 +298,9 @@ private:
         bool going = true;
         for (std::uint32_t n = 0; n < most && going; ++n)
             each([&](std::size_t k, int x, int y) {
-                if (!going || n >= wanted_[index(x, y)]) return;
-                const std::array<double, 2> at = sobol_point(seed_of(x, y, goal_.seed), first[k] + n);
-                positions[count] = {x - 0.5 + at[0], y - 0.5 + at[1]};
-                owners[count++] = &picture_.at(x, y);
-                if (count == kAtOnce) going = flush();
+                if (going && n < wanted_[index(x, y)]) going = f(x, y, seed_of(x, y, goal_.seed), first[k] + n);
             });
-        return going && (count == 0 || flush());
+        return going;
     }
 
     const plan::CompiledScene& scene_;
@@ -268,6 +310,7 @@ private:
     SampledPicture& picture_;
     const KernelTable& kernel_;
     Tracers tracers_;
+    PathWorkers paths_;
     const Blocks blocks_;
     std::vector<std::size_t> window_;    ///< its pixels
     std::vector<std::uint32_t> wanted_;  ///< samples of each pixel in the pass at hand

@@ -1,0 +1,270 @@
+#include "render/trace/path/path_tracer.h"
+
+#include "render/trace/air/air_stage.h"
+#include "render/trace/path/camera_start.h"
+#include "render/trace/path/lamp_rays.h"
+#include "render/trace/path/surface.h"
+#include "render/trace/shade/sky.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trace {
+namespace path {
+namespace {
+
+constexpr int kSure = 3;              // bounces before a path may be ended by chance
+constexpr double kMostLikely = 0.95;  // that one goes on, however much light it carries
+constexpr int kMost = 10000;          // bounces: less than 1e-220 of what goes on gets here
+
+/// Light that a body absorbs along a stretch of it (Beer-Lambert): as much over fade_distance as POV-Ray's fading
+/// takes.
+glm::vec3 absorbed(const plan::Interior& interior, double length)
+{
+    const auto reach = static_cast<double>(interior.fade_distance);
+    if (!(std::abs(reach) > kNearlyZero) || !(interior.fade_power > 0.0f)) return glm::vec3(1);
+    const glm::vec3 at_reach = interior_fade(interior, reach, false);
+    glm::vec3 out;
+    for (int k = 0; k < 3; ++k)
+        out[k] = static_cast<float>(std::pow(std::max(0.0, static_cast<double>(at_reach[k])), length / reach));
+    return out;
+}
+
+bool finite(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+
+}  // namespace
+}  // namespace path
+
+class PathTracer::Impl {
+public:
+    Impl(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
+        : scene_(scene), world_(scene.world()), context_(scene, scratch_, nullptr), camera_(scene), lamps_(context_),
+          reader_(context_, light_),
+          alike_(world_.seen_by_all(static_cast<std::uint8_t>(
+              bit(plan::RayKind::Image) | bit(plan::RayKind::Reflection) | bit(plan::RayKind::Gather))))
+    {
+        scratch_.geometry.cancel = csg::CancelWatch(cancel);
+        scratch_.shade.traits = scene_traits(scene);
+    }
+
+    /// Ended paths make room for new ones, so that tiles stay full.
+    void trace(std::span<const PathSample> samples, PathFound* out)
+    {
+        out_ = out;
+        live_ = 0;
+        std::size_t next = 0;
+        do {
+            for (; live_ < kTileRays && next < samples.size(); ++next) begin(samples[next], next);
+            if (live_ > 0) step();
+        } while (live_ > 0 || next < samples.size());
+    }
+
+    RayCounts counts() const { return scratch_.all_counts(); }
+
+private:
+    void begin(const PathSample& sample, std::size_t owner)
+    {
+        path::Walk& walk = walks_[live_];
+        walk = {};
+        walk.draws = path::Draws(sample.seed, sample.index);
+        walk.owner = owner;
+        out_[owner] = {};
+        if (!camera_.begin(sample, walk.draws, segments_[live_])) {
+            out_[owner].color = {0, 0, 0, 0, 1};
+            return;
+        }
+        ++scratch_.counts.camera;
+        ++live_;
+    }
+
+    /// Brings rays of one kind to the front. How many.
+    std::size_t gather_kind()
+    {
+        if (alike_) return live_;
+        const plan::RayKind kind = segments_[0].state.kind;
+        std::size_t count = 1;
+        for (std::size_t k = 1; k < live_; ++k) {
+            if (segments_[k].state.kind != kind) continue;
+            if (k != count) {
+                std::swap(segments_[k], segments_[count]);
+                std::swap(walks_[k], walks_[count]);
+            }
+            ++count;
+        }
+        return count;
+    }
+
+    /// All paths at hand up to their next hit, and the light of that.
+    void step()
+    {
+        const std::size_t count = gather_kind();
+        rays_.count = static_cast<int>(count);
+        rays_.common_origin = false;
+        for (std::size_t k = 0; k < count; ++k)
+            rays_.set(k, segments_[k].state.ray, segments_[k].state.start,
+                      walks_[k].bounces == 0 ? camera_.farthest() : csg::kInfinity);
+        world_.nearest(rays_, bit(segments_[0].state.kind), scratch_.geometry, hits_);
+        const SegmentTile tile(context_, rays_, hits_, unused_, nullptr, segments_.data());
+        const HitMask dimmed = AirStage(context_, tile).run();
+        for_each_hit(dimmed, [&](std::size_t k) {
+            const Air& air = scratch_.shade.air[k];
+            walks_[k].radiance += walks_[k].throughput * air.glow;
+            walks_[k].throughput *= air.share;
+        });
+        goes_on_ = 0;
+        const HitMask missed = first_hits(rays_.count) & ~tile.found();
+        if (missed != 0) add_sky(tile, missed);
+        lamps_.begin();
+        for_each_hit(tile.found(), [&](std::size_t k) { meet(tile, k); });
+        lamps_.run([&](std::size_t k, const glm::vec3& light) { walks_[k].radiance += light; });
+        keep(count);
+    }
+
+    void add_sky(const SegmentTile& tile, HitMask missed)
+    {
+        std::array<scene::Color, kTileRays> sky;
+        sky_colors(context_, tile, missed, sky.data());
+        for_each_hit(missed, [&](std::size_t k) {
+            path::Walk& walk = walks_[k];
+            walk.radiance += walk.throughput * sky[k].rgb();
+            out_[walk.owner].color.transmit = sky[k].transmit * std::min(1.0f, scene::grey(walk.throughput));
+            if (!walk.seen) out_[walk.owner].albedo = glm::vec3(1);
+        });
+    }
+
+    /// What the surface gives off, what a lamp adds to it, and how the path goes on.
+    void meet(const SegmentTile& tile, std::size_t k)
+    {
+        path::Walk& walk = walks_[k];
+        const RayState& state = tile.state(k);
+        const Hit met = tile.hits.at(static_cast<int>(k));
+        const HitDetails& details = tile.details(k);
+        HitContext hit{tile.place(k, state, met), k, {}};
+        hit.around = {details.point, hit.normal, state.ray.direction, details.uv, true};
+        if (!state.interiors.empty())
+            walk.throughput *= path::absorbed(scene_.interiors[state.interiors.last()], met.t);
+        walk.length += met.t;
+        reader_.read(hit, details, tile.texture(k), walk.draws);
+        walk.radiance += walk.throughput * light_.emission;
+        if (light_.bsdf.scatters()) {
+            look_at(walk);
+            lamps_.ask(k, hit, light_.bsdf, walk.throughput, walk.draws);
+        }
+        const path::Scattered on = light_.bsdf.sample(walk.draws);
+        if (on.lobe == nullptr) return;
+        walk.throughput *= on.weight;
+        ++walk.bounces;
+        if (!path::finite(walk.throughput) || !survives(walk)) return;
+        walk.pdf = on.pdf;
+        next_[k] = next_ray(hit, on);
+        goes_on_ |= HitMask{1} << k;
+    }
+
+    /// The first surface that scatters light.
+    void look_at(path::Walk& walk)
+    {
+        if (walk.seen) return;
+        walk.seen = true;
+        PathFound& out = out_[walk.owner];
+        out.albedo = glm::min(glm::vec3(1), light_.bsdf.albedo() + light_.emission);
+        out.normal = light_.normal;
+        out.depth = static_cast<float>(walk.length);
+    }
+
+    /// Russian roulette: paths that carry little are ended by chance, the others carry more for it.
+    static bool survives(path::Walk& walk)
+    {
+        const auto carried = static_cast<double>(largest(glm::abs(walk.throughput)));
+        if (!(carried > 0.0) || walk.bounces >= path::kMost) return false;
+        if (walk.bounces <= path::kSure) return true;
+        const double chance = std::min(path::kMostLikely, carried);
+        if (walk.draws.one() >= chance) return false;
+        walk.throughput /= static_cast<float>(chance);
+        return true;
+    }
+
+    RayState next_ray(const HitContext& hit, const path::Scattered& on)
+    {
+        using Kind = path::Lobe::Kind;
+        if (on.lobe->kind == Kind::Through) {
+            ++scratch_.counts.refracted;
+            return light_.through.ray;
+        }
+        if (on.lobe->kind == Kind::Mirror) {
+            ++scratch_.counts.reflected;
+            return mirrored(context_, hit, on.lobe->normal, 1.0f);
+        }
+        ++scratch_.counts.gathered;
+        RayState out;
+        out.ray = {hit.point, on.direction};
+        out.start = start_of(context_, hit, on.direction);
+        out.kind = plan::RayKind::Gather;
+        out.interiors = hit.state.interiors;
+        out.wavelength = hit.state.wavelength;
+        return out;
+    }
+
+    /// Paths that go on, and those that waited; the others are handed back.
+    void keep(std::size_t traced)
+    {
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < live_; ++k) {
+            if (k < traced && !has(goes_on_, k)) {
+                end(walks_[k]);
+                continue;
+            }
+            if (k < traced) segments_[kept].state = next_[k];
+            else if (k != kept) segments_[kept].state = segments_[k].state;
+            if (k != kept) walks_[kept] = walks_[k];
+            segments_[kept].level = 1;
+            ++kept;
+        }
+        live_ = kept;
+    }
+
+    void end(const path::Walk& walk)
+    {
+        scene::Color& out = out_[walk.owner].color;
+        const float transmit = out.transmit;
+        out = scene::Color::of(path::finite(walk.radiance) ? walk.radiance : glm::vec3(0));
+        out.transmit = transmit;
+    }
+
+    const plan::CompiledScene& scene_;
+    csg::World world_;
+    Scratch scratch_;
+    Context context_;
+    path::CameraStart camera_;
+    path::LampRays lamps_;
+    path::SurfaceLight light_;  ///< of the hit at hand
+    path::SurfaceReader reader_;
+    const bool alike_;  ///< rays of all kinds see the same
+    PathFound* out_ = nullptr;
+    std::size_t live_ = 0;
+    std::array<path::Walk, kTileRays> walks_;
+    std::array<QueuedRay, kTileRays> segments_;
+    std::array<RayState, kTileRays> next_;
+    HitMask goes_on_ = 0;
+    RayState unused_;
+    RayTile rays_;
+    HitTile hits_;
+};
+
+PathTracer::PathTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
+    : impl_(std::make_unique<Impl>(scene, cancel))
+{}
+PathTracer::~PathTracer() = default;
+
+bool PathTracer::trace(std::span<const PathSample> samples, PathFound* out)
+{
+    try {
+        impl_->trace(samples, out);
+    } catch (const csg::Cancelled&) {
+        return false;
+    }
+    return true;
+}
+
+RayCounts PathTracer::counts() const { return impl_->counts(); }
+
+}  // namespace trace

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+#include "render/trace/queue/scratch.h"
+
+#include <atomic>
+#include <memory>
+#include <span>
+
+namespace trace {
+
+/// Where a path begins: a place of the picture, as SamplePosition has it, and the pixel's sequence of random numbers.
+struct PathSample {
+    double x = 0, y = 0;
+    std::uint32_t seed = 0, index = 0;  ///< of the pixel; of the sample in it
+};
+
+/// What a path has brought.
+struct PathFound {
+    scene::Color color;  ///< radiance; transmit as of any other camera ray
+    /// Of the first surface that scatters light, for those who filter the picture: its colour, its normal (0: none)
+    /// and how far the path had come.
+    glm::vec3 albedo{0}, normal{0};
+    float depth = 0;
+};
+
+/// Follows paths for one thread: docs/path_tracing.md. Compiled once per instruction set.
+class PathTracer {
+public:
+    /// Without radiosity and photons (plan::Options::paths).
+    PathTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
+    ~PathTracer();
+    PathTracer(const PathTracer&) = delete;
+    PathTracer& operator=(const PathTracer&) = delete;
+
+    /// Neighbours in the list should be neighbours in the picture. False: `cancel` was set meanwhile, and the tracer
+    /// can only be freed.
+    bool trace(std::span<const PathSample> samples, PathFound* out);
+    RayCounts counts() const;
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace trace

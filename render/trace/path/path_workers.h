@@ -1,0 +1,45 @@
+#pragma once
+
+#include "render/trace/kernel/kernel_module.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <memory>
+#include <vector>
+
+namespace trace {
+
+/// A path tracer and a buffer of what it finds for each thread that asks.
+class PathWorkers {
+public:
+    struct Worker {
+        struct Free {
+            const KernelTable* kernel;
+            void operator()(PathTracer* tracer) const { kernel->free_paths(tracer); }
+        };
+        std::unique_ptr<PathTracer, Free> tracer;
+        std::vector<PathSample> samples;
+        std::vector<PathFound> found;
+    };
+
+    /// All must outlive it.
+    PathWorkers(const KernelTable& kernel, const plan::CompiledScene& scene, const RenderOptions& options)
+        : kernel_(kernel), workers_([&kernel, &scene, &options] {
+              return Worker{{kernel.make_paths(scene, options.cancel), {&kernel}}, {}, {}};
+          })
+    {}
+
+    Worker& local() { return workers_.local(); }
+    RayCounts counts() const
+    {
+        RayCounts all;
+        for (const Worker& worker : workers_) all += kernel_.path_counts(*worker.tracer);
+        return all;
+    }
+
+private:
+    const KernelTable& kernel_;
+    tbb::enumerable_thread_specific<Worker> workers_;
+};
+
+}  // namespace trace

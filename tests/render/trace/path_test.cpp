@@ -1,0 +1,166 @@
+// The path tracer against closed forms and the Whitted picture: docs/path_tracing.md.
+#include "render/trace/path/fresnel.h"
+#include "render/trace/sampling/sampled_render.h"
+#include "tests/parser/grammar_support.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+constexpr int kSide = 16;
+const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 }\n";
+const trace::ShownLevel kLinear = [](double light) { return 255.0 * std::clamp(light, 0.0, 1.0); };
+
+struct Paths {
+    trace::SampledPicture picture{kSide, kSide};
+    trace::RenderStatistics statistics;
+
+    double mean(std::size_t channel = 0) const
+    {
+        double sum = 0.0;
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) sum += picture.at(x, y).mean(channel);
+        return sum / (kSide * kSide);
+    }
+};
+
+Paths traced(const std::string& text, std::uint32_t samples, bool paths = true, int threads = 0)
+{
+    plan::Options options;
+    options.width = options.height = kSide;
+    options.free_sampling = true;
+    options.paths = paths;
+    trace::RenderOptions render;
+    render.threads = threads;
+    trace::SamplingGoal goal;
+    goal.samples = samples;
+    Paths out;
+    out.statistics = trace::render_sampled(plan::compile(parser::parse_text(kHead + text, "t.pov", {}).scene, options),
+                                           render, goal, kLinear, out.picture);
+    return out;
+}
+
+const std::string kCamera = "camera { orthographic location -4*z right 2.5*x up 2.5*y direction z }\n";
+
+}  // namespace
+
+TEST_CASE("in a white furnace a surface that absorbs nothing cannot be seen", "[path]")
+{
+    const std::string sky = kCamera + "background { rgb 1 }\n";
+    for (const std::string finish :
+         {"diffuse 1", "diffuse 1 brilliance 3", "diffuse albedo 1 brilliance 3", "diffuse 0 reflection 1",
+          "diffuse .5, .5", "diffuse .7 reflection .3", "diffuse 0 phong albedo 1 phong_size 3"}) {
+        const Paths found = traced(sky + "sphere { 0, 1 pigment { rgb 1 } finish { " + finish + " } }", 64);
+        INFO(finish);
+        // brilliance without albedo returns 2 / (b + 1); highlights that end below the surface lose that part.
+        if (finish == "diffuse 1 brilliance 3") CHECK(found.mean() < 0.8);
+        else if (finish.find("phong") != std::string::npos) CHECK(found.mean() < 1.0);
+        else CHECK(found.mean() == Approx(1.0).margin(1e-3));
+    }
+    const Paths glass =
+        traced(sky + "sphere { 0, 1 pigment { rgbt 1 } finish { diffuse 0 } interior { ior 1.5 } }", 64);
+    CHECK(glass.mean() == Approx(1.0).margin(0.02));
+    const Paths too_much = traced(sky + "sphere { 0, 1 pigment { rgb 1 } finish { diffuse 1 reflection .8 } }", 64);
+    CHECK(too_much.mean() == Approx(1.0).margin(1e-3));
+}
+
+TEST_CASE("in a closed box of diffuse walls that glow light is the sum of the geometric series", "[path]")
+{
+    for (const double albedo : {0.2, 0.5, 0.8}) {
+        const Paths found = traced("camera { location <.2,.1,-.7> look_at .3*y angle 90 }\n"
+                                   "box { -1, 1 pigment { rgb " +
+                                       std::to_string(albedo) + " } finish { diffuse 1 emission " +
+                                       std::to_string(0.1 / albedo) + " } }",
+                                   256);
+        INFO(albedo);
+        CHECK(found.mean() == Approx(0.1 / (1.0 - albedo)).epsilon(0.01));
+    }
+}
+
+TEST_CASE("direct light of lamps is that of the Whitted picture", "[path]")
+{
+    // A single surface that sees nothing but lamps: no path brings more.
+    const std::string lamps[] = {
+        "light_source { <3,5,-4> rgb .7 }",
+        "light_source { <3,5,-4> rgb .7 fade_distance 2 fade_power 2 }",
+        "light_source { <1,3,-4> rgb .7 spotlight radius 8 falloff 20 tightness 3 point_at 0 }",
+        "light_source { <1,3,-4> rgb .7 cylinder radius .5 falloff 1 point_at 0 }",
+        "light_source { <1,3,-4> rgb .7 parallel point_at 0 }",
+        "light_source { <1,3,-4> rgb .7 shadowless } light_source { <-3,0,-4> rgb .2 }",
+        "light_source { <1,2,-2> rgb .7 area_light x, y, 5, 5 area_illumination on }"};
+    const std::string finishes[] = {"diffuse .6", "diffuse .6 brilliance 2 phong .7 phong_size 10",
+                                    "diffuse .4 specular .6 roughness .05 metallic"};
+    for (const std::string& lamp : lamps)
+        for (const std::string& finish : finishes) {
+            const std::string text = kCamera + lamp +
+                                     "sphere { 0, 1 pigment { rgb <.9,.6,.3> } normal { bumps .2 scale .3 } " +
+                                     "finish { ambient 0 " + finish + " } }";
+            const Paths path = traced(text, 64), whitted = traced(text, 64, false);
+            INFO(lamp << " " << finish);
+            // The Whitted picture lights bent normals from behind the surface itself too: a pixel or two, by less.
+            const double margin = lamp.find("area") != std::string::npos      ? 0.02
+                                  : lamp.find("} light") != std::string::npos ? 0.05
+                                                                              : 1e-3;
+            for (int y = 0; y < kSide; ++y)
+                for (int x = 0; x < kSide; ++x)
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        const double truth = whitted.picture.at(x, y).mean(c);
+                        CHECK(path.picture.at(x, y).mean(c) == Approx(truth).margin(margin));
+                    }
+        }
+}
+
+TEST_CASE("the same paths for any number of threads", "[path]")
+{
+    const std::string text =
+        "camera { location <0,1,-4> look_at 0 }\n"
+        "light_source { <3,5,-3> rgb 1 area_light x, z, 5, 5 }\n"
+        "plane { y,-1 pigment { checker rgb 1 rgb .2 } }\n"
+        "sphere { 0, 1 no_reflection pigment { rgb <.8,.3,.2> } finish { reflection .3 phong .5 } }\n"
+        "sphere { <1,0,-1>, .5 pigment { rgbf .9 } interior { ior 1.5 dispersion 1.05 } }\n";
+    const Paths one = traced(text, 32, true, 1), four = traced(text, 32, true, 4);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) CHECK(one.picture.at(x, y).sum == four.picture.at(x, y).sum);
+    CHECK(one.statistics.error == four.statistics.error);
+}
+
+TEST_CASE("Fresnel's share at a boundary", "[path]")
+{
+    CHECK(trace::path::fresnel(1.0, 1.0 / 1.5) == Approx(0.04));
+    CHECK(trace::path::fresnel(1.0, 1.5) == Approx(0.04));
+    CHECK(trace::path::fresnel(0.0, 1.0 / 1.5) == Approx(1.0));
+    CHECK(trace::path::fresnel(0.5, 1.5) == 1.0);  // beyond the critical angle
+    // Polarised light along the plane of incidence is not mirrored at Brewster's angle: half of the other is left.
+    const double brewster = std::cos(std::atan(1.5)), s = (1.5 * 1.5 - 1.0) / (1.5 * 1.5 + 1.0);
+    CHECK(trace::path::fresnel(brewster, 1.0 / 1.5) == Approx(0.5 * s * s));
+}
+
+TEST_CASE("a body absorbs light by Beer and Lambert", "[path]")
+{
+    const auto through = [](double thickness) {
+        return traced(
+            kCamera + "background { rgb 1 }\nbox { <-9,-9,0>, <9,9," + std::to_string(thickness) +
+                "> pigment { rgbt 1 } finish { diffuse 0 } interior { fade_distance 2 fade_power 1 fade_color "
+                "rgb <.2,0,1> } }",
+            1);
+    };
+    for (const double d : {0.5, 2.0, 7.0}) {
+        const Paths found = through(d);
+        CHECK(found.mean(0) == Approx(std::pow(0.6, d / 2.0)).epsilon(1e-4));
+        CHECK(found.mean(1) == Approx(std::pow(0.5, d / 2.0)).epsilon(1e-4));
+        CHECK(found.mean(2) == Approx(1.0));
+    }
+}
+
+TEST_CASE("a sphere that glows lights a plane as the closed form says", "[path]")
+{
+    // Below its middle a plane sees a sphere of radiance L under the irradiance pi L (r / h)^2.
+    const Paths found = traced("camera { orthographic location 4*z right .02*x up .02*y direction -z sky y }\n"
+                               "plane { z, 0 pigment { rgb 1 } finish { diffuse 1 } }\n"
+                               "sphere { 2*z, 1 no_image pigment { rgb 1 } finish { diffuse 0 emission 2 } }",
+                               64);
+    CHECK(found.mean() == Approx(2.0 * 0.25).epsilon(0.01));
+}
