@@ -97,14 +97,16 @@ void enclose(Draft& draft, const SolidStore& store)
 }
 
 /// Operands of an intersection that hold all of it and draw nothing in it: subtrahends elsewhere.
-void drop_useless(Draft& draft)
+void drop_useless(Draft& draft, Pruning& pruning)
 {
+    if (!pruning.on) return;
     if (draft.op == Op::Intersection && !draft.inside_beyond)
-        std::erase_if(draft.operands,
-                      [&](const Draft& operand) { return operand.inside_beyond && apart(operand.box, draft.box); });
+        pruning.dropped += std::erase_if(draft.operands, [&](const Draft& operand) {
+            return operand.inside_beyond && apart(operand.box, draft.box);
+        });
     if (draft.op == Op::Union || draft.op == Op::Merge)
-        std::erase_if(draft.operands,
-                      [](const Draft& operand) { return !operand.inside_beyond && operand.box.empty(); });
+        pruning.dropped += std::erase_if(
+            draft.operands, [](const Draft& operand) { return !operand.inside_beyond && operand.box.empty(); });
 }
 
 /// Operands of the same operator join their parent. An intersection reverses the crossings of its operands, so the
@@ -125,9 +127,9 @@ struct Turns {
     Turns turned(bool again) const { return again ? Turns{!inverted, true} : *this; }
 };
 
-Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store);
+Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& pruning);
 
-Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store)
+Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& pruning)
 {
     const bool inverted = turns.inverted;
     if (tree.op == Tree::Op::Leaf) return leaf(tree.solid, inverted, store);
@@ -140,10 +142,10 @@ Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store)
     else made.op = inverted ? Op::Merge : Op::Intersection;
     for (std::size_t i = 0; i < tree.operands.size(); ++i) {
         const bool subtracted = tree.op == Tree::Op::Difference && i > 0;
-        join(made, draft_of(tree.operands[i], turns.turned(subtracted), store));
+        join(made, draft_of(tree.operands[i], turns.turned(subtracted), store, pruning));
     }
     enclose(made, store);
-    drop_useless(made);
+    drop_useless(made, pruning);
     if (made.operands.size() == 1) {
         Draft only = std::move(made.operands.front());
         return only;
@@ -152,20 +154,21 @@ Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store)
 }
 
 /// The shape with others that do something to it and are not drawn.
-Draft under(Op op, Draft shape, const std::vector<Tree>& others, const SolidStore& store)
+Draft under(Op op, Draft shape, const std::vector<Tree>& others, const SolidStore& store, Pruning& pruning)
 {
     if (others.empty()) return shape;
     Draft made{.op = op};
     made.operands.push_back(std::move(shape));
-    for (const Tree& other : others) made.operands.push_back(draft_of(other, {}, store));
+    for (const Tree& other : others) made.operands.push_back(draft_of(other, {}, store, pruning));
     enclose(made, store);
     return made;
 }
 
-Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store)
+Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& pruning)
 {
-    Draft clipped = under(Op::Clip, shape_of(tree, turns.turned(tree.inverse), store), tree.clips, store);
-    return under(Op::Guard, std::move(clipped), tree.bounds, store);
+    Draft clipped =
+        under(Op::Clip, shape_of(tree, turns.turned(tree.inverse), store, pruning), tree.clips, store, pruning);
+    return under(Op::Guard, std::move(clipped), tree.bounds, store, pruning);
 }
 
 float down(double v)
@@ -247,9 +250,10 @@ bool contains(const std::vector<Node>& nodes, std::uint32_t i, const SolidStore&
 
 }  // namespace
 
-Program build(const Tree& tree, const SolidStore& store)
+Program build(const Tree& tree, const SolidStore& store, Pruning* pruning)
 {
-    const Draft draft = draft_of(tree, {}, store);
+    Pruning usual;
+    const Draft draft = draft_of(tree, {}, store, pruning != nullptr ? *pruning : usual);
     Program program;
     if (draft.op != Op::Leaf && draft.operands.empty()) return program;
     if (draft.op == Op::Leaf && draft.solid == kNoPart) return program;

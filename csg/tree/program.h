@@ -55,8 +55,15 @@ struct Program {
     std::uint32_t crossing_memory = 0;  ///< crossings of scratch one query needs
 };
 
+/// Whether operands that cannot matter are dropped, and how many were.
+struct Pruning {
+    bool on = true;
+    std::uint64_t dropped = 0;
+};
+
 /// Flattens, pushes inversion to the leaves, drops operands that cannot matter and works out boxes.
-Program build(const Tree& tree, const SolidStore& store);
+/// \param pruning null: they are dropped, and nobody counts them
+Program build(const Tree& tree, const SolidStore& store, Pruning* pruning = nullptr);
 
 /// An item of a world and how far a ray goes before it is in its box.
 struct OrderedItem {

@@ -150,7 +150,7 @@ void WorldData::finish()
             if (guards[item.guard].ordered) ordered.push_back(i);
         }
         const Aabb box = drawn_bounds(*this, item);
-        if (box.empty()) continue;
+        if (box.empty() && drop_empty) continue;
         if (item.many) costly_bounds.include(box);
         if (fits(box)) inputs.push_back({box, leaf_kind(item), i, item.visible});
         else unbounded.push_back(i);

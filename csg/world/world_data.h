@@ -73,6 +73,7 @@ struct WorldData {
     std::vector<std::uint8_t> surface_opaque;  ///< by SurfaceId: a shadow ray may stop at it for good (spec 3, 13.2)
     std::uint8_t visible_everywhere = 0xff;    ///< kinds of ray that see every item
     std::uint8_t shadow_kinds = 0xff;  ///< kinds of ray that ask for shadows: items that none of these sees cast none
+    bool drop_empty = true;            ///< items that draw nothing are never asked
     bool costly = false;               ///< some item is `many`
     Aabb costly_bounds;                ///< of all of these
     bool faithful = false;  ///< answers by POV-Ray's constants, ray by ray where they matter (docs/faithful.md)

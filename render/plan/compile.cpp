@@ -51,6 +51,24 @@ csg::Tolerance tolerance(const CompiledScene& scene)
     return csg::Tolerance::of_scene(glm::max(edges.x, glm::max(edges.y, edges.z)));
 }
 
+/// Lights ask for what dims them in the air only where something does.
+void clear_air(CompiledScene& out)
+{
+    const bool fog_shows = out.options.quality >= 9;
+    const bool dims = (!out.fogs.empty() && fog_shows) || out.atmosphere.extinguishes;
+    const bool asks = dims || (!out.options.lean.takes(LeanStep::ClearAir) && (out.fogs.empty() || fog_shows));
+    std::uint64_t clear = 0;
+    for (light::Light& light : out.lights.lights) {
+        clear += light.atmosphere && !asks ? 1 : 0;
+        light.atmosphere = light.atmosphere && asks;
+    }
+    if (clear != 0)
+        out.decisions.push_back({fmt::format("what dims {} light{} in the air left out", clear, clear == 1 ? "" : "s"),
+                                 "neither fog nor media fill the scene",
+                                 {},
+                                 LeanStep::ClearAir});
+}
+
 /// `planned` is called when no object is asked for any more.
 template <class Planned>
 CompiledScene compile_all(const scene::Description& description, const Options& options, Planned&& planned)
@@ -64,7 +82,7 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
     out.settings = settings(description, options);
     std::vector<scene::Unsupported> notes = description.unsupported;
     TextureCompiler textures(description, options.quality, out.textures, notes);
-    MediaCompiler media(textures, options.quality, out.media);
+    MediaCompiler media(textures, options.quality, options.lean.takes(LeanStep::BlackMedia), out.media);
     GeometryCompiler geometry(description, options, textures, media, out, notes);
     geometry.expect(description.objects.size());
     for (const scene::Object& object : description.objects) geometry.add(object);
@@ -84,8 +102,12 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
     out.atmosphere = media.list(atmosphere);
     geometry.finish();
     out.subsurface = compile_subsurface(description, options.quality, out.interiors);
-    const bool dims = (!out.fogs.empty() && options.quality >= 9) || out.atmosphere.extinguishes;
-    for (light::Light& light : out.lights.lights) light.atmosphere = light.atmosphere && dims;
+    clear_air(out);
+    if (media.dropped() != 0)
+        out.decisions.push_back({fmt::format("media of {} interiors or the whole scene left out", media.dropped()),
+                                 "they neither glow nor dim",
+                                 {},
+                                 LeanStep::BlackMedia});
     out.radiosity = radiosity(description, out);
     out.tolerance = tolerance(out);
     find_camera_interiors(out);

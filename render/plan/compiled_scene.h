@@ -4,6 +4,7 @@
 #include "csg/world/world.h"
 #include "csg/world/world_data.h"
 #include "render/light/light_set.h"
+#include "render/plan/lean.h"
 #include "render/plan/textures/interior.h"
 #include "render/plan/textures/media_compiler.h"
 #include "render/plan/mesh_camera.h"
@@ -14,6 +15,7 @@
 #include "render/texture/sky.h"
 #include "render/texture/texture_set.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,7 @@ struct Options {
     bool free_sampling =
         false;           ///< camera samples are many: each asks few places of area lights and lenses, anywhere on them
     bool paths = false;  ///< for the path tracer: what takes the place of light between surfaces is left out
+    LeanSteps lean;      ///< --no-lean takes none of them
     bool scalar_light =
         false;  ///< every surface goes through the lights by itself, as most do in vector lanes: tests compare the two
 };
@@ -53,7 +56,8 @@ struct Options {
 struct Decision {
     std::string what;
     std::string why;
-    std::string place;  ///< "path:line:column"; empty: of no place
+    std::string place;                  ///< "path:line:column"; empty: of no place
+    std::optional<LeanStep> step = {};  ///< that left something out, where one did
 };
 
 /// A top-level object after splitting unions, in order of declaration.

@@ -55,6 +55,7 @@ plan::Options plan_options(const Settings& settings)
     options.end_column = window.last_column;
     options.block_size = settings.block_size;
     options.faithful = settings.faithful;
+    if (!settings.lean) options.lean = plan::LeanSteps::none();
     options.free_sampling = settings.sampled();
     options.paths = settings.paths;
     options.grain_stream = settings.faithful && settings.threads == 1 && !settings.sampled();

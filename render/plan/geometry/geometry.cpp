@@ -91,7 +91,9 @@ void GeometryCompiler::add(const scene::Object& object)
 
 void GeometryCompiler::finish()
 {
-    if (photons_ && (!photons_->targets.empty() || !photons_->settings.load_file.empty())) out_.photons = photons_;
+    if (photons_ && !photons_->targets.empty()) out_.photons = photons_;
+    if (photons_ && (!photons_->settings.load_file.empty() || !options_.lean.takes(LeanStep::Photons)))
+        out_.photons = photons_;
     out_.geometry.surface_opaque.clear();
     for (Surface& s : out_.surfaces) {
         const auto opaque = [&](std::uint32_t texture) {
@@ -103,15 +105,25 @@ void GeometryCompiler::finish()
             s.opaque = s.opaque && opaque(out_.part_textures[s.first_part + k]);
         out_.geometry.surface_opaque.push_back(s.opaque ? 1 : 0);
     }
+    out_.geometry.drop_empty = options_.lean.takes(LeanStep::EmptyObjects);
     out_.geometry.finish();
-    const auto tell = [&](std::uint64_t count, const char* what, const char* why) {
-        if (count != 0) out_.decisions.push_back({std::to_string(count) + " " + what, why, {}});
+    drop_unseen_lights();
+    tell_decisions();
+}
+
+void GeometryCompiler::tell_decisions()
+{
+    const auto tell = [&](std::uint64_t count, const char* what, const char* why, std::optional<LeanStep> step = {}) {
+        if (count != 0) out_.decisions.push_back({std::to_string(count) + " " + what, why, {}, step});
     };
     tell(split_unions_, "unions split into their operands", "nothing at top level needs them as one object");
-    tell(empty_programs_, "objects left out", "bounds of their operands leave nothing to draw");
+    tell(pruning_.dropped, "operands of CSG left out", "their boxes do not meet what they cut or add to",
+         LeanStep::Operands);
+    tell(empty_programs_, "objects left out", "bounds of their operands leave nothing to draw", LeanStep::EmptyObjects);
     tell(out_.geometry.instances.size(), "copies of objects kept as such", "others before them show the same parts");
-    tell(bounds_, "bounded_by left out", "the hierarchy bounds every object itself");
+    tell(bounds_, "bounded_by left out", "the hierarchy bounds every object itself", LeanStep::Bounds);
     tell(guards_, "bounded_by kept", "they are smaller than what they bound");
+    tell(black_lights_, "black lights left out", "they light nothing", LeanStep::BlackLights);
 }
 
 /// What `object` hands down to its operands and to its own surface.
@@ -213,8 +225,8 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& i
         return;
     }
     csg::Tree whole = tree(object, own);
-    csg::Program program = csg::build(whole, world.store);
-    if (program.nodes.empty() || program.bounds.empty()) {
+    csg::Program program = csg::build(whole, world.store, &pruning_);
+    if (program.nodes.empty() || (program.bounds.empty() && options_.lean.takes(LeanStep::EmptyObjects))) {
         ++empty_programs_;
         return;
     }

@@ -80,6 +80,8 @@ private:
     /// The number of a light_group that stands there, from 1.
     std::uint32_t light_group(const scene::Object& object, const csg::Transform& to_world);
     void add_light(const scene::Object& object, const scene::Light& light, const Inherited& above);
+    void drop_unseen_lights();
+    void tell_decisions();
 
     /// `corners`: what the second and the third corner of a mesh's faces show, if another texture. `parts`: compiled
     /// textures of a shape's parts.
@@ -130,6 +132,7 @@ private:
     InteriorCompiler interiors_;
     FieldLinker fields_;
 
+    csg::Pruning pruning_{options_.lean.takes(LeanStep::Operands)};
     csg::WorldData* world_ = &out_.geometry;  ///< where solids and items go
     Shared* sharing_ = nullptr;               ///< the shared object at hand, whose surfaces are only noted
     std::map<std::pair<const void*, int>, Shared> shared_;  ///< by operands and operation
@@ -171,7 +174,7 @@ private:
     std::unordered_map<std::size_t, std::vector<MovedInterior>> moved_interiors_;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
     std::shared_ptr<PhotonPlan> photons_;  ///< null: the scene has none
-    std::uint64_t split_unions_ = 0, empty_programs_ = 0, bounds_ = 0, guards_ = 0;
+    std::uint64_t split_unions_ = 0, empty_programs_ = 0, black_lights_ = 0, bounds_ = 0, guards_ = 0;
 };
 
 }  // namespace plan

@@ -151,7 +151,8 @@ csg::Tree GeometryCompiler::bounded(csg::Tree made, const scene::Object& operand
     for (const scene::Object& bound : operand.details->bounded_by) {
         csg::Tree tree = clip_tree(bound, parent);
         const csg::Program program = csg::build(tree, world_->store);
-        if (!program.nodes.empty() && !held(operand, drawn, program)) made.bounds.push_back(std::move(tree));
+        if (!program.nodes.empty() && (!options_.lean.takes(LeanStep::Bounds) || !held(operand, drawn, program)))
+            made.bounds.push_back(std::move(tree));
     }
     bounds_inside_ |= !made.bounds.empty();
     return made;
@@ -247,14 +248,15 @@ void GeometryCompiler::add_guard(const scene::Object& object, const Inherited& o
     limit_starts(object, parent, own.parent_growth);
     csg::BoundingGuard guard = clip_guard(object, own, parent);
     if (bounds_inside_) guard.box = guard.box.intersected(placed_extent(object, parent, own.parent_growth));
-    if (holds(guard.box, drawn)) guard = {};
+    const bool lean = options_.lean.takes(LeanStep::Bounds);
+    if (lean && holds(guard.box, drawn)) guard = {};
     csg::BoundingGuard bounds = outer_bounds_.guard;
     if (item.instance == csg::Hit::kNoInstance && !drops_bounds(object, outer_bounds_.nested)) {
         if (outer_bounds_.nested || keeps_bounds(object, drawn)) must_meet(object, parent, own.parent_growth, bounds);
         else if (has_own_box(object) || bounding_active())
             bounds.box = bounds.box.intersected(placed_extent(object, parent, own.parent_growth));
     }
-    if (!holds(bounds.box, drawn)) guard.box = guard.box.intersected(bounds.box);
+    if (!lean || !holds(bounds.box, drawn)) guard.box = guard.box.intersected(bounds.box);
     if (!bounds.programs.empty()) {
         const csg::Program lone = item.solid != csg::kNoPart ? alone(item, world.store) : csg::Program{};
         for (const std::uint32_t b : bounds.programs) {
@@ -263,7 +265,7 @@ void GeometryCompiler::add_guard(const scene::Object& object, const Inherited& o
                 item.instance != csg::Hit::kNoInstance
                     ? csg::held_by(drawn, bound, world.store)
                     : held(object, item.solid != csg::kNoPart ? lone : world.programs[item.program], bound);
-            if (!within) guard.programs.push_back(b);
+            if (!within || !options_.lean.takes(LeanStep::Bounds)) guard.programs.push_back(b);
         }
     }
     if (guard.programs.empty() && !guard.box.finite()) return;

@@ -1,5 +1,9 @@
 #include "render/plan/geometry/geometry.h"
 
+#include "render/plan/geometry/unseen_lights.h"
+
+#include <fmt/format.h>
+
 #include <utility>
 
 // Lights, which stand among the objects.
@@ -24,10 +28,12 @@ void GeometryCompiler::add_light(const scene::Object& object, const scene::Light
 {
     light::Light compiled = compile_light(light, above.to_world, options_.quality);
     compiled.group = above.light_group;
-    if (compiled.color != glm::vec3(0)) {
+    if (compiled.color == glm::vec3(0) && options_.lean.takes(LeanStep::BlackLights)) {
+        ++black_lights_;
+    } else {
         if (photons_) photons_->lights.push_back(photon_light(object, light, compiled));
         out_.lights.lights.push_back(std::move(compiled));
-    } else out_.decisions.push_back({"left out a black light", "it lights nothing", {}});
+    }
     if (!light.looks_like) return;
     Inherited own = above;
     own.no_shadow = true;
@@ -35,6 +41,30 @@ void GeometryCompiler::add_light(const scene::Object& object, const scene::Light
     collect_lights(*light.looks_like, own);
     add_top(*light.looks_like, own);
     automatic_interiors_.clear();
+}
+
+void GeometryCompiler::drop_unseen_lights()
+{
+    if (!options_.lean.takes(LeanStep::UnseenLights)) return;
+    const std::vector<bool> received = received_lights(out_, photons_.get());
+    const auto unseen = [&](std::size_t i) { return !received[i]; };
+    std::size_t kept = 0;
+    auto& lights = out_.lights.lights;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (unseen(i)) {
+            const glm::dvec3& at = lights[i].location;
+            out_.decisions.push_back({fmt::format("light at <{:g}, {:g}, {:g}> left out", at.x, at.y, at.z),
+                                      "nothing receives it",
+                                      {},
+                                      LeanStep::UnseenLights});
+            continue;
+        }
+        if (kept != i) lights[kept] = std::move(lights[i]);
+        if (photons_) photons_->lights[kept] = photons_->lights[i];
+        ++kept;
+    }
+    lights.resize(kept);
+    if (photons_) photons_->lights.resize(kept);
 }
 
 }  // namespace plan

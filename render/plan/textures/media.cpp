@@ -38,7 +38,11 @@ MediaList MediaCompiler::list(const std::vector<std::shared_ptr<const scene::Med
 {
     MediaList out;
     const bool nothing = std::all_of(media.begin(), media.end(), [](const auto& one) { return black_media(*one); });
-    if (!drawn_ || nothing) return out;
+    if (!drawn_ || media.empty()) return out;
+    if (nothing && drop_black_) {
+        ++dropped_;
+        return out;
+    }
     std::vector<std::uint32_t> members;
     for (const auto& one : media) members.push_back(medium(one));
     out.first = static_cast<std::uint32_t>(out_.order.size());

@@ -19,19 +19,22 @@ struct MediaSet {
 /// out.
 class MediaCompiler {
 public:
-    /// quality: +Q; below 9 nothing fills space (spec 3, 16).
-    MediaCompiler(TextureCompiler& textures, int quality, MediaSet& out)
-        : textures_(textures), drawn_(quality >= kDrawn), out_(out)
+    /// quality: +Q; below 9 nothing fills space (spec 3, 16). drop_black: what neither glows nor dims is left out.
+    MediaCompiler(TextureCompiler& textures, int quality, bool drop_black, MediaSet& out)
+        : textures_(textures), drawn_(quality >= kDrawn), drop_black_(drop_black), out_(out)
     {}
 
     MediaList list(const std::vector<std::shared_ptr<const scene::Media>>& media);
+    /// Statements left out as all of their media are black.
+    std::uint64_t dropped() const { return dropped_; }
 
 private:
     static constexpr int kDrawn = 9;
     std::uint32_t medium(const std::shared_ptr<const scene::Media>& media);
 
     TextureCompiler& textures_;
-    bool drawn_;
+    bool drawn_, drop_black_;
+    std::uint64_t dropped_ = 0;
     MediaSet& out_;
     std::unordered_map<std::shared_ptr<const scene::Media>, std::uint32_t> known_;
 };

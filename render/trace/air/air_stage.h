@@ -28,7 +28,7 @@ public:
     HitMask run()
     {
         if (!has_air(context_)) return 0;
-        const HitMask hollow = find_hollow();
+        const HitMask hollow = find_hollow() & in_some_air();
         if (hollow == 0) return 0;
         if (context_.scratch.shade.traits.even_fog) return hollow & fog_tile();
         along(hollow);
@@ -45,6 +45,20 @@ private:
         for (std::size_t k = 0; k < static_cast<std::size_t>(tile_.count()); ++k)
             if (hollow(k)) all |= HitMask{1} << k;
         return all;
+    }
+
+    /// Segments that something may fill: all, or where it is but media of interiors those that are inside of one.
+    HitMask in_some_air() const
+    {
+        const plan::CompiledScene& scene = context_.scene;
+        if (!scene.fogs.empty() || !scene.rainbows.empty() || !scene.atmosphere.empty() ||
+            !scene.options.lean.takes(plan::LeanStep::Interiors))
+            return ~HitMask{0};
+        if (tile_.alike()) return tile_.interiors(0).empty() ? 0 : ~HitMask{0};
+        HitMask inside = 0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(tile_.count()); ++k)
+            if (!tile_.interiors(k).empty()) inside |= HitMask{1} << k;
+        return inside;
     }
 
     /// The same as along() of all segments where there is nothing but fog that is the same everywhere. Those that it

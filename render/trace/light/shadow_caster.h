@@ -78,10 +78,24 @@ private:
     {
         if (scratch_.traits.own_rays.empty()) return false;
         glm::dvec3 low = light.location, high = light.location;
-        for_each_hit(asking, [&](std::size_t k) {
-            low = glm::min(low, scratch_.hits.point(k));
-            high = glm::max(high, scratch_.hits.point(k));
-        });
+        const auto span = [&](const TileLanes& of, int axis) {
+            using csg::lanes::Double;
+            Double least(low[axis]), most(high[axis]);
+            for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
+                const auto lanes = csg::lanes::lanes_of(static_cast<std::uint32_t>(asking >> i));
+                const Double at = Double::load_aligned(of.data() + i);
+                least = xsimd::select(lanes, xsimd::min(least, at), least);
+                most = xsimd::select(lanes, xsimd::max(most, at), most);
+            }
+            alignas(64) std::array<double, csg::lanes::kDoubles> lows, highs;
+            least.store_aligned(lows.data());
+            most.store_aligned(highs.data());
+            low[axis] = *std::min_element(lows.begin(), lows.end());
+            high[axis] = *std::max_element(highs.begin(), highs.end());
+        };
+        span(scratch_.hits.x, 0);
+        span(scratch_.hits.y, 1);
+        span(scratch_.hits.z, 2);
         return std::any_of(scratch_.traits.own_rays.begin(), scratch_.traits.own_rays.end(), [&](const csg::Aabb& box) {
             return glm::all(glm::lessThanEqual(box.lower, high)) && glm::all(glm::greaterThanEqual(box.upper, low));
         });

@@ -87,12 +87,17 @@ public:
     }
 
 private:
+    static constexpr std::size_t kFewSurfaces = 4;  // looked for in lanes
+
     /// Points and normals that face the viewer.
     void find_places()
     {
         TileHits& places = scratch_.hits;
         batched_ = found_;
-        if (!scratch_.traits.all_batched)
+        const auto& single = scratch_.traits.not_batched;
+        if (single.size() <= kFewSurfaces)
+            for (const csg::SurfaceId surface : single) batched_ &= ~csg::lanes::equal(hits.surface, surface);
+        else
             for_each_hit(found_, [&](std::size_t k) {
                 if (!scratch_.traits.surfaces[hits.surface[k]].batched) batched_ &= ~(HitMask{1} << k);
             });

@@ -97,7 +97,7 @@ private:
         for_each_hit(group, [&](std::size_t k) {
             scratch_.points.set(k, uv ? glm::dvec3(scratch_.details[k].uv, 0.0) : places.point(k));
         });
-        if (!scratch_.traits.looked_around) return;
+        if (!scratch_.traits.surfaces[surface].looked_around) return;
         for_each_hit(group, [&](std::size_t k) {
             texture::Surroundings& around = scratch_.around[k];  // member by member, as the details
             around.point = places.point(k);

@@ -11,18 +11,6 @@ namespace {
 
 using texture::TextureSet;
 
-bool any_uv(const TextureSet& set)
-{
-    const auto texture = [](const texture::Texture& t) { return t.kind == texture::Texture::Kind::Uv; };
-    const auto pigment = [](const texture::Pigment& p) { return p.kind == texture::Pigment::Kind::Uv; };
-    const auto normal = [](const texture::Normal& n) { return n.map == texture::Normal::Map::Uv; };
-    const auto pattern = [](const texture::Pattern& p) { return p.kind == texture::PatternKind::Uv; };
-    return std::any_of(set.textures.begin(), set.textures.end(), texture) ||
-           std::any_of(set.pigments.begin(), set.pigments.end(), pigment) ||
-           std::any_of(set.normals.begin(), set.normals.end(), normal) ||
-           std::any_of(set.patterns.begin(), set.patterns.end(), pattern);
-}
-
 bool no_light(const scene::Color& c) { return c.filter == 0.0f && c.transmit == 0.0f; }
 
 /// Whether weights of an average divide by a number.
@@ -83,6 +71,17 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
     return true;
 }
 
+/// What the textures that a surface shows look at.
+LookedAt looked_at(const plan::CompiledScene& scene, const plan::Surface& surface, TextureLooks& looks)
+{
+    LookedAt out = looks.of_texture(surface.texture);
+    out |= looks.of_texture(surface.interior_texture);
+    for (const std::uint32_t corner : surface.corner_textures) out |= looks.of_texture(corner);
+    for (std::uint32_t k = 0; k < surface.part_count; ++k)
+        out |= looks.of_texture(scene.part_textures[surface.first_part + k]);
+    return out;
+}
+
 /// The light of its own side, without iridescence; grain: it may have some.
 bool plain_light(const texture::Finish& finish, bool grain)
 {
@@ -100,8 +99,8 @@ bool grain_in_lanes(const plan::CompiledScene& scene)
 }
 
 /// One layer that has no more than colour, diffuse light, highlights and either a bent normal or mirroring and
-/// refraction. looks: some pattern of the scene does at normals; grain: it may have some.
-SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks, bool grain)
+/// refraction. bent: LookedAt::bent of the texture; grain: it may have some.
+SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool bent, bool grain)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
@@ -112,21 +111,18 @@ SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool looks,
         return {};  // it may be missing
     if (!plain_light(finish, grain)) return {};
     if (layer.normal != texture::kNone)
-        return texture.opaque && !finish.reflects() && !(looks && looks_at_bent(set, index))
-                   ? SingleLayer{texture.first, false}
-                   : SingleLayer{};
+        return texture.opaque && !finish.reflects() && !bent ? SingleLayer{texture.first, false} : SingleLayer{};
     if (!(finish.reflection_power > 0.0f)) return {};  // black would be raised to something
     return {texture.first, !texture.plain};
 }
 
 /// The texture itself if it has a map, or layers with patterns or bent normals, and few enough.
-PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool looks)
+PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool bent)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
-    looks = looks && looks_at_bent(set, index);
     if (texture.kind == texture::Texture::Kind::Map)
-        return looks ? PatternedLayers{} : PatternedLayers{index, false, true};
+        return bent ? PatternedLayers{} : PatternedLayers{index, false, true};
     if (texture.kind != texture::Texture::Kind::Layers || texture.count > kPrefetchedLayers) return {};
     bool patterned = false, all_alone = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
@@ -135,7 +131,7 @@ PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, boo
         patterned |= set.pigments[layer.pigment].kind != texture::Pigment::Kind::Solid ||
                      layer.normal != texture::kNone;
         all_alone &= plain_light(finish, false) && !finish.reflects();
-        if (looks && layer.normal != texture::kNone) return {};
+        if (bent && layer.normal != texture::kNone) return {};
     }
     return patterned ? PatternedLayers{index, all_alone} : PatternedLayers{};
 }
@@ -162,9 +158,16 @@ bool asks_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits, 
            !traits.surfaces[surface].steady_filter;
 }
 
+/// Of more than a few one box is made.
+void add_box(std::vector<csg::Aabb>& boxes, const csg::Aabb& box)
+{
+    constexpr std::size_t kMost = 16;
+    if (boxes.size() < kMost) boxes.push_back(box);
+    else boxes.front().include(box.lower), boxes.front().include(box.upper);
+}
+
 std::vector<csg::Aabb> boxes_of_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits)
 {
-    constexpr std::size_t kMost = 16;  // of more one box is made
     const csg::WorldData& world = scene.geometry;
     std::vector<csg::Aabb> boxes;
     const auto& freeforms = world.store.all<csg::Freeform>();
@@ -182,9 +185,7 @@ std::vector<csg::Aabb> boxes_of_own_rays(const plan::CompiledScene& scene, const
                 asks = asks || (node.op == csg::Op::Leaf && asks_own_rays(scene, traits, item, node.solid));
         }
         if (!asks) continue;
-        const csg::Aabb box = csg::drawn_bounds(world, item);
-        if (boxes.size() < kMost) boxes.push_back(box);
-        else boxes.front().include(box.lower), boxes.front().include(box.upper);
+        add_box(boxes, csg::drawn_bounds(world, item));
     }
     return boxes;
 }
@@ -197,8 +198,13 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     traits.scalar_rows = scene.options.scalar_light;
     traits.even_fog = scene.rainbows.empty() && scene.media.media.empty() &&
                       std::all_of(scene.fogs.begin(), scene.fogs.end(), even);
-    const bool uv = any_uv(scene.textures), looks = any_looks(scene.textures), grain = grain_in_lanes(scene);
-    traits.looked_around = uv || looks;
+    TextureLooks texture_looks(scene.textures);
+    const bool grain = grain_in_lanes(scene);
+    const bool every_detail = !scene.options.lean.takes(plan::LeanStep::HitDetails);
+    for (const std::uint32_t layer : scene.sky.layers) {
+        const LookedAt looks = texture_looks.of_pigment(layer);
+        traits.sky_looks_around |= looks.uv || looks.around || every_detail;
+    }
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
     for (const light::Light& light : scene.lights.lights) traits.grouped |= light.group != 0;
@@ -212,23 +218,27 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         const plan::Surface& surface = scene.surfaces[i];
         traits.grouped |= surface.light_group != 0;
         traits.filters |= !surface.opaque && !surface.no_shadow;
-        all[i].needs_uv = uv || surface.uv_mapping;
+        const LookedAt looks = looked_at(scene, surface, texture_looks);
+        all[i].looked_around = looks.uv || looks.around || every_detail;
+        all[i].needs_uv = looks.uv || surface.uv_mapping || every_detail;
         all[i].batched = !all[i].needs_uv && !surface.blends();
-        traits.all_batched &= all[i].batched;
+        if (!all[i].batched) traits.not_batched.push_back(static_cast<csg::SurfaceId>(i));
         if (surface.blends()) continue;
-        all[i].outer_patterned = patterned_layers(scene.textures, surface.texture, looks);
+        const bool bent = texture_looks.of_texture(surface.texture).bent,
+                   inner_bent = texture_looks.of_texture(surface.interior_texture).bent;
+        all[i].outer_patterned = patterned_layers(scene.textures, surface.texture, bent);
         all[i].inner_patterned = surface.interior_texture == plan::kNone
                                      ? all[i].outer_patterned
-                                     : patterned_layers(scene.textures, surface.interior_texture, looks);
+                                     : patterned_layers(scene.textures, surface.interior_texture, inner_bent);
         if (surface.part_count != 0 && all[i].outer_patterned.map) all[i].outer_patterned = {};
         if (surface.part_count != 0 && all[i].inner_patterned.map) all[i].inner_patterned = {};
         if (surface.double_illuminate) {
             all[i].outer_patterned.alone = all[i].inner_patterned.alone = false;
         } else {
-            all[i].outer = single_layer(scene.textures, surface.texture, looks, grain);
+            all[i].outer = single_layer(scene.textures, surface.texture, bent, grain);
             all[i].inner = surface.interior_texture == plan::kNone
                                ? all[i].outer
-                               : single_layer(scene.textures, surface.interior_texture, looks, grain);
+                               : single_layer(scene.textures, surface.interior_texture, inner_bent, grain);
         }
         const bool focused = surface.interior != plan::kNone &&
                              scene.interiors[surface.interior].caustics_power != 0.0f;
@@ -237,11 +247,11 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         const bool plain = plain_filter(scene.textures, surface.texture, all[i].filter);
         all[i].steady_filter = plain && !focused;
         all[i].focuses = plain && focused && !traits.scalar_rows && all[i].batched && surface.part_count == 0 &&
-                         one_layer(scene.textures, surface.texture) &&
-                         !(looks && looks_at_bent(scene.textures, surface.texture));
+                         one_layer(scene.textures, surface.texture) && !bent;
         traits.focuses |= all[i].focuses;
     }
     traits.own_rays = boxes_of_own_rays(scene, traits);
+    if (!scene.options.lean.takes(plan::LeanStep::Interiors)) traits.grouped = traits.fades = traits.media = true;
     return traits;
 }
 

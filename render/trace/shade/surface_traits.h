@@ -22,6 +22,7 @@ struct PatternedLayers {
 
 struct SurfaceTraits {
     bool needs_uv = true;        ///< something of its textures looks at surface coordinates
+    bool looked_around = false;  ///< something asks for more than the point (texture::Surroundings)
     bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
     bool focuses = false;        ///< filtered alike, but for the angle at which light meets the normal (`caustics`)
@@ -31,16 +32,16 @@ struct SurfaceTraits {
 };
 
 struct SceneTraits {
-    std::vector<SurfaceTraits> surfaces;  ///< by csg::SurfaceId
-    bool all_batched = true;
-    bool looked_around = false;  ///< some texture asks for more than the point (texture::Surroundings)
-    bool grouped = false;        ///< some surface is not reached by all lights
-    bool filters = false;        ///< some surface lets a shadow ray through
-    bool focuses = false;        ///< some surface does so in a way that is worked out for a whole tile
-    bool fades = false;          ///< light fades inside some interior
-    bool media = false;          ///< some interior holds media that dim light
-    bool scalar_rows = false;    ///< Options::scalar_light
-    bool even_fog = false;       ///< the air has fog that is the same everywhere, and nothing else
+    std::vector<SurfaceTraits> surfaces;      ///< by csg::SurfaceId
+    std::vector<csg::SurfaceId> not_batched;  ///< whose SurfaceTraits::batched is false
+    bool sky_looks_around = false;            ///< a pigment of the sky asks for texture::Surroundings
+    bool grouped = false;                     ///< some surface is not reached by all lights
+    bool filters = false;                     ///< some surface lets a shadow ray through
+    bool focuses = false;                     ///< some surface does so in a way that is worked out for a whole tile
+    bool fades = false;                       ///< light fades inside some interior
+    bool media = false;                       ///< some interior holds media that dim light
+    bool scalar_rows = false;                 ///< Options::scalar_light
+    bool even_fog = false;                    ///< the air has fog that is the same everywhere, and nothing else
     /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are
     /// met, to the last bit where a pattern has edges, and solids that depend on the way (csg::Freeform::one_way).
     /// Elsewhere they may come from the light as a beam.
