@@ -63,6 +63,7 @@ public:
         });
     }
 
+    double guarded_until(std::size_t k) const { return rays_.limit[k]; }
     static bool first_only(const WorldItem& item) { return item.all_opaque; }
     void hit(std::uint32_t index, std::size_t k, const Hit& found)
     {

@@ -17,6 +17,7 @@ namespace csg {
 ///   query.first_only(item)             whether the nearest drawn end of it is enough
 ///   query.hit(item index, ray, hit)    one crossing of a CSG object: the nearest, or each of them
 ///   query.each(item index, ray)        anything else, ray by ray
+///   query.guarded_until(ray)           as `end` of passes()
 template <class Rays, class Query>
 struct TileLeaf {
     const WorldData& world;
@@ -55,7 +56,9 @@ struct TileLeaf {
             return;
         }
         if (kind_of(item.solid) == SolidKind::Torus && !guarded && torus(index, mask)) return;
-        if (item.many && !guarded && (mask & (mask - 1)) != 0) {
+        if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many))
+            mask = passing(item, mask);
+        if (item.many && (mask & (mask - 1)) != 0) {
             if (item.solid != kNoPart) return together(index, mask);
             return fetched(index, mask);
         }
@@ -78,6 +81,18 @@ private:
         const auto& start = world.bvh.triangle_first;
         for (std::uint32_t k = start[leaf.index()]; k < start[leaf.index() + 1]; ++k)
             triangle(world.bvh.triangle_members[k], mask);
+    }
+
+    /// The rays that the item's guard lets through.
+    RayMask passing(const WorldItem& item, RayMask mask) const
+    {
+        RayMask out = 0;
+        each_ray(mask, [&](std::size_t k) {
+            if (!(rays.limit[k] < 0.0) && passes(world, item, rays.ray(static_cast<int>(k)), rays.t_min[k],
+                                                 query.guarded_until(k), query.scratch()))
+                out |= RayMask{1} << k;
+        });
+        return out;
     }
 
     static bool serves_ends(const WorldItem& item, RayMask mask)

@@ -67,6 +67,7 @@ public:
               item_nearest(world_, world_.items[index], rays_.ray(i), rays_.t_min[k], rays_.limit[k], scratch_));
     }
 
+    static double guarded_until(std::size_t) { return kInfinity; }
     static bool first_only(const WorldItem&) { return true; }
     void hit(std::uint32_t index, std::size_t k, const Hit& found) { offer(index, k, found); }
     void record(std::uint32_t index, std::size_t k, const IntersectionList& told)
@@ -236,6 +237,7 @@ public:
         });
     }
 
+    double guarded_until(std::size_t k) const { return rays_.limit[k]; }
     static bool first_only(const WorldItem& item) { return item.all_opaque; }
     void hit(std::uint32_t, std::size_t k, const Hit& found)
     {

@@ -137,11 +137,11 @@ void WorldData::finish()
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         WorldItem& item = items[i];
         item.all_opaque = all_opaque(*this, item);
-        item.simple = item.solid == kNoPart && item.instance == Hit::kNoInstance && item.guard == WorldItem::kNoGuard &&
+        item.simple = item.solid == kNoPart && item.instance == Hit::kNoInstance &&
                       programs[item.program].products.simple();
         item.plain = item.simple && programs[item.program].products.terms[0].plain();
-        item.boolean = item.solid == kNoPart && item.instance == Hit::kNoInstance &&
-                       item.guard == WorldItem::kNoGuard && !item.simple && programs[item.program].boolean.in_lanes;
+        item.boolean = item.solid == kNoPart && item.instance == Hit::kNoInstance && !item.simple &&
+                       programs[item.program].boolean.in_lanes;
         item.many = many(*this, item);
         costly = costly || item.many;
         visible_everywhere &= item.visible;
