@@ -4,10 +4,12 @@
 #include "render/trace/light/shadow_rays.h"
 #include "render/trace/shade/shade_context.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
-/// What surfaces with `caustics` leave of light at the crossings of a tile's shadow rays, all together: the bits of
-/// surface_filter() (spec 3, 13.2). Compiled once per instruction set.
+/// What surfaces with patterns or `caustics` leave of light at the crossings of a tile's shadow rays, all together: the
+/// bits of surface_filter() (spec 3, 13.2). Compiled once per instruction set.
 namespace trace {
 
 class FocusedLight {
@@ -23,7 +25,7 @@ public:
     void add(std::size_t ray, const csg::Ray& way, const Hit* crossings, std::size_t count)
     {
         for (std::size_t i = 0; i < count; ++i) {
-            if (!traits_.surfaces[crossings[i].surface].focuses) continue;
+            if (!traits_.surfaces[crossings[i].surface].filters_together) continue;
             if (kept_.rays.count == csg::kTileRays) run();
             const auto n = static_cast<std::size_t>(kept_.rays.count++);
             kept_.rays.set(n, way, 0.0, 0.0);
@@ -49,37 +51,74 @@ public:
     }
 
 private:
+    /// Layer by layer, as surface_filter() has them. Nothing looks around: places are found for a whole tile, and no
+    /// pattern depends on directions.
     void filter(csg::SurfaceId id, HitMask group)
     {
         const plan::Surface& surface = context_.scene.surfaces[id];
         const auto& set = context_.scene.textures;
-        const auto power = static_cast<double>(context_.scene.interiors[surface.interior].caustics_power);
-        const std::uint32_t normal = set.layers[set.textures[surface.texture].first].normal;
-        const glm::vec3 color = traits_.surfaces[id].filter;
+        const texture::Texture& texture = set.textures[surface.texture];
+        const float power = surface.interior == plan::kNone ? 0.0f
+                                                            : context_.scene.interiors[surface.interior].caustics_power;
+        Seen seen;
+        std::array<glm::vec3, csg::kTileRays> light;
+        const auto count = static_cast<std::size_t>(std::popcount(group));
+        std::fill_n(light.begin(), count, glm::vec3(1));
+        for (std::uint32_t i = texture.count; i-- > 0;) {
+            const texture::Layer& layer = set.layers[texture.first + i];
+            const texture::Pigment& pigment = set.pigments[layer.pigment];
+            if (pigment.kind == texture::Pigment::Kind::Solid) {
+                const glm::vec3 passes = pigment.color.filter * pigment.color.rgb() + pigment.color.transmit;
+                for (std::size_t n = 0; n < count; ++n) light[n] *= passes;
+            } else {
+                look(group, seen);
+                texture::ColorPoints colors;
+                texture::pigment_colors(set, layer.pigment, seen.points, seen.around, colors);
+                for (std::size_t n = 0; n < count; ++n) {
+                    const scene::Color c = colors.at(n);
+                    light[n] *= c.filter * c.rgb() + c.transmit;
+                }
+            }
+            if (power != 0.0f) focus(layer.normal, static_cast<double>(power), group, seen, light);
+        }
+        std::size_t n = 0;
+        for_each_hit(group,
+                     [&](std::size_t k) { kept_.filters[kept_.place[k].ray][kept_.place[k].crossing] = light[n++]; });
+    }
+
+    /// Crossings of one surface as patterns see them.
+    struct Seen {
+        texture::Points points;
+        texture::Around around;
+        texture::Surroundings nothing;
+    };
+    void look(HitMask group, Seen& seen) const
+    {
+        if (seen.points.count != 0) return;
+        for_each_hit(group, [&](std::size_t k) {
+            seen.around[seen.points.size()] = &seen.nothing;
+            seen.points.add(kept_.places.point(k));
+        });
+        seen.points.pad();
+    }
+
+    /// What a layer makes of light that comes straight at it.
+    void focus(std::uint32_t normal, double power, HitMask group, Seen& seen,
+               std::array<glm::vec3, csg::kTileRays>& light) const
+    {
         texture::Points n;
         for_each_hit(group, [&](std::size_t k) { n.add(kept_.places.normal(k)); });
-        if (normal != texture::kNone) bend(normal, group, n);
+        if (normal != texture::kNone) {
+            look(group, seen);
+            n.pad();
+            texture::perturb_points(context_.scene.textures, normal, seen.points, seen.around, n);
+        }
         std::size_t i = 0;
         for_each_hit(group, [&](std::size_t k) {
             const glm::dvec3 d = kept_.rays.ray(static_cast<int>(k)).direction;
-            const double focus = std::pow(std::abs(glm::dot(n.at(i++), d)), power);
-            glm::vec3 light = color;
-            light *= static_cast<float>(1.0 + focus);
-            kept_.filters[kept_.place[k].ray][kept_.place[k].crossing] = light;
+            light[i] *= static_cast<float>(1.0 + std::pow(std::abs(glm::dot(n.at(i), d)), power));
+            ++i;
         });
-    }
-
-    /// Nothing looks around: the surface's place is found for a whole tile, and no pattern depends on directions.
-    void bend(std::uint32_t normal, HitMask group, texture::Points& n)
-    {
-        texture::Points points;
-        texture::Around around;
-        const texture::Surroundings nothing;
-        around.fill(&nothing);
-        for_each_hit(group, [&](std::size_t k) { points.add(kept_.places.point(k)); });
-        points.pad();
-        n.pad();
-        texture::perturb_points(context_.scene.textures, normal, points, around, n);
     }
 
     Context& context_;

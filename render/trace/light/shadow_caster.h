@@ -143,7 +143,7 @@ private:
         if (rays == 0) return;
         focused_ = false;
         if (scratch_.traits.restarts()) restart(rays, hit_of);
-        else if (scratch_.traits.focuses && !scratch_.rays.common_origin) focus(rays, hit_of);
+        else if (scratch_.traits.filters_together && !scratch_.rays.common_origin) focus(rays, hit_of);
         const plan::CompiledScene& scene = context_.scene;
         const bool media = scratch_.traits.media || (in_air && scene.atmosphere.extinguishes);
         MediaShadows* later = media ? &context_.scratch.media().shadows : nullptr;

@@ -124,7 +124,7 @@ void past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3
             color *= interior_media_share(context.scene, ray, before, crossing.t, air.later, air.lane);
         const SurfaceTraits& surface = traits.surfaces[crossing.surface];
         color *= surface.steady_filter ? surface.filter
-                 : surface.focuses && focused != nullptr
+                 : surface.filters_together && focused != nullptr
                      ? focused[first - begin]
                      : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
         if (traits.fades || traits.media || air.atmosphere) {

@@ -103,7 +103,7 @@ struct FocusScratch {
     csg::HitTile hits;
     TileHits places;
     std::array<Place, csg::kTileRays> place;
-    /// By shadow ray and crossing, where SurfaceTraits::focuses.
+    /// By shadow ray and crossing, where SurfaceTraits::filters_together.
     std::array<std::array<glm::vec3, csg::CrossingTile::kMost>, csg::kTileRays> filters;
 };
 

@@ -46,7 +46,8 @@ private:
         if (lights_ && !scratch_.traits.scalar_rows && single.index != plan::kNone && (goes_on_ || !single.goes_on))
             begin_single(group, surface, single);
         else if (layers.texture != plan::kNone && !layers.map) begin_layers(group, surface, layers);
-        else if (layers.texture != plan::kNone && !scratch_.traits.scalar_rows) begin_map(group, surface, layers.texture);
+        else if (layers.texture != plan::kNone && !scratch_.traits.scalar_rows)
+            begin_map(group, surface, layers.texture);
     }
 
     void begin_single(HitMask group, csg::SurfaceId surface, const SingleLayer& single)

@@ -136,10 +136,17 @@ PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, boo
     return patterned ? PatternedLayers{index, all_alone} : PatternedLayers{};
 }
 
-bool one_layer(const TextureSet& set, std::uint32_t index)
+/// Layers, whose pigments are all somewhere.
+bool layers_filter(const TextureSet& set, std::uint32_t index)
 {
     const texture::Texture& texture = set.textures[index];
-    return texture.kind == texture::Texture::Kind::Layers && texture.count == 1;
+    if (texture.kind != texture::Texture::Kind::Layers) return false;
+    return std::none_of(set.layers.begin() + texture.first, set.layers.begin() + texture.first + texture.count,
+                        [&](const texture::Layer& layer) {
+                            using Kind = texture::Pigment::Kind;
+                            const Kind kind = set.pigments[layer.pigment].kind;
+                            return kind == Kind::Image || kind == Kind::Uv;
+                        });
 }
 
 /// Whether shadow rays have to meet a part from the point itself.
@@ -246,9 +253,9 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
         const bool plain = plain_filter(scene.textures, surface.texture, all[i].filter);
         all[i].steady_filter = plain && !focused;
-        all[i].focuses = plain && focused && !traits.scalar_rows && all[i].batched && surface.part_count == 0 &&
-                         one_layer(scene.textures, surface.texture) && !bent;
-        traits.focuses |= all[i].focuses;
+        all[i].filters_together = !surface.opaque && !all[i].steady_filter && !traits.scalar_rows && all[i].batched &&
+                                  surface.part_count == 0 && layers_filter(scene.textures, surface.texture) && !bent;
+        traits.filters_together |= all[i].filters_together;
     }
     traits.own_rays = boxes_of_own_rays(scene, traits);
     if (!scene.options.lean.takes(plan::LeanStep::Interiors)) traits.grouped = traits.fades = traits.media = true;

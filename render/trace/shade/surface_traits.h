@@ -25,10 +25,10 @@ struct SurfaceTraits {
     bool looked_around = false;  ///< something asks for more than the point (texture::Surroundings)
     bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
-    bool focuses = false;        ///< filtered alike, but for the angle at which light meets the normal (`caustics`)
-    SingleLayer outer, inner;    ///< as seen from outside, and where the raw normal faces along the ray
+    bool filters_together = false;  ///< what it filters by patterns or focuses (`caustics`) is found for a whole tile
+    SingleLayer outer, inner;       ///< as seen from outside, and where the raw normal faces along the ray
     PatternedLayers outer_patterned, inner_patterned;  ///< textures whose layers a tile looks up together
-    glm::vec3 filter{1};                               ///< steady_filter, focuses: by this (spec 3, 13.2)
+    glm::vec3 filter{1};                               ///< steady_filter: by this (spec 3, 13.2)
 };
 
 struct SceneTraits {
@@ -37,7 +37,7 @@ struct SceneTraits {
     bool sky_looks_around = false;            ///< a pigment of the sky asks for texture::Surroundings
     bool grouped = false;                     ///< some surface is not reached by all lights
     bool filters = false;                     ///< some surface lets a shadow ray through
-    bool focuses = false;                     ///< some surface does so in a way that is worked out for a whole tile
+    bool filters_together = false;            ///< some surface does so in a way that is found for a whole tile
     bool fades = false;                       ///< light fades inside some interior
     bool media = false;                       ///< some interior holds media that dim light
     bool scalar_rows = false;                 ///< Options::scalar_light
