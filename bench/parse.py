@@ -2,7 +2,7 @@
 """Speed of reading scenes against POV-Ray.
 
 usage: bench/parse.py [SCENE...] [--bar 10] [--mean 30] [--runs 5] [--whittle CMD] [--povray CMD] [--examples FOLDER]
-       bench/parse.py --distribution [--whittle CMD] [--povray CMD] [--examples FOLDER]
+       bench/parse.py --distribution [SCENE...] [--cache FILE] [--whittle CMD] [--povray CMD] [--examples FOLDER]
 
 Both programs read each scene in turn, `--runs` times. POV-Ray's time is the processor time of its parsing alone, as it
 prints it; Whittle's is that of a whole `--parse-only` run, start and end included. The median of the runs counts. What the
@@ -10,9 +10,11 @@ scenes print must be equal. Peak memory is that of the whole process. Exit statu
 mean of all is below --mean, memory is above POV-Ray's or the text differs.
 
 --distribution: every scene of POV-Ray's own, twice, the least counts; exit status 1 if one is read more slowly where POV-Ray
-needs 20 ms or more. Only those are listed that are slower than half of POV-Ray's time.
+needs 20 ms or more. Only those are listed that are slower than half of POV-Ray's time. Names pick scenes (parts of their
+paths). --cache keeps POV-Ray's times in a file, so that a run that was interrupted goes on where it was.
 """
 import argparse
+import json
 import math
 import os
 import pathlib
@@ -50,7 +52,7 @@ def run(command, folder, may_fail=False):
 
 def read_by_povray(args, source, folder, may_fail=False):
     """Text, seconds of its parsing (nothing if it failed) and kilobytes."""
-    command = [args.povray, f"+I{source.name}", *SIZE, "-D", "-P", "-F", "+WT1", "+SR1", "+ER1"]
+    command = [args.povray, f"+I{source.name}", *SIZE, "-D", "-P", "-F", "+WT1", "+SR1", "+ER1", "+Q0"]  # reads all, traces next to nothing
     text, _, memory = run(command, folder, may_fail)
     seconds = PARSE.search(text)
     return text, float(seconds.group(2)) if seconds else None, memory
@@ -93,12 +95,20 @@ def compare(args, name, source, scratch):
 def read_distribution(args):
     """Whether no scene of POV-Ray's own is read more slowly than by it."""
     scenes = sorted(pathlib.Path(args.examples).glob("**/*.pov"))
+    if args.scenes:
+        scenes = [source for source in scenes if any(name in str(source.relative_to(args.examples)) for name in args.scenes)]
+    cache = pathlib.Path(args.cache) if args.cache else None
+    known = json.loads(cache.read_text()) if cache and cache.exists() else {}
     compared = slower = failed = 0
     for source in scenes:
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch, "scene")
             shutil.copytree(source.parent, folder)
-            theirs = [read_by_povray(args, source, folder, True)[1] for _ in range(2)]
+            name = str(source.relative_to(args.examples))
+            theirs = known.get(name) or [read_by_povray(args, source, folder, True)[1] for _ in range(2)]
+            if cache and name not in known:
+                known[name] = theirs
+                cache.write_text(json.dumps(known, indent=0))
             if None in theirs:
                 failed += 1
                 continue
@@ -108,14 +118,14 @@ def read_distribution(args):
             ours = min(read_by_whittle(args, source, folder, True)[1] for _ in range(2))
             slower += ours > min(theirs)
             if 2.0 * ours > min(theirs):
-                print(f"{source.relative_to(args.examples)}: POV-Ray {min(theirs):.3f} s, Whittle {ours:.3f} s", flush=True)
+                print(f"{name}: POV-Ray {min(theirs):.3f} s, Whittle {ours:.3f} s", flush=True)
     print(f"{len(scenes)} scenes, POV-Ray fails on {failed}, needs {LEAST_SECONDS} s or more for {compared}; slower than it: {slower}")
     return 1 if slower else 0
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("scenes", nargs="*", default=OURS + list(EXAMPLES))
+    parser.add_argument("scenes", nargs="*")
     parser.add_argument("--bar", type=float, default=10)
     parser.add_argument("--mean", type=float, default=30)
     parser.add_argument("--runs", type=int, default=5)
@@ -123,13 +133,14 @@ def main():
     parser.add_argument("--povray", default="povray")
     parser.add_argument("--examples", default="/usr/share/doc/povray/examples")
     parser.add_argument("--distribution", action="store_true")
+    parser.add_argument("--cache")
     args = parser.parse_args()
     if args.distribution:
         return read_distribution(args)
     print(f"{'scene':18} {'POV-Ray s':>10} {'Whittle s':>10} {'ratio':>7} {'POV-Ray MB':>11} {'Whittle MB':>11}")
     with tempfile.TemporaryDirectory() as scratch:
         rows = [compare(args, name, HERE / f"parse/{name}.pov" if name in OURS else pathlib.Path(args.examples, EXAMPLES[name]), scratch)
-                for name in args.scenes]
+                for name in args.scenes or OURS + list(EXAMPLES)]
     ratios = [ratio for ratio, _ in rows]
     mean = math.exp(sum(map(math.log, ratios)) / len(ratios))
     print(f"geometric mean {mean:.1f} (wanted {args.mean:g}), least {min(ratios):.1f} (wanted {args.bar:g})")
