@@ -341,7 +341,9 @@ const KernelTable kTable = {
        PhotonYield& out) {
         return jitter != nullptr ? tracer.follow(flight, photons, *jitter, out) : tracer.count(flight, photons, out);
     },
-    [](const plan::CompiledScene& scene, const std::atomic<bool>* cancel) { return new PathTracer(scene, cancel); },
+    [](const plan::CompiledScene& scene, const path::Sources& sources, const std::atomic<bool>* cancel) {
+        return new PathTracer(scene, sources, cancel);
+    },
     [](PathTracer* tracer) { delete tracer; },
     [](PathTracer& tracer, std::span<const PathSample> samples, PathFound* out) { return tracer.trace(samples, out); },
     [](const PathTracer& tracer) { return tracer.counts(); },

@@ -44,7 +44,8 @@ struct KernelTable {
     bool (*follow_photons)(PhotonTracer& tracer, const PhotonFlight& flight, std::span<const Emission> photons,
                            const JitterStream* jitter, PhotonYield& out);
     /// A PathTracer belongs to one thread, as a BlockTracer does.
-    PathTracer* (*make_paths)(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
+    PathTracer* (*make_paths)(const plan::CompiledScene& scene, const path::Sources& sources,
+                              const std::atomic<bool>* cancel);
     void (*free_paths)(PathTracer* tracer);
     bool (*trace_paths)(PathTracer& tracer, std::span<const PathSample> samples, PathFound* out);
     RayCounts (*path_counts)(const PathTracer& tracer);

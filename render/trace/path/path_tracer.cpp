@@ -3,6 +3,7 @@
 #include "render/trace/air/air_stage.h"
 #include "render/trace/path/camera_start.h"
 #include "render/trace/path/lamp_rays.h"
+#include "render/trace/path/source_rays.h"
 #include "render/trace/path/surface.h"
 #include "render/trace/shade/sky.h"
 
@@ -37,14 +38,15 @@ bool finite(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y
 
 class PathTracer::Impl {
 public:
-    Impl(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
+    Impl(const plan::CompiledScene& scene, const path::Sources& sources, const std::atomic<bool>* cancel)
         : scene_(scene), world_(scene.world()), context_(scene, scratch_, nullptr), camera_(scene), lamps_(context_),
-          reader_(context_, light_),
+          sources_(context_, sources.any() ? &sources : nullptr), reader_(context_, light_),
           alike_(world_.seen_by_all(static_cast<std::uint8_t>(
               bit(plan::RayKind::Image) | bit(plan::RayKind::Reflection) | bit(plan::RayKind::Gather))))
     {
         scratch_.geometry.cancel = csg::CancelWatch(cancel);
         scratch_.shade.traits = scene_traits(scene);
+        sources_.set_air(has_air(context_));
     }
 
     /// Ended paths make room for new ones, so that tiles stay full.
@@ -115,8 +117,11 @@ private:
         const HitMask missed = first_hits(rays_.count) & ~tile.found();
         if (missed != 0) add_sky(tile, missed);
         lamps_.begin();
+        sources_.begin();
         for_each_hit(tile.found(), [&](std::size_t k) { meet(tile, k); });
-        lamps_.run([&](std::size_t k, const glm::vec3& light) { walks_[k].radiance += light; });
+        const auto give = [&](std::size_t k, const glm::vec3& light) { walks_[k].radiance += light; };
+        lamps_.run(give);
+        sources_.run(give);
         keep(count);
     }
 
@@ -126,7 +131,8 @@ private:
         sky_colors(context_, tile, missed, sky.data());
         for_each_hit(missed, [&](std::size_t k) {
             path::Walk& walk = walks_[k];
-            walk.radiance += walk.throughput * sky[k].rgb();
+            walk.radiance += walk.throughput * sky[k].rgb() *
+                             sources_.weight_of_sky(walk.pdf, rays_.ray(static_cast<int>(k)).direction);
             out_[walk.owner].color.transmit = sky[k].transmit * std::min(1.0f, scene::grey(walk.throughput));
             if (!walk.seen) out_[walk.owner].albedo = glm::vec3(1);
         });
@@ -145,17 +151,19 @@ private:
             walk.throughput *= path::absorbed(scene_.interiors[state.interiors.last()], met.t);
         walk.length += met.t;
         reader_.read(hit, details, tile.texture(k), walk.draws);
-        walk.radiance += walk.throughput * light_.emission;
+        if (!black(light_.emission))
+            walk.radiance += walk.throughput * light_.emission * sources_.weight_of(walk.pdf, state.ray, met);
         if (light_.bsdf.scatters()) {
             look_at(walk);
             lamps_.ask(k, hit, light_.bsdf, walk.throughput, walk.draws);
+            if (sources_.asks(state.interiors)) sources_.ask(k, hit, light_.bsdf, walk.throughput, walk.draws);
         }
         const path::Scattered on = light_.bsdf.sample(walk.draws);
         if (on.lobe == nullptr) return;
         walk.throughput *= on.weight;
         ++walk.bounces;
         if (!path::finite(walk.throughput) || !survives(walk)) return;
-        walk.pdf = on.pdf;
+        walk.pdf = sources_.asks(state.interiors) ? on.pdf : 0.0;
         next_[k] = next_ray(hit, on);
         goes_on_ |= HitMask{1} << k;
     }
@@ -236,6 +244,7 @@ private:
     Context context_;
     path::CameraStart camera_;
     path::LampRays lamps_;
+    path::SourceRays sources_;
     path::SurfaceLight light_;  ///< of the hit at hand
     path::SurfaceReader reader_;
     const bool alike_;  ///< rays of all kinds see the same
@@ -250,8 +259,8 @@ private:
     HitTile hits_;
 };
 
-PathTracer::PathTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
-    : impl_(std::make_unique<Impl>(scene, cancel))
+PathTracer::PathTracer(const plan::CompiledScene& scene, const path::Sources& sources, const std::atomic<bool>* cancel)
+    : impl_(std::make_unique<Impl>(scene, sources, cancel))
 {}
 PathTracer::~PathTracer() = default;
 

@@ -8,6 +8,9 @@
 #include <span>
 
 namespace trace {
+namespace path {
+struct Sources;
+}
 
 /// Where a path begins: a place of the picture, as SamplePosition has it, and the pixel's sequence of random numbers.
 struct PathSample {
@@ -27,8 +30,8 @@ struct PathFound {
 /// Follows paths for one thread: docs/path_tracing.md. Compiled once per instruction set.
 class PathTracer {
 public:
-    /// Without radiosity and photons (plan::Options::paths).
-    PathTracer(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
+    /// \param scene without radiosity and photons (plan::Options::paths) \param sources of the same, which outlive it
+    PathTracer(const plan::CompiledScene& scene, const path::Sources& sources, const std::atomic<bool>* cancel);
     ~PathTracer();
     PathTracer(const PathTracer&) = delete;
     PathTracer& operator=(const PathTracer&) = delete;

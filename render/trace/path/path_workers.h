@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/kernel/kernel_module.h"
+#include "render/trace/path/sources.h"
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -24,8 +25,9 @@ public:
 
     /// All must outlive it.
     PathWorkers(const KernelTable& kernel, const plan::CompiledScene& scene, const RenderOptions& options)
-        : kernel_(kernel), workers_([&kernel, &scene, &options] {
-              return Worker{{kernel.make_paths(scene, options.cancel), {&kernel}}, {}, {}};
+        : kernel_(kernel), sources_(scene.options.paths ? path::find_sources(scene) : path::Sources()),
+          workers_([&kernel, &scene, &options, this] {
+              return Worker{{kernel.make_paths(scene, sources_, options.cancel), {&kernel}}, {}, {}};
           })
     {}
 
@@ -39,6 +41,7 @@ public:
 
 private:
     const KernelTable& kernel_;
+    const path::Sources sources_;
     tbb::enumerable_thread_specific<Worker> workers_;
 };
 

@@ -62,6 +62,8 @@ scene::Color seen_sky(const texture::Sky& sky, bool mirrored, ColorOf&& color_of
     return legacy_sky(sky, color_of);
 }
 
+}  // namespace
+
 scene::Color sky_color(const Context& context, const csg::Ray& ray, bool mirrored)
 {
     const texture::Sky& sky = context.scene.sky;
@@ -70,6 +72,8 @@ scene::Color sky_color(const Context& context, const csg::Ray& ray, bool mirrore
         return texture::pigment_color(context.scene.textures, sky.layers[i], ray.direction, around);
     });
 }
+
+namespace {
 
 constexpr std::size_t kMostLayers = 4;  ///< looked up together; skies have one or two
 using LayerColors = std::array<texture::ColorPoints, kMostLayers>;

@@ -164,3 +164,44 @@ TEST_CASE("a sphere that glows lights a plane as the closed form says", "[path]"
                                64);
     CHECK(found.mean() == Approx(2.0 * 0.25).epsilon(0.01));
 }
+
+TEST_CASE("glowing bodies of any shape are found by aim and by chance, and counted once", "[path]")
+{
+    // Seen from inside of a white box that is closed but for them, light adds up to what the furnace has.
+    for (const std::string body : {"sphere { <.2,.3,.1>, .4", "box { <-.5,.9,-.5>, <.5,.95,.5>",
+                                   "box { -.2, .2 rotate <20,30,40> translate .4*y", "cylinder { -.3*y, .3*y, .2",
+                                   "difference { sphere { 0, .4 } box { 0, 1 }"}) {
+        const std::string text = "camera { location <.7,-.5,-.8> look_at <-.2,-1,.4> angle 60 }\n"
+                                 "box { -1, 1 hollow pigment { rgb .5 } finish { diffuse 1 emission .5 } }\n" +
+                                 body + " pigment { rgb 1 } finish { diffuse 0 emission .5 } }";
+        const Paths found = traced(text, 128);
+        INFO(body);
+        CHECK(found.mean() == Approx(0.5).epsilon(0.02));  // walls and bodies are of the same radiance
+    }
+}
+
+TEST_CASE("a lamp that is a glowing box lights a wall as its form factor says", "[path]")
+{
+    // Point below the middle of a square of half side 1 at distance 1 (Howell, B-4): 4 times that of its corner.
+    const double a = 1.0 / std::sqrt(2.0), factor = 4.0 / (2.0 * M_PI) * 2.0 * a * std::atan(a);
+    const Paths found =
+        traced("camera { orthographic location 4*z right .02*x up .02*y direction -z sky y }\n"
+               "plane { z, 0 pigment { rgb 1 } finish { diffuse 1 } }\n"
+               "box { <-1,-1,1>, <1,1,1.2> no_image pigment { rgb 1 } finish { diffuse 0 emission 1 } }",
+               64);
+    CHECK(found.mean() == Approx(factor).epsilon(0.005));
+}
+
+TEST_CASE("a small sun in the sky is aimed at", "[path]")
+{
+    // A disc of radiance 100 and of the angular radius a: the irradiance pi L sin^2 a.
+    const double radius = 3.0 * M_PI / 180.0;
+    const std::string sky =
+        "sky_sphere { pigment { function { select(" + std::to_string(std::cos(radius)) +
+        " - y / sqrt(x*x+y*y+z*z), 1, 0) } color_map { [0 rgb 0] [.5 rgb 0] [.5 rgb 100] [1 rgb 100] } } }\n";
+    const Paths found = traced("camera { orthographic location 4*y right x up z direction -y sky z }\n" + sky +
+                                   "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }",
+                               256);
+    CHECK(found.mean() == Approx(100.0 * std::pow(std::sin(radius), 2)).epsilon(0.01));
+    CHECK(found.statistics.error < 3.0);  // by chance alone it would be ten times that
+}
