@@ -151,6 +151,20 @@ void add_photons(Settings& out, const scene::GlobalSettings& global)
                        {}});
 }
 
+void add_paths(Settings& out)
+{
+    for (const bool denoise : {false, true})
+        for (const std::uint32_t samples : {1u, 4u, 16u, 64u, 256u, 1024u})
+            out.push_back({denoise ? "paths, filtered" : "paths",
+                           fmt::format("--integrator=path --samples={}{}", samples, denoise ? " --denoise" : ""),
+                           [=](Trial& t) {
+                               t.options.free_sampling = t.options.paths = true;
+                               t.goal.samples = samples;
+                               t.denoise = denoise;
+                           },
+                           {}});
+}
+
 void scale_samples(plan::MediaSet& media, double share)
 {
     for (plan::Media& one : media.media) {
@@ -174,7 +188,8 @@ void add_media(Settings& out, const plan::MediaSet& media)
 
 }  // namespace
 
-Settings ladder(const scene::Description& scene, const plan::CompiledScene& compiled, const trace::RayCounts& rays)
+Settings ladder(const scene::Description& scene, const plan::CompiledScene& compiled, const trace::RayCounts& rays,
+                bool paths)
 {
     Settings out;
     add_antialiasing(out);
@@ -185,14 +200,16 @@ Settings ladder(const scene::Description& scene, const plan::CompiledScene& comp
     add_radiosity(out, scene.global);
     add_photons(out, scene.global);
     add_media(out, compiled.media);
+    if (paths) add_paths(out);
     return out;
 }
 
-void make_truth(Trial& trial, double error, double seconds)
+void make_truth(Trial& trial, double error, double seconds, bool paths)
 {
     constexpr int kDeep = 15;
     constexpr double kFaint = 1e-3;
     trial.options.free_sampling = true;
+    trial.options.paths = paths;
     trial.goal.error = error;
     trial.goal.seconds = seconds;
     trial.goal.seed = 1;  // none of its samples are those that it judges

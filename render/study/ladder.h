@@ -15,6 +15,7 @@ struct Trial {
     plan::Options options;
     trace::SamplingGoal goal;                            ///< of many samples; all 0: as options.antialiasing says
     std::function<void(plan::CompiledScene&)> compiled;  ///< what is changed behind the plan; may be empty
+    bool denoise = false;                                ///< of paths alone
 
     bool sampled() const { return goal.samples > 0 || goal.error > 0.0 || goal.seconds > 0.0; }
 };
@@ -29,11 +30,11 @@ struct Setting {
 };
 
 /// The settings that a scene has a use for; those of an effect that it lacks are left out. \param compiled the scene as
-/// given \param rays of its picture
+/// given \param rays of its picture \param paths those of the path tracer too
 std::vector<Setting> ladder(const scene::Description& scene, const plan::CompiledScene& compiled,
-                            const trace::RayCounts& rays);
+                            const trace::RayCounts& rays, bool paths = false);
 
-/// The scene as what it describes: many samples, depth without end that matters, all else as given.
-void make_truth(Trial& trial, double error, double seconds);
+/// The scene as what it describes: many samples, depth without end that matters, all else as given; or by paths.
+void make_truth(Trial& trial, double error, double seconds, bool paths = false);
 
 }  // namespace study

@@ -3,6 +3,7 @@
 #include "render/image/compare/flip.h"
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/indirect/passes.h"
+#include "render/trace/path/denoise.h"
 
 #include <algorithm>
 #include <chrono>
@@ -46,12 +47,14 @@ Error error_of(const Shown& truth, const Shown& picture, const image::TransferCu
 
 Study::Study(const scene::Description& scene, const plan::Options& options, const trace::RenderOptions& render,
              const image::OutputCurves& curves)
-    : scene_(scene), options_(options), render_(render), curves_(curves), transcoder_(curves.working, curves.file)
+    : scene_(scene), options_(options), paths_(options.paths), render_(render), curves_(curves),
+      transcoder_(curves.working, curves.file)
 {
     options_.antialiasing.method = 0;
-    const Trial trial{scene_, options_, {}, {}};
+    if (paths_) options_.paths = options_.free_sampling = false;
+    const Trial trial{scene_, options_, {}, {}, false};
     const plan::CompiledScene compiled = plan::compile(trial.scene, trial.options);
-    settings_ = ladder(scene_, compiled, this->render(trial).statistics.rays);
+    settings_ = ladder(scene_, compiled, this->render(trial).statistics.rays, paths_);
 }
 
 trace::ShownLevel Study::level() const
@@ -73,8 +76,12 @@ Study::Rendered Study::render(const Trial& trial) const
     image::Image picture;
     if (trial.sampled()) {
         trace::SampledPicture samples(options_.width, options_.height);
-        out.statistics = trace::render_sampled(compiled, render, trial.goal, level(), samples);
-        samples.show(picture);
+        std::optional<trace::PathFeatures> features;
+        if (trial.denoise) features.emplace(options_.width, options_.height);
+        trace::PathFeatures* const seen = features ? &*features : nullptr;
+        out.statistics = trace::render_sampled(compiled, render, trial.goal, level(), samples, {}, seen);
+        if (features) trace::denoise(samples, *features, picture);
+        else samples.show(picture);
     } else {
         out.statistics = trace::render(compiled, render, picture);
     }
@@ -92,8 +99,8 @@ Study::Rendered Study::render(const Trial& trial) const
 
 const Truth& Study::find_truth(double error, double seconds)
 {
-    Trial trial{scene_, options_, {}, {}};
-    make_truth(trial, error, seconds);
+    Trial trial{scene_, options_, {}, {}, false};
+    make_truth(trial, error, seconds, paths_);
     Rendered found = render(trial);
     truth_.picture = std::move(found.picture);
     truth_.expected_error = found.statistics.error;
@@ -107,7 +114,7 @@ std::optional<Result> Study::run(const Setting& setting) const
 {
     constexpr double kEnough = 0.2;
     constexpr int kMostRuns = 5;
-    Trial trial{scene_, options_, {}, {}};
+    Trial trial{scene_, options_, {}, {}, false};
     setting.apply(trial);
     Result out;
     out.family = setting.family;

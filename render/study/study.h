@@ -47,7 +47,8 @@ struct Truth {
 /// Renders settings of one scene and measures them against its truth.
 class Study {
 public:
-    /// \param options size of the picture and quality \param curves from light to stored values
+    /// \param options size of the picture and quality; where they are for paths, the truth is of paths, and paths are
+    /// measured beside the rest \param curves from light to stored values
     Study(const scene::Description& scene, const plan::Options& options, const trace::RenderOptions& render,
           const image::OutputCurves& curves);
 
@@ -72,6 +73,7 @@ private:
 
     const scene::Description& scene_;
     plan::Options options_;
+    bool paths_;
     trace::RenderOptions render_;
     image::OutputCurves curves_;
     image::Transcoder transcoder_;

@@ -107,6 +107,8 @@ constexpr OwnOption kOwnOptions[] = {
      "or "
      "time say more",
      [](Settings& s, const std::string& v) { s.paths = v == "path"; }},
+    {"denoise", "", "filter a picture of --integrator=path, guided by surfaces and by the variance of its pixels",
+     [](Settings& s, const std::string&) { s.denoise = true; }},
     {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
     {"explain", "", "say where reading spent its time, what the plan kept, what it left out and why",
      [](Settings& s, const std::string&) { s.explain = true; }},

@@ -54,6 +54,7 @@ struct Settings {
     double error = 0.0;          ///< estimated, of 255, that a picture may have
     double time = 0.0;           ///< seconds that a frame may take
     bool paths = false;          ///< by the path tracer (docs/path_tracing.md)
+    bool denoise = false;        ///< of a picture of the path tracer
     double shutter = 0.0;        ///< share of the time to the next frame that a picture is exposed for
     int motion_samples = 16;     ///< moments of it
     bool sampled() const { return paths || asks_for_samples() || shutter > 0.0; }

@@ -11,6 +11,7 @@
 #include "render/plan/path_scene.h"
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/indirect/passes.h"
+#include "render/trace/path/denoise.h"
 #include "render/trace/sampling/sampled_render.h"
 
 #include <fmt/format.h>
@@ -91,7 +92,9 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
       strip_(rows_of_blocks_in(picture_memory(settings_), blocks_, settings_.width, settings_.height, task.file.type)),
       in_strips_(strip_ < blocks_.rows())
 {
-    const double samples = trace::SampledPicture::kBytesPerPixel * settings_.width * settings_.height;
+    const double samples =
+        (trace::SampledPicture::kBytesPerPixel + (settings_.denoise ? trace::PathFeatures::kBytesPerPixel : 0.0)) *
+        settings_.width * settings_.height;
     if (settings_.sampled() && (in_strips_ || samples > picture_memory(settings_)))
         throw std::runtime_error("not enough memory is free for the samples of so large a picture");
     if (strip_ == 0)
@@ -206,6 +209,8 @@ bool PictureRun::trace_samples()
         return 255.0 * std::clamp(static_cast<double>(shown.to_file(static_cast<float>(light))), 0.0, 1.0);
     };
     trace::SampledPicture samples(settings_.width, settings_.height);
+    std::optional<trace::PathFeatures> features;
+    if (settings_.denoise) features.emplace(settings_.width, settings_.height);
     const auto after_pass = [&](double share) {
         samples.show(picture_);
         for (std::size_t i = 0; preview_ && i < blocks_.size(); ++i) preview_->show(blocks_[i], picture_);
@@ -221,8 +226,10 @@ bool PictureRun::trace_samples()
         const auto light = later ? trace::run_passes(scene, options) : indirect_;
         options.indirect = light.get();
         if (cancelled()) return false;
-        statistics_ += trace::render_sampled(scene, options, goal, level, samples, after_pass);
+        statistics_ +=
+            trace::render_sampled(scene, options, goal, level, samples, after_pass, features ? &*features : nullptr);
     }
+    if (features) trace::denoise(samples, *features, picture_);
     times_.finish("trace");
     return !statistics_.cancelled;
 }

@@ -42,6 +42,8 @@ Error against run time of each scene, over the settings that it has a use for: a
   --solvers=FILE      a table of numerics_lab --csv: error against time of the solvers follows the scenes
   --povray=PROGRAM    the POV-Ray to measure beside, or off; usual: povray, where it is installed
 
+  --integrator=path   measure against a picture of paths, and paths beside all else
+
 All else is as for a render: +W +H (usual: 320 240), +WT, +L, Declare=, +Q, --isa. Exit status: 0 done, 1 something could not be
 measured, 2 cancelled.
 )";

@@ -134,7 +134,7 @@ private:
             walk.radiance += walk.throughput * sky[k].rgb() *
                              sources_.weight_of_sky(walk.pdf, rays_.ray(static_cast<int>(k)).direction);
             out_[walk.owner].color.transmit = sky[k].transmit * std::min(1.0f, scene::grey(walk.throughput));
-            if (!walk.seen) out_[walk.owner].albedo = glm::vec3(1);
+            if (!walk.seen) out_[walk.owner].albedo = sky[k].rgb();
         });
     }
 
@@ -153,8 +153,8 @@ private:
         reader_.read(hit, details, tile.texture(k), walk.draws);
         if (!black(light_.emission))
             walk.radiance += walk.throughput * light_.emission * sources_.weight_of(walk.pdf, state.ray, met);
+        if (light_.bsdf.scatters() || !black(light_.emission)) look_at(walk);
         if (light_.bsdf.scatters()) {
-            look_at(walk);
             lamps_.ask(k, hit, light_.bsdf, walk.throughput, walk.draws);
             if (sources_.asks(state.interiors)) sources_.ask(k, hit, light_.bsdf, walk.throughput, walk.draws);
         }
@@ -168,13 +168,13 @@ private:
         goes_on_ |= HitMask{1} << k;
     }
 
-    /// The first surface that scatters light.
+    /// The first surface that scatters light or has its own.
     void look_at(path::Walk& walk)
     {
         if (walk.seen) return;
         walk.seen = true;
         PathFound& out = out_[walk.owner];
-        out.albedo = glm::min(glm::vec3(1), light_.bsdf.albedo() + light_.emission);
+        out.albedo = light_.bsdf.albedo() + light_.emission;
         out.normal = light_.normal;
         out.depth = static_cast<float>(walk.length);
     }

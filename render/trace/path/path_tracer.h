@@ -21,8 +21,8 @@ struct PathSample {
 /// What a path has brought.
 struct PathFound {
     scene::Color color;  ///< radiance; transmit as of any other camera ray
-    /// Of the first surface that scatters light, for those who filter the picture: its colour, its normal (0: none)
-    /// and how far the path had come.
+    /// Of the first surface that scatters light or has its own, for those who filter the picture: what it makes of
+    /// even light and what it gives off (the sky: that alone), its normal (0: none) and how far the path had come.
     glm::vec3 albedo{0}, normal{0};
     float depth = 0;
 };

@@ -1,6 +1,7 @@
 #include "render/trace/sampling/sampled_render.h"
 
 #include "render/trace/kernel/tracers.h"
+#include "render/trace/path/denoise.h"
 #include "render/trace/path/path_workers.h"
 #include "render/trace/random.h"
 #include "render/trace/sampling/sobol.h"
@@ -38,8 +39,8 @@ std::uint32_t seed_of(int x, int y, std::uint32_t seed)
 class SampledRender {
 public:
     SampledRender(const plan::CompiledScene& scene, const RenderOptions& options, const SamplingGoal& goal,
-                  const ShownLevel& shown, SampledPicture& picture)
-        : scene_(scene), options_(options), goal_(goal), shown_(shown), picture_(picture),
+                  const ShownLevel& shown, SampledPicture& picture, PathFeatures* features)
+        : features_(features), scene_(scene), options_(options), goal_(goal), shown_(shown), picture_(picture),
           kernel_(load_kernel(options.isa)), tracers_(kernel_, scene, options), paths_(kernel_, scene, options),
           blocks_(scene.options),
           wanted_(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()), 0)
@@ -261,11 +262,15 @@ private:
     {
         PathWorkers::Worker& worker = paths_.local();
         std::array<SampledPicture::Pixel*, kAtOnce> owners;
+        std::array<std::array<int, 2>, kAtOnce> places;
         worker.samples.clear();
         worker.found.resize(kAtOnce);
         const auto flush = [&] {
             if (!kernel_.trace_paths(*worker.tracer, worker.samples, worker.found.data())) return false;
-            for (std::size_t i = 0; i < worker.samples.size(); ++i) owners[i]->add(worker.found[i].color);
+            for (std::size_t i = 0; i < worker.samples.size(); ++i) {
+                owners[i]->add(worker.found[i].color);
+                if (features_ != nullptr) features_->add(places[i][0], places[i][1], worker.found[i]);
+            }
             done += worker.samples.size();
             worker.samples.clear();
             return true;
@@ -274,6 +279,7 @@ private:
                            [&](int x, int y, std::uint32_t seed, std::uint32_t index) {
                                const std::array<double, 2> at = sobol_point(seed, index);
                                owners[worker.samples.size()] = &picture_.at(x, y);
+                               places[worker.samples.size()] = {x, y};
                                worker.samples.push_back({x - 0.5 + at[0], y - 0.5 + at[1], seed, index});
                                return worker.samples.size() < kAtOnce || flush();
                            }) &&
@@ -303,6 +309,7 @@ private:
         return going;
     }
 
+    PathFeatures* const features_;  ///< null: nobody asks
     const plan::CompiledScene& scene_;
     const RenderOptions& options_;
     const SamplingGoal& goal_;
@@ -327,11 +334,11 @@ private:
 
 RenderStatistics render_sampled(const plan::CompiledScene& scene, const RenderOptions& options,
                                 const SamplingGoal& goal, const ShownLevel& shown, SampledPicture& picture,
-                                const std::function<void(double)>& after_pass)
+                                const std::function<void(double)>& after_pass, PathFeatures* features)
 {
     const KernelTable& kernel = load_kernel(options.isa);
     function::use(kernel.evaluators);
-    return SampledRender(scene, options, goal, shown, picture).run(after_pass);
+    return SampledRender(scene, options, goal, shown, picture, features).run(after_pass);
 }
 
 }  // namespace trace

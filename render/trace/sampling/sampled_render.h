@@ -5,6 +5,8 @@
 
 namespace trace {
 
+class PathFeatures;
+
 /// When a picture of many samples is done: what comes first of those that are given.
 struct SamplingGoal {
     std::uint32_t samples = 0;  ///< in each pixel, more than it has already; 0: as the error or the time asks
@@ -17,8 +19,9 @@ struct SamplingGoal {
 /// Traces passes of samples until the goal is met: docs/error_and_time.md. The same samples for any number of threads
 /// and any instruction set, unless the time ends it. Of `options` blocks and `done` are not looked at.
 /// \param after_pass called with the share of the goal that is met, when all pixels are as they are shown; may be empty
+/// \param features of the paths are added here; null: nobody asks
 RenderStatistics render_sampled(const plan::CompiledScene& scene, const RenderOptions& options,
                                 const SamplingGoal& goal, const ShownLevel& shown, SampledPicture& picture,
-                                const std::function<void(double)>& after_pass = {});
+                                const std::function<void(double)>& after_pass = {}, PathFeatures* features = nullptr);
 
 }  // namespace trace

@@ -1,4 +1,5 @@
 // The path tracer against closed forms and the Whitted picture: docs/path_tracing.md.
+#include "render/trace/path/denoise.h"
 #include "render/trace/path/fresnel.h"
 #include "render/trace/sampling/sampled_render.h"
 #include "tests/parser/grammar_support.h"
@@ -204,4 +205,76 @@ TEST_CASE("a small sun in the sky is aimed at", "[path]")
                                256);
     CHECK(found.mean() == Approx(100.0 * std::pow(std::sin(radius), 2)).epsilon(0.01));
     CHECK(found.statistics.error < 3.0);  // by chance alone it would be ten times that
+}
+
+namespace {
+
+/// Root mean square over pixels and colours, in linear light as far as it is shown: up to white.
+double apart(const image::Image& a, const image::Image& b)
+{
+    const auto shown = [](float light) { return std::clamp(static_cast<double>(light), 0.0, 1.0); };
+    double sum = 0.0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int k = 0; k < 3; ++k) sum += std::pow(shown(a.at(x, y)[k]) - shown(b.at(x, y)[k]), 2);
+    return std::sqrt(sum / (3.0 * a.width * a.height));
+}
+
+struct Filtered {
+    image::Image plain, filtered;
+};
+
+constexpr int kWide = 64;
+
+Filtered filtered(const std::string& text, std::uint32_t samples, std::uint32_t seed, int threads = 0)
+{
+    plan::Options options;
+    options.width = options.height = kWide;
+    options.free_sampling = options.paths = true;
+    trace::RenderOptions render;
+    render.threads = threads;
+    trace::SamplingGoal goal;
+    goal.samples = samples;
+    goal.seed = seed;
+    trace::SampledPicture picture(kWide, kWide);
+    trace::PathFeatures features(kWide, kWide);
+    trace::render_sampled(plan::compile(parser::parse_text(kHead + text, "t.pov", {}).scene, options), render, goal,
+                          kLinear, picture, {}, &features);
+    Filtered out;
+    picture.show(out.plain);
+    trace::denoise(picture, features, out.filtered);
+    return out;
+}
+
+const std::string kBox =
+    "camera { location <0,1,-3.4> look_at <0,1,0> angle 40 right x up y }\n"
+    "#default { finish { ambient 0 diffuse 1 } } #declare W = pigment { rgb .75 }\n"
+    "plane { y, 0 pigment { checker rgb .75 rgb .3 scale .25 } } plane { -y, -2 pigment { W } } plane { -z, -1 pigment "
+    "{ W } }\n"
+    "plane { x, -1 pigment { rgb <.75,.25,.25> } } plane { -x, -1 pigment { rgb <.25,.25,.75> } }\n"
+    "box { <-.5,1.95,-.5>, <.5,1.99,.5> pigment { rgb 1 } finish { diffuse 0 emission 3 } }\n"
+    "box { <-.6,0,.1>, <-.1,1.1,.6> pigment { W } rotate 15*y } sphere { <.4,.35,-.2>, .35 pigment { W } }\n";
+
+}  // namespace
+
+TEST_CASE("the filter brings a picture of few paths nearer to what many converge to", "[path]")
+{
+    const Filtered truth = filtered(kBox, 512, 1);
+    double before = 1e9;
+    for (const std::uint32_t samples : {4u, 16u, 64u}) {
+        const Filtered found = filtered(kBox, samples, 0);
+        const double plain = apart(found.plain, truth.plain), smooth = apart(found.filtered, truth.plain);
+        INFO(samples << " samples: " << plain << ", filtered " << smooth);
+        CHECK(smooth < (samples > 16 ? 0.9 : 0.7) * plain);
+        CHECK(smooth < before);  // and it converges
+        before = smooth;
+    }
+    CHECK(apart(truth.filtered, truth.plain) < 0.02);
+    CHECK(apart(filtered(kBox, 8, 0, 1).filtered, filtered(kBox, 8, 0, 4).filtered) == 0.0);
+}
+
+TEST_CASE("the filter leaves a picture without noise as it is", "[path]")
+{
+    const Filtered found = filtered("camera { location -3*z look_at 0 }\nbackground { rgb <.2,.4,.6> }\n", 8, 0);
+    CHECK(apart(found.plain, found.filtered) < 1e-6);
 }
