@@ -17,7 +17,9 @@ std::string own_words()
     std::string words;
     for (const OwnOption& option : own_options()) {
         const std::string name = "--" + std::string(option.name);
-        if (option.value.empty()) {
+        if (option.value_may_lack) {
+            words += fmt::format("{0} {0}={1} ", name, option.value);
+        } else if (option.value.empty()) {
             words += name + " ";
         } else if (option.value.find('|') == std::string_view::npos) {
             words += name + "= ";

@@ -60,9 +60,7 @@ std::string help_text()
 {
     std::string text = kUsage;
     text += "\nWhittle's own options:\n";
-    for (const OwnOption& option : own_options())
-        text +=
-            entry(fmt::format("--{}{}{}", option.name, option.value.empty() ? "" : "=", option.value), option.meaning);
+    for (const OwnOption& option : own_options()) text += entry(option.form(), option.meaning);
     text += "\nSwitches:\n";
     for (const Switch& one : switch_table()) {
         const SwitchText shown = text_of(one);

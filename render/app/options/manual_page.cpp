@@ -82,9 +82,7 @@ takes up again and which goes when the picture is there.
 std::string options_part()
 {
     std::string page = ".SH OPTIONS\n";
-    for (const OwnOption& option : own_options())
-        page +=
-            entry(fmt::format("--{}{}{}", option.name, option.value.empty() ? "" : "=", option.value), option.meaning);
+    for (const OwnOption& option : own_options()) page += entry(option.form(), option.meaning);
     page += ".SH SWITCHES\n";
     for (const Switch& one : switch_table()) {
         const SwitchText shown = text_of(one);

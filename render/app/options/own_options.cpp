@@ -110,8 +110,18 @@ constexpr OwnOption kOwnOptions[] = {
     {"denoise", "", "filter a picture of --integrator=path, guided by surfaces and by the variance of its pixels",
      [](Settings& s, const std::string&) { s.denoise = true; }},
     {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
-    {"explain", "", "say where reading spent its time, what the plan kept, what it left out and why",
-     [](Settings& s, const std::string&) { s.explain = true; }},
+    {"explain", "cost",
+     "say where reading spent its time, what the plan kept, what it left out and why; with =cost also, of a sampled "
+     "run, what each statement, light and texture costs and what that is left out would cost",
+     [](Settings& s, const std::string& v) {
+         s.explain = true;
+         s.explain_cost = v == "cost";
+     },
+     true},
+    {"heat", "FILE",
+     "a picture of nanoseconds and rays by pixel in false colours; of a name in .exr or .hdr the values themselves, "
+     "red and green",
+     [](Settings& s, const std::string& v) { s.heat_file = v; }},
     {"no-lean", "",
      "leave nothing out that the picture does not show: slower, and the same picture to the byte (docs/lean.md)",
      [](Settings& s, const std::string&) { s.lean = false; }},
@@ -141,6 +151,17 @@ bool is_choice(const OwnOption& option, std::string_view value)
 
 }  // namespace
 
+std::string OwnOption::form() const
+{
+    std::string text("--");
+    text += name;
+    if (value.empty()) return text;
+    text += value_may_lack ? "[=" : "=";
+    text += value;
+    if (value_may_lack) text += ']';
+    return text;
+}
+
 std::span<const OwnOption> own_options() { return kOwnOptions; }
 
 const OwnOption* find_own_option(std::string_view word)
@@ -164,9 +185,13 @@ bool apply_own_option(Settings& settings, const std::string& word, const std::st
         option->apply(settings, {});
         return false;
     }
+    if (!given && option->value_may_lack) {
+        option->apply(settings, {});
+        return false;
+    }
     if (!given && !next) throw OptionError(name + " wants a value: " + std::string(option->value));
     const std::string value = given ? word.substr(equals + 1) : *next;
-    if (value.empty() || !is_choice(*option, value))
+    if (value.empty() || !is_choice(*option, value) || (option->value_may_lack && value != option->value))
         throw OptionError(name + " wants " + std::string(option->value) + ", found '" + value + "'");
     option->apply(settings, value);
     return !given;

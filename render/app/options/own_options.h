@@ -15,6 +15,10 @@ struct OwnOption {
     std::string_view meaning;
     /// Null for what main() answers by itself: help, version and the like.
     void (*apply)(Settings&, const std::string& value);
+    bool value_may_lack = false;  ///< then it is only taken behind '='
+
+    /// As texts show it: "--name", "--name=value", "--name[=value]".
+    std::string form() const;
 };
 
 std::span<const OwnOption> own_options();

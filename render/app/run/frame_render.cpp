@@ -3,6 +3,7 @@
 #include "parser/parse.h"
 #include "render/app/output/output_name.h"
 #include "render/app/output/picture_identity.h"
+#include "render/app/run/cost_report.h"
 #include "render/app/run/last_resort.h"
 #include "render/app/run/memory.h"
 #include "render/app/run/picture_run.h"
@@ -38,19 +39,22 @@ void print_dependencies(const Settings& settings, const parser::Result& parsed)
 }
 
 /// Prints what --dump and --explain ask for. True if that was all.
-bool print_stage(const Settings& settings, const parser::Result& parsed)
+bool print_stage(Run& run, const parser::Result& parsed)
 {
     using Dump = Settings::Dump;
+    const Settings& settings = run.settings;
     const scene::Description& description = parsed.scene;
     if (settings.explain)
         for (const parser::ReadingCost& cost : parsed.statistics.costs)
             fmt::print(stderr, "reading: {:.3f} s in {} {}, {:.3f} s of it its own{}\n", cost.seconds, cost.what,
                        cost.name, cost.own_seconds, cost.what == "file" ? "" : " (" + cost.place + ")");
     if (settings.dump == Dump::Scene) fmt::print("{}", scene::dump(description));
-    if (settings.dump != Dump::Plan && !settings.explain) return settings.dump == Dump::Scene || settings.parse_only;
+    if (settings.dump != Dump::Plan && !settings.explain && settings.heat_file.empty())
+        return settings.dump == Dump::Scene || settings.parse_only;
     const plan::CompiledScene compiled = plan::compile(description, plan_options(settings));
     if (settings.dump == Dump::Plan) fmt::print("{}", plan::dump(compiled));
     if (settings.explain) fmt::print(stderr, "{}", plan::explain(compiled));
+    report_cost(run, description, compiled);
     return settings.dump == Dump::Plan || settings.parse_only;
 }
 
@@ -168,7 +172,7 @@ int render_frame(Run& run, const Frame& frame)
     run.reporter.parsed(parsed, times.stages().back().second);
     if (settings.warnings_are_errors) refuse_warnings(parsed);
     if (settings.deps) print_dependencies(settings, parsed);
-    if (print_stage(settings, parsed)) return kSuccess;
+    if (print_stage(run, parsed)) return kSuccess;
 
     const plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings));
     times.finish("plan");

@@ -1,0 +1,33 @@
+#include "render/study/cost/sampled_run.h"
+
+#include <ctime>
+
+#include <algorithm>
+
+namespace study {
+
+double thread_seconds()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::vector<trace::SamplePosition> scattered_tiles(const plan::Options& options, std::size_t pixels)
+{
+    constexpr int kSide = 8;
+    const int columns = (options.width + kSide - 1) / kSide, rows = (options.height + kSide - 1) / kSide;
+    const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    const std::size_t wanted = std::clamp<std::size_t>(pixels / (kSide * kSide), 1, tiles);
+    std::vector<trace::SamplePosition> out;
+    for (std::size_t n = 0; n < wanted; ++n) {
+        const std::size_t tile = n * tiles / wanted;
+        const int left = static_cast<int>(tile % static_cast<std::size_t>(columns)) * kSide,
+                  top = static_cast<int>(tile / static_cast<std::size_t>(columns)) * kSide;
+        for (int y = top; y < std::min(top + kSide, options.height); ++y)
+            for (int x = left; x < std::min(left + kSide, options.width); ++x) out.emplace_back(x + 0.5, y + 0.5);
+    }
+    return out;
+}
+
+}  // namespace study
