@@ -17,12 +17,7 @@ double widened(double end, double sign) { return end + sign * 1e-9 * std::abs(en
 ConicPrism::ConicPrism(std::shared_ptr<const OutlineShape> outline, double low, double high, bool open,
                        const glm::dvec2 (&reach)[2])
     : outline_(std::move(outline)), low_(low), high_(high), open_(open), extent_(box(reach[0], reach[1]))
-{
-    if (outline_->empty()) return;
-    const glm::dvec2 &lower = outline_->lower(), &upper = outline_->upper();
-    middle_ = 0.5 * (lower + upper);
-    half_ = 0.5 * (upper - lower) + 1e-9 * (glm::abs(lower) + glm::abs(upper));
-}
+{}
 
 Aabb ConicPrism::box(const glm::dvec2& lower, const glm::dvec2& upper) const
 {
@@ -67,12 +62,10 @@ void ConicPrism::intersect(const Ray& ray, IntersectionList& out) const
         return t < nearest ? !rises || apex_behind || t > apex : apex_behind && t > apex;
     };
     OutlineLine line{side, -normal.y, {-side.y, side.x}};
-    if (beside(line)) return;
     if (one_sided) {
         line.lo = -farthest_along(line, o, d, nearest, -1.0);
         line.hi = farthest_along(line, o, d, farthest, 1.0);
     }
-    if (beside(line)) return;
     SortedEnds walls;
     bool inside = false;  // before all walls that are kept
     const bool odd = outline_crossings(*outline_, line, [&](double w, std::uint32_t piece) {
@@ -116,15 +109,6 @@ double ConicPrism::farthest_along(const OutlineLine& line, const glm::dvec3& o, 
     const double along = glm::dot(line.along, p) / y;
     const double room = glm::dot(glm::abs(line.along), size) + std::abs(along) * (std::abs(o.y) + std::abs(t * d.y));
     return sign * along + 1e-12 * room / std::abs(y);
-}
-
-/// Whether the stretch of the line passes by the outline's box: no wall is crossed in it, and those before it are an
-/// even number.
-bool ConicPrism::beside(const OutlineLine& line) const
-{
-    const double along = glm::dot(line.along, middle_), reach = glm::dot(glm::abs(line.along), half_);
-    return std::abs(glm::dot(line.side, middle_) - line.level) > glm::dot(glm::abs(line.side), half_) ||
-           along + reach < line.lo || along - reach > line.hi;
 }
 
 bool ConicPrism::contains(const glm::dvec3& p) const

@@ -31,7 +31,6 @@ private:
     static constexpr std::uint32_t kLow = 0, kHigh = 1, kFirstWall = 2;
 
     Aabb box(const glm::dvec2& lower, const glm::dvec2& upper) const;
-    bool beside(const OutlineLine& line) const;
     double farthest_along(const OutlineLine& line, const glm::dvec3& o, const glm::dvec3& d, double t,
                           double sign) const;
     std::uint32_t end_face(std::uint32_t face) const { return open_ ? kUndrawnFace : face; }
@@ -40,7 +39,6 @@ private:
     double low_, high_;
     bool open_;
     Aabb extent_;
-    glm::dvec2 middle_{0.0}, half_{0.0};  ///< of the outline's box, which is a little larger than the outline
 };
 
 }  // namespace csg

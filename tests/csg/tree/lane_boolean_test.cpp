@@ -12,20 +12,27 @@ using csg_test::Rng;
 
 namespace {
 
-/// A world of one CSG object, opaque or not.
+/// A world of one CSG object, opaque or not, and perhaps behind a guard that lets some of the rays through.
 struct OneObject {
     WorldData data;
 
-    OneObject(std::uint32_t seed, bool glass)
+    OneObject(std::uint32_t seed, bool glass, bool guarded)
     {
         Rng rng(seed);
         const Tree tree = csg_test::tree_for_walk(rng, data.store, 1 + rng.below(3));
         Program program = build(tree, data.store);
         data.add_program(std::move(program), 0, 0xff);
+        if (guarded) {
+            BoundingGuard guard;
+            const glm::dvec3 corner = rng.point(0.5);
+            guard.box = {corner - 0.3, corner + 0.3};
+            guard.shadows_pass = rng.below(4) == 0;
+            data.guard_last(std::move(guard));
+        }
         data.surface_opaque.assign(1, glass ? 0 : 1);
         data.finish();
     }
-    bool in_lanes() const { return !data.items.empty() && data.items[0].boolean; }
+    bool in_lanes() const { return !data.items.empty() && (data.items[0].boolean || data.items[0].simple); }
 };
 
 /// Rays past the object, close enough together for a beam; from one point or each from its own.
@@ -47,7 +54,7 @@ RayTile tile_past(Rng& rng)
 
 TEST_CASE("a tile asks a boolean form in lanes as its rays do alone", "[csg][boolean]")
 {
-    int objects = 0, hits = 0, crossed = 0;
+    int objects = 0, hits = 0, crossed = 0, behind_guards = 0, told_through = 0;
     Scratch scratch;
     const auto found = std::make_unique<HitTile>();
     const auto crossings = std::make_unique<CrossingTile>();
@@ -55,7 +62,8 @@ TEST_CASE("a tile asks a boolean form in lanes as its rays do alone", "[csg][boo
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {
         INFO("seed " << seed);
         const bool glass = seed % 2 != 0;
-        const OneObject object(seed, glass);
+        const bool guarded = seed % 3 == 0;
+        const OneObject object(seed, glass, guarded);
         if (!object.in_lanes()) continue;
         ++objects;
         const World world(object.data);
@@ -72,8 +80,10 @@ TEST_CASE("a tile asks a boolean form in lanes as its rays do alone", "[csg][boo
                 const Ray ray = tile.ray(i);
                 const Hit hit = world.nearest(ray, tile.t_min[k], tile.t_max[k], 1, scratch), in_tile = found->at(i);
                 REQUIRE(in_tile.found() == hit.found());
+                behind_guards += guarded ? 1 : 0;
                 if (hit.found()) {
                     ++hits;
+                    told_through += guarded ? 1 : 0;
                     REQUIRE(in_tile.t == hit.t);
                     REQUIRE(in_tile.part == hit.part);
                     REQUIRE(in_tile.face == hit.face);
@@ -96,4 +106,6 @@ TEST_CASE("a tile asks a boolean form in lanes as its rays do alone", "[csg][boo
     CHECK(objects > 400);
     CHECK(hits > 10000);
     CHECK(crossed > 10000);
+    CHECK(told_through > 1000);
+    CHECK(told_through < behind_guards / 2);
 }
