@@ -17,7 +17,8 @@ void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsig
 /// pattern_value of each warped point.
 void pattern_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out);
 
-/// perturb of each normal at its point; what perturb leaves in the surroundings is lost. Both padded.
+/// perturb of each normal at its point; no pattern looks at normals that others have bent: what perturb leaves in the
+/// surroundings is lost. Both padded.
 void perturb_points(const TextureSet& set, std::uint32_t normal, const Points& p, const Around& around, Points& n);
 
 /// normal_into() and normal_out_of() of each. Padded.

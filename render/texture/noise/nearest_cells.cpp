@@ -2,6 +2,7 @@
 
 #include "csg/base/lanes.h"
 #include "csg/base/types.h"
+#include "csg/roots/lane_power.h"
 #include "render/texture/noise/nearest_lanes.h"
 #include "render/texture/noise/noise_tables.h"
 
@@ -134,19 +135,48 @@ Finder nearest_plain(const glm::dvec3& p, CellPoints& cells, std::size_t wanted)
     return found;
 }
 
+/// Numbers from 0 on, raised to a power above 0; behind them is room for a whole vector.
+void raise(double* v, std::size_t count, double power)
+{
+    const Double least(1e-300), one(1.0), exponent(power);
+    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) {
+        const Double base = Double::load_aligned(v + i);
+        const auto some = base >= least;
+        xsimd::select(some, csg::lanes::power(xsimd::select(some, base, one), exponent), Double(0.0))
+            .store_aligned(v + i);
+    }
+}
+
 /// Any metric above 0. A sum of powers costs much, so only those are built that can be among the nearest: lengths by
 /// the metric m and by 2 differ by a factor of up to 3^|1/2 - 1/m| (the inequality between power means).
 Finder nearest_powered(const glm::dvec3& p, CellPoints& cells, double metric, std::size_t wanted)
 {
     constexpr double kSlack = 1.0 + 1e-6;  // far above the rounding of lengths
-    const Finder by_length = nearest_plain<true>(p, cells, wanted);
-    const double limit = by_length.best[wanted - 1] * std::pow(9.0, std::abs(0.5 - 1.0 / metric)) * kSlack;
-    if (!(limit < kOuterCells)) cells.complete();
-    Finder found;
-    for (std::size_t i = 0; i < cells.count(); ++i) {
-        const glm::dvec3 delta = p - glm::dvec3(cells.x[i], cells.y[i], cells.z[i]);
-        if (!(glm::dot(delta, delta) > limit)) found.take(powered_distance(delta, metric, false), i);
+    Distances squares;
+    measure<true>(p, cells, wanted, squares);
+    const double limit = squares.best[wanted - 1] * std::pow(9.0, std::abs(0.5 - 1.0 / metric)) * kSlack;
+    if (!(limit < kOuterCells) && squares.count == CellPoints::kNear) {
+        cells.complete();
+        squares.count = CellPoints::kAll;
+        distances<true>(p, cells, 0, CellPoints::kAll, squares.d.data());
     }
+    std::array<std::uint8_t, CellPoints::kRoom> cell;
+    alignas(64) std::array<double, 3 * CellPoints::kRoom> parts;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < squares.count; i += csg::lanes::kDoubles)
+        for (std::uint32_t near = csg::lanes::mask(Double::load_aligned(squares.d.data() + i) <= Double(limit));
+             near != 0; near &= near - 1) {
+            const std::size_t at = i + static_cast<std::size_t>(std::countr_zero(near));
+            if (at >= squares.count) break;
+            cell[count] = static_cast<std::uint8_t>(at);
+            parts[3 * count] = std::abs(p.x - cells.x[at]);
+            parts[3 * count + 1] = std::abs(p.y - cells.y[at]);
+            parts[3 * count + 2] = std::abs(p.z - cells.z[at]);
+            ++count;
+        }
+    raise(parts.data(), 3 * count, metric);
+    Finder found;
+    for (std::size_t i = 0; i < count; ++i) found.take(parts[3 * i] + parts[3 * i + 1] + parts[3 * i + 2], cell[i]);
     return found;
 }
 

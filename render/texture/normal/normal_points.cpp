@@ -3,6 +3,7 @@
 #include "render/texture/normal/normal_height.h"
 #include "render/texture/point_lanes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -186,9 +187,87 @@ void normals_out_of(const TextureSet& set, const Pattern& pattern, bool keep_len
     if (!keep_length) normalize_points(n);
 }
 
+namespace {
+
+/// by_map of normal.cpp for an average.
+void average_normals(const TextureSet& set, const Normal& normal, const Points& p, const Around& around, Points& n)
+{
+    Points sum, child;
+    sum.count = n.count;
+    double weights = 0.0;
+    for (Values* v : {&sum.x, &sum.y, &sum.z}) std::fill_n(v->data(), kMostPoints, 0.0);
+    for (std::uint32_t i = normal.first; i < normal.first + normal.count; ++i) {
+        const auto w = static_cast<double>(set.keys[i]);
+        child.take(n);
+        perturb_points(set, set.children[i], p, around, child);
+        move(
+            sum, [&](std::size_t) { return Double(w); }, child);
+        weights += w;
+    }
+    for (std::size_t i = 0; i < n.size(); i += kLanes) {
+        (get(sum.x, i) / Double(weights)).store_aligned(n.x.data() + i);
+        (get(sum.y, i) / Double(weights)).store_aligned(n.y.data() + i);
+        (get(sum.z, i) / Double(weights)).store_aligned(n.z.data() + i);
+    }
+}
+
+/// The same for a map: each entry for the points that show it, then the mixture.
+void mix_normals(const TextureSet& set, const Normal& normal, const Pattern& pattern, const Points& p,
+                 const Around& around, Points& n)
+{
+    Values values;
+    pattern_values(set, pattern, p, around, values);
+    std::array<Blend, kMostPoints> blends;
+    std::uint32_t first = normal.first + normal.count, last = normal.first;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        blends[i] = blend_at(set, normal.first, normal.count, values[i]);
+        first = std::min(first, blends[i].lower);
+        last = std::max(last, blends[i].upper);
+    }
+    std::array<glm::dvec3, kMostPoints> lower, upper;
+    for (std::uint32_t entry = first; entry <= last; ++entry) {
+        Points places, bent;
+        Around those;
+        std::array<std::uint8_t, kMostPoints> owner;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (blends[i].lower != entry && blends[i].upper != entry) continue;
+            those[places.size()] = around[i];
+            owner[places.size()] = static_cast<std::uint8_t>(i);
+            places.add(p.at(i));
+            bent.add(n.at(i));
+        }
+        if (places.count == 0) continue;
+        places.pad();
+        bent.pad();
+        perturb_points(set, set.children[entry], places, those, bent);
+        for (std::size_t k = 0; k < places.size(); ++k)
+            (blends[owner[k]].upper == entry ? upper : lower)[owner[k]] = bent.at(k);
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double share = blends[i].share;
+        n.set(i, blends[i].lower == blends[i].upper ? upper[i] : (1.0 - share) * lower[i] + share * upper[i]);
+    }
+    n.pad();
+}
+
+}  // namespace
+
 void perturb_points(const TextureSet& set, std::uint32_t index, const Points& p, const Around& around, Points& n)
 {
     const Normal& normal = set.normals[index];
+    if (normal.map == Normal::Map::Average || normal.map == Normal::Map::Normals) {
+        const Pattern& pattern = set.patterns[normal.pattern];
+        Points q;
+        q.take(p);
+        warp_points(set, pattern, q, kAllLive);
+        normals_into(set, pattern, normal.no_bump_scale, n);
+        const bool mapped = normal.map == Normal::Map::Normals;
+        if (mapped) mix_normals(set, normal, pattern, q, around, n);
+        else average_normals(set, normal, q, around, n);
+        normals_out_of(set, pattern, normal.no_bump_scale, n);
+        if (!normal.no_bump_scale || mapped) normalize_points(n);
+        return;
+    }
     if (normal.map == Normal::Map::None || normal.map == Normal::Map::Slopes) {
         const Pattern& pattern = set.patterns[normal.pattern];
         Points q, local;

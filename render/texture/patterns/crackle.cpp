@@ -4,6 +4,7 @@
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/nearest_lanes.h"
 #include "render/texture/noise/noise.h"
+#include "render/texture/noise/noise_points.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
@@ -88,6 +89,17 @@ void shared_cell(const Pattern& pattern, const Points& p, CellPoints& cells, int
     else shared_cell<3, Squared>(pattern, p, cells, out);
 }
 
+/// crackle_in() of points with `solid`: the noise of their nearest cells' points.
+void solid_values(const Pattern& pattern, const Points& p, CellPoints& cells, Values& out)
+{
+    Points nearest;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        nearest.add(nearest_cells(p.at(i), cells, pattern.numbers[0], false, 1).point);
+    nearest.pad();
+    noise_points(nearest, pattern.noise_generator, out);
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = std::clamp(out[i], 0.0, 1.0);
+}
+
 /// All points lie in the cell `base`.
 void values_in(const Pattern& pattern, const glm::dvec3& base, Points& p, Values& out)
 {
@@ -95,7 +107,8 @@ void values_in(const Pattern& pattern, const glm::dvec3& base, Points& p, Values
     CellPoints& cells = cell_points(base);
     const double metric = pattern.numbers[0];
     const bool lengths = (metric == 1.0 || metric == 2.0) && pattern.numbers[1] == 0.0;
-    if (solid(pattern) || !lengths || p.count <= kFew) {
+    if (solid(pattern)) return solid_values(pattern, p, cells, out);
+    if (!lengths || p.count <= kFew) {
         for (std::size_t i = 0; i < p.size(); ++i) out[i] = crackle_in(pattern, p.at(i), cells);
         return;
     }

@@ -1,4 +1,5 @@
 #include "render/texture/angle.h"
+#include "csg/roots/lane_power.h"
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
@@ -157,10 +158,14 @@ TEST_CASE("the nearest of scattered points are those of a search through all cel
                     const glm::dvec3 at =
                         cell + glm::dvec3(pattern_random(hash), pattern_random(hash + 1), pattern_random(hash + 2));
                     const glm::dvec3 d = glm::abs(p - at);
-                    const double powered = metric == 2.0 ? d.x * d.x + d.y * d.y + d.z * d.z
-                                           : metric == 1.0
-                                               ? d.x + d.y + d.z
-                                               : std::pow(d.x, metric) + std::pow(d.y, metric) + std::pow(d.z, metric);
+                    const auto raised = [metric](double v) {  // steep powers are the library's
+                        return metric > 100.0 ? std::pow(v, metric) : v > 0.0 ? csg::lanes::power(v, metric) : 0.0;
+                    };
+                    for (int k = 0; k < 3; ++k)
+                        REQUIRE(std::abs(raised(d[k]) - std::pow(d[k], metric)) <= 1e-13 * std::pow(d[k], metric));
+                    const double powered = metric == 2.0   ? d.x * d.x + d.y * d.y + d.z * d.z
+                                           : metric == 1.0 ? d.x + d.y + d.z
+                                                           : raised(d.x) + raised(d.y) + raised(d.z);
                     if (all.empty() || powered < *std::min_element(all.begin(), all.end())) nearest = at;
                     all.push_back(powered);
                 }

@@ -178,12 +178,12 @@ TEST_CASE("normals of many points have the bits of each bent alone", "[texture][
         set.wave_frequencies.resize(10);
         wave_sources(10, set.wave_sources.data(), set.wave_frequencies.data());
         Normal normal;
-        normal.map =
-            std::array{Map::None, Map::None, Map::Slopes, Map::Average}[static_cast<std::size_t>(rng.below(4))];
+        normal.map = std::array{Map::None, Map::None, Map::Slopes, Map::Average,
+                                Map::Normals}[static_cast<std::size_t>(rng.below(5))];
         normal.amount = rng.uniform(-1.0, 1.0);
         normal.no_bump_scale = rng.flip();
         normal.count = 1 + static_cast<std::uint32_t>(rng.below(3));
-        if (normal.map == Map::Average)
+        if (normal.map == Map::Average || normal.map == Map::Normals)
             set.normals.push_back({Map::None, 0, 0.3});  // of its own, bent by the first pattern
         for (std::uint32_t i = 0; i < normal.count; ++i) {
             set.keys.push_back((float(i) + 0.5f) / float(normal.count));
