@@ -3,7 +3,7 @@
 #include "render/trace/air/air_stage.h"
 #include "render/trace/indirect/indirect_stage.h"
 #include "render/trace/light/light_stage.h"
-#include "render/trace/shade/sky.h"
+#include "render/trace/air/sky.h"
 #include "render/trace/shade/surface_stage.h"
 
 #include <algorithm>

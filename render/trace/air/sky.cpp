@@ -1,4 +1,4 @@
-#include "render/trace/shade/sky.h"
+#include "render/trace/air/sky.h"
 
 #include "render/texture/evaluate_points.h"
 
