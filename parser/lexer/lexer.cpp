@@ -128,7 +128,7 @@ struct Builder {
         const char* first = nullptr;
         const char* const list_end = read_number_list(keyword, at, text_end, file.numbers, found, first);
         if (list_end == nullptr) return nullptr;
-        Token& token = add(Kind::Numbers, first);
+        Token& token = add(found.stride == 0 ? Kind::Faces : Kind::Numbers, first);
         token.name = static_cast<std::uint32_t>(before);
         token.jump = found.items;
         token.number = found.stride;

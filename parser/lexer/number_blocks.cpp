@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <cstddef>
+#include <cstring>
+#include <string_view>
 
 namespace parser {
 namespace {
@@ -45,6 +47,19 @@ public:
             if (!number(values[i]) || !accept(i + 1 < count ? ',' : '>')) return false;
         return true;
     }
+
+    /// A word of letters and '_', if that is what stands here.
+    bool word(std::string_view wanted)
+    {
+        next();
+        if (static_cast<std::size_t>(end_ - at_) <= wanted.size()) return false;
+        if (std::memcmp(at_, wanted.data(), wanted.size()) != 0) return false;
+        const char after = at_[wanted.size()];
+        if (is_digit(after) || after == '_' || ((after | 0x20) >= 'a' && (after | 0x20) <= 'z')) return false;
+        at_ += wanted.size();
+        return true;
+    }
+    void go_back(const char* to) { at_ = to; }
 
 private:
     /// Digits of at most 2^53 times or over a power of ten up to 10^22 are rounded once; others are left to the
@@ -106,15 +121,34 @@ private:
 bool read_corners(ListReader& in, std::vector<double>& values, NumberList& list, bool smooth)
 {
     list = {smooth ? 6u : 3u, 3};
+    const std::size_t begin = values.size();
+    values.resize(begin + 3 * std::size_t{list.items});
     for (std::uint32_t i = 0; i < list.items; ++i) {
-        double corner[3];
         if (i != 0) in.accept(',');
-        if (!in.vector(corner, 3)) return false;
-        values.insert(values.end(), corner, corner + 3);
+        if (!in.vector(&values[begin + 3 * std::size_t{i}], 3)) return false;
     }
     // A modifier or the end: no operator that goes on.
     const char after = in.next();
     return after == '}' || (after >= 'a' && after <= 'z');
+}
+
+/// Triangles one after the other, up to the first that has more than its corners.
+bool read_faces(ListReader& in, std::vector<double>& values, NumberList& list)
+{
+    list = {0, 0};
+    for (;; ++list.items) {
+        const char* const begin = in.at();
+        const bool smooth = in.next() == 's';
+        const std::size_t before = values.size();
+        NumberList corners;
+        if (in.word(smooth ? "smooth_triangle" : "triangle") && in.accept('{')) {
+            values.push_back(static_cast<double>(smooth ? kSmoothFace : kFlatFace));
+            if (read_corners(in, values, corners, smooth) && in.accept('}')) continue;
+        }
+        values.resize(before);
+        in.go_back(begin);
+        return list.items > 0;
+    }
 }
 
 bool ends_item(char c) { return c == ',' || c == '<' || c == '}'; }
@@ -181,8 +215,9 @@ const char* read_number_list(Kind keyword, const char* at, const char* end, std:
     in.next();
     first = in.at();
     const bool corners = keyword == Kind::Triangle || keyword == Kind::SmoothTriangle;
-    const bool read = corners ? read_corners(in, values, list, keyword == Kind::SmoothTriangle)
-                              : read_list(in, values, list, keyword);
+    const bool read = keyword == Kind::Mesh ? read_faces(in, values, list)
+                      : corners             ? read_corners(in, values, list, keyword == Kind::SmoothTriangle)
+                                            : read_list(in, values, list, keyword);
     if (read) return in.at();
     values.resize(before);
     return nullptr;

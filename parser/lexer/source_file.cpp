@@ -7,7 +7,7 @@ namespace parser {
 void SourceFile::give_text_back(std::function<std::string()> reread)
 {
     lines();
-    text = std::string();
+    std::string().swap(text);  // an assignment would keep its memory
     reread_ = std::move(reread);
 }
 
@@ -71,7 +71,7 @@ std::string_view SourceFile::token_text(const Token& token) const
     case Kind::Bad: return rest.substr(0, 1);
     case Kind::Numbers: return first_of_numbers(rest);
     default:
-        if (token.kind == Kind::Identifier || is_keyword(token.kind))
+        if (token.kind == Kind::Identifier || token.kind == Kind::Faces || is_keyword(token.kind))
             return until([&](std::size_t i) { return !word_char(i); });
         return rest.substr(0, spelling(token.kind).size());
     }

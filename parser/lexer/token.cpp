@@ -28,7 +28,7 @@ constexpr LexicalClass kClasses[] = {
 
 // clang-format off
 constexpr std::string_view kPlain[] = {
-    "end of text", "illegal text", "#", "identifier", "number", "string", "numbers",
+    "end of text", "illegal text", "#", "identifier", "number", "string", "numbers", "faces",
     "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "=", "!=", "!", "&", "|", "?", ":", ",", ";", ".",
     "+", "-", "*", "/", "@", "%", "^", "$", "~", "'", "`", "\\",
 };

@@ -19,6 +19,8 @@ enum class Kind : std::uint16_t {
     Number,      ///< `number`
     String,      ///< `name` is the string index of the raw text (escapes not yet resolved, but \" is)
     Numbers,     ///< literal vectors (number_blocks.h): `name` their first value, `jump` how many, `number` values each
+    Faces,  ///< literal triangles from the brace of a mesh on (number_blocks.h): `name` their first value, `jump` how
+            ///< many
     LeftBrace,
     RightBrace,
     LeftParen,

@@ -109,6 +109,11 @@ public:
         const Again again(*this, begin, end);
         read();
     }
+    /// The values of a Faces token and all that were read after it.
+    std::span<const double> values_from(const Token& faces) const
+    {
+        return std::span(files_[faces.file]->numbers).subspan(faces.name);
+    }
     /// The values of a Numbers token.
     std::span<const double> values_of(const Token& numbers) const
     {

@@ -47,6 +47,14 @@ TEST_CASE("literal lists of meshes mean what the same text means token by token"
              "mesh { triangle { <0,0,0> <1,0,-0>\t<0,1e2,0> uv_vectors <0,0> <1,0> <0,1> } }",
              "mesh { smooth_triangle { <0,0,0>,<0,0,1>, <1,0,0>,<0,0,1>, <0,1,0>,<0,1,1> texture { pigment { rgb 1 } } "
              "} }",
+             "mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } smooth_triangle{<0,0,0>,<0,0,1>, <1,0,0>,<0,0,1>, "
+             "<0,1,0>,<0,1,1>}\n triangle { <0,0,0> <1,0,-0> <0,1e2,0> } inside_vector y }",
+             "mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } triangle { <0,0,1>, <1,0,0>, <0,1,0> texture { pigment { "
+             "rgb 1 } } } triangle { <0,0,2>, <1,0,0>, <0,1,0> } pigment { rgb 1 } }",
+             "mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } #declare A = 2; triangle { <A,0,1>, <1,0,0>, <0,1,0> } "
+             "smooth_triangle { <0,0,0>,<0,0,1>, <1,0,0>,<0,0,1>, <0,1,0>,<0,1,A> } }",
+             "#macro M(B) mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } triangle { <B,0,1>, <1,0,0>, <0,1,0> } } #end "
+             "M(1) M(2) #for (I, 1, 3) mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } translate I*x } #end",
              "triangle { <0,0,0>, <1,0,0>, <0,1,0> pigment { rgb 1 } }",
              "smooth_triangle { <0,0,0>,<0,0,2>, <1,0,0>,<0,0,1>, <0,1,0>,<0,1,1> }",
              "mesh2 { " + points + " face_indices { 2, <0,1,2>, <1,2,3> } }",
@@ -120,6 +128,9 @@ TEST_CASE("messages about literal lists stand where they stood", "[parser][mesh]
              points + "normal_vectors { 1, <0,0,1> } face_indices { 1, <0,1,2> } normal_indices { 1, <0,0,1> } }",
              std::string("box { vertex_vectors { 1, <0,0,0> } }"),
              std::string("mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> sphere } }"),
+             std::string(
+                 "mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } triangle { <0,0,0>, <1,0,0>, <0,1,0> } sphere }"),
+             std::string("mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } triangle { <0,0,0>, <1,0,0> } }"),
          }) {
         INFO(text);
         // The comments that force the general way move columns: only what stands before the last line's '<' may differ.
@@ -136,4 +147,34 @@ TEST_CASE("messages about literal lists stand where they stood", "[parser][mesh]
               .starts_with("2:8: error: an index of face_indices"));
     CHECK(error_of(points + "texture_list { 1, texture { } }\nface_indices { 1, <0,1,2>, 0, 7 } }")
               .starts_with("2:31: error: a texture index"));
+}
+
+TEST_CASE("a mesh begins with one token for its plain triangles", "[parser][mesh]")
+{
+    const auto read = [](const std::string& text, std::vector<double>& values) {
+        parser::NumberList list;
+        const char* first = nullptr;
+        const char* const begin = text.data();
+        const char* const end =
+            parser::read_number_list(parser::Kind::Mesh, begin, begin + text.size(), values, list, first);
+        if (end == nullptr) return std::string("none");
+        CHECK(list.stride == 0);
+        return std::to_string(list.items) + " up to" + std::string(end, begin + text.size());
+    };
+    std::vector<double> values;
+    const std::string one = " triangle { <1,2,3>, <4,5,6>, <7,8,9> }";
+    CHECK(read(one + " }", values) == "1 up to }");
+    CHECK(values == std::vector<double>{9, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+    CHECK(read(one + " smooth_triangle{<1,2,3><0,0,1><4,5,6><0,0,1><7,8,9><0,0,1>} triangle { A }", values) ==
+          "2 up to triangle { A }");
+    CHECK(values.size() == 10 + 10 + 19);
+    for (const char* const text :
+         {"}", "", "triangle", "triangle {", "triangles { <1,2,3>, <4,5,6>, <7,8,9> }",
+          "triangle { <1,2,3>, <4,5,6>, <7,8,9>", "smooth_triangle { <1,2,3>, <4,5,6>, <7,8,9> }",
+          "triangle { <1,2,3>, <4,5,6>, <7,8,9> texture { T } }"}) {
+        INFO(text);
+        values.clear();
+        CHECK(read(text, values) == "none");
+        CHECK(values.empty());
+    }
 }

@@ -1,8 +1,7 @@
 #include "parser/grammar/core/rules.h"
 #include "parser/lexer/number_blocks.h"
 
-#include <cstring>
-#include <span>
+#include <algorithm>
 
 namespace parser {
 namespace {
@@ -65,10 +64,9 @@ scene::TexturePtr accept_texture_name(TokenStream& in)
 }
 
 // ---- mesh -----------------------------------------------------------------------------------------------------
-void take_corners(MeshState& s, const Token& numbers, bool smooth, Data::Face& face)
+void take_corners(MeshState& s, const double* v, bool smooth, Data::Face& face)
 {
     const auto first = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
-    const std::span<const double> v = s.stream().values_of(numbers);
     for (std::uint32_t i = 0; i < 3; ++i) {
         const std::size_t at = i * (smooth ? 6 : 3);
         face.vertex[i] = first(s.data->vertices);
@@ -79,6 +77,24 @@ void take_corners(MeshState& s, const Token& numbers, bool smooth, Data::Face& f
     }
 }
 
+/// Triangles that the lexer has read.
+void take_faces(MeshState& s, const Token& faces)
+{
+    const double* const begin = s.stream().values_from(faces).data();
+    std::size_t smooth = 0;
+    const double* v = begin;
+    for (std::uint32_t i = 0; i < faces.jump; ++i, v += 1 + static_cast<std::size_t>(*v)) smooth += *v == kSmoothFace;
+    s.data->faces.reserve(faces.jump);
+    s.data->vertices.reserve(3 * std::size_t{faces.jump});
+    s.data->normals.reserve(3 * smooth);
+    v = begin;
+    for (std::uint32_t i = 0; i < faces.jump; ++i, v += 1 + static_cast<std::size_t>(*v)) {
+        Data::Face face{kNoIndices, kNoIndices, kNoIndices, kNoIndices};
+        take_corners(s, v + 1, *v == kSmoothFace, face);
+        s.data->faces.push_back(face);
+    }
+}
+
 void read_face(MeshState& s, bool smooth)
 {
     TokenStream& in = s.stream();
@@ -86,7 +102,7 @@ void read_face(MeshState& s, bool smooth)
     const auto opened = s.build.open_block(what);
     Data::Face face{kNoIndices, kNoIndices, kNoIndices, kNoIndices};
     const Token* const numbers = s.numbers();
-    if (numbers) take_corners(s, *numbers, smooth, face);
+    if (numbers) take_corners(s, in.values_of(*numbers).data(), smooth, face);
     for (std::size_t i = 0; !numbers && i < 3; ++i) {
         face.vertex[i] = static_cast<std::uint32_t>(s.data->vertices.size());
         s.data->vertices.push_back(s.vector());
@@ -120,6 +136,8 @@ void read_face(MeshState& s, bool smooth)
 }
 
 // ---- mesh2 ----------------------------------------------------------------------------------------------------
+constexpr std::size_t kMostExpected = 1'000'000;  ///< of what a text says it has
+
 struct Indices {
     std::array<std::uint32_t, 3> at;
     std::array<std::uint32_t, 3> texture;
@@ -141,54 +159,56 @@ scene::SourceRef place_in_list(TokenStream& in, const Token& numbers, std::size_
     return {numbers.file, numbers.offset + list.tokens[at].offset};
 }
 
-std::vector<Indices> take_indices(MeshState& s, const Token& numbers, const char* what, std::size_t limit)
+template <class Take>
+void take_indices(MeshState& s, const Token& numbers, const char* what, std::size_t limit, Take&& take)
 {
     TokenStream& in = s.stream();
     const std::span<const double> values = in.values_of(numbers);
     const auto stride = static_cast<std::size_t>(numbers.number);
-    std::vector<Indices> all(numbers.jump);
-    for (std::size_t n = 0; n < all.size(); ++n) {
+    for (std::size_t n = 0; n < numbers.jump; ++n) {
         const double* const v = &values[n * stride];
+        Indices one{{}, kNoIndices};
         for (std::size_t i = 0; i < 3; ++i) {
             if (v[i] < 0 || v[i] >= static_cast<double>(limit))
                 in.fail(place_in_list(in, numbers, n, -1), std::string("an index of ") + what + " is out of range");
-            all[n].at[i] = static_cast<std::uint32_t>(v[i]);
+            one.at[i] = static_cast<std::uint32_t>(v[i]);
         }
-        all[n].texture = kNoIndices;
         for (std::size_t t = 0; stride == 6 && t < 3 && v[3 + t] != kNoTexture; ++t) {
             if (v[3 + t] >= static_cast<double>(s.data->textures.size()))
                 in.fail(place_in_list(in, numbers, n, static_cast<int>(t)),
                         "a texture index of face_indices is out of range");
             const auto index = static_cast<std::uint32_t>(v[3 + t]);
-            if (t == 0) all[n].texture.fill(index);
-            else all[n].texture[t] = index;
+            if (t == 0) one.texture.fill(index);
+            else one.texture[t] = index;
         }
+        take(n, one);
     }
-    return all;
 }
 
-/// `{ count, <a,b,c> [, t [, t, t]], ... }`
-std::vector<Indices> read_indices(MeshState& s, const char* what, std::size_t limit, bool textures)
+/// `{ count, <a,b,c> [, t [, t, t]], ... }`. `take` gets each with its number; `expect` how many come.
+template <class Expect, class Take>
+void read_indices(MeshState& s, const char* what, std::size_t limit, bool textures, Expect&& expect, Take&& take)
 {
     TokenStream& in = s.stream();
     const auto opened = s.build.open_block(what);
     if (const Token* const numbers = s.numbers()) {
-        std::vector<Indices> all = take_indices(s, *numbers, what, limit);
+        expect(numbers->jump);
+        take_indices(s, *numbers, what, limit, take);
         s.build.close_block(what, opened);
-        return all;
+        return;
     }
-    std::vector<Indices> all(s.count());
-    for (Indices& one : all) {
+    const std::size_t count = s.count();
+    expect(count);
+    for (std::size_t n = 0; n < count; ++n) {
+        Indices one{{}, kNoIndices};
         const glm::dvec3 v = s.vector();
         for (int i = 0; i < 3; ++i) {
             if (v[i] < 0 || v[i] >= static_cast<double>(limit))
                 in.fail(in.last(), std::string("an index of ") + what + " is out of range");
             one.at[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(v[i]);
         }
-        one.texture = kNoIndices;
-        if (!textures) continue;
         // After a face up to three numbers name the textures of its corners.
-        for (std::size_t t = 0; t < 3; ++t) {
+        for (std::size_t t = 0; textures && t < 3; ++t) {
             in.accept_comma();
             if (in.peek().kind == Kind::Less || in.peek().kind == Kind::RightBrace || !at_expression(in) ||
                 at_vector(in))
@@ -198,10 +218,17 @@ std::vector<Indices> read_indices(MeshState& s, const char* what, std::size_t li
             if (t == 0) one.texture.fill(index);
             else one.texture[t] = index;
         }
+        take(n, one);
     }
     in.accept_comma();
     s.build.close_block(what, opened);
-    return all;
+}
+
+template <class Vector>
+Vector vector_at(const double* v)
+{
+    if constexpr (Vector::length() == 2) return {v[0], v[1]};
+    else return {v[0], v[1], v[2]};
 }
 
 template <class Vector, class Read>
@@ -209,9 +236,10 @@ std::vector<Vector> read_vectors(MeshState& s, const char* what, Read&& read)
 {
     const auto opened = s.build.open_block(what);
     if (const Token* const numbers = s.numbers()) {
-        std::vector<Vector> all(numbers->jump);
-        const std::span<const double> values = s.stream().values_of(*numbers);
-        if (!all.empty()) std::memcpy(&all[0][0], values.data(), values.size_bytes());
+        std::vector<Vector> all;
+        all.reserve(numbers->jump);
+        const double* v = s.stream().values_of(*numbers).data();
+        for (std::uint32_t i = 0; i < numbers->jump; ++i, v += Vector::length()) all.push_back(vector_at<Vector>(v));
         s.build.close_block(what, opened);
         return all;
     }
@@ -258,9 +286,13 @@ struct texture_list : item<Kind::TextureList> {
 struct face_indices : item<Kind::FaceIndices> {
     static void act(MeshState& s)
     {
-        const std::vector<Indices> all = read_indices(s, "face_indices", s.data->vertices.size(), true);
-        s.data->faces.reserve(s.data->faces.size() + all.size());
-        for (const Indices& one : all) s.data->faces.push_back({one.at, kNoIndices, kNoIndices, one.texture});
+        std::vector<Data::Face>& faces = s.data->faces;
+        read_indices(
+            s, "face_indices", s.data->vertices.size(), true,
+            [&](std::size_t count) { faces.reserve(faces.size() + std::min(count, kMostExpected)); },
+            [&](std::size_t, const Indices& one) {
+                faces.push_back({one.at, kNoIndices, kNoIndices, one.texture});
+            });
     }
 };
 template <Kind kind, std::array<std::uint32_t, 3> Data::Face::*member>
@@ -269,8 +301,12 @@ struct more_indices : item<kind> {
     {
         const bool normals = kind == Kind::NormalIndices;
         const std::size_t limit = normals ? s.data->normals.size() : s.data->uvs.size();
-        const auto all = read_indices(s, normals ? "normal_indices" : "uv_indices", limit, false);
-        for (std::size_t i = 0; i < all.size() && i < s.data->faces.size(); ++i) s.data->faces[i].*member = all[i].at;
+        std::vector<Data::Face>& faces = s.data->faces;
+        read_indices(
+            s, normals ? "normal_indices" : "uv_indices", limit, false, [](std::size_t) {},
+            [&](std::size_t i, const Indices& one) {
+                if (i < faces.size()) faces[i].*member = one.at;
+            });
     }
 };
 struct inside_vector : item<Kind::InsideVector, a_vector> {
@@ -323,6 +359,7 @@ scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source)
         peek_for(in, build.receiver, receiver);
         if (in.accept(Kind::Triangle)) read_face(s, false);
         else if (in.accept(Kind::SmoothTriangle)) read_face(s, true);
+        else if (in.peek().kind == Kind::Faces) take_faces(s, in.next());
         else if (table<MeshState, inside_vector>::match(build, s)) continue;
         else more = false;
     }
