@@ -25,7 +25,7 @@ void read_sphere_or_cylinder(SolidReader& s, Component& c)
     c.strength = float_expr(s.in());
     scene::Object modified;
     read_component_modifiers(s.build(), modified);
-    c.transform = *modified.transform;
+    c.transform = modified.transform;
     c.texture = modified.texture;
     s.build().close_block(name, opened);
 }
@@ -57,7 +57,7 @@ csg::Blob::Component shape_of(const Component& c)
     } else {
         out.frame = csg::Transform::translate(c.center);
     }
-    if (!c.transform.identity()) out.frame = c.transform * out.frame;
+    if (!c.transform->identity()) out.frame = *c.transform * out.frame;
     return out;
 }
 

@@ -72,7 +72,7 @@ public:
             part.strength = values[strength_];
             scene::Object modified;
             if (!apply_modifiers(modifiers_, m, modified)) return false;
-            part.transform = *modified.transform;
+            part.transform = modified.transform;
             part.texture = std::move(modified.texture);
         }
         static_cast<ComponentReceiver&>(*build_.receiver).blob.components.push_back(std::move(part));

@@ -11,7 +11,7 @@ void Blob::dump(DumpWriter& out) const
         if (c.kind == Component::Kind::Plain) out.words("component", c.strength, c.radius, c.center);
         else if (c.kind == Component::Kind::Sphere) out.words("sphere", c.center, c.radius, c.strength);
         else out.words("cylinder", c.center, c.end, c.radius, c.strength);
-        if (!c.transform.identity()) out.value("transform", c.transform);
+        if (!c.transform->identity()) out.value("transform", *c.transform);
         if (c.texture) scene::dump(out, *c.texture);
     }
 }

@@ -18,8 +18,8 @@ struct Blob {
         enum class Kind : std::uint8_t { Plain, Sphere, Cylinder } kind = Kind::Sphere;
         glm::dvec3 center{0.0}, end{0.0};  ///< end: of a cylinder's axis
         double radius = 1.0, strength = 1.0;
-        csg::Transform transform;  ///< to the blob's space
-        TexturePtr texture;        ///< null: the blob's
+        Shared<csg::Transform> transform;  ///< to the blob's space
+        TexturePtr texture;                ///< null: the blob's
     };
 
     double threshold = 1.0;
