@@ -56,7 +56,7 @@ int with_output(int status, int failure)
 
 bool is_compare(const std::vector<std::string>& arguments) { return !arguments.empty() && arguments[0] == "compare"; }
 
-int run(const std::vector<std::string>& arguments, app::Settings& settings)
+int run(const std::vector<std::string>& arguments, app::Settings& settings, app::Remains& remains)
 {
     if (is_compare(arguments)) return app::compare_command({arguments.begin() + 1, arguments.end()});
     if (!arguments.empty() && arguments[0] == "report") {
@@ -90,7 +90,7 @@ int run(const std::vector<std::string>& arguments, app::Settings& settings)
     } else {
         app::apply_command_line(settings, arguments);
     }
-    return app::render_command(settings, cancellation);
+    return app::render_command(settings, cancellation, remains);
 }
 
 }  // namespace
@@ -102,8 +102,9 @@ int main(int count, char** values)
     settings.console_style = style_of(count > 0 ? values[0] : "");
     if (settings.console_style == app::ConsoleStyle::Povray) last_words = "\nRender cancelled by user\n\n";
     int status = app::kError;
+    app::Remains remains;  // until the process ends
     try {
-        status = run(arguments, settings);
+        status = run(arguments, settings, remains);
     } catch (const std::exception& error) {
         app::journal_option_error(settings, error.what());
         app::tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")),

@@ -26,6 +26,7 @@ CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSett
     alone.objects.push_back(object);
     scene::Object& copy = alone.objects.back();
     copy.texture = nullptr;
+    copy.default_texture = scene::Object::kNoDefault;
     if (copy.details->interior_texture) copy.details.edit().interior_texture = nullptr;
     copy.flags.no_image = copy.flags.no_shadow = copy.flags.no_reflection = false;
     return compile(alone, {});

@@ -99,8 +99,9 @@ struct Description {
     int effective_version = 362;
     double default_importance = 1.0;  ///< `radiosity` of #default: of objects that say nothing, and of the sky
     Camera camera;
-    ObjectList objects;          ///< in order; lights among them
-    TexturePtr default_texture;  ///< in force at the end
+    ObjectList objects;                        ///< in order; lights among them
+    TexturePtr default_texture;                ///< in force at the end
+    std::vector<TexturePtr> default_textures;  ///< Object::default_texture
     Color background{0, 0, 0, 0, 1};
     bool background_given = false;
     std::optional<SkySphere> sky_sphere;
@@ -111,6 +112,11 @@ struct Description {
     std::vector<Media> media;                 ///< of the whole scene
     std::vector<Rainbow> rainbows;
 
+    const TexturePtr& default_of(const Object& object) const
+    {
+        return object.default_texture < default_textures.size() ? default_textures[object.default_texture]
+                                                                : default_texture;
+    }
     LineAndColumn line_of(const SourceRef& source) const
     {
         return source.somewhere() && source.file < lines.size() ? lines[source.file].place(source.offset)

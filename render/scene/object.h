@@ -67,7 +67,7 @@ struct Quadric {
     double constant = 0;
     /// How it came to where it is: POV-Ray's box of it depends on that.
     Shared<struct QuadricPast> past;
-};
+};  ///< rare and large: kept apart
 /// A polynomial of x, y and z that is not positive.
 struct Polynomial {
     std::shared_ptr<const csg::PolynomialShape> shape;
@@ -85,7 +85,9 @@ struct Disc {
 };
 struct Triangle {
     std::array<glm::dvec3, 3> vertex;
-    std::shared_ptr<const std::array<glm::dvec3, 3>> normal = nullptr;  ///< of the corners; null: it is flat
+};
+struct SmoothTriangle {
+    std::array<glm::dvec3, 3> vertex, normal;  ///< of the corners
 };
 
 /// Triangles that share vertices, normals and textures; shared by every instance.
@@ -149,14 +151,17 @@ struct Light {
     std::shared_ptr<const Object> looks_like, projected_through;
 };
 
-using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Quadric, Disc, Triangle, Mesh, Extrusion,
-                           Polynomial, Freeform, Csg, Shared<Light>>;
+using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Shared<Quadric>, Disc, Triangle,
+                           Shared<SmoothTriangle>, Mesh, Extrusion, Polynomial, Freeform, Csg, Shared<Light>>;
 
 struct Flags {
-    bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
-    bool double_illuminate = false;
+    bool no_shadow : 1 = false;
+    bool no_image : 1 = false;
+    bool no_reflection : 1 = false;
+    bool no_radiosity : 1 = false;
+    bool double_illuminate : 1 = false;
+    bool uv_mapping : 1 = false;
     std::optional<bool> hollow;
-    bool uv_mapping = false;
 };
 
 /// What most objects do not have: kept apart, so that a small object is small.
@@ -182,13 +187,16 @@ struct Object {
     Shape shape;
     Shared<csg::Transform> transform;
     TexturePtr texture;  ///< null: inherits from the parent, else the default texture
-    /// The default texture in force when the outermost statement that holds this object was added to the scene
-    /// (spec 3, 15.1); set on top-level objects only. What is untextured after inheritance from parents gets it.
-    TexturePtr default_texture;
     Shared<ObjectDetails> details;
     SourceRef source;
+    /// Of the default texture in force when the outermost statement that holds this object was added to the scene
+    /// (spec 3, 15.1), the place in Description::default_textures; set on top-level objects only. What is untextured
+    /// after inheritance from parents gets it.
+    std::uint32_t default_texture = kNoDefault;
     Flags flags;
     bool inverse = false;
+
+    static constexpr std::uint32_t kNoDefault = 0xffffffffu;
 
     bool drawn() const { return details->unsupported.empty(); }
     /// A transformation written in the object's block at this point: moves shape, clips, bounds and textures present.
@@ -196,7 +204,7 @@ struct Object {
     /// The same of several, `t` together; `growth`: of boxes turned by one after the other.
     void transform_by(const csg::Transform& t, const BoxGrowth& growth);
 };
-static_assert(sizeof(Object) <= 200);
+static_assert(sizeof(Object) <= 128);
 
 struct FirstClips {
     std::vector<Object> clips;
@@ -212,5 +220,11 @@ struct QuadricPast {
 };
 
 inline bool is_light(const Object& object) { return std::holds_alternative<Shared<Light>>(object.shape); }
+/// Null: it is none.
+inline const Quadric* quadric_of(const Object& object)
+{
+    const auto* shared = std::get_if<Shared<Quadric>>(&object.shape);
+    return shared ? &**shared : nullptr;
+}
 
 }  // namespace scene

@@ -2,6 +2,8 @@
 #include "render/scene/object.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 namespace scene {
@@ -92,6 +94,22 @@ void transform_details(ObjectDetails& details, const csg::Transform& t, const Bo
     for (Object& bound : details.bounded_by) bound.transform_by(t, growth);
 }
 
+/// Whether all products with 1 and sums with products of 0 give the number itself: it is finite and not -0.
+bool settled(const glm::dvec3& v)
+{
+    const auto one = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0) == std::bit_cast<std::uint64_t>(x); };
+    const glm::dvec3 nothing = v * 0.0;  // not so of what is infinite
+    return nothing == glm::dvec3(0.0) && one(v.x) && one(v.y) && one(v.z);
+}
+
+/// Whether t * Transform{} is t to the last bit.
+bool settled(const csg::Transform& t)
+{
+    for (int i = 0; i < 3; ++i)
+        if (!settled(t.linear[i]) || !settled(t.inverse_linear[i])) return false;
+    return settled(t.offset) && settled(t.inverse_offset);
+}
+
 }  // namespace
 
 Media Media::of_version(int version)
@@ -121,21 +139,22 @@ void Interior::transform(const csg::Transform& t)
 
 void Object::transform_by(const csg::Transform& t, const BoxGrowth& growth)
 {
+    const bool grows = growth.edges != glm::dmat3(1.0);
     const bool clipped = !details->clipped_by.empty();
-    if (auto* quadric = std::get_if<Quadric>(&shape)) {
-        QuadricPast& past = quadric->past.edit();
+    if (auto* quadric = std::get_if<Shared<Quadric>>(&shape)) {
+        QuadricPast& past = quadric->edit().past.edit();
         if (clipped && !past.first_clips) {
             past.first_clips =
                 std::make_shared<const FirstClips>(FirstClips{details->clipped_by, *transform, past.growth});
             past.growth = {};
         }
-        past.growth.add(growth);
+        if (grows) past.growth.add(growth);
     } else if (auto* csg = std::get_if<Csg>(&shape)) {
-        csg->growth.edit().add(growth);
+        if (grows) csg->growth.edit().add(growth);
     }
     // A light keeps no transformation of its own: items written later must not be moved.
     if (auto* light = std::get_if<Shared<Light>>(&shape)) transform_light(light->edit(), t);
-    else transform = t * *transform;
+    else transform = !transform.given() && settled(t) ? t : t * *transform;
 
     if (auto* plane = std::get_if<Plane>(&shape); plane != nullptr && clipped) plane->moved_clips = true;
     // Textures of a uv-mapped object live on its surface (spec 5a, 6).

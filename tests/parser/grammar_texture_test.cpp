@@ -78,7 +78,7 @@ TEST_CASE("an untextured object gets the default of the moment it is added", "[p
                                         "#default { pigment { rgb y } }");
     const scene::Object& o = only_object(d);
     CHECK(!o.texture);
-    CHECK(plain(layers(o.default_texture).front().pigment) == scene::Color{1, 0, 0, 0, 0});
+    CHECK(plain(layers(d.default_of(o)).front().pigment) == scene::Color{1, 0, 0, 0, 0});
     CHECK(plain(layers(d.default_texture).front().pigment) == scene::Color{0, 1, 0, 0, 0});
 }
 

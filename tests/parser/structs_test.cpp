@@ -4,6 +4,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
 // What the grammar writes into the structs of solids, pictures and effects: members, their units, and what is left out.
 namespace {
 
@@ -52,7 +56,7 @@ TEST_CASE("parameters of solids are members", "[parser][structs]")
                                             "cylinder { 0, y, 1, 2 pigment { rgb 1 } } }");
     REQUIRE(blob.components.size() == 3);
     CHECK((blob.threshold == 1 && blob.components[0].strength == -1 &&
-           blob.components[0].transform.offset == glm::dvec3(0, 1, 0)));
+           blob.components[0].transform->offset == glm::dvec3(0, 1, 0)));
     CHECK((blob.components[1].kind == scene::Blob::Component::Kind::Plain && blob.components[1].radius == 4 &&
            blob.components[2].texture));
     CHECK(solid_of<scene::SphereSweep>("sphere_sweep { linear_spline 2, 0, 1, x, 2 }").tolerance == 1e-6);
@@ -203,4 +207,34 @@ TEST_CASE("subsurface colours may be colours", "[parser][structs]")
     const scene::Finish& finish = *std::get<std::vector<scene::Layer>>(d.objects[0].texture->kind).front().finish;
     CHECK(finish.subsurface->translucency == glm::vec3(1, 2, 3));
     CHECK(finish.subsurface->anisotropy == glm::vec3(0.5f));
+}
+
+TEST_CASE("the first transformation of an object is its product with none, to the last bit", "[parser][scene]")
+{
+    const double values[] = {0.0, -0.0, 1.0, -2.5, 1e-320, 1e300, std::numeric_limits<double>::infinity()};
+    std::uint32_t state = 1;
+    const auto next = [&] { return values[(state = state * 1664525u + 1013904223u) / 613566757u]; };
+    for (int i = 0; i < 2000; ++i) {
+        csg::Transform t;
+        for (int k = 0; k < 3; ++k) {
+            t.offset[k] = next();
+            t.inverse_offset[k] = next();
+            for (int j = 0; j < 3; ++j) {
+                if (i % 2 != 0) t.linear[k][j] = next();
+                if (i % 3 != 0) t.inverse_linear[k][j] = next();
+            }
+        }
+        scene::Object object;
+        object.transform_by(t);
+        const csg::Transform product = t * csg::Transform{};
+        const auto same = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b); };
+        for (int k = 0; k < 3; ++k) {
+            REQUIRE(same(object.transform->offset[k], product.offset[k]));
+            REQUIRE(same(object.transform->inverse_offset[k], product.inverse_offset[k]));
+            for (int j = 0; j < 3; ++j) {
+                REQUIRE(same(object.transform->linear[k][j], product.linear[k][j]));
+                REQUIRE(same(object.transform->inverse_linear[k][j], product.inverse_linear[k][j]));
+            }
+        }
+    }
 }

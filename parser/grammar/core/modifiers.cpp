@@ -155,10 +155,14 @@ struct bounded_by : item<Kind::BoundedBy> {
 struct no_shadow : item<Kind::NoShadow> {
     static void act(ObjectState& s) { s.object.flags.no_shadow = true; }
 };
-template <Kind kind, bool scene::Flags::*member>
+template <Kind kind, auto set>
 struct flag : item<kind> {
-    static void act(ObjectState& s) { s.object.flags.*member = optional_flag(s.stream()); }
+    static void act(ObjectState& s) { set(s.object.flags, optional_flag(s.stream())); }
 };
+using no_image = flag<Kind::NoImage, [](scene::Flags& f, bool on) { f.no_image = on; }>;
+using no_reflection = flag<Kind::NoReflection, [](scene::Flags& f, bool on) { f.no_reflection = on; }>;
+using no_radiosity = flag<Kind::NoRadiosity, [](scene::Flags& f, bool on) { f.no_radiosity = on; }>;
+using double_illuminate = flag<Kind::DoubleIlluminate, [](scene::Flags& f, bool on) { f.double_illuminate = on; }>;
 struct hollow : item<Kind::Hollow> {
     static void act(ObjectState& s) { s.object.flags.hollow = optional_flag(s.stream()); }
 };
@@ -231,12 +235,10 @@ struct dtag : item<Kind::Dtag, a_text> {
 struct ModifierItems {
     static bool match(SceneBuilder& build, ObjectState& s)
     {
-        using Items = table<ObjectState, texture, interior_texture, pigment, normal, finish, interior, material,
-                            clipped_by, bounded_by, no_shadow, flag<Kind::NoImage, &scene::Flags::no_image>,
-                            flag<Kind::NoReflection, &scene::Flags::no_reflection>,
-                            flag<Kind::NoRadiosity, &scene::Flags::no_radiosity>,
-                            flag<Kind::DoubleIlluminate, &scene::Flags::double_illuminate>, hollow, inverse, sturm,
-                            hierarchy, uv_mapping, split_union, cutaway_textures, photons, radiosity, dtag>;
+        using Items =
+            table<ObjectState, texture, interior_texture, pigment, normal, finish, interior, material, clipped_by,
+                  bounded_by, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, hollow, inverse,
+                  sturm, hierarchy, uv_mapping, split_union, cutaway_textures, photons, radiosity, dtag>;
         if (const auto t = read_transformation(build)) {
             s.object.transform_by(*t);
             return true;

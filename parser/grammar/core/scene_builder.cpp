@@ -53,16 +53,23 @@ void SceneBuilder::add(scene::Object object)
     description.objects.push_back(std::move(object));
 }
 
+void SceneBuilder::keep_default(scene::Object& object)
+{
+    auto& all = description.default_textures;
+    if (all.empty() || all.back() != default_texture_) all.push_back(default_texture_);
+    object.default_texture = static_cast<std::uint32_t>(all.size() - 1);
+}
+
 void SceneBuilder::complete(scene::Object& object)
 {
-    object.default_texture = default_texture_;
+    keep_default(object);
     if (description.default_importance != 1.0 && !object.details->radiosity_importance)
         object.details.edit().radiosity_importance = description.default_importance;
 }
 
 void SceneBuilder::set_aside(scene::Object object)
 {
-    if (!object.default_texture) object.default_texture = default_texture_;
+    if (object.default_texture == scene::Object::kNoDefault) keep_default(object);
     description.unsupported_objects.push_back(std::move(object));
 }
 

@@ -108,6 +108,8 @@ private:
     };
     /// What an object statement at top level gets.
     void complete(scene::Object& object);
+    /// Notes the default texture of the moment.
+    void keep_default(scene::Object& object);
     [[noreturn]] void fail_open(std::string_view what);
     [[noreturn]] void fail_close(std::string_view what, const scene::SourceRef& opened);
     /// One statement of the scene; false at the end of the text.

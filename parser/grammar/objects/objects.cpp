@@ -81,6 +81,7 @@ bool is_patch(const scene::Object& object)
     const auto* mesh = std::get_if<scene::Mesh>(&object.shape);
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
     return std::holds_alternative<scene::Triangle>(object.shape) ||
+           std::holds_alternative<scene::Shared<scene::SmoothTriangle>>(object.shape) ||
            (mesh && mesh->data && !mesh->data->has_inside_vector) ||
            (freeform && csg::Freeform{freeform->shape, {}}.surface());
 }

@@ -55,7 +55,7 @@ bool set_torus(const double* v, bool, scene::Object& object)
 
 bool set_quadric(const double* v, bool, scene::Object& object)
 {
-    object.shape = scene::Quadric{vector_at(v), vector_at(v + 3), vector_at(v + 6), v[9], {}};
+    object.shape = scene::Shared(scene::Quadric{vector_at(v), vector_at(v + 3), vector_at(v + 6), v[9], {}});
     return true;
 }
 
@@ -71,21 +71,19 @@ bool set_triangle(const double* v, bool, scene::Object& object)
     scene::Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = vector_at(v + 3 * i);
     const bool line = glm::length(glm::cross(t.vertex[1] - t.vertex[0], t.vertex[2] - t.vertex[0])) == 0.0;
-    object.shape = std::move(t);
+    object.shape = t;
     return !line;
 }
 
 bool set_smooth_triangle(const double* v, bool, scene::Object& object)
 {
-    scene::Triangle t{};
-    const auto normals = std::make_shared<std::array<glm::dvec3, 3>>();
+    scene::SmoothTriangle t{};
     for (std::size_t i = 0; i < 3; ++i) {
         t.vertex[i] = vector_at(v + 6 * i);
         const glm::dvec3 normal = vector_at(v + 6 * i + 3);
-        (*normals)[i] = glm::length(normal) > 0 ? glm::normalize(normal) : normal;
+        t.normal[i] = glm::length(normal) > 0 ? glm::normalize(normal) : normal;
     }
-    t.normal = normals;
-    object.shape = std::move(t);
+    object.shape = scene::Shared(t);
     return true;
 }
 

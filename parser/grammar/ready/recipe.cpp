@@ -22,19 +22,34 @@ scene::CsgOp csg_op_of(Kind keyword)
     }
 }
 
+/// read_transformation() puts each together with none; what that product rounds to is known of the plain ones.
+csg::Transform moved_by(const glm::dvec3& by)
+{
+    const glm::dvec3 there = by + 0.0, back = -by + 0.0;  // no -0
+    csg::Transform made;
+    made.offset = there;
+    made.inverse_offset = back;
+    return there - there == glm::dvec3(0.0) ? made : csg::Transform::translate(by) * csg::Transform{};
+}
+csg::Transform scaled_by(const glm::dvec3& by)
+{
+    const csg::Transform made = csg::Transform::scale(by);
+    const glm::dvec3 back(made.inverse_linear[0][0], made.inverse_linear[1][1], made.inverse_linear[2][2]);
+    return by - by == glm::dvec3(0.0) && back - back == glm::dvec3(0.0) ? made : made * csg::Transform{};
+}
+
 }  // namespace
 
 bool ModifierRecipe::apply(const Making& m, scene::Object& object) const
 {
-    // Each is put together as read_transformation() does, so that the same products are rounded.
     const csg::Transform none;
     switch (keyword) {
-    case Kind::Translate: object.transform_by(csg::Transform::translate(m.vector(value)) * none); return true;
+    case Kind::Translate: object.transform_by(moved_by(m.vector(value))); return true;
     case Kind::Rotate: object.transform_by(csg::Transform::rotate_degrees(m.vector(value)) * none); return true;
     case Kind::Scale: {
         const glm::dvec3 by = m.vector(value);
         if (by.x == 0.0 || by.y == 0.0 || by.z == 0.0) return false;
-        object.transform_by(csg::Transform::scale(by) * none);
+        object.transform_by(scaled_by(by));
         return true;
     }
     case Kind::Transform: {

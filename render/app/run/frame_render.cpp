@@ -172,7 +172,11 @@ int render_frame(Run& run, const Frame& frame)
     run.reporter.parsed(parsed, times.stages().back().second);
     if (settings.warnings_are_errors) refuse_warnings(parsed);
     if (settings.deps) print_dependencies(settings, parsed);
-    if (print_stage(run, parsed)) return kSuccess;
+    const bool last = &frame == &run.list.frames.back();
+    if (print_stage(run, parsed)) {
+        if (last) run.remains.leave(std::move(parsed));
+        return kSuccess;
+    }
 
     const plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings));
     times.finish("plan");

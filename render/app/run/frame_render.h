@@ -19,6 +19,7 @@ struct Run {
     Streams& streams;
     ConsoleReporter& reporter;
     Cancellation& cancel;
+    Remains& remains;
     std::optional<std::string> input;  ///< the scene's text, if it came from standard input
     bool told_far = false;             ///< that something is drawn which POV-Ray leaves out; once a run
 };

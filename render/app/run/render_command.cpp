@@ -72,14 +72,15 @@ int render_all(Run& run)
 }
 
 /// Everything after the options are understood; errors are told.
-int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& reporter, Cancellation& cancel)
+int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& reporter, Cancellation& cancel,
+              Remains& remains)
 {
     try {
         for (const std::string& note : settings.notes) reporter.note(note);
         if (!settings.not_acted_on.empty())
             reporter.note(fmt::format("accepted without effect for now: {}", fmt::join(settings.not_acted_on, ", ")));
         write_effective_ini(settings);
-        Run run{settings, frames_of(settings), {}, streams, reporter, cancel, {}};
+        Run run{settings, frames_of(settings), {}, streams, reporter, cancel, remains, {}};
         if (from_standard_input(settings)) run.input = std::string(std::istreambuf_iterator<char>(std::cin), {});
         const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
         if (traces) trace::prepare(isa_of(settings), settings.threads);
@@ -107,7 +108,7 @@ bool write_journal(const std::string& path, const std::string& text)
 
 }  // namespace
 
-int render_command(const Settings& settings, Cancellation& cancel)
+int render_command(const Settings& settings, Cancellation& cancel, Remains& remains)
 {
     if (settings.input_file.empty()) throw OptionError("no scene given: whittle scene.pov, or whittle --help");
     if (settings.dump == Settings::Dump::Tokens) {
@@ -124,9 +125,9 @@ int render_command(const Settings& settings, Cancellation& cancel)
     window_of(settings);  // a window outside the picture is an error before the parse
     Streams streams(settings);
     const std::unique_ptr<ConsoleReporter> speaker = make_reporter(settings, streams);
-    if (settings.json_file.empty()) return run_scene(settings, streams, *speaker, cancel);
+    if (settings.json_file.empty()) return run_scene(settings, streams, *speaker, cancel, remains);
     Journal journal(streams, *speaker, settings);
-    const int status = run_scene(settings, streams, journal, cancel);
+    const int status = run_scene(settings, streams, journal, cancel, remains);
     const bool kept = write_journal(settings.json_file, journal.text(status));
     return kept || status != kSuccess ? status : kError;
 }

@@ -5,7 +5,9 @@
 #include <semaphore.h>
 
 #include <atomic>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace app {
 
@@ -31,9 +33,23 @@ private:
     sem_t asked_;
 };
 
+/// What a run need not free: millions of small things that the end of the process drops at once.
+class Remains {
+public:
+    template <class Thing>
+    void leave(Thing&& thing)
+    {
+        things_.push_back(std::make_shared<std::decay_t<Thing>>(std::forward<Thing>(thing)));
+    }
+
+private:
+    std::vector<std::shared_ptr<const void>> things_;
+};
+
 /// Everything from the scene file to the picture file, frame by frame. Returns the exit status.
 /// \param cancel when requested the trace stops and nothing is written
-int render_command(const Settings& settings, Cancellation& cancel);
+/// \param remains gets what the last frame was made from
+int render_command(const Settings& settings, Cancellation& cancel, Remains& remains);
 
 /// --json of a run that options ended before it began. Does nothing if --json was not among those read till then.
 void journal_option_error(const Settings& settings, const std::string& text);

@@ -102,7 +102,7 @@ struct ShapeExtent {
     csg::Aabb operator()(const scene::Polynomial&) const { return everything(); }  // closed or not (spec 5a, 7)
     csg::Aabb operator()(const scene::Cylinder& s) const { return tube(world_solid(s, t)); }
     csg::Aabb operator()(const scene::Cone& s) const { return tube(world_solid(s, t)); }
-    csg::Aabb operator()(const scene::Quadric& s) const { return quadric_extent(s, t); }
+    csg::Aabb operator()(const scene::Shared<scene::Quadric>& s) const { return quadric_extent(*s, t); }
     csg::Aabb operator()(const scene::Disc& s) const
     {
         const csg::Solid made = world_solid(s, t);
@@ -253,7 +253,7 @@ void cut_box(const scene::Object& operand, bool subtracted, csg::Aabb& box)
     if (!half_space(operand, subtracted, cut)) {
         if (operand.inverse != subtracted) return;
         cut = extent(operand);
-        if (const auto* quadric = std::get_if<scene::Quadric>(&operand.shape))
+        if (const scene::Quadric* const quadric = scene::quadric_of(operand))
             cut = smaller_quadric_box(cut, *quadric, *operand.transform,
                                       box.intersected(clip_box(operand.details->clipped_by)));
     }
@@ -268,7 +268,7 @@ csg::Aabb csg_extent(const scene::Csg& csg)
     for (const bool quadrics : {false, true})
         for (std::size_t i = 0; i < csg.operands->size(); ++i) {
             const scene::Object& operand = (*csg.operands)[i];
-            if (std::holds_alternative<scene::Quadric>(operand.shape) != quadrics) continue;
+            if ((scene::quadric_of(operand) != nullptr) != quadrics) continue;
             if (joins) box.include(extent(operand));
             else cut_box(operand, csg.op == scene::CsgOp::Difference && i > 0, box);
         }
@@ -288,7 +288,7 @@ csg::Aabb extent(const scene::Object& object)
     const auto* plane = std::get_if<scene::Plane>(&object.shape);
     csg::Aabb box = plane != nullptr && plane->moved_clips ? extent(object.details->clipped_by.front())
                                                            : std::visit(ShapeExtent{*object.transform}, object.shape);
-    if (const auto* quadric = std::get_if<scene::Quadric>(&object.shape);
+    if (const scene::Quadric* const quadric = scene::quadric_of(object);
         quadric != nullptr && !quadric->past->first_clips && !object.details->clipped_by.empty())
         box = smaller_quadric_box(box, *quadric, *object.transform, clip_box(object.details->clipped_by));
     box = kept(box);

@@ -82,7 +82,7 @@ void GeometryCompiler::expect(std::size_t statements)
 
 void GeometryCompiler::add(const scene::Object& object)
 {
-    default_texture_ = object.default_texture ? object.default_texture : description_.default_texture;
+    default_texture_ = description_.default_of(object);
     automatic_interiors_.clear();
     light_groups_.clear();
     collect_lights(object, {});

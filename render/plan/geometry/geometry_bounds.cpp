@@ -25,7 +25,7 @@ bool keeps_bounds(const scene::Object& object, const csg::Aabb& drawn)
     if (std::holds_alternative<scene::Csg>(object.shape) || std::holds_alternative<scene::Polynomial>(object.shape) ||
         std::holds_alternative<scene::Extrusion>(object.shape))
         return true;
-    return std::holds_alternative<scene::Quadric>(object.shape) && !drawn.finite();
+    return scene::quadric_of(object) != nullptr && !drawn.finite();
 }
 
 bool has_disc(const scene::Object& object)
@@ -64,7 +64,8 @@ bool has_own_box(const scene::Object& object)
 {
     const scene::Shape& shape = object.shape;
     return !(std::holds_alternative<scene::Sphere>(shape) || std::holds_alternative<scene::Box>(shape) ||
-             std::holds_alternative<scene::Plane>(shape) || std::holds_alternative<scene::Triangle>(shape));
+             std::holds_alternative<scene::Plane>(shape) || std::holds_alternative<scene::Triangle>(shape) ||
+             std::holds_alternative<scene::Shared<scene::SmoothTriangle>>(shape));
 }
 
 bool finite(const scene::Object& part)
@@ -188,7 +189,7 @@ csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, con
         const csg::Aabb box = placed_extent(object, parent, own.parent_growth);
         if (!everywhere(box)) guard.box = guard.box.intersected(box);
     }
-    if (std::holds_alternative<scene::Quadric>(object.shape) && guard.box.finite()) {
+    if (scene::quadric_of(object) != nullptr && guard.box.finite()) {
         // What the clips' boxes leave of an endless quadric.
         const csg::Solid whole = world_solid(object.shape, own.to_world);
         if (const auto* quadric = std::get_if<csg::Quadric>(&whole))

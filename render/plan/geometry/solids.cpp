@@ -39,10 +39,10 @@ using Corners = std::array<glm::dvec3, 3>;
 
 /// POV-Ray draws a smooth_triangle only if its three normals point to one side of its face, none along it (spec
 /// 5b, 2.2); the faces of meshes know no such rule. A transformation changes all three signs or none.
-bool normals_on_one_side(const scene::Triangle& s, const Corners& normals)
+bool normals_on_one_side(const scene::SmoothTriangle& s)
 {
     const glm::dvec3 face = glm::cross(s.vertex[1] - s.vertex[0], s.vertex[2] - s.vertex[0]);
-    const double a = glm::dot(face, normals[0]), b = glm::dot(face, normals[1]), c = glm::dot(face, normals[2]);
+    const double a = glm::dot(face, s.normal[0]), b = glm::dot(face, s.normal[1]), c = glm::dot(face, s.normal[2]);
     return (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0);
 }
 
@@ -59,6 +59,7 @@ struct ToWorld {
     const csg::Transform& t;
     bool on_surface;
 
+    Corners moved(const Corners& c) const { return {t.point(c[0]), t.point(c[1]), t.point(c[2])}; }
     csg::Solid operator()(const scene::Sphere& s) const
     {
         double factor = 1.0;
@@ -88,9 +89,9 @@ struct ToWorld {
         return csg::Cylinder::make(s.base, s.cap, radius, s.open, t);
     }
     csg::Solid operator()(const scene::Torus& s) const { return csg::Torus{std::abs(s.major), std::abs(s.minor), t}; }
-    csg::Solid operator()(const scene::Quadric& s) const
+    csg::Solid operator()(const scene::Shared<scene::Quadric>& s) const
     {
-        return csg::Quadric{s.square, s.mixed, s.linear, s.constant, t};
+        return csg::Quadric{s->square, s->mixed, s->linear, s->constant, t};
     }
     csg::Solid operator()(const scene::Disc& s) const
     {
@@ -98,10 +99,12 @@ struct ToWorld {
     }
     csg::Solid operator()(const scene::Triangle& s) const
     {
-        const Corners corners{t.point(s.vertex[0]), t.point(s.vertex[1]), t.point(s.vertex[2])};
-        if (!s.normal) return csg::Triangle::make(oriented(corners, !t.identity()));
-        const auto& n = *s.normal;
-        if (!normals_on_one_side(s, n))
+        return csg::Triangle::make(oriented(moved(s.vertex), !t.identity()));
+    }
+    csg::Solid operator()(const scene::Shared<scene::SmoothTriangle>& s) const
+    {
+        const Corners corners = moved(s->vertex), &n = s->normal;
+        if (!normals_on_one_side(*s))
             return csg::Triangle::make({corners[0], corners[0], corners[0]});  // no area: never met
         return csg::Triangle::make(corners, {t.normal(n[0]), t.normal(n[1]), t.normal(n[2])});
     }

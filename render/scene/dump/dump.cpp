@@ -24,10 +24,10 @@ struct ShapeDump {
                                      text(c.cap_radius), c.open ? " open" : ""));
     }
     void operator()(const Torus& t) const { out.line("torus", text(t.major) + " " + text(t.minor)); }
-    void operator()(const Quadric& q) const
+    void operator()(const Shared<Quadric>& q) const
     {
         out.line("quadric",
-                 fmt::format("{} {} {} {}", text(q.square), text(q.mixed), text(q.linear), text(q.constant)));
+                 fmt::format("{} {} {} {}", text(q->square), text(q->mixed), text(q->linear), text(q->constant)));
     }
     void operator()(const Polynomial& p) const
     {
@@ -39,12 +39,15 @@ struct ShapeDump {
     {
         out.line("disc", fmt::format("{} {} {} {}", text(d.center), text(d.normal), text(d.radius), text(d.hole)));
     }
-    void operator()(const Triangle& t) const
+    void operator()(const Triangle& t) const { corners("triangle", t.vertex); }
+    void operator()(const Shared<SmoothTriangle>& t) const
     {
-        out.line("triangle", text(t.vertex[0]) + " " + text(t.vertex[1]) + " " + text(t.vertex[2]));
-        if (!t.normal) return;
-        const auto& n = *t.normal;
-        out.line("normals", text(n[0]) + " " + text(n[1]) + " " + text(n[2]));
+        corners("triangle", t->vertex);
+        corners("normals", t->normal);
+    }
+    void corners(std::string_view name, const std::array<glm::dvec3, 3>& at) const
+    {
+        out.line(name, text(at[0]) + " " + text(at[1]) + " " + text(at[2]));
     }
     void operator()(const Mesh& mesh) const;
     void operator()(const Extrusion& e) const
@@ -133,7 +136,7 @@ void dump_flags(DumpWriter& out, const Flags& f)
 
 }  // namespace
 
-void dump(DumpWriter& out, const Object& object)
+void dump(DumpWriter& out, const Object& object, const Texture* default_texture)
 {
     const ObjectDetails& details = *object.details;
     out.open("object");
@@ -149,9 +152,9 @@ void dump(DumpWriter& out, const Object& object)
         scene::dump(out, *details.interior_texture);
         out.close();
     }
-    if (object.default_texture && !object.texture && !is_light(object)) {
+    if (default_texture && !object.texture && !is_light(object)) {
         out.open("default_texture");
-        scene::dump(out, *object.default_texture);
+        scene::dump(out, *default_texture);
         out.close();
     }
     if (details.interior) scene::dump(out, *details.interior);
@@ -257,10 +260,10 @@ std::string dump(const Description& d)
     for (const Fog& fog : d.fogs) dump(out, fog);
     for (const Media& media : d.media) media.dump(out);
     for (const Rainbow& rainbow : d.rainbows) rainbow.dump(out);
-    for (const Object& object : d.objects) dump(out, object);
+    for (const Object& object : d.objects) dump(out, object, d.default_of(object).get());
     for (const Object& object : d.unsupported_objects) {
         out.open("not drawn yet");
-        dump(out, object);
+        dump(out, object, d.default_of(object).get());
         out.close();
     }
     for (const Unsupported& u : d.unsupported)

@@ -87,6 +87,7 @@ void dump(DumpWriter& out, const Normal& normal);
 void dump(DumpWriter& out, const Texture& texture);
 void dump(DumpWriter& out, const Interior& interior);
 void dump(DumpWriter& out, const Turbulence& turbulence);
-void dump(DumpWriter& out, const Object& object);
+/// default_texture: of a top-level object.
+void dump(DumpWriter& out, const Object& object, const Texture* default_texture = nullptr);
 
 }  // namespace scene
