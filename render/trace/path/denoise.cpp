@@ -15,6 +15,7 @@ constexpr int kLevels = 5;           // the last reaches 2^6 pixels to each side
 constexpr float kDepthSteps = 1.5f;  // slopes of the depth that two places of one surface may be apart
 constexpr float kAlbedoWidth = 0.15f;
 constexpr float kLightSigmas = 3.0f;  // standard deviations of light that may be noise
+constexpr std::uint32_t kFewest = 4;  // samples of a pixel that tell of their own spread
 constexpr float kDarkest = 0.02f;     // least albedo that light is divided by
 
 /// What the filter goes by, and what it works on: light without the colour of the surface.
@@ -55,6 +56,10 @@ public:
         });
         rows([&](int y) {
             for (int x = 0; x < width_; ++x) at(places_, x, y).slope = slope_at(x, y);
+        });
+        rows([&](int y) {
+            for (int x = 0; x < width_; ++x)
+                if (samples.at(x, y).count < kFewest) at(places_, x, y).variance = variance_of_neighbours(x, y);
         });
     }
 
@@ -143,6 +148,25 @@ private:
                 weights += w;
             }
         return weights > 0.0f ? sum / weights : own.variance;
+    }
+
+    /// Of light from pixel to pixel of the same surface, where a pixel's own samples are too few to tell.
+    float variance_of_neighbours(int x, int y) const
+    {
+        constexpr int kReach = 3;
+        const Place& own = at(places_, x, y);
+        float weights = 0.0f, sum = 0.0f, squares = 0.0f;
+        for (int v = std::max(0, y - kReach); v <= std::min(height_ - 1, y + kReach); ++v)
+            for (int u = std::max(0, x - kReach); u <= std::min(width_ - 1, x + kReach); ++u) {
+                const Place& other = at(places_, u, v);
+                if (!other.held) continue;
+                const float w = alike(own, other, std::hypot(static_cast<float>(u - x), static_cast<float>(v - y)));
+                const float light = bright(other.light);
+                weights += w;
+                sum += w * light;
+                squares += w * light * light;
+            }
+        return weights > 0.0f ? std::max(0.0f, squares / weights - sum * sum / (weights * weights)) : 0.0f;
     }
 
     /// Whether two places are of one surface, 0 to 1. apart: in pixels

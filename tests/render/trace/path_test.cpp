@@ -1,4 +1,6 @@
 // The path tracer against closed forms and the Whitted picture: docs/path_tracing.md.
+#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/indirect/passes.h"
 #include "render/trace/path/denoise.h"
 #include "render/trace/path/fresnel.h"
 #include "render/trace/sampling/sampled_render.h"
@@ -261,7 +263,7 @@ TEST_CASE("the filter brings a picture of few paths nearer to what many converge
 {
     const Filtered truth = filtered(kBox, 512, 1);
     double before = 1e9;
-    for (const std::uint32_t samples : {4u, 16u, 64u}) {
+    for (const std::uint32_t samples : {1u, 4u, 16u, 64u}) {
         const Filtered found = filtered(kBox, samples, 0);
         const double plain = apart(found.plain, truth.plain), smooth = apart(found.filtered, truth.plain);
         INFO(samples << " samples: " << plain << ", filtered " << smooth);
@@ -277,4 +279,26 @@ TEST_CASE("the filter leaves a picture without noise as it is", "[path]")
 {
     const Filtered found = filtered("camera { location -3*z look_at 0 }\nbackground { rgb <.2,.4,.6> }\n", 8, 0);
     CHECK(apart(found.plain, found.filtered) < 1e-6);
+}
+
+TEST_CASE("a Cornell box by paths is that of radiosity within what radiosity is off by", "[path]")
+{
+    const auto box = [](const std::string& radiosity) {
+        return "#version 3.7; global_settings { assumed_gamma 1 " + radiosity + " }\n" + kBox;
+    };
+    plan::Options options;
+    options.width = options.height = kSide;
+    options.free_sampling = true;
+    const plan::CompiledScene scene = plan::compile(
+        parser::parse_text(box("radiosity { recursion_limit 8 count 300 error_bound .5 nearest_count 6 }"), "t.pov", {})
+            .scene,
+        options);
+    trace::RenderOptions render;
+    const auto indirect = trace::run_passes(scene, render);
+    render.indirect = indirect.get();
+    trace::SamplingGoal goal;
+    goal.samples = 8;
+    Paths gathered, paths = traced(kBox, 256);
+    gathered.statistics = trace::render_sampled(scene, render, goal, kLinear, gathered.picture);
+    for (std::size_t c = 0; c < 3; ++c) CHECK(gathered.mean(c) == Approx(paths.mean(c)).epsilon(0.08));
 }
