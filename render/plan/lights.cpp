@@ -1,5 +1,6 @@
 #include "render/plan/lights.h"
 
+#include "csg/base/reach.h"
 #include "render/plan/probe.h"
 
 #include <cmath>
@@ -66,6 +67,11 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     out.location = to_world.point(description.location);
     out.point_at = to_world.point(description.point_at);
     out.axis = unit(out.point_at - out.location);
+    if (description.directional) {  // from farther than anything is drawn
+        out.axis = unit(to_world.vector(description.point_at));
+        out.point_at = glm::dvec3(0);
+        out.location = -csg::Reach::kFar * out.axis;
+    }
     out.color = description.color;
     out.shadowless = description.shadowless;
     out.parallel = description.parallel;

@@ -143,6 +143,7 @@ struct Light {
     glm::dvec3 point_at{0};
     double radius_deg = 30, falloff_deg = 45, tightness = 0;  ///< degrees for a spot; lengths for `cylinder`
     bool parallel = false, shadowless = false;
+    bool directional = false;  ///< with parallel: `point_at` is where it shines to, from anywhere
     double fade_distance = 0, fade_power = 0;
     bool area = false, circular = false, orient = false, jitter = false, area_illumination = false;
     glm::dvec3 axis1{0}, axis2{0};

@@ -117,6 +117,9 @@ struct Reflection {
     glm::vec3 min{0}, max{0};
     bool fresnel = false;
     float falloff = 1, exponent = 1, metallic = 0;
+    bool schlick = false;    ///< with fresnel: Schlick's approximation of it (docs/extensions.md, as those below)
+    float gloss = 0;         ///< roughness of the mirror, as of `specular`; 0: a sharp one
+    int gloss_samples = 16;  ///< rays
 };
 
 /// Defaults: spec 3, 7.1.
@@ -128,6 +131,11 @@ struct Finish {
     Reflection reflection;
     bool conserve_energy = false;
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
+    float polished = 0;      ///< reflectance head-on of Shirley's polished surface; 0: none
+    bool cool_warm = false;  ///< Gooch: tones instead of light and shadow
+    glm::vec3 cool{0}, warm{0};
+    float ink = 0;                                 ///< width of lines in degrees of view; 0: none
+    float ink_crease_deg = 30;                     ///< a line is drawn where normals differ by more
     bool use_radiosity = true;                     ///< reserved for later
     std::shared_ptr<const Subsurface> subsurface;  ///< null: none
     /// Legacy finish keywords, moved to the interior of the object (spec 3, 8.7); unset if negative.

@@ -1,5 +1,7 @@
 #include "render/study/ladder.h"
 
+#include "render/study/solver_accuracy.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -186,6 +188,19 @@ void add_media(Settings& out, const plan::MediaSet& media)
                        {}});
 }
 
+void add_solvers(Settings& out, const scene::ObjectList& objects)
+{
+    if (!has_solvers(objects)) return;
+    for (const double share : {100.0, 30.0, 10.0, 3.0, 1.0, 0.3, 0.1})
+        out.push_back({"accuracy of isosurfaces and parametric surfaces",
+                       fmt::format("accuracy times {:g}", share),
+                       [=](Trial& t) {
+                           smooth(t);
+                           scale_accuracy(t.scene.objects, share);
+                       },
+                       {}});
+}
+
 }  // namespace
 
 Settings ladder(const scene::Description& scene, const plan::CompiledScene& compiled, const trace::RayCounts& rays,
@@ -200,6 +215,7 @@ Settings ladder(const scene::Description& scene, const plan::CompiledScene& comp
     add_radiosity(out, scene.global);
     add_photons(out, scene.global);
     add_media(out, compiled.media);
+    add_solvers(out, scene.objects);
     if (paths) add_paths(out);
     return out;
 }
@@ -208,6 +224,7 @@ void make_truth(Trial& trial, double error, double seconds, bool paths)
 {
     constexpr int kDeep = 15;
     constexpr double kFaint = 1e-3;
+    constexpr double kFine = 0.1;  // of the accuracy of solvers
     trial.options.free_sampling = true;
     trial.options.paths = paths;
     trial.goal.error = error;
@@ -215,6 +232,7 @@ void make_truth(Trial& trial, double error, double seconds, bool paths)
     trial.goal.seed = 1;  // none of its samples are those that it judges
     trial.scene.global.max_trace_level = std::max(trial.scene.global.max_trace_level, kDeep);
     trial.scene.global.adc_bailout = std::min(trial.scene.global.adc_bailout, kFaint);
+    scale_accuracy(trial.scene.objects, kFine);
 }
 
 }  // namespace study

@@ -80,6 +80,14 @@ double fresnel_share(double eta, double c)
     return std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
 }
 
+/// Schlick, "An inexpensive BRDF model for physically-based rendering" (1994): no critical angle, no polarisation.
+double schlick_share(double eta, double c)
+{
+    const double head_on = (eta - 1.0) / (eta + 1.0), least = head_on * head_on;
+    const double away = 1.0 - std::clamp(c, 0.0, 1.0), square = away * away;
+    return least + (1.0 - least) * square * square * away;
+}
+
 }  // namespace
 
 glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, const glm::dvec3& d, const glm::dvec3& n,
@@ -88,7 +96,7 @@ glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, const 
     const double c = -glm::dot(d, n);
     glm::vec3 r = finish.reflection_max;
     if (finish.reflection_min != finish.reflection_max) {
-        const double s = finish.fresnel ? fresnel_share(eta, c)
+        const double s = finish.fresnel ? (finish.schlick ? schlick_share(eta, c) : fresnel_share(eta, c))
                          : finish.reflection_falloff == 1.0f
                              ? 1.0 - c
                              : std::pow(1.0 - c, static_cast<double>(finish.reflection_falloff));

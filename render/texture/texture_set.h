@@ -30,6 +30,18 @@ struct Normal {
 };
 
 /// The author's finish with albedo forms resolved and every exponent as used.
+/// What a finish has beyond POV-Ray's words (docs/extensions.md).
+struct FinishExtension {
+    float gloss_exponent = 0;  ///< of the lobe around the mirrored ray; 0: a sharp mirror
+    int gloss_samples = 1;
+    float polished = 0;  ///< reflectance head-on; 0: none
+    bool cool_warm = false;
+    glm::vec3 cool{0}, warm{0};
+    double ink = 0, ink_cosine = 0;  ///< width of lines in radians, 0: none; of the angle of a crease
+
+    bool own_light() const { return polished > 0 || cool_warm; }  ///< another formula for direct light
+};
+
 struct Finish {
     glm::vec3 ambient{0.1f}, emission{0};  ///< ambient holds the scene's ambient_light too
     float diffuse = 0.6f, diffuse_back = 0, brilliance = 1, crand = 0;
@@ -39,6 +51,9 @@ struct Finish {
     float reflection_falloff = 1, reflection_metallic = 0;
     float reflection_power = 1;  ///< the mirrored colour is raised to it
     bool fresnel = false, conserve_energy = false;
+    bool schlick = false;             ///< of fresnel: Schlick's approximation
+    bool own_light = false;           ///< FinishExtension::own_light()
+    std::uint32_t extension = kNone;  ///< index into TextureSet::extensions
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
     /// Light goes below the surface: `diffuse` is 0 then and this is what it was, before albedo. Translucency: mm.
     bool subsurface = false;
@@ -70,6 +85,7 @@ struct TextureSet {
     std::vector<Texture> textures;
     std::vector<Layer> layers;
     std::vector<Finish> finishes;
+    std::vector<FinishExtension> extensions;
     std::vector<Pigment> pigments;
     std::vector<Normal> normals;
     std::vector<Pattern> patterns;

@@ -45,6 +45,16 @@ struct shadowless : item<Kind::Shadowless> {
 struct parallel : item<Kind::Parallel> {
     static void act(LightState& s) { s.light().parallel = true; }
 };
+/// docs/extensions.md: from so far that it comes from one direction everywhere.
+struct directional : item<Kind::WhittleDirectional, a_vector> {
+    static void act(LightState& s)
+    {
+        s.light().parallel = s.light().directional = true;
+        s.light().point_at = s.pop_vector();
+        if (s.light().point_at == glm::dvec3(0))
+            s.stream().fail(s.stream().last(), "the direction of a light must not be <0, 0, 0>");
+    }
+};
 struct point_at : item<Kind::PointAt, a_vector> {
     static void act(LightState& s)
     {
@@ -200,10 +210,10 @@ struct color_map : item<Kind::ColorMap> {
 struct LightItems {
     static bool match(SceneBuilder& build, LightState& s)
     {
-        using Items = table<LightState, spotlight, cylinder, shadowless, parallel, point_at, radius, falloff, tightness,
-                            light_fade_distance, light_fade_power, area_light, adaptive, area_illumination, circular,
-                            orient, jitter, media_attenuation, media_interaction, looks_like, projected_through,
-                            light_photons, color_map>;
+        using Items = table<LightState, directional, spotlight, cylinder, shadowless, parallel, point_at, radius,
+                            falloff, tightness, light_fade_distance, light_fade_power, area_light, adaptive,
+                            area_illumination, circular, orient, jitter, media_attenuation, media_interaction,
+                            looks_like, projected_through, light_photons, color_map>;
         if (Items::match(build, s)) return true;
         const auto t = read_transformation(build);
         if (t) s.object.transform_by(*t);

@@ -84,7 +84,25 @@ struct exponent : item<Kind::Exponent, a_number> {
 struct reflection_metallic : item<Kind::Metallic> {
     static void act(FinishState& s) { s.finish.reflection.metallic = s.number_or(1); }
 };
-using ReflectionItems = table<FinishState, fresnel, falloff, exponent, reflection_metallic>;
+/// Words of Whittle's own: docs/extensions.md.
+struct schlick : item<Kind::WhittleSchlick> {
+    static void act(FinishState& s) { s.finish.reflection.fresnel = s.finish.reflection.schlick = true; }
+};
+struct gloss : item<Kind::WhittleGloss, a_number> {
+    static void act(FinishState& s)
+    {
+        constexpr float kMostSamples = 4096;
+        scene::Reflection& r = s.finish.reflection;
+        r.gloss = s.pop_single();
+        if (!(r.gloss >= 0)) s.stream().fail(s.stream().last(), "the roughness of a mirror must not be below 0");
+        if (!s.stream().accept_comma()) return;
+        const float samples = s.number();
+        if (!(samples >= 1 && samples <= kMostSamples))
+            s.stream().fail(s.stream().last(), "a glossy mirror takes 1 to 4096 rays");
+        r.gloss_samples = static_cast<int>(samples);
+    }
+};
+using ReflectionItems = table<FinishState, fresnel, falloff, exponent, reflection_metallic, schlick, gloss>;
 
 struct reflection : item<Kind::Reflection> {
     static void act(FinishState& s)
@@ -109,6 +127,32 @@ struct reflection : item<Kind::Reflection> {
         while (ReflectionItems::match(s.build, s)) {}
         if (r.fresnel && !range) r.min = glm::vec3(0);
         s.build.close_block("reflection", opened);
+    }
+};
+struct polished : item<Kind::WhittlePolished, a_number> {
+    static void act(FinishState& s)
+    {
+        s.finish.polished = s.pop_single();
+        if (!(s.finish.polished > 0 && s.finish.polished < 1))
+            s.stream().fail(s.stream().last(), "the reflectance of a polished surface must lie between 0 and 1");
+    }
+};
+struct cool_warm : item<Kind::WhittleCoolWarm> {
+    static void act(FinishState& s)
+    {
+        s.finish.cool_warm = true;
+        s.finish.cool = s.read_rgb();
+        s.stream().accept_comma();
+        s.finish.warm = s.read_rgb();
+    }
+};
+struct ink : item<Kind::WhittleInk, a_number> {
+    static void act(FinishState& s)
+    {
+        s.finish.ink = s.pop_single();
+        if (!(s.finish.ink >= 0 && s.finish.ink < 45))
+            s.stream().fail(s.stream().last(), "the width of ink lines is an angle of view in degrees, 0 to 45");
+        if (s.stream().accept_comma()) s.finish.ink_crease_deg = s.number();
     }
 };
 struct reflection_exponent : item<Kind::ReflectionExponent, a_number> {
@@ -146,7 +190,7 @@ using refraction = moved<Kind::Refraction, &scene::Finish::legacy_refraction>;
 
 using FinishItems =
     table<FinishState, ambient, emission, diffuse, phong, specular, roughness, metallic, conserve_energy, reflection,
-          reflection_exponent, irid, subsurface, ior, caustics, refraction,
+          reflection_exponent, irid, subsurface, ior, caustics, refraction, polished, cool_warm, ink,
           number_of<Kind::Brilliance, &scene::Finish::brilliance>, number_of<Kind::Crand, &scene::Finish::crand>,
           number_of<Kind::PhongSize, &scene::Finish::phong_size>>;
 

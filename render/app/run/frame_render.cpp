@@ -13,6 +13,7 @@
 #include "render/app/run/stage_options.h"
 #include "render/app/options/text.h"
 #include "render/plan/compiled_scene.h"
+#include "render/plan/function_check.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -171,6 +172,7 @@ int render_frame(Run& run, const Frame& frame)
     times.finish("parse");
     run.reporter.parsed(parsed, times.stages().back().second);
     if (settings.warnings_are_errors) refuse_warnings(parsed);
+    for (const std::string& missing : plan::functions_without_number(parsed.scene)) run.reporter.note(missing);
     if (settings.deps) print_dependencies(settings, parsed);
     const bool last = &frame == &run.list.frames.back();
     if (print_stage(run, parsed)) {

@@ -14,6 +14,7 @@ parser::Options parser_options(const Settings& settings, const FrameList& list, 
     for (std::string& folder : default_library_path()) options.library_path.push_back(std::move(folder));
     options.declared_numbers = settings.declared_numbers;
     options.declared_strings = settings.declared_strings;
+    if (settings.extensions) options.declared_numbers.try_emplace("Whittle", 1.0);
     options.version_given = settings.version.has_value();
     options.version = settings.version.value_or(options.version);
     options.image_width = settings.width;

@@ -1,5 +1,8 @@
 #include "render/plan/geometry/geometry.h"
 
+#include "render/plan/compile_photons.h"
+#include "render/plan/lights.h"
+
 #include "render/plan/geometry/unseen_lights.h"
 
 #include <fmt/format.h>

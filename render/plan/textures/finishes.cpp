@@ -50,8 +50,36 @@ std::uint32_t TextureCompiler::finish(const scene::Finish& from)
         to.diffuse = to.diffuse_back = 0.0f;
         if (scene_.global.subsurface->radiosity) to.gathered = to.gathered_back = 0.0f;  // it comes from below as well
     }
+    extend(from, to);
     out_.finishes.push_back(to);
     return static_cast<std::uint32_t>(out_.finishes.size() - 1);
+}
+
+void TextureCompiler::extend(const scene::Finish& from, texture::Finish& to)
+{
+    to.schlick = from.reflection.schlick;
+    const bool gloss = from.reflection.gloss > 0.0f;
+    if (!gloss && from.polished == 0.0f && !from.cool_warm && from.ink == 0.0f) return;
+    texture::FinishExtension extension;
+    if (gloss) {
+        extension.gloss_exponent = 1.0f / from.reflection.gloss;
+        extension.gloss_samples = from.reflection.gloss_samples;
+    }
+    if (from.polished > 0.0f) {  // Schlick's law between its two ends, whatever the finish says of mirrors
+        extension.polished = from.polished;
+        to.reflection_min = glm::vec3(from.polished);
+        to.reflection_max = glm::vec3(1.0f);
+        to.reflection_falloff = 5.0f;
+        to.fresnel = false;
+    }
+    extension.cool_warm = from.cool_warm;
+    extension.cool = from.cool;
+    extension.warm = from.warm;
+    extension.ink = glm::radians(static_cast<double>(from.ink));
+    extension.ink_cosine = std::cos(glm::radians(static_cast<double>(from.ink_crease_deg)));
+    to.own_light = extension.own_light() || extension.ink > 0.0;  // none of them is shaded in lanes
+    to.extension = static_cast<std::uint32_t>(out_.extensions.size());
+    out_.extensions.push_back(extension);
 }
 
 }  // namespace plan

@@ -32,6 +32,7 @@ private:
     std::uint32_t layers(const std::vector<scene::Layer>& description);
     std::uint32_t patterned(const scene::PatternedTexture& description);
     std::uint32_t pigment_map(const scene::PatternedPigment& description);
+    void extend(const scene::Finish& from, texture::Finish& to);
     std::uint32_t finish(const scene::Finish& description);
     std::uint32_t pattern(const scene::Pattern& description);
     /// Index of what the pattern looks its value up in; texture::kNone for those that look nothing up.

@@ -116,6 +116,12 @@ void dump(DumpWriter& out, const Finish& f)
     out.line("reflection_falloff", text(f.reflection.falloff));
     out.line("reflection_exponent", text(f.reflection.exponent));
     out.line("reflection_metallic", text(f.reflection.metallic));
+    if (f.reflection.schlick) out.flag("whittle_schlick", true);
+    if (f.reflection.gloss > 0)
+        out.line("whittle_gloss", text(f.reflection.gloss) + ", " + std::to_string(f.reflection.gloss_samples));
+    if (f.polished > 0) out.line("whittle_polished", text(f.polished));
+    if (f.cool_warm) out.value("whittle_cool", f.cool), out.value("whittle_warm", f.warm);
+    if (f.ink > 0) out.line("whittle_ink", text(f.ink) + ", " + text(f.ink_crease_deg));
     out.flag("conserve_energy", f.conserve_energy);
     out.line("irid", text(f.irid) + " thickness " + text(f.irid_thickness) + " turbulence " + text(f.irid_turbulence));
     if (f.legacy_ior >= 0) out.line("ior", text(f.legacy_ior));

@@ -106,8 +106,8 @@ public:
         }
         if (row.two_sided || finish.diffuse_back != 0.0f) two_sided_ |= bit;
         const bool unit = std::abs(glm::dot(row.normal, row.normal) - 1.0) < kUnit;
-        if (row.two_sided || finish.diffuse_back != 0.0f || finish.crand != 0.0f || finish.irid != 0.0f || !unit ||
-            scratch_.traits.scalar_rows) {
+        if (row.two_sided || finish.diffuse_back != 0.0f || finish.crand != 0.0f || finish.irid != 0.0f ||
+            finish.own_light || !unit || scratch_.traits.scalar_rows) {
             at.scalar |= bit;
             scalar_ |= bit;
             at.scalar_pigment.set(k, row.pigment);

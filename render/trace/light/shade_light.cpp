@@ -2,6 +2,7 @@
 #include "render/trace/shade/shade_context.h"
 #include "render/trace/light/shade_light.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trace {
@@ -17,12 +18,45 @@ double grain(Context& context, const ScalarRow& row)
     return static_cast<double>(state) / 4294967295.0;
 }
 
+/// Shirley, Smits, Hu and Lafortune, "A practitioners' assessment of light reflection models" (1997): what a polish
+/// mirrors does not reach the matte ground, on the way in and on the way out; ground and mirror together keep all
+/// light.
+double polished_share(double reflectance, double to_viewer, double to_light)
+{
+    const auto enters = [](double cosine) {
+        const double away = 1.0 - std::clamp(cosine, 0.0, 1.0), square = away * away;
+        return 1.0 - square * square * away;
+    };
+    return 21.0 / 20.0 * (1.0 - reflectance) * enters(to_viewer) * enters(to_light);
+}
+
+/// Gooch, Gooch, Shirley and Cohen, "A non-photorealistic lighting model for automatic technical illustration" (1998).
+glm::vec3 tone(const ScalarRow& row, const texture::FinishExtension& tones, const glm::dvec3& l)
+{
+    constexpr float kOfCool = 0.25f, kOfWarm = 0.5f;  // of the pigment in both tones, as they have it
+    const auto share = static_cast<float>(0.5 * (1.0 + glm::dot(row.normal, l)));
+    const glm::vec3 own = row.pigment.rgb();
+    return static_cast<float>(row.alpha) *
+           (share * (tones.warm + kOfWarm * own) + (1.0f - share) * (tones.cool + kOfCool * own));
+}
+
 glm::vec3 contribution(Context& context, const ScalarRow& row, const light::Light& light,
                        const light::Illumination& lit, const glm::vec3& color, bool behind)
 {
     const texture::Finish& finish = row.finish;
     const double less = finish.crand > 0.0f ? static_cast<double>(finish.crand) * grain(context, row) : 0.0;
     const LitLayer met{finish, row.pigment, row.hit.state.ray.direction, row.normal, row.alpha};
+    if (finish.own_light && context.scene.textures.extensions[finish.extension].polished > 0.0f) [[unlikely]] {
+        const float polish = context.scene.textures.extensions[finish.extension].polished;
+        texture::Finish ground = finish;
+        ground.extension = texture::kNone;
+        ground.own_light = false;
+        ground.diffuse *= static_cast<float>(polished_share(static_cast<double>(polish),
+                                                            -glm::dot(row.hit.state.ray.direction, row.normal),
+                                                            glm::dot(row.normal, lit.direction)));
+        return contribution(context, {row.hit, ground, row.pigment, row.normal, row.alpha, row.samples, row.grains},
+                            light, lit, color, behind);
+    }
     const double strength = behind || light.shadowless || context.bounce > 0 ? 0.0 : highlight(met, lit.direction);
     glm::vec3 sum = surface_light(met, lit.direction, color, behind, strength, less);
     if (finish.irid > 0.0f) sum *= film_color(context, row.hit, finish, row.normal, lit.direction);
@@ -50,11 +84,18 @@ glm::vec3 direct_light(Context& context, const ScalarRow& row)
 {
     const auto& lights = context.lights.lights;
     glm::vec3 sum(0);
+    const texture::FinishExtension* tones = nullptr;
+    if (row.finish.own_light && context.scene.textures.extensions[row.finish.extension].cool_warm)
+        tones = &context.scene.textures.extensions[row.finish.extension];
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const light::Light& light = lights[i];
         const LightSample& sample = row.samples[i];
         if (!shines_on(light, row.hit.surface)) continue;
         if (!light.area_illumination && dark(sample.lit.color)) continue;
+        if (tones != nullptr) {
+            sum += sample.lit.color * tone(row, *tones, sample.lit.direction);
+            continue;
+        }
         bool behind = false;
         if (!row.hit.surface.double_illuminate && !light.area_illumination &&
             glm::dot(row.normal, sample.lit.direction) < kNearlyZero) {

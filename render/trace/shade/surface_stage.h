@@ -2,6 +2,7 @@
 
 #include "render/trace/light/direct_batch.h"
 #include "render/trace/shade/bent_normals.h"
+#include "render/trace/shade/ink_lines.h"
 #include "render/trace/shade/prefetch_pigments.h"
 #include "render/trace/queue/segment_tile.h"
 
@@ -165,6 +166,11 @@ private:
         const std::uint32_t texture = tile_.texture(k);
         if (texture == plan::kNone) {
             queue.colors[tile_.slot(k)] = has(dimmed_, k) ? scratch_.air[k]({}) : scene::Color();
+            return;
+        }
+        if (!context_.scene.textures.extensions.empty() && on_ink_line(context_, tile_.place(k, state, met), texture)) {
+            const scene::Color ink = scene::Color::of(glm::vec3(0));
+            queue.colors[tile_.slot(k)] = has(dimmed_, k) ? scratch_.air[k](ink) : ink;
             return;
         }
         const ColorSlot out = has(dimmed_, k) ? dim(queue, scratch_.air[k], tile_.slot(k)) : tile_.slot(k);

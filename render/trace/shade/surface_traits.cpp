@@ -85,7 +85,7 @@ LookedAt looked_at(const plan::CompiledScene& scene, const plan::Surface& surfac
 /// The light of its own side, without iridescence; grain: it may have some.
 bool plain_light(const texture::Finish& finish, bool grain)
 {
-    return finish.diffuse_back == 0.0f && finish.irid == 0.0f && (grain || finish.crand == 0.0f);
+    return finish.diffuse_back == 0.0f && finish.irid == 0.0f && !finish.own_light && (grain || finish.crand == 0.0f);
 }
 
 /// Whether rows that are their hit's only ones find their grain in lanes: numbers are asked for in the order of the

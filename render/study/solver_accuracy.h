@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/scene/object_list.h"
+
+namespace study {
+
+/// Whether some isosurface or parametric surface stands among the objects, however deep.
+bool has_solvers(const scene::ObjectList& objects);
+
+/// Their accuracy times `share`. What copies share they share afterwards.
+void scale_accuracy(scene::ObjectList& objects, double share);
+
+}  // namespace study

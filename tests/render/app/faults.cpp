@@ -1,0 +1,77 @@
+// What is asked for and cannot be had is said clearly.
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+using support::run_program;
+
+namespace {
+
+const std::string kBareScene = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                               "camera { location -4*z look_at 0 } light_source { -9*z rgb 1 }\n";
+
+support::Ended rendered(const support::TemporaryFolder& folder, const std::string& text,
+                        std::vector<std::string> more = {})
+{
+    support::write_text(folder / "s.pov", kBareScene + text);
+    more.insert(more.begin(), {"s.pov", "+W16", "+H12"});
+    return run_program(folder.path(), WHITTLE_PROGRAM, more);
+}
+
+}  // namespace
+
+TEST_CASE("a function that gives no number is named, with its place", "[program][faults]")
+{
+    const support::TemporaryFolder folder;
+    const std::string box = " contained_by { box { -1, 1 } } pigment { rgb 1 } }\n";
+    const auto none = rendered(folder, "isosurface { function { sqrt(x - 5) + y }" + box);
+    CHECK(none.status == 0);
+    CHECK(none.err.find("s.pov:3:1: the function of this isosurface gives no number at 125 of 125 places") !=
+          std::string::npos);
+    const auto half = rendered(folder, "union { sphere { 5*x, 1 } isosurface { function { sqrt(x) + y }" + box + "}\n");
+    CHECK(half.err.find("of this isosurface gives no number at 50 of 125 places") != std::string::npos);
+    const auto sheet = rendered(folder,
+                                "parametric { function { ln(-1 - u*u) } function { u } function { v } <0,0>, <1,1> "
+                                "contained_by { box { -1, 1 } } pigment { rgb 1 } }\n");
+    CHECK(sheet.err.find("of this parametric surface gives no number") != std::string::npos);
+    CHECK(rendered(folder, "isosurface { function { x*x + y*y + z*z - .5 }" + box).err.find("no number") ==
+          std::string::npos);
+}
+
+TEST_CASE("no time, no error and no samples are refused before the scene is read", "[program][faults]")
+{
+    const support::TemporaryFolder folder;
+    for (const char* option : {"--time", "--error", "--samples"})
+        for (const char* value : {"0", "-1", "nan"}) {
+            const auto ended = rendered(folder, "sphere { 0, 1 }\n", {std::string(option) + "=" + value});
+            CHECK(ended.status == 1);
+            CHECK(ended.err.find(std::string(option) + " wants a number above 0") != std::string::npos);
+            CHECK_FALSE(std::filesystem::exists(folder / "s.png"));
+        }
+}
+
+TEST_CASE("a scene without light is rendered", "[program][faults]")
+{
+    const support::TemporaryFolder folder;
+    support::write_text(folder / "dark.pov", "#version 3.7; camera { location -4*z look_at 0 } sphere { 0, 1 }\n");
+    CHECK(run_program(folder.path(), WHITTLE_PROGRAM, {"dark.pov", "+W16", "+H12"}).status == 0);
+}
+
+TEST_CASE("a heat picture that cannot be written is an error", "[program][faults][heat]")
+{
+    const support::TemporaryFolder folder;
+    const auto lost = rendered(folder, "sphere { 0, 1 }\n", {"--heat=no/such/heat.png", "--parse-only"});
+    CHECK(lost.status == 1);
+    CHECK(lost.err.find("no/such/heat.png") != std::string::npos);
+    CHECK(rendered(folder, "sphere { 0, 1 }\n", {"--heat=heat.png", "--parse-only"}).status == 0);
+    CHECK(std::filesystem::exists(folder / "heat.png"));
+    CHECK_FALSE(std::filesystem::exists(folder / "s.png"));
+    const auto cost = rendered(folder, "sphere { 0, 1 pigment { rgb 1 } }\n", {"--explain=cost", "--parse-only"});
+    CHECK(cost.status == 0);
+    CHECK(cost.err.find("ns a ray of the camera") != std::string::npos);
+    CHECK(rendered(folder, "sphere { 0, 1 }\n", {"--explain=price"}).err.find("--explain wants cost") !=
+          std::string::npos);
+}
