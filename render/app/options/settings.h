@@ -91,9 +91,9 @@ struct Settings {
     // Whittle's own.
     enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;
     bool explain = false, parse_only = false;
-    bool explain_cost = false;  ///< with explain
-    std::string heat_file;      ///< empty: none
-    bool extensions = true;     ///< false: --no-extensions, the constant Whittle is not defined
+    bool explain_cost = false;                  ///< with explain
+    std::string heat_file;                      ///< empty: none
+    bool extensions = true;                     ///< false: --no-extensions, the constant Whittle is not defined
     bool lean = true;                           ///< false: --no-lean
     bool check = false, deps = false;           ///< with parse_only: no file is written; the files read are printed
     std::string radiosity_file = "object.rca";  ///< of samples of radiosity

@@ -13,7 +13,7 @@
 #include "render/app/run/stage_options.h"
 #include "render/app/options/text.h"
 #include "render/plan/compiled_scene.h"
-#include "render/plan/function_check.h"
+#include "render/plan/geometry/function_check.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

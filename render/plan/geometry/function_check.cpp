@@ -1,4 +1,4 @@
-#include "render/plan/function_check.h"
+#include "render/plan/geometry/function_check.h"
 
 #include "csg/freeform/freeform.h"
 #include "function/field.h"
