@@ -29,7 +29,6 @@ struct Normal {
     std::uint32_t first = 0, count = 0;  ///< keys and children (Normals, Average, Uv) or slopes
 };
 
-/// The author's finish with albedo forms resolved and every exponent as used.
 /// What a finish has beyond POV-Ray's words (docs/extensions.md).
 struct FinishExtension {
     float gloss_exponent = 0;  ///< of the lobe around the mirrored ray; 0: a sharp mirror
@@ -42,6 +41,7 @@ struct FinishExtension {
     bool own_light() const { return polished > 0 || cool_warm; }  ///< another formula for direct light
 };
 
+/// The author's finish with albedo forms resolved and every exponent as used.
 struct Finish {
     glm::vec3 ambient{0.1f}, emission{0};  ///< ambient holds the scene's ambient_light too
     float diffuse = 0.6f, diffuse_back = 0, brilliance = 1, crand = 0;

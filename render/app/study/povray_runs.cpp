@@ -2,6 +2,8 @@
 
 #include "render/app/output/scratch_folder.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -13,8 +15,11 @@ namespace {
 std::string shell_word(const std::string& word)
 {
     std::string out = "'";
-    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
+    for (const char c : word) {
+        if (c == '\'') out += "'\\''";
+        else out += c;
+    }
+    return out + '\'';
 }
 
 /// What a command prints, both streams. False: it failed.
@@ -60,9 +65,9 @@ std::optional<PovrayRuns::Found> PovrayRuns::render(const std::string& scene, co
     if (!found()) return {};
     const ScratchFolder scratch;
     const std::string picture = scratch / "a.png";
-    std::string command = "timeout 300 " + shell_word(program_) + " " + shell_word("+I" + scene) + " " +
-                          shell_word("+O" + picture) + " +FN16 -D -P -GD";
-    for (const std::string& word : switches) command += " " + shell_word(word);
+    std::string command = fmt::format("timeout 300 {} {} {} +FN16 -D -P -GD", shell_word(program_),
+                                      shell_word("+I" + scene), shell_word("+O" + picture));
+    for (const std::string& word : switches) command += ' ' + shell_word(word);
     std::string told;
     if (!output_of(command, told)) return {};
     const std::optional<double> seconds = povray_seconds(told);

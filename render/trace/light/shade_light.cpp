@@ -46,17 +46,6 @@ glm::vec3 contribution(Context& context, const ScalarRow& row, const light::Ligh
     const texture::Finish& finish = row.finish;
     const double less = finish.crand > 0.0f ? static_cast<double>(finish.crand) * grain(context, row) : 0.0;
     const LitLayer met{finish, row.pigment, row.hit.state.ray.direction, row.normal, row.alpha};
-    if (finish.own_light && context.scene.textures.extensions[finish.extension].polished > 0.0f) [[unlikely]] {
-        const float polish = context.scene.textures.extensions[finish.extension].polished;
-        texture::Finish ground = finish;
-        ground.extension = texture::kNone;
-        ground.own_light = false;
-        ground.diffuse *= static_cast<float>(polished_share(static_cast<double>(polish),
-                                                            -glm::dot(row.hit.state.ray.direction, row.normal),
-                                                            glm::dot(row.normal, lit.direction)));
-        return contribution(context, {row.hit, ground, row.pigment, row.normal, row.alpha, row.samples, row.grains},
-                            light, lit, color, behind);
-    }
     const double strength = behind || light.shadowless || context.bounce > 0 ? 0.0 : highlight(met, lit.direction);
     glm::vec3 sum = surface_light(met, lit.direction, color, behind, strength, less);
     if (finish.irid > 0.0f) sum *= film_color(context, row.hit, finish, row.normal, lit.direction);
@@ -78,34 +67,61 @@ glm::vec3 from_area(Context& context, const ScalarRow& row, const light::Light& 
     return sum;
 }
 
+/// What one light adds that reaches the surface.
+glm::vec3 of_light(Context& context, const ScalarRow& row, const light::Light& light, const LightSample& sample)
+{
+    bool behind = false;
+    if (!row.hit.surface.double_illuminate && !light.area_illumination &&
+        glm::dot(row.normal, sample.lit.direction) < kNearlyZero) {
+        if (row.finish.diffuse_back == 0.0f) return glm::vec3(0);
+        behind = true;
+    }
+    if (dark(sample.arriving)) return glm::vec3(0);
+    return light.area_illumination ? from_area(context, row, light, sample.arriving)
+                                   : contribution(context, row, light, sample.lit, sample.arriving, behind);
+}
+
+/// Whether a light may reach the surface at all.
+bool reaches(const ScalarRow& row, const light::Light& light, const LightSample& sample)
+{
+    return shines_on(light, row.hit.surface) && (light.area_illumination || !dark(sample.lit.color));
+}
+
+/// Direct light by the formulas of docs/extensions.md, apart so that the others are not longer for it.
+[[gnu::noinline]] glm::vec3 extended_light(Context& context, const ScalarRow& row)
+{
+    const auto& lights = context.lights.lights;
+    const texture::FinishExtension& extension = context.scene.textures.extensions[row.finish.extension];
+    const double to_viewer = -glm::dot(row.hit.state.ray.direction, row.normal);
+    texture::Finish ground = row.finish;
+    glm::vec3 sum(0);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const light::Light& light = lights[i];
+        const LightSample& sample = row.samples[i];
+        if (!reaches(row, light, sample)) continue;
+        if (extension.cool_warm) {
+            sum += sample.lit.color * tone(row, extension, sample.lit.direction);
+            continue;
+        }
+        ground.diffuse = row.finish.diffuse *
+                         static_cast<float>(polished_share(static_cast<double>(extension.polished), to_viewer,
+                                                           glm::dot(row.normal, sample.lit.direction)));
+        sum += of_light(context, {row.hit, ground, row.pigment, row.normal, row.alpha, row.samples, row.grains}, light,
+                        sample);
+    }
+    return sum;
+}
+
 }  // namespace
 
 glm::vec3 direct_light(Context& context, const ScalarRow& row)
 {
+    if (row.finish.own_light) [[unlikely]]
+        return extended_light(context, row);
     const auto& lights = context.lights.lights;
     glm::vec3 sum(0);
-    const texture::FinishExtension* tones = nullptr;
-    if (row.finish.own_light && context.scene.textures.extensions[row.finish.extension].cool_warm)
-        tones = &context.scene.textures.extensions[row.finish.extension];
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const light::Light& light = lights[i];
-        const LightSample& sample = row.samples[i];
-        if (!shines_on(light, row.hit.surface)) continue;
-        if (!light.area_illumination && dark(sample.lit.color)) continue;
-        if (tones != nullptr) {
-            sum += sample.lit.color * tone(row, *tones, sample.lit.direction);
-            continue;
-        }
-        bool behind = false;
-        if (!row.hit.surface.double_illuminate && !light.area_illumination &&
-            glm::dot(row.normal, sample.lit.direction) < kNearlyZero) {
-            if (row.finish.diffuse_back == 0.0f) continue;
-            behind = true;
-        }
-        if (dark(sample.arriving)) continue;
-        sum += light.area_illumination ? from_area(context, row, light, sample.arriving)
-                                       : contribution(context, row, light, sample.lit, sample.arriving, behind);
-    }
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (reaches(row, lights[i], row.samples[i])) sum += of_light(context, row, lights[i], row.samples[i]);
     return sum;
 }
 

@@ -5,7 +5,7 @@
 #include "render/trace/path/lamp_rays.h"
 #include "render/trace/path/source_rays.h"
 #include "render/trace/path/surface.h"
-#include "render/trace/shade/sky.h"
+#include "render/trace/air/sky.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "render/trace/path/sources.h"
 #include "render/trace/path/surface.h"
-#include "render/trace/shade/sky.h"
+#include "render/trace/air/sky.h"
 
 namespace trace::path {
 

@@ -55,7 +55,8 @@ struct RayState {
     float weight = 1;  ///< share of the pixel; below adc_bailout the ray is not traced
     int level = 0;     ///< levels in use before this ray
     plan::RayKind kind = plan::RayKind::Image;
-    std::uint8_t root = 0;  ///< the ray of the tile that it stems from
+    std::uint8_t root = 0;   ///< the ray of the tile that it stems from
+    bool scattered = false;  ///< one of many off a rough mirror
     InteriorList interiors;
     float wavelength = 0;  ///< nm; 0: white
     double stretch =

@@ -1,12 +1,10 @@
 #include "render/texture/finish.h"
 #include "render/texture/noise/noise.h"
-#include "render/trace/sampling/sobol.h"
-#include "render/trace/random.h"
+#include "render/trace/extensions/rough_mirror.h"
 #include "render/trace/shade/refraction.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace trace {
 namespace {
@@ -134,7 +132,7 @@ RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3&
     r = glm::normalize(r);
     return {{hit.point, r},      start_here(context, hit, r), weight,
             hit.level,           plan::RayKind::Reflection,   hit.state.root,
-            hit.state.interiors, hit.state.wavelength};
+            hit.state.scattered, hit.state.interiors,         hit.state.wavelength};
 }
 
 namespace {
@@ -156,6 +154,7 @@ namespace {
     out.ray.level = hit.level;
     out.ray.kind = hit.state.kind;
     out.ray.root = hit.state.root;
+    out.ray.scattered = hit.state.scattered;
     out.ray.wavelength = hit.state.wavelength;
     out.ray.stretch = hit.state.stretch;
     if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) {
@@ -253,52 +252,6 @@ void transmit(Context& context, const HitPlace& hit, const LayerStack& stack, st
     node.through = queue_ray(context, next.total ? queue.mirrors : queue.rays, next.ray, next.straight);
 }
 
-/// The mean of rays around a mirrored one, for a rough mirror: directions by a power of the cosine to it, from a set
-/// that is scrambled anew for each hit. Mirrors in mirrors take fewer.
-[[gnu::noinline]] ColorSlot glossy(Context& context, const HitPlace& hit, const texture::FinishExtension& rough,
-                                   const RayState& sharp)
-{
-    constexpr double kTurn = 2.0 * std::numbers::pi;
-    RayQueue& queue = context.scratch.shade.queue;
-    const int samples = std::max(1, rough.gloss_samples >> std::min(2 * hit.state.level, 16));
-    const ColorSlot out = queue.new_slot();
-    const std::uint32_t first = queue.new_terms(static_cast<std::size_t>(samples));
-    ShadeNode& node = queue.new_node(ShadeNode::Kind::Mean, out);
-    node.first = first;
-    node.count = static_cast<std::uint32_t>(samples);
-    node.weights = static_cast<float>(samples);
-    const auto seed = static_cast<std::uint32_t>(random_seed(hit.point, sharp.ray.direction));
-    const glm::dvec3 w = sharp.ray.direction;
-    const glm::dvec3 u = glm::normalize(glm::cross(w, std::abs(w.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
-                     v = glm::cross(w, u);
-    for (int i = 0; i < samples; ++i) {
-        const auto [a, b] = sobol_point(seed, static_cast<std::uint32_t>(i));
-        const double cosine = std::pow(1.0 - a, 1.0 / (static_cast<double>(rough.gloss_exponent) + 1.0)),
-                     sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-        glm::dvec3 d = cosine * w + sine * (std::cos(kTurn * b) * u + std::sin(kTurn * b) * v);
-        const double away = glm::dot(d, hit.normal);
-        if (away < 0.0) d -= 2.0 * away * hit.normal;  // folded back out, as a bent normal's mirrored ray is
-        RayState ray = sharp;
-        ray.ray.direction = glm::normalize(d);
-        ray.start = start_of(context, hit, ray.ray.direction);
-        ++context.scratch.counts.reflected;
-        const ColorSlot seen = queue_ray(context, queue.mirrors, ray, false);
-        ShadeTerm& term = queue.terms[first + static_cast<std::uint32_t>(i)];
-        term.slot = seen;
-        term.factor = glm::vec3(1);
-    }
-    return out;
-}
-
-/// Room for all terms of a node in one piece, before others are made in between; it has `count` so far.
-void reserve_terms(RayQueue& queue, ShadeNode& node, std::uint32_t count, std::size_t most)
-{
-    const std::uint32_t first = queue.new_terms(most);
-    std::copy_n(queue.terms.begin() + static_cast<std::ptrdiff_t>(node.first), count,
-                queue.terms.begin() + static_cast<std::ptrdiff_t>(first));
-    node.first = first;
-}
-
 /// A mirror that total reflection has already sent a ray for.
 bool sent(const ShadeNode& node, const LayerStack& stack, const Mirror& mirror)
 {
@@ -308,7 +261,32 @@ bool sent(const ShadeNode& node, const LayerStack& stack, const Mirror& mirror)
 
 bool is_rough(const Context& context, const Mirror& mirror)
 {
-    return context.scene.textures.extensions[mirror.finish->extension].gloss_exponent > 0.0f;
+    return mirror.finish->extension != texture::kNone &&
+           context.scene.textures.extensions[mirror.finish->extension].gloss_exponent > 0.0f;
+}
+
+/// The mirrors of a stack some of which are rough. Their terms lie in one piece before those of the rays in between.
+[[gnu::noinline]] void rough_mirrors(Context& context, const HitPlace& hit, const LayerStack& stack,
+                                     std::uint32_t index)
+{
+    RayQueue& queue = context.scratch.shade.queue;
+    const std::uint32_t first = queue.new_terms(stack.mirrors.size());
+    std::uint32_t count = 0;
+    for (const Mirror& mirror : stack.mirrors) {
+        if (black(mirror.reflectivity) || sent(queue.nodes[index], stack, mirror)) continue;
+        const RayState ray = mirrored(context, hit, mirror.normal, mirror.weight);
+        const bool rough = is_rough(context, mirror);
+        if (!rough) ++context.scratch.counts.reflected;
+        const ColorSlot seen =
+            rough ? glossy(context, hit, context.scene.textures.extensions[mirror.finish->extension], ray)
+                  : queue_ray(context, queue.mirrors, ray, false);
+        ShadeTerm& term = queue.terms[first + count++];
+        term = ShadeTerm(seen, mirror.reflectivity, mirror.finish->reflection_power);
+        if (mirror.finish->irid > 0.0f)
+            term.film = film_color(context, hit, *mirror.finish, mirror.normal, ray.ray.direction);
+    }
+    queue.nodes[index].first = first;
+    queue.nodes[index].count = count;
 }
 
 }  // namespace
@@ -339,26 +317,20 @@ std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& s
     if (stack.residual > static_cast<float>(context.adc_bailout) && settings.quality >= 6)
         transmit(context, hit, stack, index);
     if (settings.quality < 8) return index;
+    if (!context.scene.textures.extensions.empty() &&
+        std::any_of(stack.mirrors.begin(), stack.mirrors.end(),
+                    [&](const Mirror& mirror) { return is_rough(context, mirror); })) [[unlikely]] {
+        rough_mirrors(context, hit, stack, index);
+        return index;
+    }
     std::uint32_t count = 0;
-    bool reserved = false;
     for (const Mirror& mirror : stack.mirrors) {
         if (black(mirror.reflectivity) || sent(queue.nodes[index], stack, mirror)) continue;
+        ++context.scratch.counts.reflected;
         const RayState ray = mirrored(context, hit, mirror.normal, mirror.weight);
-        ColorSlot seen;
-        if (mirror.finish->extension != texture::kNone && is_rough(context, mirror)) [[unlikely]] {
-            if (!reserved) reserve_terms(queue, queue.nodes[index], count, stack.mirrors.size());
-            reserved = true;
-            seen = glossy(context, hit, context.scene.textures.extensions[mirror.finish->extension], ray);
-        } else {
-            ++context.scratch.counts.reflected;
-            seen = queue_ray(context, queue.mirrors, ray, false);
-        }
-        if (count == 0 && !reserved) queue.nodes[index].first = static_cast<std::uint32_t>(queue.terms.size());
-        const float power = mirror.finish->reflection_power;
-        ShadeTerm& term =
-            reserved ? (queue.terms[queue.nodes[index].first + count] = ShadeTerm(seen, mirror.reflectivity, power))
-                     : queue.terms.emplace_back(seen, mirror.reflectivity, power);
-        ++count;
+        const ColorSlot seen = queue_ray(context, queue.mirrors, ray, false);
+        if (count++ == 0) queue.nodes[index].first = static_cast<std::uint32_t>(queue.terms.size());
+        ShadeTerm& term = queue.terms.emplace_back(seen, mirror.reflectivity, mirror.finish->reflection_power);
         if (mirror.finish->irid > 0.0f)
             term.film = film_color(context, hit, *mirror.finish, mirror.normal, ray.ray.direction);
     }

@@ -2,7 +2,7 @@
 
 #include "render/trace/light/direct_batch.h"
 #include "render/trace/shade/bent_normals.h"
-#include "render/trace/shade/ink_lines.h"
+#include "render/trace/extensions/ink_lines.h"
 #include "render/trace/shade/prefetch_pigments.h"
 #include "render/trace/queue/segment_tile.h"
 
