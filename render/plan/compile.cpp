@@ -1,9 +1,9 @@
 #include "render/plan/camera_starts.h"
-#include "render/plan/free_sampling.h"
+#include "render/plan/sampling/free_sampling.h"
 #include "render/plan/compiled_scene.h"
 #include "render/plan/compile_subsurface.h"
 #include "render/plan/geometry/geometry.h"
-#include "render/plan/path_scene.h"
+#include "render/plan/sampling/path_scene.h"
 
 #include <fmt/format.h>
 

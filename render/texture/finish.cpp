@@ -81,7 +81,8 @@ double fresnel_share(double eta, double c)
 }
 
 /// Schlick, "An inexpensive BRDF model for physically-based rendering" (1994): no critical angle, no polarisation.
-double schlick_share(double eta, double c)
+/// Hardly ever asked, and not to make reflectivity() too long to be inlined.
+[[gnu::noinline]] double schlick_share(double eta, double c)
 {
     const double head_on = (eta - 1.0) / (eta + 1.0), least = head_on * head_on;
     const double away = 1.0 - std::clamp(c, 0.0, 1.0), square = away * away;

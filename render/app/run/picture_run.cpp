@@ -8,7 +8,7 @@
 #include "render/app/run/shell_commands.h"
 #include "render/app/output/state_file.h"
 #include "render/image/picture_writer.h"
-#include "render/plan/path_scene.h"
+#include "render/plan/sampling/path_scene.h"
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/indirect/passes.h"
 #include "render/trace/path/denoise.h"

@@ -96,7 +96,11 @@ TEST_CASE("each of Whittle's own options is understood as the texts show it", "[
         std::string value(option.value.substr(0, option.value.find('|')));
         if (value == "SECONDS" || value == "MB" || value == "LEVELS" || value == "N or N%") value = "3";
         INFO(name);
-        if (value.empty()) {
+        if (option.value_may_lack) {  // only behind '='
+            CHECK_FALSE(apply_own_option(settings, name, nullptr));
+            CHECK_FALSE(apply_own_option(settings, name, &value));
+            CHECK_FALSE(apply_own_option(settings, name + "=" + value, nullptr));
+        } else if (value.empty()) {
             CHECK_FALSE(apply_own_option(settings, name, &value));
             CHECK_THROWS_AS(apply_own_option(settings, name + "=x", nullptr), OptionError);
         } else {

@@ -1,4 +1,4 @@
-#include "render/plan/path_scene.h"
+#include "render/plan/sampling/path_scene.h"
 
 #include <algorithm>
 

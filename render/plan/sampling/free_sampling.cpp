@@ -1,4 +1,4 @@
-#include "render/plan/free_sampling.h"
+#include "render/plan/sampling/free_sampling.h"
 
 namespace plan {
 
