@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """The report of docs/report: error against run time of scenes that show each setting, of stiff and extreme ones, and of the solvers.
 
-usage: bench/report.py [--out docs/report] [--binary build/release] [--rays 2000] [--quick] [-- options of whittle report]
+usage: bench/report.py [--out docs/report] [--binary build/release] [--rays 500] [--quick] [-- options of whittle report]
 
 Runs numerics_lab over all sweeps, then `whittle report` over the scenes below, beside the real POV-Ray where it is installed.
-About a quarter of an hour; --quick asks small pictures with a poor truth, to see that it works.
+About ten minutes; --quick asks small pictures with a poor truth, to see that it works.
 """
 import argparse
 import pathlib
@@ -16,7 +16,7 @@ SCENES = ["scenes/first_light.pov"]
 SCENES += [f"bench/scenes/phases/{name}.pov" for name in ("area_17_adaptive", "focal_blur", "glasses", "flange", "noisy_isosurface")]
 SCENES += [f"bench/scenes/stiff/{name}.pov" for name in ("coincident_faces", "thin_shells", "grazing_glass", "nested_dielectrics",
                                                          "scale_small", "scale_large", "light_in_large_sphere")]
-FULL = ["+W160", "+H120", "--truth-error=0.1", "--truth-seconds=20", "--longest=5"]
+FULL = ["+W160", "+H120", "--truth-error=0.1", "--truth-seconds=5", "--longest=1"]
 QUICK = ["+W64", "+H48", "--truth-error=1", "--truth-seconds=2", "--longest=0.3"]
 
 
@@ -24,7 +24,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/report")
     parser.add_argument("--binary", type=pathlib.Path, default=ROOT / "build/release", help="folder of whittle and numerics_lab")
-    parser.add_argument("--rays", type=int, default=2000, help="of the laboratory, a row")
+    parser.add_argument("--rays", type=int, default=500, help="of the laboratory, a row")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("rest", nargs="*", help="options of whittle report")
     args = parser.parse_args()
