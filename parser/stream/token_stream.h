@@ -109,16 +109,15 @@ public:
         const Again again(*this, begin, end);
         read();
     }
-    /// The values of a Faces token and all that were read after it.
-    std::span<const double> values_from(const Token& faces) const
+    /// The values of a Faces or Numbers token and all that were read after it.
+    std::span<const double> values_from(const Token& token) const
     {
-        return std::span(files_[faces.file]->numbers).subspan(faces.name);
+        return std::span(files_[token.file]->numbers).subspan(token.name);
     }
     /// The values of a Numbers token.
     std::span<const double> values_of(const Token& numbers) const
     {
-        const std::size_t count = numbers.jump * static_cast<std::size_t>(numbers.number);
-        return std::span(files_[numbers.file]->numbers).subspan(numbers.name, count);
+        return values_from(numbers).first(numbers.jump * static_cast<std::size_t>(numbers.number));
     }
     /// The rest of the file, from the token on. Nothing if the file is not what it was when it was read.
     std::string text_from(const Token& token) const

@@ -104,6 +104,7 @@ private:
     bool read_numbers(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     std::pair<std::uint32_t, std::uint32_t> while_body(std::uint32_t hash, std::uint32_t body, std::uint32_t closing,
                                                        std::uint32_t place);
+    std::uint32_t repeated(std::uint32_t hash, std::uint32_t body, std::uint32_t closing, std::uint32_t inside);
     void end_while(std::uint32_t back, std::uint32_t first, const std::vector<std::uint32_t>& left);
     bool while_defined(std::uint32_t& at, std::uint32_t place, std::uint32_t closing);
     bool argument(std::uint32_t& at, std::uint32_t end, Argument& out);

@@ -157,13 +157,20 @@ std::pair<std::uint32_t, std::uint32_t> BlockCompiler::while_body(std::uint32_t 
 {
     const std::uint32_t inside = open(place, PlaceKind::While, hash);
     program_.places[inside].again = hash + 2;
+    return {inside, repeated(hash, body, closing, inside)};
+}
+
+/// What a loop repeats, in a place that is open now. Returns its first operation.
+std::uint32_t BlockCompiler::repeated(std::uint32_t hash, std::uint32_t body, std::uint32_t closing,
+                                      std::uint32_t inside)
+{
     open_.push_back({inside, {}});
     const std::uint32_t first = emitter_.size();
     mark(body, inside);
     emitter_.emit(kSpend).a = closing - hash;
     block(body, closing, inside);
     if (hash == root_) program_.again = emitter_.size();
-    return {inside, first};
+    return first;
 }
 
 /// The operation `back` goes to the first of the loop again; what left it goes on behind.
@@ -234,12 +241,7 @@ bool BlockCompiler::for_directive(std::uint32_t& at, std::uint32_t end, std::uin
     program_.places[inside].again = body;
     program_.places[inside].name = name;
     program_.places[inside].limit = kept + 1;
-    open_.push_back({inside, {}});
-    const std::uint32_t first = emitter_.size();
-    mark(body, inside);
-    emitter_.emit(kSpend).a = closing - hash;
-    block(body, closing, inside);
-    if (hash == root_) program_.again = emitter_.size();
+    const std::uint32_t first = repeated(hash, body, closing, inside);
     mark(closing, inside);
     Op& next = emitter_.emit(kForNext);
     next.a = variable;

@@ -172,7 +172,6 @@ int render_frame(Run& run, const Frame& frame)
     times.finish("parse");
     run.reporter.parsed(parsed, times.stages().back().second);
     if (settings.warnings_are_errors) refuse_warnings(parsed);
-    for (const std::string& missing : plan::functions_without_number(parsed.scene)) run.reporter.note(missing);
     if (settings.deps) print_dependencies(settings, parsed);
     const bool last = &frame == &run.list.frames.back();
     if (print_stage(run, parsed)) {
@@ -180,6 +179,7 @@ int render_frame(Run& run, const Frame& frame)
         return kSuccess;
     }
 
+    for (const std::string& missing : plan::functions_without_number(parsed.scene)) run.reporter.note(missing);
     const plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings));
     times.finish("plan");
     const auto moment = [&](int k) { return compiled_at(run, at_moment(run, frame, k), path); };

@@ -1,0 +1,107 @@
+#include "render/plan/geometry/geometry.h"
+#include "render/plan/geometry/transform_key.h"
+
+#include <algorithm>
+#include <bit>
+
+/// What the surfaces of solids are drawn with: textures and interiors where they stand, shared by copies.
+namespace plan {
+namespace {
+
+/// Whether an old finish keyword changes the interior of the object (spec 3, 8.7).
+bool carries_legacy_finish(const scene::TexturePtr& texture)
+{
+    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
+    if (layers == nullptr || layers->empty()) return false;
+    const scene::Finish& finish = *layers->back().finish;
+    return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f;
+}
+
+}  // namespace
+
+csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
+                                         const std::vector<std::uint32_t>& parts)
+{
+    if (sharing_ != nullptr) return shared_surface(own, corners, !parts.empty());
+    const scene::TexturePtr& texture = own.texture ? own.texture : default_texture_;
+    Surface s;
+    s.texture = textures_.texture(texture);
+    s.interior_texture = own.interior_texture ? textures_.texture(own.interior_texture) : kNone;
+    for (std::size_t k = 0; k < 2; ++k)
+        if (corners[k]) s.corner_textures[k] = textures_.texture(corners[k]);
+    if (!parts.empty()) {
+        const auto [known, fresh] =
+            known_parts_.try_emplace(parts, static_cast<std::uint32_t>(out_.part_textures.size()));
+        if (fresh) out_.part_textures.insert(out_.part_textures.end(), parts.begin(), parts.end());
+        s.first_part = known->second;
+        s.part_count = static_cast<std::uint32_t>(parts.size());
+    }
+    s.interior = interior(own, texture);
+    s.object = object_;
+    s.no_shadow = own.no_shadow;
+    s.no_image = own.no_image;
+    s.no_reflection = own.no_reflection;
+    s.double_illuminate = own.double_illuminate;
+    if (description_.has_radiosity(options_.quality)) s.importance = own.importance.value_or(1.0f);
+    s.uv_mapping = own.uv_mapping;
+    s.light_group = own.light_group;
+    s.global_lights = own.global_lights;
+    s.photons = photon_surface(own);
+    const std::uint32_t flags = (s.no_shadow ? 1u : 0u) | (s.no_image ? 2u : 0u) | (s.no_reflection ? 4u : 0u) |
+                                (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u) |
+                                (s.global_lights ? 32u : 0u);
+    const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
+    const auto [known, fresh] = known_surfaces_.try_emplace(
+        {s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0], s.corner_textures[1],
+         parts.empty() ? kNone : s.first_part, s.light_group, std::bit_cast<std::uint32_t>(s.importance), s.photons},
+        id);
+    if (fresh) out_.surfaces.push_back(s);
+    return known->second;
+}
+
+std::uint32_t GeometryCompiler::interior(const Inherited& own, const scene::TexturePtr& texture)
+{
+    std::uint32_t index = kNone;
+    if (own.interior) {
+        index = interiors_.interior(own.interior, texture.get());
+    } else {
+        const scene::Texture* key = carries_legacy_finish(texture) ? texture.get() : nullptr;
+        const auto known = automatic_interiors_.find(key);
+        index = known != automatic_interiors_.end() ? known->second : interiors_.interior(nullptr, texture.get());
+        if (known == automatic_interiors_.end()) automatic_interiors_.emplace(key, index);
+    }
+    if (own.hollow) out_.interiors[index].hollow = *own.hollow;
+    return index;
+}
+
+/// The same of an interior whose media differ from place to place; other interiors are their own.
+std::shared_ptr<const scene::Interior> GeometryCompiler::moved(const std::shared_ptr<const scene::Interior>& interior,
+                                                               const csg::Transform& to_world)
+{
+    const auto& media = interior->media;
+    if (to_world.identity() ||
+        std::none_of(media.begin(), media.end(), [](const auto& one) { return depends_on_place(*one); }))
+        return interior;
+    std::vector<MovedInterior>& known = moved_interiors_[key_of(interior.get(), to_world)];
+    for (const MovedInterior& m : known)
+        if (m.from == interior && same(m.by, to_world)) return m.to;
+    auto copy = std::make_shared<scene::Interior>(*interior);
+    copy->transform(to_world);
+    known.push_back({to_world, interior, copy});
+    return copy;
+}
+
+/// The texture in world space; equal for equal transformations, so that copies share it.
+scene::TexturePtr GeometryCompiler::moved(const scene::TexturePtr& texture, const csg::Transform& to_world)
+{
+    if (!texture || to_world.identity() || texture->alike_everywhere()) return texture;
+    std::vector<Moved>& known = moved_[key_of(texture.get(), to_world)];
+    for (const Moved& m : known)
+        if (m.from == texture && same(m.by, to_world)) return m.to;
+    auto copy = std::make_shared<scene::Texture>(*texture);
+    copy->transform(to_world);
+    known.push_back({to_world, texture, copy});
+    return copy;
+}
+
+}  // namespace plan
