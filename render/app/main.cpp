@@ -3,6 +3,7 @@
 #include "render/app/compare_command.h"
 #include "render/app/options/help.h"
 #include "render/app/options/ini_file.h"
+#include "render/app/options/sub_commands.h"
 #include "render/app/report/console_reporter.h"
 #include "render/app/run/render_command.h"
 #include "render/app/study/report_command.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -56,13 +58,32 @@ int with_output(int status, int failure)
 
 bool is_compare(const std::vector<std::string>& arguments) { return !arguments.empty() && arguments[0] == "compare"; }
 
+void heed_signals()
+{
+    for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) std::signal(signal, cancel);
+}
+
+/// What each word of options/sub_commands.h calls, with the words after it.
+struct Called {
+    std::string_view name;
+    int (*run)(const std::vector<std::string>& arguments);
+};
+
+constexpr std::array kCalled = {
+    Called{"compare", app::compare_command},
+    Called{"report",
+           [](const std::vector<std::string>& arguments) {
+               heed_signals();
+               return app::report_command(arguments, cancellation);
+           }},
+};
+static_assert(kCalled.size() == app::kSubCommands.size());
+
 int run(const std::vector<std::string>& arguments, app::Settings& settings, app::Remains& remains)
 {
-    if (is_compare(arguments)) return app::compare_command({arguments.begin() + 1, arguments.end()});
-    if (!arguments.empty() && arguments[0] == "report") {
-        for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) std::signal(signal, cancel);
-        return app::report_command({arguments.begin() + 1, arguments.end()}, cancellation);
-    }
+    if (!arguments.empty())
+        for (const Called& command : kCalled)
+            if (command.name == arguments[0]) return command.run({arguments.begin() + 1, arguments.end()});
     if (has_word(arguments, {"--help", "-help", "-h", "-?"})) {
         fmt::print("{}", app::help_text());
         return app::kSuccess;
@@ -80,7 +101,7 @@ int run(const std::vector<std::string>& arguments, app::Settings& settings, app:
         fmt::print(called ? stderr : stdout, "{}", called ? app::povray_version_text() : app::version_text());
         return app::kSuccess;
     }
-    for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) std::signal(signal, cancel);
+    heed_signals();
     app::read_default_ini_file(settings);
     if (has_word(arguments, {"--benchmark", "-benchmark"})) {
         app::apply_benchmark(settings);

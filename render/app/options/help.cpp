@@ -2,6 +2,7 @@
 
 #include "render/app/options/option_table.h"
 #include "render/app/options/own_options.h"
+#include "render/app/options/sub_commands.h"
 #include "render/app/options/switch_table.h"
 
 #include <fmt/format.h>
@@ -13,14 +14,19 @@ namespace {
 constexpr std::size_t kColumns = 100;
 constexpr std::size_t kIndent = 24;  // of meanings
 
-constexpr const char* kUsage = R"(usage: whittle [options] scene.pov     renders to scene.png
-       whittle compare A B [--out diff.png] [--flip] [--tolerance n] [--share x]
-       whittle report SCENE... [-o report.html] [options]
-
+constexpr const char* kUsage = R"(
 A word is a switch (+ turns on, - turns off), Keyword=value, a scene (*.pov), a library folder (it ends in /) or an INI
 file, name or name[section]. Later words win. +I- reads the scene from standard input, +O- writes the picture to standard
 output; all text goes to standard error. The manual page says more: whittle --man | man -l -
 )";
+
+std::string usage()
+{
+    std::string text = "usage: whittle [options] scene.pov     renders to scene.png\n";
+    for (const SubCommand& command : kSubCommands)
+        text += fmt::format("       whittle {} {}\n", command.name, command.synopsis);
+    return text + kUsage;
+}
 
 /// A name and what it means, the meaning wrapped at blanks.
 std::string entry(const std::string& name, std::string_view meaning)
@@ -58,7 +64,7 @@ std::string keywords_of(State state)
 
 std::string help_text()
 {
-    std::string text = kUsage;
+    std::string text = usage();
     text += "\nWhittle's own options:\n";
     for (const OwnOption& option : own_options()) text += entry(option.form(), option.meaning);
     text += "\nSwitches:\n";

@@ -1,6 +1,7 @@
 #include "render/app/options/help.h"
 #include "render/app/options/option_table.h"
 #include "render/app/options/own_options.h"
+#include "render/app/options/sub_commands.h"
 #include "render/app/options/switch_table.h"
 
 #include <fmt/format.h>
@@ -32,22 +33,9 @@ whittle \- renders POV-Ray scene files
 .B whittle
 .RI [ options ]
 .I scene.pov
-.br
-.B whittle compare
-.I A B
-.RB [ \-\-out
-.IR diff.png ]
-.RB [ \-\-flip ]
-.RB [ \-\-tolerance
-.IR n ]
-.RB [ \-\-share
-.IR x ]
-.br
-.B whittle report
-.I SCENE...
-.RB [ \-o
-.IR report.html ]
-.SH DESCRIPTION
+)";
+
+constexpr const char* kDescription = R"(.SH DESCRIPTION
 Whittle reads a scene in the language of POV-Ray 3.7 and writes a picture, by default a PNG file beside the scene.
 It takes the switches and INI files of POV-Ray. Called by a name that begins with
 .BR povray ,
@@ -112,6 +100,11 @@ std::string manual_page()
 {
     std::string page = ".TH WHITTLE 1 \"\" \"whittle " WHITTLE_VERSION "\"\n";
     page += kBeginning;
+    for (const SubCommand& command : kSubCommands)
+        page += fmt::format(".br\n.B whittle {}\n{}\n", command.name, roff(command.synopsis));
+    page += kDescription;
+    page += ".SH COMMANDS\n";
+    for (const SubCommand& command : kSubCommands) page += entry(std::string(command.name), command.meaning);
     page += options_part() + keywords_part();
     page += ".SH EXIT STATUS\n";
     for (const ExitStatus& status : kExitStatuses) page += entry(status.number, status.meaning);

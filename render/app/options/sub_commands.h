@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace app {
+
+/// A word that makes `whittle WORD ...` another program than the renderer.
+struct SubCommand {
+    std::string_view name;
+    std::string_view synopsis;  ///< the words after the name
+    std::string_view meaning;   ///< one line
+};
+
+/// All of them, in the order of the help text; what each calls stands in render/app/main.cpp.
+inline constexpr std::array kSubCommands = {
+    SubCommand{"compare", "A B [--out diff.png] [--flip] [--tolerance n] [--share x]",
+               "how far two pictures are apart"},
+    SubCommand{"report", "SCENE... [-o report.html] [options]", "error against run time as a page"},
+};
+
+}  // namespace app
