@@ -4,23 +4,28 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-# The names in packages.txt.
-packages() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packages.txt"; }
+# The names in packages.txt; with `to_run` those of the tests' part are left out.
+packages() {
+    local part=()
+    [[ $1 == to_run ]] && part=(-e '/^# To test/,/^$/d')
+    sed "${part[@]}" -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packages.txt"
+}
 
 # Those of them that are not installed, on one line.
 missing_packages() {
     local name names=()
-    for name in $(packages); do
+    for name in $(packages "$1"); do
         [[ $(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null) == installed ]] || names+=("$name")
     done
     echo "${names[*]}"
 }
 
+# install_packages to_run|to_check: a browser and an editor are for the tests alone.
 install_packages() {
-    local stamp=$root/build/packages.stamp missing
+    local stamp=$root/build/packages.$1 missing
     cmp -s "$root/packages.txt" "$stamp" && return
-    command -v dpkg-query >/dev/null || { echo "this needs Debian 12 packages: $(packages | tr '\n' ' ')" >&2; exit 1; }
-    missing=$(missing_packages)
+    command -v dpkg-query >/dev/null || { echo "this needs Debian 12 packages: $(packages "$1" | tr '\n' ' ')" >&2; exit 1; }
+    missing=$(missing_packages "$1")
     if [[ -n $missing ]]; then
         if [[ $(id -u) != 0 ]]; then
             echo "packages are missing; install them with:" >&2
