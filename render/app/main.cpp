@@ -92,7 +92,11 @@ int run(const std::vector<std::string>& arguments, app::Settings& settings, app:
         fmt::print("{}", app::manual_page());
         return app::kSuccess;
     }
-    if (has_word(arguments, {"--completion"})) {
+    if (has_word(arguments, {"--completion=zsh"})) {
+        fmt::print("{}", app::zsh_completion());
+        return app::kSuccess;
+    }
+    if (has_word(arguments, {"--completion", "--completion=bash"})) {
         fmt::print("{}", app::bash_completion());
         return app::kSuccess;
     }

@@ -98,6 +98,31 @@ void Files::write(const std::string& path, const Raster& raster, FileType type, 
     replacement.put_in_place();
 }
 
+void Files::write_channels(const std::string& path, const Channels& channels) const
+{
+    Replacement replacement(path);
+    try {
+        std::vector<const char*> names, attributes;
+        for (const std::string& name : channels.names) names.push_back(name.c_str());
+        for (const auto& [key, text] : channels.attributes)
+            attributes.insert(attributes.end(), {key.c_str(), text.c_str()});
+        attributes.push_back(nullptr);
+        WriteRequest request{};
+        request.format = facts(FileType::OpenExr).format;
+        request.linear_light = true;
+        request.channel_names = names.data();
+        request.attributes = attributes.data();
+        const FileShape shape{channels.width, channels.height, static_cast<int>(names.size()), 32, {}, kSoftware};
+        IoWriter writer(loader_->get(), replacement.beside(), shape, request);
+        const std::size_t row = names.size() * static_cast<std::size_t>(channels.width);
+        for (std::size_t at = 0; at < channels.values.size(); at += row) writer.put_levels(&channels.values[at]);
+        writer.finish();
+    } catch (const FileError& error) {
+        throw FileError("cannot write '" + path + "': " + error.what());
+    }
+    replacement.put_in_place();
+}
+
 Picture Files::read(const std::string& path) const
 {
     try {

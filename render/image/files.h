@@ -6,6 +6,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace image {
 
@@ -41,6 +43,14 @@ struct FileSettings {
     bool quick = false;  ///< PNG: not compressed, for a picture that nobody keeps
 };
 
+/// Values of any meaning by pixel, for an OpenEXR file: 32-bit floats, interleaved, top row first.
+struct Channels {
+    int width = 0, height = 0;
+    std::vector<std::string> names;  ///< "layer.X"
+    std::vector<float> values;       ///< names.size() * width * height
+    std::vector<std::pair<std::string, std::string>> attributes;
+};
+
 /// Reads and writes picture files. PNG is the work of libpng itself, PPM is written by hand, direct_readers.h says what
 /// is read without OpenImageIO; all else waits for that library, which takes some 0.2 s to load: prepare() early. The
 /// destructor does not wait for it. Copies share it.
@@ -57,6 +67,8 @@ public:
     /// The same for integers that are ready, tagged with the file curve.
     void write(const std::string& path, const Raster& raster, FileType type, const TransferCurve& file_curve,
                int jpeg_quality = 85) const;
+    /// An OpenEXR file of many channels. Throws FileError.
+    void write_channels(const std::string& path, const Channels& channels) const;
     /// Throws FileError.
     Picture read(const std::string& path) const;
 

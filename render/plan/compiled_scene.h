@@ -64,6 +64,7 @@ struct Decision {
 struct ObjectInfo {
     std::uint32_t interior = kNone;  ///< index into CompiledScene::interiors
     scene::SourceRef source;
+    std::uint32_t statement = 0;                       ///< that it is of: index into Description::objects
     csg::Aabb holds_starts = csg::Aabb::everything();  ///< only here does it hold the start of a camera ray
 };
 

@@ -36,8 +36,10 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"render/study",
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
       "render/trace"}},
+    {"render/layers", {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
     {"render/app",
-     {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace", "render/study"}},
+     {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace", "render/study",
+      "render/layers"}},
 };
 
 /// Libraries with one home.

@@ -1,6 +1,7 @@
 #include "render/app/options/help.h"
 #include "render/app/options/option_table.h"
 #include "render/app/options/own_options.h"
+#include "render/app/options/sub_commands.h"
 #include "render/app/options/switch_table.h"
 
 #include <fmt/format.h>
@@ -17,12 +18,10 @@ std::string own_words()
     std::string words;
     for (const OwnOption& option : own_options()) {
         const std::string name = "--" + std::string(option.name);
-        if (option.value_may_lack) {
-            words += fmt::format("{0} {0}={1} ", name, option.value);
-        } else if (option.value.empty()) {
-            words += name + " ";
-        } else if (option.value.find('|') == std::string_view::npos) {
-            words += name + "= ";
+        if (option.value_may_lack || option.value.empty()) words += name + " ";
+        if (option.value.empty()) continue;
+        if (option.value.find('|') == std::string_view::npos) {
+            words += option.value_may_lack ? fmt::format("{}={} ", name, option.value) : name + "= ";
         } else {
             std::string_view rest = option.value;
             for (std::size_t bar = 0; bar != std::string_view::npos;
@@ -53,7 +52,40 @@ std::string keyword_words()
     return words;
 }
 
+/// The words that make another program of whittle.
+std::string command_words()
+{
+    std::string words;
+    for (const SubCommand& command : kSubCommands) words += std::string(command.name) + " ";
+    return words;
+}
+
 }  // namespace
+
+std::string zsh_completion()
+{
+    return "#compdef whittle povray\n# Completion of whittle's command line in zsh.\n_whittle() {\n"
+           "    local -a words\n"
+           "    case $PREFIX in\n"
+           "        --*) words=(" +
+           own_words() +
+           ") ;;\n"
+           "        [+-]*) words=(" +
+           switch_words() +
+           ") ;;\n"
+           "        *) words=(" +
+           keyword_words() +
+           ")\n"
+           "            (( CURRENT == 2 )) && words+=(" +
+           command_words() +
+           ")\n"
+           "            _files -g '*.(pov|ini)(-.)' ;;\n"
+           "    esac\n"
+           "    compadd -S '' -- ${(M)words:#*=}\n"
+           "    compadd -- ${words:#*=}\n"
+           "}\n"
+           "_whittle \"$@\"\n";
+}
 
 std::string bash_completion()
 {
@@ -70,7 +102,7 @@ std::string bash_completion()
            switch_words() +
            "\" ;;\n"
            "        *) words=\"" +
-           keyword_words() +
+           keyword_words() + command_words() +
            "\"\n            mapfile -t COMPREPLY < <(compgen -f -X '!*.pov' -- \"$word\"; compgen -f -X '!*.ini' -- "
            "\"$word\"; compgen -d -S / -- \"$word\") ;;\n"
            "    esac\n"

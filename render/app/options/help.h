@@ -14,6 +14,7 @@ std::string manual_page();
 
 /// --completion: completes options, switches, keywords and files in bash, for whittle and povray.
 std::string bash_completion();
+std::string zsh_completion();
 
 /// --version.
 std::string version_text();

@@ -122,6 +122,10 @@ constexpr OwnOption kOwnOptions[] = {
      "a picture of nanoseconds and rays by pixel in false colours; of a name in .exr or .hdr the values themselves, "
      "red and green",
      [](Settings& s, const std::string& v) { s.heat_file = v; }},
+    {"aov", "LAYERS",
+     "write PICTURE.layers.exr beside the picture: its colours and, by name or all, depth, normal, position, albedo, "
+     "object (with Cryptomatte), material, uv, time (docs/layers.md)",
+     [](Settings& s, const std::string& v) { s.layers = v; }},
     {"no-lean", "",
      "leave nothing out that the picture does not show: slower, and the same picture to the byte (docs/lean.md)",
      [](Settings& s, const std::string&) { s.lean = false; }},
@@ -136,7 +140,7 @@ constexpr OwnOption kOwnOptions[] = {
     {"benchmark", "", "render POV-Ray's benchmark scene where it is installed, 512x512, antialiased", nullptr},
     {"help", "", "this text", nullptr},
     {"man", "", "print the manual page, in the form that man reads", nullptr},
-    {"completion", "", "print the completion for bash", nullptr},
+    {"completion", "bash|zsh", "print the completion for a shell, bash if none is named", nullptr, true},
     {"version", "", "print the version", nullptr},
 };
 

@@ -92,6 +92,7 @@ struct Settings {
     enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;
     bool explain = false, parse_only = false;
     bool explain_cost = false;                  ///< with explain
+    std::string layers;                         ///< of --aov, by name; empty: none
     std::string heat_file;                      ///< empty: none
     bool extensions = true;                     ///< false: --no-extensions, the constant Whittle is not defined
     bool lean = true;                           ///< false: --no-lean

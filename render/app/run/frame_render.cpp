@@ -179,13 +179,14 @@ int render_frame(Run& run, const Frame& frame)
         return kSuccess;
     }
 
+    const LayersTask layers = layers_task(run, parsed.scene, path);
     for (const std::string& missing : plan::functions_without_number(parsed.scene)) run.reporter.note(missing);
     const plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings));
     times.finish("plan");
     const auto moment = [&](int k) { return compiled_at(run, at_moment(run, frame, k), path); };
     return render_picture({run, last_resort, compiled, file_settings(settings, parsed.scene), path,
                            [&] { return picture_identity(options, compiled.options, parsed); }, moment,
-                           moments(settings)},
+                           moments(settings), layers},
                           times);
 }
 

@@ -97,6 +97,8 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
         settings_.width * settings_.height;
     if (settings_.sampled() && (in_strips_ || samples > picture_memory(settings_)))
         throw std::runtime_error("not enough memory is free for the samples of so large a picture");
+    if (in_strips_ && !task.layers.kinds.empty())
+        throw std::runtime_error("not enough memory is free for the layers of so large a picture");
     if (strip_ == 0)
         throw std::runtime_error("not enough memory is left for the picture");  // it was when the run began
     picture_.width = settings_.width;
@@ -316,6 +318,9 @@ int PictureRun::render()
     }
     if (cancelled()) return give_up();
     tell_far();
+    if (!task_.layers.kinds.empty() &&
+        !write_layers(task_.run, task_.layers, task_.compiled, picture_, task_.file, task_.path, render_options()))
+        return give_up();
     put_in_place();
     if (indirect_ && indirect_->failed_save) throw scene::Error(*indirect_->failed_save);
     task_.run.reporter.rendered(times_, statistics_);

@@ -2,6 +2,7 @@
 
 #include "render/app/run/frame_render.h"
 #include "render/app/run/last_resort.h"
+#include "render/app/run/layers_file.h"
 #include "render/app/report/report.h"
 #include "render/plan/compiled_scene.h"
 
@@ -24,6 +25,7 @@ struct PictureTask {
     /// The scene at moment k of so many that the picture is the mean of; moment 0 is `compiled`.
     const std::function<std::unique_ptr<plan::CompiledScene>(int k)> moment = {};
     const int moments = 1;
+    const LayersTask layers = {};
 };
 
 /// Returns the exit status; what was done is kept where it is cancelled. Throws for what ends the run.

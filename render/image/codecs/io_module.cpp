@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -37,6 +38,15 @@ OIIO::ImageSpec spec_of(const image::WriteRequest& request)
                                                        : OIIO::TypeDesc::UINT16;
     OIIO::ImageSpec spec(request.width, request.height, request.channels, stored);
     const std::string format = request.format;
+    if (request.channel_names != nullptr) {
+        spec.set_format(OIIO::TypeDesc::FLOAT);
+        spec.channelnames.assign(request.channel_names, request.channel_names + request.channels);
+        const auto alpha = std::find(spec.channelnames.begin(), spec.channelnames.end(), "A");
+        spec.alpha_channel = alpha == spec.channelnames.end() ? -1
+                                                              : static_cast<int>(alpha - spec.channelnames.begin());
+    }
+    for (const char* const* text = request.attributes; text != nullptr && *text != nullptr; text += 2)
+        spec.attribute(text[0], text[1]);
     if (format == "hdr") spec.set_format(OIIO::TypeDesc::FLOAT);
     if (request.channels == 2) {
         spec.channelnames = {"Y", "A"};

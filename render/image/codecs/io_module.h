@@ -17,6 +17,9 @@ struct WriteRequest {
     float gamma;        ///< decoding gamma for the tag otherwise
     int jpeg_quality;   ///< 1 to 100
     const char* software;
+    /// exr: names of the channels, stored as floats of 32 bits; null: the usual ones, of 16 bits
+    const char* const* channel_names;
+    const char* const* attributes;  ///< exr: names and texts in turn, ended by null; or null
 };
 
 /// What a reader returns; `samples` belongs to the module until `release`.

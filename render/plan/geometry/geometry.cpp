@@ -59,6 +59,7 @@ void GeometryCompiler::add(const scene::Object& object)
     light_groups_.clear();
     collect_lights(object, {});
     add_top(object, {});
+    ++statement_;
 }
 
 void GeometryCompiler::finish()
@@ -171,7 +172,7 @@ std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const In
 {
     if (sharing_ != nullptr) return 0;
     known_surfaces_.clear();  // they name their object
-    out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source});
+    out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source, statement_});
     return static_cast<std::uint32_t>(out_.objects.size() - 1);
 }
 

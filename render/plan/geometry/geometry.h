@@ -136,6 +136,7 @@ private:
     csg::WorldData* world_ = &out_.geometry;  ///< where solids and items go
     Shared* sharing_ = nullptr;               ///< the shared object at hand, whose surfaces are only noted
     std::map<std::pair<const void*, int>, Shared> shared_;  ///< by operands and operation
+    std::uint32_t statement_ = 0;                           ///< at hand, by number
     scene::TexturePtr default_texture_;                     ///< of the statement at hand
     std::uint32_t object_ = 0;                              ///< Surface::object at hand
     bool clipping_ = false;                                 ///< inside a clip: nothing is drawn, no surface is made

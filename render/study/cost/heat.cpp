@@ -124,7 +124,7 @@ Heat measure_heat(const plan::CompiledScene& scene, const trace::RenderOptions& 
             at.clear();
             for (int y = top; y < std::min(top + kSide, heat.height); ++y)
                 for (int x = left; x < std::min(left + kSide, heat.width); ++x) {
-                    tile.emplace_back(x + 0.5, y + 0.5);
+                    tile.emplace_back(x, y);
                     at.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(heat.width) +
                                  static_cast<std::size_t>(x));
                 }

@@ -25,7 +25,7 @@ std::vector<trace::SamplePosition> scattered_tiles(const plan::Options& options,
         const int left = static_cast<int>(tile % static_cast<std::size_t>(columns)) * kSide,
                   top = static_cast<int>(tile / static_cast<std::size_t>(columns)) * kSide;
         for (int y = top; y < std::min(top + kSide, options.height); ++y)
-            for (int x = left; x < std::min(left + kSide, options.width); ++x) out.emplace_back(x + 0.5, y + 0.5);
+            for (int x = left; x < std::min(left + kSide, options.width); ++x) out.emplace_back(x, y);
     }
     return out;
 }

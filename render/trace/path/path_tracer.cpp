@@ -61,9 +61,49 @@ public:
         } while (live_ > 0 || next < samples.size());
     }
 
+    void look(std::span<const PathSample> samples, SeenFirst* out)
+    {
+        std::array<PathFound, kTileRays> unused;
+        out_ = unused.data();
+        for (std::size_t first = 0; first < samples.size(); first += kTileRays) {
+            live_ = 0;
+            const std::size_t count = std::min<std::size_t>(kTileRays, samples.size() - first);
+            std::fill_n(out + first, count, SeenFirst());
+            for (std::size_t i = 0; i < count; ++i) begin(samples[first + i], i);
+            if (live_ == 0) continue;
+            const SegmentTile tile = meet_first(live_);
+            for_each_hit(tile.found(), [&](std::size_t k) { out[first + walks_[k].owner] = seen(tile, k); });
+        }
+    }
+
     RayCounts counts() const { return scratch_.all_counts(); }
 
 private:
+    /// The segments' hits.
+    SegmentTile meet_first(std::size_t count)
+    {
+        rays_.count = static_cast<int>(count);
+        rays_.common_origin = false;
+        for (std::size_t k = 0; k < count; ++k)
+            rays_.set(k, segments_[k].state.ray, segments_[k].state.start,
+                      walks_[k].bounces == 0 ? camera_.farthest() : csg::kInfinity);
+        world_.nearest(rays_, bit(segments_[0].state.kind), scratch_.geometry, hits_);
+        return SegmentTile(context_, rays_, hits_, unused_, nullptr, segments_.data());
+    }
+
+    SeenFirst seen(const SegmentTile& tile, std::size_t k)
+    {
+        const RayState& state = tile.state(k);
+        const Hit met = tile.hits.at(static_cast<int>(k));
+        const HitDetails details = world_.details(state.ray, met);
+        HitContext hit{tile.place(k, state, met), k, {}};
+        hit.around = {details.point, hit.normal, state.ray.direction, details.uv, true};
+        reader_.read(hit, details, tile.texture(k), walks_[k].draws);
+        return {true,          met.t,          details.point,
+                light_.normal, details.uv,     light_.bsdf.albedo() + light_.emission,
+                met.surface,   tile.texture(k)};
+    }
+
     void begin(const PathSample& sample, std::size_t owner)
     {
         path::Walk& walk = walks_[live_];
@@ -100,13 +140,7 @@ private:
     void step()
     {
         const std::size_t count = gather_kind();
-        rays_.count = static_cast<int>(count);
-        rays_.common_origin = false;
-        for (std::size_t k = 0; k < count; ++k)
-            rays_.set(k, segments_[k].state.ray, segments_[k].state.start,
-                      walks_[k].bounces == 0 ? camera_.farthest() : csg::kInfinity);
-        world_.nearest(rays_, bit(segments_[0].state.kind), scratch_.geometry, hits_);
-        const SegmentTile tile(context_, rays_, hits_, unused_, nullptr, segments_.data());
+        const SegmentTile tile = meet_first(count);
         const HitMask dimmed = AirStage(context_, tile).run();
         for_each_hit(dimmed, [&](std::size_t k) {
             const Air& air = scratch_.shade.air[k];
@@ -268,6 +302,16 @@ bool PathTracer::trace(std::span<const PathSample> samples, PathFound* out)
 {
     try {
         impl_->trace(samples, out);
+    } catch (const csg::Cancelled&) {
+        return false;
+    }
+    return true;
+}
+
+bool PathTracer::look(std::span<const PathSample> samples, SeenFirst* out)
+{
+    try {
+        impl_->look(samples, out);
     } catch (const csg::Cancelled&) {
         return false;
     }

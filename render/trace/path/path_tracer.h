@@ -27,6 +27,18 @@ struct PathFound {
     float depth = 0;
 };
 
+/// What the ray of a sample meets first, without light.
+struct SeenFirst {
+    bool found = false;
+    double depth = 0;  ///< distance from the start of the ray
+    glm::dvec3 point{0};
+    glm::vec3 normal{0};  ///< as shading sees it, towards the viewer
+    glm::vec2 uv{0};
+    glm::vec3 albedo{0};        ///< share of even light that leaves it again, and what it gives off
+    std::uint32_t surface = 0;  ///< index into CompiledScene::surfaces; its texture is that of the side seen:
+    std::uint32_t texture = plan::kNone;
+};
+
 /// Follows paths for one thread: docs/path_tracing.md. Compiled once per instruction set.
 class PathTracer {
 public:
@@ -39,6 +51,8 @@ public:
     /// Neighbours in the list should be neighbours in the picture. False: `cancel` was set meanwhile, and the tracer
     /// can only be freed.
     bool trace(std::span<const PathSample> samples, PathFound* out);
+    /// What the samples' rays meet first. False: cancelled, as above.
+    bool look(std::span<const PathSample> samples, SeenFirst* out);
     RayCounts counts() const;
 
 private:

@@ -34,7 +34,9 @@ TEST_CASE("what cmake --install puts in place works there, moved and through lin
         support::run_program(folder.path(), WHITTLE_CMAKE, {"--install", WHITTLE_BUILD, "--prefix", folder / "first"});
     INFO(installed.out << installed.err);
     REQUIRE(installed.status == 0);
-    for (const char* file : {"bin/whittle", "share/man/man1/whittle.1", "share/bash-completion/completions/whittle"})
+    for (const char* file :
+         {"bin/whittle", "bin/povray-whittle", "share/man/man1/whittle.1", "share/bash-completion/completions/whittle",
+          "share/zsh/vendor-completions/_whittle", "share/applications/whittle.desktop"})
         CHECK(fs::exists(folder / (std::string("first/") + file)));
     require_works(folder, folder / "first/bin/whittle");
     fs::rename(folder / "first", folder / "moved");

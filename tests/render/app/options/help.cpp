@@ -55,7 +55,8 @@ std::vector<std::string> offered(const std::string& line)
 
 TEST_CASE("help, manual page and completion name every option", "[app][help]")
 {
-    const std::string help = help_text(), page = manual_page(), completion = bash_completion();
+    const std::string help = help_text(), page = manual_page();
+    const std::string completion = GENERATE(bash_completion(), zsh_completion());
     for (const Option& option : option_table()) {
         const std::string keyword(option.keyword);
         INFO(keyword);

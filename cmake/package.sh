@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# cmake/package.sh: installs what is missing, builds, and leaves build/release/whittle_VERSION_amd64.deb.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+install_packages to_run
+build release whittle
+(cd "$root/build/release" && cpack --config CPackConfig.cmake -B "$root/build/release") >&2
+ls "$root"/build/release/whittle_*.deb
