@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 package=$("$root/cmake/package.sh")
 place=${1:-$(mktemp -d)}
 trap '[[ $# -gt 0 ]] || rm -rf "$place"' EXIT
-mirror=$(sed -nE 's/^(URIs:|deb( \[[^]]*\])?) *([^ ]+).*/\3/p' /etc/apt/sources.list.d/*.sources /etc/apt/sources.list 2>/dev/null | head -1)
+mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.sources 2>/dev/null | sed -nE 's/^(URIs:|deb( \[[^]]*\])?) *([^ ]+).*/\3/p' | head -1 || true)
 [[ -e $place/usr/bin/apt-get ]] || debootstrap --variant=minbase bookworm "$place" "$mirror" >&2
 cp /etc/apt/apt.conf.d/* "$place/etc/apt/apt.conf.d/" 2>/dev/null || true
 cp /etc/resolv.conf "$place/etc/" 2>/dev/null || true
@@ -15,7 +15,7 @@ cp "$root/scenes/first_light.pov" "$place/root/"
 inside() { chroot "$place" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C DEBIAN_FRONTEND=noninteractive "$@"; }
 expect() { "$@" || { echo "failed: $*" >&2; exit 1; }; }
 inside apt-get install -q -y --no-install-recommends /root/whittle.deb >&2
-for file in bin/whittle bin/povray-whittle bin/povray share/man/man1/whittle.1.gz share/bash-completion/completions/whittle \
+for file in bin/whittle bin/povray-whittle bin/povray share/man/man1/whittle.1 share/bash-completion/completions/whittle \
     share/zsh/vendor-completions/_whittle share/applications/whittle.desktop share/mime/packages/whittle.xml; do
     expect test -e "$place/usr/$file" -o -L "$place/usr/$file"
 done
@@ -26,6 +26,6 @@ expect cmp "$place/root/a.png" "$place/root/b.png"
 inside whittle /root/first_light.pov +W80 +H60 --aov=depth +FE +O/root/c.exr 2>/dev/null
 expect test -s "$place/root/c.layers.exr"
 inside apt-get remove -q -y whittle >&2
-for file in bin/whittle bin/povray lib/whittle share/man/man1/whittle.1.gz; do expect test ! -e "$place/usr/$file"; done
+for file in bin/whittle bin/povray lib/whittle share/man/man1/whittle.1; do expect test ! -e "$place/usr/$file"; done
 rm "$place"/root/*.png "$place"/root/*.exr
 echo "installed, run and removed: $(basename "$package")"

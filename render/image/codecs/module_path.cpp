@@ -1,5 +1,7 @@
 #include "render/image/codecs/module_path.h"
 
+#include <sys/auxv.h>
+
 #include <array>
 
 namespace image {
@@ -7,9 +9,20 @@ namespace {
 
 using Folders = std::array<std::filesystem::path, 2>;
 
+/// The program's file. Without /proc (a bare chroot) what the system was told to start, links followed.
+std::filesystem::path program_file()
+{
+    std::error_code failed;
+    std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
+    if (!failed) return program;
+    const auto* started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+    program = started != nullptr ? std::filesystem::canonical(started, failed) : std::filesystem::path();
+    return failed ? std::filesystem::path(started) : program;
+}
+
 Folders module_folders()
 {
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    const std::filesystem::path program = program_file().parent_path();
     return {program, (program / WHITTLE_MODULES_FROM_PROGRAM).lexically_normal()};
 }
 
