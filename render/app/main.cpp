@@ -7,6 +7,7 @@
 #include "render/app/report/console_reporter.h"
 #include "render/app/run/render_command.h"
 #include "render/app/study/report_command.h"
+#include "render/app/watch/watch_command.h"
 
 #include <fmt/format.h>
 
@@ -75,6 +76,11 @@ constexpr std::array kCalled = {
            [](const std::vector<std::string>& arguments) {
                heed_signals();
                return app::report_command(arguments, cancellation);
+           }},
+    Called{"watch",
+           [](const std::vector<std::string>& arguments) {
+               heed_signals();
+               return app::watch_command(arguments, cancellation);
            }},
 };
 static_assert(kCalled.size() == app::kSubCommands.size());

@@ -37,15 +37,26 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
       "render/trace"}},
     {"render/layers", {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
+    {"render/web", {}},  // a module: it knows of no scene
+    // What people call by name: it puts the stages together.
     {"render/app",
-     {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace", "render/study",
-      "render/layers"}},
+     {"csg",
+      "function",
+      "parser",
+      "render/scene",
+      "render/image",
+      "render/plan",
+      "render/trace",
+      "render/study",
+      "render/layers",
+      "render/web"}},
 };
 
 /// Libraries with one home.
 const std::map<std::string, std::string> kHomeOfLibrary = {
     {"OpenImageIO/", "render/image"},
     {"png.h", "render/image"},
+    {"httplib.h", "render/web"},
     {"ft2build.h", "render/font"},
     {"tao/pegtl", "parser"},
 };

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/app/watch/board.h"
+#include "render/image/levels/quantise.h"
+#include "render/plan/compiled_scene.h"
+#include "render/trace/render.h"
+
+#include <utility>
+#include <vector>
+
+namespace app {
+
+/// What the passes of a picture took, by name, in seconds.
+using PassTimes = std::vector<std::pair<std::string, double>>;
+
+/// Traces a picture coarse to fine and puts its blocks on the board.
+/// \param compiled its options' size and window are changed meanwhile, as the passes need them
+/// \return false: cancelled
+bool trace_passes(plan::CompiledScene& compiled, const trace::RenderOptions& options, const image::Encoding& encoding,
+                  int generation, Board& board, PassTimes& times);
+
+}  // namespace app

@@ -1,0 +1,62 @@
+#include "render/app/watch/scene_events.h"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+
+/// Of one line; bytes that are not UTF-8 become U+FFFD.
+std::string line_of_json(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+
+json place_json(const scene::Place& place)
+{
+    if (place.path.empty()) return nullptr;
+    json out{{"file", place.path}};
+    if (place.at.line != 0) out["line"] = place.at.line, out["column"] = place.at.column;
+    return out;
+}
+
+}  // namespace
+
+std::string messages_event(int generation, bool wrong, const std::vector<scene::Message>& messages)
+{
+    json all = json::array();
+    for (const scene::Message& message : messages) {
+        json one{{"severity", name_of(message.severity)}, {"text", message.text}, {"place", place_json(message.place)}};
+        if (message.quote) one["quote"] = message.quote->text, one["indent"] = message.quote->indent;
+        one["related"] = json::array();
+        for (const scene::RelatedPlace& related : message.related)
+            one["related"].push_back({{"text", related.text}, {"place", place_json(related.place)}});
+        all.push_back(std::move(one));
+    }
+    return line_of_json({{"g", generation}, {"wrong", wrong}, {"messages", std::move(all)}});
+}
+
+std::string done_event(int generation, double total, const PassTimes& times, const trace::RayCounts* rays)
+{
+    json out{{"g", generation}, {"total", total}, {"times", json::array()}};
+    for (const auto& [name, seconds] : times) out["times"].push_back({name, seconds});
+    if (rays != nullptr) out["rays"] = rays->camera + rays->shadow + rays->reflected + rays->refracted;
+    return line_of_json(out);
+}
+
+std::string controls_event(const View& view, double clock, const std::vector<SceneConstant>& constants,
+                           const std::string& camera)
+{
+    json out{{"clock", clock}, {"camera", camera}, {"constants", json::array()}};
+    for (const SceneConstant& constant : constants) {
+        const auto set = view.declared.find(constant.name);
+        const double value = set != view.declared.end() ? set->second : constant.value.value_or(0.0);
+        out["constants"].push_back({{"name", constant.name}, {"value", value}, {"set", set != view.declared.end()}});
+    }
+    const View::Orbit& o = view.orbit;
+    out["orbit"] = {{"yaw", o.yaw_deg}, {"pitch", o.pitch_deg}, {"dolly", o.dolly}, {"right", o.right}, {"up", o.up}};
+    if (view.cut)
+        out["cut"] = {{"normal", {view.cut->normal.x, view.cut->normal.y, view.cut->normal.z}},
+                      {"offset", view.cut->offset}};
+    return line_of_json(out);
+}
+
+}  // namespace app

@@ -1,0 +1,287 @@
+#include "render/app/watch/session.h"
+
+#include "csg/base/scratch.h"
+#include "render/app/run/frame_render.h"
+#include "render/app/run/scene_file.h"
+#include "render/app/run/scene_queries.h"
+#include "render/app/run/stage_options.h"
+#include "render/app/watch/constants.h"
+#include "render/app/watch/passes.h"
+#include "render/app/watch/scene_events.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+using JobClock = std::chrono::steady_clock;
+
+constexpr double kNearestPivot = 1e-4;
+constexpr std::size_t kMostMessages = 200;  // that a page is told of one picture
+constexpr std::uint8_t kAnyRay = 0xff;
+
+double seconds_from(JobClock::time_point start)
+{
+    return std::chrono::duration<double>(JobClock::now() - start).count();
+}
+
+std::vector<scene::Message> messages_of_error(const std::exception& error)
+{
+    if (const auto* told = dynamic_cast<const scene::Error*>(&error)) return told->messages();
+    return {{scene::Severity::Error, error.what(), {}, {}, {}, {}}};
+}
+
+void gather(void* list, const scene::Message& message)
+{
+    auto& messages = *static_cast<std::vector<scene::Message>*>(list);
+    if (messages.size() < kMostMessages) messages.push_back(message);
+}
+
+/// From the eye to what the middle of the picture shows, or to the middle of the scene where it shows nothing.
+double pivot_distance(const plan::CompiledScene& compiled)
+{
+    const scene::Camera& camera = compiled.camera;
+    const double length = glm::length(camera.direction);
+    if (length == 0.0) return 1.0;
+    const csg::Ray ray{camera.location, camera.direction / length};
+    csg::Scratch scratch;
+    const csg::Hit hit = compiled.world().nearest(ray, kNearestPivot, csg::kInfinity, kAnyRay, scratch);
+    if (hit.found()) return hit.t;
+    const csg::Aabb& box = compiled.geometry.bvh.bounds;
+    const glm::dvec3 middle = box.finite() ? 0.5 * (box.lower + box.upper) : glm::dvec3(0.0);
+    return std::max(glm::length(middle - camera.location), kNearestPivot);
+}
+
+std::optional<double> number_in(const json& from, const char* name)
+{
+    const auto at = from.find(name);
+    if (at == from.end() || !at->is_number()) return {};
+    const double value = *at;
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+View::Orbit orbit_in(const json& from)
+{
+    constexpr double kNearest = 1e-3, kFarthest = 1e3;
+    View::Orbit out;
+    out.yaw_deg = number_in(from, "yaw").value_or(0.0);
+    out.pitch_deg = number_in(from, "pitch").value_or(0.0);
+    out.dolly = std::clamp(number_in(from, "dolly").value_or(1.0), kNearest, kFarthest);
+    out.right = number_in(from, "right").value_or(0.0);
+    out.up = number_in(from, "up").value_or(0.0);
+    return out;
+}
+
+std::optional<View::Cut> cut_in(const json& from)
+{
+    const auto normal = from.find("normal");
+    if (normal == from.end() || !normal->is_array() || normal->size() != 3) return {};
+    View::Cut cut;
+    for (int i = 0; i < 3; ++i) {
+        const json& one = (*normal)[static_cast<std::size_t>(i)];
+        if (!one.is_number()) return {};
+        cut.normal[i] = one;
+    }
+    const double length = glm::length(cut.normal);
+    if (!(length > 0.0) || !std::isfinite(length)) return {};
+    cut.normal /= length;
+    cut.offset = number_in(from, "offset").value_or(0.0);
+    return cut;
+}
+
+}  // namespace
+
+Session::Session(const Settings& settings)
+    : settings_(settings), scene_(find_scene(settings)), thread_([this] { run(); }),
+      saves_([this] { ask(Cause::Save); })
+{
+    saves_.follow({scene_}, false);
+    ask(Cause::Start);
+}
+
+Session::~Session()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+        cancel_ = true;
+    }
+    asked_.notify_all();
+    board_.close();
+    thread_.join();
+}
+
+void Session::ask(Cause cause)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        // A save that waits stays one: its text has to be read.
+        if (waiting_ != Cause::Save && waiting_ != Cause::Start) waiting_ = cause;
+        cancel_ = true;
+    }
+    asked_.notify_all();
+}
+
+void Session::run()
+{
+    for (;;) {
+        Cause cause = Cause::Start;
+        View view;
+        {
+            std::unique_lock lock(mutex_);
+            asked_.wait(lock, [this] { return ending_ || waiting_.has_value(); });
+            if (ending_) return;
+            cause = *waiting_;
+            waiting_.reset();
+            view = view_;
+            cancel_ = false;
+        }
+        make(cause, view);
+    }
+}
+
+void Session::make(Cause cause, const View& view)
+{
+    ++generation_;
+    try {
+        render(cause, view);
+    } catch (const parser::Cancelled&) {
+        return;
+    } catch (const csg::Cancelled&) {
+        return;
+    } catch (const std::exception& error) {
+        std::vector<scene::Message> messages = told_;
+        for (scene::Message& message : messages_of_error(error)) messages.push_back(std::move(message));
+        wrong_ = true;
+        board_.push(Board::Kind::Messages, messages_event(generation_, true, messages), generation_);
+        follow(true, messages);
+    }
+}
+
+Settings Session::settings_for(const View& view) const
+{
+    Settings settings = settings_;
+    if (view.clock) settings.clock = static_cast<float>(*view.clock);
+    for (const auto& [name, value] : view.declared) settings.declared_numbers[name] = value;
+    return settings;
+}
+
+Session::Parsed Session::read(const Settings& settings)
+{
+    const FrameList list = frames_of(settings);
+    parser::Options options = parser_options(settings, list, list.frames.front());
+    SceneQueries queries(settings.threads, cancel_, isa_of(settings));
+    options.queries = &queries;
+    options.cancel = &cancel_;
+    options.write_nothing = true;
+    told_.clear();
+    return std::make_shared<const parser::Result>(parser::parse_file(scene_, options, gather, &told_));
+}
+
+/// What the next save may be of.
+void Session::follow(bool wrong, const std::vector<scene::Message>& messages)
+{
+    std::vector<std::string> files = files_;
+    files.push_back(scene_);
+    for (const scene::Message& message : messages) {
+        if (!message.place.path.empty()) files.push_back(message.place.path);
+        for (const scene::RelatedPlace& related : message.related)
+            if (!related.place.path.empty()) files.push_back(related.place.path);
+    }
+    saves_.follow(files, wrong);
+}
+
+void Session::render(Cause cause, const View& view)
+{
+    const auto start = JobClock::now();
+    const Settings settings = settings_for(view);
+    PassTimes times;
+    if (cause != Cause::View || !parsed_ || wrong_ || !view.same_text(read_with_)) {
+        parsed_ = nullptr;  // two of them at a time may be too many
+        parsed_ = read(settings);
+        read_with_ = view;
+        wrong_ = false;
+        times.emplace_back("parse", seconds_from(start));
+        files_ = parsed_->scene.files;
+        files_.insert(files_.end(), parsed_->data_files.begin(), parsed_->data_files.end());
+        follow(false, told_);
+    }
+    board_.push(Board::Kind::Messages, messages_event(generation_, false, told_), generation_);
+    const auto planning = JobClock::now();
+    const plan::Options planned = plan_options(settings);
+    std::optional<plan::CompiledScene> compiled;
+    scene::Camera camera = parsed_->scene.camera;
+    if (view.orbit.still() && !view.cut) {
+        compiled.emplace(plan::compile(parsed_->scene, planned));
+    } else {
+        scene::Description changed = parsed_->scene;
+        if (!view.orbit.still()) {
+            camera = moved(camera, view.orbit, pivot_distance(plan::compile(parsed_->scene, planned)));
+            changed.camera = camera;
+        }
+        if (view.cut) cut_open(changed, *view.cut);
+        compiled.emplace(plan::compile(std::move(changed), planned));
+    }
+    times.emplace_back("plan", seconds_from(planning));
+    if (cancel_) return;
+    const char* cause_name = cause == Cause::View ? "view" : cause == Cause::Save ? "save" : "start";
+    board_.push(Board::Kind::Scene,
+                json{{"g", generation_},
+                     {"width", settings.width},
+                     {"height", settings.height},
+                     {"file", scene_},
+                     {"cause", cause_name}}
+                    .dump(-1, ' ', false, json::error_handler_t::replace),
+                generation_);
+    std::vector<SceneConstant> constants = constants_of(scene_);
+    for (const auto& [name, value] : settings_.declared_numbers)
+        if (std::none_of(constants.begin(), constants.end(), [&](const auto& c) { return c.name == name; }))
+            constants.push_back({name, value});
+    const double clock = static_cast<double>(settings.clock.value_or(0.0f));
+    board_.push(Board::Kind::Controls, controls_event(view, clock, constants, camera_text(camera)), generation_);
+
+    image::Encoding encoding = file_settings(settings, parsed_->scene).encoding;
+    encoding.bits = 8;
+    encoding.greyscale = false;
+    encoding.dither = image::Dither::None;
+    trace::RenderOptions options;
+    options.threads = settings.threads;
+    options.isa = isa_of(settings);
+    options.cancel = &cancel_;
+    if (!trace_passes(*compiled, options, encoding, generation_, board_, times)) return;
+    board_.push(Board::Kind::Done, done_event(generation_, seconds_from(start), times, nullptr), generation_);
+}
+
+web::Reply Session::change(const std::string& body)
+{
+    const json wanted = json::parse(body, nullptr, false);
+    if (!wanted.is_object()) return {400, "text/plain", "expected a JSON object\n"};
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto clock = wanted.find("clock"); clock != wanted.end()) view_.clock = number_in(wanted, "clock");
+        if (const auto declared = wanted.find("declared"); declared != wanted.end() && declared->is_object()) {
+            constexpr std::size_t kMostConstants = 100;
+            view_.declared.clear();
+            for (const auto& [name, value] : declared->items())
+                if (value.is_number() && view_.declared.size() < kMostConstants) view_.declared[name] = value;
+        }
+        if (const auto orbit = wanted.find("orbit"); orbit != wanted.end())
+            view_.orbit = orbit->is_object() ? orbit_in(*orbit) : View::Orbit{};
+        if (const auto cut = wanted.find("cut"); cut != wanted.end())
+            view_.cut = cut->is_object() ? cut_in(*cut) : std::nullopt;
+    }
+    ask(Cause::View);
+    return {200, "application/json", "{}"};
+}
+
+web::Reply Session::answer(bool posted, const std::string& path, const std::string& body)
+{
+    if (posted && path == "set") return change(body);
+    return {404, "text/plain", ""};
+}
+
+}  // namespace app

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "parser/parse.h"
+#include "render/app/options/settings.h"
+#include "render/app/watch/board.h"
+#include "render/app/watch/saves.h"
+#include "render/app/watch/view.h"
+#include "render/image/files.h"
+#include "render/web/web.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace app {
+
+/// One scene being watched: a thread reads and traces it, whoever asks for another picture cancels that.
+class Session final : public web::Host {
+public:
+    explicit Session(const Settings& settings);
+    ~Session() override;
+
+    web::Reply answer(bool posted, const std::string& path, const std::string& body) override;
+    bool events(std::uint64_t& position, std::string& out) override { return board_.read(position, out); }
+
+private:
+    enum class Cause { Start, Save, View };
+    using Parsed = std::shared_ptr<const parser::Result>;
+
+    void ask(Cause cause);
+    void run();
+    void make(Cause cause, const View& view);
+    void render(Cause cause, const View& view);
+    Parsed read(const Settings& settings);
+    void follow(bool wrong, const std::vector<scene::Message>& messages);
+    Settings settings_for(const View& view) const;
+    web::Reply change(const std::string& body);
+
+    const Settings settings_;
+    const std::string scene_;
+    Board board_;
+
+    std::mutex mutex_;
+    std::condition_variable asked_;
+    View view_;
+    std::optional<Cause> waiting_;
+    bool ending_ = false;
+    std::atomic<bool> cancel_ = false;
+
+    // The job thread's own.
+    int generation_ = 0;
+    Parsed parsed_;   ///< of the text as it was last right
+    View read_with_;  ///< its clock and constants
+    bool wrong_ = false;
+    std::vector<std::string> files_;  ///< that were read last
+    std::vector<scene::Message> told_;
+
+    std::thread thread_;
+    Saves saves_;  ///< last: it calls
+};
+
+}  // namespace app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/app/run/render_command.h"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// `whittle watch`. Runs until a signal ends it. Returns the exit status.
+int watch_command(const std::vector<std::string>& arguments, Cancellation& cancel);
+
+}  // namespace app
