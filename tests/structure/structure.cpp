@@ -38,13 +38,10 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
       "render/trace"}},
     {"render/layers", {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
     {"render/web", {}},  // a module: it knows of no scene
-    // What people call by name: it puts the stages together.
+    // What people call by name: it puts the stages together, and finds a scene's constants among its tokens.
     {"render/app",
-     {"csg", "function", "parser", "render/scene", "render/image", "render/plan", "render/trace", "render/study",
-      "render/layers", "render/web", "render/app/watch"}},
-    {"render/app/watch",  // finds constants among the tokens
      {"csg", "function", "parser", "parser/lexer", "render/scene", "render/image", "render/plan", "render/trace",
-      "render/web", "render/app"}},
+      "render/study", "render/layers", "render/web"}},
 };
 
 /// Libraries with one home.
