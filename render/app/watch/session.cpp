@@ -95,9 +95,9 @@ std::optional<View::Cut> cut_in(const json& from)
 
 }  // namespace
 
-Session::Session(const Settings& settings)
-    : settings_(settings), scene_(find_scene(settings)), thread_([this] { run(); }),
-      saves_([this] { ask(Cause::Save); })
+Session::Session(const Settings& settings, const std::string& reference, const std::string& povray)
+    : settings_(settings), scene_(find_scene(settings)), comparison_(board_, reference, povray),
+      thread_([this] { run(); }), saves_([this] { ask(Cause::Save); })
 {
     saves_.follow({scene_}, false);
     ask(Cause::Start);
@@ -278,9 +278,31 @@ web::Reply Session::change(const std::string& body)
     return {200, "application/json", "{}"};
 }
 
+web::Reply Session::compare(const std::string& body)
+{
+    const json wanted = json::parse(body, nullptr, false);
+    const std::string with = wanted.is_object() && wanted.contains("with") && wanted["with"].is_string()
+                                 ? wanted["with"].get<std::string>()
+                                 : "";
+    if (with == "reference") {
+        comparison_.show_reference();
+    } else if (with == "povray") {
+        View view;
+        {
+            const std::lock_guard lock(mutex_);
+            view = view_;
+        }
+        comparison_.run_povray(scene_, settings_for(view));
+    } else {
+        return {400, "text/plain", "compare with reference or povray\n"};
+    }
+    return {200, "application/json", "{}"};
+}
+
 web::Reply Session::answer(bool posted, const std::string& path, const std::string& body)
 {
     if (posted && path == "set") return change(body);
+    if (posted && path == "compare") return compare(body);
     return {404, "text/plain", ""};
 }
 

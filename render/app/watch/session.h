@@ -3,6 +3,7 @@
 #include "parser/parse.h"
 #include "render/app/options/settings.h"
 #include "render/app/watch/board.h"
+#include "render/app/watch/comparison.h"
 #include "render/app/watch/saves.h"
 #include "render/app/watch/view.h"
 #include "render/image/files.h"
@@ -19,7 +20,8 @@ namespace app {
 /// One scene being watched: a thread reads and traces it, whoever asks for another picture cancels that.
 class Session final : public web::Host {
 public:
-    explicit Session(const Settings& settings);
+    /// \param reference, povray see Comparison
+    Session(const Settings& settings, const std::string& reference, const std::string& povray);
     ~Session() override;
 
     web::Reply answer(bool posted, const std::string& path, const std::string& body) override;
@@ -37,10 +39,12 @@ private:
     void follow(bool wrong, const std::vector<scene::Message>& messages);
     Settings settings_for(const View& view) const;
     web::Reply change(const std::string& body);
+    web::Reply compare(const std::string& body);
 
     const Settings settings_;
     const std::string scene_;
     Board board_;
+    Comparison comparison_;
 
     std::mutex mutex_;
     std::condition_variable asked_;

@@ -6,6 +6,7 @@
 #include "render/app/run/frame_render.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/window.h"
+#include "render/app/study/povray_runs.h"
 #include "render/app/watch/session.h"
 #include "render/app/watch/web_module.h"
 
@@ -28,12 +29,15 @@ Serves a page on 127.0.0.1 that shows the scene and follows its text: each save 
 coarse to fine. Prints the page's address, which nobody can guess. Ctrl-C ends it.
 
   --port=N            the port; usual: any that is free
+  --reference=FILE    a picture that the page compares with
+  --povray=PROGRAM    the POV-Ray that it compares with, or off; usual: povray, where it is installed
 
 All else is as for a render: +W +H, +A (usual: +A0.3; -A: none), +WT, +L, Declare=, +Q, --isa. Exit status: 1 error, 2 ended by a signal.
 )";
 
 struct WatchRequest {
     int port = 0;
+    std::string reference, povray = "povray";
     Settings settings;
 };
 
@@ -54,12 +58,15 @@ WatchRequest watch_request_of(const std::vector<std::string>& arguments)
         const std::string& word = arguments[i];
         const std::size_t equals = word.find('=');
         const std::string name = word.substr(0, equals);
-        if (name != "--port") {
+        if (name != "--port" && name != "--reference" && name != "--povray") {
             others.push_back(word);
             continue;
         }
         if (equals == std::string::npos && i + 1 == arguments.size()) throw OptionError(name + " wants a value");
-        request.port = port_of(equals == std::string::npos ? arguments[++i] : word.substr(equals + 1));
+        const std::string value = equals == std::string::npos ? arguments[++i] : word.substr(equals + 1);
+        if (name == "--port") request.port = port_of(value);
+        else if (name == "--reference") request.reference = value;
+        else request.povray = value == "off" ? "" : value;
     }
     apply_command_line(request.settings, others);
     Settings& settings = request.settings;
@@ -99,7 +106,8 @@ int watch_command(const std::vector<std::string>& arguments, Cancellation& cance
     const WatchRequest request = watch_request_of(arguments);
     trace::prepare(isa_of(request.settings), request.settings.threads);
     cancel.heeded = true;
-    Session session(request.settings);
+    const bool installed = PovrayRuns(request.povray).found();
+    Session session(request.settings, request.reference, installed ? request.povray : "");
     const std::string token = random_token();
     const std::unique_ptr<web::Server> server = start_web_server(request.port, token, session);
     fmt::print("http://127.0.0.1:{}/{}/\n", server->port(), token);

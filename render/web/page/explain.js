@@ -1,0 +1,35 @@
+// What a pixel is made of.
+async function pick(x, y) {
+  const cross = byId("cross");
+  cross.style.display = "block";
+  cross.style.left = x + "px";
+  cross.style.top = y + "px";
+  byId("pixel").textContent = `${x}, ${y}: asking`;
+  const answer = await fetch(`pixel?x=${x}&y=${y}`);
+  state.picked = answer.ok ? await answer.json() : null;
+  if (!answer.ok) return void (byId("pixel").textContent = await answer.text());
+  byId("pixel").replaceChildren(told(state.picked));
+}
+const element = (tag, text, kind) => {
+  const made = document.createElement(tag);
+  if (text !== undefined) made.textContent = text;
+  if (kind) made.className = kind;
+  return made;
+};
+function told(pixel) {
+  const all = element("div"), swatch = element("span", "", "swatch");
+  swatch.style.background = `rgb(${pixel.shown.join(",")})`;
+  const head = element("p");
+  head.append(swatch, `${pixel.x}, ${pixel.y}: ${pixel.shown.join(" ")} of 255`);
+  const text = element("pre");
+  // Places in the text can be clicked on.
+  for (const part of pixel.text.split(/(\S+:\d+:\d+)/)) text.append(/^\S+:\d+:\d+$/.test(part) ? placeOf(part) : part);
+  all.append(head, text);
+  return all;
+}
+function placeOf(text) {
+  const place = element("span", text, "place");
+  place.title = "copies it";
+  place.onclick = () => copy(text);
+  return place;
+}

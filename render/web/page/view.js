@@ -1,7 +1,9 @@
-// The picture: blocks of passes, coarse to fine, drawn over each other.
-const picture = document.getElementById("picture");
-const paper = picture.getContext("2d");
+// The picture: blocks of passes, coarse to fine, drawn over each other; zoom, pan, what it is compared with.
+const byId = id => document.getElementById(id);
+const picture = byId("picture"), other = byId("other"), sheet = byId("sheet"), stage = byId("stage");
+const paper = picture.getContext("2d", { willReadFrequently: true });
 const small = document.createElement("canvas");
+const view = { scale: 1, x: 0, y: 0, fitted: true, tool: "pan" };
 
 function pixelsOf(text, channels, width, height) {
   const bytes = atob(text), image = new ImageData(width, height), to = image.data;
@@ -22,5 +24,118 @@ function drawBlock(block) {
   small.getContext("2d").putImageData(image, 0, 0);
   const sx = picture.width / block.W, sy = picture.height / block.H;
   paper.imageSmoothingEnabled = false;
+  paper.clearRect(block.x * sx, block.y * sy, block.w * sx, block.h * sy);
   paper.drawImage(small, block.x * sx, block.y * sy, block.w * sx, block.h * sy);
 }
+
+function place() {
+  if (view.fitted) {
+    view.scale = Math.min(stage.clientWidth / picture.width, stage.clientHeight / picture.height) * 0.98;
+    view.x = (stage.clientWidth - picture.width * view.scale) / 2;
+    view.y = (stage.clientHeight - picture.height * view.scale) / 2;
+  }
+  sheet.style.transform = `translate(${view.x}px, ${view.y}px) scale(${view.scale})`;
+}
+new ResizeObserver(place).observe(stage);
+
+function setSize(width, height) {
+  if (picture.width === width && picture.height === height) return;
+  for (const canvas of [picture, other]) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  sheet.style.width = width + "px";
+  sheet.style.height = height + "px";
+  place();
+}
+
+function zoom(factor, x, y) {
+  view.fitted = false;
+  const scale = Math.min(64, Math.max(0.05, view.scale * factor));
+  view.x = x - (x - view.x) * scale / view.scale;
+  view.y = y - (y - view.y) * scale / view.scale;
+  view.scale = scale;
+  place();
+}
+byId("fit").onclick = () => { view.fitted = true; place(); };
+byId("one").onclick = () => { view.fitted = false; view.scale = 1; view.x = view.y = 8; place(); };
+for (const button of document.querySelectorAll("[data-tool]"))
+  button.onclick = () => {
+    view.tool = button.dataset.tool;
+    for (const each of document.querySelectorAll("[data-tool]")) each.classList.toggle("on", each === button);
+  };
+document.querySelector("[data-tool=pan]").click();
+
+// A press that does not move is a click on a pixel.
+let press = null;
+stage.onpointerdown = event => {
+  press = { x: event.clientX, y: event.clientY, moved: false, view: { ...view }, orbit: { ...orbit }, shift: event.shiftKey };
+  try { stage.setPointerCapture(event.pointerId); } catch { /* a pointer that is gone */ }
+};
+stage.onpointermove = event => {
+  if (!press) return;
+  const dx = event.clientX - press.x, dy = event.clientY - press.y;
+  if (Math.abs(dx) + Math.abs(dy) > 3) press.moved = true;
+  if (!press.moved) return;
+  if (view.tool === "orbit") return turnCamera(press, dx, dy);
+  view.fitted = false;
+  view.x = press.view.x + dx;
+  view.y = press.view.y + dy;
+  place();
+};
+stage.onpointerup = event => {
+  const was = press;
+  press = null;
+  if (!was || was.moved) return;
+  const box = stage.getBoundingClientRect();
+  const x = Math.floor((event.clientX - box.left - view.x) / view.scale), y = Math.floor((event.clientY - box.top - view.y) / view.scale);
+  if (x >= 0 && y >= 0 && x < picture.width && y < picture.height) pick(x, y);
+};
+stage.addEventListener("wheel", event => {
+  event.preventDefault();
+  const factor = Math.exp(-event.deltaY / 400), box = stage.getBoundingClientRect();
+  if (view.tool === "orbit") return dollyCamera(1 / factor);
+  zoom(factor, event.clientX - box.left, event.clientY - box.top);
+}, { passive: false });
+
+// What it is compared with: a canvas above it, cut at the wipe, or the difference of both.
+const compared = { before: null, last: null, reference: null, povray: null };
+function keepPicture() {
+  const copy = document.createElement("canvas");
+  copy.width = picture.width;
+  copy.height = picture.height;
+  copy.getContext("2d").drawImage(picture, 0, 0);
+  return copy;
+}
+function drawComparison() {
+  const top = other.getContext("2d"), kind = byId("compare").value, base = compared[kind];
+  top.clearRect(0, 0, other.width, other.height);
+  if (!kind) return;
+  if (!base) return void (byId("compare-note").textContent = kind === "before" ? "no earlier save seen" : "waiting");
+  if (base.width !== other.width || base.height !== other.height)
+    return void (byId("compare-note").textContent = `it has ${base.width}x${base.height} pixels`);
+  if (byId("compare-how").value === "wipe") {
+    const edge = Math.round(byId("wipe").value * other.width);
+    if (edge > 0) top.drawImage(base, 0, 0, edge, other.height, 0, 0, edge, other.height);
+    top.fillStyle = "#fff8";
+    top.fillRect(edge, 0, 1, other.height);
+    return void (byId("compare-note").textContent = `${names[kind]} is on the left`);
+  }
+  const a = paper.getImageData(0, 0, other.width, other.height);
+  const b = base.getContext("2d").getImageData(0, 0, other.width, other.height);
+  let beyond = 0, worst = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    let most = 0;
+    for (let k = 0; k < 3; ++k) {
+      const d = Math.abs(a.data[i + k] - b.data[i + k]);
+      most = Math.max(most, d);
+      a.data[i + k] = Math.min(255, 8 * d);
+    }
+    a.data[i + 3] = 255;
+    worst = Math.max(worst, most);
+    if (most > 3) ++beyond;
+  }
+  top.putImageData(a, 0, 0);
+  byId("compare-note").textContent = `${beyond} pixels differ by more than 3, the worst by ${worst}, of 255`;
+}
+const names = { before: "the save before", reference: "the reference", povray: "POV-Ray" };
