@@ -1,4 +1,5 @@
 #include "render/app/benchmark.h"
+#include "render/app/editor/fmt_command.h"
 #include "render/app/options/command_line.h"
 #include "render/app/compare_command.h"
 #include "render/app/options/help.h"
@@ -72,6 +73,7 @@ struct Called {
 
 constexpr std::array kCalled = {
     Called{"compare", app::compare_command},
+    Called{"fmt", app::fmt_command},
     Called{"report",
            [](const std::vector<std::string>& arguments) {
                heed_signals();

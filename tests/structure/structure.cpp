@@ -24,6 +24,7 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"parser/stream", {"csg", "function", "parser/lexer", "parser", "render/scene"}},
     {"parser/grammar",
      {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene", "render/font", "render/image"}},
+    {"language/format", {"parser/lexer"}},
     // Pictures that a scene reads: image knows nothing of scenes, and is what comes last as well as what comes in.
     {"render/scene", {"csg", "function", "render/image"}},
     {"render/font", {"csg"}},
@@ -40,8 +41,8 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"render/web", {}},  // a module: it knows of no scene
     // What people call by name: it puts the stages together, and finds a scene's constants among its tokens.
     {"render/app",
-     {"csg", "function", "parser", "parser/lexer", "render/scene", "render/image", "render/plan", "render/trace",
-      "render/study", "render/layers", "render/web"}},
+     {"csg", "function", "language/format", "parser", "parser/lexer", "render/scene", "render/image", "render/plan",
+      "render/trace", "render/study", "render/layers", "render/web"}},
 };
 
 /// Libraries with one home.
@@ -98,7 +99,7 @@ std::vector<Include> includes_below(const std::string& top)
 std::vector<Include> all_includes()
 {
     std::vector<Include> all;
-    for (const char* top : {"csg", "function", "parser", "render"}) {
+    for (const char* top : {"csg", "function", "language", "parser", "render"}) {
         std::vector<Include> part = includes_below(top);
         all.insert(all.end(), part.begin(), part.end());
     }

@@ -16,6 +16,7 @@ struct SubCommand {
 inline constexpr std::array kSubCommands = {
     SubCommand{"compare", "A B [--out diff.png] [--flip] [--tolerance n] [--share x]",
                "how far two pictures are apart"},
+    SubCommand{"fmt", "FILE... [--check | --stdout]", "lay scene text out; docs/editors.md"},
     SubCommand{"report", "SCENE... [-o report.html] [options]", "error against run time as a page"},
     SubCommand{"watch", "SCENE [--port=n] [options]", "a page that follows the scene's text (docs/watch.md)"},
 };
