@@ -7,6 +7,7 @@
 #include "render/app/options/sub_commands.h"
 #include "render/app/report/console_reporter.h"
 #include "render/app/run/render_command.h"
+#include "render/app/solid/info_command.h"
 #include "render/app/study/report_command.h"
 #include "render/app/watch/watch_command.h"
 
@@ -65,25 +66,28 @@ void heed_signals()
     for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) std::signal(signal, cancel);
 }
 
+using Words = std::vector<std::string>;
+
+/// A command that ends early where a signal asks for it.
+template <int (*Command)(const Words&, app::Cancellation&)>
+int cancellable(const Words& arguments)
+{
+    heed_signals();
+    return Command(arguments, cancellation);
+}
+
 /// What each word of options/sub_commands.h calls, with the words after it.
 struct Called {
     std::string_view name;
-    int (*run)(const std::vector<std::string>& arguments);
+    int (*run)(const Words& arguments);
 };
 
 constexpr std::array kCalled = {
     Called{"compare", app::compare_command},
     Called{"fmt", app::fmt_command},
-    Called{"report",
-           [](const std::vector<std::string>& arguments) {
-               heed_signals();
-               return app::report_command(arguments, cancellation);
-           }},
-    Called{"watch",
-           [](const std::vector<std::string>& arguments) {
-               heed_signals();
-               return app::watch_command(arguments, cancellation);
-           }},
+    Called{"report", cancellable<app::report_command>},
+    Called{"watch", cancellable<app::watch_command>},
+    Called{"info", cancellable<app::info_command>},
 };
 static_assert(kCalled.size() == app::kSubCommands.size());
 

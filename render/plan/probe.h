@@ -26,6 +26,8 @@ public:
     bool inside(const glm::dvec3& point) const;
     double depth(const csg::Ray& ray) const;  ///< of the first crossing from 1e-4 on; negative: none
 
+    csg::World world() const { return compiled_.world(); }  ///< of that object alone; lives as long as this
+
 private:
     CompiledScene compiled_;
     std::unique_ptr<csg::Scratch> scratch_;

@@ -38,11 +38,12 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
       "render/trace"}},
     {"render/layers", {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
+    {"render/solid", {"csg", "function", "render/scene", "render/plan"}},
     {"render/web", {}},  // a module: it knows of no scene
     // What people call by name: it puts the stages together, and finds a scene's constants among its tokens.
     {"render/app",
      {"csg", "function", "language/format", "parser", "parser/lexer", "render/scene", "render/image", "render/plan",
-      "render/trace", "render/study", "render/layers", "render/web"}},
+      "render/trace", "render/study", "render/layers", "render/solid", "render/web"}},
 };
 
 /// Libraries with one home.

@@ -19,6 +19,7 @@ inline constexpr std::array kSubCommands = {
     SubCommand{"fmt", "FILE... [--check | --stdout]", "lay scene text out; docs/editors.md"},
     SubCommand{"report", "SCENE... [-o report.html] [options]", "error against run time as a page"},
     SubCommand{"watch", "SCENE [--port=n] [options]", "a page that follows the scene's text (docs/watch.md)"},
+    SubCommand{"info", "SCENE [--object=NAME] [--section=y,0.5 -o cut.svg]", "size, volume, surface and inertia of objects"},
 };
 
 }  // namespace app

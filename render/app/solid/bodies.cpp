@@ -1,0 +1,130 @@
+#include "render/app/solid/bodies.h"
+
+#include "csg/base/cancel.h"
+#include "function/field.h"
+#include "render/app/run/frame_render.h"
+#include "render/app/run/frames.h"
+#include "render/app/run/scene_file.h"
+#include "render/app/run/scene_queries.h"
+#include "render/app/run/stage_options.h"
+#include "render/trace/kernel/kernel.h"
+#include "render/trace/kernel/kernel_module.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace app {
+namespace {
+
+void put_message(void*, const parser::Message& message)
+{
+    if (message.severity == parser::Severity::Error) return;  // thrown
+    fmt::print(stderr, "{}\n", message_text(message));
+}
+
+bool is_name(const std::string& word)
+{
+    return !word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 &&
+           std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+/// The scene with the named object behind all others.
+parser::Result parse_with_name(const std::string& file, const std::string& name, parser::Options& options)
+{
+    if (!is_name(name)) throw OptionError(fmt::format("--object wants a declared name, found '{}'", name));
+    const std::string path = std::filesystem::absolute(file).string();
+    options.library_path.insert(options.library_path.begin(), std::filesystem::path(path).parent_path().string());
+    std::string quoted;
+    for (const char c : path) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return parser::parse_text(fmt::format("#include \"{}\"\nobject {{ {} }}\n", quoted, name), "--object", options,
+                              put_message);
+}
+
+}  // namespace
+
+bool take_value(const std::vector<std::string>& arguments, std::size_t& i, const std::vector<std::string>& names,
+                std::string& value)
+{
+    const std::string& word = arguments[i];
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    if (std::find(names.begin(), names.end(), name) == names.end()) return false;
+    if (equals != std::string::npos) {
+        value = word.substr(equals + 1);
+    } else {
+        if (i + 1 == arguments.size()) throw OptionError(name + " wants a value");
+        value = arguments[++i];
+    }
+    if (value.empty()) throw OptionError(name + " wants a value");
+    return true;
+}
+
+BodyScene read_bodies(const BodyRequest& request, Cancellation& cancel)
+{
+    const Settings& settings = request.settings;
+    if (settings.input_file.empty()) throw OptionError("no scene given");
+    function::use(trace::load_kernel(isa_of(settings)).evaluators);
+    const FrameList list = frames_of(settings);
+    const std::string file = find_scene(settings);
+    parser::Options options = parser_options(settings, list, list.frames.front());
+    SceneQueries queries(settings.threads, cancel.requested, isa_of(settings));
+    options.queries = &queries;
+    options.cancel = &cancel.requested;
+    options.write_nothing = true;
+    BodyScene out;
+    if (request.object.empty()) {
+        out.description = parser::parse_file(file, options, put_message).scene;
+    } else {
+        out.description = parse_with_name(file, request.object, options).scene;
+    }
+    const scene::Description& description = out.description;
+    for (const scene::Unsupported& what : description.unsupported)
+        fmt::print(stderr, "note: {} is not available yet\n", what.what);
+    for (std::size_t i = 0; i < description.objects.size(); ++i) {
+        const scene::Object& object = description.objects[i];
+        if (scene::is_light(object)) continue;
+        if (!request.object.empty() && i + 1 < description.objects.size()) continue;
+        const scene::Place place = description.place(object.source);
+        out.objects.push_back(
+            {!request.object.empty() ? request.object
+                                     : fmt::format("{}:{}", std::filesystem::path(place.path).filename().string(),
+                                                   place.at.line),
+             &object});
+    }
+    // Two on one line are told apart by their number.
+    for (std::size_t i = 0; i < out.objects.size(); ++i) {
+        int same = 0;
+        for (std::size_t k = 0; k < i; ++k) same += out.objects[k].object->source.offset != 0 &&
+                                                    out.objects[k].name == out.objects[i].name;
+        if (same > 0) out.objects[i].name += fmt::format("#{}", same + 1);
+    }
+    return out;
+}
+
+int tell_thrown()
+{
+    try {
+        throw;
+    } catch (const parser::Cancelled&) {
+        fmt::print(stderr, "cancelled\n");
+        return kCancelled;
+    } catch (const csg::Cancelled&) {
+        fmt::print(stderr, "cancelled\n");
+        return kCancelled;
+    } catch (const OptionError&) {
+        throw;  // told as of every run
+    } catch (const scene::Error& error) {
+        for (const scene::Message& message : error.messages()) fmt::print(stderr, "{}\n", message_text(message));
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "whittle: error: {}\n", error.what());
+    }
+    return kError;
+}
+
+}  // namespace app

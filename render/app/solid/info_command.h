@@ -1,0 +1,14 @@
+#pragma once
+
+#include "render/app/run/render_command.h"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// `whittle info SCENE`: extent, volume, surface, centre and inertia of each object, or a cut of it as a drawing
+/// (docs/parts.md). Returns the exit status.
+int info_command(const std::vector<std::string>& arguments, Cancellation& cancel);
+
+}  // namespace app
