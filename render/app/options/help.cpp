@@ -31,7 +31,7 @@ std::string usage()
 /// A name and what it means, the meaning wrapped at blanks.
 std::string entry(const std::string& name, std::string_view meaning)
 {
-    std::string text = "  " + name, line;
+    std::string text = fmt::format("  {}", name), line;
     text += name.size() + 3 > kIndent ? "\n" + std::string(kIndent, ' ') : std::string(kIndent - 2 - name.size(), ' ');
     for (std::size_t at = 0; at < meaning.size();) {
         const std::size_t blank = std::min(meaning.find(' ', at), meaning.size());
