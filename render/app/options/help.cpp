@@ -32,7 +32,9 @@ std::string usage()
 std::string entry(const std::string& name, std::string_view meaning)
 {
     std::string text = fmt::format("  {}", name), line;
-    text += name.size() + 3 > kIndent ? "\n" + std::string(kIndent, ' ') : std::string(kIndent - 2 - name.size(), ' ');
+    const bool fits = name.size() + 3 <= kIndent;
+    text += fits ? "" : "\n";
+    text.append(fits ? kIndent - 2 - name.size() : kIndent, ' ');
     for (std::size_t at = 0; at < meaning.size();) {
         const std::size_t blank = std::min(meaning.find(' ', at), meaning.size());
         const std::string_view word = meaning.substr(at, blank - at);
