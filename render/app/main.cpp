@@ -6,6 +6,7 @@
 #include "render/app/options/ini_file.h"
 #include "render/app/options/sub_commands.h"
 #include "render/app/report/console_reporter.h"
+#include "render/app/pixel/pixel_command.h"
 #include "render/app/run/render_command.h"
 #include "render/app/solid/info_command.h"
 #include "render/app/study/report_command.h"
@@ -83,11 +84,9 @@ struct Called {
 };
 
 constexpr std::array kCalled = {
-    Called{"compare", app::compare_command},
-    Called{"fmt", app::fmt_command},
-    Called{"report", cancellable<app::report_command>},
-    Called{"watch", cancellable<app::watch_command>},
-    Called{"info", cancellable<app::info_command>},
+    Called{"compare", app::compare_command},          Called{"fmt", app::fmt_command},
+    Called{"pixel", cancellable<app::pixel_command>}, Called{"report", cancellable<app::report_command>},
+    Called{"watch", cancellable<app::watch_command>}, Called{"info", cancellable<app::info_command>},
 };
 static_assert(kCalled.size() == app::kSubCommands.size());
 

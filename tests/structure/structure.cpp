@@ -37,8 +37,13 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"render/study",
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
       "render/trace"}},
-    {"render/layers", {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
+    {"render/layers",
+     "render/explain",
+     {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
     {"render/solid", {"csg", "function", "render/scene", "render/plan"}},
+    {"render/explain",
+     {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
+      "render/trace"}},
     {"render/web", {}},  // a module: it knows of no scene
     // What people call by name: it puts the stages together, and finds a scene's constants among its tokens.
     {"render/app",

@@ -18,6 +18,7 @@ inline constexpr std::array kSubCommands = {
                "how far two pictures are apart"},
     SubCommand{"fmt", "FILE... [--check | --stdout]", "lay scene text out; docs/editors.md"},
     SubCommand{"report", "SCENE... [-o report.html] [options]", "error against run time as a page"},
+    SubCommand{"pixel", "SCENE X,Y [options]", "why a pixel has its colour, ray by ray"},
     SubCommand{"watch", "SCENE [--port=n] [options]", "a page that follows the scene's text (docs/watch.md)"},
     SubCommand{"info", "SCENE [--object=NAME] [--section=y,0.5 -o cut.svg]", "size, volume, surface and inertia of objects"},
 };

@@ -1,6 +1,7 @@
 #include "render/app/watch/session.h"
 
 #include "csg/base/scratch.h"
+#include "render/app/pixel/pixel_answer.h"
 #include "render/app/run/frame_render.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_queries.h"
@@ -13,6 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cstdio>
+#include <utility>
 
 namespace app {
 namespace {
@@ -109,6 +112,7 @@ Session::~Session()
         const std::lock_guard lock(mutex_);
         ending_ = true;
         cancel_ = true;
+        ending_early_ = true;
     }
     asked_.notify_all();
     board_.close();
@@ -201,7 +205,6 @@ void Session::render(Cause cause, const View& view)
     const Settings settings = settings_for(view);
     PassTimes times;
     if (cause != Cause::View || !parsed_ || wrong_ || !view.same_text(read_with_)) {
-        parsed_ = nullptr;  // two of them at a time may be too many
         parsed_ = read(settings);
         read_with_ = view;
         wrong_ = false;
@@ -215,16 +218,23 @@ void Session::render(Cause cause, const View& view)
     const plan::Options planned = plan_options(settings);
     std::optional<plan::CompiledScene> compiled;
     scene::Camera camera = parsed_->scene.camera;
+    std::shared_ptr<const scene::Description> shown(parsed_, &parsed_->scene);
     if (view.orbit.still() && !view.cut) {
         compiled.emplace(plan::compile(parsed_->scene, planned));
     } else {
-        scene::Description changed = parsed_->scene;
+        auto other = std::make_shared<scene::Description>(parsed_->scene);
+        scene::Description& changed = *other;
         if (!view.orbit.still()) {
             camera = moved(camera, view.orbit, pivot_distance(plan::compile(parsed_->scene, planned)));
             changed.camera = camera;
         }
         if (view.cut) cut_open(changed, *view.cut);
-        compiled.emplace(plan::compile(std::move(changed), planned));
+        compiled.emplace(plan::compile(std::as_const(changed), planned));
+        shown = std::move(other);
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        looked_ = std::make_shared<const Looked>(Looked{settings, std::move(shown)});
     }
     times.emplace_back("plan", seconds_from(planning));
     if (cancel_) return;
@@ -299,10 +309,36 @@ web::Reply Session::compare(const std::string& body)
     return {200, "application/json", "{}"};
 }
 
+web::Reply Session::pixel(const std::string& query)
+{
+    int x = -1, y = -1, length = -1;
+    const bool read = std::sscanf(query.c_str(), "x=%9d&y=%9d%n", &x, &y, &length) == 2;
+    if (!read || length != static_cast<int>(query.size()) || x < 0 || y < 0 || x >= settings_.width ||
+        y >= settings_.height)
+        return {400, "text/plain", "no such pixel\n"};
+    std::shared_ptr<const Looked> looked;
+    {
+        const std::lock_guard lock(mutex_);
+        looked = looked_;
+    }
+    if (!looked) return {409, "text/plain", "there is no picture yet\n"};
+    const std::lock_guard one_at_a_time(explaining_);
+    try {
+        const PixelAnswer answer = pixel_answer(looked->settings, *looked->scene, x, y, ending_early_);
+        return {
+            200, "application/json",
+            json{{"x", x}, {"y", y}, {"shown", {answer.shown.x, answer.shown.y, answer.shown.z}}, {"text", answer.text}}
+                .dump(-1, ' ', false, json::error_handler_t::replace)};
+    } catch (const std::exception& error) {
+        return {500, "text/plain", error.what()};
+    }
+}
+
 web::Reply Session::answer(bool posted, const std::string& path, const std::string& body)
 {
     if (posted && path == "set") return change(body);
     if (posted && path == "compare") return compare(body);
+    if (!posted && path == "pixel") return pixel(body);
     return {404, "text/plain", ""};
 }
 

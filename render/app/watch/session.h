@@ -30,6 +30,11 @@ public:
 private:
     enum class Cause { Start, Save, View };
     using Parsed = std::shared_ptr<const parser::Result>;
+    /// What the picture was made from that pages show.
+    struct Looked {
+        Settings settings;
+        std::shared_ptr<const scene::Description> scene;
+    };
 
     void ask(Cause cause);
     void run();
@@ -40,6 +45,7 @@ private:
     Settings settings_for(const View& view) const;
     web::Reply change(const std::string& body);
     web::Reply compare(const std::string& body);
+    web::Reply pixel(const std::string& query);
 
     const Settings settings_;
     const std::string scene_;
@@ -52,6 +58,9 @@ private:
     std::optional<Cause> waiting_;
     bool ending_ = false;
     std::atomic<bool> cancel_ = false;
+    std::shared_ptr<const Looked> looked_;  ///< null: there was no picture yet
+    std::mutex explaining_;                 ///< one pixel at a time
+    std::atomic<bool> ending_early_ = false;
 
     // The job thread's own.
     int generation_ = 0;

@@ -110,7 +110,7 @@ function keepPicture() {
 function drawComparison() {
   const top = other.getContext("2d"), kind = byId("compare").value, base = compared[kind];
   top.clearRect(0, 0, other.width, other.height);
-  if (!kind) return;
+  if (!kind) return void (byId("compare-note").textContent = "");
   if (!base) return void (byId("compare-note").textContent = kind === "before" ? "no earlier save seen" : "waiting");
   if (base.width !== other.width || base.height !== other.height)
     return void (byId("compare-note").textContent = `it has ${base.width}x${base.height} pixels`);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/app/run/render_command.h"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// `whittle pixel`. Returns the exit status.
+int pixel_command(const std::vector<std::string>& arguments, Cancellation& cancel);
+
+}  // namespace app

@@ -1,0 +1,258 @@
+#include "render/explain/tree_parts.h"
+
+#include "render/texture/finish.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace explain {
+namespace {
+
+constexpr std::size_t kMostRays = 256;    // that one pixel is explained by
+constexpr std::size_t kMostObjects = 24;  // whose spans a ray is told with
+constexpr double kSameIndex = 1e-10;      // differences of indices below it count as none
+
+/// Of a ray on an interface (spec 3, 8.2): incoming over outgoing index. `inside` becomes what it is in behind it.
+double crossed(const std::vector<plan::Interior>& interiors, std::vector<std::uint32_t>& inside, std::uint32_t own)
+{
+    const auto ior = [&](std::uint32_t i) { return static_cast<double>(interiors[i].ior); };
+    if (inside.empty()) {
+        inside.push_back(own);
+        return 1.0 / ior(own);
+    }
+    const std::uint32_t last = inside.back();
+    if (last == own) {
+        inside.pop_back();
+        return inside.empty() ? ior(own) : ior(own) / ior(inside.back());
+    }
+    const auto at = std::find(inside.begin(), inside.end(), own);
+    if (at != inside.end()) {
+        inside.erase(at);
+        return 1.0;
+    }
+    inside.push_back(own);
+    return ior(last) / ior(own);
+}
+
+}  // namespace
+
+glm::vec3 faded(const plan::Interior& interior, double distance)
+{
+    const auto reach = static_cast<double>(interior.fade_distance), power = static_cast<double>(interior.fade_power);
+    constexpr double kExponential = 1000.0;
+    if (std::abs(reach) <= kSameIndex) return glm::vec3(1);
+    if (power >= kExponential) {
+        glm::vec3 out;
+        for (int k = 0; k < 3; ++k)
+            out[k] =
+                static_cast<float>(std::exp(-(1.0 - static_cast<double>(interior.fade_color[k])) * distance / reach));
+        return out;
+    }
+    const auto share = static_cast<float>(1.0 / (1.0 + std::pow(distance / reach, power)));
+    return interior.fade_color + (1.0f - interior.fade_color) * share;
+}
+
+std::unique_ptr<RayNode> RayTree::explain(const csg::Ray& camera_ray)
+{
+    rays_ = 0;
+    Way way;
+    way.ray = camera_ray;
+    way.start = scene_.tolerance.hit;
+    way.interiors = scene_.camera_interiors;
+    return follow(way);
+}
+
+std::vector<std::string> RayTree::left_out() const
+{
+    std::vector<std::string> out;
+    if (scene_.radiosity) out.push_back("light between surfaces (radiosity)");
+    if (scene_.photons) out.push_back("photons");
+    if (scene_.subsurface) out.push_back("light below surfaces");
+    if (!scene_.fogs.empty()) out.push_back("fog");
+    if (!scene_.rainbows.empty()) out.push_back("rainbows");
+    if (scene_.media.media.size() > 0) out.push_back("media");
+    if (scene_.camera.aperture > 0.0) out.push_back("focal blur (the ray through the middle of the lens is told)");
+    return out;
+}
+
+std::unique_ptr<RayNode> RayTree::follow(const Way& way)
+{
+    ++rays_;
+    auto node = std::make_unique<RayNode>();
+    node->kind = way.kind;
+    node->ray = way.ray;
+    node->level = way.level;
+    node->spans = spans_.along(way.ray, kMostObjects);
+    const csg::Hit hit = world_.nearest(way.ray, way.start, csg::kInfinity, plan::bit(way.asks), scratch_);
+    if (!hit.found()) see_sky(*node, way.asks == plan::RayKind::Reflection);
+    else shade(*node, way, hit);
+    return node;
+}
+
+void RayTree::see_sky(RayNode& node, bool mirrored) const
+{
+    const texture::Sky& sky = scene_.sky;
+    texture::Surroundings around;
+    around.direction = node.ray.direction;
+    glm::vec3 sum(0), filter(1);
+    for (std::size_t i = sky.layers.size(); i-- > 0;) {
+        const scene::Color c = texture::pigment_color(scene_.textures, sky.layers[i], node.ray.direction, around);
+        sum += c.rgb() * (1.0f - c.filter - c.transmit) * filter * sky.emission;
+        filter *= c.rgb() * c.filter + c.transmit;
+    }
+    const scene::Color& b = sky.background;
+    const float through = mirrored || !sky.alpha_output ? 0.0f : b.filter + b.transmit;
+    sum += b.rgb() * (sky.layers.empty() ? 1.0f : 1.0f - through) * filter;
+    node.sees = sky.layers.empty()
+                    ? "nothing but the background"
+                    : fmt::format("the sky, {} layer{}", sky.layers.size(), sky.layers.size() == 1 ? "" : "s");
+    node.color = sum;
+}
+
+void RayTree::shade(RayNode& node, const Way& way, const csg::Hit& hit)
+{
+    const csg::HitDetails details = world_.details(way.ray, hit);
+    const plan::Surface& surface = scene_.surfaces[hit.surface];
+    node.hit = true;
+    node.t = hit.t;
+    node.point = details.point;
+    node.from_inside = glm::dot(details.normal, way.ray.direction) > 0.0;
+    node.normal = node.from_inside ? -details.normal : details.normal;
+    if (surface.object < scene_.objects.size()) node.object = scene_.objects[surface.object].source;
+    double nearest = 1e-6 * (1.0 + hit.t);  // spans and hits come from the same formulas
+    for (const ObjectSpans& spans : node.spans)
+        for (const Piece& piece : spans.pieces)
+            for (const End* end : {&piece.in, &piece.out})
+                if (end->leaf != nullptr && std::abs(end->t - hit.t) < nearest) {
+                    nearest = std::abs(end->t - hit.t);
+                    node.solid = end->leaf;
+                }
+    Met met{node, way, hit, surface, {}};
+    met.around.point = details.point;
+    met.around.normal = node.normal;
+    met.around.direction = way.ray.direction;
+    met.around.uv = details.uv;
+    met.around.surface = true;
+    const bool behind = node.from_inside && surface.interior_texture != plan::kNone;
+    const std::uint32_t texture = behind ? surface.interior_texture : surface.texture;
+    const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+    if (surface.part_count != 0 && !behind) {
+        std::vector<csg::Share> shares;
+        world_.shares(hit, details.point, shares);
+        for (const csg::Share& share : shares)
+            add_texture(met, scene_.part_textures[surface.first_part + share.part], p, share.weight,
+                        fmt::format("part {}", share.part + 1), {});
+    } else if (surface.corner_textures[0] != plan::kNone && !behind) {
+        add_texture(met, surface.texture, p, details.weights.x, "first corner", {});
+        add_texture(met, surface.corner_textures[0], p, details.weights.y, "second corner", {});
+        if (surface.corner_textures[1] != plan::kNone)
+            add_texture(met, surface.corner_textures[1], p, details.weights.z, "third corner", {});
+    } else {
+        add_texture(met, texture, p, 1.0f, "", {});
+    }
+    for (const TextureShare& share : node.textures) {
+        glm::vec3 sum(0);
+        for (const LayerShare& layer : share.layers) sum += layer.sum;
+        for (const Onward& onward : share.onward)
+            if (onward.ray) sum += onward.factor * onward.ray->color;
+        node.color += share.weight * sum;
+    }
+}
+
+/// \param used levels in use before it
+Onward RayTree::go_on(const Way& way, int used, const char* how, const glm::vec3& factor)
+{
+    const float weight = way.weight;
+    Onward out;
+    out.how = how;
+    out.factor = factor;
+    const plan::Settings& settings = scene_.settings;
+    if (used >= settings.max_trace_level)
+        out.cut = fmt::format("max_trace_level {} is reached", settings.max_trace_level);
+    else if (!(static_cast<double>(weight) >= settings.adc_bailout))
+        out.cut =
+            fmt::format("its share {:.4g} of the pixel is below adc_bailout {:.4g}", weight, settings.adc_bailout);
+    else if (rays_ >= kMostRays) out.cut = fmt::format("{} rays are explained, no more", kMostRays);
+    else out.ray = follow(way);
+    return out;
+}
+
+void RayTree::mirror(const Met& met, const texture::Finish& finish, const scene::Color& pigment,
+                     const glm::dvec3& normal, float residual, TextureShare& into)
+{
+    if (!finish.reflects() || scene_.settings.quality < 8) return;
+    const glm::dvec3& d = met.way.ray.direction;
+    double eta = 1.0;
+    if (finish.fresnel && met.surface.interior != plan::kNone) {
+        std::vector<std::uint32_t> inside = met.way.interiors;
+        eta = 1.0 / crossed(scene_.interiors, inside, met.surface.interior);
+    }
+    const glm::vec3 share = texture::reflectivity(finish, pigment, d, normal, eta);
+    if (most_of(glm::abs(share)) == 0.0f) return;
+    glm::dvec3 r = d - 2.0 * glm::dot(d, normal) * normal;
+    const double out = glm::dot(r, met.node.normal);
+    if (out < 0.0) {
+        if (glm::dot(r, normal) < 0.0) r = d - 2.0 * glm::dot(d, met.node.normal) * met.node.normal;
+        else r -= 2.0 * out * met.node.normal;
+    }
+    Way way = met.way;
+    way.ray = {met.node.point, glm::normalize(r)};
+    way.start = scene_.tolerance.hit_from(met.node.point, met.hit.t);
+    way.kind = "reflected";
+    way.asks = plan::RayKind::Reflection;
+    way.level = met.way.level + 1;
+    const float strength = finish.fresnel ? most_of(share)
+                                          : std::max(most_of(finish.reflection_max), most_of(finish.reflection_min));
+    way.weight = met.way.weight * residual * std::max(0.0f, strength);
+    into.onward.push_back(go_on(way, met.way.level, "reflects", share));
+}
+
+void RayTree::let_through(const Met& met, const glm::vec3& filter, const glm::dvec3& normal, TextureShare& into)
+{
+    const float residual = std::min(1.0f, std::abs(scene::grey(filter)));
+    if (residual <= 0.0f || met.surface.interior == plan::kNone || scene_.settings.quality < 6) return;
+    const plan::Interior& interior = scene_.interiors[met.surface.interior];
+    Way way = met.way;
+    const bool inside = std::find(way.interiors.begin(), way.interiors.end(), met.surface.interior) !=
+                        way.interiors.end();
+    glm::vec3 factor = filter * interior.transmission;
+    if (inside) factor *= faded(interior, met.hit.t);
+    const double ratio = crossed(scene_.interiors, way.interiors, met.surface.interior);
+    way.weight = met.way.weight * most_of(glm::abs(filter));
+    way.start = scene_.tolerance.hit_from(met.node.point, met.hit.t);
+    const glm::dvec3& d = met.way.ray.direction;
+    const char* how = "lets through";
+    way.kind = "straight on";
+    way.ray = {met.node.point, d};
+    if (std::abs(ratio - 1.0) >= kSameIndex) {
+        const double facing = glm::dot(d, normal);
+        const glm::dvec3 n = facing <= 0.0 ? normal : -normal;
+        const double c = std::abs(facing), k = 1.0 + ratio * ratio * (c * c - 1.0);
+        way.level = met.way.level + 1;
+        if (k < 0.0) {
+            how = "reflects within";
+            way.kind = "reflected within";
+            way.interiors = met.way.interiors;
+            way.asks = plan::RayKind::Reflection;
+            way.ray.direction = glm::normalize(d - 2.0 * glm::dot(d, normal) * normal);
+        } else {
+            how = "refracts";
+            way.kind = "refracted";
+            way.ray.direction = glm::normalize(ratio * d + (ratio * c - std::sqrt(k)) * n);
+        }
+    }
+    if (static_cast<double>(residual) <= scene_.settings.adc_bailout) {
+        Onward cut;
+        cut.how = how;
+        cut.factor = factor;
+        cut.cut = fmt::format("what is let through, {:.4g}, is below adc_bailout {:.4g}", residual,
+                              scene_.settings.adc_bailout);
+        into.onward.push_back(std::move(cut));
+        return;
+    }
+    into.onward.push_back(go_on(way, met.way.level, how, factor));
+}
+
+}  // namespace explain
