@@ -1,5 +1,6 @@
 #include "render/app/benchmark.h"
 #include "render/app/editor/fmt_command.h"
+#include "render/app/editor/lint_command.h"
 #include "render/app/options/command_line.h"
 #include "render/app/compare_command.h"
 #include "render/app/options/help.h"

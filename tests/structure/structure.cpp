@@ -32,6 +32,7 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"render/texture", {"csg", "function", "render/scene"}},
     {"render/light", {"csg", "function", "render/scene", "render/texture"}},
     {"render/plan", {"csg", "function", "render/scene", "render/texture", "render/light", "render/image"}},
+    {"render/lint", {"csg", "parser", "parser/lexer", "parser/stream", "render/scene", "render/plan"}},
     {"render/trace",
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image"}},
     {"render/study",
@@ -48,7 +49,7 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     // What people call by name: it puts the stages together, and finds a scene's constants among its tokens.
     {"render/app",
      {"csg", "function", "language/format", "parser", "parser/lexer", "render/scene", "render/image", "render/plan",
-      "render/trace", "render/study", "render/layers", "render/solid", "render/web"}},
+      "render/trace", "render/study", "render/layers", "render/lint", "render/solid", "render/web"}},
 };
 
 /// Libraries with one home.

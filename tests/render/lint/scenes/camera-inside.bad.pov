@@ -1,0 +1,7 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at <0, 0.5, 0> }
+light_source { <5, 8, -6>, 1 }
+sphere { 0, 1 pigment { rgb 1 } }
+box { <-1, 1, -7>, <1, 3, -5> pigment { rgb 1 }  // here
+}

@@ -1,0 +1,6 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera {  // here
+  location <0, 2, -6> look_at 0
+}
+sphere { 0, 1 pigment { rgb 1 } }

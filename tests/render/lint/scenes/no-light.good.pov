@@ -1,0 +1,4 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 }
+sphere { 0, 1 pigment { rgb 1 } finish { emission 0.5 } }

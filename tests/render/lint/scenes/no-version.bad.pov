@@ -1,0 +1,4 @@
+global_settings { assumed_gamma 1 }  // here
+camera { location <0, 2, -6> look_at 0 }
+light_source { <5, 8, -6>, 1 }
+sphere { 0, 1 pigment { rgb 1 } }
