@@ -10,6 +10,7 @@
 #include "render/app/pixel/pixel_command.h"
 #include "render/app/run/render_command.h"
 #include "render/app/solid/info_command.h"
+#include "render/app/solid/mesh_command.h"
 #include "render/app/study/report_command.h"
 #include "render/app/watch/watch_command.h"
 
@@ -84,11 +85,18 @@ struct Called {
     int (*run)(const Words& arguments);
 };
 
+// clang-format off: one a line
 constexpr std::array kCalled = {
-    Called{"compare", app::compare_command},          Called{"fmt", app::fmt_command},
-    Called{"pixel", cancellable<app::pixel_command>}, Called{"report", cancellable<app::report_command>},
-    Called{"watch", cancellable<app::watch_command>}, Called{"info", cancellable<app::info_command>},
+    Called{"compare", app::compare_command},
+    Called{"fmt", app::fmt_command},
+    Called{"info", cancellable<app::info_command>},
+    Called{"lint", app::lint_command},
+    Called{"mesh", cancellable<app::mesh_command>},
+    Called{"pixel", cancellable<app::pixel_command>},
+    Called{"report", cancellable<app::report_command>},
+    Called{"watch", cancellable<app::watch_command>},
 };
+// clang-format on
 static_assert(kCalled.size() == app::kSubCommands.size());
 
 int run(const std::vector<std::string>& arguments, app::Settings& settings, app::Remains& remains)

@@ -38,18 +38,18 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"render/study",
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
       "render/trace"}},
-    {"render/layers",
-     "render/explain",
-     {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
+    {"render/layers", {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
     {"render/solid", {"csg", "function", "render/scene", "render/plan"}},
     {"render/explain",
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
       "render/trace"}},
     {"render/web", {}},  // a module: it knows of no scene
     // What people call by name: it puts the stages together, and finds a scene's constants among its tokens.
+    // clang-format off: one a line
     {"render/app",
      {"csg", "function", "language/format", "parser", "parser/lexer", "render/scene", "render/image", "render/plan",
-      "render/trace", "render/study", "render/layers", "render/lint", "render/solid", "render/web"}},
+      "render/trace", "render/explain", "render/layers", "render/lint", "render/solid", "render/study", "render/web"}},
+    // clang-format on
 };
 
 /// Libraries with one home.

@@ -1,0 +1,235 @@
+#include "render/app/solid/mesh_command.h"
+
+#include "render/app/options/command_line.h"
+#include "render/app/options/ini_file.h"
+#include "render/app/options/positive.h"
+#include "render/app/solid/bodies.h"
+#include "render/image/picture_writer.h"
+#include "render/solid/files/write.h"
+#include "render/solid/measure/measure.h"
+#include "render/solid/mesh/check.h"
+#include "render/solid/mesh/deviation.h"
+#include "render/solid/mesh/mesher.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+
+namespace app {
+namespace {
+
+constexpr const char* kMeshUsage = R"(usage: whittle mesh SCENE -o FILE.stl|.3mf|.obj|.ply [options]
+
+Each object of a scene as triangles: closed, meeting edge to edge, crossing nowhere. What has no inside or no end (planes) is left out.
+How far mesh and object are apart is measured by rays and printed; a mesh that does not close is not written.
+
+  -o FILE              the mesh; 3MF has an object and a colour for each of the scene's
+  --tolerance=T        scene units (a unit is a millimetre) that it may be off by; usual: 0.01
+  --object=NAME        the object that was declared by this name, wherever it stands in the scene
+  --cells=N            of the first lattice along the longest side, 4 to 128; usual: 24. Narrower parts may be overlooked
+
+Declare=, +L, Clock= and INI files are as for a render. Exit status: 0 done, 1 nothing could be written or a mesh is farther off than
+it may be, 2 cancelled.
+)";
+
+constexpr std::size_t kSamples = 60'000;
+constexpr int kMostCells = 128;
+
+struct MeshRequest {
+    BodyRequest bodies;
+    std::string out;
+    double tolerance = 0.01;
+    int cells = 24;
+};
+
+MeshRequest mesh_request(const std::vector<std::string>& arguments)
+{
+    MeshRequest request;
+    read_default_ini_file(request.bodies.settings);
+    std::vector<std::string> others;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        std::string value;
+        if (take_value(arguments, i, {"--object"}, value)) request.bodies.object = value;
+        else if (take_value(arguments, i, {"-o", "--out"}, value)) request.out = value;
+        else if (take_value(arguments, i, {"--tolerance"}, value))
+            request.tolerance = whole_positive("--tolerance", value);
+        else if (take_value(arguments, i, {"--cells"}, value)) {
+            const double cells = whole_positive("--cells", value, kMostCells);
+            if (cells < 4.0 || cells != std::floor(cells))
+                throw OptionError(fmt::format("--cells wants a whole number from 4 to {}, found '{}'", kMostCells, value));
+            request.cells = static_cast<int>(cells);
+        } else others.push_back(arguments[i]);
+    }
+    apply_command_line(request.bodies.settings, others);
+    if (request.bodies.settings.input_file.empty())
+        throw OptionError("no scene given: whittle mesh scene.pov -o part.stl, or whittle mesh --help");
+    if (request.out.empty()) throw OptionError("where to? whittle mesh scene.pov -o part.stl (or .3mf, .obj, .ply)");
+    solid::format_of(request.out);
+    return request;
+}
+
+/// Of a plain pigment, with the scene's numbers taken as light: the first that is found.
+bool color_of(const scene::Object& object, std::array<double, 3>& out)
+{
+    if (object.texture != nullptr)
+        if (const auto* layers = std::get_if<std::vector<scene::Layer>>(&object.texture->kind))
+            for (const scene::Layer& layer : *layers)
+                if (const auto* color = std::get_if<scene::Color>(&layer.pigment.kind)) {
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const double v = std::clamp(static_cast<double>(color->rgb()[static_cast<int>(k)]), 0.0, 1.0);
+                        out[k] = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+                    }
+                    return true;
+                }
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape))
+        for (const scene::Object& operand : *csg->operands)
+            if (color_of(operand, out)) return true;
+    return false;
+}
+
+void put_bytes(const std::string& path, const std::string& bytes)
+{
+    image::Replacement file(path);
+    std::ofstream out(file.beside(), std::ios::binary);
+    out << bytes;
+    if (!out.flush()) throw image::FileError(fmt::format("cannot write '{}'", path));
+    out.close();
+    file.put_in_place();
+}
+
+class MeshRun {
+public:
+    MeshRun(const MeshRequest& request, Cancellation& cancel) : request_(request), cancel_(cancel) {}
+
+    int run()
+    {
+        const BodyScene scene = read_bodies(request_.bodies, cancel_);
+        for (const NamedObject& named : scene.objects) add(named, scene.description);
+        if (parts_.empty()) {
+            fmt::print(stderr, "whittle: error: no object to write{}\n", scene.objects.empty() ? ": the scene has none" : "");
+            return kError;
+        }
+        switch (solid::format_of(request_.out)) {
+        case solid::MeshFormat::Stl: put_bytes(request_.out, solid::stl_bytes(parts_)); break;
+        case solid::MeshFormat::Obj: put_bytes(request_.out, solid::obj_text(parts_)); break;
+        case solid::MeshFormat::Ply: put_bytes(request_.out, solid::ply_bytes(parts_)); break;
+        case solid::MeshFormat::ThreeMf: throw std::runtime_error("3MF is not written yet");
+        }
+        fmt::print("{}  {} object{}\n", request_.out, parts_.size(), parts_.size() == 1 ? "" : "s");
+        return status_;
+    }
+
+private:
+    void add(const NamedObject& named, const scene::Description& description)
+    {
+        try {
+            const solid::Body body(*named.object, description.global);
+            solid::FilePart part;
+            part.name = named.name;
+            color_of(*named.object, part.color);
+            if (make(body, part)) parts_.push_back(std::move(part));
+        } catch (const solid::NoBody& why) {
+            fmt::print(stderr, "{}: left out: {}\n", named.name, why.what());
+        }
+    }
+
+    bool make(const solid::Body& body, solid::FilePart& part)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        double extent_error = 0.0;
+        std::uint64_t rays = 0;
+        const csg::Aabb extent = solid::require_extent(body, extent_error, rays);
+        solid::MeshOptions options;
+        options.tolerance = request_.tolerance;
+        options.cells = request_.cells;
+        options.cancel = &cancel_.requested;
+        solid::MeshFacts facts;
+        solid::Deviation off;
+        for (;; options.cells = std::min(2 * options.cells, kMostCells)) {
+            facts = {};
+            part.mesh = solid::mesh_of(body, extent, options, facts);
+            off = solid::deviation(body, extent, part.mesh, kSamples, &cancel_.requested);
+            // Something narrow was overlooked: a finer lattice sees it.
+            if (off.from_body <= request_.tolerance || facts.full || options.cells >= kMostCells) break;
+        }
+        const solid::MeshCheck found = solid::check(part.mesh);
+        solid::MeasureOptions measuring;
+        measuring.precision = 1e-3;
+        measuring.most_rays = 4'000'000;
+        measuring.cancel = &cancel_.requested;
+        const solid::Measures measures = solid::measure(body, measuring);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report(part, facts, off, found, measures, options.cells, seconds);
+        if (!found.good()) {
+            fmt::print(stderr, "{}: not written: {}\n", part.name, found.complaint());
+            status_ = kError;
+            return false;
+        }
+        const double room = measures.volume.error + request_.tolerance * found.surface;
+        if (std::abs(found.volume - measures.volume.value) > room) {
+            fmt::print(stderr, "{}: not written: its volume is {:.9g}, by rays {:.9g} +- {:.2g}\n", part.name, found.volume,
+                       measures.volume.value, measures.volume.error);
+            status_ = kError;
+            return false;
+        }
+        const double worst = std::max(off.from_mesh, off.from_body);
+        if (worst > request_.tolerance) {
+            fmt::print(stderr, "{}: warning: it is off by {:.3g} somewhere, more than {:g}{}\n", part.name, worst,
+                       request_.tolerance, facts.full ? ": there was no room for finer triangles" : "");
+            status_ = kError;
+        }
+        return true;
+    }
+
+    static void report(const solid::FilePart& part, const solid::MeshFacts& facts, const solid::Deviation& off,
+                       const solid::MeshCheck& found, const solid::Measures& measures, int cells, double seconds)
+    {
+        fmt::print("{}\n", part.name);
+        fmt::print("  triangles  {}, vertices {}, parts {}; lattice {}, {} rounds, {} tetrahedra, {:.2f} s\n",
+                   part.mesh.triangles.size(), part.mesh.vertices.size(), found.parts, cells, facts.rounds,
+                   facts.tetrahedra, seconds);
+        fmt::print("  check      {}\n", found.good() ? "closed, two triangles on each edge, one ring about each vertex, "
+                                                       "all outward"
+                                                     : found.complaint());
+        fmt::print("  volume     {:.9g}, by rays {:.9g} +- {:.2g}\n", found.volume, measures.volume.value,
+                   measures.volume.error);
+        fmt::print("  surface    {:.9g}, by rays {:.9g} +- {:.2g}\n", found.surface, measures.surface.value,
+                   measures.surface.error);
+        fmt::print("  deviation  of the mesh {:.3g} (rms {:.2g}), of the object {:.3g} (rms {:.2g}), {} places\n",
+                   off.from_mesh, off.from_mesh_rms, off.from_body, off.from_body_rms, off.samples);
+        if (facts.lost > 0 || facts.unresolved > 0)
+            fmt::print("  numerics   {} edges without a crossing, {} places too small to refine\n", facts.lost,
+                       facts.unresolved);
+    }
+
+    const MeshRequest& request_;
+    Cancellation& cancel_;
+    std::vector<solid::FilePart> parts_;
+    int status_ = kSuccess;
+};
+
+}  // namespace
+
+int mesh_command(const std::vector<std::string>& arguments, Cancellation& cancel)
+{
+    for (const std::string& word : arguments)
+        if (word == "--help" || word == "-h") {
+            fmt::print("{}", kMeshUsage);
+            return kSuccess;
+        }
+    const MeshRequest request = mesh_request(arguments);
+    cancel.heeded = true;
+    const int threads = request.bodies.settings.threads;
+    std::optional<tbb::global_control> limit;
+    if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    try {
+        return MeshRun(request, cancel).run();
+    } catch (...) {
+        return tell_thrown();
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/app/run/render_command.h"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// `whittle mesh SCENE -o FILE`: objects as closed triangle meshes (docs/parts.md). Returns the exit status.
+int mesh_command(const std::vector<std::string>& arguments, Cancellation& cancel);
+
+}  // namespace app

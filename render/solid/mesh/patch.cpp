@@ -1,0 +1,265 @@
+#include "render/solid/mesh/patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solid {
+namespace {
+
+constexpr double kSharp = 0.94;      // cosine of 20 degrees: normals that differ by more are of two surfaces
+constexpr double kWell = 0.25;       // of Finish::off: nearer needs no point of its own
+constexpr double kInner = 0.25;      // of the room that the crossings leave: points inside keep to it
+constexpr double kBeyond = 0.5;      // of a tetrahedron's size: so far its surface is looked for
+constexpr int kTries = 3;
+
+/// The range of t in which from + t along has all `count` coordinates (given at two points) at least 0.
+template <std::size_t N>
+void clip(const std::array<double, N>& at, const std::array<double, N>& slope, double& low, double& high)
+{
+    for (std::size_t i = 0; i < N; ++i) {
+        if (slope[i] == 0.0) continue;
+        const double t = -at[i] / slope[i];
+        if (slope[i] > 0.0) low = std::max(low, t);
+        else high = std::min(high, t);
+    }
+}
+
+std::array<double, 3> barycentric(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& p)
+{
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    const double area = glm::dot(n, n);
+    const double u = glm::dot(glm::cross(c - b, p - b), n) / area, v = glm::dot(glm::cross(a - c, p - c), n) / area;
+    return {u, v, 1.0 - u - v};
+}
+
+std::array<double, 4> barycentric(const std::array<glm::dvec3, 4>& c, const glm::dvec3& p)
+{
+    const glm::dmat3 m(c[1] - c[0], c[2] - c[0], c[3] - c[0]);
+    const glm::dvec3 x = glm::inverse(m) * (p - c[0]);
+    return {1.0 - x.x - x.y - x.z, x.x, x.y, x.z};
+}
+
+/// `p` moved toward `inner` until no coordinate is below kInner of the least of inner's.
+template <std::size_t N>
+glm::dvec3 kept_inside(const std::array<double, N>& own, const std::array<double, N>& inner, const glm::dvec3& p,
+                       const glm::dvec3& to)
+{
+    const double least = kInner * *std::min_element(inner.begin(), inner.end());
+    double share = 0.0;
+    for (std::size_t i = 0; i < N; ++i)
+        if (own[i] < least) share = std::max(share, (least - own[i]) / (inner[i] - own[i]));
+    return p + std::min(share, 1.0) * (to - p);
+}
+
+/// The place nearest to `point` on the line along the unit vector `out` where the line leaves the body, or passes at
+/// all. \param between how many parts of the line longer than Finish::narrow lie between passages
+bool passage(const Body& body, const Finish& finish, const glm::dvec3& point, const glm::dvec3& out, double low,
+             double high, bool leaving, SurfacePoint& found, double& t, bool* folded = nullptr)
+{
+    thread_local std::vector<Chord> chords;
+    if (!(low < high)) return false;
+    body.chords(point, out, low, high, chords);
+    bool any = false;
+    double last = -csg::kInfinity;
+    for (const Chord& chord : chords)
+        for (const End* end : {&chord.in, &chord.out}) {
+            if (end->t < low || end->t > high) continue;
+            if (folded != nullptr && end->t - last > finish.narrow && last > -csg::kInfinity) *folded = true;
+            last = end->t;
+            if (leaving && end == &chord.in) continue;
+            if (any && std::abs(end->t) >= std::abs(t)) continue;
+            any = true;
+            t = end->t;
+            found.point = point + t * out;
+            found.normal = body.normal(found.point, *end);
+            const bool outward = end == &chord.out;
+            if ((glm::dot(found.normal, out) < 0.0) == outward) found.normal = -found.normal;
+        }
+    return any;
+}
+
+}  // namespace
+
+FaceCut cut_face(const Body& body, const Finish& finish, const glm::dvec3& lone, const glm::dvec3& m,
+                 const glm::dvec3& n, bool lone_inside, const SurfacePoint& p, const SurfacePoint& q)
+{
+    FaceCut out;
+    const glm::dvec3 across = glm::normalize(glm::cross(m - lone, n - lone));
+    const glm::dvec3 chord = q.point - p.point;
+    const double size = glm::length(chord);
+    glm::dvec3 outward = glm::cross(across, chord);
+    const glm::dvec3 middle = 0.5 * (p.point + q.point);
+    if ((glm::dot(outward, lone - middle) > 0.0) == lone_inside) outward = -outward;
+    outward /= glm::length(outward);
+    const auto range = [&](const glm::dvec3& from, double& low, double& high) {
+        const auto at = barycentric(lone, m, n, from), next = barycentric(lone, m, n, from + size * outward);
+        std::array<double, 3> slope{};
+        for (std::size_t i = 0; i < 3; ++i) slope[i] = (next[i] - at[i]) / size;
+        low = -csg::kInfinity;
+        high = csg::kInfinity;
+        clip(at, slope, low, high);
+    };
+    const auto look = [&](const glm::dvec3& from, SurfacePoint& found, double& t, bool* folded) {
+        double low = 0.0, high = 0.0;
+        range(from, low, high);
+        return passage(body, finish, from, outward, low, high, true, found, t, folded);
+    };
+    SurfacePoint hit;
+    double t = 0.0;
+    bool folded = false;
+    if (!look(middle, hit, t, &folded)) {
+        out.coarse = true;
+        return out;
+    }
+    out.coarse = folded;
+    const glm::dvec3 g = p.normal - across * glm::dot(across, p.normal),
+                     h = q.normal - across * glm::dot(across, q.normal);
+    const double gg = glm::length(g), hh = glm::length(h);
+    out.sharp = gg > 0.0 && hh > 0.0 && glm::dot(g, h) < kSharp * gg * hh;
+    if (std::abs(t) <= kWell * finish.off && !out.sharp) return out;
+    // Two lines in the plane of the face meet where both are met; with a third tangent the face's own plane holds it.
+    out.bent = true;
+    out.place = hit;
+    if (out.sharp) {
+        const std::array<SurfacePoint, 3> tangents{
+            SurfacePoint{p.point, g / gg}, SurfacePoint{q.point, h / hh}, SurfacePoint{middle, across}};
+        const glm::dvec3 x = meeting_point(tangents, middle);
+        const auto own = barycentric(lone, m, n, x);
+        SurfacePoint near;
+        double off = 0.0;
+        if (*std::min_element(own.begin(), own.end()) > 0.0 && look(x, near, off, nullptr) &&
+            std::abs(off) < 0.5 * finish.off) {
+            out.place = near;
+            if (std::abs(off) < kWell * finish.off) out.place.point = x;
+        } else if (std::abs(t) <= kWell * finish.off) {
+            out.bent = false;  // the normals differ, the places do not
+            out.sharp = false;
+            return out;
+        } else {
+            out.sharp = false;
+        }
+    }
+    const glm::dvec3 meant = out.place.point;
+    out.place.point =
+        kept_inside(barycentric(lone, m, n, meant), barycentric(lone, m, n, middle), meant, middle);
+    if (glm::length(out.place.point - meant) > kWell * finish.off) out.coarse = true;
+    for (const SurfacePoint* end : {&p, &q}) {
+        SurfacePoint near;
+        double off = 0.0;
+        if (!look(0.5 * (end->point + out.place.point), near, off, nullptr) || std::abs(off) > finish.off)
+            out.coarse = true;
+    }
+    return out;
+}
+
+namespace {
+
+/// How far the middle of a triangle is from the body, along its normal.
+bool too_far(const Body& body, const Finish& finish, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+             double room)
+{
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    const double area = glm::length(n);
+    const double side = std::max(glm::length(b - a), std::max(glm::length(c - a), glm::length(c - b)));
+    if (area < side * finish.off * 0.5) return false;  // lower than what is exact enough
+    SurfacePoint near;
+    double t = 0.0;
+    return !passage(body, finish, (a + b + c) / 3.0, n / area, -room, room, false, near, t) ||
+           std::abs(t) > finish.off;
+}
+
+}  // namespace
+
+CentreCut cut_centre(const Body& body, const Finish& finish, const std::array<glm::dvec3, 4>& corners,
+                     const Polygon& polygon)
+{
+    CentreCut out;
+    glm::dvec3 inner(0.0), normal(0.0), area(0.0);
+    int crossings = 0;
+    double size = 0.0;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const Polygon::Corner& c = polygon.corners[i];
+        const glm::dvec3 next = polygon.corners[(i + 1) % polygon.count].place.point;
+        area += glm::cross(c.place.point - polygon.corners[0].place.point, next - polygon.corners[0].place.point);
+        size = std::max(size, glm::length(next - c.place.point));
+        normal += c.place.normal;
+        if (c.on_face) continue;
+        inner += c.place.point;
+        ++crossings;
+    }
+    inner /= crossings;
+    const double room = kBeyond * glm::max(glm::length(corners[1] - corners[0]), glm::length(corners[3] - corners[2]));
+    if (!polygon.any_on_face) {
+        const auto point = [&](std::size_t i) { return polygon.corners[i % polygon.count].place.point; };
+        double least_cosine = 1.0;
+        for (std::size_t i = 0; i < polygon.count; ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                least_cosine =
+                    std::min(least_cosine, glm::dot(polygon.corners[i].place.normal, polygon.corners[k].place.normal));
+        if (polygon.count == 4) {  // along the diagonal that bends less
+            const glm::dvec3 d02 = glm::cross(point(1) - point(0), point(2) - point(0)),
+                             e02 = glm::cross(point(2) - point(0), point(3) - point(0)),
+                             d13 = glm::cross(point(2) - point(1), point(3) - point(1)),
+                             e13 = glm::cross(point(3) - point(1), point(0) - point(1));
+            const auto bend = [](const glm::dvec3& a, const glm::dvec3& b) {
+                const double l = glm::length(a) * glm::length(b);
+                return l > 0.0 ? glm::dot(a, b) / l : -1.0;
+            };
+            out.diagonal = bend(d13, e13) > bend(d02, e02) ? 1 : 0;
+        }
+        const std::size_t d = static_cast<std::size_t>(out.diagonal);
+        out.needed = least_cosine < kSharp || too_far(body, finish, point(d), point(d + 1), point(d + 2), room) ||
+                     (polygon.count == 4 && too_far(body, finish, point(d), point(d + 2), point(d + 3), room));
+        if (!out.needed) return out;
+    }
+    out.needed = true;
+    // The tangent planes of the corners meet on the edge or in the corner of the body, where there is one.
+    std::array<SurfacePoint, 8 + kTries> tangents;
+    std::size_t known = 0;
+    glm::dvec3 start(0.0);
+    int sharp = 0;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const Polygon::Corner& c = polygon.corners[i];
+        if (!c.on_face || !c.sharp) tangents[known++] = c.place;
+        if (c.on_face && c.sharp) {
+            start += c.place.point;
+            ++sharp;
+        }
+    }
+    if (sharp > 0) {
+        start /= sharp;
+    } else {
+        for (std::size_t i = 0; i < polygon.count; ++i) start += polygon.corners[i].place.point;
+        start /= static_cast<double>(polygon.count);
+    }
+    glm::dvec3 outward = glm::length(normal) > 0.1 ? glm::normalize(normal) : glm::dvec3(0.0);
+    if (outward == glm::dvec3(0.0) || glm::dot(outward, area) <= 0.0)
+        outward = glm::length(area) > 0.0 ? glm::normalize(area) : glm::dvec3(0, 0, 1);
+    const auto at_inner = barycentric(corners, inner);
+    glm::dvec3 place = start;
+    bool on_it = false;
+    SurfacePoint hit;
+    double t = 0.0;
+    for (int i = 0; i < kTries && !on_it; ++i) {
+        place = meeting_point(std::span(tangents.data(), known), start);
+        const auto own = barycentric(corners, place);
+        if (*std::min_element(own.begin(), own.end()) <= 0.0) break;
+        if (!passage(body, finish, place, outward, -room, room, true, hit, t)) break;
+        on_it = std::abs(t) <= kWell * finish.off;
+        if (!on_it) tangents[known++] = hit;
+    }
+    if (!on_it) {
+        place = start;
+        if (passage(body, finish, start, outward, -room, room, true, hit, t)) place = hit.point;
+        else out.coarse = true;
+    }
+    const glm::dvec3 meant = place;
+    out.place = kept_inside(barycentric(corners, meant), at_inner, meant, inner);
+    if (glm::length(out.place - meant) > finish.off) out.coarse = true;
+    for (std::size_t i = 0; i < polygon.count && !out.coarse; ++i)
+        out.coarse = too_far(body, finish, polygon.corners[i].place.point,
+                             polygon.corners[(i + 1) % polygon.count].place.point, out.place, room);
+    return out;
+}
+
+}  // namespace solid
