@@ -29,7 +29,7 @@ How far mesh and object are apart is measured by rays and printed; a mesh that d
   -o FILE              the mesh; 3MF has an object and a colour for each of the scene's
   --tolerance=T        scene units (a unit is a millimetre) that it may be off by; usual: 0.01
   --object=NAME        the object that was declared by this name, wherever it stands in the scene
-  --cells=N            of the first lattice along the longest side, 4 to 128; usual: 24. Narrower parts may be overlooked
+  --cells=N            of the first lattice along the longest side, 4 to 128; usual: 16. Narrower parts may be overlooked
 
 Declare=, +L, Clock= and INI files are as for a render. Exit status: 0 done, 1 nothing could be written or a mesh is farther off than
 it may be, 2 cancelled.
@@ -42,7 +42,7 @@ struct MeshRequest {
     BodyRequest bodies;
     std::string out;
     double tolerance = 0.01;
-    int cells = 24;
+    int cells = 16;
 };
 
 MeshRequest mesh_request(const std::vector<std::string>& arguments)
@@ -151,7 +151,7 @@ private:
         for (;; options.cells = std::min(2 * options.cells, kMostCells)) {
             facts = {};
             part.mesh = solid::mesh_of(body, extent, options, facts);
-            off = solid::deviation(body, extent, part.mesh, kSamples, &cancel_.requested);
+            off = solid::deviation(body, extent, part.mesh, kSamples, request_.tolerance, &cancel_.requested);
             // Something narrow was overlooked: a finer lattice sees it.
             if (off.from_body <= request_.tolerance || facts.full || options.cells >= kMostCells) break;
         }

@@ -17,7 +17,10 @@ struct Passage {
 
 }  // namespace
 
-double end_room(double length, const Finish& finish) { return std::clamp(0.1 * finish.off / length, 1e-3, 0.02); }
+double end_room(double length, const Finish& finish) 
+{
+    return std::clamp(std::max(0.1 * finish.off, 4.0 * finish.grain) / length, 1e-3, 0.1);
+}
 
 bool cut_edge(const Body& body, const Finish& finish, const glm::dvec3& from, const glm::dvec3& along, double start,
               double length, bool first_inside, bool second_inside, const std::vector<Chord>& chords, EdgeCut& out,

@@ -13,6 +13,7 @@ namespace solid {
 struct Finish {
     double off = 0.0;       ///< the mesh may be so far from the body
     double least = 0.0;     ///< edges are not split below
+    double grain = 0.0;     ///< vertices nearer to each other may become one in single precision
     double narrow = 0.0;    ///< parts of an edge on the other side of the boundary are looked into if longer
 };
 

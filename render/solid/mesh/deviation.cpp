@@ -120,7 +120,7 @@ private:
 };
 
 /// An upper bound of the distance of a place from the body's boundary: along the normal and the axes.
-double off_body(const Body& body, const glm::dvec3& p, const glm::dvec3& normal, double reach,
+double off_body(const Body& body, const glm::dvec3& p, const glm::dvec3& normal, double reach, double wanted,
                 std::vector<Chord>& chords)
 {
     double best = reach;
@@ -131,10 +131,16 @@ double off_body(const Body& body, const glm::dvec3& p, const glm::dvec3& normal,
                 if (std::abs(end->t) < best) best = std::abs(end->t);
     };
     look(normal);
-    for (int axis = 0; axis < 3 && best > 1e-6 * reach; ++axis) {
+    for (int axis = 0; axis < 3 && best > 0.1 * wanted; ++axis) {
         glm::dvec3 along(0.0);
         along[axis] = 1.0;
         look(along);
+    }
+    // Just beyond a sharp edge all of these may pass by: lines in all directions, evenly (the golden angle).
+    constexpr int kLines = 160;
+    for (int k = 0; k < kLines && best > wanted; ++k) {
+        const double z = (k + 0.5) / kLines, around = 2.399963229728653 * k, r = std::sqrt(1.0 - z * z);
+        look({r * std::cos(around), r * std::sin(around), z});
     }
     return best;
 }
@@ -182,7 +188,7 @@ Worst worst_of(std::size_t count, const std::atomic<bool>* cancel, F&& each)
 }  // namespace
 
 Deviation deviation(const Body& body, const csg::Aabb& extent, const TriangleMesh& mesh, std::size_t most,
-                    const std::atomic<bool>* cancel)
+                    double wanted, const std::atomic<bool>* cancel)
 {
     Deviation out;
     const double reach = glm::length(extent.upper - extent.lower);
@@ -199,7 +205,7 @@ Deviation deviation(const Body& body, const csg::Aabb& extent, const TriangleMes
                      v = static_cast<double>((i * 40503u) % 1021u) / 1021.0;
         const double su = std::sqrt(u);
         for (const glm::dvec3& p : {(a + b + c) / 3.0, (1.0 - su) * a + su * (1.0 - v) * b + su * v * c, 0.5 * (a + b)})
-            worst.add(off_body(body, p, normal, reach, chords), p);
+            worst.add(off_body(body, p, normal, reach, 0.5 * wanted, chords), p);
     });
     out.from_mesh = of_mesh.most;
     out.from_mesh_rms = of_mesh.rms();

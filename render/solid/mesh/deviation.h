@@ -16,7 +16,8 @@ struct Deviation {
 };
 
 /// \param most places of the mesh that are looked at; those of the body are about as many
+/// \param wanted what is nearer is near enough to look no further
 Deviation deviation(const Body& body, const csg::Aabb& extent, const TriangleMesh& mesh, std::size_t most,
-                    const std::atomic<bool>* cancel);
+                    double wanted, const std::atomic<bool>* cancel);
 
 }  // namespace solid

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kShare = 0.5;        // of the tolerance: what is aimed at between the places that are looked at
 constexpr double kLeastEdge = 3e-4;   // of the body's size: single precision tells no smaller triangles apart
-constexpr int kMostRounds = 60;
+constexpr double kGrains = 1e-6;      // of the largest coordinate: some units in the last place of single precision
+constexpr int kMostRounds = 200;
 constexpr std::size_t kGrain = 64;
 
 using EdgeMap = std::unordered_map<std::uint64_t, std::uint32_t, KeyHash>;
@@ -34,7 +35,10 @@ public:
         const glm::dvec3 size = extent.upper - extent.lower;
         const double longest = glm::max(size.x, glm::max(size.y, size.z));
         finish_.off = kShare * options.tolerance;
-        finish_.least = std::max(kLeastEdge * longest, 0.5 * finish_.off);
+        // What a smaller tetrahedron holds is no farther off than it is wide.
+        finish_.least = std::max(kLeastEdge * longest, 2.0 * finish_.off);
+        const glm::dvec3 far = glm::max(glm::abs(extent.lower), glm::abs(extent.upper));
+        finish_.grain = kGrains * glm::max(far.x, glm::max(far.y, far.z));
         finish_.narrow = finish_.off;
         lattice_.step = longest / options.cells;
         for (int k = 0; k < 3; ++k) {

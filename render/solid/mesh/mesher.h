@@ -9,7 +9,7 @@ namespace solid {
 
 struct MeshOptions {
     double tolerance = 0.01;  ///< scene units between body and mesh
-    int cells = 24;           ///< of the first lattice, along the longest side
+    int cells = 16;           ///< of the first lattice, along the longest side
     std::size_t most_tetrahedra = 6'000'000;
     const std::atomic<bool>* cancel = nullptr;
 };

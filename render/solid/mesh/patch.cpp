@@ -7,7 +7,7 @@ namespace solid {
 namespace {
 
 constexpr double kSharp = 0.94;      // cosine of 20 degrees: normals that differ by more are of two surfaces
-constexpr double kWell = 0.25;       // of Finish::off: nearer needs no point of its own
+constexpr double kWell = 0.5;        // of Finish::off: nearer needs no point of its own
 constexpr double kInner = 0.25;      // of the room that the crossings leave: points inside keep to it
 constexpr double kBeyond = 0.5;      // of a tetrahedron's size: so far its surface is looked for
 constexpr int kTries = 3;
