@@ -54,8 +54,12 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
 
 /// Libraries with one home.
 const std::map<std::string, std::string> kHomeOfLibrary = {
-    {"OpenImageIO/", "render/image"}, {"png.h", "render/image"}, {"httplib.h", "render/web"},
-    {"ft2build.h", "render/font"},    {"tao/pegtl", "parser"},
+    {"OpenImageIO/", "render/image"},
+    {"png.h", "render/image"},
+    {"ft2build.h", "render/font"},
+    {"tao/pegtl", "parser"},
+    {"httplib.h", "render/web"},
+    {"Model/COM/", "render/solid"},
 };
 
 struct Include {

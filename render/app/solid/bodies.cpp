@@ -25,6 +25,12 @@ void put_message(void*, const parser::Message& message)
     fmt::print(stderr, "{}\n", message_text(message));
 }
 
+/// The line that includes the scene stands before its #version, which is no mistake of the scene.
+void put_message_of_include(void* context, const parser::Message& message)
+{
+    if (!message.text.starts_with("the first #version")) put_message(context, message);
+}
+
 bool is_name(const std::string& word)
 {
     return !word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 &&
@@ -43,7 +49,7 @@ parser::Result parse_with_name(const std::string& file, const std::string& name,
         quoted += c;
     }
     return parser::parse_text(fmt::format("#include \"{}\"\nobject {{ {} }}\n", quoted, name), "--object", options,
-                              put_message);
+                              put_message_of_include);
 }
 
 }  // namespace

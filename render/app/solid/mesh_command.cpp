@@ -4,7 +4,9 @@
 #include "render/app/options/ini_file.h"
 #include "render/app/options/positive.h"
 #include "render/app/solid/bodies.h"
+#include "render/image/codecs/module_path.h"
 #include "render/image/picture_writer.h"
+#include "render/solid/files/three_mf.h"
 #include "render/solid/files/write.h"
 #include "render/solid/measure/measure.h"
 #include "render/solid/mesh/check.h"
@@ -116,13 +118,22 @@ public:
         case solid::MeshFormat::Stl: put_bytes(request_.out, solid::stl_bytes(parts_)); break;
         case solid::MeshFormat::Obj: put_bytes(request_.out, solid::obj_text(parts_)); break;
         case solid::MeshFormat::Ply: put_bytes(request_.out, solid::ply_bytes(parts_)); break;
-        case solid::MeshFormat::ThreeMf: throw std::runtime_error("3MF is not written yet");
+        case solid::MeshFormat::ThreeMf: put_three_mf(); break;
         }
         fmt::print("{}  {} object{}\n", request_.out, parts_.size(), parts_.size() == 1 ? "" : "s");
         return status_;
     }
 
 private:
+    void put_three_mf() const
+    {
+        const auto module = image::find_module(solid::kThreeMfModule);
+        if (!module) throw std::runtime_error(image::missing_module(solid::kThreeMfModule));
+        image::Replacement file(request_.out);
+        solid::write_three_mf(module->string(), file.beside(), parts_);
+        file.put_in_place();
+    }
+
     void add(const NamedObject& named, const scene::Description& description)
     {
         try {
