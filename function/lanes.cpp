@@ -125,6 +125,7 @@ struct Rules<Eight> {
             return out;
         }
         // Weights are known where the parameters before the offset are constants.
+        if (n == kRoundedBox) return rounded_box(a);
         if (n == kRidgedMultifractal && weights != nullptr && same(a[8])) return ridged(a, host, weights);
         return lanewise([&](std::size_t lane) {
             double one[kMostParameters];
@@ -155,6 +156,22 @@ private:
     static bool same(const Eight& a)
     {
         return std::all_of(a.v + 1, a.v + kLanes, [&](double v) { return v == a.v[0]; });
+    }
+
+    /// rounded_box() of eight points: the same operations.
+    static Eight rounded_box(const Eight* a)
+    {
+        Eight out;
+        for (std::size_t i = 0; i < kLanes; i += kWidth) {
+            const auto get = [&](std::size_t k) { return Batch::load_aligned(a[k].v + i); };
+            const auto beyond = [&](std::size_t k) {
+                const Batch v = xsimd::abs(get(k)) - (get(4 + k) - get(3));
+                return xsimd::select(Batch(0.0) < v, v, Batch(0.0));
+            };
+            const Batch x = beyond(0), y = beyond(1), z = beyond(2);
+            (xsimd::sqrt(x * x + y * y + z * z) - get(3) - Batch(1e-6)).store_aligned(out.v + i);
+        }
+        return out;
     }
 
     /// ridged_mf() of eight points: the same operations.

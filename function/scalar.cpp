@@ -1,4 +1,5 @@
 #include "function/internal/internal.h"
+#include "function/lone_internal.h"
 #include "function/machine.h"
 #include "function/outer.h"
 
@@ -53,6 +54,13 @@ struct Rules<double> {
 
 double evaluate(const Function& function, const double* arguments, const Host& host)
 {
+    if (const LoneInternal call(function); call) {
+        double a[LoneInternal::kMostArguments];
+        const std::uint32_t count = call.count();
+        for (std::uint32_t i = 0; i < count; ++i)
+            a[i] = call.argument<double>(i, [&](std::uint32_t which) { return arguments[which]; });
+        return internal(call.number(), a, host, call.weights());
+    }
     return run_function<double>(function, arguments, host);
 }
 

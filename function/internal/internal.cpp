@@ -48,7 +48,7 @@ double internal(std::uint32_t n, const double* a, const Host& host, const double
     case 57: return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
     case 58: return ridge(a, host);
     case kRidgedMultifractal: return ridged_mf(a, host, weights);
-    case 60: return rounded_box(a);
+    case kRoundedBox: return rounded_box(a);
     case 61: return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) - a[3];
     case 62: return spikes(a);
     case 63:

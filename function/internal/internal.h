@@ -18,6 +18,7 @@ double internal(std::uint32_t n, const double* a, const Host& host, const double
 /// What f_ridged_mf multiplies its octaves by, from the second one on: a number each, some tens of nanoseconds for
 /// each.
 std::vector<double> ridged_weights(double h, double lacunarity, double octaves);
+inline constexpr std::uint32_t kRoundedBox = 60;
 /// The numbers of functions that sum noise.
 inline constexpr std::uint32_t kRidgedMultifractal = 59, kNoise = 76, kNoiseOfGenerator = 78;
 

@@ -1,7 +1,9 @@
 #include "function/intervals/angle_lanes.h"
+#include "function/internal/internal.h"
 #include "function/internal/internal_ranges.h"
 #include "function/intervals/interval_arithmetic.h"
 #include "function/intervals/interval_rules.h"
+#include "function/lone_internal.h"
 
 #include <numbers>
 
@@ -116,6 +118,29 @@ Ends divide(const Ends& a, const Ends& b)
         widened(xsimd::min(xsimd::min(p, q), xsimd::min(r, s)), xsimd::max(xsimd::max(p, q), xsimd::max(r, s)));
     const auto good = known & !through;
     return {xsimd::select(good, w.low, Batch(-kInf)), xsimd::select(good, w.high, Batch(kInf))};
+}
+
+/// Every step of rounded_box() rises or falls with each of its operands all the way, rounded or not: at the ends of a
+/// box it has the ends of its values, to the bit.
+Ends rounded_box_ends(const Ends* a)
+{
+    const Batch zero(0.0);
+    struct Squares {
+        Batch low, high;
+    };
+    const auto beyond = [&](int k) {
+        const Ends size = absolute(a[k]);
+        const Batch low = xsimd::max(zero, size.low - (a[4 + k].high - a[3].low)),
+                    high = xsimd::max(zero, size.high - (a[4 + k].low - a[3].high));
+        return Squares{low * low, high * high};
+    };
+    const Squares x = beyond(0), y = beyond(1), z = beyond(2);
+    const Batch low = xsimd::sqrt(x.low + y.low + z.low) - a[3].high - Batch(1e-6),
+                high = xsimd::sqrt(x.high + y.high + z.high) - a[3].low - Batch(1e-6);
+    // max() may drop what is no number.
+    const auto is_number = [&](int k) { return (a[k].low == a[k].low) & (a[k].high == a[k].high); };
+    const auto known = is_number(0) & is_number(1) & is_number(2) & (low == low) & (high == high);
+    return {xsimd::select(known, low, Batch(-kInf)), xsimd::select(known, high, Batch(kInf))};
 }
 
 /// Some value for the lanes of `where`, the function's own for the others.
@@ -279,7 +304,7 @@ struct Rules<EightIntervals> {
                                    const double*)
     {
         EightIntervals out;
-        if (in_registers(n, count, a, out)) return out;
+        if (in_registers(n, count, out, [&](std::uint32_t k, std::size_t i) { return ends(a[k], i); })) return out;
         if (n == 47) return arc_tangent(distance<EightIntervals>(a[0], 0.0, a[2]), a[1]);
         if (n == 69) return arc_tangent(a[0], a[2]);
         return each_lane([&](std::size_t lane) {
@@ -300,26 +325,41 @@ struct Rules<EightIntervals> {
         }
     }
 
-private:
-    static constexpr std::size_t kMostParameters = 16;
-
-    /// A formula from its first step to its last for what a register holds: no step waits for memory.
-    static bool in_registers(std::uint32_t n, std::uint32_t count, const EightIntervals* a, EightIntervals& out)
+    /// A formula from its first step to its last for what a register holds, parameter k of it at lanes from i on being
+    /// get(k, i): no step waits for memory. Out: anything with places `low` and `high`.
+    template <class Out, class Get>
+    static bool in_registers(std::uint32_t n, std::uint32_t count, Out& out, Get&& get)
     {
         Ends one[kMostParameters], found;
         for (std::size_t i = 0; i < kLanes; i += kWidth) {
-            for (std::uint32_t k = 0; k < count; ++k) one[k] = ends(a[k], i);
-            if (!arithmetic_range(n, one, found)) return false;
-            found.low.store_aligned(out.low + i);
-            found.high.store_aligned(out.high + i);
+            for (std::uint32_t k = 0; k < count; ++k) one[k] = get(k, i);
+            if (n == kRoundedBox) found = rounded_box_ends(one);
+            else if (!arithmetic_range(n, one, found)) return false;
+            found.low.store_unaligned(&out.low[i]);
+            found.high.store_unaligned(&out.high[i]);
         }
         return true;
     }
+
+private:
+    static constexpr std::size_t kMostParameters = LoneInternal::kMostArguments;
 };
 
 void evaluate_intervals(const Function& function, const double (*low)[kLanes], const double (*high)[kLanes],
                         const Host& host, double* out_low, double* out_high)
 {
+    if (const LoneInternal call(function); call) {
+        struct {
+            double *low, *high;
+        } out{out_low, out_high};
+        const auto get = [&](std::uint32_t k, std::size_t i) {
+            const auto parameter = [&](std::uint32_t p) {
+                return Ends(Batch::load_unaligned(low[p] + i), Batch::load_unaligned(high[p] + i));
+            };
+            return call.argument<Ends>(k, parameter);
+        };
+        if (Rules<EightIntervals>::in_registers(call.number(), call.count(), out, get)) return;
+    }
     constexpr std::size_t kMostArguments = 64;
     EightIntervals loaded[kMostArguments];
     for (std::uint32_t i = 0; i < function.parameters; ++i) {

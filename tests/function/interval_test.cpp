@@ -110,6 +110,36 @@ TEST_CASE("no value of an internal function lies outside of its interval", "[fun
     }
 }
 
+TEST_CASE("a function that is one call of the library is answered as the call", "[function]")
+{
+    const function_test::NoiseHost host;
+    std::mt19937 random(14);
+    std::uniform_real_distribution<double> any(-1.5, 1.5);
+    const auto lone = function_test::compiled(
+                   "#declare B=function{internal(60)} #declare F=function{B(z,x,y,0.05,0.5,0.75,0.25)}", "F"),
+               nested = function_test::compiled(
+                   "#declare B=function{internal(60)} #declare F=function{0+1*B(z,x,y,0.05,0.5,0.75,0.25)}", "F"),
+               all = function::make_internal(60);
+    for (int round = 0; round < 200; ++round) {
+        const double p[] = {any(random), any(random), any(random)}, q[] = {p[2], p[0], p[1], 0.05, 0.5, 0.75, 0.25};
+        const double v = function::evaluate(*lone, p, host);
+        REQUIRE(v == function::evaluate(*all, q, host));
+        REQUIRE(v == function::evaluate(*nested, p, host));
+        check_boxes(*lone, {p[0], p[1], p[2]}, random);
+        // A point alone has its own value: no other is as near.
+        double low[3][8], high[3][8], out_low[8], out_high[8];
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t lane = 0; lane < 8; ++lane) low[i][lane] = high[i][lane] = p[i];
+        function::evaluate_intervals(*lone, low, high, host, out_low, out_high);
+        REQUIRE((out_low[3] == v && out_high[3] == v));
+    }
+    // What is no number may be anything.
+    double low[3][8] = {}, high[3][8] = {}, out_low[8], out_high[8];
+    low[1][2] = high[1][2] = std::nan("");
+    function::evaluate_intervals(*lone, low, high, host, out_low, out_high);
+    REQUIRE((std::isinf(out_low[2]) && std::isinf(out_high[2])));
+}
+
 TEST_CASE("eight intervals of angles are hardly wider than one", "[function]")
 {
     std::mt19937 random(13);
