@@ -54,12 +54,8 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
 
 /// Libraries with one home.
 const std::map<std::string, std::string> kHomeOfLibrary = {
-    {"OpenImageIO/", "render/image"},
-    {"png.h", "render/image"},
-    {"ft2build.h", "render/font"},
-    {"tao/pegtl", "parser"},
-    {"httplib.h", "render/web"},
-    {"Model/COM/", "render/solid"},
+    {"OpenImageIO/", "render/image"}, {"png.h", "render/image"},   {"ft2build.h", "render/font"},
+    {"tao/pegtl", "parser"},          {"httplib.h", "render/web"}, {"Model/COM/", "render/solid"},
 };
 
 struct Include {
