@@ -73,6 +73,17 @@ std::vector<std::string> RayTree::left_out() const
     if (!scene_.fogs.empty()) out.push_back("fog");
     if (!scene_.rainbows.empty()) out.push_back("rainbows");
     if (scene_.media.media.size() > 0) out.push_back("media");
+    const auto some = [](const auto& all, auto&& has) { return std::any_of(all.begin(), all.end(), has); };
+    const auto& finishes = scene_.textures.finishes;
+    if (!scene_.textures.extensions.empty()) out.push_back("rough mirrors, polish, tones and ink");
+    if (some(finishes, [](const texture::Finish& f) { return f.irid > 0.0f; })) out.push_back("iridescence");
+    if (some(finishes, [](const texture::Finish& f) { return f.crand > 0.0f; })) out.push_back("grain (crand)");
+    if (some(scene_.interiors, [](const plan::Interior& i) { return i.dispersion != 1.0f; }))
+        out.push_back("dispersion (light of 555 nm is told)");
+    if (some(scene_.lights.lights, [](const light::Light& l) { return l.area_illumination; }))
+        out.push_back("area_illumination (light is told from the middle of the lamp)");
+    if (some(scene_.lights.lights, [](const light::Light& l) { return l.projector != nullptr; }))
+        out.push_back("what lights are projected through");
     if (scene_.camera.aperture > 0.0) out.push_back("focal blur (the ray through the middle of the lens is told)");
     return out;
 }
@@ -179,17 +190,28 @@ Onward RayTree::go_on(const Way& way, int used, const char* how, const glm::vec3
     return out;
 }
 
+/// Reflectivity of a layer here, with the index that a fresnel finish goes by (spec 3, 7.9).
+glm::vec3 RayTree::mirrored_share(const Met& met, const texture::Finish& finish, const scene::Color& pigment,
+                                  const glm::dvec3& normal) const
+{
+    if (!finish.reflects()) return glm::vec3(0);
+    double eta = 1.0;
+    if (finish.fresnel && met.surface.interior != plan::kNone) {
+        const std::vector<std::uint32_t>& inside = met.way.interiors;
+        const auto own = static_cast<double>(scene_.interiors[met.surface.interior].ior);
+        const double outer = inside.empty() ? 1.0 : static_cast<double>(scene_.interiors[inside.back()].ior);
+        const bool leaves = std::find(inside.begin(), inside.end(), met.surface.interior) != inside.end();
+        eta = !leaves ? own / outer : inside.size() == 1 ? 1.0 / own : outer / own;
+    }
+    return texture::reflectivity(finish, pigment, met.way.ray.direction, normal, eta);
+}
+
 void RayTree::mirror(const Met& met, const texture::Finish& finish, const scene::Color& pigment,
                      const glm::dvec3& normal, float residual, TextureShare& into)
 {
-    if (!finish.reflects() || scene_.settings.quality < 8) return;
+    if (scene_.settings.quality < 8) return;
     const glm::dvec3& d = met.way.ray.direction;
-    double eta = 1.0;
-    if (finish.fresnel && met.surface.interior != plan::kNone) {
-        std::vector<std::uint32_t> inside = met.way.interiors;
-        eta = 1.0 / crossed(scene_.interiors, inside, met.surface.interior);
-    }
-    const glm::vec3 share = texture::reflectivity(finish, pigment, d, normal, eta);
+    const glm::vec3 share = mirrored_share(met, finish, pigment, normal);
     if (most_of(glm::abs(share)) == 0.0f) return;
     glm::dvec3 r = d - 2.0 * glm::dot(d, normal) * normal;
     const double out = glm::dot(r, met.node.normal);

@@ -100,6 +100,8 @@ private:
     Onward go_on(const Way& way, int used, const char* how, const glm::vec3& factor);
     void mirror(const Met& met, const texture::Finish& finish, const scene::Color& pigment, const glm::dvec3& normal,
                 float residual, TextureShare& into);
+    glm::vec3 mirrored_share(const Met& met, const texture::Finish& finish, const scene::Color& pigment,
+                             const glm::dvec3& normal) const;
     void let_through(const Met& met, const glm::vec3& filter, const glm::dvec3& normal, TextureShare& into);
     std::string named(std::uint32_t object) const;
 

@@ -114,9 +114,8 @@ void RayTree::add_layers(const Met& met, const texture::Texture& texture, const 
         row.sum *= above;
         mirrors.push_back({&finish, row.pigment, row.normal, residual});
         above *= row.pigment.filter * row.pigment.rgb() + row.pigment.transmit;
-        if (finish.conserve_energy && finish.reflects())
-            above *= glm::min(glm::vec3(1), 1.0f - texture::reflectivity(finish, row.pigment, met.way.ray.direction,
-                                                                         row.normal, 1.0));
+        if (finish.conserve_energy && scene_.settings.quality >= 2)
+            above *= glm::min(glm::vec3(1), 1.0f - mirrored_share(met, finish, row.pigment, row.normal));
         residual = std::min(1.0f, std::abs(scene::grey(above)));
         out.layers.push_back(std::move(row));
     }

@@ -198,7 +198,7 @@ def run(program, shots):
             text = page.ask("byId('pixel').innerText")
             assert "box" in text and "part.inc:1" in text, text
             printed = subprocess.run([program, "pixel", watched.scene, "70,55", "+W160", "+H120"], check=True,
-                                     capture_output=True, text=True).stdout
+                                     capture_output=True, text=True, cwd=watched.folder).stdout
             assert printed == page.ask("state.picked.text"), printed
             shot(page, "pick")
 
