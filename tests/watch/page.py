@@ -205,7 +205,7 @@ def run(program, shots):
             if shutil.which("povray"):
                 print("POV-Ray beside it")
                 page.ask("byId('compare').value = 'povray'; byId('compare').onchange()")
-                page.wait("compared.povray", 60)
+                page.wait("!!compared.povray", 60)
                 assert page.ask("compared.povray.width") == 160
                 shot(page, "povray")
 

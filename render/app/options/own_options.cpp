@@ -78,6 +78,11 @@ constexpr OwnOption kOwnOptions[] = {
      [](Settings& s, const std::string&) { s.make_folders = true; }},
     {"state-after", "SECONDS", "after so long a render keeps its finished blocks beside the picture, for +C; usual: 2",
      set_state_after},
+    {"partial", "SECONDS",
+     "so often the picture's file is replaced by what is done, the rest black; a cancelled render leaves it too, and "
+     "+C "
+     "with the same option goes on",
+     [](Settings& s, const std::string& v) { s.partial = whole_positive("--partial", v); }},
     {"memory", "MB",
      "so much may the pixels of a picture take, 16 bytes each: larger pictures are rendered by rows; usual: half of "
      "what is free",

@@ -67,6 +67,7 @@ struct Settings {
     int bits_per_color = 8;
     bool greyscale = false, alpha = false, continue_trace = false;
     double memory = 0.0;       ///< bytes for the pixels of a picture; 0: half of what is free
+    double partial = 0.0;      ///< seconds between pictures of what is done, under the picture's name; 0: none
     double state_after = 2.0;  ///< seconds of rendering before finished blocks are kept for +C
     bool dither = false;
     image::Dither dither_method = image::Dither::FloydSteinberg;

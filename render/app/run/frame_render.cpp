@@ -62,6 +62,8 @@ bool print_stage(Run& run, const parser::Result& parsed)
 bool already_rendered(const Settings& settings, const std::string& path)
 {
     std::error_code error;
+    const auto state = std::filesystem::path(path).replace_extension(".whittle-state");
+    if (settings.partial > 0.0 && std::filesystem::exists(state, error)) return false;  // it is not whole
     return settings.continue_trace && settings.output_to_file && std::filesystem::file_size(path, error) > 0 && !error;
 }
 

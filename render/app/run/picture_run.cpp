@@ -1,6 +1,7 @@
 #include "render/app/run/picture_run.h"
 
 #include "render/app/run/memory.h"
+#include "render/app/output/growing_picture.h"
 #include "render/app/output/output_name.h"
 #include "render/app/output/partial_picture.h"
 #include "render/app/output/preview_file.h"
@@ -81,6 +82,7 @@ private:
     std::unique_ptr<StateFile> state_;
     std::optional<PartialPicture> partial_;
     std::unique_ptr<PreviewFile> preview_;
+    std::unique_ptr<GrowingPicture> growing_;
     std::atomic<bool> any_done_ = false;
     std::optional<StreamedFile> streamed_;
     std::unique_ptr<image::PictureWriter> writer_;
@@ -107,6 +109,11 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
         preview_ = std::make_unique<PreviewFile>(settings_.preview_file, settings_.width, settings_.height,
                                                  task.file.encoding);
     if (!kept()) return;
+    if (settings_.partial > 0.0 && in_strips_)
+        task.run.reporter.note("--partial needs the whole picture in memory: it is left out");
+    else if (settings_.partial > 0.0)
+        growing_ = std::make_unique<GrowingPicture>(task.run.files, task.path, settings_.width, settings_.height,
+                                                    task.file, settings_.partial);
     partial_.emplace(task.run.files, task.path, settings_.width, settings_.height, task.file, in_strips_);
     if (in_strips_ && !has_room_for_state(settings_, task.path)) {
         task.run.reporter.note("there is no room beside the picture for what is finished of it: +C will not find any");
@@ -117,7 +124,9 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
         return;  // random numbers follow from those of the blocks before: none can be taken up
     std::filesystem::path beside(task.path);
     beside.replace_extension(".whittle-state");
-    state_ = std::make_unique<StateFile>(beside.string(), task.identity, blocks_, settings_.state_after);
+    // A picture that is not whole is never there without what +C goes on with.
+    const double after = growing_ ? std::min(settings_.state_after, settings_.partial) : settings_.state_after;
+    state_ = std::make_unique<StateFile>(beside.string(), task.identity, blocks_, after);
 }
 
 void PictureRun::resume()
@@ -148,8 +157,11 @@ void PictureRun::prepare_strip(std::size_t first, std::size_t last)
     }
     const std::size_t begin = first * blocks_.per_row(), end = last * blocks_.per_row();
     if (state_) state_->load(begin, end, picture_);
-    for (std::size_t i = begin; preview_ && state_ && i < std::min(end, state_->done().size()); ++i)
-        if (state_->done()[i]) preview_->show(blocks_[i], picture_);
+    for (std::size_t i = begin; state_ && i < std::min(end, state_->done().size()); ++i) {
+        if (!state_->done()[i]) continue;
+        if (preview_) preview_->show(blocks_[i], picture_);
+        if (growing_) growing_->show(blocks_[i], picture_);
+    }
 }
 
 trace::RenderOptions PictureRun::render_options()
@@ -186,6 +198,7 @@ bool PictureRun::trace(std::size_t first, std::size_t last)
     options.finished = [this](std::size_t block) {
         if (state_) state_->finished(block, picture_);
         if (preview_) preview_->show(blocks_[block], picture_);
+        if (growing_) growing_->show(blocks_[block], picture_);
         any_done_ = true;
     };
     statistics_ += trace::render(task_.compiled, options, picture_);
@@ -216,6 +229,7 @@ bool PictureRun::trace_samples()
     const auto after_pass = [&](double share) {
         samples.show(picture_);
         for (std::size_t i = 0; preview_ && i < blocks_.size(); ++i) preview_->show(blocks_[i], picture_);
+        if (growing_) growing_->show(picture_);
         any_done_ = true;
         if (!goal.samples) task_.run.reporter.progress(share);
     };
@@ -282,7 +296,12 @@ void PictureRun::save()
 {
     Kept kept;
     if (state_ && state_->keep(picture_)) kept.state = state_->path();
-    if (partial_ && any_done_) kept.picture = partial_->write(picture_);
+    if (growing_) {
+        growing_->stop();
+        if (growing_->write()) kept.picture = task_.path;
+    } else if (partial_ && any_done_) {
+        kept.picture = partial_->write(picture_);
+    }
     task_.run.reporter.cancelled(kept);
 }
 
@@ -310,6 +329,7 @@ int PictureRun::render()
         const std::size_t last = std::min(first + strip_, blocks_.rows());
         prepare_strip(first, last);
         if (!(settings_.sampled() ? trace_samples() : trace(first, last))) return give_up();
+        if (growing_) growing_->stop();
         const trace::Block lowest = blocks_[last * blocks_.per_row() - 1];
         if (!write_rows(last == blocks_.rows() ? settings_.height : lowest.top + lowest.height)) return give_up();
         if (!in_strips_) continue;
