@@ -1,6 +1,6 @@
 #include "render/solid/files/three_mf.h"
 
-#include "Model/COM/NMR_DLLInterfaces.h"
+#include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <cstdio>
 #include <string>
