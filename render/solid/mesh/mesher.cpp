@@ -2,6 +2,7 @@
 
 #include "csg/base/cancel.h"
 #include "render/solid/mesh/patch.h"
+#include "render/solid/mesh/weld.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -17,6 +18,7 @@ constexpr double kLeastEdge = 3e-4;   // of the body's size: single precision te
 constexpr double kGrains = 1e-6;      // of the largest coordinate: some units in the last place of single precision
 constexpr int kMostRounds = 200;
 constexpr std::size_t kGrain = 64;
+constexpr double kNearlyLongest = 0.3;  // of a square of a length
 
 using EdgeMap = std::unordered_map<std::uint64_t, std::uint32_t, KeyHash>;
 using FaceKey = std::array<std::uint32_t, 3>;
@@ -143,8 +145,10 @@ private:
     {
         std::sort(cuts_.begin() + static_cast<std::ptrdiff_t>(first), cuts_.end(),
                   [](const EdgeCut& a, const EdgeCut& b) { return a.edge < b.edge; });
-        for (std::size_t i = first; i < cuts_.size(); ++i)
+        for (std::size_t i = first; i < cuts_.size(); ++i) {
             cut_of_[cuts_[i].edge] = static_cast<std::uint32_t>(i);
+            if (cuts_[i].split == cuts_[i].split) repeated_.push_back(cuts_[i].edge);
+        }
     }
 
     /// Tetrahedra with corners on both sides.
@@ -159,14 +163,32 @@ private:
         state_.resize(space_.all.size());
     }
 
+    /// Edges that the boundary passes again are split where it does, or the longest of a tetrahedron with one is, if
+    /// that is much longer: none becomes flat.
     std::vector<std::pair<std::uint64_t, double>> repeated_cuts()
     {
+        std::erase_if(repeated_, [&](std::uint64_t edge) { return cut_of_.count(edge) == 0; });
         std::vector<std::pair<std::uint64_t, double>> marks;
-        for (EdgeCut& cut : cuts_)
-            if (cut.split == cut.split) {
-                marks.push_back({cut.edge, cut.split});
-                cut.split = std::numeric_limits<double>::quiet_NaN();
+        if (repeated_.empty()) return marks;
+        std::vector<std::uint8_t> touched(space_.points.size());
+        for (const std::uint64_t edge : repeated_) touched[first_of(edge)] = touched[second_of(edge)] = 1;
+        std::unordered_map<std::uint64_t, double, KeyHash> wanted, chosen;
+        for (const std::uint64_t edge : repeated_) wanted[edge] = cuts_[cut_of_.at(edge)].split;
+        for (const Tetrahedron& t : space_.all) {
+            if (touched[t[0]] + touched[t[1]] + touched[t[2]] + touched[t[3]] < 2) continue;
+            for (const auto& [i, j] : kEdges) {
+                const std::uint32_t a = t[static_cast<std::size_t>(i)], b = t[static_cast<std::size_t>(j)];
+                if (touched[a] == 0 || touched[b] == 0) continue;
+                const auto found = wanted.find(edge_key(a, b));
+                if (found == wanted.end()) continue;
+                const std::uint64_t longest = space_.longest_edge(t);
+                if (space_.length2(found->first) >= kNearlyLongest * space_.length2(longest))
+                    chosen[found->first] = found->second;
+                else chosen.try_emplace(longest, 0.5);
             }
+        }
+        marks.assign(chosen.begin(), chosen.end());
+        std::sort(marks.begin(), marks.end());
         return marks;
     }
 
@@ -273,14 +295,17 @@ private:
         std::array<std::uint64_t, 4> edges{};
         if (s.lone) edges = {edge_key(a, b), edge_key(a, c), edge_key(a, d), 0};
         else edges = {edge_key(a, c), edge_key(a, d), edge_key(b, d), edge_key(b, c)};
-        const auto& p = space_.points;
-        bool turned = false;
-        if (s.lone) {
-            const double volume = glm::dot(p[b] - p[a], glm::cross(p[c] - p[a], p[d] - p[a]));
-            turned = (volume > 0.0) != (space_.inside[a] != 0);
-        } else {
-            turned = glm::dot(glm::cross(p[d] - p[c], p[b] - p[a]), p[c] - p[a]) < 0.0;
-        }
+        // Positive volume in the order of `sides`? By exchanges, not by numbers: it may be very flat.
+        int exchanges = 0;
+        Tetrahedron order = t;
+        for (std::size_t i = 0; i < 4; ++i)
+            if (order[i] != s.order[i]) {
+                std::iter_swap(order.begin() + static_cast<std::ptrdiff_t>(i),
+                               std::find(order.begin(), order.end(), s.order[i]));
+                ++exchanges;
+            }
+        const bool positive = exchanges % 2 == 0;
+        const bool turned = s.lone ? positive != (space_.inside[a] != 0) : !positive;
         Polygon out;
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t k = turned ? count - 1 - i : i;
@@ -392,6 +417,8 @@ private:
             }
         }
         facts_.lost = lost_;
+        facts_.joined = weld(out);
+        facts_.specks = drop_specks(out, options_.tolerance);
         return out;
     }
 
@@ -408,6 +435,7 @@ private:
     Tetrahedra space_;
     std::vector<EdgeCut> cuts_;
     EdgeMap cut_of_;
+    std::vector<std::uint64_t> repeated_;  ///< edges that are to be split, in no order that matters
     std::vector<FaceCut> faces_;
     std::unordered_map<FaceKey, std::uint32_t, FaceHash> face_of_;
     std::vector<std::uint32_t> active_;

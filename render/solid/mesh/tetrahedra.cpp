@@ -92,6 +92,9 @@ Tetrahedra Lattice::tetrahedra() const
                         ++at[static_cast<std::size_t>(order[k])];
                         t[k + 1] = corner(at[0], at[1], at[2]);
                     }
+                    // All turn the same way, and so do their parts.
+                    const auto& [i, j, k] = order;
+                    if ((((i > j) + (i > k) + (j > k)) & 1) != 0) std::swap(t[2], t[3]);
                     out.all.push_back(t);
                 }
     return out;
