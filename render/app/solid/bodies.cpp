@@ -98,16 +98,16 @@ BodyScene read_bodies(const BodyRequest& request, Cancellation& cancel)
         if (!request.object.empty() && i + 1 < description.objects.size()) continue;
         const scene::Place place = description.place(object.source);
         out.objects.push_back(
-            {!request.object.empty() ? request.object
-                                     : fmt::format("{}:{}", std::filesystem::path(place.path).filename().string(),
-                                                   place.at.line),
+            {!request.object.empty()
+                 ? request.object
+                 : fmt::format("{}:{}", std::filesystem::path(place.path).filename().string(), place.at.line),
              &object});
     }
     // Two on one line are told apart by their number.
     for (std::size_t i = 0; i < out.objects.size(); ++i) {
         int same = 0;
-        for (std::size_t k = 0; k < i; ++k) same += out.objects[k].object->source.offset != 0 &&
-                                                    out.objects[k].name == out.objects[i].name;
+        for (std::size_t k = 0; k < i; ++k)
+            same += out.objects[k].object->source.offset != 0 && out.objects[k].name == out.objects[i].name;
         if (same > 0) out.objects[i].name += fmt::format("#{}", same + 1);
     }
     return out;

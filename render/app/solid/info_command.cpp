@@ -22,8 +22,6 @@ rays inside of it. Each number has the amount that it may be off by.
 
   --object=NAME        of the object that was declared by this name, wherever it stands in the scene
   --precision=P        share of volume and surface that they may be off by; usual: 2e-4
-  --section=AXIS,AT    the cut across an axis instead, as in --section=y,0.5
-  -o FILE.svg|.dxf     where the cut is drawn
   --json               one JSON object a line
 
 Declare=, +L, Clock= and INI files are as for a render. Exit status: 0 done, 1 some object is not a body with an end, 2 cancelled.
@@ -98,12 +96,13 @@ std::string json_vector(const glm::dvec3& v) { return fmt::format("[{:.12g},{:.1
 
 void put_json(const std::string& name, const solid::Measures& m)
 {
-    fmt::print("{{\"object\":{},\"lower\":{},\"upper\":{},\"extent_error\":{:.3g},\"volume\":{:.12g},\"volume_error\":{:.3g},"
-               "\"surface\":{:.12g},\"surface_error\":{:.3g},\"centre\":{},\"centre_error\":{},\"inertia\":[{},{},{}],"
-               "\"inertia_error\":{:.3g},\"rays\":{}}}\n",
-               quoted(name), json_vector(m.extent.lower), json_vector(m.extent.upper), m.extent_error, m.volume.value,
-               m.volume.error, m.surface.value, m.surface.error, json_vector(m.centre), json_vector(m.centre_error),
-               json_vector(m.inertia[0]), json_vector(m.inertia[1]), json_vector(m.inertia[2]), m.inertia_error, m.rays);
+    fmt::print(
+        "{{\"object\":{},\"lower\":{},\"upper\":{},\"extent_error\":{:.3g},\"volume\":{:.12g},\"volume_error\":{:.3g},"
+        "\"surface\":{:.12g},\"surface_error\":{:.3g},\"centre\":{},\"centre_error\":{},\"inertia\":[{},{},{}],"
+        "\"inertia_error\":{:.3g},\"rays\":{}}}\n",
+        quoted(name), json_vector(m.extent.lower), json_vector(m.extent.upper), m.extent_error, m.volume.value,
+        m.volume.error, m.surface.value, m.surface.error, json_vector(m.centre), json_vector(m.centre_error),
+        json_vector(m.inertia[0]), json_vector(m.inertia[1]), json_vector(m.inertia[2]), m.inertia_error, m.rays);
 }
 
 int info(const InfoRequest& request, Cancellation& cancel)

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// `whittle info SCENE`: extent, volume, surface, centre and inertia of each object, or a cut of it as a drawing
+/// `whittle info SCENE`: extent, volume, surface, centre and inertia of each object
 /// (docs/parts.md). Returns the exit status.
 int info_command(const std::vector<std::string>& arguments, Cancellation& cancel);
 

@@ -61,7 +61,8 @@ MeshRequest mesh_request(const std::vector<std::string>& arguments)
         else if (take_value(arguments, i, {"--cells"}, value)) {
             const double cells = whole_positive("--cells", value, kMostCells);
             if (cells < 4.0 || cells != std::floor(cells))
-                throw OptionError(fmt::format("--cells wants a whole number from 4 to {}, found '{}'", kMostCells, value));
+                throw OptionError(
+                    fmt::format("--cells wants a whole number from 4 to {}, found '{}'", kMostCells, value));
             request.cells = static_cast<int>(cells);
         } else others.push_back(arguments[i]);
     }
@@ -111,7 +112,8 @@ public:
         const BodyScene scene = read_bodies(request_.bodies, cancel_);
         for (const NamedObject& named : scene.objects) add(named, scene.description);
         if (parts_.empty()) {
-            fmt::print(stderr, "whittle: error: no object to write{}\n", scene.objects.empty() ? ": the scene has none" : "");
+            fmt::print(stderr, "whittle: error: no object to write{}\n",
+                       scene.objects.empty() ? ": the scene has none" : "");
             return kError;
         }
         switch (solid::format_of(request_.out)) {
@@ -181,8 +183,8 @@ private:
         }
         const double room = measures.volume.error + request_.tolerance * found.surface;
         if (std::abs(found.volume - measures.volume.value) > room) {
-            fmt::print(stderr, "{}: not written: its volume is {:.9g}, by rays {:.9g} +- {:.2g}\n", part.name, found.volume,
-                       measures.volume.value, measures.volume.error);
+            fmt::print(stderr, "{}: not written: its volume is {:.9g}, by rays {:.9g} +- {:.2g}\n", part.name,
+                       found.volume, measures.volume.value, measures.volume.error);
             status_ = kError;
             return false;
         }
@@ -202,9 +204,10 @@ private:
         fmt::print("  triangles  {}, vertices {}, parts {}; lattice {}, {} rounds, {} tetrahedra, {:.2f} s\n",
                    part.mesh.triangles.size(), part.mesh.vertices.size(), found.parts, cells, facts.rounds,
                    facts.tetrahedra, seconds);
-        fmt::print("  check      {}\n", found.good() ? "closed, two triangles on each edge, one ring about each vertex, "
-                                                       "all outward"
-                                                     : found.complaint());
+        fmt::print("  check      {}\n", found.good()
+                                            ? "closed, two triangles on each edge, one ring about each vertex, "
+                                              "all outward"
+                                            : found.complaint());
         fmt::print("  volume     {:.9g}, by rays {:.9g} +- {:.2g}\n", found.volume, measures.volume.value,
                    measures.volume.error);
         fmt::print("  surface    {:.9g}, by rays {:.9g} +- {:.2g}\n", found.surface, measures.surface.value,

@@ -34,8 +34,8 @@ const char* add(PLib3MFModel* model, PLib3MFModelBaseMaterial* materials, const 
     DWORD material = 0, group = 0;
     if (failed(lib3mf_basematerial_addmaterialutf8(materials, part.name, part.color[0], part.color[1], part.color[2],
                                                    &material)) ||
-        failed(lib3mf_basematerial_setdisplaycolorrgba(materials, material, part.color[0], part.color[1],
-                                                       part.color[2], 255)) ||
+        failed(lib3mf_basematerial_setdisplaycolorrgba(materials, material, part.color[0], part.color[1], part.color[2],
+                                                       255)) ||
         failed(lib3mf_resource_getresourceid(materials, &group)))
         return "a colour";
     Held<PLib3MFModelMeshObject> object;

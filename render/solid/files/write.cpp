@@ -111,7 +111,8 @@ std::string ply_bytes(const std::vector<FilePart>& parts)
         const TriangleMesh mesh = turned(part.mesh);
         for (const glm::vec3& v : mesh.vertices) {
             put_vector(out, v);
-            for (const double c : part.color) put(out, static_cast<std::uint8_t>(std::clamp(c, 0.0, 1.0) * 255.0 + 0.5));
+            for (const double c : part.color)
+                put(out, static_cast<std::uint8_t>(std::clamp(c, 0.0, 1.0) * 255.0 + 0.5));
         }
         for (const auto& t : mesh.triangles) {
             put(faces, std::uint8_t(3));

@@ -9,7 +9,7 @@
 namespace solid {
 namespace {
 
-constexpr double kFilm = 1e-9;       // of the body's size: less is left out
+constexpr double kFilm = 1e-9;         // of the body's size: less is left out
 constexpr double kIsoAccuracy = 1e-6;  // of the container: an isosurface is told so exactly, drawn or not
 constexpr std::uint32_t kFewSpans = 8;
 
@@ -91,9 +91,7 @@ csg::Aabb inside_box(const csg::WorldData& world, const csg::WorldItem& item)
 
 void push(const csg::Span& span, std::uint32_t instance, double scale, std::vector<Chord>& out)
 {
-    const auto end = [&](const csg::Crossing& c) {
-        return End{c.t * scale, c.part, c.face, instance, c.inverted};
-    };
+    const auto end = [&](const csg::Crossing& c) { return End{c.t * scale, c.part, c.face, instance, c.inverted}; };
     out.push_back({end(span.in), end(span.out)});
 }
 
@@ -152,8 +150,7 @@ void item_chords(const csg::WorldData& world, const csg::WorldItem& item, const 
 /// Chords of several items as those of their union, without films.
 void unite(std::vector<Chord>& chords, double slack)
 {
-    if (!std::is_sorted(chords.begin(), chords.end(),
-                        [](const Chord& a, const Chord& b) { return a.in.t < b.in.t; }))
+    if (!std::is_sorted(chords.begin(), chords.end(), [](const Chord& a, const Chord& b) { return a.in.t < b.in.t; }))
         std::sort(chords.begin(), chords.end(), [](const Chord& a, const Chord& b) { return a.in.t < b.in.t; });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < chords.size(); ++i) {

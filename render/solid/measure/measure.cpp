@@ -11,8 +11,8 @@
 namespace solid {
 namespace {
 
-constexpr int kRuns = 8;               // independent estimates whose scatter tells the error
-constexpr double kStudent = 5.408;     // 99.9 % of Student's t with kRuns - 1 degrees of freedom
+constexpr int kRuns = 8;            // independent estimates whose scatter tells the error
+constexpr double kStudent = 5.408;  // 99.9 % of Student's t with kRuns - 1 degrees of freedom
 constexpr int kFirstCells = 32, kExtentCells = 64, kExtentSteps = 40;
 
 /// Moments of order 0, 1 and 2, and the surface.
@@ -29,10 +29,7 @@ struct Sums {
         square += s.square;
         product += s.product;
     }
-    Sums scaled(double by) const
-    {
-        return {by * volume, by * surface, by * first, by * square, by * product};
-    }
+    Sums scaled(double by) const { return {by * volume, by * surface, by * first, by * square, by * product}; }
 };
 
 /// Numbers from 0 to 1 that depend on the cell alone: the same on every run (a mix of Steele and Vigna).

@@ -17,7 +17,7 @@ struct Measures {
     double extent_error = 0.0;  ///< and no farther than that beyond, as far as is known
     Bounded volume, surface;
     glm::dvec3 centre{0.0}, centre_error{0.0};
-    glm::dmat3 inertia{0.0};  ///< about the centre: moments on the diagonal, minus the products beside it
+    glm::dmat3 inertia{0.0};     ///< about the centre: moments on the diagonal, minus the products beside it
     double inertia_error = 0.0;  ///< of the entry that is least sure
     std::uint64_t rays = 0;
     bool empty = true;  ///< no ray met anything

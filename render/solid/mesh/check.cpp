@@ -61,8 +61,8 @@ void check_vertices(const TriangleMesh& mesh, MeshCheck& out)
         const auto first = corners.begin() + static_cast<std::ptrdiff_t>(i),
                    last = corners.begin() + static_cast<std::ptrdiff_t>(end);
         do {
-            const auto next = std::lower_bound(first, last, at,
-                                               [](const Corner& c, std::uint32_t from) { return c.from < from; });
+            const auto next =
+                std::lower_bound(first, last, at, [](const Corner& c, std::uint32_t from) { return c.from < from; });
             if (next == last || next->from != at) break;
             at = next->to;
             ++steps;

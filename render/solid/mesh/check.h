@@ -15,7 +15,7 @@ struct MeshCheck {
     std::size_t collapsed = 0;         ///< triangles that name a vertex twice
     std::size_t parts = 0;             ///< that no triangles connect
     double volume = 0.0, surface = 0.0;
-    double least_height = 0.0;         ///< of all triangles
+    double least_height = 0.0;  ///< of all triangles
 
     bool good() const
     {

@@ -6,8 +6,8 @@
 namespace solid {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of an edge: ends of chords so far beyond it are taken for its own
-constexpr double kLeastShare = 0.2; // of an edge: where it is split
+constexpr double kRounding = 1e-6;   // of an edge: ends of chords so far beyond it are taken for its own
+constexpr double kLeastShare = 0.2;  // of an edge: where it is split
 
 struct Passage {
     double t = 0.0;
@@ -17,7 +17,7 @@ struct Passage {
 
 }  // namespace
 
-double end_room(double length, const Finish& finish) 
+double end_room(double length, const Finish& finish)
 {
     return std::clamp(std::max(0.1 * finish.off, 4.0 * finish.grain) / length, 1e-3, 0.1);
 }
@@ -39,8 +39,7 @@ bool cut_edge(const Body& body, const Finish& finish, const glm::dvec3& from, co
     }
     // At the very ends of the edge the corner's own side decides.
     const bool entering = !first_inside;
-    if (!out.crosses)
-        std::erase_if(passed, [&](const Passage& p) { return p.t <= room || p.t >= length - room; });
+    if (!out.crosses) std::erase_if(passed, [&](const Passage& p) { return p.t <= room || p.t >= length - room; });
     if (passed.empty() && !out.crosses) return false;
 
     if (passed.size() > 1) {  // the parts between two passages
@@ -58,7 +57,8 @@ bool cut_edge(const Body& body, const Finish& finish, const glm::dvec3& from, co
     if (!out.crosses) return out.split == out.split;
     const Passage* best = nullptr;
     for (const Passage& p : passed)
-        if (p.entering == entering && (best == nullptr || std::abs(p.t - 0.5 * length) < std::abs(best->t - 0.5 * length)))
+        if (p.entering == entering &&
+            (best == nullptr || std::abs(p.t - 0.5 * length) < std::abs(best->t - 0.5 * length)))
             best = &p;
     const double least = end_room(length, finish) * length;
     double at = 0.5 * length;

@@ -11,17 +11,17 @@ namespace solid {
 
 /// What is exact enough, in scene units.
 struct Finish {
-    double off = 0.0;       ///< the mesh may be so far from the body
-    double least = 0.0;     ///< edges are not split below
-    double grain = 0.0;     ///< vertices nearer to each other may become one in single precision
-    double narrow = 0.0;    ///< parts of an edge on the other side of the boundary are looked into if longer
+    double off = 0.0;     ///< the mesh may be so far from the body
+    double least = 0.0;   ///< edges are not split below
+    double grain = 0.0;   ///< vertices nearer to each other may become one in single precision
+    double narrow = 0.0;  ///< parts of an edge on the other side of the boundary are looked into if longer
 };
 
 /// An edge that the boundary passes through.
 struct EdgeCut {
     std::uint64_t edge = 0;
-    SurfacePoint place;     ///< where one end is inside and the other outside
-    bool crosses = false;   ///< they are
+    SurfacePoint place;    ///< where one end is inside and the other outside
+    bool crosses = false;  ///< they are
     /// Where to split the edge, as a share of it from its first end, because the boundary passes more than once; NaN:
     /// nowhere.
     double split = std::numeric_limits<double>::quiet_NaN();

@@ -38,8 +38,7 @@ public:
     {
         const glm::dvec3 size = box.upper - box.lower;
         const double longest = glm::max(size.x, glm::max(size.y, size.z));
-        const double cells =
-            std::clamp(std::sqrt(static_cast<double>(mesh.triangles.size()) / 3.0), 4.0, 160.0);
+        const double cells = std::clamp(std::sqrt(static_cast<double>(mesh.triangles.size()) / 3.0), 4.0, 160.0);
         step_ = longest / cells;
         origin_ = box.lower - 0.5 * step_;
         for (int k = 0; k < 3; ++k) count_[k] = static_cast<int>(size[k] / step_) + 2;
@@ -76,14 +75,15 @@ public:
             for (int z = here.z - ring; z <= here.z + ring; ++z)
                 for (int y = here.y - ring; y <= here.y + ring; ++y)
                     for (int x = here.x - ring; x <= here.x + ring; ++x) {
-                        if (std::max(std::abs(x - here.x), std::max(std::abs(y - here.y), std::abs(z - here.z))) != ring)
+                        if (std::max(std::abs(x - here.x), std::max(std::abs(y - here.y), std::abs(z - here.z))) !=
+                            ring)
                             continue;
                         if (x < 0 || y < 0 || z < 0 || x >= count_[0] || y >= count_[1] || z >= count_[2]) continue;
                         const std::size_t c = at(x, y, z);
                         for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
                             const auto& t = mesh_.triangles[items_[i]];
-                            best = std::min(best, distance2(p, mesh_.vertices[t[0]], mesh_.vertices[t[1]],
-                                                            mesh_.vertices[t[2]]));
+                            best = std::min(
+                                best, distance2(p, mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]));
                         }
                     }
         }

@@ -13,9 +13,9 @@
 namespace solid {
 namespace {
 
-constexpr double kShare = 0.5;        // of the tolerance: what is aimed at between the places that are looked at
-constexpr double kLeastEdge = 3e-4;   // of the body's size: single precision tells no smaller triangles apart
-constexpr double kGrains = 1e-6;      // of the largest coordinate: some units in the last place of single precision
+constexpr double kShare = 0.5;       // of the tolerance: what is aimed at between the places that are looked at
+constexpr double kLeastEdge = 3e-4;  // of the body's size: single precision tells no smaller triangles apart
+constexpr double kGrains = 1e-6;     // of the largest coordinate: some units in the last place of single precision
 constexpr int kMostRounds = 200;
 constexpr std::size_t kGrain = 64;
 constexpr double kNearlyLongest = 0.3;  // of a square of a length
@@ -127,8 +127,7 @@ private:
         for (int k = 0;; ++k) {
             const int px = x + k * d[0], py = y + k * d[1], pz = z + k * d[2];
             if (!lattice_.holds(px + d[0], py + d[1], pz + d[2])) break;
-            const std::uint32_t a = lattice_.corner(px, py, pz),
-                                b = lattice_.corner(px + d[0], py + d[1], pz + d[2]);
+            const std::uint32_t a = lattice_.corner(px, py, pz), b = lattice_.corner(px + d[0], py + d[1], pz + d[2]);
             EdgeCut cut;
             cut.edge = edge_key(a, b);  // a < b: the directions lead upward
             if (cut_edge(body_, finish_, from, step / length, k * length, length, space_.inside[a] != 0,
@@ -271,10 +270,9 @@ private:
                 const Tetrahedron& t = space_.all[active_[k]];
                 bool coarse = false;
                 const Polygon polygon = polygon_of(t, &coarse);
-                state.centre = cut_centre(body_, finish_,
-                                          {space_.points[t[0]], space_.points[t[1]], space_.points[t[2]],
-                                           space_.points[t[3]]},
-                                          polygon);
+                state.centre = cut_centre(
+                    body_, finish_,
+                    {space_.points[t[0]], space_.points[t[1]], space_.points[t[2]], space_.points[t[3]]}, polygon);
                 state.coarse = coarse || state.centre.coarse;
             }
         });
@@ -351,8 +349,7 @@ private:
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const std::uint64_t edge = marks[i].first;
                 const glm::dvec3 a = space_.points[first_of(edge)], b = space_.points[second_of(edge)];
-                space_.inside[first + i] =
-                    body_.inside(space_.points[first + i], glm::normalize(b - a)) ? 1 : 0;
+                space_.inside[first + i] = body_.inside(space_.points[first + i], glm::normalize(b - a)) ? 1 : 0;
             }
         });
         std::vector<std::uint32_t> made;

@@ -17,10 +17,10 @@ struct MeshOptions {
 struct MeshFacts {
     int rounds = 0;
     std::size_t tetrahedra = 0;
-    std::uint64_t lost = 0;  ///< edges whose ends are on two sides though no chord ends between them
-    std::size_t joined = 0;  ///< vertices that single precision put in one place
-    std::size_t specks = 0;  ///< parts that are smaller than the tolerance, left out
-    bool full = false;       ///< there was no room to refine where it was wanted
+    std::uint64_t lost = 0;      ///< edges whose ends are on two sides though no chord ends between them
+    std::size_t joined = 0;      ///< vertices that single precision put in one place
+    std::size_t specks = 0;      ///< parts that are smaller than the tolerance, left out
+    bool full = false;           ///< there was no room to refine where it was wanted
     std::size_t unresolved = 0;  ///< places that would have been refined, but are small enough
 };
 

@@ -6,10 +6,10 @@
 namespace solid {
 namespace {
 
-constexpr double kSharp = 0.94;      // cosine of 20 degrees: normals that differ by more are of two surfaces
-constexpr double kWell = 0.5;        // of Finish::off: nearer needs no point of its own
-constexpr double kInner = 0.25;      // of the room that the crossings leave: points inside keep to it
-constexpr double kBeyond = 0.5;      // of a tetrahedron's size: so far its surface is looked for
+constexpr double kSharp = 0.94;  // cosine of 20 degrees: normals that differ by more are of two surfaces
+constexpr double kWell = 0.5;    // of Finish::off: nearer needs no point of its own
+constexpr double kInner = 0.25;  // of the room that the crossings leave: points inside keep to it
+constexpr double kBeyond = 0.5;  // of a tetrahedron's size: so far its surface is looked for
 constexpr int kTries = 3;
 
 /// The range of t in which from + t along has all `count` coordinates (given at two points) at least 0.
@@ -121,8 +121,8 @@ FaceCut cut_face(const Body& body, const Finish& finish, const glm::dvec3& lone,
     out.bent = true;
     out.place = hit;
     if (out.sharp) {
-        const std::array<SurfacePoint, 3> tangents{
-            SurfacePoint{p.point, g / gg}, SurfacePoint{q.point, h / hh}, SurfacePoint{middle, across}};
+        const std::array<SurfacePoint, 3> tangents{SurfacePoint{p.point, g / gg}, SurfacePoint{q.point, h / hh},
+                                                   SurfacePoint{middle, across}};
         const glm::dvec3 x = meeting_point(tangents, middle);
         const auto own = barycentric(lone, m, n, x);
         SurfacePoint near;
@@ -140,8 +140,7 @@ FaceCut cut_face(const Body& body, const Finish& finish, const glm::dvec3& lone,
         }
     }
     const glm::dvec3 meant = out.place.point;
-    out.place.point =
-        kept_inside(barycentric(lone, m, n, meant), barycentric(lone, m, n, middle), meant, middle);
+    out.place.point = kept_inside(barycentric(lone, m, n, meant), barycentric(lone, m, n, middle), meant, middle);
     if (glm::length(out.place.point - meant) > kWell * finish.off) out.coarse = true;
     for (const SurfacePoint* end : {&p, &q}) {
         SurfacePoint near;
@@ -164,8 +163,7 @@ bool too_far(const Body& body, const Finish& finish, const glm::dvec3& a, const 
     if (area < side * finish.off * 0.5) return false;  // lower than what is exact enough
     SurfacePoint near;
     double t = 0.0;
-    return !passage(body, finish, (a + b + c) / 3.0, n / area, -room, room, false, near, t) ||
-           std::abs(t) > finish.off;
+    return !passage(body, finish, (a + b + c) / 3.0, n / area, -room, room, false, near, t) || std::abs(t) > finish.off;
 }
 
 }  // namespace

@@ -34,9 +34,9 @@ struct Polygon {
 };
 
 struct CentreCut {
-    bool needed = false;   ///< triangles go from the polygon's sides to `place`; else the polygon is cut as it is
-    bool coarse = false;   ///< some of them are too far off
-    int diagonal = 0;      ///< of a polygon of four sides: from this corner
+    bool needed = false;  ///< triangles go from the polygon's sides to `place`; else the polygon is cut as it is
+    bool coarse = false;  ///< some of them are too far off
+    int diagonal = 0;     ///< of a polygon of four sides: from this corner
     glm::dvec3 place{0.0};
 };
 

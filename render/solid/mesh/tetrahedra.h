@@ -36,7 +36,7 @@ inline constexpr std::array<std::array<int, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 3
 struct Tetrahedra {
     std::vector<glm::dvec3> points;
     std::vector<std::uint8_t> inside;  ///< by point: of the body
-    std::vector<Tetrahedron> all;  ///< corners in an order of positive volume; parts of one keep it, however flat
+    std::vector<Tetrahedron> all;      ///< corners in an order of positive volume; parts of one keep it, however flat
 
     /// Splits every tetrahedron at those of its edges that are keys of `middles`, whose values are the new points. Of
     /// several edges of one the longest comes first: on a face that two share both split it alike. The tetrahedra that
@@ -54,8 +54,8 @@ struct Tetrahedra {
     std::vector<std::uint8_t> touched_;  ///< by point: end of an edge that is split
 };
 
-/// A lattice of cubes of one size, each in six tetrahedra about its diagonal (Kuhn's subdivision): edges run along seven
-/// directions.
+/// A lattice of cubes of one size, each in six tetrahedra about its diagonal (Kuhn's subdivision): edges run along
+/// seven directions.
 struct Lattice {
     glm::dvec3 origin{0.0};
     double step = 1.0;
