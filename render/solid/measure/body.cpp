@@ -194,11 +194,26 @@ void Body::chords(const glm::dvec3& point, const glm::dvec3& direction, double f
     }
 }
 
+namespace {
+
+/// Nothing is drawn at an undrawn end, and most solids know no normal there; isosurfaces do.
+bool has_normal(const csg::SolidStore& store, const End& end)
+{
+    if (end.part == csg::kNoPart) return false;
+    if (end.face != csg::kUndrawnFace) return true;
+    if (csg::kind_of(end.part) != csg::SolidKind::Freeform) return false;
+    return std::holds_alternative<csg::Isosurface>(store.all<csg::Freeform>()[csg::index_of(end.part)].shape->kind);
+}
+
+}  // namespace
+
 glm::dvec3 Body::normal(const glm::dvec3& point, const End& end) const
 {
     const csg::WorldData& world = probe_.world().data();
     glm::dvec3 n(0.0);
-    if (end.part == csg::kNoPart) return n;
+    const csg::SolidStore& store = end.instance == csg::Hit::kNoInstance ? world.store
+                                                                         : world.instances[end.instance].world->store;
+    if (!has_normal(store, end)) return n;
     if (end.instance == csg::Hit::kNoInstance) {
         n = csg::normal_at(world.store, end.part, end.face, end.inverted, point);
     } else {

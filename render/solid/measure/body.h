@@ -48,7 +48,7 @@ public:
     void chords(const glm::dvec3& point, const glm::dvec3& direction, double from, double to,
                 std::vector<Chord>& out) const;
 
-    /// Out of the body, unit length.
+    /// Out of the body, unit length; 0 where the solid does not know it: at ends that are not drawn.
     glm::dvec3 normal(const glm::dvec3& point, const End& end) const;
 
     bool inside(const glm::dvec3& point, const glm::dvec3& along) const;
