@@ -11,7 +11,7 @@
 
 namespace layers {
 
-/// What a layer holds (docs/layers.md has the channels of each).
+/// What a layer holds (docs/tools/layers.md has the channels of each).
 enum class Kind { Depth, Normal, Position, Albedo, Object, Material, Uv, Time };
 
 /// Of a list like "depth,normal"; "all" is each of them. Throws std::runtime_error for a word that is none.

@@ -129,7 +129,7 @@ constexpr OwnOption kOwnOptions[] = {
      [](Settings& s, const std::string& v) { s.heat_file = v; }},
     {"aov", "LAYERS",
      "write PICTURE.layers.exr beside the picture: its colours and, by name or all, depth, normal, position, albedo, "
-     "object (with Cryptomatte), material, uv, time (docs/layers.md)",
+     "object (with Cryptomatte), material, uv, time (docs/tools/layers.md)",
      [](Settings& s, const std::string& v) { s.layers = v; }},
     {"no-lean", "",
      "leave nothing out that the picture does not show: slower, and the same picture to the byte (docs/lean.md)",

@@ -3,7 +3,7 @@
 #include "parser/parse.h"
 #include "render/app/output/output_name.h"
 #include "render/app/output/picture_identity.h"
-#include "render/app/run/cost_report.h"
+#include "render/app/layers/cost_report.h"
 #include "render/app/run/last_resort.h"
 #include "render/app/run/memory.h"
 #include "render/app/run/picture_run.h"

@@ -2,7 +2,7 @@
 
 #include "render/app/run/frame_render.h"
 #include "render/app/run/last_resort.h"
-#include "render/app/run/layers_file.h"
+#include "render/app/layers/layers_file.h"
 #include "render/app/report/report.h"
 #include "render/plan/compiled_scene.h"
 

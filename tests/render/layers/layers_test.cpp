@@ -1,4 +1,4 @@
-// What lies behind a picture's pixels: docs/layers.md.
+// What lies behind a picture's pixels: docs/tools/layers.md.
 #include "render/layers/cryptomatte.h"
 #include "render/layers/layers.h"
 #include "render/layers/object_names.h"

@@ -1,4 +1,4 @@
-#include "render/app/run/layers_file.h"
+#include "render/app/layers/layers_file.h"
 
 #include "render/app/run/memory.h"
 #include "render/layers/object_names.h"

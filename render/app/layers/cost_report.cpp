@@ -1,4 +1,4 @@
-#include "render/app/run/cost_report.h"
+#include "render/app/layers/cost_report.h"
 
 #include "render/app/options/text.h"
 #include "render/app/run/shell_commands.h"
