@@ -15,7 +15,7 @@ constexpr Check kChecks[] = {
     {"no-version", "the scene has no #version: what its words mean is guessed"},
     {"unused-name", "a #declare, #local or #macro of the scene that nothing uses"},
     {"negative-size", "a radius below 0"},
-    {"zero-size", "a solid without extent: a radius of 0, a flat box, equal ends"},
+    {"zero-size", "a solid without extent: a radius of 0, a box that is a line or a point, equal ends"},
     {"flat-triangle", "a triangle of a mesh whose corners lie on a line"},
     {"no-pigment", "an object that is black because no pigment was given"},
     {"map-order", "entries of a map that are not in ascending order"},

@@ -33,8 +33,9 @@ std::vector<Radius> radii_of(const scene::Object& object)
 std::string why_empty(const scene::Object& object)
 {
     if (const auto* box = std::get_if<scene::Box>(&object.shape)) {
-        for (int axis = 0; axis < 3; ++axis)
-            if (box->lower[axis] == box->upper[axis]) return fmt::format("both corners have the same {}", "xyz"[axis]);
+        // A box that is flat in one direction is drawn, as a rectangle.
+        const auto same = glm::equal(box->lower, box->upper);
+        if (same.x + same.y + same.z > 1) return "its corners differ along one axis at most";
         return {};
     }
     if (const auto* cylinder = std::get_if<scene::Cylinder>(&object.shape))

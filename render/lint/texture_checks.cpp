@@ -93,7 +93,7 @@ void check_textures(Findings& out, const scene::Description& description)
     Maps maps(out);
     walk(description, [&](const Visited& at) {
         if (at.object.texture) maps.check(*at.object.texture, at.object.source);
-        if (!bears_texture(at.object) || at.object.flags.no_image) return;
+        if (!bears_texture(at.object) || at.object.flags.no_image || at.takes_cut_texture) return;
         const scene::TexturePtr& usual = description.default_of(at.top);
         const scene::Texture* texture = at.texture ? at.texture : usual.get();
         if (!texture) return;

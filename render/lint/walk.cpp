@@ -17,16 +17,17 @@ struct Walk {
     std::unordered_set<const void*> lists;  ///< of operands, seen
 
     void go(const scene::Object& object, const scene::Object& top, const csg::Transform& parent,
-            const scene::Texture* texture, int depth)
+            const scene::Texture* texture, int depth, bool cutaway = false)
     {
         if (left == 0 || depth > kDeepest) return;
         --left;
         if (object.texture) texture = object.texture.get();
-        visit({object, top, parent, texture});
+        visit({object, top, parent, texture, cutaway});
         const auto* csg = std::get_if<scene::Csg>(&object.shape);
         if (!csg || !csg->operands || !lists.insert(csg->operands.get()).second) return;
         const csg::Transform here = parent * *object.transform;
-        for (const scene::Object& operand : *csg->operands) go(operand, top, here, texture, depth + 1);
+        for (const scene::Object& operand : *csg->operands)
+            go(operand, top, here, texture, depth + 1, cutaway || csg->cutaway_textures);
     }
 };
 

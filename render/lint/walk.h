@@ -12,6 +12,8 @@ struct Visited {
     const scene::Object& top;  ///< that it is a part of
     const csg::Transform& parent_to_world;
     const scene::Texture* texture;  ///< its own or its parents'; null: the default one
+    bool takes_cut_texture =
+        false;  ///< stands below `cutaway_textures`: without a texture it shows that of what it cuts
 };
 
 /// Calls for each object, parents first. A shared list of operands is visited where it stands first only. At most half

@@ -3,5 +3,5 @@ global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at <0, 0.5, 0> }
 light_source { <5, 8, -6>, 1 }
 sphere { 0, 1 pigment { rgb 1 } }
-box { <2, 0, 0>, <3, 1, 0.01> pigment { rgb 1 } }
+box { <2, 0, 0>, <3, 1, 0> pigment { rgb 1 } }
 cone { 2*x, 1, 2*x + y, 0 pigment { rgb 1 } }
