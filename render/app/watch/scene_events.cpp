@@ -42,11 +42,11 @@ std::string done_event(int generation, double total, const PassTimes& times, con
     return line_of_json(out);
 }
 
-std::string controls_event(const View& view, double clock, const std::vector<SceneConstant>& constants,
+std::string controls_event(const View& view, double clock, const std::vector<parser::SceneConstant>& constants,
                            const std::string& camera)
 {
     json out{{"clock", clock}, {"camera", camera}, {"constants", json::array()}};
-    for (const SceneConstant& constant : constants) {
+    for (const parser::SceneConstant& constant : constants) {
         const auto set = view.declared.find(constant.name);
         const double value = set != view.declared.end() ? set->second : constant.value.value_or(0.0);
         out["constants"].push_back({{"name", constant.name}, {"value", value}, {"set", set != view.declared.end()}});

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "parser/constants.h"
 #include "parser/parse.h"
-#include "render/app/watch/constants.h"
 #include "render/app/watch/passes.h"
 #include "render/app/watch/view.h"
 
@@ -18,7 +18,7 @@ std::string done_event(int generation, double total, const PassTimes& times, con
 
 /// The sliders: the clock, and the constants that the scene asks for with #ifdef.
 /// \param camera the text of it
-std::string controls_event(const View& view, double clock, const std::vector<SceneConstant>& constants,
+std::string controls_event(const View& view, double clock, const std::vector<parser::SceneConstant>& constants,
                            const std::string& camera);
 
 }  // namespace app

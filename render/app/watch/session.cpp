@@ -1,12 +1,12 @@
 #include "render/app/watch/session.h"
 
 #include "csg/base/scratch.h"
+#include "parser/constants.h"
 #include "render/app/pixel/pixel_answer.h"
 #include "render/app/run/frame_render.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_queries.h"
 #include "render/app/run/stage_options.h"
-#include "render/app/watch/constants.h"
 #include "render/app/watch/passes.h"
 #include "render/app/watch/scene_events.h"
 
@@ -247,7 +247,7 @@ void Session::render(Cause cause, const View& view)
                      {"cause", cause_name}}
                     .dump(-1, ' ', false, json::error_handler_t::replace),
                 generation_);
-    std::vector<SceneConstant> constants = constants_of(scene_);
+    std::vector<parser::SceneConstant> constants = parser::constants_of(scene_);
     for (const auto& [name, value] : settings_.declared_numbers)
         if (std::none_of(constants.begin(), constants.end(), [&](const auto& c) { return c.name == name; }))
             constants.push_back({name, value});

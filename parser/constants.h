@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace parser {
 
 /// A constant that a command line may declare.
 struct SceneConstant {
@@ -16,4 +16,4 @@ struct SceneConstant {
 /// tells what each is otherwise. None for a text that cannot be read or is longer than people write.
 std::vector<SceneConstant> constants_of(const std::string& path);
 
-}  // namespace app
+}  // namespace parser

@@ -1,4 +1,4 @@
-#include "render/app/watch/constants.h"
+#include "parser/constants.h"
 
 #include "parser/lexer/lexer.h"
 
@@ -6,15 +6,13 @@
 #include <fstream>
 #include <iterator>
 
-namespace app {
+namespace parser {
 namespace {
-
-using parser::Kind;
 
 constexpr std::size_t kLongestText = 4'000'000;  // bytes
 
 /// The number behind `#declare NAME =`, if that is all there is. \param at of the sign that ends the name
-std::optional<double> number_behind(const std::vector<parser::Token>& tokens, std::size_t at)
+std::optional<double> number_behind(const std::vector<Token>& tokens, std::size_t at)
 {
     if (at + 2 >= tokens.size() || tokens[at].kind != Kind::Equal) return {};
     const bool minus = tokens[at + 1].kind == Kind::Minus;
@@ -30,12 +28,12 @@ std::optional<double> number_behind(const std::vector<parser::Token>& tokens, st
 std::vector<SceneConstant> constants_of(const std::string& path)
 {
     std::ifstream in(path, std::ios::binary);
-    parser::SourceFile file;
+    SourceFile file;
     file.path = path;
     file.text.assign(std::istreambuf_iterator<char>(in), {});
     if (file.text.size() > kLongestText) return {};
-    parser::Names names;
-    parser::tokenize(file, 0, names, true, false);
+    Names names;
+    tokenize(file, 0, names, true, false);
     const auto& tokens = file.tokens;
     std::vector<SceneConstant> found;
     const auto named = [&](const std::string& name) {
@@ -54,4 +52,4 @@ std::vector<SceneConstant> constants_of(const std::string& path)
     return found;
 }
 
-}  // namespace app
+}  // namespace parser
