@@ -10,9 +10,6 @@
 namespace trace {
 namespace {
 
-/// Exponents this close to 1 count as 1, and then negative values are kept (spec 2, 8.1).
-constexpr double kIdentityExponent = 0.01;
-
 /// Sums are kept in single precision after each step, as POV-Ray does.
 void add(scene::Color& sum, const scene::Color& c)
 {
@@ -69,7 +66,7 @@ private:
         for (int row = 0; row < block_.height; ++row) scratch_.marked[index(-1, row)] = 1;
         tracer_.grid(grid, scratch_.colors.data());
         scratch_.samples.clear();
-        for (const scene::Color& c : scratch_.colors) scratch_.samples.push_back(distance_.encoded(c));
+        distance_.encode(scratch_.colors, scratch_.samples);
     }
 
     void visit(int column, int row)
@@ -146,7 +143,7 @@ public:
         scratch_.colors.resize(corners.count());
         tracer_.grid(corners, scratch_.colors.data());
         scratch_.samples.clear();
-        for (const scene::Color& c : scratch_.colors) scratch_.samples.push_back(distance_.encoded(c));
+        distance_.encode(scratch_.colors, scratch_.samples);
         // As many pixels at a time as their squares, all of them divided, take a few megabytes.
         constexpr int kSquares = 4096, kMostPixels = 64;
         const int pixels = block_.width * block_.height,
@@ -210,7 +207,7 @@ private:
         tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
                     scratch_.sub_colors.data());
         scratch_.supersamples += scratch_.sub_positions.size();
-        for (const scene::Color& c : scratch_.sub_colors) scratch_.samples.push_back(distance_.encoded(c));
+        distance_.encode(scratch_.sub_colors, scratch_.samples);
     }
 
     void quarter(std::size_t i, std::uint32_t first_sample)
@@ -272,32 +269,6 @@ private:
 };
 
 }  // namespace
-
-ColorDistance::ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma)
-    : threshold_(static_cast<double>(static_cast<float>(settings.threshold))),
-      srgb_(gamma.kind == scene::AssumedGamma::Kind::Srgb)
-{
-    const double display = settings.gamma > 0 ? settings.gamma : 1.0;
-    const double working = gamma.kind == scene::AssumedGamma::Kind::Power ? gamma.exponent : 1.0;
-    exponent_ = working / display;
-    identity_ = !srgb_ && std::abs(exponent_ - 1.0) <= kIdentityExponent;
-}
-
-float ColorDistance::encode(float value) const
-{
-    if (identity_) return value;
-    double v = static_cast<double>(value);
-    if (srgb_) v = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    return static_cast<float>(std::pow(std::max(v, 0.0), exponent_));
-}
-
-bool ColorDistance::differ(const EncodedColor& a, const EncodedColor& b) const
-{
-    if (a.color == b.color) return threshold_ <= 0;
-    const float d = std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue) +
-                    std::abs(a.color.transmit - b.color.transmit);
-    return static_cast<double>(d) >= threshold_;
-}
 
 void antialias(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma, const Block& block,
                const SampleTracer& tracer, AntialiasScratch& scratch, scene::Color* out)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "render/trace/antialias/color_distance.h"
 #include "render/trace/blocks.h"
-#include "render/scene/color.h"
 
 #include <glm/glm.hpp>
 
@@ -33,28 +33,6 @@ struct SampleTracer {
     {
         trace_few(context, positions, count, out);
     }
-};
-
-/// A colour as differences see it: encoded for the display (spec 2, 8.1).
-struct EncodedColor {
-    scene::Color color;
-    float red, green, blue;
-};
-
-/// How different two colours look: spec 2, 8.1.
-class ColorDistance {
-public:
-    ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma);
-    EncodedColor encoded(const scene::Color& c) const { return {c, encode(c.red), encode(c.green), encode(c.blue)}; }
-    bool differ(const EncodedColor& a, const EncodedColor& b) const;
-    bool differ(const scene::Color& a, const scene::Color& b) const { return differ(encoded(a), encoded(b)); }
-
-private:
-    float encode(float value) const;
-    double exponent_;
-    double threshold_;
-    bool srgb_;
-    bool identity_;
 };
 
 /// A square of a pixel, by method 2: its corners are samples, and so are its four quarters' if they are not plain.

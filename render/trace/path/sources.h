@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/base/types.h"
+#include "csg/spans/span.h"
 #include "render/trace/path/directions.h"
 
 #include <cstdint>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <random>
 #include <utility>
 
 namespace {
@@ -147,4 +148,41 @@ TEST_CASE("colours differ by the sum over channels after the display curve", "[r
     CHECK_FALSE(distance.differ(black, dark));                      // 3 * 0.063 = 0.19
     CHECK(distance.differ(black, {0.004f, 0.004f, 0.004f, 0, 0}));  // 3 * 0.110 = 0.33
     CHECK(distance.differ(black, {0, 0, 0, 0, 1}));
+}
+
+TEST_CASE("colours encoded together differ as each by itself", "[render][antialias]")
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    const auto plain = [](double gamma, double threshold) {
+        plan::Antialiasing out = settings(2, 3, 0);
+        out.gamma = gamma;
+        out.threshold = threshold;
+        return out;
+    };
+    const scene::AssumedGamma srgb{scene::AssumedGamma::Kind::Srgb, 1.0}, power{scene::AssumedGamma::Kind::Power, 1.8},
+        odd{scene::AssumedGamma::Kind::Power, 300.0};
+    for (const auto& gamma : {srgb, power, odd})
+        for (int round = 0; round < 200; ++round) {
+            std::vector<scene::Color> colors;
+            for (int i = 0; i < 13; ++i) colors.push_back({unit(random), unit(random), unit(random), 0, unit(random)});
+            colors[1] = {0, 0, 0, 0, 0};
+            colors[2] = {-0.5f, 1e-35f, 40.0f, 0, 0};
+            colors[3] = {1e30f, 0.5f, 0.5f, 0, 0};
+            colors[4] = {std::nanf(""), 0.5f, 0.5f, 0, 0};
+            // The second threshold is how far two of the colours are apart, to the last bit.
+            const trace::ColorDistance first(plain(2.5, 0.3), gamma);
+            const trace::EncodedColor a = first.encoded(colors[7]), b = first.encoded(colors[8]);
+            const float apart = std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue) +
+                                std::abs(a.color.transmit - b.color.transmit);
+            for (const double threshold : {0.3, static_cast<double>(apart)}) {
+                const trace::ColorDistance distance(plain(2.5, threshold), gamma);
+                std::vector<trace::EncodedColor> together;
+                distance.encode(colors, together);
+                REQUIRE(together.size() == colors.size());
+                for (std::size_t i = 0; i < colors.size(); ++i)
+                    for (std::size_t k = 0; k < colors.size(); ++k)
+                        REQUIRE(distance.differ(together[i], together[k]) == distance.differ(colors[i], colors[k]));
+            }
+        }
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+#include "render/scene/color.h"
+
+#include <span>
+#include <vector>
+
+namespace trace {
+
+/// A colour as differences see it: encoded for the display (spec 2, 8.1), to a few units in the last place.
+struct EncodedColor {
+    scene::Color color;
+    float red, green, blue;
+};
+
+/// How different two colours look: spec 2, 8.1.
+class ColorDistance {
+public:
+    ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma);
+    EncodedColor encoded(const scene::Color& c) const { return {c, encode(c.red), encode(c.green), encode(c.blue)}; }
+    /// Appends the colours. Powers in lanes: the last digits are not encoded()'s, what differ() says of them is.
+    void encode(std::span<const scene::Color> colors, std::vector<EncodedColor>& out) const;
+    bool differ(const EncodedColor& a, const EncodedColor& b) const
+    {
+        if (a.color == b.color) return threshold_ <= 0;
+        const double d = static_cast<double>(distance(a, b));
+        // Next to the threshold the last digits count.
+        constexpr double kRoom = 4e-6;  // of what is added up: more than the roundings of a dozen numbers
+        if (!identity_ && std::abs(d - threshold_) <= kRoom * size(a, b))
+            return static_cast<double>(distance(encoded(a.color), encoded(b.color))) >= threshold_;
+        return d >= threshold_;
+    }
+    bool differ(const scene::Color& a, const scene::Color& b) const { return differ(encoded(a), encoded(b)); }
+
+private:
+    static float distance(const EncodedColor& a, const EncodedColor& b)
+    {
+        return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue) +
+               std::abs(a.color.transmit - b.color.transmit);
+    }
+    static double size(const EncodedColor& a, const EncodedColor& b)
+    {
+        return static_cast<double>(std::abs(a.red) + std::abs(b.red) + std::abs(a.green) + std::abs(b.green) +
+                                   std::abs(a.blue) + std::abs(b.blue) + std::abs(a.color.transmit) +
+                                   std::abs(b.color.transmit));
+    }
+    float encode(float value) const;
+    /// The components of up to kAtOnce colours.
+    void encode_together(const scene::Color* colors, std::size_t count, EncodedColor* out) const;
+
+    static constexpr std::size_t kAtOnce = 8;
+    double exponent_;
+    double threshold_;
+    bool srgb_;
+    bool identity_;
+    bool in_lanes_;  ///< powers in lanes know the exponent
+};
+
+}  // namespace trace
