@@ -77,6 +77,74 @@ void boxed_values(const Points& p, Values& out)
     }
 }
 
+/// Whether v modulo 2 is 1, as floor_mod() of the single points has it.
+auto odd(const Double& v) { return v - Double(2.0) * xsimd::floor(v / Double(2.0)) == Double(1.0); }
+
+void checker_values(const Points& p, Values& out)
+{
+    const Double tiny(kTiny);
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double sum = xsimd::floor(get(p.x, i) + tiny) + xsimd::floor(get(p.y, i) + tiny) +
+                           xsimd::floor(get(p.z, i) + tiny);
+        xsimd::select(odd(sum), Double(1.0), Double(0.0)).store_aligned(out.data() + i);
+    }
+}
+
+void square_values(const Points& p, Values& out)
+{
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const auto b = odd(xsimd::floor(get(p.z, i)));
+        const Double a = xsimd::select(b, Double(2.0), Double(3.0)), not_a = xsimd::select(b, Double(1.0), Double(0.0));
+        xsimd::select(odd(xsimd::floor(get(p.x, i))), a, not_a).store_aligned(out.data() + i);
+    }
+}
+
+void brick_values(const Pattern& pattern, const Points& p, Values& out)
+{
+    const glm::dvec3& size = pattern.vector;
+    const double mortar = pattern.numbers[0];
+    const Double shift(mortar + kTiny), zero(0.0), half(0.5), one(1.0);
+    const auto fraction = [&](const Double& v) {  // positive_fraction()
+        const Double f = v - xsimd::trunc(v);
+        return xsimd::select(f < zero, f + one, f);
+    };
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double x = get(p.x, i) + shift, y = get(p.y, i) + shift, z = get(p.z, i) + shift;
+        const auto lower = fraction(y / Double(2.0 * size.y)) <= half;
+        const auto joint =
+            (fraction(y / Double(size.y)) <= Double(mortar / size.y)) |
+            (fraction(x / Double(size.x) + xsimd::select(lower, zero, half)) <= Double(mortar / size.x)) |
+            (fraction(z / Double(size.z) + xsimd::select(lower, half, zero)) <= Double(mortar / size.z));
+        xsimd::select(joint, zero, one).store_aligned(out.data() + i);
+    }
+}
+
+/// The remainder by 1 is exact, as fmod's.
+void gradient_values(const Pattern& pattern, const Points& p, Values& out)
+{
+    const Double x(pattern.vector.x), y(pattern.vector.y), z(pattern.vector.z), one(1.0);
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double d = get(p.x, i) * x + get(p.y, i) * y + get(p.z, i) * z;
+        xsimd::select(d > one, d - xsimd::floor(d), d).store_aligned(out.data() + i);
+    }
+}
+
+void onion_values(const Points& p, Values& out)
+{
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double x = get(p.x, i), y = get(p.y, i), z = get(p.z, i), l = xsimd::sqrt(x * x + y * y + z * z);
+        (l - xsimd::floor(l)).store_aligned(out.data() + i);
+    }
+}
+
+/// How bright another pigment is.
+void grey_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
+{
+    ColorPoints colors;
+    pigment_colors(set, pattern.pigment, p, around, colors);
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = static_cast<double>(scene::grey(colors.at(i).rgb()));
+}
+
 /// Before frequency and wave.
 void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
 {
@@ -104,6 +172,12 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Cylindrical: return distance_values<From::Axis>(p, out);
     case PatternKind::Planar: return distance_values<From::Plane>(p, out);
     case PatternKind::Boxed: return boxed_values(p, out);
+    case PatternKind::Checker: return checker_values(p, out);
+    case PatternKind::Square: return square_values(p, out);
+    case PatternKind::Brick: return brick_values(pattern, p, out);
+    case PatternKind::Gradient: return gradient_values(pattern, p, out);
+    case PatternKind::Onion: return onion_values(p, out);
+    case PatternKind::PigmentPattern: return grey_values(set, pattern, p, around, out);
     case PatternKind::Crackle: return crackle_values(pattern, p, out);
     case PatternKind::Mandel:
     case PatternKind::Julia: return power_set_values(pattern, p, out);

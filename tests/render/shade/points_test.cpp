@@ -15,12 +15,17 @@ namespace {
 Pattern random_pattern(Rng& rng, TextureSet& set)
 {
     using K = PatternKind;
-    constexpr std::array kKinds{K::Bozo,   K::Dents,       K::Granite, K::Wrinkles, K::Agate,   K::Marble,
-                                K::Wood,   K::Crackle,     K::Crackle, K::Mandel,   K::Julia,   K::Gradient,
-                                K::Planar, K::Cylindrical, K::Checker, K::Leopard,  K::Spiral1, K::Cells};
+    constexpr std::array kKinds{K::Bozo,   K::Dents,       K::Granite, K::Wrinkles,      K::Agate,   K::Marble,
+                                K::Wood,   K::Crackle,     K::Crackle, K::Mandel,        K::Julia,   K::Gradient,
+                                K::Planar, K::Cylindrical, K::Checker, K::Leopard,       K::Spiral1, K::Cells,
+                                K::Square, K::Brick,       K::Onion,   K::PigmentPattern};
     constexpr std::array kMetrics{2.0, 2.0, 1.0, 3.0, 1.5, 0.7, 130.0};
     Pattern p;
     p.kind = kKinds[static_cast<std::size_t>(rng.below(kKinds.size()))];
+    if (p.kind == K::PigmentPattern) {
+        if (set.pigments.empty()) p.kind = K::Onion;
+        else p.pigment = static_cast<std::uint32_t>(rng.below(static_cast<int>(set.pigments.size())));
+    }
     p.noise_generator = static_cast<std::uint8_t>(1 + rng.below(3));
     p.wave = static_cast<scene::WaveForm>(rng.below(5));
     p.has_turbulence = rng.flip();
