@@ -164,6 +164,22 @@ Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double
     return out.empty() ? Shadow::Clear : Shadow::Filtered;
 }
 
+/// What surfaces leave of a light that filter it alike everywhere, where nothing else dims it: past_crossings() without
+/// a ray. False, with nothing done, if one of them does not.
+bool past_steady(const SceneTraits& traits, double tolerance, glm::vec3& color, const Hit* first, const Hit* last,
+                 double& before)
+{
+    if (traits.fades || traits.media) return false;
+    if (!std::all_of(first, last, [&](const Hit& hit) { return traits.surfaces[hit.surface].steady_filter; }))
+        return false;
+    for (; first != last; ++first) {
+        if (first->t - before <= tolerance) continue;
+        color *= traits.surfaces[first->surface].filter;
+        before = first->t;
+    }
+    return true;
+}
+
 }  // namespace
 
 glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to, bool at_light,
@@ -219,9 +235,13 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
         }
         for (Hit* h = crossings; h != end; ++h) h->t = lit.distance - h->t;
     }
-    ShadowState ray(point, lit.direction, tolerance, interiors);
-    double before = 0.0;
     glm::vec3 color = lit.color;
+    double before = 0.0;
+    if (!air.atmosphere && past_steady(context.scratch.shade.traits, tolerance, color, crossings, end, before)) {
+        if (air.last_crossing != nullptr) *air.last_crossing = before;
+        return color;
+    }
+    ShadowState ray(point, lit.direction, tolerance, interiors);
     past_crossings(context, ray, tolerance, color, crossings, end, before, air, focused);
     if (air.last_crossing != nullptr) *air.last_crossing = before;
     else if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, true, air);
