@@ -71,7 +71,7 @@ struct alignas(64) SpecularLobe {
     }
 };
 
-/// Strengths of highlights for the hits of a mask; those of the others are anything. n: x, y and z of the normals.
+/// Strengths of highlights for the hits of a mask; those of the others are some number. n: x, y and z of the normals.
 /// texture::phong + texture::specular, but for the powers.
 inline void find_highlights(const csg::RayTile& rays, const double* const (&n)[3], const TileLight& light,
                             const SpecularLobe& lobe, HitMask hits, TileLanes& strength)
@@ -81,7 +81,10 @@ inline void find_highlights(const csg::RayTile& rays, const double* const (&n)[3
     const Double zero(0.0), one(1.0);
     for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
         const auto asked = static_cast<std::uint32_t>(hits >> i & kVector);
-        if (asked == 0) continue;
+        if (asked == 0) {
+            Double(0.0).store_aligned(strength.data() + i);
+            continue;
+        }
         const auto at = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
         const Double dx = at(rays.dx), dy = at(rays.dy), dz = at(rays.dz), nx = Double::load_aligned(n[0] + i),
                      ny = Double::load_aligned(n[1] + i), nz = Double::load_aligned(n[2] + i), lx = at(light.x),

@@ -5,6 +5,7 @@
 #include "render/trace/random.h"
 #include "render/trace/shade/shade_context.h"
 
+#include <algorithm>
 #include <cmath>
 
 /// surface_light() for a page of rows, a hit a lane, in the same order of operations. Compiled once per instruction
@@ -51,6 +52,13 @@ inline void find_intensities(const RowPage& at, const double* const (&n)[3], Hit
     if ((on & at.raised) != 0) raise_intensities(at, on & at.raised, intensity);
 }
 
+/// Zeroes the places behind the last vector of so many hits, which each_place() goes through with it.
+inline void clear_last(int count, TileLanes& of)
+{
+    constexpr std::size_t kBlock = 16;
+    std::fill_n(of.data() + (static_cast<std::size_t>(count) - 1) / kBlock * kBlock, kBlock, 0.0);
+}
+
 /// Adds what a light gives to a page's rows. reached: hits that it reaches, with ShadeScratch::reaching; turning: hits
 /// of which some rows may face away from it; grains: numbers of `crand` asked for so far, by hit.
 inline void light_page(RowPage& at, HitMask reached, HitMask turning, const light::Light& light,
@@ -63,17 +71,19 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
     const double* const n[3] = {bent ? at.nx.data() : scratch.hits.nx.data(),
                                 bent ? at.ny.data() : scratch.hits.ny.data(),
                                 bent ? at.nz.data() : scratch.hits.nz.data()};
-    alignas(64) TileLanes intensity{};
+    alignas(64) TileLanes intensity;
+    clear_last(rays.count, intensity);
     find_intensities(at, n, turning, scratch.light, rays.count, on, intensity);
     const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
-    TileFloats diffuse, strength{};
+    alignas(64) TileFloats diffuse, strength;
     each_place(rays.count, [&](std::size_t k) { diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]); });
     for_each_hit(on & at.grainy, [&](std::size_t k) {
         const double less = static_cast<double>(at.finish[k]->crand) * random_at(scratch.hits.point(k), grains[k]++);
         diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k] - less);
     });
     if (shiny != 0) {
-        alignas(64) TileLanes found{};
+        alignas(64) TileLanes found;
+        clear_last(rays.count, found);
         find_highlights(rays, n, scratch.light, at.lobe, shiny, found);
         const LaneMask shines(shiny);
         each_place(rays.count,
@@ -81,15 +91,18 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
     }
     const HitMask tinted = at.tinted & shiny;
     const LaneMask gains(on & ~tinted), has_diffuse(at.lit);
-    for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
-        const float *pigment = (at.pigment.*channel).data(), *color = (scratch.reaching.*channel).data();
-        float* gained = (at.gained.*channel).data();
-        each_place(rays.count, [&](std::size_t k) {
-            const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
-            const float light_here = from_diffuse + (strength[k] != 0.0f ? strength[k] * color[k] : 0.0f);
-            gained[k] = gains[k] != 0 ? gained[k] + light_here : gained[k];
-        });
-    }
+    const auto gain = [&](auto&& highlight) {
+        for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
+            const float *pigment = (at.pigment.*channel).data(), *color = (scratch.reaching.*channel).data();
+            float* gained = (at.gained.*channel).data();
+            each_place(rays.count, [&](std::size_t k) {
+                const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
+                gained[k] = gains[k] != 0 ? gained[k] + (from_diffuse + highlight(k, color[k])) : gained[k];
+            });
+        }
+    };
+    if (shiny == 0) return gain([](std::size_t, float) { return 0.0f; });
+    gain([&](std::size_t k, float color) { return strength[k] != 0.0f ? strength[k] * color : 0.0f; });
     for_each_hit(tinted, [&](std::size_t k) {
         const glm::vec3 color = scratch.reaching[k], rgb = at.pigment[k];
         glm::vec3 sum = has(at.lit, k) ? diffuse[k] * rgb * color : glm::vec3(0);

@@ -179,8 +179,8 @@ private:
         const RayState& state = tile.state(k);
         const Hit met = tile.hits.at(static_cast<int>(k));
         const HitDetails& details = tile.details(k);
-        HitContext hit{tile.place(k, state, met), k, {}};
-        hit.around = {details.point, hit.normal, state.ray.direction, details.uv, true};
+        HitContext hit = tile.context(k, state, met);
+        hit.surround(details.point, details.uv);
         if (!state.interiors.empty())
             walk.throughput *= path::absorbed(scene_.interiors[state.interiors.last()], met.t);
         walk.length += met.t;

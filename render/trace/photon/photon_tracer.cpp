@@ -201,7 +201,7 @@ private:
     void pass(const Flying& photon, const HitPlace& place, const HitDetails& details)
     {
         glm::vec3 filter(texture_of(place) == plan::kNone ? 1.0f : 0.0f);
-        each_layers(photon, place, details,
+        each_layers(place, details,
                     [&](HitContext&, const LayerStack& stack, float share) { filter += share * stack.filter; });
         Flying next = photon;
         next.color *= filter;
@@ -232,7 +232,7 @@ private:
         const bool refracts = agree(rules.refraction, flight_->refraction),
                    reflects = agree(rules.reflection, flight_->reflection);
         if (!refracts && !reflects) return;
-        each_layers(photon, place, details, [&](HitContext& hit, const LayerStack& stack, float share) {
+        each_layers(place, details, [&](HitContext& hit, const LayerStack& stack, float share) {
             Refracted next;
             const float weight = photon.state.weight * largest(glm::abs(stack.filter));
             const bool through = refracts && stack.residual > static_cast<float>(plan_.adc_bailout) &&
@@ -251,13 +251,14 @@ private:
 
     /// f(hit, layers, share) for all plain textures that the hit shows.
     template <class F>
-    void each_layers(const Flying& photon, const HitPlace& place, const HitDetails& details, F&& f)
+    void each_layers(const HitPlace& place, const HitDetails& details, F&& f)
     {
         const plan::Surface& surface = place.surface;
         const texture::TextureSet& set = scene_.textures;
         const std::uint32_t texture = texture_of(place);
         if (texture == plan::kNone) return;
-        HitContext hit{place, 0, {details.point, place.normal, photon.state.ray.direction, details.uv, true}};
+        HitContext hit(place, 0);
+        hit.surround(details.point, details.uv);
         const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
         const auto layers = [&](const texture::Texture& of, const glm::dvec3& at, float share) {
             f(hit, layer_stack(context_, hit, of, at), share);

@@ -145,8 +145,7 @@ void RayQueue::fold()
 
 ColorSlot queue_ray(Context& context, std::vector<QueuedRay>& queue, const RayState& state, bool straight)
 {
-    if (state.level >= context.max_trace_level || static_cast<double>(state.weight) < context.adc_bailout)
-        return kNoSlot;
+    if (!worth_tracing(context, state.level, state.weight)) return kNoSlot;
     const ColorSlot slot = context.scratch.shade.queue.new_slot();
     queue.emplace_back(state, slot, straight ? state.level : state.level + 1);
     return slot;

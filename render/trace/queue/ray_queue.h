@@ -21,7 +21,8 @@ struct QueuedRay {
     ColorSlot slot;  ///< of its colour
     int level;       ///< levels in use including this ray's
 
-    QueuedRay() = default;
+    /// Not cleared: its state is written where it waits.
+    QueuedRay() {}
     /// Made where it waits: a copy of what was just written in smaller pieces waits for all of them.
     QueuedRay(const RayState& of, ColorSlot into, int in_use) : state(of), slot(into), level(in_use) {}
 };
@@ -74,6 +75,13 @@ public:
     void start(std::size_t camera_rays);
 
     ColorSlot new_slot();
+    /// The slot of a ray that was written where it waits; straight: as of queue_ray().
+    ColorSlot keep(QueuedRay& ray, bool straight)
+    {
+        ray.slot = new_slot();
+        ray.level = straight ? ray.state.level : ray.state.level + 1;
+        return ray.slot;
+    }
     ShadeNode& new_node(ShadeNode::Kind kind, ColorSlot out);
     /// Terms of a node, black ones; their first index.
     std::uint32_t new_terms(std::size_t count);

@@ -67,6 +67,18 @@ public:
                 has(from_inside_, k)};
     }
 
+    HitContext context(std::size_t k, const RayState& state, const Hit& hit) const
+    {
+        return {state,
+                hit,
+                context_.scene.surfaces[hit.surface],
+                scratch_.hits.point(k),
+                scratch_.hits.normal(k),
+                level(k),
+                has(from_inside_, k),
+                k};
+    }
+
     /// What World::details says of hit k.
     const HitDetails& details(std::size_t k) const
     {

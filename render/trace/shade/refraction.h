@@ -6,14 +6,18 @@
 /// How rays go on from a hit (spec 3, section 8): what scatter() sends on, and photons.
 namespace trace {
 
-/// The ray that goes on through a surface, and what light loses on its way.
-struct Refracted {
-    RayState ray;
+/// How light goes on through a surface, and what it loses on its way.
+struct Refraction {
     glm::vec3 fade{1};
     bool straight = true;              ///< unbent: uses no level
-    bool total = false;                ///< total internal reflection: `ray` is the mirrored one
-    int samples = 0;                   ///< of the spectrum: `ray` has no direction yet, each sample has its own
+    bool total = false;                ///< total internal reflection: the ray is the mirrored one
+    int samples = 0;                   ///< of the spectrum: the ray has no direction yet, each sample has its own
     double ratio = 1, dispersion = 1;  ///< how the interface bends light of 555 nm, and others (spec 3, 8.5)
+};
+
+/// The same with the ray.
+struct Refracted : Refraction {
+    RayState ray;
 };
 
 /// False where nothing is behind the surface: it has no interior.

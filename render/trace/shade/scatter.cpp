@@ -119,26 +119,37 @@ double fresnel_index(const Context& context, const HitPlace& hit)
     return list.size() == 1 ? 1.0 / own : outer / own;
 }
 
-RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight)
+namespace {
+
+/// The mirrored ray, where it waits: a copy of what was just written in smaller pieces waits for all of them.
+[[gnu::always_inline]] inline void mirror_into(const Context& context, const HitPlace& hit, const glm::dvec3& normal,
+                                               float weight, RayState& out)
 {
     const glm::dvec3& d = hit.state.ray.direction;
     glm::dvec3 r = d - 2.0 * glm::dot(d, normal) * normal;
-    const double out = glm::dot(r, hit.normal);
-    if (out < 0.0) {
+    const double outward = glm::dot(r, hit.normal);
+    if (outward < 0.0) {
         // Into the surface: mirror about the raw normal, or fold back out.
         if (glm::dot(r, normal) < 0.0) r = d - 2.0 * glm::dot(d, hit.normal) * hit.normal;
-        else r -= 2.0 * out * hit.normal;
+        else r -= 2.0 * outward * hit.normal;
     }
     r = glm::normalize(r);
-    return {{hit.point, r},      start_here(context, hit, r), weight,
-            hit.level,           plan::RayKind::Reflection,   hit.state.root,
-            hit.state.scattered, hit.state.interiors,         hit.state.wavelength};
+    out.ray = {hit.point, r};
+    out.start = start_here(context, hit, r);
+    out.weight = weight;
+    out.level = hit.level;
+    out.kind = plan::RayKind::Reflection;
+    out.root = hit.state.root;
+    out.scattered = hit.state.scattered;
+    out.interiors = hit.state.interiors;
+    out.wavelength = hit.state.wavelength;
+    out.stretch = 1.0;
 }
 
-namespace {
-
+/// ray: of Refracted.
 [[gnu::always_inline]] inline bool refract_here(const Context& context, const HitPlace& hit,
-                                                const glm::dvec3& top_normal, float weight, Refracted& out)
+                                                const glm::dvec3& top_normal, float weight, Refraction& out,
+                                                RayState& ray)
 {
     if (hit.surface.interior == plan::kNone) return false;
     const plan::Interior& interior = context.scene.interiors[hit.surface.interior];
@@ -148,17 +159,17 @@ namespace {
 
     out.straight = true;
     out.total = false;
-    const Crossing crossing = cross(context, hit.state.interiors, hit.surface.interior, out.ray.interiors);
-    out.ray.ray = {hit.point, d};
-    out.ray.weight = weight;
-    out.ray.level = hit.level;
-    out.ray.kind = hit.state.kind;
-    out.ray.root = hit.state.root;
-    out.ray.scattered = hit.state.scattered;
-    out.ray.wavelength = hit.state.wavelength;
-    out.ray.stretch = hit.state.stretch;
+    const Crossing crossing = cross(context, hit.state.interiors, hit.surface.interior, ray.interiors);
+    ray.ray = {hit.point, d};
+    ray.weight = weight;
+    ray.level = hit.level;
+    ray.kind = hit.state.kind;
+    ray.root = hit.state.root;
+    ray.scattered = hit.state.scattered;
+    ray.wavelength = hit.state.wavelength;
+    ray.stretch = hit.state.stretch;
     if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) {
-        out.ray.start = start_here(context, hit, d);
+        ray.start = start_here(context, hit, d);
         return true;
     }
     out.straight = false;
@@ -171,20 +182,27 @@ namespace {
     }
     const double ratio = disperses ? ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength)
                                    : crossing.ratio;
-    if (bend(hit.state.stretch * d, top_normal, ratio, out.ray)) {
-        out.ray.start = start_here(context, hit, out.ray.ray.direction);
+    if (bend(hit.state.stretch * d, top_normal, ratio, ray)) {
+        ray.start = start_here(context, hit, ray.ray.direction);
         return true;
     }
     out.total = true;
-    out.ray = mirrored(context, hit, top_normal, weight);
+    mirror_into(context, hit, top_normal, weight, ray);
     return true;
 }
 
 }  // namespace
 
+RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight)
+{
+    RayState out;
+    mirror_into(context, hit, normal, weight, out);
+    return out;
+}
+
 bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Refracted& out)
 {
-    return refract_here(context, hit, top_normal, weight, out);
+    return refract_here(context, hit, top_normal, weight, out, out.ray);
 }
 
 bool disperse(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const Refracted& refracted,
@@ -236,20 +254,42 @@ void transmit(Context& context, const HitPlace& hit, const LayerStack& stack, st
 {
     RayQueue& queue = context.scratch.shade.queue;
     const texture::Finish& top_finish = *stack.mirrors.front().finish;
-    Refracted next;
-    if (!refract_here(context, hit, stack.top_normal, hit.state.weight * largest(glm::abs(stack.filter)), next)) return;
+    if (hit.surface.interior == plan::kNone) return;
+    const float weight = hit.state.weight * largest(glm::abs(stack.filter));
+    Refraction next;
+    QueuedRay& ray = queue.rays.emplace_back();  // made where it waits as a rule
+    refract_here(context, hit, stack.top_normal, weight, next, ray.state);
     queue.nodes[index].fade = next.fade;
     if (next.samples > 0) {
-        const ColorSlot seen = spectrum(context, hit, stack.top_normal, top_finish, next);
+        const Refracted refracted{next, ray.state};
+        queue.rays.pop_back();
+        const ColorSlot seen = spectrum(context, hit, stack.top_normal, top_finish, refracted);
         queue.nodes[index].through = seen;
         return;
     }
-    ++(next.total ? context.scratch.counts.reflected : context.scratch.counts.refracted);
     ShadeNode& node = queue.nodes[index];
     node.total = next.total;
-    if (next.total && top_finish.irid > 0.0f)
-        node.film = film_color(context, hit, top_finish, stack.top_normal, next.ray.ray.direction);
-    node.through = queue_ray(context, next.total ? queue.mirrors : queue.rays, next.ray, next.straight);
+    if (next.total) {
+        ++context.scratch.counts.reflected;
+        if (top_finish.irid > 0.0f)
+            node.film = film_color(context, hit, top_finish, stack.top_normal, ray.state.ray.direction);
+        node.through = queue_ray(context, queue.mirrors, ray.state, next.straight);
+        queue.rays.pop_back();
+        return;
+    }
+    ++context.scratch.counts.refracted;
+    if (worth_tracing(context, hit.level, weight)) node.through = queue.keep(ray, next.straight);
+    else queue.rays.pop_back();
+}
+
+/// The ray off a mirror, if it is worth tracing.
+[[gnu::always_inline]] inline ColorSlot queue_mirrored(Context& context, const HitPlace& hit, const Mirror& mirror)
+{
+    RayQueue& queue = context.scratch.shade.queue;
+    if (!worth_tracing(context, hit.level, mirror.weight)) return kNoSlot;
+    QueuedRay& ray = queue.mirrors.emplace_back();
+    mirror_into(context, hit, mirror.normal, mirror.weight, ray.state);
+    return queue.keep(ray, false);
 }
 
 /// A mirror that total reflection has already sent a ray for.
@@ -327,12 +367,12 @@ std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& s
     for (const Mirror& mirror : stack.mirrors) {
         if (black(mirror.reflectivity) || sent(queue.nodes[index], stack, mirror)) continue;
         ++context.scratch.counts.reflected;
-        const RayState ray = mirrored(context, hit, mirror.normal, mirror.weight);
-        const ColorSlot seen = queue_ray(context, queue.mirrors, ray, false);
+        const ColorSlot seen = queue_mirrored(context, hit, mirror);
         if (count++ == 0) queue.nodes[index].first = static_cast<std::uint32_t>(queue.terms.size());
         ShadeTerm& term = queue.terms.emplace_back(seen, mirror.reflectivity, mirror.finish->reflection_power);
-        if (mirror.finish->irid > 0.0f)
-            term.film = film_color(context, hit, *mirror.finish, mirror.normal, ray.ray.direction);
+        if (mirror.finish->irid > 0.0f && seen != kNoSlot)
+            term.film =
+                film_color(context, hit, *mirror.finish, mirror.normal, queue.mirrors.back().state.ray.direction);
     }
     queue.nodes[index].count = count;
     return index;

@@ -64,6 +64,12 @@ private:
     Context(const Context& outer, const radiosity::BounceRules& rules);
 };
 
+/// Whether a ray at this level and of this weight is traced.
+inline bool worth_tracing(const Context& context, int level, float weight)
+{
+    return level < context.max_trace_level && !(static_cast<double>(weight) < context.adc_bailout);
+}
+
 /// Point, normal and what else the surface's textures ask for.
 inline HitDetails hit_details(const Context& context, const csg::Ray& ray, const Hit& hit)
 {
@@ -87,12 +93,29 @@ inline bool shines_on(const light::Light& light, const plan::Surface& surface)
     return light.group == surface.light_group || (light.group == 0 && surface.global_lights);
 }
 
-/// A hit whose textures are gone through.
+/// A hit whose textures are gone through. Made in place, member by member: a copy of what was just written in smaller
+/// pieces waits for all of them.
 struct HitContext : HitPlace {
+    HitContext(const RayState& of, const Hit& at, const plan::Surface& on, const glm::dvec3& p, const glm::dvec3& n,
+               int in_use, bool inside, std::size_t k)
+        : HitPlace{of, at, on, p, n, in_use, inside}, lane(k)
+    {}
+    HitContext(const HitPlace& at, std::size_t k) : HitPlace(at), lane(k) {}
+
+    /// As patterns see it.
+    void surround(const glm::dvec3& p, const glm::dvec2& uv)
+    {
+        around.point = p;
+        around.normal = normal;
+        around.direction = state.ray.direction;
+        around.uv = uv;
+        around.surface = true;
+    }
+
     std::size_t lane;  ///< its place in the tile
     texture::Surroundings around;
     std::array<std::uint32_t, 16>
-        enclosing{};  ///< the texture maps that normals are carried through, the first one first
+        enclosing;  ///< the texture maps that normals are carried through, the first one first
     std::size_t enclosing_count = 0;
     const PrefetchedPigments* prefetched = nullptr;  ///< pigments of the texture's layers, where they are known already
 };

@@ -175,9 +175,9 @@ private:
         }
         const ColorSlot out = has(dimmed_, k) ? dim(queue, scratch_.air[k], tile_.slot(k)) : tile_.slot(k);
         if (batch_.holds(k)) return go_on_single(tile_.place(k, state, met), k, out);
-        HitContext hit{tile_.place(k, state, met), k, {}};
+        HitContext hit = tile_.context(k, state, met);
         const HitDetails& details = tile_.details(k);
-        hit.around = {details.point, hit.normal, state.ray.direction, details.uv, true};
+        hit.surround(details.point, details.uv);
         for (std::size_t g = 0; g < scratch_.mapped_count; ++g) {
             const MappedGroup& group = scratch_.mapped[g];
             if (has(group.hits, k))
