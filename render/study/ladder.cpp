@@ -137,6 +137,14 @@ void add_radiosity(Settings& out, const scene::GlobalSettings& global)
                            t.scene.global.radiosity->error_bound = bound;
                        },
                        {}});
+    for (const int limit : {1, 2, 3, 5, 8})
+        out.push_back({"radiosity, bounces",
+                       fmt::format("recursion_limit {}", limit),
+                       [=](Trial& t) {
+                           smooth(t);
+                           t.scene.global.radiosity->recursion_limit = limit;
+                       },
+                       {}});
 }
 
 void add_photons(Settings& out, const scene::GlobalSettings& global)
@@ -192,7 +200,7 @@ void add_solvers(Settings& out, const scene::ObjectList& objects)
 {
     if (!has_solvers(objects)) return;
     for (const double share : {100.0, 30.0, 10.0, 3.0, 1.0, 0.3, 0.1})
-        out.push_back({"accuracy of isosurfaces and parametric surfaces",
+        out.push_back({"accuracy of isosurfaces, parametric surfaces and julia sets",
                        fmt::format("accuracy times {:g}", share),
                        [=](Trial& t) {
                            smooth(t);

@@ -14,7 +14,8 @@ bool solves(const scene::Object& object)
 {
     if (const auto* freeform = std::get_if<scene::Freeform>(&object.shape)) {
         const auto& kind = freeform->shape->kind;
-        return std::holds_alternative<csg::Isosurface>(kind) || std::holds_alternative<csg::Parametric>(kind);
+        return std::holds_alternative<csg::Isosurface>(kind) || std::holds_alternative<csg::Parametric>(kind) ||
+               std::holds_alternative<csg::Julia>(kind);
     }
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     return csg != nullptr && std::any_of(csg->operands->begin(), csg->operands->end(), solves);
@@ -31,6 +32,11 @@ std::shared_ptr<const csg::FreeformShape> scaled(const std::shared_ptr<const csg
         csg::ParametricTerms terms = two->terms();
         terms.accuracy *= share;
         return csg::make_freeform<csg::Parametric>(std::move(terms));
+    }
+    if (const auto* julia = std::get_if<csg::Julia>(&shape->kind)) {
+        csg::JuliaTerms terms = julia->terms();
+        terms.precision = std::max(1.0, terms.precision / share);  // its steps are one part of so many
+        return csg::make_freeform<csg::Julia>(terms);
     }
     return shape;
 }

@@ -4,10 +4,10 @@
 
 namespace study {
 
-/// Whether some isosurface or parametric surface stands among the objects, however deep.
+/// Whether some isosurface, parametric surface or julia set stands among the objects, however deep.
 bool has_solvers(const scene::ObjectList& objects);
 
-/// Their accuracy times `share`. What copies share they share afterwards.
+/// Their accuracy, of julia sets the length of steps, times `share`. What copies share they share afterwards.
 void scale_accuracy(scene::ObjectList& objects, double share);
 
 }  // namespace study

@@ -45,6 +45,7 @@ class Julia {
 public:
     explicit Julia(const JuliaTerms& terms);
 
+    const JuliaTerms& terms() const { return terms_; }
     void intersect(const Ray& ray, IntersectionList& out) const;
     /// Polynomials; of the other functions the C library works out most.
     bool intersects_many() const { return terms_.function <= JuliaTerms::Function::HyperCube; }

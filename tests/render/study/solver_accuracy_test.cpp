@@ -48,6 +48,19 @@ TEST_CASE("accuracy is scaled however deep, and copies go on sharing", "[study][
     CHECK(accuracy(given.objects[2]) == Approx(0.02));
 }
 
+TEST_CASE("the steps of julia sets are scaled, and no longer than the set itself", "[study][solvers]")
+{
+    scene::Description scene = solved("julia_fractal { <.1,.8,0,.02> precision 30 max_iteration 9 }\n");
+    const auto terms = [&] {
+        return std::get<csg::Julia>(std::get<scene::Freeform>(scene.objects[0].shape).shape->kind).terms();
+    };
+    study::scale_accuracy(scene.objects, 0.1);
+    CHECK(terms().precision == Approx(300));
+    CHECK(terms().iterations == 9);
+    study::scale_accuracy(scene.objects, 1000.0);
+    CHECK(terms().precision == 1.0);
+}
+
 TEST_CASE("only scenes with solvers have their accuracy in the ladder", "[study][solvers]")
 {
     const auto has = [](const std::string& text) {
@@ -58,5 +71,6 @@ TEST_CASE("only scenes with solvers have their accuracy in the ladder", "[study]
         return false;
     };
     CHECK(has(kSurface));
+    CHECK(has("union { sphere { 2*x, 1 } julia_fractal { <.1,.8,0,.02> precision 30 } }"));
     CHECK_FALSE(has("sphere { 0, 1 }"));
 }
