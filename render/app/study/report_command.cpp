@@ -100,7 +100,12 @@ void check_place(const std::string& path)
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     if (!std::filesystem::is_directory(folder))
         throw OptionError(fmt::format("cannot write '{}': there is no folder '{}'", path, folder.string()));
+    if (std::filesystem::is_directory(path)) throw OptionError(fmt::format("cannot write '{}': it is a folder", path));
     if (access(folder.c_str(), W_OK) != 0 || (access(path.c_str(), F_OK) == 0 && access(path.c_str(), W_OK) != 0))
+        throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+    // Of root, and of file systems that are full or of the system's own, access() knows less than trying does.
+    const image::Replacement trial(path);
+    if (!std::ofstream(trial.beside(), std::ios::binary).put('\n').flush())
         throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
 }
 

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <unistd.h>
+
 #include <filesystem>
 
 using support::run_program;
@@ -40,6 +42,16 @@ TEST_CASE("a report that cannot be written or is not understood says so before i
         return ended.err;
     };
     CHECK(refused({"-o", "no/such/folder/r.html"}).find("there is no folder") != std::string::npos);
+    std::filesystem::create_directory(folder / "locked");
+    CHECK(refused({"-o", "locked"}).find("cannot write 'locked': it is a folder") != std::string::npos);
+    // Modes do not keep root out; nobody makes files in /proc.
+    std::filesystem::permissions(folder / "locked",
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    for (const std::string place : {folder / "locked/r.html", std::string("/proc/r.html")}) {
+        if (geteuid() == 0 && place.find("/proc") != 0) continue;
+        CHECK(refused({"-o", place}).find("cannot write '" + place + "': ") != std::string::npos);
+    }
+    CHECK(folder.names() == std::vector<std::string>{"locked", "s.pov"});
     CHECK(refused({"--want=0"}).find("--want wants a number above 0") != std::string::npos);
     CHECK(refused({"--truth-seconds"}).find("wants a value") != std::string::npos);
     CHECK(refused({"--nonsense"}).find("unknown option") != std::string::npos);
