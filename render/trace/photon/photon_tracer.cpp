@@ -1,6 +1,7 @@
 #include "render/trace/photon/photon_tracer.h"
 
 #include "render/texture/plain_textures.h"
+#include "render/trace/extensions/rough_mirror.h"
 #include "render/trace/photon/photon_air.h"
 #include "render/trace/shade/refraction.h"
 
@@ -309,11 +310,22 @@ private:
         for (std::size_t i = 0; i < stack.mirrors.size(); ++i) {
             const Mirror& of = stack.mirrors[i];
             if (black(of.reflectivity)) continue;
-            const RayState ray = mirrored(context_, hit, stack.mirrors.back().normal,
-                                          photon.state.weight * largest(of.reflectivity) * largest(of.reflectivity));
+            RayState ray = mirrored(context_, hit, stack.mirrors.back().normal,
+                                    photon.state.weight * largest(of.reflectivity) * largest(of.reflectivity));
+            if (of.finish->extension != texture::kNone) roughen(hit, *of.finish, ray);
             const glm::vec3 color = raised(scene::Color::of(photon.color), of.finish->reflection_power);
             send(sent(photon, ray, color * of.reflectivity * share), photon);
         }
+    }
+
+    /// Off a rough mirror: one direction of those that a ray would be the mean of, by where the photon comes from.
+    void roughen(const HitPlace& hit, const texture::Finish& finish, RayState& ray) const
+    {
+        const texture::FinishExtension& rough = scene_.textures.extensions[finish.extension];
+        if (!(rough.gloss_exponent > 0.0f)) return;
+        const auto seed = static_cast<std::uint32_t>(random_seed(hit.point, ray.ray.direction));
+        ray.ray.direction = RoughLobe(rough, ray.ray.direction, hit.normal).direction(sobol_point(seed, 0));
+        ray.start = start_of(context_, hit, ray.ray.direction);
     }
 
     static Flying sent(const Flying& from, const RayState& ray, const glm::vec3& color)

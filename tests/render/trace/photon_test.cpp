@@ -337,3 +337,38 @@ plane { y, 0 pigment { rgb .8 } }
                           [](float v) { return std::isfinite(v); }));
     }
 }
+
+TEST_CASE("photons off a rough mirror spread as its rays do, and none is lost", "[photons]")
+{
+    // Parallel light from y = 5 up to a small mirror at y = 10, and down to the floor.
+    struct Landed {
+        std::size_t count;
+        double flux = 0.0, cosine = 0.0;  ///< of all; mean of the angle to the mirrored way
+    };
+    const auto landed = [](const std::string& gloss) {
+        const indirect_test::Made made = indirect_test::made(
+            "global_settings { assumed_gamma 1 photons { spacing .005 } }\n"
+            "camera { location <0,3,-6> look_at 0 }\n"
+            "light_source { 5*y rgb 1 parallel point_at 10*y photons { reflection on } }\n"
+            "plane { y, 0 pigment { rgb .5 } }\n"
+            "box { <-.1,10,-.1>, <.1,10.1,.1> pigment { rgb 0 } finish { diffuse 0 reflection { 1 " +
+                gloss + " } } photons { target reflection on } }",
+            8, 6);
+        REQUIRE(made.light);
+        Landed out{made.light->photons.size()};
+        for (const trace::Photon& photon : made.light->photons.photons()) {
+            const glm::dvec3 way = glm::dvec3(photon.place()) - glm::dvec3(0, 10, 0);
+            out.flux += static_cast<double>(trace::flux_of(photon).x);
+            out.cosine += -way.y / glm::length(way) / static_cast<double>(out.count);
+        }
+        return out;
+    };
+    const Landed sharp = landed(""), rough = landed("whittle_gloss .01"), rougher = landed("whittle_gloss .1");
+    REQUIRE(sharp.count > 1000);
+    CHECK(sharp.cosine > 0.9999);
+    // The mean of c where it is as dense as c^e: (e + 1) / (e + 2), e being 1 over the roughness.
+    CHECK(rough.cosine == Approx(101.0 / 102.0).margin(1e-3));
+    CHECK(rougher.cosine == Approx(11.0 / 12.0).margin(0.01));
+    CHECK(rough.count == sharp.count);
+    CHECK(rough.flux == Approx(sharp.flux).epsilon(1e-3));
+}
