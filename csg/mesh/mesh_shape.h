@@ -44,6 +44,7 @@ public:
 
     const Bvh& bvh() const { return bvh_; }
     const TriangleBlock& block(std::uint32_t index) const { return blocks_[index]; }
+    std::size_t blocks() const { return blocks_.size(); }
     const Aabb& bounds() const { return bvh_.bounds; }
     std::size_t triangles() const { return triangles_; }  ///< those that have an area
     /// Of a solid: edges that an odd number of faces share. None: the mesh is closed.

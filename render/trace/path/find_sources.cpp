@@ -42,7 +42,10 @@ void add_faces(Emitter& out, const glm::dvec3& lower, const glm::dvec3& upper, c
             if (side == 1) corner[axis] = upper[axis];
             a[(axis + 1) % 3] = size[(axis + 1) % 3];
             b[(axis + 2) % 3] = size[(axis + 2) % 3];
-            Emitter::Face face{point(corner), vector(a), vector(b), {}, 0.0};
+            Emitter::Face face;
+            face.corner = point(corner);
+            face.a = vector(a);
+            face.b = vector(b);
             glm::dvec3 n = glm::cross(face.a, face.b);
             face.area = glm::length(n);
             glm::dvec3 outward(0);
@@ -53,6 +56,87 @@ void add_faces(Emitter& out, const glm::dvec3& lower, const glm::dvec3& upper, c
             out.faces.push_back(face);
         }
     out.center = middle;
+}
+
+/// A flat face of a given shape. area: as a share of the parallelogram of a and b
+Emitter::Face flat(Emitter::Face::Shape shape, const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b,
+                   double area)
+{
+    Emitter::Face out;
+    out.shape = shape;
+    out.corner = corner;
+    out.a = a;
+    out.b = b;
+    const glm::dvec3 n = glm::cross(a, b);
+    const double length = glm::length(n);
+    out.area = area * length;
+    out.normal = length > 0.0 ? n / length : n;
+    return out;
+}
+
+/// Faces that are seen from both sides and may hide each other.
+void add_two_sided(Emitter& out, std::vector<Emitter::Face> faces)
+{
+    out.convex = false;
+    double sum = 0.0;
+    for (const Emitter::Face& face : faces) out.ends.push_back(sum += face.area);
+    out.faces = std::move(faces);
+}
+
+bool add_disc(Emitter& out, const csg::Disc& disc)
+{
+    const double hole = disc.radius > 0.0 ? disc.hole / disc.radius : 1.0;
+    if (!(hole < 1.0)) return false;
+    const glm::dvec3 a = disc.frame.vector({disc.radius, 0.0, 0.0}), b = disc.frame.vector({0.0, disc.radius, 0.0});
+    Emitter::Face ring =
+        flat(Emitter::Face::Shape::Ring, disc.frame.point(glm::dvec3(0.0)), a, b, kPi * (1.0 - hole * hole));
+    ring.hole = hole;
+    add_two_sided(out, {ring});
+    return true;
+}
+
+/// A closed one whose section is a circle across its axis, faces in the order of csg::TubeFace.
+bool add_cylinder(Emitter& out, const csg::Cylinder& tube)
+{
+    constexpr double kRound = 1e-9;
+    using Shape = Emitter::Face::Shape;
+    const glm::dvec3 base = tube.frame.point(glm::dvec3(0.0)), a = tube.frame.vector({1.0, 0.0, 0.0}),
+                     b = tube.frame.vector({0.0, 1.0, 0.0}), axis = tube.frame.vector({0.0, 0.0, 1.0});
+    const double radius = glm::length(a), length = glm::length(axis);
+    if (tube.open || !(radius > 0.0) || !(length > 0.0)) return false;
+    if (std::abs(glm::length(b) - radius) > kRound * radius || std::abs(glm::dot(a, b)) > kRound * radius * radius ||
+        std::abs(glm::dot(a, axis)) + std::abs(glm::dot(b, axis)) > kRound * radius * length)
+        return false;
+    Emitter::Face side;
+    side.shape = Shape::Side;
+    side.corner = base;
+    side.a = a;
+    side.b = b;
+    side.axis = axis;
+    side.area = 2.0 * kPi * radius * length;
+    side.normal = glm::dvec3(0);
+    Emitter::Face low = flat(Shape::Ring, base, a, b, kPi), high = flat(Shape::Ring, base + axis, a, b, kPi);
+    low.normal = -axis / length;
+    high.normal = axis / length;
+    out.faces = {side, low, high};
+    return true;
+}
+
+/// With one surface for all its faces, and not too many of them.
+bool add_mesh(Emitter& out, const csg::Mesh& mesh)
+{
+    constexpr std::size_t kMostBlocks = 250'000;
+    const std::size_t blocks = mesh.shape->blocks();
+    if (mesh.surfaces.size() != 1 || mesh.blends || blocks > kMostBlocks) return false;
+    std::vector<Emitter::Face> faces;
+    faces.reserve(4 * blocks);
+    for (std::uint32_t i = 0; i < 4 * blocks; ++i) {
+        const auto corner = [&](std::uint32_t k) { return mesh.frame.point(mesh.shape->block(i / 4).at(k, i % 4)); };
+        const glm::dvec3 first = corner(0);
+        faces.push_back(flat(Emitter::Face::Shape::Triangle, first, corner(1) - first, corner(2) - first, 0.5));
+    }
+    add_two_sided(out, std::move(faces));
+    return true;
 }
 
 bool add_body(const csg::SolidStore& store, Emitter& out, double& area)
@@ -77,11 +161,34 @@ bool add_body(const csg::SolidStore& store, Emitter& out, double& area)
         add_faces(out, box.lower, box.upper, &box.frame);
         break;
     }
+    case csg::SolidKind::Cylinder:
+        if (!add_cylinder(out, store.all<csg::Cylinder>()[i])) return false;
+        break;
+    case csg::SolidKind::Disc:
+        if (!add_disc(out, store.all<csg::Disc>()[i])) return false;
+        break;
+    case csg::SolidKind::Triangle: {
+        const csg::Triangle& triangle = store.all<csg::Triangle>()[i];
+        add_two_sided(out,
+                      {flat(Emitter::Face::Shape::Triangle, triangle.corner, triangle.edge1, triangle.edge2, 0.5)});
+        break;
+    }
+    case csg::SolidKind::Mesh:
+        if (!add_mesh(out, store.all<csg::Mesh>()[i])) return false;
+        break;
     default: return false;  // paths find it by chance
     }
     area = 0.0;
     for (const Emitter::Face& face : out.faces) area += face.area;
     return area > 0.0;
+}
+
+/// Of a mesh, that of its faces if there is but one.
+csg::SurfaceId surface_of(const csg::SolidStore& store, csg::PartId part)
+{
+    if (csg::kind_of(part) != csg::SolidKind::Mesh) return store.surface(part);
+    const auto& surfaces = store.all<csg::Mesh>()[csg::index_of(part)].surfaces;
+    return surfaces.size() == 1 ? surfaces[0] : csg::kNoSurface;
 }
 
 void find_emitters(const plan::CompiledScene& scene, std::vector<Emitter>& out)
@@ -92,7 +199,9 @@ void find_emitters(const plan::CompiledScene& scene, std::vector<Emitter>& out)
         if (item.solid == csg::kNoPart || item.inverted || item.guard != csg::WorldItem::kNoGuard) continue;
         if ((item.visible & plan::bit(plan::RayKind::Gather)) == 0) continue;
         Emitter body;
-        body.radiance = even_light(scene, scene.surfaces[world.store.surface(item.solid)]);
+        const csg::SurfaceId surface = surface_of(world.store, item.solid);
+        if (surface == csg::kNoSurface) continue;
+        body.radiance = even_light(scene, scene.surfaces[surface]);
         const float light = brightest(body.radiance);
         body.part = item.solid;
         double area = 0.0;

@@ -1,13 +1,17 @@
 #pragma once
 
+#include "render/trace/path/lamp_faces.h"
 #include "render/trace/path/lamps.h"
+
+#include <algorithm>
 
 namespace trace::path {
 
 /// Shadow rays from the hits of a tile, each to a lamp of its own. Compiled once per instruction set.
 class LampRays {
 public:
-    explicit LampRays(Context& context) : context_(context) {}
+    /// \param faces of lamps that paths meet where light is bent: shadow rays to those end there
+    LampRays(Context& context, const LampFaces& faces) : context_(context), faces_(faces) {}
 
     void begin() { asked_ = count_ = 0; }
 
@@ -48,14 +52,25 @@ public:
             if (of.ray != kNone && endings_[of.ray] == Shadow::Blocked) continue;
             const bool clear = of.ray == kNone || endings_[of.ray] == Shadow::Clear;
             glm::vec3 color = of.lit.color;
-            if (of.ray != kNone && (!clear || of.light->atmosphere))
+            if (of.ray != kNone && (!clear || of.light->atmosphere)) {
                 color = filtered_light(context_, of.point, of.tolerance, *of.interiors, of.lit, color,
                                        {of.light->atmosphere});
+                if (!clear && bent() && faces_.has(*of.light)) continue;
+            }
             give(of.hit, of.weight * color);
         }
     }
 
 private:
+    /// Whether the shadow ray that was filtered last crosses what bends light.
+    bool bent() const
+    {
+        const plan::CompiledScene& scene = context_.scene;
+        const auto& met = context_.scratch.crossings;
+        return std::any_of(met.begin(), met.end(),
+                           [&](const Hit& hit) { return bends(scene, scene.surfaces[hit.surface]); });
+    }
+
     static constexpr std::size_t kNone = ~std::size_t{0};
     struct Asked {
         std::size_t hit;
@@ -68,6 +83,7 @@ private:
         std::size_t ray = 0;
     };
     Context& context_;
+    const LampFaces& faces_;
     std::vector<double> chances_;
     std::array<Asked, kTileRays> asked_rays_;
     std::size_t asked_ = 0, count_ = 0;

@@ -39,7 +39,8 @@ bool finite(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y
 class PathTracer::Impl {
 public:
     Impl(const plan::CompiledScene& scene, const path::Sources& sources, const std::atomic<bool>* cancel)
-        : scene_(scene), world_(scene.world()), context_(scene, scratch_, nullptr), camera_(scene), lamps_(context_),
+        : scene_(scene), world_(scene.world()), context_(scene, scratch_, nullptr), camera_(scene),
+          faces_(has_air(context_) ? nullptr : &context_.lights), lamps_(context_, faces_),
           sources_(context_, sources.any() ? &sources : nullptr), reader_(context_, light_),
           alike_(world_.seen_by_all(static_cast<std::uint8_t>(
               bit(plan::RayKind::Image) | bit(plan::RayKind::Reflection) | bit(plan::RayKind::Gather))))
@@ -141,6 +142,7 @@ private:
     {
         const std::size_t count = gather_kind();
         const SegmentTile tile = meet_first(count);
+        if (faces_.any()) meet_lamps(count);
         const HitMask dimmed = AirStage(context_, tile).run();
         for_each_hit(dimmed, [&](std::size_t k) {
             const Air& air = scratch_.shade.air[k];
@@ -157,6 +159,23 @@ private:
         lamps_.run(give);
         sources_.run(give);
         keep(count);
+    }
+
+    /// Lamps that mirrors and bent light show to what has scattered the paths.
+    void meet_lamps(std::size_t count)
+    {
+        for (std::size_t k = 0; k < count; ++k) {
+            path::Walk& walk = walks_[k];
+            if (!walk.chain.turned) continue;
+            const RayState& state = segments_[k].state;
+            const Hit met = hits_.at(static_cast<int>(k));
+            const auto dim = [&](double t) {
+                return state.interiors.empty() ? glm::vec3(1)
+                                               : path::absorbed(scene_.interiors[state.interiors.last()], t);
+            };
+            walk.radiance += walk.throughput * faces_.met(state.ray, state.start, met.found() ? met.t : csg::kInfinity,
+                                                          walk.length - walk.chain.begin, *walk.chain.from, dim);
+        }
     }
 
     void add_sky(const SegmentTile& tile, HitMask missed)
@@ -198,8 +217,15 @@ private:
         ++walk.bounces;
         if (!path::finite(walk.throughput) || !survives(walk)) return;
         walk.pdf = sources_.asks(state.interiors) ? on.pdf : 0.0;
+        if (!on.lobe->delta()) walk.chain = {&hit.surface, walk.length, false};
+        else if (walk.chain.from != nullptr && turns(*on.lobe, hit.surface)) walk.chain.turned = true;
         next_[k] = next_ray(hit, on);
         goes_on_ |= HitMask{1} << k;
+    }
+
+    bool turns(const path::Lobe& lobe, const plan::Surface& surface) const
+    {
+        return lobe.kind == path::Lobe::Kind::Mirror || path::bends(scene_, surface);
     }
 
     /// The first surface that scatters light or has its own.
@@ -277,6 +303,7 @@ private:
     Scratch scratch_;
     Context context_;
     path::CameraStart camera_;
+    const path::LampFaces faces_;
     path::LampRays lamps_;
     path::SourceRays sources_;
     path::SurfaceLight light_;  ///< of the hit at hand

@@ -31,6 +31,7 @@ public:
         const auto u = draws.pair();
         Asked& to = asked_[count_];
         glm::dvec3 direction;
+        to.face = Emitter::kAnyFace;
         if (which < sources_->sky_chance()) {
             to.source = Sources::kNone;
             direction = sources_->sky->sample(u);
@@ -38,7 +39,7 @@ public:
         } else {
             to.source = choose((which - sources_->sky_chance()) / (1.0 - sources_->sky_chance()));
             const Emitter& body = sources_->emitters[to.source];
-            to.pdf = chance(body) * body.sample(hit.point, u, direction);
+            to.pdf = chance(body) * body.sample(hit.point, u, direction, to.face);
         }
         if (!(to.pdf > 0.0)) return;
         const Response response = bsdf.respond(direction);
@@ -64,7 +65,7 @@ public:
             if (of.source == Sources::kNone) {
                 if (hit.found()) continue;
                 give(of.hit, of.weight * sky_color(context_, rays_.ray(static_cast<int>(i)), true).rgb());
-            } else if (hit.found() && met(hit) == of.source) {
+            } else if (hit.found() && met(hit) == of.source && sources_->emitters[of.source].is(of.face, hit.face)) {
                 give(of.hit, of.weight * sources_->emitters[of.source].radiance);
             }
         }
@@ -103,7 +104,7 @@ private:
 
     struct Asked {
         std::size_t hit;
-        std::uint32_t source;
+        std::uint32_t source, face;
         glm::vec3 weight;
         double pdf;
     };

@@ -6,19 +6,28 @@
 namespace trace::path {
 namespace {
 
-bool turned_to(const Emitter::Face& face, const glm::dvec3& from)
-{
-    return glm::dot(from - face.corner, face.normal) > 0.0;
-}
-
 /// Of all faces that a point outside sees.
 double seen_area(const Emitter& body, const glm::dvec3& from)
 {
+    if (!body.convex) return body.ends.empty() ? 0.0 : body.ends.back();
     double area = 0.0;
-    for (const Emitter::Face& face : body.faces)
-        if (turned_to(face, from)) area += face.area;
+    for (const Emitter::Face& face : body.faces) area += face.seen_area(from);
     return area;
 }
+
+/// From the axis of a round cylinder to a point, in its radii, and half of the angle that the point sees of its side.
+struct Around {
+    double x, y, half;
+
+    Around(const Emitter::Face& side, const glm::dvec3& from)
+    {
+        const double radius2 = glm::dot(side.a, side.a);
+        x = glm::dot(from - side.corner, side.a) / radius2;
+        y = glm::dot(from - side.corner, side.b) / radius2;
+        const double away = std::sqrt(x * x + y * y);
+        half = away > 1.0 ? std::acos(1.0 / away) : 0.0;
+    }
+};
 
 /// 1 minus the cosine of the half angle that a sphere is seen under; negative: from within.
 double cap_height(const Emitter& ball, const glm::dvec3& from)
@@ -40,8 +49,47 @@ std::size_t drawn(const double* ends, std::size_t count, double u, double& withi
 
 }  // namespace
 
-double Emitter::sample(const glm::dvec3& from, const std::array<double, 2>& u, glm::dvec3& direction) const
+double Emitter::Face::seen_area(const glm::dvec3& from) const
 {
+    if (shape != Shape::Side) return glm::dot(from - corner, normal) > 0.0 ? area : 0.0;
+    return area * Around(*this, from).half / kPi;
+}
+
+glm::dvec3 Emitter::Face::normal_at(const glm::dvec3& place) const
+{
+    if (shape != Shape::Side) return normal;
+    const glm::dvec3 off = place - corner;
+    return glm::normalize(off - axis * (glm::dot(off, axis) / glm::dot(axis, axis)));
+}
+
+glm::dvec3 Emitter::Face::place(const glm::dvec3& from, const std::array<double, 2>& u, glm::dvec3& unit) const
+{
+    unit = normal;
+    switch (shape) {
+    case Shape::Parallelogram: break;
+    case Shape::Triangle: {
+        const double root = std::sqrt(u[0]);
+        return corner + (root * (1.0 - u[1])) * a + (root * u[1]) * b;
+    }
+    case Shape::Ring: {
+        const double r = std::sqrt(hole * hole + u[0] * (1.0 - hole * hole)), angle = 2.0 * kPi * u[1];
+        return corner + (r * std::cos(angle)) * a + (r * std::sin(angle)) * b;
+    }
+    case Shape::Side: {
+        const Around seen(*this, from);
+        const double angle = std::atan2(seen.y, seen.x) + (2.0 * u[1] - 1.0) * seen.half;
+        const glm::dvec3 out = std::cos(angle) * a + std::sin(angle) * b;
+        unit = glm::normalize(out);
+        return corner + out + u[0] * axis;
+    }
+    }
+    return corner + u[0] * a + u[1] * b;
+}
+
+double Emitter::sample(const glm::dvec3& from, const std::array<double, 2>& u, glm::dvec3& direction,
+                       std::uint32_t& face) const
+{
+    face = kAnyFace;
     if (sphere) {
         const double height = cap_height(*this, from);
         if (!(height > 0.0)) return 0.0;
@@ -50,19 +98,28 @@ double Emitter::sample(const glm::dvec3& from, const std::array<double, 2>& u, g
     }
     const double area = seen_area(*this, from);
     if (!(area > 0.0)) return 0.0;
-    double at = u[0] * area;
-    for (const Face& face : faces) {
-        if (!turned_to(face, from)) continue;
-        if (at < face.area) {
-            const glm::dvec3 to = face.corner + (at / face.area) * face.a + u[1] * face.b - from;
-            const double length = glm::length(to);
-            direction = to / length;
-            const double cosine = -glm::dot(direction, face.normal);
-            return cosine > 0.0 ? length * length / (area * cosine) : 0.0;
+    const double at = u[0] * area;
+    std::size_t i = 0;
+    double before = 0.0, own = 0.0;
+    if (convex) {
+        for (; i < faces.size(); ++i, before += own) {
+            own = faces[i].seen_area(from);
+            if (at < before + own) break;
         }
-        at -= face.area;
+    } else {
+        i = static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), at) - ends.begin());
+        if (i > 0) before = ends[i - 1];
+        if (i < faces.size()) own = faces[i].area;
+        face = static_cast<std::uint32_t>(i);
     }
-    return 0.0;
+    if (i >= faces.size() || !(own > 0.0)) return 0.0;
+    glm::dvec3 normal;
+    const glm::dvec3 to = faces[i].place(from, {std::min((at - before) / own, 1.0), u[1]}, normal) - from;
+    const double length = glm::length(to);
+    if (!(length > 0.0)) return 0.0;
+    direction = to / length;
+    const double turned = -glm::dot(direction, normal), cosine = convex ? turned : std::abs(turned);
+    return cosine > 0.0 ? length * length / (area * cosine) : 0.0;
 }
 
 double Emitter::density(const glm::dvec3& from, const glm::dvec3& direction, double distance, std::uint32_t face) const
@@ -71,9 +128,13 @@ double Emitter::density(const glm::dvec3& from, const glm::dvec3& direction, dou
         const double height = cap_height(*this, from);
         return height > 0.0 ? 1.0 / (2.0 * kPi * height) : 0.0;
     }
-    if (face >= faces.size() || !turned_to(faces[face], from)) return 0.0;
-    const double cosine = -glm::dot(direction, faces[face].normal);
-    return cosine > 0.0 ? distance * distance / (seen_area(*this, from) * cosine) : 0.0;
+    const std::size_t i = faces.size() == 1 ? 0 : face;
+    if (i >= faces.size()) return 0.0;
+    const double area = seen_area(*this, from);
+    const double turned = -glm::dot(direction, faces[i].normal_at(from + distance * direction));
+    const double cosine = convex ? turned : std::abs(turned);
+    if (!(area > 0.0) || (convex && !(faces[i].seen_area(from) > 0.0))) return 0.0;
+    return cosine > 0.0 ? distance * distance / (area * cosine) : 0.0;
 }
 
 SkyTable::SkyTable(std::size_t columns, std::size_t rows, const std::vector<float>& brightness)

@@ -17,22 +17,45 @@ struct CompiledScene;
 /// picture, read by all threads.
 namespace trace::path {
 
-/// A convex body that gives off the same light everywhere.
+/// A body that gives off the same light everywhere: a sphere, one with faces that bound it, or faces with two sides.
 struct Emitter {
     struct Face {
-        glm::dvec3 corner, a, b, normal;  ///< a parallelogram; the normal is unit and points out
-        double area;
+        enum class Shape : std::uint8_t {
+            Parallelogram,  ///< from its corner along a and b
+            Triangle,       ///< half of that
+            Ring,           ///< an ellipse about `corner` with the half axes a and b, with a hole
+            Side            ///< of a round cylinder: a and b across, base at `corner`, along `axis`
+        } shape = Shape::Parallelogram;
+        glm::dvec3 corner, a, b, normal;  ///< the normal is unit and points out; a side has none
+        double area = 0;
+        double hole = 0;  ///< its radius as a share of the ring's
+        glm::dvec3 axis{0};
+
+        /// A place on it and its normal. From: of a side, whose near half it takes.
+        glm::dvec3 place(const glm::dvec3& from, const std::array<double, 2>& u, glm::dvec3& unit) const;
+        glm::dvec3 normal_at(const glm::dvec3& place) const;
+        /// That a point sees: of a flat one all or nothing.
+        double seen_area(const glm::dvec3& from) const;
     };
     csg::PartId part = csg::kNoPart;
     bool sphere = false;
+    bool convex = true;  ///< faces hide each other in no other way than by turning away; else they have two sides
     glm::dvec3 center{0};
     double radius = 0;
-    std::vector<Face> faces;  ///< of a body that is no sphere
+    std::vector<Face> faces;   ///< of a body that is no sphere
+    std::vector<double> ends;  ///< of faces with two sides: sums of their areas
     glm::vec3 radiance{0};
     double chance = 0;  ///< of being drawn among the emitters
 
-    /// A direction to it from a point outside; its density by solid angle, 0: none.
-    double sample(const glm::dvec3& from, const std::array<double, 2>& u, glm::dvec3& direction) const;
+    static constexpr std::uint32_t kAnyFace = 0xffffffffu;
+    /// A direction to it from a point outside; its density by solid angle, 0: none. face: that has to be met there.
+    double sample(const glm::dvec3& from, const std::array<double, 2>& u, glm::dvec3& direction,
+                  std::uint32_t& face) const;
+    /// Whether that face is the one.
+    bool is(std::uint32_t asked, std::uint32_t met) const
+    {
+        return asked == kAnyFace || faces.size() == 1 || asked == met;
+    }
     /// The density of the direction that met it there.
     double density(const glm::dvec3& from, const glm::dvec3& direction, double distance, std::uint32_t face) const;
 };

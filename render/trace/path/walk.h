@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/path/draws.h"
+#include "render/trace/path/lamp_faces.h"
 #include "render/trace/queue/ray_queue.h"
 
 namespace trace::path {
@@ -14,6 +15,7 @@ struct Walk {
     double pdf = 0;     ///< of the ray's direction, by solid angle; 0: the camera's, a mirror's or what goes through
     double length = 0;  ///< so far
     bool seen = false;  ///< the first surface that scatters is behind it
+    Chain chain;
 };
 
 }  // namespace trace::path
