@@ -31,6 +31,18 @@ glm::vec3 absorbed(const plan::Interior& interior, double length)
     return out;
 }
 
+/// False: it was cancelled.
+template <class Work>
+bool ends_by_itself(Work work)
+{
+    try {
+        work();
+    } catch (const csg::Cancelled&) {
+        return false;
+    }
+    return true;
+}
+
 bool finite(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
 }  // namespace
@@ -97,8 +109,8 @@ private:
         const RayState& state = tile.state(k);
         const Hit met = tile.hits.at(static_cast<int>(k));
         const HitDetails details = world_.details(state.ray, met);
-        HitContext hit{tile.place(k, state, met), k, {}};
-        hit.around = {details.point, hit.normal, state.ray.direction, details.uv, true};
+        HitContext hit = tile.context(k, state, met);
+        hit.surround(details.point, details.uv);
         reader_.read(hit, details, tile.texture(k), walks_[k].draws);
         return {true,          met.t,          details.point,
                 light_.normal, details.uv,     light_.bsdf.albedo() + light_.emission,
@@ -327,22 +339,12 @@ PathTracer::~PathTracer() = default;
 
 bool PathTracer::trace(std::span<const PathSample> samples, PathFound* out)
 {
-    try {
-        impl_->trace(samples, out);
-    } catch (const csg::Cancelled&) {
-        return false;
-    }
-    return true;
+    return path::ends_by_itself([&] { impl_->trace(samples, out); });
 }
 
 bool PathTracer::look(std::span<const PathSample> samples, SeenFirst* out)
 {
-    try {
-        impl_->look(samples, out);
-    } catch (const csg::Cancelled&) {
-        return false;
-    }
-    return true;
+    return path::ends_by_itself([&] { impl_->look(samples, out); });
 }
 
 RayCounts PathTracer::counts() const { return impl_->counts(); }

@@ -47,7 +47,7 @@ TEST_CASE("a report that cannot be written or is not understood says so before i
     // Modes do not keep root out; nobody makes files in /proc.
     std::filesystem::permissions(folder / "locked",
                                  std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-    for (const std::string place : {folder / "locked/r.html", std::string("/proc/r.html")}) {
+    for (const std::string& place : {folder / "locked/r.html", std::string("/proc/r.html")}) {
         if (geteuid() == 0 && place.find("/proc") != 0) continue;
         CHECK(refused({"-o", place}).find("cannot write '" + place + "': ") != std::string::npos);
     }
