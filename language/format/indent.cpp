@@ -1,10 +1,20 @@
 #include "language/format/lines.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace language::format {
 namespace {
+
+/// Directives that an `#end` belongs to.
+bool has_end(parser::Kind word)
+{
+    using parser::Kind;
+    constexpr std::array kOpening{Kind::If,    Kind::Ifdef, Kind::Ifndef, Kind::Switch,
+                                  Kind::While, Kind::For,   Kind::Macro};
+    return std::find(kOpening.begin(), kOpening.end(), word) != kOpening.end();
+}
 
 using parser::Kind;
 
@@ -58,14 +68,8 @@ public:
 private:
     void directive(Kind word, bool whole_text)
     {
+        if (has_end(word)) return directives_.push_back({word, braces_, {}, false, whole_text});
         switch (word) {
-        case Kind::If:
-        case Kind::Ifdef:
-        case Kind::Ifndef:
-        case Kind::Switch:
-        case Kind::While:
-        case Kind::For:
-        case Kind::Macro: directives_.push_back({word, braces_, {}, false, whole_text}); break;
         case Kind::Else:
         case Kind::Elseif:
         case Kind::Case:
@@ -158,14 +162,8 @@ bool guards_whole_text(const std::vector<Piece>& pieces)
     int depth = 0;
     for (std::size_t i = tokens[1]; i < pieces.size(); ++i) {
         if (pieces[i].what != PieceKind::Token || pieces[i - 1].kind != Kind::Hash) continue;
+        depth += has_end(pieces[i].kind);
         switch (pieces[i].kind) {
-        case Kind::If:
-        case Kind::Ifdef:
-        case Kind::Ifndef:
-        case Kind::Switch:
-        case Kind::While:
-        case Kind::For:
-        case Kind::Macro: ++depth; break;
         case Kind::Else:
         case Kind::Elseif:
             if (depth == 1) return false;

@@ -26,8 +26,6 @@ struct Request {
     bool flip = false;       ///< told, and drawn instead of the largest difference
 };
 
-constexpr std::string_view kHelpWords[] = {"--help", "-help", "-h", "-?"};
-
 constexpr const char* kCompareUsage =
     R"(usage: whittle compare A B [--out diff.png] [--flip] [--tolerance n] [--share x]
 
@@ -120,14 +118,11 @@ void print(const Request& request, const image::Comparison& c, const std::vector
 
 }  // namespace
 
+std::string compare_help() { return kCompareUsage; }
+
 int compare_command(const std::vector<std::string>& arguments)
 {
     try {
-        if (std::find_first_of(arguments.begin(), arguments.end(), std::begin(kHelpWords), std::end(kHelpWords)) !=
-            arguments.end()) {
-            fmt::print("{}", kCompareUsage);
-            return kAgree;
-        }
         const image::Files files;
         const Request request = request_of(arguments);
         const image::Picture a = files.read(request.pictures[0]), b = files.read(request.pictures[1]);

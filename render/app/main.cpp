@@ -82,29 +82,34 @@ int cancellable(const Words& arguments)
 /// What each word of options/sub_commands.h calls, with the words after it.
 struct Called {
     std::string_view name;
+    std::string (*help)();
     int (*run)(const Words& arguments);
 };
 
 // clang-format off: one a line
 constexpr std::array kCalled = {
-    Called{"compare", app::compare_command},
-    Called{"fmt", app::fmt_command},
-    Called{"info", cancellable<app::info_command>},
-    Called{"lint", app::lint_command},
-    Called{"mesh", cancellable<app::mesh_command>},
-    Called{"pixel", cancellable<app::pixel_command>},
-    Called{"report", cancellable<app::report_command>},
-    Called{"watch", cancellable<app::watch_command>},
+    Called{"compare", app::compare_help, app::compare_command},
+    Called{"fmt", app::fmt_help, app::fmt_command},
+    Called{"info", app::info_help, cancellable<app::info_command>},
+    Called{"lint", app::lint_help, app::lint_command},
+    Called{"mesh", app::mesh_help, cancellable<app::mesh_command>},
+    Called{"pixel", app::pixel_help, cancellable<app::pixel_command>},
+    Called{"report", app::report_help, cancellable<app::report_command>},
+    Called{"watch", app::watch_help, cancellable<app::watch_command>},
 };
 // clang-format on
 static_assert(kCalled.size() == app::kSubCommands.size());
 
 int run(const std::vector<std::string>& arguments, app::Settings& settings, app::Remains& remains)
 {
-    if (!arguments.empty())
-        for (const Called& command : kCalled)
-            if (command.name == arguments[0]) return command.run({arguments.begin() + 1, arguments.end()});
-    if (has_word(arguments, {"--help", "-help", "-h", "-?"})) {
+    const bool help = has_word(arguments, {"--help", "-help", "-h", "-?"});
+    for (const Called& command : kCalled) {
+        if (arguments.empty() || command.name != arguments[0]) continue;
+        if (!help) return command.run({arguments.begin() + 1, arguments.end()});
+        fmt::print("{}", command.help());
+        return app::kSuccess;
+    }
+    if (help) {
         fmt::print("{}", app::help_text());
         return app::kSuccess;
     }

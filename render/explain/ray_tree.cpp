@@ -1,5 +1,6 @@
 #include "render/explain/tree_parts.h"
 
+#include "render/trace/air/interior_fade.h"
 #include "render/texture/finish.h"
 
 #include <fmt/format.h>
@@ -37,22 +38,6 @@ double crossed(const std::vector<plan::Interior>& interiors, std::vector<std::ui
 }
 
 }  // namespace
-
-glm::vec3 faded(const plan::Interior& interior, double distance)
-{
-    const auto reach = static_cast<double>(interior.fade_distance), power = static_cast<double>(interior.fade_power);
-    constexpr double kExponential = 1000.0;
-    if (std::abs(reach) <= kSameIndex) return glm::vec3(1);
-    if (power >= kExponential) {
-        glm::vec3 out;
-        for (int k = 0; k < 3; ++k)
-            out[k] =
-                static_cast<float>(std::exp(-(1.0 - static_cast<double>(interior.fade_color[k])) * distance / reach));
-        return out;
-    }
-    const auto share = static_cast<float>(1.0 / (1.0 + std::pow(distance / reach, power)));
-    return interior.fade_color + (1.0f - interior.fade_color) * share;
-}
 
 std::unique_ptr<RayNode> RayTree::explain(const csg::Ray& camera_ray)
 {
@@ -240,7 +225,7 @@ void RayTree::let_through(const Met& met, const glm::vec3& filter, const glm::dv
     const bool inside = std::find(way.interiors.begin(), way.interiors.end(), met.surface.interior) !=
                         way.interiors.end();
     glm::vec3 factor = filter * interior.transmission;
-    if (inside) factor *= faded(interior, met.hit.t);
+    if (inside) factor *= trace::interior_fade(interior, met.hit.t, false);
     const double ratio = crossed(scene_.interiors, way.interiors, met.surface.interior);
     way.weight = met.way.weight * most_of(glm::abs(filter));
     way.start = scene_.tolerance.hit_from(met.node.point, met.hit.t);

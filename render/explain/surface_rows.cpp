@@ -1,5 +1,6 @@
 #include "render/explain/tree_parts.h"
 
+#include "render/trace/air/interior_fade.h"
 #include "render/texture/finish.h"
 #include "render/trace/light/shade_light.h"
 
@@ -225,7 +226,7 @@ glm::vec3 RayTree::unshadowed(const csg::Ray& ray, double from, double to, std::
             if (at == inside.end()) {
                 inside.push_back(surface.interior);
             } else {
-                if (interior.fade_power > 0.0f) color *= faded(interior, hit.t - before);
+                color *= trace::interior_fade(interior, hit.t - before, true);
                 inside.erase(at);
             }
         }

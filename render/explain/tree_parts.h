@@ -25,9 +25,6 @@ struct RayTree::Met {
     texture::Surroundings around;
 };
 
-/// Fading of light over a distance inside an interior (spec 3, 9.1).
-glm::vec3 faded(const plan::Interior& interior, double distance);
-
 inline float most_of(const glm::vec3& c) { return glm::max(c.x, glm::max(c.y, c.z)); }
 
 }  // namespace explain

@@ -33,7 +33,7 @@ Exit status: 0 done, 1 a file could not be read, laid out or written, or --check
 
 struct FmtRequest {
     std::vector<std::string> files;
-    bool help = false, check = false, print = false;
+    bool check = false, print = false;
     language::format::Options layout;
 };
 
@@ -55,7 +55,6 @@ FmtRequest fmt_request(const std::vector<std::string>& arguments)
     for (const std::string& word : arguments) {
         if (!options || word == "-" || !word.starts_with("-")) request.files.push_back(word);
         else if (word == "--") options = false;
-        else if (word == "--help" || word == "-h") request.help = true;
         else if (word == "--check") request.check = true;
         else if (word == "--stdout") request.print = true;
         else if (word == "--tabs") request.layout.tabs = true;
@@ -63,8 +62,7 @@ FmtRequest fmt_request(const std::vector<std::string>& arguments)
         else if (word.starts_with("--width=")) request.layout.width = fmt_number(word, 40, 1000);
         else throw OptionError("unknown option '" + word + "' of whittle fmt");
     }
-    if (request.files.empty() && !request.help)
-        throw OptionError("fmt wants files: whittle fmt FILE... [--check | --stdout]");
+    if (request.files.empty()) throw OptionError("fmt wants files: whittle fmt FILE... [--check | --stdout]");
     return request;
 }
 
@@ -90,13 +88,11 @@ bool lay_out(const std::string& path, const FmtRequest& request)
 
 }  // namespace
 
+std::string fmt_help() { return kFmtUsage; }
+
 int fmt_command(const std::vector<std::string>& arguments)
 {
     const FmtRequest request = fmt_request(arguments);
-    if (request.help) {
-        fmt::print("{}", kFmtUsage);
-        return kSuccess;
-    }
     int status = kSuccess;
     for (const std::string& path : request.files) {
         try {

@@ -8,7 +8,7 @@
 #include "render/app/run/frames.h"
 #include "render/app/run/render_command.h"
 #include "render/app/run/scene_file.h"
-#include "render/app/run/scene_queries.h"
+#include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
 #include "render/lint/lint.h"
 
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <charconv>
 #include <condition_variable>
-#include <filesystem>
 #include <mutex>
 #include <thread>
 
@@ -113,15 +112,6 @@ void keep_note(void* context, const parser::Message& message)
     if (message.severity == parser::Severity::Note) *static_cast<parser::Message*>(context) = message;
 }
 
-std::optional<std::string> text_on_disk(const std::string& path)
-{
-    try {
-        return whole_file(path);
-    } catch (const std::exception&) {
-        return {};
-    }
-}
-
 void append(std::vector<lint::Finding>& to, std::vector<lint::Finding> from)
 {
     std::move(from.begin(), from.end(), std::back_inserter(to));
@@ -133,18 +123,13 @@ std::vector<lint::Finding> look_at(const LintRequest& request)
     const std::string scene = find_scene(settings);
     std::atomic<bool> late = false;
     parser::Message stopped;
-    SceneQueries queries(settings.threads, late, isa_of(settings));
-    const FrameList list = frames_of(settings);
-    parser::Options options = parser_options(settings, list, list.frames.front());
-    options.write_nothing = true;
-    options.queries = &queries;
-    options.cancel = &late;
+    const SceneReading reading(settings, late);
     std::vector<lint::Finding> found;
     try {
         parser::Result parsed;
         {
             const Deadline deadline(request.seconds, late);
-            parsed = parser::parse_file(scene, options, keep_note, &stopped);
+            parsed = parser::parse_file(scene, reading.options, keep_note, &stopped);
         }
         append(found, lint::check_text(scene, parsed.scene.files, text_on_disk, request.wanted));
         append(found, lint::check_scene(parsed.scene, text_on_disk, request.wanted));
@@ -157,6 +142,13 @@ std::vector<lint::Finding> look_at(const LintRequest& request)
 
 }  // namespace
 
+std::string lint_help()
+{
+    std::string text = kLintUsage;
+    for (const lint::Check& check : lint::checks()) text += fmt::format("  {:<18}{}\n", check.name, check.meaning);
+    return text;
+}
+
 int lint_command(const std::vector<std::string>& arguments)
 {
     const auto has = [&](const char* word) {
@@ -164,11 +156,6 @@ int lint_command(const std::vector<std::string>& arguments)
     };
     if (has("--list")) {
         for (const lint::Check& check : lint::checks()) fmt::print("{:<18}{}\n", check.name, check.meaning);
-        return kSuccess;
-    }
-    if (has("--help") || has("-h")) {
-        fmt::print("{}", kLintUsage);
-        for (const lint::Check& check : lint::checks()) fmt::print("  {:<18}{}\n", check.name, check.meaning);
         return kSuccess;
     }
     const LintRequest request = lint_request(arguments);

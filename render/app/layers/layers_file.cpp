@@ -1,12 +1,11 @@
 #include "render/app/layers/layers_file.h"
 
 #include "render/app/run/memory.h"
+#include "render/app/run/scene_file.h"
 #include "render/layers/object_names.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace app {
 namespace {
@@ -26,9 +25,7 @@ LayersTask layers_task(const Run& run, const scene::Description& scene, const st
     if (kBytesPerPixel * settings.width * settings.height > picture_memory(settings))
         throw OptionError("not enough memory is free for the layers of so large a picture");
     const auto text_of = [&run](const std::string& file) {
-        if (run.input) return *run.input;
-        std::ifstream in(file, std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(in), {});
+        return run.input ? *run.input : text_on_disk(file).value_or("");
     };
     if (std::find(task.kinds.begin(), task.kinds.end(), layers::Kind::Object) != task.kinds.end())
         task.names = layers::object_names(scene, text_of);

@@ -5,7 +5,7 @@
 #include "render/app/pixel/pixel_answer.h"
 #include "render/app/run/frame_render.h"
 #include "render/app/run/scene_file.h"
-#include "render/app/run/scene_queries.h"
+#include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
 
 #include <fmt/format.h>
@@ -40,6 +40,8 @@ void print_message(void*, const scene::Message& message) { fmt::print(stderr, "{
 
 }  // namespace
 
+std::string pixel_help() { return kPixelUsage; }
+
 int pixel_command(const std::vector<std::string>& arguments, Cancellation& cancel)
 {
     Settings settings;
@@ -47,10 +49,6 @@ int pixel_command(const std::vector<std::string>& arguments, Cancellation& cance
     std::optional<glm::ivec2> at;
     std::vector<std::string> others;
     for (const std::string& word : arguments) {
-        if (word == "--help" || word == "-help" || word == "-h" || word == "-?") {
-            fmt::print("{}", kPixelUsage);
-            return kSuccess;
-        }
         const auto place = place_of(word);
         if (place) at = place;
         else others.push_back(word);
@@ -61,15 +59,10 @@ int pixel_command(const std::vector<std::string>& arguments, Cancellation& cance
     if (at->x < 0 || at->y < 0 || at->x >= settings.width || at->y >= settings.height)
         throw OptionError(
             fmt::format("pixel {},{} is not in a picture of {}x{}", at->x, at->y, settings.width, settings.height));
-    const FrameList list = frames_of(settings);
-    parser::Options options = parser_options(settings, list, list.frames.front());
-    SceneQueries queries(settings.threads, cancel.requested, isa_of(settings));
-    options.queries = &queries;
-    options.cancel = &cancel.requested;
-    options.write_nothing = true;
+    const SceneReading reading(settings, cancel.requested);
     cancel.heeded = true;
     try {
-        const parser::Result parsed = parser::parse_file(find_scene(settings), options, print_message, nullptr);
+        const parser::Result parsed = parser::parse_file(find_scene(settings), reading.options, print_message, nullptr);
         const PixelAnswer answer = pixel_answer(settings, parsed.scene, at->x, at->y, cancel.requested);
         if (cancel.requested) return kCancelled;
         fmt::print("{}", answer.text);

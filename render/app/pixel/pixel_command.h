@@ -9,5 +9,6 @@ namespace app {
 
 /// `whittle pixel`. Returns the exit status.
 int pixel_command(const std::vector<std::string>& arguments, Cancellation& cancel);
+std::string pixel_help();  ///< what --help prints
 
 }  // namespace app

@@ -1,6 +1,8 @@
 #include "render/app/run/scene_file.h"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace app {
 
@@ -20,6 +22,14 @@ std::string find_scene(const Settings& settings)
         for (const fs::path& folder : folders)  // an absolute candidate replaces the folder
             if (fs::is_regular_file(folder / candidate, ignored)) return (folder / candidate).string();
     return name;
+}
+
+std::optional<std::string> text_on_disk(const std::string& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!in && !in.eof()) return {};
+    return text;
 }
 
 }  // namespace app

@@ -5,8 +5,9 @@
 #include "render/app/run/frame_render.h"
 #include "render/app/run/frames.h"
 #include "render/app/run/scene_file.h"
-#include "render/app/run/scene_queries.h"
+#include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
+#include "render/layers/object_names.h"
 #include "render/trace/kernel/kernel.h"
 #include "render/trace/kernel/kernel_module.h"
 
@@ -76,13 +77,9 @@ BodyScene read_bodies(const BodyRequest& request, Cancellation& cancel)
     const Settings& settings = request.settings;
     if (settings.input_file.empty()) throw OptionError("no scene given");
     function::use(trace::load_kernel(isa_of(settings)).evaluators);
-    const FrameList list = frames_of(settings);
     const std::string file = find_scene(settings);
-    parser::Options options = parser_options(settings, list, list.frames.front());
-    SceneQueries queries(settings.threads, cancel.requested, isa_of(settings));
-    options.queries = &queries;
-    options.cancel = &cancel.requested;
-    options.write_nothing = true;
+    SceneReading reading(settings, cancel.requested);
+    parser::Options& options = reading.options;
     BodyScene out;
     if (request.object.empty()) {
         out.description = parser::parse_file(file, options, put_message).scene;
@@ -92,24 +89,13 @@ BodyScene read_bodies(const BodyRequest& request, Cancellation& cancel)
     const scene::Description& description = out.description;
     for (const scene::Unsupported& what : description.unsupported)
         fmt::print(stderr, "note: {} is not available yet\n", what.what);
-    for (std::size_t i = 0; i < description.objects.size(); ++i) {
-        const scene::Object& object = description.objects[i];
-        if (scene::is_light(object)) continue;
-        if (!request.object.empty() && i + 1 < description.objects.size()) continue;
-        const scene::Place place = description.place(object.source);
-        out.objects.push_back(
-            {!request.object.empty()
-                 ? request.object
-                 : fmt::format("{}:{}", std::filesystem::path(place.path).filename().string(), place.at.line),
-             &object});
-    }
-    // Two on one line are told apart by their number.
-    for (std::size_t i = 0; i < out.objects.size(); ++i) {
-        int same = 0;
-        for (std::size_t k = 0; k < i; ++k)
-            same += out.objects[k].object->source.offset != 0 && out.objects[k].name == out.objects[i].name;
-        if (same > 0) out.objects[i].name += fmt::format("#{}", same + 1);
-    }
+    const bool one = !request.object.empty();  // the last
+    const std::vector<std::string> names = one ? std::vector<std::string>(description.objects.size(), request.object)
+                                               : layers::object_names(description, [](const std::string& path) {
+                                                     return text_on_disk(path).value_or("");
+                                                 });
+    for (std::size_t i = one ? description.objects.size() - 1 : 0; i < description.objects.size(); ++i)
+        if (!scene::is_light(description.objects[i])) out.objects.push_back({names[i], &description.objects[i]});
     return out;
 }
 

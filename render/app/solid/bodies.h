@@ -17,7 +17,7 @@ struct BodyRequest {
 
 /// An object that stands in the scene, or that was asked for by name.
 struct NamedObject {
-    std::string name;  ///< the declared name, or "line N"
+    std::string name;  ///< the declared name, or as layers::object_names() has it
     const scene::Object* object = nullptr;
 };
 

@@ -129,13 +129,10 @@ int info(const InfoRequest& request, Cancellation& cancel)
 
 }  // namespace
 
+std::string info_help() { return kInfoUsage; }
+
 int info_command(const std::vector<std::string>& arguments, Cancellation& cancel)
 {
-    for (const std::string& word : arguments)
-        if (word == "--help" || word == "-h") {
-            fmt::print("{}", kInfoUsage);
-            return kSuccess;
-        }
     const InfoRequest request = info_request(arguments);
     cancel.heeded = true;
     const int threads = request.bodies.settings.threads;

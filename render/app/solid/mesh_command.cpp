@@ -31,6 +31,7 @@ How far mesh and object are apart is measured by rays and printed; a mesh that d
   -o FILE              the mesh; 3MF has an object and a colour for each of the scene's
   --tolerance=T        scene units (a unit is a millimetre) that it may be off by; usual: 0.01
   --object=NAME        the object that was declared by this name, wherever it stands in the scene
+  --seconds=S          after which an object is not refined any more; usual: 60. It may then be farther off, and that is told
   --cells=N            of the first lattice along the longest side, 4 to 128; usual: 16. Narrower parts may be overlooked
 
 Declare=, +L, Clock= and INI files are as for a render. Exit status: 0 done, 1 nothing could be written or a mesh is farther off than
@@ -39,12 +40,14 @@ it may be, 2 cancelled.
 
 constexpr std::size_t kSamples = 60'000;
 constexpr int kMostCells = 128;
+constexpr double kUsualSeconds = 60.0;
 
 struct MeshRequest {
     BodyRequest bodies;
     std::string out;
     double tolerance = 0.01;
     int cells = 16;
+    double seconds = kUsualSeconds;
 };
 
 MeshRequest mesh_request(const std::vector<std::string>& arguments)
@@ -58,6 +61,7 @@ MeshRequest mesh_request(const std::vector<std::string>& arguments)
         else if (take_value(arguments, i, {"-o", "--out"}, value)) request.out = value;
         else if (take_value(arguments, i, {"--tolerance"}, value))
             request.tolerance = whole_positive("--tolerance", value);
+        else if (take_value(arguments, i, {"--seconds"}, value)) request.seconds = whole_positive("--seconds", value);
         else if (take_value(arguments, i, {"--cells"}, value)) {
             const double cells = whole_positive("--cells", value, kMostCells);
             if (cells < 4.0 || cells != std::floor(cells))
@@ -159,6 +163,8 @@ private:
         options.tolerance = request_.tolerance;
         options.cells = request_.cells;
         options.cancel = &cancel_.requested;
+        options.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                       std::chrono::duration<double>(request_.seconds));
         solid::MeshFacts facts;
         solid::Deviation off;
         for (;; options.cells = std::min(2 * options.cells, kMostCells)) {
@@ -166,7 +172,7 @@ private:
             part.mesh = solid::mesh_of(body, extent, options, facts);
             off = solid::deviation(body, extent, part.mesh, kSamples, request_.tolerance, &cancel_.requested);
             // Something narrow was overlooked: a finer lattice sees it.
-            if (off.from_body <= request_.tolerance || facts.full || options.cells >= kMostCells) break;
+            if (off.from_body <= request_.tolerance || facts.full || facts.late || options.cells >= kMostCells) break;
         }
         const solid::MeshCheck found = solid::check(part.mesh);
         solid::MeasureOptions measuring;
@@ -191,7 +197,10 @@ private:
         const double worst = std::max(off.from_mesh, off.from_body);
         if (worst > request_.tolerance) {
             fmt::print(stderr, "{}: warning: it is off by {:.3g} somewhere, more than {:g}{}\n", part.name, worst,
-                       request_.tolerance, facts.full ? ": there was no room for finer triangles" : "");
+                       request_.tolerance,
+                       facts.full   ? ": there was no room for finer triangles"
+                       : facts.late ? ": there was no time for finer triangles (--seconds)"
+                                    : "");
             status_ = kError;
         }
         return true;
@@ -227,13 +236,10 @@ private:
 
 }  // namespace
 
+std::string mesh_help() { return kMeshUsage; }
+
 int mesh_command(const std::vector<std::string>& arguments, Cancellation& cancel)
 {
-    for (const std::string& word : arguments)
-        if (word == "--help" || word == "-h") {
-            fmt::print("{}", kMeshUsage);
-            return kSuccess;
-        }
     const MeshRequest request = mesh_request(arguments);
     cancel.heeded = true;
     const int threads = request.bodies.settings.threads;

@@ -9,7 +9,7 @@
 #include "render/app/run/frame_render.h"
 #include "render/app/run/frames.h"
 #include "render/app/run/scene_file.h"
-#include "render/app/run/scene_queries.h"
+#include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/study/povray_runs.h"
 #include "render/image/picture_writer.h"
@@ -178,14 +178,9 @@ private:
     {
         Settings settings = request_.settings;
         settings.input_file = scene;
-        const FrameList list = frames_of(settings);
         const std::string file = find_scene(settings);
-        parser::Options options = parser_options(settings, list, list.frames.front());
-        SceneQueries queries(settings.threads, cancel_.requested, isa_of(settings));
-        options.queries = &queries;
-        options.cancel = &cancel_.requested;
-        options.write_nothing = true;
-        const parser::Result parsed = parser::parse_file(file, options);
+        const SceneReading reading(settings, cancel_.requested);
+        const parser::Result parsed = parser::parse_file(file, reading.options);
         trace::RenderOptions render;
         render.threads = settings.threads;
         render.isa = isa_of(settings);
@@ -324,13 +319,10 @@ private:
 
 }  // namespace
 
+std::string report_help() { return kReportUsage; }
+
 int report_command(const std::vector<std::string>& arguments, Cancellation& cancel)
 {
-    for (const std::string& word : arguments)
-        if (word == "--help" || word == "-help" || word == "-h" || word == "-?") {
-            fmt::print("{}", kReportUsage);
-            return kSuccess;
-        }
     const Request request = request_of(arguments);
     check_place(request.out);
     trace::prepare(isa_of(request.settings), request.settings.threads);

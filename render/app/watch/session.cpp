@@ -5,7 +5,7 @@
 #include "render/app/pixel/pixel_answer.h"
 #include "render/app/run/frame_render.h"
 #include "render/app/run/scene_file.h"
-#include "render/app/run/scene_queries.h"
+#include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/watch/passes.h"
 #include "render/app/watch/scene_events.h"
@@ -176,14 +176,9 @@ Settings Session::settings_for(const View& view) const
 
 Session::Parsed Session::read(const Settings& settings)
 {
-    const FrameList list = frames_of(settings);
-    parser::Options options = parser_options(settings, list, list.frames.front());
-    SceneQueries queries(settings.threads, cancel_, isa_of(settings));
-    options.queries = &queries;
-    options.cancel = &cancel_;
-    options.write_nothing = true;
+    const SceneReading reading(settings, cancel_);
     told_.clear();
-    return std::make_shared<const parser::Result>(parser::parse_file(scene_, options, gather, &told_));
+    return std::make_shared<const parser::Result>(parser::parse_file(scene_, reading.options, gather, &told_));
 }
 
 /// What the next save may be of.

@@ -96,13 +96,10 @@ std::string random_token()
 
 }  // namespace
 
+std::string watch_help() { return kWatchUsage; }
+
 int watch_command(const std::vector<std::string>& arguments, Cancellation& cancel)
 {
-    for (const std::string& word : arguments)
-        if (word == "--help" || word == "-help" || word == "-h" || word == "-?") {
-            fmt::print("{}", kWatchUsage);
-            return kSuccess;
-        }
     const WatchRequest request = watch_request_of(arguments);
     trace::prepare(isa_of(request.settings), request.settings.threads);
     cancel.heeded = true;

@@ -2,6 +2,7 @@
 
 #include "csg/base/cancel.h"
 #include "render/solid/mesh/patch.h"
+#include "render/solid/mesh/sides.h"
 #include "render/solid/mesh/weld.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -20,15 +21,8 @@ constexpr int kMostRounds = 200;
 constexpr std::size_t kGrain = 64;
 constexpr double kNearlyLongest = 0.3;  // of a square of a length
 
+using Clock = std::chrono::steady_clock;
 using EdgeMap = std::unordered_map<std::uint64_t, std::uint32_t, KeyHash>;
-using FaceKey = std::array<std::uint32_t, 3>;
-struct FaceHash {
-    std::size_t operator()(const FaceKey& key) const
-    {
-        return KeyHash()((std::uint64_t(key[0]) << 32 | key[1]) * 0xff51afd7ed558ccdu + key[2]);
-    }
-};
-
 class Mesher {
 public:
     Mesher(const Body& body, const csg::Aabb& extent, const MeshOptions& options, MeshFacts& facts)
@@ -66,10 +60,9 @@ public:
                 marks = coarse_patches();
             }
             if (marks.empty()) break;
-            if (space_.all.size() + 8 * marks.size() > options_.most_tetrahedra) {
-                facts_.full = true;
-                break;
-            }
+            facts_.late = Clock::now() >= options_.deadline;
+            facts_.full = space_.all.size() + 8 * marks.size() > options_.most_tetrahedra;
+            if (facts_.late || facts_.full) break;
             refine(marks);
         }
         collect_active();
@@ -193,44 +186,6 @@ private:
 
     const EdgeCut& cut(std::uint32_t a, std::uint32_t b) const { return cuts_[cut_of_.at(edge_key(a, b))]; }
 
-    /// A corner that is alone on its side, or the two that are inside first.
-    struct Sides {
-        bool lone = false;
-        Tetrahedron order;
-    };
-    Sides sides(const Tetrahedron& t) const
-    {
-        Sides out{false, {}};
-        std::array<std::uint32_t, 4> in{}, other{};
-        std::size_t ins = 0, outs = 0;
-        for (const std::uint32_t v : t) (space_.inside[v] != 0 ? in[ins++] : other[outs++]) = v;
-        if (ins == 2) return {false, {in[0], in[1], other[0], other[1]}};
-        out.lone = true;
-        if (ins == 1) out.order = {in[0], other[0], other[1], other[2]};
-        else out.order = {other[0], in[0], in[1], in[2]};
-        return out;
-    }
-
-    static FaceKey face_key(std::uint32_t a, std::uint32_t b, std::uint32_t c)
-    {
-        FaceKey key{a, b, c};
-        std::sort(key.begin(), key.end());
-        return key;
-    }
-
-    /// The faces between the polygon's corners, as (corner of the polygon, next): see polygon().
-    static void faces_of(const Sides& s, std::array<FaceKey, 4>& keys, std::size_t& count)
-    {
-        const auto& [a, b, c, d] = s.order;
-        if (s.lone) {
-            keys = {face_key(a, b, c), face_key(a, c, d), face_key(a, d, b), FaceKey{}};
-            count = 3;
-        } else {
-            keys = {face_key(a, c, d), face_key(a, b, d), face_key(b, c, d), face_key(a, b, c)};
-            count = 4;
-        }
-    }
-
     FaceCut cut_of_face(const FaceKey& key) const
     {
         const int ins = space_.inside[key[0]] + space_.inside[key[1]] + space_.inside[key[2]];
@@ -249,8 +204,7 @@ private:
         for (const std::uint32_t i : active_) {
             if (state_[i].known) continue;
             std::array<FaceKey, 4> keys;
-            std::size_t count = 0;
-            faces_of(sides(space_.all[i]), keys, count);
+            const std::size_t count = faces_of(sides_of(space_.all[i], space_.inside), keys);
             for (std::size_t k = 0; k < count; ++k)
                 if (face_of_.try_emplace(keys[k], static_cast<std::uint32_t>(faces_.size() + fresh.size())).second)
                     fresh.push_back(keys[k]);
@@ -285,25 +239,11 @@ private:
 
     Polygon polygon_of(const Tetrahedron& t, bool* coarse = nullptr) const
     {
-        const Sides s = sides(t);
-        const auto& [a, b, c, d] = s.order;
+        const Sides s = sides_of(t, space_.inside);
         std::array<FaceKey, 4> faces;
-        std::size_t count = 0;
-        faces_of(s, faces, count);
-        std::array<std::uint64_t, 4> edges{};
-        if (s.lone) edges = {edge_key(a, b), edge_key(a, c), edge_key(a, d), 0};
-        else edges = {edge_key(a, c), edge_key(a, d), edge_key(b, d), edge_key(b, c)};
-        // Positive volume in the order of `sides`? By exchanges, not by numbers: it may be very flat.
-        int exchanges = 0;
-        Tetrahedron order = t;
-        for (std::size_t i = 0; i < 4; ++i)
-            if (order[i] != s.order[i]) {
-                std::iter_swap(order.begin() + static_cast<std::ptrdiff_t>(i),
-                               std::find(order.begin(), order.end(), s.order[i]));
-                ++exchanges;
-            }
-        const bool positive = exchanges % 2 == 0;
-        const bool turned = s.lone ? positive != (space_.inside[a] != 0) : !positive;
+        const std::size_t count = faces_of(s, faces);
+        const std::array<std::uint64_t, 4> edges = edges_of(s);
+        const bool turned = is_turned(s, t, space_.inside);
         Polygon out;
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t k = turned ? count - 1 - i : i;

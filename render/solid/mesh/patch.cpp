@@ -166,93 +166,110 @@ bool too_far(const Body& body, const Finish& finish, const glm::dvec3& a, const 
     return !passage(body, finish, (a + b + c) / 3.0, n / area, -room, room, false, near, t) || std::abs(t) > finish.off;
 }
 
+/// Of four corners: 0 is the diagonal from the first to the third, 1 the other; the one that bends less.
+int flatter_diagonal(const Polygon& polygon)
+{
+    if (polygon.count != 4) return 0;
+    const auto point = [&](std::size_t i) { return polygon.corners[i % polygon.count].place.point; };
+    const auto bend = [&](std::size_t d) {
+        const glm::dvec3 a = glm::cross(point(d + 1) - point(d), point(d + 2) - point(d)),
+                         b = glm::cross(point(d + 2) - point(d), point(d + 3) - point(d));
+        const double l = glm::length(a) * glm::length(b);
+        return l > 0.0 ? glm::dot(a, b) / l : -1.0;
+    };
+    return bend(1) > bend(0) ? 1 : 0;
+}
+
+/// Whether the polygon's one or two triangles are the body's surface, without an edge of it between the corners.
+bool lies_on(const Body& body, const Finish& finish, const Polygon& polygon, std::size_t d, double room)
+{
+    double least_cosine = 1.0;
+    for (std::size_t i = 0; i < polygon.count; ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            least_cosine =
+                std::min(least_cosine, glm::dot(polygon.corners[i].place.normal, polygon.corners[k].place.normal));
+    const auto point = [&](std::size_t i) { return polygon.corners[i % polygon.count].place.point; };
+    return least_cosine >= kSharp && !too_far(body, finish, point(d), point(d + 1), point(d + 2), room) &&
+           (polygon.count != 4 || !too_far(body, finish, point(d), point(d + 2), point(d + 3), room));
+}
+
+/// The mean of the sharp points on faces where there are any, else of all corners.
+glm::dvec3 middle_of(const Polygon& polygon)
+{
+    glm::dvec3 all(0.0), sharp(0.0);
+    int sharp_ones = 0;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const Polygon::Corner& c = polygon.corners[i];
+        all += c.place.point;
+        if (!c.on_face || !c.sharp) continue;
+        sharp += c.place.point;
+        ++sharp_ones;
+    }
+    return sharp_ones > 0 ? sharp / static_cast<double>(sharp_ones) : all / static_cast<double>(polygon.count);
+}
+
+/// Where the polygon looks to: the mean normal of its corners, unless that contradicts their order.
+glm::dvec3 outward_of(const Polygon& polygon)
+{
+    glm::dvec3 normal(0.0), area(0.0);
+    const glm::dvec3 first = polygon.corners[0].place.point;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const SurfacePoint& at = polygon.corners[i].place;
+        area += glm::cross(at.point - first, polygon.corners[(i + 1) % polygon.count].place.point - first);
+        normal += at.normal;
+    }
+    if (glm::length(normal) > 0.1 && glm::dot(normal, area) > 0.0) return glm::normalize(normal);
+    return glm::length(area) > 0.0 ? glm::normalize(area) : glm::dvec3(0, 0, 1);
+}
+
+/// The tangent planes of the corners meet on the edge or in the corner of the body, where there is one. coarse: no ray
+/// says that the place lies on the body.
+glm::dvec3 centre_of(const Body& body, const Finish& finish, const std::array<glm::dvec3, 4>& corners,
+                     const Polygon& polygon, double room, bool& coarse)
+{
+    std::array<SurfacePoint, 8 + kTries> tangents;
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < polygon.count; ++i)
+        if (!polygon.corners[i].on_face || !polygon.corners[i].sharp) tangents[known++] = polygon.corners[i].place;
+    const glm::dvec3 start = middle_of(polygon), outward = outward_of(polygon);
+    SurfacePoint hit;
+    double t = 0.0;
+    for (int i = 0; i < kTries; ++i) {
+        const glm::dvec3 place = meeting_point(std::span(tangents.data(), known), start);
+        const auto own = barycentric(corners, place);
+        if (*std::min_element(own.begin(), own.end()) <= 0.0) break;
+        if (!passage(body, finish, place, outward, -room, room, true, hit, t)) break;
+        if (std::abs(t) <= kWell * finish.off) return place;
+        tangents[known++] = hit;
+    }
+    if (passage(body, finish, start, outward, -room, room, true, hit, t)) return hit.point;
+    coarse = true;
+    return start;
+}
+
 }  // namespace
 
 CentreCut cut_centre(const Body& body, const Finish& finish, const std::array<glm::dvec3, 4>& corners,
                      const Polygon& polygon)
 {
-    CentreCut out;
-    glm::dvec3 inner(0.0), normal(0.0), area(0.0);
-    int crossings = 0;
-    double size = 0.0;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        const Polygon::Corner& c = polygon.corners[i];
-        const glm::dvec3 next = polygon.corners[(i + 1) % polygon.count].place.point;
-        area += glm::cross(c.place.point - polygon.corners[0].place.point, next - polygon.corners[0].place.point);
-        size = std::max(size, glm::length(next - c.place.point));
-        normal += c.place.normal;
-        if (c.on_face) continue;
-        inner += c.place.point;
-        ++crossings;
-    }
-    inner /= crossings;
     const double room = kBeyond * glm::max(glm::length(corners[1] - corners[0]), glm::length(corners[3] - corners[2]));
+    CentreCut out;
     if (!polygon.any_on_face) {
-        const auto point = [&](std::size_t i) { return polygon.corners[i % polygon.count].place.point; };
-        double least_cosine = 1.0;
-        for (std::size_t i = 0; i < polygon.count; ++i)
-            for (std::size_t k = 0; k < i; ++k)
-                least_cosine =
-                    std::min(least_cosine, glm::dot(polygon.corners[i].place.normal, polygon.corners[k].place.normal));
-        if (polygon.count == 4) {  // along the diagonal that bends less
-            const glm::dvec3 d02 = glm::cross(point(1) - point(0), point(2) - point(0)),
-                             e02 = glm::cross(point(2) - point(0), point(3) - point(0)),
-                             d13 = glm::cross(point(2) - point(1), point(3) - point(1)),
-                             e13 = glm::cross(point(3) - point(1), point(0) - point(1));
-            const auto bend = [](const glm::dvec3& a, const glm::dvec3& b) {
-                const double l = glm::length(a) * glm::length(b);
-                return l > 0.0 ? glm::dot(a, b) / l : -1.0;
-            };
-            out.diagonal = bend(d13, e13) > bend(d02, e02) ? 1 : 0;
-        }
-        const std::size_t d = static_cast<std::size_t>(out.diagonal);
-        out.needed = least_cosine < kSharp || too_far(body, finish, point(d), point(d + 1), point(d + 2), room) ||
-                     (polygon.count == 4 && too_far(body, finish, point(d), point(d + 2), point(d + 3), room));
+        out.diagonal = flatter_diagonal(polygon);
+        out.needed = !lies_on(body, finish, polygon, static_cast<std::size_t>(out.diagonal), room);
         if (!out.needed) return out;
     }
     out.needed = true;
-    // The tangent planes of the corners meet on the edge or in the corner of the body, where there is one.
-    std::array<SurfacePoint, 8 + kTries> tangents;
-    std::size_t known = 0;
-    glm::dvec3 start(0.0);
-    int sharp = 0;
+    glm::dvec3 inner(0.0);
+    int crossings = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {
-        const Polygon::Corner& c = polygon.corners[i];
-        if (!c.on_face || !c.sharp) tangents[known++] = c.place;
-        if (c.on_face && c.sharp) {
-            start += c.place.point;
-            ++sharp;
-        }
+        if (polygon.corners[i].on_face) continue;
+        inner += polygon.corners[i].place.point;
+        ++crossings;
     }
-    if (sharp > 0) {
-        start /= sharp;
-    } else {
-        for (std::size_t i = 0; i < polygon.count; ++i) start += polygon.corners[i].place.point;
-        start /= static_cast<double>(polygon.count);
-    }
-    glm::dvec3 outward = glm::length(normal) > 0.1 ? glm::normalize(normal) : glm::dvec3(0.0);
-    if (outward == glm::dvec3(0.0) || glm::dot(outward, area) <= 0.0)
-        outward = glm::length(area) > 0.0 ? glm::normalize(area) : glm::dvec3(0, 0, 1);
-    const auto at_inner = barycentric(corners, inner);
-    glm::dvec3 place = start;
-    bool on_it = false;
-    SurfacePoint hit;
-    double t = 0.0;
-    for (int i = 0; i < kTries && !on_it; ++i) {
-        place = meeting_point(std::span(tangents.data(), known), start);
-        const auto own = barycentric(corners, place);
-        if (*std::min_element(own.begin(), own.end()) <= 0.0) break;
-        if (!passage(body, finish, place, outward, -room, room, true, hit, t)) break;
-        on_it = std::abs(t) <= kWell * finish.off;
-        if (!on_it) tangents[known++] = hit;
-    }
-    if (!on_it) {
-        place = start;
-        if (passage(body, finish, start, outward, -room, room, true, hit, t)) place = hit.point;
-        else out.coarse = true;
-    }
-    const glm::dvec3 meant = place;
-    out.place = kept_inside(barycentric(corners, meant), at_inner, meant, inner);
+    inner /= crossings;
+    const glm::dvec3 meant = centre_of(body, finish, corners, polygon, room, out.coarse);
+    out.place = kept_inside(barycentric(corners, meant), barycentric(corners, inner), meant, inner);
     if (glm::length(out.place - meant) > finish.off) out.coarse = true;
     for (std::size_t i = 0; i < polygon.count && !out.coarse; ++i)
         out.coarse = too_far(body, finish, polygon.corners[i].place.point,

@@ -3,6 +3,7 @@
 #include "render/trace/media/media_extinction.h"
 #include "render/trace/shade/shade_context.h"
 
+#include "render/trace/air/interior_fade.h"
 #include <algorithm>
 #include <cmath>
 

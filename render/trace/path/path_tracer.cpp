@@ -1,5 +1,6 @@
 #include "render/trace/path/path_tracer.h"
 
+#include "render/trace/air/interior_fade.h"
 #include "render/trace/air/air_stage.h"
 #include "render/trace/path/camera_start.h"
 #include "render/trace/path/lamp_rays.h"

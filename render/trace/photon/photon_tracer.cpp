@@ -1,5 +1,6 @@
 #include "render/trace/photon/photon_tracer.h"
 
+#include "render/trace/air/interior_fade.h"
 #include "render/texture/plain_textures.h"
 #include "render/trace/extensions/rough_mirror.h"
 #include "render/trace/photon/photon_air.h"

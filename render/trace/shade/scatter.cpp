@@ -1,6 +1,7 @@
 #include "render/texture/finish.h"
 #include "render/texture/noise/noise.h"
 #include "render/trace/extensions/rough_mirror.h"
+#include "render/trace/air/interior_fade.h"
 #include "render/trace/shade/refraction.h"
 
 #include <algorithm>
@@ -85,26 +86,6 @@ namespace {
 double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& direction)
 {
     return start_here(context, hit, direction);
-}
-
-glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow)
-{
-    const auto reach = static_cast<double>(interior.fade_distance), power = static_cast<double>(interior.fade_power);
-    if (!(std::abs(reach) > kNearlyZero) || (shadow && !(power > 0.0))) return glm::vec3(1.0f);
-    constexpr double kExponential = 1000.0;  // from this power on the law is exponential
-    if (power >= kExponential) {
-        glm::vec3 out;
-        for (int k = 0; k < 3; ++k)
-            out[k] =
-                static_cast<float>(std::exp(-(1.0 - static_cast<double>(interior.fade_color[k])) * distance / reach));
-        return out;
-    }
-    // Powers that most scenes ask for, without the library.
-    const double ways = distance / reach, loss = power == 1.0   ? ways
-                                                 : power == 2.0 ? ways * ways
-                                                                : std::pow(ways, power);
-    const auto share = static_cast<float>(1.0 / (1.0 + loss));
-    return interior.fade_color + (1.0f - interior.fade_color) * share;
 }
 
 double fresnel_index(const Context& context, const HitPlace& hit)

@@ -209,9 +209,6 @@ glm::vec3 raised(const scene::Color& c, float exponent);
 /// Relative index for a fresnel reflection (spec 3, 7.9).
 double fresnel_index(const Context& context, const HitPlace& hit);
 
-/// Fading of light over a distance inside an interior; 1 where it does not fade (spec 3, 9.1).
-glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow);
-
 /// Iridescence of light from `l` (spec 3, 7.11).
 glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,
                      const glm::dvec3& normal, const glm::dvec3& l);

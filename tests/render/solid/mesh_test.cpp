@@ -6,6 +6,61 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
+
+namespace {
+
+using Corners = std::array<glm::dvec3, 3>;
+
+Corners corners_of(const solid::TriangleMesh& mesh, std::size_t i)
+{
+    Corners out;
+    for (std::size_t k = 0; k < 3; ++k) out[k] = glm::dvec3(mesh.vertices[mesh.triangles[i][k]]);
+    return out;
+}
+
+/// Whether an edge of a runs through the inside of b.
+bool pierces(const Corners& a, const Corners& b)
+{
+    const glm::dvec3 n = glm::cross(b[1] - b[0], b[2] - b[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 p = a[k], q = a[(k + 1) % 3];
+        const double dp = glm::dot(p - b[0], n), dq = glm::dot(q - b[0], n);
+        if (dp * dq >= 0.0) continue;
+        const glm::dvec3 x = p + (q - p) * (dp / (dp - dq));
+        double least = 1e300;
+        for (std::size_t m = 0; m < 3; ++m)
+            least = std::min(least, glm::dot(n, glm::cross(b[(m + 1) % 3] - b[m], x - b[m])));
+        if (least > 1e-6 * glm::dot(n, n)) return true;  // vertices are in single precision
+    }
+    return false;
+}
+
+/// Every triangle against every other that it has no corner in common with.
+std::size_t crossings(const solid::TriangleMesh& mesh)
+{
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+            const auto &s = mesh.triangles[i], &t = mesh.triangles[k];
+            if (i == k || std::find_first_of(s.begin(), s.end(), t.begin(), t.end()) != s.end()) continue;
+            found += pierces(corners_of(mesh, i), corners_of(mesh, k)) ? 1 : 0;
+        }
+    return found;
+}
+
+solid::TriangleMesh mesh_of_text(const char* scene, solid::MeshOptions options, solid::MeshFacts& facts)
+{
+    const solid::Body body = body_of(scene);
+    double error = 0.0;
+    std::uint64_t rays = 0;
+    const csg::Aabb extent = solid::require_extent(body, error, rays);
+    return solid::mesh_of(body, extent, options, facts);
+}
+
+}  // namespace
+
 TEST_CASE("meshes close, lie near the body and hold its volume", "[solid]")
 {
     const char* const scenes[] = {
@@ -65,4 +120,34 @@ TEST_CASE("the check finds what does not close", "[solid]")
          {std::array<std::uint32_t, 3>{0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {0, 5, 6}})
         pinched.triangles.push_back(t);
     CHECK(solid::check(pinched).crowded_vertices == 1);
+}
+
+TEST_CASE("no triangle passes through another", "[solid]")
+{
+    for (const char* const scene :
+         {"sphere { 0, 1 }", "difference { box { -1, 1 rotate <20, 30, 40> } cylinder { -2 * y, 2 * y, 0.5 } }",
+          "torus { 1, 0.3 }", "merge { box { 0, 1 } sphere { 1, 0.6 } }"}) {
+        INFO(scene);
+        solid::MeshOptions options;
+        options.tolerance = 0.2;
+        options.cells = 6;
+        solid::MeshFacts facts;
+        const solid::TriangleMesh mesh = mesh_of_text(scene, options, facts);
+        REQUIRE(mesh.triangles.size() > 100);
+        REQUIRE(mesh.triangles.size() < 20000);
+        CHECK(solid::check(mesh).good());
+        CHECK(crossings(mesh) == 0);
+    }
+}
+
+TEST_CASE("a mesh that has no time to get finer closes all the same", "[solid]")
+{
+    solid::MeshOptions options;
+    options.tolerance = 1e-4;
+    options.deadline = std::chrono::steady_clock::now();
+    solid::MeshFacts facts;
+    const solid::TriangleMesh mesh = mesh_of_text("difference { sphere { 0, 1 } torus { 0.7, 0.4 } }", options, facts);
+    CHECK(facts.late);
+    CHECK(facts.rounds == 0);
+    CHECK(solid::check(mesh).good());
 }
