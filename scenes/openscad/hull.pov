@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "stage.inc"
-View(<0, 0, 2>, 32)
+View(<0, 0, 2>, 38)
 
 // hull() { sphere(4); translate([14,0,6]) sphere(2); }
 sphere_sweep {

@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "stage.inc"
-View(<1, 0, 4>, 29)
+View(<1, 0, 4>, 36)
 
 // rotate_extrude() polygon([[3,0],[8,0],[8,2],[5,2],[5,10],[3,10]]);
 #declare Bush = lathe {
