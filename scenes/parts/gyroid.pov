@@ -12,6 +12,7 @@ background { rgb 0.85 }
     function { abs(sin(3 * x) * cos(3 * y) + sin(3 * y) * cos(3 * z) + sin(3 * z) * cos(3 * x)) - 0.45 }
     contained_by { box { -2.05, 2.05 } }
     max_gradient 6
+    all_intersections    // the ball cuts it: every crossing counts
   }
   sphere { 0, 2 }
 }
