@@ -5,6 +5,7 @@
 #include "parser/stream/token_stream.h"
 #include "render/font/font.h"
 #include "render/image/picture.h"
+#include "render/scene/solids/inside.h"
 #include "render/scene/description.h"
 
 #include <functional>
@@ -151,10 +152,8 @@ void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object);
 scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source);
 void read_written(SceneBuilder& build, Kind keyword, scene::Object& object);
 bool is_written(Kind keyword);
-/// Whether it is drawn but has no inside (spec 5b, 1.1).
-bool is_patch(const scene::Object& object);
-/// Whether inside() can be asked of it: of a Csg every operand must have an inside, also where that means nothing.
-bool has_inside(const scene::Object& object);
+using scene::has_inside;
+using scene::is_patch;
 /// Modifiers of any object until something else stands there.
 void read_modifiers(SceneBuilder& build, scene::Object& object);
 /// One of them, if it is next.

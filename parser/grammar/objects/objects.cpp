@@ -76,25 +76,6 @@ struct Operands final : ObjectReceiver {
 
 }  // namespace
 
-bool is_patch(const scene::Object& object)
-{
-    const auto* mesh = std::get_if<scene::Mesh>(&object.shape);
-    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
-    return std::holds_alternative<scene::Triangle>(object.shape) ||
-           std::holds_alternative<scene::Shared<scene::SmoothTriangle>>(object.shape) ||
-           (mesh && mesh->data && !mesh->data->has_inside_vector) ||
-           (freeform && csg::Freeform{freeform->shape, {}}.surface());
-}
-
-bool has_inside(const scene::Object& object)
-{
-    if (scene::is_light(object)) return false;
-    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
-    if (freeform && std::holds_alternative<csg::Polygon>(freeform->shape->kind)) return true;
-    const auto* csg = std::get_if<scene::Csg>(&object.shape);
-    return csg ? csg->has_inside : !is_patch(object);
-}
-
 /// Objects, `global_lights` and transformations: it takes no other modifier.
 scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& source)
 {

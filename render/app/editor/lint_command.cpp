@@ -27,7 +27,7 @@ constexpr const char* kLintUsage =
     R"(usage: whittle lint SCENE [--no=NAME[,NAME...]] [--only=NAME[,NAME...]] [--seconds=N] [--list] [options of a render]
 
 Tells what is doubtful about a scene that can be read. +L, +W, Declare=name=value and the like mean what they mean for a picture.
-Exit status: 0 nothing was found, 1 something was, or the scene cannot be read.
+Exit status: 0 nothing was found, 1 something was, 2 the scene cannot be read.
 
   --list        the names of all checks and what they look for
   --no=NAME     without these checks
@@ -162,10 +162,10 @@ int lint_command(const std::vector<std::string>& arguments)
     try {
         const std::vector<lint::Finding> found = look_at(request);
         for (const lint::Finding& finding : found) fmt::print("{}\n", scene::message_text(finding.message));
-        return found.empty() ? kSuccess : kError;
+        return found.empty() ? kNothingFound : kFound;
     } catch (const scene::Error& error) {
         fmt::print(stderr, "{}\n", error.what());
-        return kError;
+        return kUnreadable;
     }
 }
 

@@ -81,7 +81,8 @@ std::string help_text()
     text += "\nKeywords that are accepted without effect for now:\n" + keywords_of(State::NotYet);
     text += "\nExit status:\n";
     for (const ExitStatus& status : kExitStatuses) text += fmt::format("  {}  {}\n", status.number, status.meaning);
-    return text + "  compare: 0 the pictures agree, 1 they differ, 2 they cannot be compared\n";
+    return text + "  compare: 0 the pictures agree, 1 they differ, 2 they cannot be compared\n  lint: 0 nothing was "
+                  "found, 1 something was, 2 the scene cannot be read\n";
 }
 
 std::string version_text() { return "whittle " WHITTLE_VERSION "\n"; }

@@ -108,7 +108,8 @@ std::string manual_page()
     page += options_part() + keywords_part();
     page += ".SH EXIT STATUS\n";
     for (const ExitStatus& status : kExitStatuses) page += entry(status.number, status.meaning);
-    page += ".PP\nOf compare: 0 the pictures agree, 1 they differ, 2 they cannot be compared.\n";
+    page += ".PP\nOf compare: 0 the pictures agree, 1 they differ, 2 they cannot be compared.\n.PP\nOf lint: 0 nothing "
+            "was found, 1 something was, 2 the scene cannot be read.\n";
     return page + kFiles + ".SH SEE ALSO\n.BR povray (1)\n";
 }
 

@@ -1,5 +1,7 @@
 #include "render/app/watch/view.h"
 
+#include "render/scene/solids/inside.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,13 +27,11 @@ bool holds_light(const scene::Object& object)
     return csg != nullptr && std::any_of(csg->operands->begin(), csg->operands->end(), holds_light);
 }
 
-bool has_an_inside(const scene::Object& object)
+/// Whether a half space can be taken away from it; what is a surface alone is clipped.
+bool is_solid(const scene::Object& object)
 {
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) return csg->has_inside;
-    if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) return mesh->data && mesh->data->has_inside_vector;
-    return !std::holds_alternative<scene::Triangle>(object.shape) &&
-           !std::holds_alternative<scene::Shared<scene::SmoothTriangle>>(object.shape) &&
-           !std::holds_alternative<scene::Disc>(object.shape);
+    return !scene::is_patch(object) && !std::holds_alternative<scene::Disc>(object.shape);
 }
 
 /// Not without its half space in the object's own space: `to_own` leads there.
@@ -55,7 +55,7 @@ scene::Object opened(const scene::Object& object, const View::Cut& cut, const cs
         std::get<scene::Csg>(out.shape).operands = std::move(operands);
         return out;
     }
-    if (!has_an_inside(object)) {
+    if (!is_solid(object)) {
         scene::Object out = object;
         out.details.edit().clipped_by.push_back(half_space(cut.normal, cut.offset, to_own));
         return out;
