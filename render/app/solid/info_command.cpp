@@ -5,17 +5,21 @@
 #include "render/app/options/positive.h"
 #include "render/app/run/frame_render.h"
 #include "render/app/solid/bodies.h"
+#include "render/app/solid/part_file.h"
+#include "render/app/solid/section_run.h"
 #include "render/solid/measure/measure.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <optional>
 
 namespace app {
 namespace {
 
 constexpr const char* kInfoUsage = R"(usage: whittle info SCENE [options]
+       whittle info SCENE --section=AXIS,VALUE -o FILE.svg|.dxf [options]
 
 Extent, volume, surface, centre of mass and inertia (of density 1, about the centre) of each object of a scene, from the parts of
 rays inside of it. Each number has the amount that it may be off by.
@@ -24,31 +28,63 @@ rays inside of it. Each number has the amount that it may be off by.
   --precision=P        share of volume and surface that they may be off by; usual: 2e-4
   --json               one JSON object a line
 
-Declare=, +L, Clock= and INI files are as for a render. Exit status: 0 done, 1 some object is not a body with an end, 2 cancelled.
+A cut by a plane, as a drawing of its own:
+
+  --section=AXIS,VALUE of the objects by the plane in which x, y or z has that value, as in y,0.5
+  -o FILE              the drawing; more than one may be given
+  --tolerance=T        scene units (a unit is a millimetre) that it may be off by; usual: 0.01
+  --seconds=S          after which an object's cut is not refined any more; usual: 60
+
+Declare=, +L, Clock= and INI files are as for a render. Exit status: 0 done, 1 some object is not a body with an end, no object was cut
+or a cut is farther off than it may be, 2 cancelled.
 )";
 
 struct InfoRequest {
     BodyRequest bodies;
     double precision = 2e-4;
     bool json = false;
+    std::optional<SectionRequest> section;
 };
 
 InfoRequest info_request(const std::vector<std::string>& arguments)
 {
     InfoRequest request;
+    SectionRequest section;
+    std::string plane, of_measures, of_section;  // words that belong to one of the two alone
     read_default_ini_file(request.bodies.settings);
     std::vector<std::string> others;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         std::string value;
+        const std::string word = arguments[i].substr(0, arguments[i].find('='));
         if (take_value(arguments, i, {"--object"}, value)) request.bodies.object = value;
-        else if (take_value(arguments, i, {"--precision"}, value))
+        else if (take_value(arguments, i, {"--precision"}, value)) {
             request.precision = whole_positive("--precision", value, 1.0);
-        else if (arguments[i] == "--json") request.json = true;
+            of_measures = word;
+        } else if (take_value(arguments, i, {"--section"}, plane)) {
+            section.plane = cutting_plane(plane);
+        } else if (take_value(arguments, i, {"-o", "--out"}, value)) {
+            section.out.push_back(value);
+            of_section = word;
+        } else if (take_value(arguments, i, {"--tolerance"}, value)) {
+            section.tolerance = whole_positive("--tolerance", value);
+            of_section = word;
+        } else if (take_value(arguments, i, {"--seconds"}, value)) {
+            section.seconds = whole_positive("--seconds", value);
+            of_section = word;
+        } else if (arguments[i] == "--json") request.json = true;
         else others.push_back(arguments[i]);
     }
     apply_command_line(request.bodies.settings, others);
     if (request.bodies.settings.input_file.empty())
         throw OptionError("no scene given: whittle info scene.pov, or whittle info --help");
+    if (plane.empty() && !of_section.empty())
+        throw OptionError(of_section + " wants a --section, as in --section=y,0.5");
+    if (plane.empty()) return request;
+    if (!of_measures.empty()) throw OptionError(of_measures + " does not go with --section");
+    if (section.out.empty()) throw OptionError("where to? whittle info scene.pov --section=y,0.5 -o cut.svg (or .dxf)");
+    for (const std::string& out : section.out) solid::drawing_format_of(out);
+    section.json = request.json;
+    request.section = section;
     return request;
 }
 
@@ -82,16 +118,6 @@ void put_text(const std::string& name, const solid::Measures& m)
     fmt::print("  rays     {}\n", m.rays);
 }
 
-std::string quoted(const std::string& text)
-{
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + '"';
-}
-
 std::string json_vector(const glm::dvec3& v) { return fmt::format("[{:.12g},{:.12g},{:.12g}]", v.x, v.y, v.z); }
 
 void put_json(const std::string& name, const solid::Measures& m)
@@ -100,7 +126,7 @@ void put_json(const std::string& name, const solid::Measures& m)
         "{{\"object\":{},\"lower\":{},\"upper\":{},\"extent_error\":{:.3g},\"volume\":{:.12g},\"volume_error\":{:.3g},"
         "\"surface\":{:.12g},\"surface_error\":{:.3g},\"centre\":{},\"centre_error\":{},\"inertia\":[{},{},{}],"
         "\"inertia_error\":{:.3g},\"rays\":{}}}\n",
-        quoted(name), json_vector(m.extent.lower), json_vector(m.extent.upper), m.extent_error, m.volume.value,
+        json_text(name), json_vector(m.extent.lower), json_vector(m.extent.upper), m.extent_error, m.volume.value,
         m.volume.error, m.surface.value, m.surface.error, json_vector(m.centre), json_vector(m.centre_error),
         json_vector(m.inertia[0]), json_vector(m.inertia[1]), json_vector(m.inertia[2]), m.inertia_error, m.rays);
 }
@@ -139,6 +165,7 @@ int info_command(const std::vector<std::string>& arguments, Cancellation& cancel
     std::optional<tbb::global_control> limit;
     if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     try {
+        if (request.section) return draw_section(request.bodies, *request.section, cancel);
         return info(request, cancel);
     } catch (...) {
         return tell_thrown();

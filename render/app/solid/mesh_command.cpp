@@ -3,7 +3,9 @@
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
 #include "render/app/options/positive.h"
+#include "render/app/output/whole_text.h"
 #include "render/app/solid/bodies.h"
+#include "render/app/solid/part_file.h"
 #include "render/image/codecs/module_path.h"
 #include "render/image/picture_writer.h"
 #include "render/solid/files/three_mf.h"
@@ -18,7 +20,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <fstream>
 
 namespace app {
 namespace {
@@ -78,41 +79,13 @@ MeshRequest mesh_request(const std::vector<std::string>& arguments)
     return request;
 }
 
-/// Of a plain pigment, with the scene's numbers taken as light: the first that is found.
-bool color_of(const scene::Object& object, std::array<double, 3>& out)
-{
-    if (object.texture != nullptr)
-        if (const auto* layers = std::get_if<std::vector<scene::Layer>>(&object.texture->kind))
-            for (const scene::Layer& layer : *layers)
-                if (const auto* color = std::get_if<scene::Color>(&layer.pigment.kind)) {
-                    for (std::size_t k = 0; k < 3; ++k) {
-                        const double v = std::clamp(static_cast<double>(color->rgb()[static_cast<int>(k)]), 0.0, 1.0);
-                        out[k] = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
-                    }
-                    return true;
-                }
-    if (const auto* csg = std::get_if<scene::Csg>(&object.shape))
-        for (const scene::Object& operand : *csg->operands)
-            if (color_of(operand, out)) return true;
-    return false;
-}
-
-void put_bytes(const std::string& path, const std::string& bytes)
-{
-    image::Replacement file(path);
-    std::ofstream out(file.beside(), std::ios::binary);
-    out << bytes;
-    if (!out.flush()) throw image::FileError(fmt::format("cannot write '{}'", path));
-    out.close();
-    file.put_in_place();
-}
-
 class MeshRun {
 public:
     MeshRun(const MeshRequest& request, Cancellation& cancel) : request_(request), cancel_(cancel) {}
 
     int run()
     {
+        check_place(request_.out);
         const BodyScene scene = read_bodies(request_.bodies, cancel_);
         for (const NamedObject& named : scene.objects) add(named, scene.description);
         if (parts_.empty()) {

@@ -4,6 +4,7 @@
 #include "render/app/options/ini_file.h"
 #include "render/app/options/positive.h"
 #include "render/app/output/scratch_folder.h"
+#include "render/app/output/whole_text.h"
 #include "render/app/report/json_writer.h"
 #include "render/app/report/progress.h"
 #include "render/app/run/frame_render.h"
@@ -17,10 +18,8 @@
 
 #include <fmt/format.h>
 #include <sys/utsname.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -92,31 +91,6 @@ Request request_of(const std::vector<std::string>& arguments)
     if (!request.settings.given.contains("Width")) request.settings.width = 320;
     if (!request.settings.given.contains("Height")) request.settings.height = 240;
     return request;
-}
-
-/// Where the page goes has to take it before an hour of measuring.
-void check_place(const std::string& path)
-{
-    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-    if (!std::filesystem::is_directory(folder))
-        throw OptionError(fmt::format("cannot write '{}': there is no folder '{}'", path, folder.string()));
-    if (std::filesystem::is_directory(path)) throw OptionError(fmt::format("cannot write '{}': it is a folder", path));
-    if (access(folder.c_str(), W_OK) != 0 || (access(path.c_str(), F_OK) == 0 && access(path.c_str(), W_OK) != 0))
-        throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
-    // Of root, and of file systems that are full or of the system's own, access() knows less than trying does.
-    const image::Replacement trial(path);
-    if (!std::ofstream(trial.beside(), std::ios::binary).put('\n').flush())
-        throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
-}
-
-void put_file(const std::string& path, const std::string& text)
-{
-    image::Replacement file(path);
-    std::ofstream out(file.beside(), std::ios::binary);
-    out << text;
-    if (!out.flush()) throw image::FileError(fmt::format("cannot write '{}'", path));
-    out.close();
-    file.put_in_place();
 }
 
 std::string machine()
@@ -259,9 +233,9 @@ private:
         about.wanted = request_.wanted;
         about.solvers = request_.solvers;
         const std::string base = std::filesystem::path(request_.out).replace_extension().string();
-        put_file(request_.out, study::page(sections, about, [this](const study::Shown& p) { return png_of(p); }));
-        put_file(base + ".csv", study::csv(sections));
-        put_file(base + ".json", json(sections, about));
+        put_bytes(request_.out, study::page(sections, about, [this](const study::Shown& p) { return png_of(p); }));
+        put_bytes(base + ".csv", study::csv(sections));
+        put_bytes(base + ".json", json(sections, about));
     }
 
     static std::string json(const std::vector<study::Section>& sections, const study::Circumstances& about)

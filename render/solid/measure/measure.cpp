@@ -1,6 +1,7 @@
 #include "render/solid/measure/measure.h"
 
 #include "csg/base/cancel.h"
+#include "render/solid/measure/jitter.h"
 
 #include <tbb/parallel_for.h>
 
@@ -31,15 +32,6 @@ struct Sums {
     }
     Sums scaled(double by) const { return {by * volume, by * surface, by * first, by * square, by * product}; }
 };
-
-/// Numbers from 0 to 1 that depend on the cell alone: the same on every run (a mix of Steele and Vigna).
-double jitter(std::uint64_t key)
-{
-    key += 0x9e3779b97f4a7c15u;
-    key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
-    key = (key ^ (key >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((key ^ (key >> 31)) >> 11) * 0x1p-53;
-}
 
 glm::dvec3 unit(int axis)
 {

@@ -1,0 +1,37 @@
+#include "render/app/solid/part_file.h"
+
+#include "render/app/report/json_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+bool color_of(const scene::Object& object, std::array<double, 3>& out)
+{
+    if (object.texture != nullptr)
+        if (const auto* layers = std::get_if<std::vector<scene::Layer>>(&object.texture->kind))
+            for (const scene::Layer& layer : *layers)
+                if (const auto* color = std::get_if<scene::Color>(&layer.pigment.kind)) {
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const double v = std::clamp(static_cast<double>(color->rgb()[static_cast<int>(k)]), 0.0, 1.0);
+                        out[k] = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+                    }
+                    return true;
+                }
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape))
+        for (const scene::Object& operand : *csg->operands)
+            if (color_of(operand, out)) return true;
+    return false;
+}
+
+std::string json_text(const std::string& text)
+{
+    JsonWriter json;
+    json.text(text);
+    std::string out = json.take();
+    out.pop_back();  // the end of the line
+    return out;
+}
+
+}  // namespace app
