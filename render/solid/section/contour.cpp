@@ -14,7 +14,8 @@ namespace solid {
 namespace {
 
 constexpr double kAimedAt = 0.5;            // of the tolerance: what is aimed at between the places that are looked at
-constexpr double kMoved = 0.01;             // of what is aimed at: so far crossings are moved from ends of edges
+constexpr double kPassing = 0.02;           // of what is aimed at: so exactly crossings of edges are told
+constexpr double kShortest = 0.1;           // of the same: shorter edges are not split
 constexpr double kCoordinateGrain = 1e-12;  // of the largest coordinate: rounding of coordinates, with room
 constexpr double kLongEnough = 0.3;         // of a square of a length
 constexpr int kRoundsAtMost = 200;
@@ -33,9 +34,11 @@ public:
             finish_.off;  // what a smaller triangle holds is no farther off than it is wide
         const glm::dvec3 far = glm::max(glm::abs(extent.lower), glm::abs(extent.upper));
         finish_.grain = kCoordinateGrain * glm::max(far.x, glm::max(far.y, far.z));
-        // No single precision is to come: crossings may keep nearly to where they are.
+        // No single precision is to come, so crossings may keep to where they are; and corners are told that poke
+        // through an edge only just.
         passing_ = finish_;
-        passing_.off = kMoved * finish_.off;
+        passing_.off = passing_.narrow = kPassing * finish_.off;
+        passing_.least = kShortest * finish_.off;
         for (int k = 0; k < 2; ++k) {
             squares_[k] = std::max(1, static_cast<int>(std::ceil(size[k] / step_ + 1.2)));
             // Not symmetric about the body: its edges would lie on the lattice.

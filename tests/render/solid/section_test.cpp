@@ -31,7 +31,7 @@ Cut cut_of(const solid::Body& body, int axis, double value, double tolerance)
     solid::ContourOptions options;
     options.tolerance = tolerance;
     out.loops = solid::without_straight_points(solid::contour_of(body, out.extent, out.plane, options, out.facts),
-                                               0.02 * tolerance);
+                                               0.05 * tolerance);
     out.check = solid::check_section(body, out.extent, out.plane, out.loops, tolerance, nullptr);
     return out;
 }
