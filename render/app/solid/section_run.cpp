@@ -15,7 +15,7 @@ namespace app {
 namespace {
 
 constexpr int kMostCells = 1024;
-constexpr double kStraight = 0.05;  // of the tolerance: points as near to a line between others are left out
+constexpr double kStraight = 0.02;  // of the tolerance: points as near to a line between others are left out
 constexpr double kExact = 1e-3;     // of the tolerance: numbers in files
 constexpr const char* kAxes = "xyz";
 
