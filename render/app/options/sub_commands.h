@@ -21,7 +21,7 @@ inline constexpr std::array kSubCommands = {
     SubCommand{"report", "SCENE... [-o report.html] [options]", "error against run time as a page"},
     SubCommand{"pixel", "SCENE X,Y [options]", "why a pixel has its colour, ray by ray"},
     SubCommand{"watch", "SCENE [--port=n] [options]", "a page that follows the scene's text (docs/watch.md)"},
-    SubCommand{"info", "SCENE [--object=NAME] [--precision=2e-4] [--json]",
+    SubCommand{"info", "SCENE [--object=NAME] [--json] [--section=y,0.5 -o cut.svg]",
                "size, volume, surface and inertia of objects"},
     SubCommand{"mesh", "SCENE -o part.stl|.3mf|.obj|.ply [--tolerance=0.01] [--object=NAME]",
                "objects as closed triangle meshes"},

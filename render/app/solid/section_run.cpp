@@ -14,7 +14,7 @@
 namespace app {
 namespace {
 
-constexpr int kMostCells = 1024;
+constexpr int kMostCutCells = 1024;
 constexpr double kStraight = 0.02;  // of the tolerance: points as near to a line between others are left out
 constexpr double kExact = 1e-3;     // of the tolerance: numbers in files
 constexpr const char* kAxes = "xyz";
@@ -96,7 +96,8 @@ private:
                                                         kStraight * request_.tolerance);
             off = solid::check_section(body, extent, plane, part.loops, request_.tolerance, &cancel_.requested);
             // Something narrow was overlooked: a finer lattice sees it.
-            if (off.from_body <= request_.tolerance || facts.full || facts.late || options.cells >= kMostCells) break;
+            if (off.from_body <= request_.tolerance || facts.full || facts.late || options.cells >= kMostCutCells)
+                break;
         }
         if (part.loops.empty()) {
             fmt::print(stderr, "{}: not cut: nothing of it lies in {}\n", part.name, plane_text());
