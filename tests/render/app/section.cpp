@@ -174,8 +174,8 @@ TEST_CASE("one declared object alone is cut, and told of as JSON", "[program][se
     CHECK(ended.err.empty());
     write_text(folder / "out.json", ended.out);
     CHECK(run_program(folder.path(), "/usr/bin/python3", {"-m", "json.tool", "out.json"}).status == 0);
-    // The drawing's area is 5.99977 (a corner that the contour cuts off, well inside the tolerance of 0.01 by the length
-    // of 10); the rays' is exact.
+    // The drawing's area is 5.99977 (a corner that the contour cuts off, well inside the tolerance of 0.01 by the
+    // length of 10); the rays' is exact.
     CHECK_THAT(ended.out, Catch::Contains("\"object\":\"Block\",\"axis\":\"x\",\"value\":2.5,\"area\":"));
     CHECK_THAT(ended.out, Catch::Contains("\"area_by_rays\":6,"));
     CHECK(groups_of(text_of(folder / "cut.svg")).at("Block").area == Approx(6.0).margin(1e-3));
