@@ -128,32 +128,26 @@ private:
 
     bool make(const solid::Body& body, solid::FilePart& part)
     {
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = PartClock::now();
         double extent_error = 0.0;
         std::uint64_t rays = 0;
         const csg::Aabb extent = solid::require_extent(body, extent_error, rays);
-        solid::MeshOptions options;
-        options.tolerance = request_.tolerance;
-        options.cells = request_.cells;
-        options.cancel = &cancel_.requested;
-        options.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                       std::chrono::duration<double>(request_.seconds));
+        solid::RefineOptions options =
+            refine_options(request_.tolerance, request_.cells, start, request_.seconds, cancel_);
         solid::MeshFacts facts;
         solid::Deviation off;
-        for (;; options.cells = std::min(2 * options.cells, kMostCells)) {
-            facts = {};
-            part.mesh = solid::mesh_of(body, extent, options, facts);
-            off = solid::deviation(body, extent, part.mesh, kSamples, request_.tolerance, &cancel_.requested);
-            // Something narrow was overlooked: a finer lattice sees it.
-            if (off.from_body <= request_.tolerance || facts.full || facts.late || options.cells >= kMostCells) break;
-        }
+        make_finer(options, kMostCells, facts, [&](const solid::RefineOptions& now) {
+            part.mesh = solid::mesh_of(body, extent, now, facts);
+            off = solid::deviation(body, extent, part.mesh, kSamples, now.tolerance, now.cancel);
+            return off.from_body;
+        });
         const solid::MeshCheck found = solid::check(part.mesh);
         solid::MeasureOptions measuring;
         measuring.precision = 1e-3;
         measuring.most_rays = 4'000'000;
         measuring.cancel = &cancel_.requested;
         const solid::Measures measures = solid::measure(body, measuring);
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double seconds = std::chrono::duration<double>(PartClock::now() - start).count();
         report(part, facts, off, found, measures, options.cells, seconds);
         if (!found.good()) {
             fmt::print(stderr, "{}: not written: {}\n", part.name, found.complaint());
@@ -169,11 +163,7 @@ private:
         }
         const double worst = std::max(off.from_mesh, off.from_body);
         if (worst > request_.tolerance) {
-            fmt::print(stderr, "{}: warning: it is off by {:.3g} somewhere, more than {:g}{}\n", part.name, worst,
-                       request_.tolerance,
-                       facts.full   ? ": there was no room for finer triangles"
-                       : facts.late ? ": there was no time for finer triangles (--seconds)"
-                                    : "");
+            tell_too_far(part.name, "it", worst, request_.tolerance, facts);
             status_ = kError;
         }
         return true;
@@ -184,8 +174,8 @@ private:
     {
         fmt::print("{}\n", part.name);
         fmt::print("  triangles  {}, vertices {}, parts {}; lattice {}, {} rounds, {} tetrahedra, {:.2f} s\n",
-                   part.mesh.triangles.size(), part.mesh.vertices.size(), found.parts, cells, facts.rounds,
-                   facts.tetrahedra, seconds);
+                   part.mesh.triangles.size(), part.mesh.vertices.size(), found.parts, cells, facts.rounds, facts.parts,
+                   seconds);
         fmt::print("  check      {}\n", found.good()
                                             ? "closed, two triangles on each edge, one ring about each vertex, "
                                               "all outward"

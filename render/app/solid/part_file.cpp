@@ -2,6 +2,8 @@
 
 #include "render/app/report/json_writer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,26 @@ bool color_of(const scene::Object& object, std::array<double, 3>& out)
         for (const scene::Object& operand : *csg->operands)
             if (color_of(operand, out)) return true;
     return false;
+}
+
+solid::RefineOptions refine_options(double tolerance, int cells, PartClock::time_point start, double seconds,
+                                    const Cancellation& cancel)
+{
+    solid::RefineOptions out;
+    out.tolerance = tolerance;
+    out.cells = cells;
+    out.cancel = &cancel.requested;
+    out.deadline = start + std::chrono::duration_cast<PartClock::duration>(std::chrono::duration<double>(seconds));
+    return out;
+}
+
+void tell_too_far(const std::string& part, const char* what, double worst, double tolerance,
+                  const solid::RefineFacts& facts)
+{
+    fmt::print(stderr, "{}: warning: {} is off by {:.3g} somewhere, more than {:g}{}\n", part, what, worst, tolerance,
+               facts.full   ? ": there was no room for finer triangles"
+               : facts.late ? ": there was no time for finer triangles (--seconds)"
+                            : "");
 }
 
 std::string json_text(const std::string& text)

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "render/app/run/render_command.h"
 #include "render/scene/object.h"
+#include "render/solid/mesh/refinement.h"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <string>
 
 /// What files of parts have in common.
@@ -10,6 +14,29 @@ namespace app {
 
 /// The sRGB colour of an object's plain pigment, with the scene's numbers taken as light: the first that is found.
 bool color_of(const scene::Object& object, std::array<double, 3>& out);
+
+using PartClock = std::chrono::steady_clock;
+
+/// Nothing is refined later than `seconds` after `start`, or once the run is cancelled.
+solid::RefineOptions refine_options(double tolerance, int cells, PartClock::time_point start, double seconds,
+                                    const Cancellation& cancel);
+
+/// Makes a part with lattices that are finer each time, up to `most_cells`, until no place of the object is farther
+/// from it than the tolerance: something narrow was overlooked. `make` is given the options, sets `facts`, and returns
+/// how far the object is off the part.
+template <class Facts, class Make>
+void make_finer(solid::RefineOptions& options, int most_cells, Facts& facts, const Make& make)
+{
+    for (;; options.cells = std::min(2 * options.cells, most_cells)) {
+        facts = {};
+        const double off = make(options);
+        if (off <= options.tolerance || facts.full || facts.late || options.cells >= most_cells) return;
+    }
+}
+
+/// Warns that a part is `worst` off, and why.
+void tell_too_far(const std::string& part, const char* what, double worst, double tolerance,
+                  const solid::RefineFacts& facts);
 
 /// In quotes, as JSON has it.
 std::string json_text(const std::string& text);

@@ -68,7 +68,7 @@ private:
 
     bool cut(const solid::Body& body, solid::DrawnPart& part)
     {
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = PartClock::now();
         double extent_error = 0.0;
         std::uint64_t rays = 0;
         const csg::Aabb extent = solid::require_extent(body, extent_error, rays);
@@ -83,32 +83,26 @@ private:
         if (plane.value != value)
             fmt::print(stderr, "{}: note: a face of it lies in {}; drawn is the cut {:.2g} {} it\n", part.name,
                        plane_text(), std::abs(plane.value - value), plane.value > value ? "above" : "below");
-        solid::ContourOptions options;
-        options.tolerance = request_.tolerance;
-        options.cancel = &cancel_.requested;
-        options.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                       std::chrono::duration<double>(request_.seconds));
-        solid::ContourFacts facts;
+        solid::RefineOptions options =
+            refine_options(request_.tolerance, solid::kContourCells, start, request_.seconds, cancel_);
+        solid::RefineFacts facts;
         solid::SectionCheck off;
-        for (;; options.cells *= 2) {
-            facts = {};
-            part.loops = solid::without_straight_points(solid::contour_of(body, extent, plane, options, facts),
-                                                        kStraight * request_.tolerance);
-            off = solid::check_section(body, extent, plane, part.loops, request_.tolerance, &cancel_.requested);
-            // Something narrow was overlooked: a finer lattice sees it.
-            if (off.from_body <= request_.tolerance || facts.full || facts.late || options.cells >= kMostCutCells)
-                break;
-        }
+        make_finer(options, kMostCutCells, facts, [&](const solid::RefineOptions& now) {
+            part.loops = solid::without_straight_points(solid::contour_of(body, extent, plane, now, facts),
+                                                        kStraight * now.tolerance);
+            off = solid::check_section(body, extent, plane, part.loops, now.tolerance, now.cancel);
+            return off.from_body;
+        });
         if (part.loops.empty()) {
             fmt::print(stderr, "{}: not cut: nothing of it lies in {}\n", part.name, plane_text());
             return false;
         }
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double seconds = std::chrono::duration<double>(PartClock::now() - start).count();
         report(part, facts, off, options.cells, seconds);
         return judge(part, facts, off);
     }
 
-    void report(const solid::DrawnPart& part, const solid::ContourFacts& facts, const solid::SectionCheck& off,
+    void report(const solid::DrawnPart& part, const solid::RefineFacts& facts, const solid::SectionCheck& off,
                 int cells, double seconds) const
     {
         std::size_t points = 0;
@@ -124,7 +118,7 @@ private:
         }
         fmt::print("{}\n", part.name);
         fmt::print("  loops      {}, points {}; lattice {}, {} rounds, {} triangles of the plane, {:.2f} s\n",
-                   part.loops.size(), points, cells, facts.rounds, facts.triangles, seconds);
+                   part.loops.size(), points, cells, facts.rounds, facts.parts, seconds);
         fmt::print("  area       {:.9g}, by rays {:.9g} +- {:.2g}\n", area, off.area.value, off.area.error);
         fmt::print("  length     {:.9g}\n", length);
         fmt::print("  deviation  of the drawing {:.3g}, of the object {:.3g}, {} places\n", off.from_loops,
@@ -135,15 +129,11 @@ private:
     }
 
     /// Whether the drawing is the body's cut: what is only farther off than it may be is told, and drawn.
-    bool judge(const solid::DrawnPart& part, const solid::ContourFacts& facts, const solid::SectionCheck& off)
+    bool judge(const solid::DrawnPart& part, const solid::RefineFacts& facts, const solid::SectionCheck& off)
     {
         const double worst = std::max(off.from_loops, off.from_body);
         if (worst > request_.tolerance) {
-            fmt::print(stderr, "{}: warning: the cut is off by {:.3g} somewhere, more than {:g}{}\n", part.name, worst,
-                       request_.tolerance,
-                       facts.full   ? ": there was no room for finer triangles"
-                       : facts.late ? ": there was no time for finer triangles (--seconds)"
-                                    : "");
+            tell_too_far(part.name, "the cut", worst, request_.tolerance, facts);
             status_ = kError;
             return true;
         }

@@ -14,23 +14,19 @@
 namespace solid {
 namespace {
 
-constexpr double kShare = 0.5;       // of the tolerance: what is aimed at between the places that are looked at
 constexpr double kLeastEdge = 3e-4;  // of the body's size: single precision tells no smaller triangles apart
 constexpr double kGrains = 1e-6;     // of the largest coordinate: some units in the last place of single precision
-constexpr int kMostRounds = 200;
-constexpr std::size_t kGrain = 64;
-constexpr double kNearlyLongest = 0.3;  // of a square of a length
 
 using Clock = std::chrono::steady_clock;
-using EdgeMap = std::unordered_map<std::uint64_t, std::uint32_t, KeyHash>;
+
 class Mesher {
 public:
-    Mesher(const Body& body, const csg::Aabb& extent, const MeshOptions& options, MeshFacts& facts)
+    Mesher(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
         : body_(body), options_(options), facts_(facts)
     {
         const glm::dvec3 size = extent.upper - extent.lower;
         const double longest = glm::max(size.x, glm::max(size.y, size.z));
-        finish_.off = kShare * options.tolerance;
+        finish_.off = kAimedShare * options.tolerance;
         // What a smaller tetrahedron holds is no farther off than it is wide.
         finish_.least = std::max(kLeastEdge * longest, 2.0 * finish_.off);
         const glm::dvec3 far = glm::max(glm::abs(extent.lower), glm::abs(extent.upper));
@@ -51,7 +47,7 @@ public:
         space_ = lattice_.tetrahedra();
         find_sides();
         find_lattice_cuts();
-        for (facts_.rounds = 0; facts_.rounds < kMostRounds; ++facts_.rounds) {
+        for (facts_.rounds = 0; facts_.rounds < kMostRefinements; ++facts_.rounds) {
             if (options_.cancel != nullptr && *options_.cancel) throw csg::Cancelled();
             collect_active();
             std::vector<std::pair<std::uint64_t, double>> marks = repeated_cuts();
@@ -61,13 +57,13 @@ public:
             }
             if (marks.empty()) break;
             facts_.late = Clock::now() >= options_.deadline;
-            facts_.full = space_.all.size() + 8 * marks.size() > options_.most_tetrahedra;
+            facts_.full = space_.all.size() + 8 * marks.size() > options_.most_parts;
             if (facts_.late || facts_.full) break;
             refine(marks);
         }
         collect_active();
         find_patches();
-        facts_.tetrahedra = space_.all.size();
+        facts_.parts = space_.all.size();
         return triangles();
     }
 
@@ -95,6 +91,7 @@ private:
     {
         constexpr std::array<std::array<int, 3>, 7> kDirections{
             {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}};
+        std::vector<EdgeCut> cuts;
         const auto [nx, ny, nz] = lattice_.cubes;
         for (const auto& d : kDirections) {
             tbb::enumerable_thread_specific<std::vector<EdgeCut>> found;
@@ -105,9 +102,9 @@ private:
                         follow(x, y, z, d, found.local());
                     }
             });
-            for (const auto& part : found) add_cuts(part);
+            for (const auto& part : found) cuts.insert(cuts.end(), part.begin(), part.end());
         }
-        sort_new_cuts(0);
+        cuts_.add(std::move(cuts));
     }
 
     void follow(int x, int y, int z, const std::array<int, 3>& d, std::vector<EdgeCut>& found)
@@ -130,19 +127,6 @@ private:
         lost_ += lost;
     }
 
-    void add_cuts(const std::vector<EdgeCut>& found) { cuts_.insert(cuts_.end(), found.begin(), found.end()); }
-
-    /// In the order of their edges, whatever thread found them.
-    void sort_new_cuts(std::size_t first)
-    {
-        std::sort(cuts_.begin() + static_cast<std::ptrdiff_t>(first), cuts_.end(),
-                  [](const EdgeCut& a, const EdgeCut& b) { return a.edge < b.edge; });
-        for (std::size_t i = first; i < cuts_.size(); ++i) {
-            cut_of_[cuts_[i].edge] = static_cast<std::uint32_t>(i);
-            if (cuts_[i].split == cuts_[i].split) repeated_.push_back(cuts_[i].edge);
-        }
-    }
-
     /// Tetrahedra with corners on both sides.
     void collect_active()
     {
@@ -155,36 +139,27 @@ private:
         state_.resize(space_.all.size());
     }
 
-    /// Edges that the boundary passes again are split where it does, or the longest of a tetrahedron with one is, if
-    /// that is much longer: none becomes flat.
+    /// Edges that the boundary passes again are split where it does.
     std::vector<std::pair<std::uint64_t, double>> repeated_cuts()
     {
-        std::erase_if(repeated_, [&](std::uint64_t edge) { return cut_of_.count(edge) == 0; });
-        std::vector<std::pair<std::uint64_t, double>> marks;
-        if (repeated_.empty()) return marks;
+        const CutTable::Shares wanted = cuts_.repeated();
+        if (wanted.empty()) return {};
+        CutTable::Shares chosen;
         std::vector<std::uint8_t> touched(space_.points.size());
-        for (const std::uint64_t edge : repeated_) touched[first_of(edge)] = touched[second_of(edge)] = 1;
-        std::unordered_map<std::uint64_t, double, KeyHash> wanted, chosen;
-        for (const std::uint64_t edge : repeated_) wanted[edge] = cuts_[cut_of_.at(edge)].split;
+        for (const auto& [edge, share] : wanted) touched[first_of(edge)] = touched[second_of(edge)] = 1;
         for (const Tetrahedron& t : space_.all) {
             if (touched[t[0]] + touched[t[1]] + touched[t[2]] + touched[t[3]] < 2) continue;
             for (const auto& [i, j] : kEdges) {
                 const std::uint32_t a = t[static_cast<std::size_t>(i)], b = t[static_cast<std::size_t>(j)];
                 if (touched[a] == 0 || touched[b] == 0) continue;
-                const auto found = wanted.find(edge_key(a, b));
-                if (found == wanted.end()) continue;
-                const std::uint64_t longest = space_.longest_edge(t);
-                if (space_.length2(found->first) >= kNearlyLongest * space_.length2(longest))
-                    chosen[found->first] = found->second;
-                else chosen.try_emplace(longest, 0.5);
+                if (const auto found = wanted.find(edge_key(a, b)); found != wanted.end())
+                    choose_split(space_, found->first, found->second, space_.longest_edge(t), chosen);
             }
         }
-        marks.assign(chosen.begin(), chosen.end());
-        std::sort(marks.begin(), marks.end());
-        return marks;
+        return in_order(chosen);
     }
 
-    const EdgeCut& cut(std::uint32_t a, std::uint32_t b) const { return cuts_[cut_of_.at(edge_key(a, b))]; }
+    const EdgeCut& cut(std::uint32_t a, std::uint32_t b) const { return cuts_[cuts_.index(edge_key(a, b))]; }
 
     FaceCut cut_of_face(const FaceKey& key) const
     {
@@ -211,11 +186,11 @@ private:
         }
         const std::size_t first = faces_.size();
         faces_.resize(first + fresh.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), kGrain), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), kPartsOfTask), [&](const auto& range) {
             look_for_cancel();
             for (std::size_t i = range.begin(); i < range.end(); ++i) faces_[first + i] = cut_of_face(fresh[i]);
         });
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, active_.size(), kGrain), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, active_.size(), kPartsOfTask), [&](const auto& range) {
             look_for_cancel();
             for (std::size_t k = range.begin(); k < range.end(); ++k) {
                 State& state = state_[active_[k]];
@@ -247,7 +222,7 @@ private:
         Polygon out;
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t k = turned ? count - 1 - i : i;
-            const std::uint32_t edge = cut_of_.at(edges[k]);
+            const std::uint32_t edge = cuts_.index(edges[k]);
             out.corners[out.count++] = {cuts_[edge].place, false, false, edge};
             const std::size_t f = turned ? (k + count - 1) % count : k;
             const std::uint32_t face = face_of_.at(faces[f]);
@@ -261,31 +236,28 @@ private:
 
     std::vector<std::pair<std::uint64_t, double>> coarse_patches()
     {
-        EdgeMap marked;
+        CutTable::Shares marked;
         facts_.unresolved = 0;
         for (const std::uint32_t i : active_) {
             if (!state_[i].coarse) continue;
             const std::uint64_t edge = space_.longest_edge(space_.all[i]);
             if (space_.length2(edge) < finish_.least * finish_.least) ++facts_.unresolved;
-            else marked[edge] = 0;
+            else marked[edge] = 0.5;
         }
-        std::vector<std::pair<std::uint64_t, double>> out;
-        for (const auto& [edge, nothing] : marked) out.push_back({edge, 0.5});
-        std::sort(out.begin(), out.end());
-        return out;
+        return in_order(marked);
     }
 
     void refine(const std::vector<std::pair<std::uint64_t, double>>& marks)
     {
         const std::uint32_t first = static_cast<std::uint32_t>(space_.points.size());
-        EdgeMap middles;
+        CutTable::Index middles;
         for (const auto& [edge, share] : marks) {
             middles[edge] = static_cast<std::uint32_t>(space_.points.size());
             const glm::dvec3 a = space_.points[first_of(edge)], b = space_.points[second_of(edge)];
             space_.points.push_back(a + share * (b - a));
         }
         space_.inside.resize(space_.points.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, marks.size(), kGrain), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, marks.size(), kPartsOfTask), [&](const auto& range) {
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const std::uint64_t edge = marks[i].first;
                 const glm::dvec3 a = space_.points[first_of(edge)], b = space_.points[second_of(edge)];
@@ -294,7 +266,7 @@ private:
         });
         std::vector<std::uint32_t> made;
         space_.split(middles, made);
-        for (const auto& [edge, middle] : middles) cut_of_.erase(edge);
+        for (const auto& [edge, middle] : middles) cuts_.forget(edge);
         state_.resize(space_.all.size());
         std::vector<std::uint64_t> edges;
         for (const std::uint32_t i : made) {
@@ -309,17 +281,17 @@ private:
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
         std::vector<EdgeCut> found(edges.size());
         std::vector<std::uint8_t> cuts(edges.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), kGrain), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), kPartsOfTask), [&](const auto& range) {
             look_for_cancel();
             std::uint64_t lost = 0;
             for (std::size_t i = range.begin(); i < range.end(); ++i)
                 cuts[i] = cut_edge(body_, finish_, space_, edges[i], found[i], lost) ? 1 : 0;
             lost_ += lost;
         });
-        const std::size_t before = cuts_.size();
+        std::vector<EdgeCut> fresh;
         for (std::size_t i = 0; i < edges.size(); ++i)
-            if (cuts[i] != 0) cuts_.push_back(found[i]);
-        sort_new_cuts(before);
+            if (cuts[i] != 0) fresh.push_back(found[i]);
+        cuts_.add(std::move(fresh));
     }
 
     TriangleMesh triangles()
@@ -365,14 +337,12 @@ private:
     };
 
     const Body& body_;
-    const MeshOptions& options_;
+    const RefineOptions& options_;
     MeshFacts& facts_;
     Finish finish_;
     Lattice lattice_;
     Tetrahedra space_;
-    std::vector<EdgeCut> cuts_;
-    EdgeMap cut_of_;
-    std::vector<std::uint64_t> repeated_;  ///< edges that are to be split, in no order that matters
+    CutTable cuts_;
     std::vector<FaceCut> faces_;
     std::unordered_map<FaceKey, std::uint32_t, FaceHash> face_of_;
     std::vector<std::uint32_t> active_;
@@ -382,7 +352,7 @@ private:
 
 }  // namespace
 
-TriangleMesh mesh_of(const Body& body, const csg::Aabb& extent, const MeshOptions& options, MeshFacts& facts)
+TriangleMesh mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
 {
     return Mesher(body, extent, options, facts).run();
 }

@@ -13,23 +13,19 @@
 namespace solid {
 namespace {
 
-constexpr double kAimedAt = 0.5;            // of the tolerance: what is aimed at between the places that are looked at
 constexpr double kPassing = 0.02;           // of what is aimed at: so exactly crossings of edges are told
 constexpr double kShortest = 0.1;           // of the same: shorter edges are not split
 constexpr double kCoordinateGrain = 1e-12;  // of the largest coordinate: rounding of coordinates, with room
-constexpr double kLongEnough = 0.3;         // of a square of a length
-constexpr int kRoundsAtMost = 200;
-constexpr std::size_t kPatchesOfRun = 64;
 
 class Contour {
 public:
-    Contour(const Body& body, const csg::Aabb& extent, const CuttingPlane& plane, const ContourOptions& options,
-            ContourFacts& facts)
+    Contour(const Body& body, const csg::Aabb& extent, const CuttingPlane& plane, const RefineOptions& options,
+            RefineFacts& facts)
         : body_(body), plane_(plane), options_(options), facts_(facts)
     {
         const glm::dvec2 lower = plane.flat(extent.lower), size = plane.flat(extent.upper) - lower;
         step_ = std::max(size.x, size.y) / options.cells;
-        finish_.off = kAimedAt * options.tolerance;
+        finish_.off = kAimedShare * options.tolerance;
         finish_.least = finish_.narrow =
             finish_.off;  // what a smaller triangle holds is no farther off than it is wide
         const glm::dvec3 far = glm::max(glm::abs(extent.lower), glm::abs(extent.upper));
@@ -51,7 +47,7 @@ public:
         make_lattice();
         find_sides();
         find_lattice_cuts();
-        for (facts_.rounds = 0; facts_.rounds < kRoundsAtMost; ++facts_.rounds) {
+        for (facts_.rounds = 0; facts_.rounds < kMostRefinements; ++facts_.rounds) {
             collect_active();
             PlaneTriangles::Shares marks = repeated_cuts();
             if (marks.empty()) {
@@ -60,14 +56,14 @@ public:
             }
             if (marks.empty()) break;
             facts_.late = std::chrono::steady_clock::now() >= options_.deadline;
-            facts_.full = space_.all.size() + 4 * marks.size() > options_.most_triangles;
+            facts_.full = space_.all.size() + 4 * marks.size() > options_.most_parts;
             if (facts_.late || facts_.full) break;
             space_.spread(marks);
             refine(marks);
         }
         collect_active();
         find_patches();
-        facts_.triangles = space_.all.size();
+        facts_.parts = space_.all.size();
         facts_.lost = lost_;
         return loops();
     }
@@ -107,6 +103,7 @@ private:
     void find_lattice_cuts()
     {
         constexpr std::array<std::array<int, 2>, 3> kDirections{{{1, 0}, {0, 1}, {1, 1}}};
+        std::vector<EdgeCut> cuts;
         for (const auto& d : kDirections) {
             tbb::enumerable_thread_specific<std::vector<EdgeCut>> found;
             tbb::parallel_for(0, squares_[1] + 1, [&](int y) {
@@ -114,9 +111,9 @@ private:
                 for (int x = 0; x <= squares_[0]; ++x)
                     if (!holds(x - d[0], y - d[1])) follow(x, y, d, found.local());  // a line begins here
             });
-            for (const auto& part : found) cuts_.insert(cuts_.end(), part.begin(), part.end());
+            for (const auto& part : found) cuts.insert(cuts.end(), part.begin(), part.end());
         }
-        sort_new_cuts(0);
+        cuts_.add(std::move(cuts));
     }
 
     void follow(int x, int y, const std::array<int, 2>& d, std::vector<EdgeCut>& found)
@@ -138,17 +135,6 @@ private:
         lost_ += lost;
     }
 
-    /// In the order of their edges, whatever thread found them.
-    void sort_new_cuts(std::size_t first)
-    {
-        std::sort(cuts_.begin() + static_cast<std::ptrdiff_t>(first), cuts_.end(),
-                  [](const EdgeCut& a, const EdgeCut& b) { return a.edge < b.edge; });
-        for (std::size_t i = first; i < cuts_.size(); ++i) {
-            cut_of_[cuts_[i].edge] = static_cast<std::uint32_t>(i);
-            if (cuts_[i].split == cuts_[i].split) repeated_.push_back(cuts_[i].edge);
-        }
-    }
-
     /// Triangles with corners on both sides.
     void collect_active()
     {
@@ -162,23 +148,16 @@ private:
         state_.resize(space_.all.size());
     }
 
-    /// Edges that the boundary passes again are split where it does, or the longest of a triangle with one is, if that
-    /// is much longer.
+    /// Edges that the boundary passes again are split where it does.
     PlaneTriangles::Shares repeated_cuts()
     {
-        std::erase_if(repeated_, [&](std::uint64_t edge) { return !cut_of_.contains(edge); });
-        PlaneTriangles::Shares wanted, chosen;
-        if (repeated_.empty()) return chosen;
-        for (const std::uint64_t edge : repeated_) wanted[edge] = cuts_[cut_of_.at(edge)].split;
+        const CutTable::Shares wanted = cuts_.repeated();
+        CutTable::Shares chosen;
+        if (wanted.empty()) return chosen;
         for (const PlaneTriangles::Triangle& t : space_.all)
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto found = wanted.find(edge_key(t[k], t[(k + 1) % 3]));
-                if (found == wanted.end()) continue;
-                const std::uint64_t longest = space_.longest_edge(t);
-                if (space_.length2(found->first) >= kLongEnough * space_.length2(longest))
-                    chosen[found->first] = found->second;
-                else chosen.try_emplace(longest, 0.5);
-            }
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const auto found = wanted.find(edge_key(t[k], t[(k + 1) % 3])); found != wanted.end())
+                    choose_split(space_, found->first, found->second, space_.longest_edge(t), chosen);
         return chosen;
     }
 
@@ -193,14 +172,14 @@ private:
         Ways out;
         while (space_.inside[t[out.lone]] != alone) ++out.lone;
         const std::uint32_t l = t[out.lone];
-        out.to_next = cut_of_.at(edge_key(l, t[(out.lone + 1) % 3]));
-        out.to_last = cut_of_.at(edge_key(l, t[(out.lone + 2) % 3]));
+        out.to_next = cuts_.index(edge_key(l, t[(out.lone + 1) % 3]));
+        out.to_last = cuts_.index(edge_key(l, t[(out.lone + 2) % 3]));
         return out;
     }
 
     void find_patches()
     {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, active_.size(), kPatchesOfRun), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, active_.size(), kPartsOfTask), [&](const auto& range) {
             look_for_cancel();
             for (std::size_t k = range.begin(); k < range.end(); ++k) {
                 State& state = state_[active_[k]];
@@ -231,8 +210,7 @@ private:
 
     void refine(const PlaneTriangles::Shares& marked)
     {
-        std::vector<std::pair<std::uint64_t, double>> marks(marked.begin(), marked.end());
-        std::sort(marks.begin(), marks.end());
+        const std::vector<std::pair<std::uint64_t, double>> marks = in_order(marked);
         const auto first = static_cast<std::uint32_t>(space_.points.size());
         PlaneTriangles::Middles middles;
         for (const auto& [edge, share] : marks) {
@@ -241,7 +219,7 @@ private:
             space_.points.push_back(a + share * (b - a));
         }
         space_.inside.resize(space_.points.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, marks.size(), kPatchesOfRun), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, marks.size(), kPartsOfTask), [&](const auto& range) {
             look_for_cancel();
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const std::uint64_t edge = marks[i].first;
@@ -251,7 +229,7 @@ private:
         });
         std::vector<std::uint32_t> made;
         space_.split(middles, made);
-        for (const auto& [edge, middle] : middles) cut_of_.erase(edge);
+        for (const auto& [edge, middle] : middles) cuts_.forget(edge);
         state_.resize(space_.all.size());
         std::vector<std::uint64_t> edges;
         for (const std::uint32_t i : made) {
@@ -270,7 +248,7 @@ private:
     {
         std::vector<EdgeCut> found(edges.size());
         std::vector<std::uint8_t> cuts(edges.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), kPatchesOfRun), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), kPartsOfTask), [&](const auto& range) {
             look_for_cancel();
             std::uint64_t lost = 0;
             std::vector<Chord> chords;
@@ -287,10 +265,10 @@ private:
             }
             lost_ += lost;
         });
-        const std::size_t before = cuts_.size();
+        std::vector<EdgeCut> fresh;
         for (std::size_t i = 0; i < edges.size(); ++i)
-            if (cuts[i] != 0) cuts_.push_back(found[i]);
-        sort_new_cuts(before);
+            if (cuts[i] != 0) fresh.push_back(found[i]);
+        cuts_.add(std::move(fresh));
     }
 
     /// An edge that the boundary passes belongs to two triangles, one of which it leaves and one that it enters there.
@@ -334,16 +312,14 @@ private:
 
     const Body& body_;
     const CuttingPlane plane_;
-    const ContourOptions& options_;
-    ContourFacts& facts_;
+    const RefineOptions& options_;
+    RefineFacts& facts_;
     Finish finish_, passing_;  ///< of lines within triangles; of crossings of their edges
     double step_ = 1.0;
     glm::dvec2 origin_{0.0};
     int squares_[2] = {1, 1};
     PlaneTriangles space_;
-    std::vector<EdgeCut> cuts_;
-    std::unordered_map<std::uint64_t, std::uint32_t, KeyHash> cut_of_;
-    std::vector<std::uint64_t> repeated_;  ///< edges that are to be split, in no order that matters
+    CutTable cuts_;
     std::vector<std::uint32_t> active_;
     std::vector<State> state_;  ///< by triangle
     std::atomic<std::uint64_t> lost_{0};
@@ -352,7 +328,7 @@ private:
 }  // namespace
 
 std::vector<Loop> contour_of(const Body& body, const csg::Aabb& extent, const CuttingPlane& plane,
-                             const ContourOptions& options, ContourFacts& facts)
+                             const RefineOptions& options, RefineFacts& facts)
 {
     return Contour(body, extent, plane, options, facts).run();
 }

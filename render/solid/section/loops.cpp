@@ -12,14 +12,6 @@ constexpr double kAcross = 0.9999;  // cosine between the plane's normal and tha
 
 double cross_of(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-double distance_to_side(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b)
-{
-    const glm::dvec2 along = b - a;
-    const double square = glm::dot(along, along);
-    const double t = square > 0.0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-    return glm::length(p - (a + t * along));
-}
-
 /// The point at which the loop turns most: no straight line goes on through it.
 std::size_t sharpest(const Loop& loop)
 {
@@ -39,6 +31,14 @@ std::size_t sharpest(const Loop& loop)
 }
 
 }  // namespace
+
+double distance_to_side(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b)
+{
+    const glm::dvec2 along = b - a;
+    const double square = glm::dot(along, along);
+    const double t = square > 0.0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+    return glm::length(p - (a + t * along));
+}
 
 CuttingPlane beside_faces(const Body& body, const csg::Aabb& extent, CuttingPlane plane)
 {

@@ -2,6 +2,7 @@
 
 #include "csg/base/cancel.h"
 #include "render/solid/measure/jitter.h"
+#include "render/solid/section/contour.h"
 
 #include <tbb/parallel_for.h>
 
@@ -19,14 +20,6 @@ constexpr int kDirectionsRound = 64;
 
 struct LoopSide {
     glm::dvec2 a, b;
-    double distance2(const glm::dvec2& p) const
-    {
-        const glm::dvec2 along = b - a;
-        const double square = glm::dot(along, along);
-        const double t = square > 0.0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-        const glm::dvec2 off = p - (a + t * along);
-        return glm::dot(off, off);
-    }
 };
 
 std::vector<LoopSide> sides_in(const std::vector<Loop>& loops)
@@ -67,15 +60,16 @@ public:
         double best = csg::kInfinity;
         for (int ring = 0; ring <= std::max(count_[0], count_[1]); ++ring) {
             // What lies in rings beyond is farther than the room up to them.
-            if (ring > 0 && best <= (ring - 1) * step_ * (ring - 1) * step_) break;
+            if (ring > 0 && best <= (ring - 1) * step_) break;
             for (int y = here.y - ring; y <= here.y + ring; ++y)
                 for (int x = here.x - ring; x <= here.x + ring; ++x) {
                     if (std::max(std::abs(x - here.x), std::abs(y - here.y)) != ring) continue;
                     if (x < 0 || y < 0 || x >= count_[0] || y >= count_[1]) continue;
-                    for (const std::uint32_t i : cells_[at(x, y)]) best = std::min(best, sides_[i].distance2(p));
+                    for (const std::uint32_t i : cells_[at(x, y)])
+                        best = std::min(best, distance_to_side(p, sides_[i].a, sides_[i].b));
                 }
         }
-        return std::sqrt(best);
+        return best;
     }
 
 private:

@@ -50,7 +50,7 @@ std::size_t crossings(const solid::TriangleMesh& mesh)
     return found;
 }
 
-solid::TriangleMesh mesh_of_text(const char* scene, solid::MeshOptions options, solid::MeshFacts& facts)
+solid::TriangleMesh mesh_of_text(const char* scene, solid::RefineOptions options, solid::MeshFacts& facts)
 {
     const solid::Body body = body_of(scene);
     double error = 0.0;
@@ -83,7 +83,7 @@ TEST_CASE("meshes close, lie near the body and hold its volume", "[solid]")
         double error = 0.0;
         std::uint64_t rays = 0;
         const csg::Aabb extent = solid::require_extent(body, error, rays);
-        solid::MeshOptions options;
+        solid::RefineOptions options;
         options.tolerance = 0.02;
         solid::MeshFacts facts;
         const solid::TriangleMesh mesh = solid::mesh_of(body, extent, options, facts);
@@ -128,7 +128,7 @@ TEST_CASE("no triangle passes through another", "[solid]")
          {"sphere { 0, 1 }", "difference { box { -1, 1 rotate <20, 30, 40> } cylinder { -2 * y, 2 * y, 0.5 } }",
           "torus { 1, 0.3 }", "merge { box { 0, 1 } sphere { 1, 0.6 } }"}) {
         INFO(scene);
-        solid::MeshOptions options;
+        solid::RefineOptions options;
         options.tolerance = 0.2;
         options.cells = 6;
         solid::MeshFacts facts;
@@ -142,7 +142,7 @@ TEST_CASE("no triangle passes through another", "[solid]")
 
 TEST_CASE("a mesh that has no time to get finer closes all the same", "[solid]")
 {
-    solid::MeshOptions options;
+    solid::RefineOptions options;
     options.tolerance = 1e-4;
     options.deadline = std::chrono::steady_clock::now();
     solid::MeshFacts facts;

@@ -18,7 +18,7 @@ struct Cut {
     solid::CuttingPlane plane;
     solid::SectionCheck check;
     csg::Aabb extent;
-    solid::ContourFacts facts;
+    solid::RefineFacts facts;
 };
 
 Cut cut_of(const solid::Body& body, int axis, double value, double tolerance)
@@ -28,7 +28,8 @@ Cut cut_of(const solid::Body& body, int axis, double value, double tolerance)
     std::uint64_t rays = 0;
     out.extent = solid::require_extent(body, error, rays);
     out.plane = solid::beside_faces(body, out.extent, {axis, value});
-    solid::ContourOptions options;
+    solid::RefineOptions options;
+    options.cells = solid::kContourCells;
     options.tolerance = tolerance;
     out.loops = solid::without_straight_points(solid::contour_of(body, out.extent, out.plane, options, out.facts),
                                                0.02 * tolerance);
@@ -218,10 +219,11 @@ TEST_CASE("a cut is the same on every run and ends when it may not go on", "[sol
 {
     const solid::Body body = body_of("difference { sphere { 0, 1 } torus { 0.7, 0.4 } }");
     CHECK(cut_of(body, 1, 0.2, 1e-3).loops == cut_of(body, 1, 0.2, 1e-3).loops);
-    solid::ContourOptions options;
+    solid::RefineOptions options;
+    options.cells = solid::kContourCells;
     options.tolerance = 1e-6;
     options.deadline = std::chrono::steady_clock::now();
-    solid::ContourFacts facts;
+    solid::RefineFacts facts;
     const csg::Aabb extent{glm::dvec3(-1), glm::dvec3(1)};
     CHECK(!solid::contour_of(body, extent, {1, 0.2}, options, facts).empty());
     CHECK(facts.late);
