@@ -15,6 +15,9 @@ struct Finish {
     double least = 0.0;   ///< edges are not split below
     double grain = 0.0;   ///< vertices nearer to each other may become one in single precision
     double narrow = 0.0;  ///< parts of an edge on the other side of the boundary are looked into if longer
+    /// Of the room that crossings leave in a face or tetrahedron: points inside keep so far from its border, and are
+    /// moved there. Single precision asks for much.
+    double inner = 0.25;
 };
 
 /// An edge that the boundary passes through.

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kSharp = 0.94;  // cosine of 20 degrees: normals that differ by more are of two surfaces
 constexpr double kWell = 0.5;    // of Finish::off: nearer needs no point of its own
-constexpr double kInner = 0.25;  // of the room that the crossings leave: points inside keep to it
 constexpr double kBeyond = 0.5;  // of a tetrahedron's size: so far its surface is looked for
 constexpr int kTries = 3;
 
@@ -39,12 +38,12 @@ std::array<double, 4> barycentric(const std::array<glm::dvec3, 4>& c, const glm:
     return {1.0 - x.x - x.y - x.z, x.x, x.y, x.z};
 }
 
-/// `p` moved toward `inner` until no coordinate is below kInner of the least of inner's.
+/// `p` moved toward `inner` until no coordinate is below `share_kept` of the least of inner's.
 template <std::size_t N>
-glm::dvec3 kept_inside(const std::array<double, N>& own, const std::array<double, N>& inner, const glm::dvec3& p,
-                       const glm::dvec3& to)
+glm::dvec3 kept_inside(double share_kept, const std::array<double, N>& own, const std::array<double, N>& inner,
+                       const glm::dvec3& p, const glm::dvec3& to)
 {
-    const double least = kInner * *std::min_element(inner.begin(), inner.end());
+    const double least = share_kept * *std::min_element(inner.begin(), inner.end());
     double share = 0.0;
     for (std::size_t i = 0; i < N; ++i)
         if (own[i] < least) share = std::max(share, (least - own[i]) / (inner[i] - own[i]));
@@ -140,7 +139,8 @@ FaceCut cut_face(const Body& body, const Finish& finish, const glm::dvec3& lone,
         }
     }
     const glm::dvec3 meant = out.place.point;
-    out.place.point = kept_inside(barycentric(lone, m, n, meant), barycentric(lone, m, n, middle), meant, middle);
+    out.place.point =
+        kept_inside(finish.inner, barycentric(lone, m, n, meant), barycentric(lone, m, n, middle), meant, middle);
     if (glm::length(out.place.point - meant) > kWell * finish.off) out.coarse = true;
     for (const SurfacePoint* end : {&p, &q}) {
         SurfacePoint near;
@@ -269,7 +269,7 @@ CentreCut cut_centre(const Body& body, const Finish& finish, const std::array<gl
     }
     inner /= crossings;
     const glm::dvec3 meant = centre_of(body, finish, corners, polygon, room, out.coarse);
-    out.place = kept_inside(barycentric(corners, meant), barycentric(corners, inner), meant, inner);
+    out.place = kept_inside(finish.inner, barycentric(corners, meant), barycentric(corners, inner), meant, inner);
     if (glm::length(out.place - meant) > finish.off) out.coarse = true;
     for (std::size_t i = 0; i < polygon.count && !out.coarse; ++i)
         out.coarse = too_far(body, finish, polygon.corners[i].place.point,

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kPassing = 0.02;           // of what is aimed at: so exactly crossings of edges are told
 constexpr double kShortest = 0.1;           // of the same: shorter edges are not split
+constexpr double kInnerShare = 1e-4;        // of the room in a triangle: corners keep to where they are
 constexpr double kCoordinateGrain = 1e-12;  // of the largest coordinate: rounding of coordinates, with room
 
 class Contour {
@@ -28,6 +29,7 @@ public:
         finish_.off = kAimedShare * options.tolerance;
         finish_.least = finish_.narrow =
             finish_.off;  // what a smaller triangle holds is no farther off than it is wide
+        finish_.inner = kInnerShare;
         const glm::dvec3 far = glm::max(glm::abs(extent.lower), glm::abs(extent.upper));
         finish_.grain = kCoordinateGrain * glm::max(far.x, glm::max(far.y, far.z));
         // No single precision is to come, so crossings may keep to where they are; and corners are told that poke
