@@ -40,13 +40,15 @@ install_packages() {
     cp "$root/packages.txt" "$stamp"
 }
 
-# build PRESET TARGET...: configures once (Ninja itself configures again when a CMake file changed) and builds; quiet
-# when there is nothing to do.
+# build PRESET TARGET...: configures when packages came since the last time (Ninja itself does when a CMake file changed)
+# and builds; quiet when there is nothing to do.
 build() {
-    local preset=$1 folder=$root/build/$1
+    local preset=$1 folder=$root/build/$1 stamp configure=
     shift
-    if [[ ! -f $folder/build.ninja ]]; then
-        (cd "$root" && cmake --preset "$preset") >&2
-    fi
+    [[ -f $folder/build.ninja ]] || configure=yes
+    for stamp in "$root"/build/packages.*; do
+        [[ $stamp -nt $folder/build.ninja ]] && configure=yes
+    done
+    [[ -z $configure ]] || (cd "$root" && cmake --preset "$preset") >&2
     ninja -C "$folder" --quiet "$@" >&2
 }
