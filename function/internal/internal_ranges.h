@@ -47,6 +47,29 @@ inline bool is_polynomial(std::uint32_t n)
     }
 }
 
+/// Functions with ranges in lanes (intervals/shape_ends.h), but for odd parameters.
+inline bool has_shape_range(std::uint32_t n)
+{
+    switch (n) {
+    case 6:
+    case 7:
+    case 9:
+    case 10:
+    case 19:
+    case 25:
+    case 26:
+    case 32:
+    case 40:
+    case 51:
+    case 52:
+    case 53:
+    case 62:
+    case 63:
+    case 68: return true;
+    default: return false;
+    }
+}
+
 template <class T>
 T distance(const T& x, const T& y, const T& z)
 {

@@ -10,7 +10,8 @@ namespace {
 /// Whether its interval shrinks to a point as its arguments do.
 bool internal_narrows(std::uint32_t n)
 {
-    return is_polynomial(n) || n == 17 || n == 47 || n == 57 || n == 60 || n == 61 || n == 69 || n == 70 || n == 77;
+    return is_polynomial(n) || n == 17 || n == 47 || n == 57 || n == 60 || n == 61 || n == 69 || n == 70 || n == 77 ||
+           has_shape_range(n);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-#include "function/intervals/angle_lanes.h"
 #include "function/internal/internal.h"
 #include "function/internal/internal_ranges.h"
+#include "function/intervals/ends.h"
 #include "function/intervals/interval_arithmetic.h"
 #include "function/intervals/interval_rules.h"
+#include "function/intervals/shape_ends.h"
 #include "function/lone_internal.h"
 
 #include <numbers>
@@ -24,27 +25,9 @@ struct EightIntervals {
 
 namespace {
 
-struct Ends {
-    Batch low, high;
-    Ends() = default;
-    Ends(const Batch& l, const Batch& h) : low(l), high(h) {}
-    Ends(double v) : low(v), high(v) {}  // implicit: constants of formulas
-};
-
 Ends ends(const EightIntervals& a, std::size_t i)
 {
     return {Batch::load_aligned(a.low + i), Batch::load_aligned(a.high + i)};
-}
-
-Batch below(const Batch& v) { return v - (xsimd::abs(v) * Batch(kRelative) + Batch(kAbsolute)); }
-Batch above(const Batch& v) { return v + (xsimd::abs(v) * Batch(kRelative) + Batch(kAbsolute)); }
-
-/// With room for rounding; what is no number may be any.
-Ends widened(const Batch& low, const Batch& high)
-{
-    const Batch l = below(low), h = above(high);
-    const auto known = (l == l) & (h == h);
-    return {xsimd::select(known, l, Batch(-kInf)), xsimd::select(known, h, Batch(kInf))};
 }
 
 template <class F>
@@ -65,119 +48,6 @@ EightIntervals each_lane(F&& f)
     EightIntervals out;
     for (std::size_t i = 0; i < kLanes; ++i) out.set(i, f(i));
     return out;
-}
-
-/// 0 times infinity is 0: the infinite end stands for large numbers.
-Batch product(const Batch& a, const Batch& b)
-{
-    const Batch p = a * b;
-    return xsimd::select(p == p, p, Batch(0.0));
-}
-
-Ends multiply(const Ends& a, const Ends& b)
-{
-    const Batch p = product(a.low, b.low), q = product(a.low, b.high), r = product(a.high, b.low),
-                s = product(a.high, b.high);
-    return widened(xsimd::min(xsimd::min(p, q), xsimd::min(r, s)), xsimd::max(xsimd::max(p, q), xsimd::max(r, s)));
-}
-
-Ends absolute(const Ends& a)
-{
-    const Batch l = xsimd::abs(a.low), h = xsimd::abs(a.high);
-    const auto through = (a.low <= Batch(0.0)) & (a.high >= Batch(0.0));
-    return {xsimd::select(through, Batch(0.0), xsimd::min(l, h)), xsimd::max(l, h)};
-}
-
-/// The square of what is written twice.
-Ends squared(const Ends& a)
-{
-    const Ends s = absolute(a);
-    const Ends out = widened(s.low * s.low, s.high * s.high);
-    return {xsimd::max(out.low, Batch(0.0)), out.high};
-}
-
-/// No root of a wholly negative number: it may be any.
-Ends sqrt(const Ends& a) { return widened(xsimd::sqrt(xsimd::max(a.low, Batch(0.0))), xsimd::sqrt(a.high)); }
-Ends larger(const Ends& a, const Ends& b) { return {xsimd::max(a.low, b.low), xsimd::max(a.high, b.high)}; }
-Ends field_limit(const Ends& a)
-{
-    const auto limit = [](const Batch& v) { return xsimd::min(Batch(10.0), xsimd::max(Batch(-10.0), v)); };
-    return {limit(a.low), limit(a.high)};
-}
-Ends operator+(const Ends& a, const Ends& b) { return widened(a.low + b.low, a.high + b.high); }
-Ends operator-(const Ends& a, const Ends& b) { return widened(a.low - b.high, a.high - b.low); }
-// A number times itself is no product of two.
-Ends operator*(const Ends& a, const Ends& b) { return &a == &b ? squared(a) : multiply(a, b); }
-
-Ends divide(const Ends& a, const Ends& b)
-{
-    const auto through = (b.low <= Batch(0.0)) & (b.high >= Batch(0.0));
-    const Batch p = a.low / b.low, q = a.low / b.high, r = a.high / b.low, s = a.high / b.high;
-    const auto known = (p == p) & (q == q) & (r == r) & (s == s);
-    const Ends w =
-        widened(xsimd::min(xsimd::min(p, q), xsimd::min(r, s)), xsimd::max(xsimd::max(p, q), xsimd::max(r, s)));
-    const auto good = known & !through;
-    return {xsimd::select(good, w.low, Batch(-kInf)), xsimd::select(good, w.high, Batch(kInf))};
-}
-
-/// Every step of rounded_box() rises or falls with each of its operands all the way, rounded or not: at the ends of a
-/// box it has the ends of its values, to the bit.
-Ends rounded_box_ends(const Ends* a)
-{
-    const Batch zero(0.0);
-    struct Squares {
-        Batch low, high;
-    };
-    const auto beyond = [&](int k) {
-        const Ends size = absolute(a[k]);
-        const Batch low = xsimd::max(zero, size.low - (a[4 + k].high - a[3].low)),
-                    high = xsimd::max(zero, size.high - (a[4 + k].low - a[3].high));
-        return Squares{low * low, high * high};
-    };
-    const Squares x = beyond(0), y = beyond(1), z = beyond(2);
-    const Batch low = xsimd::sqrt(x.low + y.low + z.low) - a[3].high - Batch(1e-6),
-                high = xsimd::sqrt(x.high + y.high + z.high) - a[3].low - Batch(1e-6);
-    // max() may drop what is no number.
-    const auto is_number = [&](int k) { return (a[k].low == a[k].low) & (a[k].high == a[k].high); };
-    const auto known = is_number(0) & is_number(1) & is_number(2) & (low == low) & (high == high);
-    return {xsimd::select(known, low, Batch(-kInf)), xsimd::select(known, high, Batch(kInf))};
-}
-
-/// Some value for the lanes of `where`, the function's own for the others.
-Ends or_all(const Batch::batch_bool_type& where, double low, double high, const Ends& others)
-{
-    return {xsimd::select(where, Batch(low), others.low), xsimd::select(where, Batch(high), others.high)};
-}
-
-/// sin(x + shift) for x in a, with more room than sine() of one interval has.
-Ends sine(const Ends& a, double shift)
-{
-    constexpr double kLargest = 1e6;                                 // beyond it the turn is not known well enough
-    constexpr double kTurn = 0.5 / std::numbers::pi, kSlack = 1e-9;  // of a turn: far above its error
-    const auto known = (a.high - a.low < Batch(1.0 / kTurn)) & (xsimd::abs(a.low) <= Batch(kLargest)) &
-                       (xsimd::abs(a.high) <= Batch(kLargest));
-    const Batch from = (a.low + Batch(shift)) * Batch(kTurn), to = (a.high + Batch(shift)) * Batch(kTurn);
-    // Whether a turn of `place` lies between.
-    const auto holds = [&](double place) {
-        const Batch turn = xsimd::ceil(from - Batch(place + kSlack));
-        return turn + Batch(place) <= to + Batch(kSlack);
-    };
-    const Batch l = sine_of_turn(from), h = sine_of_turn(to), one(1.0), room(1e-8);
-    const Ends out{xsimd::select(holds(-0.25), -one, xsimd::max(-one, xsimd::min(l, h) - room)),
-                   xsimd::select(holds(0.25), one, xsimd::min(one, xsimd::max(l, h) + room))};
-    return or_all(!known, -1.0, 1.0, out);
-}
-
-Ends arc_tangent(const Ends& y, const Ends& x)
-{
-    const Batch p = angle_of(y.low, x.low), q = angle_of(y.low, x.high), r = angle_of(y.high, x.low),
-                s = angle_of(y.high, x.high), room(kAngleError);
-    const auto known = (p == p) & (q == q) & (r == r) & (s == s),
-               around = (x.low <= Batch(0.0)) & (y.low <= Batch(0.0)) & (y.high >= Batch(0.0));
-    const Ends out{xsimd::min(xsimd::min(p, q), xsimd::min(r, s)) - room,
-                   xsimd::max(xsimd::max(p, q), xsimd::max(r, s)) + room};
-    constexpr double kHalf = std::numbers::pi + kAngleError;
-    return or_all(around, -kHalf, kHalf, or_all(!known, -kInf, kInf, out));
 }
 
 }  // namespace
@@ -216,6 +86,18 @@ EightIntervals operator*(const EightIntervals& a, const EightIntervals& b)
     return &a == &b ? squared(a) : batchwise(a, b, multiply);  // a number times itself is no product of two
 }
 
+/// A constant exponent's in registers, others lane by lane.
+EightIntervals power(const EightIntervals& a, const EightIntervals& b)
+{
+    const double exponent = b.low[0];
+    bool constant = std::abs(exponent) < 1e6;
+    for (std::size_t i = 0; i < kLanes; ++i) constant = constant && b.low[i] == exponent && b.high[i] == exponent;
+    if (!constant) return each_lane([&](std::size_t i) { return interval_binary(Op::Power, a.lane(i), b.lane(i)); });
+    if (exponent == std::floor(exponent))
+        return batchwise(a, a, [&](const Ends& x, const Ends&) { return whole_power(x, exponent); });
+    return batchwise(a, a, [&](const Ends& x, const Ends&) { return power(x, exponent); });
+}
+
 template <>
 struct Rules<EightIntervals> {
     static EightIntervals constant(double c) { return c; }
@@ -233,6 +115,7 @@ struct Rules<EightIntervals> {
             });
         else if constexpr (op == Op::Max) return larger(a, b);
         else if constexpr (op == Op::Atan2) return arc_tangent(a, b);
+        else if constexpr (op == Op::Power) return power(a, b);
         else return each_lane([&](std::size_t i) { return interval_binary(op, a.lane(i), b.lane(i)); });
     }
 
@@ -243,6 +126,8 @@ struct Rules<EightIntervals> {
             return batchwise(a, a, [](const Ends& x, const Ends&) { return Ends{-x.high, -x.low}; });
         else if constexpr (op == Op::Abs) return absolute(a);
         else if constexpr (op == Op::Sqrt) return sqrt(a);
+        else if constexpr (op == Op::Exp)
+            return batchwise(a, a, [](const Ends& x, const Ends&) { return exponential(x); });
         else if constexpr (op == Op::Sin || op == Op::Cos)
             return batchwise(
                 a, a, [](const Ends& x, const Ends&) { return sine(x, op == Op::Sin ? 0.0 : std::numbers::pi / 2); });
@@ -334,7 +219,7 @@ struct Rules<EightIntervals> {
         for (std::size_t i = 0; i < kLanes; i += kWidth) {
             for (std::uint32_t k = 0; k < count; ++k) one[k] = get(k, i);
             if (n == kRoundedBox) found = rounded_box_ends(one);
-            else if (!arithmetic_range(n, one, found)) return false;
+            else if (!arithmetic_range(n, one, found) && !shape_range(n, one, found)) return false;
             found.low.store_unaligned(&out.low[i]);
             found.high.store_unaligned(&out.high[i]);
         }

@@ -4,6 +4,7 @@
 #include "csg/roots/fused_at.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace csg {
@@ -103,18 +104,22 @@ bool IsosurfaceSearch::eighths(const Grid& grid, std::int64_t first, int level, 
             if (!clear(k) && eighths(grid, first + k * width, level - 1, sign, found)) return true;
         return false;
     }
-    bool all_clear = true;
-    for (int k = 0; k < kParts; ++k) all_clear = all_clear && clear(k);
-    return !all_clear && in_leaves(grid, first, sign, found);
+    std::uint32_t open = 0;
+    for (int k = 0; k < kParts; ++k) open |= clear(k) ? 0u : 1u << k;
+    return open != 0 && in_leaves(grid, first, open, sign, found);
 }
 
-bool IsosurfaceSearch::in_leaves(const Grid& grid, std::int64_t first, double sign, double& found) const
+bool IsosurfaceSearch::in_leaves(const Grid& grid, std::int64_t first, std::uint32_t open, double sign,
+                                 double& found) const
 {
+    constexpr int kFewLeaves = 2;  // are asked one by one: what the library computes is asked so anyway
+    const bool few = std::popcount(open) <= kFewLeaves;
     Eight t, f;
     for (int k = 0; k < kParts; ++k) t.v[k] = grid.at(first + k + 1);
-    sample(t, sign, f);
-    for (int k = 0; k < kParts; ++k) {
-        if (!(f.v[k] < 0.0)) continue;
+    if (!few) sample(t, sign, f);
+    for (; open != 0; open &= open - 1) {
+        const int k = std::countr_zero(open);
+        if (!((few ? sign * value(t.v[k]) : f.v[k]) < 0.0)) continue;
         // POV-Ray's interval that ends here or behind; what is thinner than it is found all the same.
         const std::int64_t leaf = first + k + 1, end = ((leaf + (std::int64_t{1} << grid.finer) - 1) >> grid.finer)
                                                        << grid.finer;

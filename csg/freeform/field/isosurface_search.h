@@ -36,7 +36,8 @@ private:
         double at(std::int64_t i) const { return from + step * static_cast<double>(i); }
     };
     bool eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found);
-    bool in_leaves(const Grid& grid, std::int64_t first, double sign, double& found) const;
+    /// Those of the eight finest parts from `first` on whose bit is set in `open`.
+    bool in_leaves(const Grid& grid, std::int64_t first, std::uint32_t open, double sign, double& found) const;
     bool bisect(const Sample& left, const Sample& right, double sign, double& found);
     void sample(const Eight& t, double sign, Eight& f) const;
     /// With one rounding of where it is, whatever the ray comes from.
