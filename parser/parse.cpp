@@ -1,6 +1,7 @@
 #include "parser/parse.h"
 
 #include "parser/grammar/core/scene_builder.h"
+#include "parser/stream/told_values.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ Result parse(const Options& options, MessageSink sink, void* context, Open&& ope
     open(stream);
     build.read_scene();
     Result result;
+    if (options.tell_values) result.values = told_values(stream.symbols(), stream.names());
     result.scene = build.take();
     result.messages = std::move(stream.messages());
     result.statistics = stream.statistics();

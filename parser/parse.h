@@ -34,6 +34,9 @@ struct Options {
     std::uint64_t most_tokens =
         0;               ///< a scene that has more read to it, loops and macros counted, is refused; 0: no limit
     bool blocks = true;  ///< loops and macros over numbers and texts are compiled; false: read word by word, for tests
+    const std::map<std::string, std::string>* texts = nullptr;  ///< of an editor: they lie over the files on disk, by
+                                                                ///< absolute path without "." and ".."
+    bool tell_values = false;                                   ///< fills Result::values
     const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then: when set, reading ends with Cancelled
 };
 
@@ -64,6 +67,8 @@ struct Result {
     scene::Description scene;
     std::vector<Message> messages;  ///< in order; without errors
     Statistics statistics;
+    std::map<std::string, std::string>
+        values;                           ///< global numbers, vectors and texts at the end, as the scene writes them
     std::vector<std::string> data_files;  ///< read besides the text: by #fopen, images, densities, fonts; in order
 };
 

@@ -23,7 +23,7 @@ bool may_begin_block(Kind directive)
 }  // namespace
 
 TokenStream::TokenStream(const Options& options, GrammarHooks& hooks, MessageSink sink, void* sink_context)
-    : options_(options), hooks_(hooks), sink_(sink), sink_context_(sink_context)
+    : options_(options), hooks_(hooks), sink_(sink), sink_context_(sink_context), kept_files_(options.texts)
 {
     language_.version = options.version;
     language_.version_set = options.version_given;
@@ -277,6 +277,7 @@ std::string TokenStream::where_opened(std::string_view what, const scene::Source
 {
     const scene::SourceRef now = here();
     if (now.file == brace.file && line_and_column(now).line == line_and_column(brace).line) return {};
+    told_brace_ = brace;
     return fmt::format("; the '{{' of {} stands in {}", what, line_of(brace));
 }
 
@@ -298,6 +299,8 @@ scene::Message TokenStream::located(Severity severity, const scene::SourceRef& a
     Message out = message(severity, at, text);
     if (at.file >= files_.size()) return out;
     if (out.place.at.line > 0) out.quote = quoted_line(*files_[at.file], out.place.at);
+    if (severity == Severity::Error && told_brace_.somewhere())
+        out.opened = scene::Place{files_[told_brace_.file]->path, line_and_column(told_brace_)};
     constexpr std::size_t kMostNotes = 8;  // a runaway recursion has hundreds, most of them alike
     for (std::size_t i = cursors_.size(); i-- > 1;) {
         const Cursor& cursor = cursors_[i];
@@ -314,7 +317,9 @@ scene::Message TokenStream::located(Severity severity, const scene::SourceRef& a
 
 void TokenStream::fail(const scene::SourceRef& at, std::string_view text)
 {
-    throw Error(located(Severity::Error, at, text));
+    Message message = located(Severity::Error, at, text);
+    told_brace_ = {};
+    throw Error(std::move(message));
 }
 
 void TokenStream::fail_bad(const Token& token) { fail(place(token), files_[token.file]->strings[token.name]); }
@@ -328,9 +333,10 @@ void TokenStream::fail_expected(std::string_view what, std::string_view more)
 void TokenStream::fail_expected_at(const Token& found, std::string_view what, std::string_view more)
 {
     if (found.kind == Kind::EndOfText) {
-        const std::string open = more.empty() && !open_blocks_.empty()
-                                     ? fmt::format("; the '{{' in {} is not closed", line_of(open_blocks_.back()))
-                                     : std::string(more);
+        const bool untold = more.empty() && !open_blocks_.empty();
+        if (untold) told_brace_ = open_blocks_.back();
+        const std::string open = untold ? fmt::format("; the '{{' in {} is not closed", line_of(open_blocks_.back()))
+                                        : std::string(more);
         fail(place(found), fmt::format("expected {}, found the end of the text{}", what, open));
     }
     std::string text = printable(files_[found.file]->token_text(found));

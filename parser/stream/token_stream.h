@@ -95,6 +95,7 @@ public:
 
     // ---- names and values ------------------------------------------------------------------------------------
     Symbols& symbols() { return symbols_; }
+    const Names& names() const { return names_; }
     const std::string& word(const Token& token) const { return names_.word(token.name); }
     /// What an Identifier token means; null if undeclared. Copy what you need before the next peek().
     const Value* value_of(const Token& token) const { return symbols_.find(token.name); }
@@ -376,13 +377,12 @@ private:
     bool has_ahead_ = false, ahead_raw_ = false, raw_operators_ = false;
     bool statements_ = false;  ///< what is fetched may be a statement of the grammar
     std::uint64_t taken_ = 0;
-    std::uint64_t left_ = 0,
-                  later_ = 0;  ///< tokens that may be read before allow_more(), and after; Options::most_tokens in all
+    std::uint64_t left_ = 0, later_ = 0;  ///< tokens that may be read before allow_more(), and after
+    scene::SourceRef told_brace_;         ///< that the text of the next message tells of
     int nesting_ = 0;
     LanguageState language_;
-    std::uint32_t declaring_ = kNoIndex;
-    std::uint32_t statement_ = kNoIndex;         ///< its first token in the main text
-    std::vector<scene::SourceRef> open_blocks_;  ///< of the statement
+    std::uint32_t declaring_ = kNoIndex, statement_ = kNoIndex;  ///< a statement: its first token in the main text
+    std::vector<scene::SourceRef> open_blocks_;                  ///< of the statement
     std::unordered_map<std::uint32_t, Deprecation> deprecated_;
     std::vector<std::uint32_t> random_streams_;
     RandomUndo random_undo_{random_streams_};

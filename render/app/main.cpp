@@ -2,6 +2,7 @@
 #include "render/app/editor/fmt_command.h"
 #include "render/app/editor/lint_command.h"
 #include "render/app/options/command_line.h"
+#include "render/app/lsp/lsp_command.h"
 #include "render/app/compare_command.h"
 #include "render/app/options/help.h"
 #include "render/app/options/ini_file.h"
@@ -92,6 +93,7 @@ constexpr std::array kCalled = {
     Called{"fmt", app::fmt_help, app::fmt_command},
     Called{"info", app::info_help, cancellable<app::info_command>},
     Called{"lint", app::lint_help, app::lint_command},
+    Called{"lsp", app::lsp_help, app::lsp_command},
     Called{"mesh", app::mesh_help, cancellable<app::mesh_command>},
     Called{"pixel", app::pixel_help, cancellable<app::pixel_command>},
     Called{"report", app::report_help, cancellable<app::report_command>},

@@ -45,6 +45,7 @@ struct Message {
     std::optional<QuotedLine> quote;  ///< empty: not shown
     std::vector<RelatedPlace> related;
     SourceRef source;
+    std::optional<Place> opened = {};  ///< the brace that the words tell of
 };
 
 /// "path:line:column", as much of it as there is.

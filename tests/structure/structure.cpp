@@ -25,6 +25,8 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"parser/grammar",
      {"csg", "function", "parser/lexer", "parser/stream", "parser", "render/scene", "render/font", "render/image"}},
     {"language/format", {"parser/lexer"}},
+    {"language/names", {"parser/lexer", "render/scene"}},
+    {"language/places", {"language/names", "parser/lexer"}},
     // Pictures that a scene reads: image knows nothing of scenes, and is what comes last as well as what comes in.
     {"render/scene", {"csg", "function", "render/image"}},
     {"render/font", {"csg"}},
@@ -47,8 +49,9 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     // What people call by name: it puts the stages together, and finds a scene's constants among its tokens.
     // clang-format off: one a line
     {"render/app",
-     {"csg", "function", "language/format", "parser", "parser/lexer", "render/scene", "render/image", "render/plan",
-      "render/trace", "render/explain", "render/layers", "render/lint", "render/solid", "render/study", "render/web"}},
+     {"csg", "function", "language/format", "language/names", "language/places", "parser", "parser/lexer",
+      "render/scene", "render/image", "render/plan", "render/trace", "render/explain", "render/layers", "render/lint",
+      "render/solid", "render/study", "render/web"}},
     // clang-format on
 };
 

@@ -47,9 +47,12 @@ std::optional<std::string> KeptFiles::read(const std::string& path) const
 
 const std::string* KeptFiles::find(const std::string& path) const
 {
-    if (files_.empty()) return nullptr;
-    const auto known = files_.find(normal(path));
-    return known == files_.end() ? nullptr : known->second.get();
+    if (!files_.empty())
+        if (const auto known = files_.find(normal(path)); known != files_.end()) return known->second.get();
+    if (texts_ == nullptr || texts_->empty()) return nullptr;
+    std::error_code error;
+    const auto open = texts_->find(normal(fs::absolute(path, error).string()));
+    return open == texts_->end() ? nullptr : &open->second;
 }
 
 }  // namespace parser

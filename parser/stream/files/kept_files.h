@@ -10,8 +10,13 @@ namespace parser {
 /// What a scene would have written, with Options::write_nothing: it is read again from here. By path as written,
 /// without
 /// "." and "..".
+///
+/// Texts that an editor has not written yet lie here as well.
 class KeptFiles {
 public:
+    using Texts = std::map<std::string, std::string>;
+    /// \param texts  Options::texts
+    explicit KeptFiles(const Texts* texts = nullptr) : texts_(texts) {}
     /// The text of a file opened for writing. \param append  begins with what the file on disk holds
     std::shared_ptr<std::string> open(const std::string& path, bool append);
     bool has(const std::string& path) const { return find(path) != nullptr; }
@@ -21,6 +26,7 @@ public:
 private:
     const std::string* find(const std::string& path) const;
     std::map<std::string, std::shared_ptr<std::string>> files_;
+    const Texts* texts_;
 };
 
 }  // namespace parser

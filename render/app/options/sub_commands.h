@@ -18,6 +18,7 @@ inline constexpr std::array kSubCommands = {
                "how far two pictures are apart"},
     SubCommand{"fmt", "FILE... [--check | --stdout]", "lay scene text out; docs/editors.md"},
     SubCommand{"lint", "SCENE [--no=NAME] [--only=NAME] [--list]", "what is doubtful about a scene; docs/editors.md"},
+    SubCommand{"lsp", "[--seconds=N] [--memory=MB] [options]", "a language server for editors; docs/editors.md"},
     SubCommand{"report", "SCENE... [-o report.html] [options]", "error against run time as a page"},
     SubCommand{"pixel", "SCENE X,Y [options]", "why a pixel has its colour, ray by ray"},
     SubCommand{"watch", "SCENE [--port=n] [options]", "a page that follows the scene's text (docs/watch.md)"},
