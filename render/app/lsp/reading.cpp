@@ -57,17 +57,20 @@ void Reader::interrupt(Stop why)
     cancel_ = true;
 }
 
-void Reader::ask(const std::string& scene, std::shared_ptr<const Texts> texts)
+std::uint64_t Reader::ask(const std::string& scene, std::shared_ptr<const Texts> texts)
 {
+    std::uint64_t number = 0;
     {
         const std::lock_guard lock(mutex_);
         std::erase_if(waiting_, [&](const Job& job) { return job.scene == scene; });
-        waiting_.push_front({scene, std::move(texts)});
+        number = ++asked_;
+        waiting_.push_front({scene, std::move(texts), number});
         // What another scene had begun is begun again behind this one.
         if (running_ && running_->scene != scene && why_ == Stop::No) waiting_.push_back(*running_);
         interrupt(Stop::Newer);
     }
     changed_.notify_all();
+    return number;
 }
 
 void Reader::forget(const std::string& scene)
@@ -139,6 +142,7 @@ void Reader::cut_short(Reading& reading, const scene::Message& at, Stop why, con
 bool Reader::read(const Job& job, Reading& reading)
 {
     reading.scene = job.scene;
+    reading.number = job.number;
     scene::Message stopped;
     const lint::Reader texts = [&](const std::string& path) -> std::optional<std::string> {
         const auto open = job.texts->find(path);

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -24,6 +25,7 @@ struct Told {
 
 struct Reading {
     std::string scene;
+    std::uint64_t number = 0;  ///< that ask() gave
     std::vector<Told> told;
     bool whole = false;                         ///< it could be read to its end
     std::map<std::string, std::string> values;  ///< parser::Result::values, where it could
@@ -45,8 +47,8 @@ public:
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    /// Texts of the editor by absolute path lie over the files on disk.
-    void ask(const std::string& scene, std::shared_ptr<const Texts> texts);
+    /// Texts of the editor by absolute path lie over the files on disk. Each time gives another number.
+    std::uint64_t ask(const std::string& scene, std::shared_ptr<const Texts> texts);
     void forget(const std::string& scene);
     /// Ends both threads.
     void stop();
@@ -56,6 +58,7 @@ private:
     struct Job {
         std::string scene;
         std::shared_ptr<const Texts> texts;
+        std::uint64_t number = 0;
     };
     void work();
     void watch();
@@ -69,6 +72,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> waiting_;
+    std::uint64_t asked_ = 0;
     std::optional<Job> running_;
     std::chrono::steady_clock::time_point since_;  ///< of what runs
     std::size_t before_ = 0;                       ///< bytes that the program had then

@@ -158,7 +158,7 @@ void Server::did_open(const json& parameters)
     const std::string& uri = string_member(text, "uri");
     const std::string path = path_of_uri(uri);
     files_.open(path, string_member(text, "text"));
-    open_[path] = {uri, text.value("version", json())};
+    open_[path] = {uri, text.value("version", json()), 0};
     changed(path);
 }
 
@@ -201,11 +201,12 @@ void Server::changed(const std::string& path)
     auto texts = std::make_shared<Reader::Texts>();
     for (const auto& [open, text] : open_) texts->emplace(open, files_.text(open));
     std::set<std::string> reached_includes;
-    for (const auto& [scene, text] : open_) {
+    for (auto& [scene, text] : open_) {
         if (is_include_file(scene)) continue;
         const std::vector<std::string> reached = files_.reached(scene);
         reached_includes.insert(reached.begin(), reached.end());
-        if (path.empty() || std::find(reached.begin(), reached.end(), path) != reached.end()) reader_.ask(scene, texts);
+        if (path.empty() || std::find(reached.begin(), reached.end(), path) != reached.end())
+            text.asked = reader_.ask(scene, texts);
     }
     for (const auto& [include, text] : open_) {
         if (!is_include_file(include)) continue;
@@ -223,7 +224,8 @@ void Server::read_all() { changed(""); }
 void Server::take_reading(Reading&& reading)
 {
     const std::lock_guard lock(mutex_);
-    if (!open_.contains(reading.scene) || state_ != State::Running) return;
+    const auto open = open_.find(reading.scene);
+    if (open == open_.end() || open->second.asked != reading.number || state_ != State::Running) return;
     replace_diagnostics(reading.scene, diagnostics_of(reading, files_, world_.encoding));
     if (reading.whole) values_[reading.scene] = std::move(reading.values);
 }

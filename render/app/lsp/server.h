@@ -36,6 +36,7 @@ private:
     struct OpenText {
         std::string uri;
         json version;
+        std::uint64_t asked = 0;  ///< number of its last reading
     };
 
     void answer(const json& id, const std::string& method, const json& parameters);
