@@ -153,6 +153,7 @@
 ;;;###autoload
 (add-to-list 'auto-mode-alist '("\\.pov\\'" . pov-scene-mode))
 
+(defvar eglot-server-programs)
 (with-eval-after-load 'eglot
   (add-to-list 'eglot-server-programs (cons 'pov-scene-mode (lambda (&rest _) pov-scene-server))))
 
