@@ -10,8 +10,8 @@ namespace csg {
 
 /// The crossings of a boolean form for each ray, as BooleanWalk finds them: the pieces of all leaves, and for each end
 /// of a piece which of the other leaves hold it. Solids without a test in lanes are asked ray by ray; what is made of
-/// their pieces goes in lanes all the same. Where ends share a place the ray is left to BooleanWalk, so the answers are
-/// the same.
+/// their pieces goes in lanes all the same. Where more than two ends share a place the ray is left to BooleanWalk, so
+/// the answers are the same.
 template <class Rays>
 class LaneBoolean {
 public:
@@ -24,10 +24,7 @@ public:
         form_ = &program.boolean;
         pieces_ = 0;
         found = undecided = 0;
-        if (reach_ < 0.0) {
-            const glm::dvec3 o = rays_.widest();
-            reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than BooleanWalk's for unit directions
-        }
+        if (!measured_) measure();
         mask = meet_leaves(mask, scratch);
         each_vector(mask & ~undecided, [&](int i) {
             if (nearest_only) nearest(i);
@@ -80,8 +77,25 @@ private:
         return {t, store_.surface(of.solid, side), of.solid, side, of.normal_flipped};
     }
 
-    Double slack(Double t) const { return Double(kCoincidence) * (xsimd::abs(t) + Double(reach_)); }
-    Double slack_of_range(Double t) const { return xsimd::select(t < lanes::beyond(), slack(t), Double(0.0)); }
+    /// As origin_reach().
+    void measure()
+    {
+        measured_ = true;
+        for (int i = 0; i < rays_.groups * kRayGroup; i += lanes::kDoubles) {
+            const auto from = rays_.origins(i);
+            const lanes::Directions to = rays_.directions(i);
+            const auto most = [](Double x, Double y, Double z) {
+                return xsimd::max(xsimd::abs(x), xsimd::max(xsimd::abs(y), xsimd::abs(z)));
+            };
+            store(reach_, i, most(Double(from.x), Double(from.y), Double(from.z)) / most(to.x, to.y, to.z));
+        }
+    }
+
+    Double slack(Double t, int i) const { return Double(kCoincidence) * (xsimd::abs(t) + load(reach_, i)); }
+    Double slack_of_range(Double t, int i) const
+    {
+        return xsimd::select(t < lanes::beyond(), slack(t, i), Double(0.0));
+    }
 
     /// The pieces of all leaves. Returns the rays that are left: of an intersection those that meet every operand.
     RayMask meet_leaves(RayMask mask, Scratch& scratch)
@@ -149,7 +163,8 @@ private:
         store(piece.face[0], i, own.entry_face);
         store(piece.face[1], i, own.exit_face);
         const Double t_min = load(rays_.t_min, i), limit = load(rays_.limit, i);
-        return bits(own.met & (own.exit >= t_min - slack(t_min)) & (own.entry <= limit + slack_of_range(limit)), i);
+        return bits(own.met & (own.exit >= t_min - slack(t_min, i)) & (own.entry <= limit + slack_of_range(limit, i)),
+                    i);
     }
 
     RayMask meet_in_lanes(std::uint32_t k, RayMask mask)
@@ -242,15 +257,17 @@ private:
 
     void nearest(int i)
     {
-        Double t = load(rays_.limit, i), leaf(0.0), face(0.0), tied = lanes::beyond();
+        Double t = load(rays_.limit, i), leaf(0.0), face(0.0), rank(-1.0), tied = lanes::beyond();
         Bool some(false);
         each_end(i, [&](std::uint32_t p, std::size_t side, Double at, Bool in_range) {
-            const Bool nearer = in_range & (at <= t);
+            const Double own(static_cast<double>(form_->leaves[piece_[p].leaf].rank));
+            const Bool nearer = in_range & ((at < t) | ((at == t) & (own >= rank)));
             if (lanes::mask(nearer) == 0) return;
             look(i, p, at);
             tied = xsimd::select(nearer & shared_, xsimd::min(tied, at), tied);
             const Bool seen = nearer & drawn(i, p, side) & seen_from(piece_[p].leaf, nearer);
             t = xsimd::select(seen, at, t);
+            rank = xsimd::select(seen, own, rank);
             leaf = xsimd::select(seen, Double(static_cast<double>(piece_[p].leaf)), leaf);
             face = xsimd::select(seen, load(piece_[p].face[side], i), face);
             some = some | seen;
@@ -298,21 +315,31 @@ private:
         return load(piece_[p].face[side], i) != Double(static_cast<double>(kUndrawnFace));
     }
 
-    /// Which leaves hold the points at t, and whether an end of another leaf than the piece's is in the same place.
+    /// Which leaves hold the points at t, as BooleanWalk has it, and where more ends are in the same place than it
+    /// decides.
     void look(int i, std::uint32_t own, Double t)
     {
-        const Double room = slack(t);
+        const Double room = slack(t, i);
+        const std::uint64_t below = form_->leaves[piece_[own].leaf].below;
         for (std::uint32_t k = 0; k < form_->leaves.size(); ++k) holds_[k] = Bool(form_->leaves[k].inverted);
         shared_ = Bool(false);
+        Bool beside(false);
         for (std::uint64_t left = here_; left != 0; left &= left - 1) {
             const Piece& piece = piece_[bit(left)];
             if (piece.leaf == piece_[own].leaf) continue;
+            const BooleanLeaf& leaf = form_->leaves[piece.leaf];
             const Double in = load(piece.t[0], i), out = load(piece.t[1], i);
-            shared_ = shared_ | (xsimd::abs(in - t) <= room) | (xsimd::abs(out - t) <= room);
+            const Bool at_in = (t >= in - room) & (t <= in + room), at_out = (t >= out - room) & (t <= out + room);
             // A leaf's pieces lie apart. (The exclusive or of xsimd 8's masks is a plain or on AVX-512.)
-            const Bool inside = (in < t) & (t <= out);
+            Bool inside = (in < t) & (t <= out);
             Bool& holds = holds_[piece.leaf];
-            holds = form_->leaves[piece.leaf].inverted ? holds & !inside : holds | inside;
+            if (const Bool near = at_in | at_out; lanes::mask(near) != 0) {
+                shared_ = shared_ | (at_in & at_out) | (near & beside);
+                if ((below >> piece.leaf & 1) != 0) shared_ = shared_ | near;
+                beside = beside | near;
+                inside = leaf.closed != leaf.inverted ? inside | near : inside & !near;
+            }
+            holds = leaf.inverted ? holds & !inside : holds | inside;
         }
     }
 
@@ -350,12 +377,13 @@ private:
     const Rays& rays_;
     const Program* program_ = nullptr;
     const BooleanForm* form_ = nullptr;
-    double reach_ = -1.0;
+    bool measured_ = false;
     bool nearest_only_ = true;
     std::uint32_t pieces_ = 0;
     std::uint64_t here_ = 0;  ///< pieces of the vector at hand
     Bool shared_ = Bool(false);
     alignas(64) Lanes t_, leaf_, face_;  ///< the nearest, where found
+    alignas(64) Lanes reach_;            ///< where measured
     Bool holds_[BooleanForm::kMostLeaves];
     Piece piece_[BooleanForm::kMostPieces];
 };

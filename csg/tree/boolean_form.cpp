@@ -46,6 +46,8 @@ public:
         form_.first_leaf.push_back(static_cast<std::uint8_t>(form_.leaves.size()));
         std::vector<std::uint32_t> path;
         conditions_below(0, path);
+        std::uint8_t rank = 0;
+        for (const std::uint32_t leaf : drawing_order(0)) form_.leaves[leaf].rank = rank++;
         std::uint32_t pieces = 0;
         for (const BooleanLeaf& leaf : form_.leaves) pieces += leaf.most_pieces;
         form_.in_lanes = pieces <= BooleanForm::kMostPieces;
@@ -85,6 +87,20 @@ private:
         path.pop_back();
     }
 
+    /// The leaves below node i in the order of their crossings: every operator but a union turns its operands' round
+    /// (Evaluation::filtered).
+    std::vector<std::uint32_t> drawing_order(std::uint32_t i) const
+    {
+        if (nodes_[i].op == Op::Leaf) return {form_.first_leaf[i]};
+        std::vector<std::uint32_t> out;
+        for (std::uint32_t k = i + 1; k < nodes_[i].end; k = nodes_[k].end) {
+            std::vector<std::uint32_t> operand = drawing_order(k);
+            if (nodes_[i].op != Op::Union) std::reverse(operand.begin(), operand.end());
+            out.insert(out.end(), operand.begin(), operand.end());
+        }
+        return out;
+    }
+
     /// What an ancestor asks of its operands other than the one that the leaf is in.
     void add_siblings(BooleanLeaf& leaf, std::uint32_t ancestor, std::uint32_t own)
     {
@@ -104,6 +120,8 @@ private:
             for (std::uint32_t k = i + 1; k < nodes_[i].end; k = nodes_[k].end) add_condition(leaf, k, inside);
         } else {
             form_.conditions.push_back({i, inside});
+            for (std::uint32_t k = i; k < nodes_[i].end; ++k)
+                if (nodes_[k].op == Op::Leaf) leaf.below |= std::uint64_t{1} << form_.first_leaf[k];
         }
     }
 

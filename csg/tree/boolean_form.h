@@ -25,7 +25,9 @@ struct BooleanLeaf {
     bool closed = false;                    ///< Crossing::closed of them
     std::uint8_t most_pieces = 1;           ///< intervals along any ray that there is room for in lanes
     bool drawn = true;                      ///< not an operand that only clips
+    std::uint8_t rank = 0;                  ///< its place in the order in which the general evaluation draws
     std::uint64_t inside = 0, outside = 0;  ///< leaves that have to hold the point of a drawn end; that may not
+    std::uint64_t below = 0;                ///< leaves of the subtrees among the conditions
     std::uint32_t first = 0, count = 0;     ///< of BooleanForm::conditions
 };
 

@@ -8,8 +8,9 @@
 
 namespace csg {
 
-/// One ray through a tree: the ends of all leaves in order, and at each which leaves hold the point behind it. Ends
-/// that lie in one place are left to the general evaluation.
+/// One ray through a tree: the ends of all leaves in order, and at each which leaves hold the point behind it. Of two
+/// ends in one place each is seen or not as SpanList::contains() has it of a leaf: by whether the other belongs to its
+/// solid. More ends in one place are left to the general evaluation.
 class BooleanWalk {
 public:
     BooleanWalk(const Program& program, const SolidStore& store, const Ray& ray, double t_min, double t_max,
@@ -24,7 +25,7 @@ public:
     ProductAnswer nearest(Crossing& out)
     {
         ProductAnswer answer = ProductAnswer::Nothing;
-        const bool decided = walk([&](const Crossing& c) {
+        const bool decided = walk(true, [&](const Crossing& c) {
             out = c;
             answer = ProductAnswer::Found;
             return false;
@@ -36,7 +37,7 @@ public:
     template <class F>
     bool crossings(F&& f)
     {
-        return walk([&](const Crossing& c) {
+        return walk(false, [&](const Crossing& c) {
             f(c);
             return true;
         });
@@ -65,47 +66,74 @@ private:
 
     double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
 
-    /// Calls f(crossing) in order until it returns false. False: two ends are in one place, or there are too many.
+    /// Calls f(crossing) in order until it returns false. first_only: it does at the first. False: undecided, for ends
+    /// that share a place or because there are too many.
     template <class F>
-    bool walk(F&& f)
+    bool walk(bool first_only, F&& f)
     {
         if (!find_ends()) return !full_;
         if (full_) return false;
         std::uint32_t i = 0;
         while (i < count_ && ends_[i].t < t_min_) ++i;
         for (; i < count_ && ends_[i].t <= t_max_; ++i) {
-            const End& end = ends_[i];
-            const BooleanLeaf& leaf = form_.leaves[end.leaf];
-            state_ ^= std::uint64_t{1} << end.leaf;
-            if (leaf.drawn && end.face != kUndrawnFace) {
-                if (shares_place(i)) return false;
-                if (seen(leaf) && !f({.t = end.t,
-                                      .part = leaf.solid,
-                                      .face = end.face,
-                                      .inverted = leaf.normal_flipped,
-                                      .closed = leaf.closed}))
-                    return true;
-            } else if (shares_place(i)) {
-                return false;
+            state_ ^= std::uint64_t{1} << ends_[i].leaf;
+            bool met = false;
+            if (!decide(i, met)) return false;
+            if (!met) continue;
+            std::uint32_t drawn = i;
+            for (std::uint32_t k = i + 1; k < count_ && ends_[k].t == ends_[i].t; ++k) {
+                // In exactly one place: the one that is drawn last.
+                if (first_only && !decide(k, met)) return false;
+                if (first_only && met && form_.leaves[ends_[k].leaf].rank >= form_.leaves[ends_[drawn].leaf].rank)
+                    drawn = k;
             }
+            const End& end = ends_[drawn];
+            const BooleanLeaf& leaf = form_.leaves[end.leaf];
+            if (!f({.t = end.t,
+                    .part = leaf.solid,
+                    .face = end.face,
+                    .inverted = leaf.normal_flipped,
+                    .closed = leaf.closed}))
+                return true;
         }
         return true;
     }
 
-    /// Whether an end of another leaf is in the same place.
-    bool shares_place(std::uint32_t i) const
+    static bool same_place(double t, double other, double room) { return t >= other - room && t <= other + room; }
+
+    /// Whether an end is seen. False: undecided.
+    bool decide(std::uint32_t i, bool& met) const
     {
-        const double room = slack(ends_[i].t);
-        for (std::uint32_t k = i; k-- > 0 && ends_[i].t - ends_[k].t <= room;)
-            if (ends_[k].leaf != ends_[i].leaf) return true;
-        for (std::uint32_t k = i + 1; k < count_ && ends_[k].t - ends_[i].t <= room; ++k)
-            if (ends_[k].leaf != ends_[i].leaf) return true;
-        return false;
+        const End& end = ends_[i];
+        const BooleanLeaf& leaf = form_.leaves[end.leaf];
+        met = false;
+        if (!leaf.drawn || end.face == kUndrawnFace) return true;
+        const double room = slack(end.t);
+        std::uint32_t beside = count_;
+        const auto look = [&](std::uint32_t k) {
+            if (ends_[k].leaf == end.leaf) return true;
+            if (beside != count_) return false;
+            beside = k;
+            return true;
+        };
+        for (std::uint32_t k = i; k-- > 0 && same_place(end.t, ends_[k].t, room);)
+            if (!look(k)) return false;
+        for (std::uint32_t k = i + 1; k < count_ && same_place(end.t, ends_[k].t, room); ++k)
+            if (!look(k)) return false;
+        std::uint64_t state = state_;
+        if (beside != count_) {
+            const std::uint32_t other = ends_[beside].leaf;
+            const std::uint64_t bit = std::uint64_t{1} << other;
+            if ((leaf.below & bit) != 0) return false;
+            state = form_.leaves[other].closed ? state | bit : state & ~bit;
+        }
+        met = seen(leaf, state);
+        return true;
     }
 
-    bool seen(const BooleanLeaf& leaf) const
+    bool seen(const BooleanLeaf& leaf, std::uint64_t state) const
     {
-        if ((leaf.inside & ~state_) != 0 || (leaf.outside & state_) != 0) return false;
+        if ((leaf.inside & ~state) != 0 || (leaf.outside & state) != 0) return false;
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
             if (holds(form_.conditions[k].node) != form_.conditions[k].inside) return false;
         return true;

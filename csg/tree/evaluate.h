@@ -1,50 +1,27 @@
 #pragma once
 
 // Continues program.h: evaluation along one ray, inline because it is compiled once per instruction set.
+#include "csg/bvh/traverse.h"
 #include "csg/mesh/mesh_query.h"
-#include "csg/tree/program.h"
+#include "csg/tree/node_box.h"
 
 #include <algorithm>
+#include <bit>
+#include <optional>
 
 namespace csg {
-
-/// Two ends this close along a ray are one: relative to the parameter and to the size of the origin, 64 units in the
-/// last place. Coincident faces of different solids come out of different formulas and differ by a few of them.
-inline constexpr double kCoincidence = 64.0 * 0x1p-53;
-
-/// The size of a ray's origin, in units of its parameter: what kCoincidence is relative to, besides the parameter.
-inline double origin_reach(const Ray& ray)
-{
-    const glm::dvec3 o = glm::abs(ray.origin), d = glm::abs(ray.direction);
-    return glm::max(o.x, glm::max(o.y, o.z)) / glm::max(d.x, glm::max(d.y, d.z));
-}
-
-/// Whether the ray meets the node's box between t_min and t_max. inverse: of its direction.
-inline bool meets_box(const Node& node, const Ray& ray, const glm::dvec3& inverse, double t_min, double t_max)
-{
-    if (!node.test_box) return true;
-    double first = t_min, last = t_max;
-    for (int i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const bool backward = std::signbit(inverse[i]);
-        const double a = (static_cast<double>(backward ? node.upper[k] : node.lower[k]) - ray.origin[i]) * inverse[i];
-        const double b = (static_cast<double>(backward ? node.lower[k] : node.upper[k]) - ray.origin[i]) * inverse[i];
-        if (a > first) first = a;  // NaN keeps what was there
-        if (b < last) last = b;
-    }
-    return first <= last + kCoincidence * std::abs(last);
-}
 
 /// One query: a ray, the range in which crossings matter, and the scratch it works in.
 class Evaluation {
 public:
     Evaluation(const Program& program, const SolidStore& store, const Ray& ray, double t_min, double t_max,
                Scratch& scratch)
-        : nodes_(program.nodes.data()), store_(store), ray_(ray), inverse_(1.0 / ray.direction), t_min_(t_min),
-          t_max_(t_max), scratch_(scratch)
+        : nodes_(program.nodes.data()), sieves_(program.sieves.data()), store_(store), ray_(ray),
+          inverse_(1.0 / ray.direction), t_min_(t_min), t_max_(t_max), scratch_(scratch)
     {
         scratch.prepare(program);
         reach_ = origin_reach(ray);
+        if (!program.sieves.empty()) slabs_.emplace(ray);
     }
 
     /// The nearest visible crossing of the whole program; t is infinite when there is none. Among equal ones the last
@@ -80,6 +57,25 @@ private:
 
     /// Whether the ray meets the node's box within the range.
     bool meets(const Node& node) const { return meets_box(node, ray_, inverse_, t_min_, t_max_); }
+
+    /// Calls f(operand) for the operands of node i, in order, until it returns false; some that cannot matter for this
+    /// ray are left out.
+    template <class F>
+    void each_operand(std::uint32_t i, F&& f)
+    {
+        const Node& node = nodes_[i];
+        if (node.first_sieve == node.last_sieve) {
+            for (std::uint32_t k = i + 1; k < node.end; k = nodes_[k].end)
+                if (!f(k)) return;
+            return;
+        }
+        const float begin = rounded_down(t_min_), end = rounded_up(t_max_);
+        for (std::uint32_t s = node.first_sieve; s < node.last_sieve; ++s) {
+            alignas(32) float near[8];
+            for (std::uint32_t met = slabs_->meet(sieves_[s].bounds, begin, end, near); met != 0; met &= met - 1)
+                if (!f(sieves_[s].node[std::countr_zero(met)])) return;
+        }
+    }
 
     /// All spans of a leaf, its part and conventions stamped on every end.
     void leaf_spans(const Node& node, SpanList& out)
@@ -208,19 +204,24 @@ private:
         SpanList sum = out, next = list(node.max_spans), operand = list(node.max_spans);
         SpanList* from = &sum;
         SpanList* to = &next;
-        for (std::uint32_t k = i + 1; k < node.end; k = nodes_[k].end) {
+        bool first = true;
+        from->clear();
+        each_operand(i, [&](std::uint32_t k) {
             operand.clear();
             spans(k, operand);
-            if (k == i + 1) {
-                from->clear();
+            if (first) {
                 for (const Span& span : operand) from->push(span);
-            } else {
-                if (both) intersect(*from, operand, *to);
-                else unite(*from, operand, *to);
+            } else if (both) {
+                intersect(*from, operand, *to);
+                std::swap(from, to);
+            } else if (!operand.empty()) {
+                unite(*from, operand, *to);
                 std::swap(from, to);
             }
-            if (both && from->empty()) break;
-        }
+            first = false;
+            return !both || !from->empty();
+        });
+        if (both && first) from->push(Span::everything());
         out.clear();
         if (from != &sum)
             for (const Span& span : *from) out.push(span);
@@ -243,7 +244,10 @@ private:
             return true;
         }
         if (node.op == Op::Union) {
-            for (std::uint32_t k = i + 1; k < node.end; k = nodes_[k].end) visible(k);
+            each_operand(i, [&](std::uint32_t k) {
+                visible(k);
+                return true;
+            });
             return true;
         }
         if (node.op == Op::Guard) return !passes_guard(i) || visible(i + 1);
@@ -283,23 +287,25 @@ private:
         const std::uint32_t span_mark = scratch_.span_top_, record_mark = scratch_.record_top_,
                             crossing_mark = scratch_.crossing_top_;
         bool possible = true;
-        for (std::uint32_t k = i + 1; k < node.end && possible; k = nodes_[k].end) {
+        each_operand(i, [&](std::uint32_t k) {
             Record& record = scratch_.records_[scratch_.record_top_++];
             record = Record{};
+            record.node = k;
             record.first = scratch_.crossing_top_;
             if (node.op == Op::Clip && k != i + 1) {
                 record.last = record.first;  // a clip is not drawn
-                continue;
+                return true;
             }
             possible = operand_crossings(k, record, node.op == Op::Intersection);
             record.last = scratch_.crossing_top_;
             std::reverse(scratch_.crossings_.get() + record.first, scratch_.crossings_.get() + record.last);
-        }
+            return possible;
+        });
         if (!possible) scratch_.crossing_top_ = crossing_mark;
-        std::uint32_t r = record_mark;
+        const std::uint32_t record_end = scratch_.record_top_;
         std::uint32_t left = scratch_.crossing_top_ - crossing_mark;
-        for (std::uint32_t k = i + 1; k < node.end && left > 0; k = nodes_[k].end, ++r)
-            left = keep_where(k, scratch_.records_[r], crossing_mark, inside);
+        for (std::uint32_t r = record_mark; r < record_end && left > 0; ++r)
+            left = keep_where(scratch_.records_[r], crossing_mark, inside);
         if (left > 0) compact(crossing_mark);
         else scratch_.crossing_top_ = crossing_mark;
         scratch_.span_top_ = span_mark;
@@ -320,9 +326,9 @@ private:
         return !stop_if_empty || !record.spans.empty() || drawn_without_span(node);
     }
 
-    /// Drops the crossings from `first` on that do not belong to operand k and are not inside (or not outside) it.
+    /// Drops the crossings from `first` on that do not belong to the operand and are not inside (or not outside) it.
     /// Dropped ones become NaN; returns how many are left.
-    std::uint32_t keep_where(std::uint32_t k, Record& own, std::uint32_t first, bool inside)
+    std::uint32_t keep_where(Record& own, std::uint32_t first, bool inside)
     {
         Crossing* all = scratch_.crossings_.get();
         std::uint32_t left = 0;
@@ -333,8 +339,8 @@ private:
                 continue;
             }
             if (!own.known) {
-                own.spans = list(nodes_[k].max_spans);
-                spans(k, own.spans);
+                own.spans = list(nodes_[own.node].max_spans);
+                spans(own.node, own.spans);
                 own.known = true;
             }
             if (own.spans.contains(all[c].t, slack(all[c].t)) == inside) ++left;
@@ -360,12 +366,13 @@ private:
         if (node.op == Op::Union) {
             if (!meets(node)) return best;
             const double given = t_max_;
-            for (std::uint32_t k = i + 1; k < node.end; k = nodes_[k].end) {
+            each_operand(i, [&](std::uint32_t k) {
                 const Crossing found = nearest(k);
-                if (!(found.t <= best.t) || found.part == kNoPart) continue;
+                if (!(found.t <= best.t) || found.part == kNoPart) return true;
                 best = found;
                 t_max_ = found.t;  // nothing beyond it matters
-            }
+                return true;
+            });
             t_max_ = given;
             return best;
         }
@@ -378,7 +385,9 @@ private:
     }
 
     const Node* nodes_;
+    const OperandSieve* sieves_;
     const SolidStore& store_;
+    std::optional<RaySlabs> slabs_;  ///< where there are sieves
     const Ray ray_;
     const glm::dvec3 inverse_;
     double t_min_, t_max_;

@@ -233,6 +233,46 @@ std::uint32_t flatten(const Draft& draft, const SolidStore& store, Program& prog
     return max_spans;
 }
 
+/// Whether an operator's answer is the same without an operand whose box the ray misses.
+bool sieved(const Node& op, const Node& operand, bool first)
+{
+    if (op.op == Op::Union || op.op == Op::Merge) return !operand.inside_beyond;
+    return operand.inside_beyond && !(op.op == Op::Clip && first);
+}
+
+/// Boxes of the operands of operators that have many.
+void add_sieves(Program& program)
+{
+    constexpr std::uint32_t kFewest = 8;
+    constexpr float kNever = std::numeric_limits<float>::infinity();
+    for (std::uint32_t i = 0; i < program.nodes.size(); ++i) {
+        Node& node = program.nodes[i];
+        if (node.op == Op::Leaf || node.op == Op::Guard) continue;
+        std::uint32_t count = 0;
+        for (std::uint32_t k = i + 1; k < node.end; k = program.nodes[k].end) ++count;
+        if (count < kFewest) continue;
+        node.first_sieve = static_cast<std::uint32_t>(program.sieves.size());
+        std::size_t place = 8;
+        for (std::uint32_t k = i + 1; k < node.end; k = program.nodes[k].end) {
+            if (place == 8) {
+                OperandSieve& fresh = program.sieves.emplace_back();
+                for (int row = 0; row < 6; ++row) std::fill_n(fresh.bounds[row], 8, row < 3 ? kNever : -kNever);
+                std::fill_n(fresh.node, 8, 0u);
+                place = 0;
+            }
+            OperandSieve& sieve = program.sieves.back();
+            const Node& operand = program.nodes[k];
+            const bool tested = sieved(node, operand, k == i + 1);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                sieve.bounds[axis][place] = tested ? operand.lower[axis] : -kNever;
+                sieve.bounds[axis + 3][place] = tested ? operand.upper[axis] : kNever;
+            }
+            sieve.node[place++] = k;
+        }
+        node.last_sieve = static_cast<std::uint32_t>(program.sieves.size());
+    }
+}
+
 /// Whether p is inside node i.
 bool contains(const std::vector<Node>& nodes, std::uint32_t i, const SolidStore& store, const glm::dvec3& p)
 {
@@ -258,6 +298,7 @@ Program build(const Tree& tree, const SolidStore& store, Pruning* pruning)
     if (draft.op != Op::Leaf && draft.operands.empty()) return program;
     if (draft.op == Op::Leaf && draft.solid == kNoPart) return program;
     flatten(draft, store, program);
+    add_sieves(program);
     program.bounds = draft.box;
     program.inside_beyond = draft.inside_beyond;
     program.products = sum_of_products(program, store);

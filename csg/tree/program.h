@@ -33,10 +33,11 @@ enum class Op : std::uint8_t { Leaf, Union, Merge, Intersection, Clip, Guard };
 
 /// One node of a flattened tree, in pre-order: an operator stands before its operands.
 struct Node {
-    std::array<float, 3> lower, upper;  ///< world box, rounded outward, of everything the node draws
-    std::uint32_t end = 0;              ///< one past the last operand: a missed box jumps here
-    PartId solid = kNoPart;             ///< leaf only
-    std::uint32_t max_spans = 0;        ///< at most so many spans along any ray
+    std::array<float, 3> lower, upper;              ///< world box, rounded outward, of everything the node draws
+    std::uint32_t end = 0;                          ///< one past the last operand: a missed box jumps here
+    PartId solid = kNoPart;                         ///< leaf only
+    std::uint32_t max_spans = 0;                    ///< at most so many spans along any ray
+    std::uint32_t first_sieve = 0, last_sieve = 0;  ///< of Program::sieves: boxes of its operands, where they are many
     Op op = Op::Leaf;
     bool inverted = false;       ///< leaf only
     bool inside_beyond = false;  ///< what lies outside the box is inside the solid (an inverted operand)
@@ -44,9 +45,18 @@ struct Node {
 };
 static_assert(sizeof(Node) <= 64, "one cache line");
 
+/// Boxes of eight operands of one operator, in their order, as rays test them (BvhNode::bounds). One that a ray misses
+/// changes nothing of what the operator does there: it adds nothing to a union, takes nothing from an intersection.
+/// Operands of which that is not so have a box without end. The last ones may be empty.
+struct alignas(64) OperandSieve {
+    float bounds[6][8];
+    std::uint32_t node[8];  ///< among Program::nodes
+};
+
 /// A flattened CSG tree. Immutable once built; shared by all threads.
 struct Program {
-    std::vector<Node> nodes;     ///< empty: nothing to draw, nothing inside
+    std::vector<Node> nodes;  ///< empty: nothing to draw, nothing inside
+    std::vector<OperandSieve> sieves;
     Aabb bounds;                 ///< world box of everything drawn; empty when nothing is
     bool inside_beyond = false;  ///< the solid goes on outside the bounds
     SumOfProducts products;      ///< the same as a union of terms, where it can be written so
@@ -135,6 +145,7 @@ public:
     /// What an operator remembers of one operand while it works.
     struct Record {
         SpanList spans;
+        std::uint32_t node = 0;             ///< the operand
         std::uint32_t first = 0, last = 0;  ///< its crossings
         bool known = false;                 ///< spans were evaluated already
     };
