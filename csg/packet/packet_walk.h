@@ -17,8 +17,17 @@ public:
     void run()
     {
         if (bvh_.nodes.empty()) return;
-        int top = 0;
-        stack_[top++] = {ChildWord::node(0), -std::numeric_limits<float>::infinity(), rays_.all()};
+        put(ChildWord::node(0), -std::numeric_limits<float>::infinity());
+        go_on();
+    }
+
+    /// A part of the hierarchy that all rays may come to, `near` being where at the earliest. The last is looked at
+    /// first.
+    void put(ChildWord child, float near) { stack_[top_++] = {child, near, rays_.all()}; }
+
+    void go_on()
+    {
+        int top = top_;
         while (top > 0) {
             const Entry entry = stack_[--top];
             const RayMask left = reaching(entry.rays, entry.near);
@@ -67,6 +76,7 @@ private:
     const Rays& rays_;
     std::uint32_t kinds_;
     Leaf& leaf_;
+    int top_ = 0;
     Entry stack_[kBvhStack];
 };
 

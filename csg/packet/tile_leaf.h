@@ -173,11 +173,15 @@ private:
 
     void spheres(const SphereBlock& block, int first, int last) const
     {
+        spheres_in_beam(block, rays_of_groups(first, last));
+    }
+    void spheres_in_beam(const SphereBlock& block, RayMask asked) const
+    {
         for (std::uint32_t mask = beam->meet(block); mask != 0; mask &= mask - 1) {
             const int k = std::countr_zero(mask);
             if ((world.items[block.item[k]].visible & kinds) == 0) continue;
             const glm::dvec3 center(block.x[k], block.y[k], block.z[k]);
-            query.solid(block.item[k], rays_of_groups(first, last), [&](int i) {
+            query.solid(block.item[k], asked, [&](int i) {
                 const auto inverse_a = lanes::Double::load_aligned(rays.inverse_a.data() + i);
                 return lanes::sphere_roots(lanes::difference(rays.origins(i), center), rays.directions(i), inverse_a,
                                            block.radius[k]);
@@ -185,9 +189,11 @@ private:
         }
     }
 
-    /// Of rays that form no beam: the spheres of the block in lanes.
+    /// Of rays that go each its own way: the spheres of the block in lanes.
     void spheres(const SphereBlock& block, RayMask mask) const
     {
+        constexpr int kFewest = 5;  // to go in lanes, a sphere at a time
+        if (beam != nullptr && std::popcount(mask) >= kFewest) return spheres_in_beam(block, mask);
         each_ray(mask, [&](std::size_t k) {
             alignas(64) double near[8], far[8];
             const Ray ray = rays.ray(static_cast<int>(k));

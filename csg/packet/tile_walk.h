@@ -1,13 +1,15 @@
 #pragma once
 
 #include "csg/packet/beam.h"
+#include "csg/packet/packet_walk.h"
 
 /// A tile through the hierarchy. Compiled once per instruction set.
 namespace csg {
 
-/// Walks for the whole tile at once, nearest box first, up to a budget of leaf blocks; then each group of eight rays
-/// goes on alone from the stack as it stands (a beam that sees hundreds of small things is slower than packets).
-/// leaf(child, lower, upper, first group, last group) opens a block and lowers rays.limit.
+/// Walks for the whole tile at once, nearest box first, up to a budget of leaf blocks (a beam that sees hundreds of
+/// small things is slower than packets). From the stack as it stands each group of eight rays goes on alone then, if
+/// all come from one point: these are neighbours; otherwise each ray does, by PacketWalk. leaf(child, lower, upper,
+/// first group, last group) opens a block and lowers rays.limit.
 template <class Rays, class Leaf>
 class TileWalk {
 public:
@@ -21,6 +23,7 @@ public:
         stack_[0] = {ChildWord::node(0), 0, -std::numeric_limits<float>::infinity()};
         const int left = walk(stack_, 1, 0, rays_.groups, kBeamBlocks);
         if (left == 0) return;
+        if constexpr (!Rays::kShared) return each_its_own_way(left);
         Entry own[kBvhStack];
         for (int g = 0; g < rays_.groups; ++g) {
             std::copy(stack_, stack_ + left, own);
@@ -30,6 +33,14 @@ public:
 
 private:
     static constexpr int kBeamBlocks = 32;
+
+    [[gnu::noinline]] void each_its_own_way(int left)
+    {
+        const PacketSlabs<Rays> slabs(rays_);
+        PacketWalk<Rays, Leaf> walk(bvh_, slabs, rays_, kinds_, leaf_);
+        for (int i = 0; i < left; ++i) walk.put(stack_[i].child, stack_[i].near);
+        walk.go_on();
+    }
 
     struct Entry {
         ChildWord child;
