@@ -19,6 +19,7 @@ struct Field {
     std::vector<BounceRules> rules;      ///< by bounce, as many as recursion_limit says
     std::vector<SampleGrid> samples;     ///< by bounce
     std::vector<glm::dvec3> directions;  ///< about +y
+    std::vector<std::uint8_t> black;     ///< by csg::SurfaceId: to rays of the last bounce; empty: not known
 
     explicit Field(const plan::CompiledScene& scene);
     const scene::RadiositySettings& settings() const { return plan->settings; }

@@ -21,7 +21,8 @@ public:
     explicit Gatherer(Context& context)
         : context_(context), field_(*context.indirect->radiosity),
           rules_(field_.rules[static_cast<std::size_t>(context.bounce)]), scratch_(*context.scratch.gather),
-          nested_(context.gathering(rules_))
+          nested_(context.gathering(rules_)),
+          last_(nested_.bounce >= field_.settings().recursion_limit && !field_.black.empty())
     {
         first_.weight = rules_.weight;
         first_.level = rules_.level;
@@ -175,11 +176,22 @@ private:
         std::size_t shaded = 0;
         for (std::size_t k = 0; k < static_cast<std::size_t>(rays.count); ++k) {
             measure(k);
+            if (black(k)) {
+                scratch_.gatherings[scratch_.owner[k]].quality += 1.0;
+                continue;
+            }
             const int last = rules_.rays - 1;
             if (static_cast<double>(importance(k)) * last >= scratch_.number[k])
                 scratch_.shaded[shaded++] = static_cast<std::uint8_t>(k);
         }
         if (shaded > 0) shade(shaded);
+    }
+
+    /// Whether the ray brings nothing: not even its colour has to be found then.
+    bool black(std::size_t k) const
+    {
+        const csg::SurfaceId surface = scratch_.hits.surface[k];
+        return last_ && surface != csg::kNoSurface && field_.black[surface] != 0;
     }
 
     float importance(std::size_t k) const
@@ -259,6 +271,7 @@ private:
     GatherScratch& scratch_;
     Context nested_;
     RayState first_;
+    const bool last_;  ///< no light is gathered for what its rays meet, and some of that may be black
 };
 
 }  // namespace
