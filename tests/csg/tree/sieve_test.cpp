@@ -51,7 +51,7 @@ TEST_CASE("boxes of many operands by eights leave nothing out", "[csg][sieve]")
         for (Node& node : plain.nodes) node.first_sieve = node.last_sieve = 0;
         plain.sieves.clear();
         Scratch scratch, other;
-        for (int r = 0; r < 20; ++r) {
+        for (int r = 0; r < 30; ++r) {
             INFO("ray " << r);
             const Ray ray = csg_test::ray_near(rng, {0, 0, 0}, 1.5, 4.0);
             const double t_min = r % 2 != 0 ? 1e-4 : rng.uniform(1.0, 5.0),
