@@ -9,6 +9,7 @@
 #include "render/app/options/sub_commands.h"
 #include "render/app/report/console_reporter.h"
 #include "render/app/pixel/pixel_command.h"
+#include "render/app/run/heap.h"
 #include "render/app/run/render_command.h"
 #include "render/app/solid/info_command.h"
 #include "render/app/solid/mesh_command.h"
@@ -133,6 +134,7 @@ int run(const std::vector<std::string>& arguments, app::Settings& settings, app:
         return app::kSuccess;
     }
     heed_signals();
+    app::prepare_heap();
     app::read_default_ini_file(settings);
     if (has_word(arguments, {"--benchmark", "-benchmark"})) {
         app::apply_benchmark(settings);
