@@ -59,6 +59,11 @@ struct CellAllocator {
 
 Cell make_cell(Value value) { return std::allocate_shared<Value>(CellAllocator<Value>(), std::move(value)); }
 
+Cell make_number_cell(const Tuple& value)
+{
+    return std::allocate_shared<Value>(CellAllocator<Value>(), std::in_place_type<Tuple>, value);
+}
+
 void Symbols::grow(std::uint32_t name)
 {
     slots_.resize(std::max<std::size_t>(name + 1, slots_.size() * 2));

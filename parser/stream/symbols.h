@@ -8,6 +8,8 @@ namespace parser {
 
 /// A cell of its own that holds `value`.
 Cell make_cell(Value value);
+/// The same without a Value on the way: macros make one for each number that they get.
+Cell make_number_cell(const Tuple& value);
 
 /// Dynamic scoping: one stack of bindings per interned name, a scope is only a number. Scope 0 is the global table;
 /// every open include file and every active macro adds one (reference manual 3.3.1.8; spec 1, 7).

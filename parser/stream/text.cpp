@@ -1,6 +1,7 @@
 #include "parser/stream/text.h"
 
-#include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 namespace parser {
 namespace {
@@ -41,7 +42,16 @@ char32_t decode(std::string_view text, std::size_t& at)
 
 bool is_ascii(std::string_view text)
 {
-    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    std::uint64_t bits = 0;
+    for (; end - at >= 8; at += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, at, 8);
+        bits |= word;
+    }
+    for (; at != end; ++at) bits |= static_cast<unsigned char>(*at);
+    return (bits & 0x8080808080808080u) == 0;
 }
 
 std::u16string units_of(std::string_view text)
@@ -78,6 +88,23 @@ std::string printed(std::string text, int version)
     for (const char16_t unit : units_of(text))
         bytes += static_cast<char>(unit < 0x80 ? unit : version >= 350 ? ' ' : unit & 0xFF);
     return bytes;
+}
+
+char escaped(char c)
+{
+    switch (c) {
+    case 'a': return '\a';
+    case 'b': return '\b';
+    case 'f': return '\f';
+    case 'n': return '\n';
+    case 'r': return '\r';
+    case 't': return '\t';
+    case 'v': return '\v';
+    case '\\':
+    case '\'':
+    case '"': return c;
+    default: return 0;
+    }
 }
 
 }  // namespace parser

@@ -16,5 +16,7 @@ std::string from_utf8_bytes(std::string_view bytes);
 std::string from_latin1(std::string_view bytes);
 /// How a text leaves the program: units above 127 become blanks, before version 3.5 their low byte.
 std::string printed(std::string text, int version);
+/// What a backslash and this character stand for in a text; 0: nothing, or what needs more characters.
+char escaped(char c);
 
 }  // namespace parser

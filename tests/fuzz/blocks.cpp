@@ -39,7 +39,9 @@ public:
             all += std::string("#macro ") + name + "(" + kParameters[choice(kParameters.size())] +
                    ")\n#declare Depth=Depth+1;#if(Depth<5)\n" + body(1) + "#end\n#declare Depth=Depth-1;\n#end\n";
         }
-        return all + "#for(Pass,1,7)\n" + body(0) + "Show()\n#end\n";
+        return all + "#fopen Out \"w.txt\" write\n#for(Pass,1,7)\n" + body(0) +
+               "Show()\n#end\n#fclose Out #fopen In \"w.txt\" read\n#while(defined(In))#read(In,Line)#debug "
+               "concat(Line,\"\\n\")#end\n";
     }
 
 private:
@@ -146,8 +148,12 @@ private:
                              : "#declare Green=rgb " + vector(2) + ";\n";
         case 19: return "Show()\n";
         case 20:
-            switch (choice(4)) {
+            switch (choice(6)) {
             case 0: return "#undef New\n";
+            case 4:
+            case 5:
+                return "#write(Out,\"\\\"\"," + string(1) + (choice(2) ? "," : " ") + string(2) +
+                       (choice(5) ? "" : "," + number(1)) + ",\"\\\",\")\n";
             case 1: return "#debug \"here\\n\"\n";
             case 2: return "#if(" + condition() + ")#break#end\n";
             default: return "#declare A=" + std::string(choice(2) ? "Tail(" : "(Long(") + number(1) + "));\n";
@@ -349,6 +355,7 @@ Said said_by(const std::string& text, bool blocks)
     parser::Options options;
     options.blocks = blocks;
     options.most_tokens = 100'000;
+    options.write_nothing = true;  // a scene reads what it would have written
     try {
         const parser::Result result = parser::parse_text(text, "fuzz.pov", options, keep, &said);
         said.text += "read to its end\n" + fuzz::without_sign_of_nan(scene::dump(result.scene));

@@ -1,6 +1,6 @@
 #include "parser/stream/blocks/compiler.h"
 
-#include <algorithm>
+#include "parser/stream/text.h"
 
 namespace parser::blocks {
 namespace {
@@ -25,9 +25,12 @@ int BlockCompiler::components(std::uint32_t name) const
 bool BlockCompiler::literal(const Token& token, std::string& out) const
 {
     const std::string& raw = (*source_.strings)[token.name];
-    const auto simple = [](char c) { return c != '\\' && static_cast<unsigned char>(c) < 0x80; };
-    if (!source_.plain_texts || !std::all_of(raw.begin(), raw.end(), simple)) return false;
-    out = raw;
+    if (!source_.plain_texts || !is_ascii(raw)) return false;
+    for (std::size_t i = 0; i < raw.size(); ++i) {
+        const bool escape = raw[i] == '\\';
+        if (escape && (i + 1 == raw.size() || escaped(raw[i + 1]) == 0)) return false;
+        out += escape ? escaped(raw[++i]) : raw[i];
+    }
     return true;
 }
 
@@ -102,6 +105,7 @@ bool BlockCompiler::directive(std::uint32_t& at, std::uint32_t end, std::uint32_
     case Kind::Switch: return switch_directive(at, end, place);
     case Kind::Break: return break_directive(at, place);
     case Kind::Read: return read_numbers(at, end, place);
+    case Kind::Write: return write_texts(at, end, place);
     default: return false;
     }
 }

@@ -102,6 +102,7 @@ private:
     bool macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool ready_statement(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool read_numbers(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
+    bool write_texts(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     std::pair<std::uint32_t, std::uint32_t> while_body(std::uint32_t hash, std::uint32_t body, std::uint32_t closing,
                                                        std::uint32_t place);
     std::uint32_t repeated(std::uint32_t hash, std::uint32_t body, std::uint32_t closing, std::uint32_t inside);

@@ -278,6 +278,23 @@ bool BlockCompiler::read_numbers(std::uint32_t& at, std::uint32_t end, std::uint
     return true;
 }
 
+/// `#write (FILE, text, ...)`: what is no text is left to the reader of tokens.
+bool BlockCompiler::write_texts(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
+{
+    const std::uint32_t hash = at, file = hash + 3;
+    if (file + 2 >= end || kind(hash + 2) != Kind::LeftParen || kind(file) != Kind::Identifier) return false;
+    const Value* const opened = find(tokens_[file].name);
+    if (!opened || !opened->get_if<std::shared_ptr<DataFile>>()) return false;
+    const std::uint32_t first = file + (kind(file + 1) == Kind::Comma ? 2 : 1);
+    CompiledExpression read;
+    if (!compile_texts(tokens_, first, end, *this, read)) return false;
+    at = read.end + 1;
+    mark_drawing(hash, place, at);
+    if (!emitter_.expression(std::move(read))) return false;
+    emitter_.emit(kWrite).b = tokens_[file].name;  // the text is the first there is
+    return true;
+}
+
 bool BlockCompiler::macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place)
 {
     const Value* const meant = find(tokens_[at].name);

@@ -3,6 +3,7 @@
 #include "parser/stream/expressions/operand.h"
 #include "parser/stream/files/data_file.h"
 #include "parser/stream/limits.h"
+#include "parser/stream/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,7 @@ Cell given(const Argument& argument, Machine& m)
         Cell cell = m.symbols.find_cell(argument.name);
         const bool plain =
             cell && (cell->get_if<Tuple>() || cell->get_if<std::string>() || cell->get_if<std::shared_ptr<Array>>());
-        return plain ? cell : nullptr;
+        return plain ? std::move(cell) : nullptr;  // a copy would be counted
     }
     case Argument::Kind::Element: {
         const std::shared_ptr<Array>* const held = held_array(m, argument.slot);
@@ -99,7 +100,7 @@ Cell given(const Argument& argument, Machine& m)
         Tuple made;
         made.count = argument.count;
         for (std::size_t i = 0; i < argument.count; ++i) made.at[i] = m.registers[argument.first + i];
-        return make_cell(made.stored());
+        return make_number_cell(argument.count == 5 ? made.stored() : made);
     }
     default: return make_cell(m.texts[argument.first]);
     }
@@ -191,9 +192,19 @@ const Op* read(const Op* op, Machine& m)
     return op + 1;
 }
 
+/// What is written stays so: the last thing that a statement does, and not in a macro whose value may be put back.
+const Op* write(const Op* op, Machine& m)
+{
+    const Value* const value = m.symbols.find(op->b);
+    const auto* const file = value ? value->get_if<std::shared_ptr<DataFile>>() : nullptr;
+    const bool may = file && !(*file)->reading() && m.values == 0 && is_ascii(m.texts[op->a]);
+    return may && (*file)->write(m.texts[op->a]) ? op + 1 : m.leave(op);
+}
+
 }  // namespace
 
 const Handler kRead = read;
+const Handler kWrite = write;
 const Handler kConstants = constants;
 const Handler kReady = ready;
 const Handler kJump = jump;

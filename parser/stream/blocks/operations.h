@@ -100,6 +100,7 @@ extern const Handler kGive;       ///< the value of a macro: b components in reg
 extern const Handler kConstants;  ///< constants of ready statement a to its registers
 extern const Handler kReady;      ///< ready statement a
 extern const Handler kRead;       ///< numbers from a file: read site a
+extern const Handler kWrite;      ///< text a to the file whose name is b
 extern const Handler kForBegin;   ///< slot a; registers b: first value, limit, step; jumps if there is no pass
 extern const Handler kForNext;    ///< slot a; registers b: limit, step; jumps if there is one more pass
 extern const Handler kCase;       ///< jumps if register a equals register b (`#case`)

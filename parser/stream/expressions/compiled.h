@@ -168,6 +168,9 @@ bool compile_expression(const Token* tokens, std::uint32_t begin, std::uint32_t 
 /// The same of a text: its list leaves one text.
 bool compile_text(const Token* tokens, std::uint32_t begin, std::uint32_t limit, const Meanings& meanings,
                   CompiledExpression& out);
+/// Texts up to a parenthesis that closes, joined.
+bool compile_texts(const Token* tokens, std::uint32_t begin, std::uint32_t limit, const Meanings& meanings,
+                   CompiledExpression& out);
 /// One operand without a sign, and nothing behind it.
 bool compile_operand(const Token* tokens, std::uint32_t begin, std::uint32_t limit, int requested,
                      const Meanings& meanings, CompiledExpression& out);

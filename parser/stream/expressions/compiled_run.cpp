@@ -310,6 +310,11 @@ private:
 
 bool run_compiled(const CompiledExpression& expression, const CompiledContext& context, double* result)
 {
+    if (const CompiledOp& only = expression.ops.front();
+        expression.ops.size() == 1 && only.code == CompiledOp::Code::Constant && expression.count == 1) {
+        result[0] = only.number;
+        return true;
+    }
     double stack[64];  // not cleared: a list writes before it reads
     context.random.keep();
     if (!Run(expression, context, stack).all()) return false;

@@ -188,6 +188,15 @@ bool compile_text(const Token* tokens, std::uint32_t begin, std::uint32_t limit,
     return true;
 }
 
+bool compile_texts(const Token* tokens, std::uint32_t begin, std::uint32_t limit, const Meanings& meanings,
+                   CompiledExpression& out)
+{
+    Compiler compiler(tokens, begin, limit, meanings, out);
+    if (!compiler.texts() || compiler.kind() != Kind::RightParen) return false;
+    out.end = compiler.at();
+    return true;
+}
+
 bool compile_operand(const Token* tokens, std::uint32_t begin, std::uint32_t limit, int requested,
                      const Meanings& meanings, CompiledExpression& out)
 {

@@ -21,6 +21,7 @@ public:
     int sum(int requested);
     int full(int requested);
     bool text();
+    bool texts();
     int primary(int requested);
     std::uint32_t at() const { return at_; }
     Kind kind() const { return at_ < limit_ ? tokens_[at_].kind : Kind::EndOfText; }

@@ -38,6 +38,18 @@ bool Compiler::text()
     return good;
 }
 
+/// Some, with commas between them or without: joined.
+bool Compiler::texts()
+{
+    if (!text()) return false;
+    while (take(Kind::Comma) || begins_text(tokens_[at_], meanings_)) {
+        if (!text()) return false;
+        --text_depth_;
+        emit(Code::TextAppend, 0);
+    }
+    return true;
+}
+
 bool Compiler::text_identifier()
 {
     if (!begins_text(tokens_[at_], meanings_)) return false;
@@ -59,14 +71,7 @@ bool Compiler::text_identifier()
 bool Compiler::text_function(Kind word)
 {
     switch (word) {
-    case Kind::Concat:
-        if (!text()) return false;
-        while (take(Kind::Comma) || begins_text(tokens_[at_], meanings_)) {
-            if (!text()) return false;
-            --text_depth_;
-            emit(Code::TextAppend, 0);
-        }
-        return true;
+    case Kind::Concat: return texts();
     case Kind::Chr:
         if (!number(true)) return false;
         emit(Code::TextCharacter, -1);

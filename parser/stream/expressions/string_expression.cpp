@@ -158,23 +158,6 @@ std::string read_string(TokenStream& stream, bool path)
     stream.fail_expected("a text, as in \"name\"");
 }
 
-char escaped(char c)
-{
-    switch (c) {
-    case 'a': return '\a';
-    case 'b': return '\b';
-    case 'f': return '\f';
-    case 'n': return '\n';
-    case 'r': return '\r';
-    case 't': return '\t';
-    case 'v': return '\v';
-    case '\\':
-    case '\'':
-    case '"': return c;
-    default: return 0;
-    }
-}
-
 }  // namespace
 
 std::string string_expr(TokenStream& stream) { return read_string(stream, false); }

@@ -192,8 +192,10 @@ void TokenStream::write_data()
     const std::shared_ptr<DataFile> file = data_file(name, false);
     accept_comma();
     std::string text;
-    while (peek().kind != Kind::RightParen) {
-        if (const auto type = binary_type(peek().kind)) {
+    for (Kind kind = peek().kind; kind != Kind::RightParen; kind = peek().kind) {
+        if (kind == Kind::String) {  // first: most of what loops write
+            text += printed(string_text(next(), false), language_.version);
+        } else if (const auto type = binary_type(kind)) {
             next();
             do {
                 const Tuple value = untyped_expr(*this);

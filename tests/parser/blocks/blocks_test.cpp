@@ -22,6 +22,7 @@ std::string said_by(const std::string& text, bool blocks, const std::vector<std:
     options.blocks = blocks;
     options.library_path = library;
     options.most_tokens = 300'000;
+    options.write_nothing = true;  // a scene reads what it would have written
     const auto keep = [](void* to, const parser::Message& message) {
         *static_cast<std::string*>(to) += std::to_string(static_cast<int>(message.severity)) + message_text(message) +
                                           "\n";
@@ -103,6 +104,32 @@ TEST_CASE("variables change their type under a compiled block", "[parser][blocks
     both_ways(
         "#for (I, 1, 6) #ifdef (New) #undef New #else #local New = I; #end #ifdef (New) #debug str(New, 0, 0) #end "
         "#end");
+}
+
+TEST_CASE("loops write what they write word by word", "[parser][blocks]")
+{
+    const auto written = [](const std::string& loop) {
+        return both_ways("#declare S = \"s\"; #declare R = seed(2); #declare A = array[2] { \"p\", \"q\" }\n"
+                         "#fopen File \"w.txt\" write\n#for (I, 0, 9)\n" +
+                         loop + "\n#end\n#fclose File\n#fopen File \"w.txt\" read\n" +
+                         "#while (defined(File)) #read (File, Line) #debug concat(Line, \"|\") #end\n");
+    };
+    const std::string all = written("#write (File, \"\\\"\", str(I / 4, 0, 2), A[mod(I, 2)] S, \"\\\\\", "
+                                    "concat(\"x\", str(rand(R), 0, 0)), \"\\\",\\n\")");
+    CHECK(all.find("0.00ps\\x") != std::string::npos);
+    CHECK(all.find("2.25qs\\x") != std::string::npos);
+    // What is no text, a text beyond ASCII, a file that is closed or read meanwhile.
+    written("#write (File, \"\\\"\", I, <1, I, 2>, \"\\\",\")");
+    written("#declare S = chr(I < 6 ? 65 + I : 200 + I); #write (File, \"\\\"\" S \"\\\",\")");
+    CHECK(written("#write (File, \"\\\"a\\\",\") #if (I = 5) #fclose File #end").find("error:") != std::string::npos);
+    CHECK(written("#write (File, \"\\\"a\\\",\") #if (I = 5) #fclose File #fopen File \"w.txt\" read #end")
+              .find("was opened for reading") != std::string::npos);
+    // A macro whose value is wanted, and that writes on its way.
+    both_ways(
+        "#fopen File \"w.txt\" write\n#macro Told(X) #write (File, \"\\\"\", str(X, 0, 0), \"\\\",\") (X + 1) #end\n"
+        "#declare B = 0; #for (I, 0, 9) #declare B = B + Told(I); #declare B = Told(I) / (I - 4); #end\n"
+        "#fclose File\n#fopen File \"w.txt\" read\n"
+        "#while (defined(File)) #read (File, Line) #debug concat(Line, \"|\") #end\n");
 }
 
 TEST_CASE("every macro of the standard includes says the same compiled and word by word", "[parser][blocks]")
