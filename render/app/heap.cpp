@@ -1,4 +1,4 @@
-#include "render/app/run/heap.h"
+#include "render/app/heap.h"
 
 #include <malloc.h>
 #include <sys/mman.h>
@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t kHugePage = std::size_t{2} << 20, kReserved = std::size_t{1} << 30;
+constexpr std::size_t kHugePage = std::size_t{2} << 20, kReserved = std::size_t{256} << 20;
 /// A small scene stays below, and takes no more than it did.
 constexpr std::size_t kFew = std::size_t{1} << 20;
 /// Where the reserve is used up, blocks from here on are mapped by themselves and go back as soon as they are freed.
