@@ -16,7 +16,7 @@ namespace texture {
 struct Row {
 #if defined(__AVX__)
     __m256d v;
-    static Row load(const double* p) { return {_mm256_loadu_pd(p)}; }
+    static Row load(const double* p) { return {_mm256_load_pd(p)}; }
     static Row all(double a) { return {_mm256_set1_pd(a)}; }
     static Row of(double a, double b, double c, double d) { return {_mm256_set_pd(d, c, b, a)}; }
     friend Row operator+(Row a, Row b) { return {_mm256_add_pd(a.v, b.v)}; }
@@ -43,7 +43,7 @@ struct Row {
     }
 #else
     __m128d l, h;
-    static Row load(const double* p) { return {_mm_loadu_pd(p), _mm_loadu_pd(p + 2)}; }
+    static Row load(const double* p) { return {_mm_load_pd(p), _mm_load_pd(p + 2)}; }
     static Row all(double a) { return {_mm_set1_pd(a), _mm_set1_pd(a)}; }
     static Row of(double a, double b, double c, double d) { return {_mm_set_pd(b, a), _mm_set_pd(d, c)}; }
     friend Row operator+(Row a, Row b) { return {_mm_add_pd(a.l, b.l), _mm_add_pd(a.h, b.h)}; }
@@ -89,23 +89,34 @@ inline T smooth(const T& f)
     return f * f * (T(3.0) - T(2.0) * f);
 }
 
+/// Of vectors, the next component's row lies so many numbers on: components are four numbers apart.
+inline constexpr std::size_t kNextRow = 4 * 4;
+
+/// The rows of the first component wanted.
+inline const double* first_row(std::size_t component) { return kNoiseTables.lattice[4 * component].data(); }
+
+/// A coordinate of a cell and of the next one.
+struct CellIndex {
+    std::uint32_t at, next;
+};
+
 /// Where the rows of a cell's eight corners start; bit 0 of the index: along x, 1: y, 2: z.
-[[gnu::always_inline]] inline void corner_rows(std::uint32_t x, std::uint32_t y, std::uint32_t z, const double* lattice,
-                                               const double* (&rows)[8])
+[[gnu::always_inline]] inline void corner_rows(const CellIndex& x, const CellIndex& y, const CellIndex& z,
+                                               const double* lattice, const double* (&rows)[8])
 {
     const auto& t = kNoiseTables.hash;
     const auto& r = kNoiseTables.row;
-    const auto next = [](std::uint32_t i) { return (i + 1) & static_cast<std::uint32_t>(kLatticeMask); };
-    const std::uint32_t x0 = t[x], x1 = t[next(x)], y1 = next(y), z1 = next(z);
-    const std::uint32_t h00 = t[x0 ^ y], h10 = t[x1 ^ y], h01 = t[x0 ^ y1], h11 = t[x1 ^ y1];
-    rows[0] = lattice + r[h00 ^ z];
-    rows[1] = lattice + r[h10 ^ z];
-    rows[2] = lattice + r[h01 ^ z];
-    rows[3] = lattice + r[h11 ^ z];
-    rows[4] = lattice + r[h00 ^ z1];
-    rows[5] = lattice + r[h10 ^ z1];
-    rows[6] = lattice + r[h01 ^ z1];
-    rows[7] = lattice + r[h11 ^ z1];
+    const auto at = [&](std::uint32_t i) { return lattice + 4 * std::size_t{r[i]}; };
+    const std::uint32_t x0 = t[x.at], x1 = t[x.next];
+    const std::uint32_t h00 = t[x0 ^ y.at], h10 = t[x1 ^ y.at], h01 = t[x0 ^ y.next], h11 = t[x1 ^ y.next];
+    rows[0] = at(h00 ^ z.at);
+    rows[1] = at(h10 ^ z.at);
+    rows[2] = at(h01 ^ z.at);
+    rows[3] = at(h11 ^ z.at);
+    rows[4] = at(h00 ^ z.next);
+    rows[5] = at(h10 ^ z.next);
+    rows[6] = at(h01 ^ z.next);
+    rows[7] = at(h11 ^ z.next);
 }
 
 /// The sum of what every corner gives.
@@ -129,7 +140,8 @@ inline void row_sums(Row low, const double* shares, const double* const (&rows)[
                       Row::choose<5>(low, high) * Row::all(shares[5 * Stride]),
                       Row::choose<6>(low, high) * Row::all(shares[6 * Stride]),
                       Row::choose<7>(low, high) * Row::all(shares[7 * Stride])};
-    for (int r = 0; r < Rows; ++r) sums[r] = corner_sum([&](int c) { return v[c] * Row::load(rows[c] + 4 * r); });
+    for (std::size_t r = 0; r < Rows; ++r)
+        sums[r] = corner_sum([&](int c) { return v[c] * Row::load(rows[c] + kNextRow * r); });
 }
 
 /// The share that each corner has of a point with these weights.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kGradientOffset = 10000000.023157213;  // generator 3: moves lattice points off the integers
 
 struct Cell {
-    std::uint32_t index;
+    CellIndex index;
     double fraction;
 };
 
@@ -21,7 +21,8 @@ Cell cell(double v)
 {
     const double moved = v >= 0 ? v : v - kNearlyOne;
     const int whole = _mm_cvttsd_si32(_mm_set_sd(moved));  // out of range: the least integer, as in lanes
-    return {(static_cast<std::uint32_t>(whole) + std::uint32_t{kCellOffset}) & std::uint32_t{kLatticeMask}, v - whole};
+    const std::uint32_t index = static_cast<std::uint32_t>(whole) + std::uint32_t{kCellOffset}, mask = kLatticeMask;
+    return {{index & mask, (index + 1) & mask}, v - whole};
 }
 
 /// Sums over the corners of the cell of p.
@@ -30,7 +31,7 @@ void lattice_sums(const glm::dvec3& p, double (&sums)[Rows])
 {
     const Cell x = cell(p.x), y = cell(p.y), z = cell(p.z);
     const double* rows[8];
-    corner_rows(x.index, y.index, z.index, kNoiseTables.lattice.data(), rows);
+    corner_rows(x.index, y.index, z.index, first_row(0), rows);
     double shares[8];
     corner_shares(smooth(x.fraction), smooth(y.fraction), smooth(z.fraction),
                   [&](int c, double share) { shares[c] = share; });

@@ -1,8 +1,7 @@
 #include "render/texture/noise/noise_points.h"
 
-#include "render/texture/noise/lattice.h"
+#include "render/texture/noise/cells.h"
 #include "render/texture/noise/noise.h"
-#include "render/texture/point_lanes.h"
 
 #include <cmath>
 
@@ -10,92 +9,6 @@ namespace texture {
 namespace {
 
 inline void put(Values& v, std::size_t i, const Double& d) { d.store_aligned(v.data() + i); }
-
-/// Toward zero to 32 bits and back; out of range and NaN give the least integer. `index`: the numbers of the cells.
-inline Double truncated(const Double& v, std::uint32_t* index)
-{
-#if defined(__AVX512F__)
-    const __m256i i = _mm512_cvttpd_epi32(v.data), offset = _mm256_set1_epi32(kCellOffset),
-                  mask = _mm256_set1_epi32(kLatticeMask);
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(index), _mm256_and_si256(_mm256_add_epi32(i, offset), mask));
-    return Double(_mm512_cvtepi32_pd(i));
-#else
-    const __m128i offset = _mm_set1_epi32(kCellOffset), mask = _mm_set1_epi32(kLatticeMask);
-#if defined(__AVX__)
-    const __m128i i = _mm256_cvttpd_epi32(v.data);
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(index), _mm_and_si128(_mm_add_epi32(i, offset), mask));
-    return Double(_mm256_cvtepi32_pd(i));
-#else
-    const __m128i i = _mm_cvttpd_epi32(v.data);
-    _mm_storel_epi64(reinterpret_cast<__m128i*>(index), _mm_and_si128(_mm_add_epi32(i, offset), mask));
-    return Double(_mm_cvtepi32_pd(i));
-#endif
-#endif
-}
-
-/// One coordinate of as many points as there are lanes, in their cells.
-struct Axis {
-    Double fraction, weight;
-    std::uint32_t index[kLanes];
-
-    /// True if all are in one cell.
-    bool prepare(const Double& v)
-    {
-        const Double zero(0.0);
-        const Double moved = xsimd::select(v >= zero, v, v - Double(kNearlyOne));
-        const Double whole = truncated(moved.data, index);
-        fraction = v - whole;
-        weight = smooth(fraction);
-        alignas(64) double cells[kLanes];
-        whole.store_aligned(cells);
-        return csg::lanes::mask(whole == Double(cells[0])) == (1u << kLanes) - 1;
-    }
-};
-
-/// The sums of points in one cell: points in lanes, rows broadcast.
-template <int Rows>
-void shared_cell(const Axis& x, const Axis& y, const Axis& z, const double* lattice, double* const (&out)[Rows])
-{
-    const double* rows[8];
-    corner_rows(x.index[0], y.index[0], z.index[0], lattice, rows);
-    Double shares[8], sums[4][Rows];
-    corner_shares(x.weight, y.weight, z.weight, [&](int c, const Double& share) { shares[c] = share; });
-    const auto part = [&](std::size_t k, const auto& factor) {
-        Double v[8];
-        for (int c = 0; c < 8; ++c) v[c] = factor(c) * shares[c];
-        for (std::size_t r = 0; r < Rows; ++r)
-            sums[k][r] = corner_sum([&](int c) { return v[c] * Double(rows[c][4 * r + k]); });
-    };
-    const Double one(1.0), half(0.5), fx = x.fraction, fy = y.fraction, fz = z.fraction, gx = fx - one, gy = fy - one,
-                                      gz = fz - one;
-    part(0, [&](int) { return half; });
-    part(1, [&](int c) { return (c & 1) != 0 ? gx : fx; });
-    part(2, [&](int c) { return (c & 2) != 0 ? gy : fy; });
-    part(3, [&](int c) { return (c & 4) != 0 ? gz : fz; });
-    for (int r = 0; r < Rows; ++r) ((sums[0][r] + sums[1][r]) + (sums[2][r] + sums[3][r])).store_aligned(out[r]);
-}
-
-/// Each point in its own cell: parts in lanes.
-template <int Rows>
-[[gnu::always_inline]] inline void own_cells(const Axis& x, const Axis& y, const Axis& z, std::size_t count,
-                                             const double* lattice, double* const (&out)[Rows])
-{
-    alignas(64) double f[3][kLanes], shares[8][kLanes];
-    x.fraction.store_aligned(f[0]);
-    y.fraction.store_aligned(f[1]);
-    z.fraction.store_aligned(f[2]);
-    corner_shares(x.weight, y.weight, z.weight, [&](int c, const Double& share) { share.store_aligned(shares[c]); });
-    Row sums[Rows][kLanes];
-    for (std::size_t i = 0; i < count; ++i) {
-        const double* rows[8];
-        corner_rows(x.index[i], y.index[i], z.index[i], lattice, rows);
-        Row s[Rows];
-        row_sums<Rows, kLanes>(Row::of(0.5, f[0][i], f[1][i], f[2][i]), shares[0] + i, rows, s);
-        for (int r = 0; r < Rows; ++r) sums[r][i] = s[r];
-    }
-    for (int r = 0; r < Rows; ++r)
-        for (std::size_t i = 0; i < kLanes; i += Row::kAtOnce) Row::store_totals(sums[r] + i, out[r] + i);
-}
 
 /// The coordinates of some points, aligned for vectors.
 struct Coordinates {
@@ -106,15 +19,15 @@ struct Coordinates {
 template <int Rows>
 void lattice_rows(const Coordinates& p, std::size_t points, std::size_t first, const std::array<double*, Rows>& out)
 {
-    const double* lattice = kNoiseTables.lattice.data() + 4 * first;
+    const double* lattice = first_row(first);
     for (std::size_t i = 0; i < points; i += kLanes) {
-        Axis x, y, z;
-        const bool in_x = x.prepare(Double::load_aligned(p.x + i)), in_y = y.prepare(Double::load_aligned(p.y + i)),
-                   in_z = z.prepare(Double::load_aligned(p.z + i));
+        Axes axes;
+        const bool together =
+            axes.prepare(Double::load_aligned(p.x + i), Double::load_aligned(p.y + i), Double::load_aligned(p.z + i));
         double* at[Rows];
         for (std::size_t r = 0; r < Rows; ++r) at[r] = out[r] + i;
-        if (in_x && in_y && in_z) shared_cell<Rows>(x, y, z, lattice, at);
-        else own_cells<Rows>(x, y, z, std::min(kLanes, points - i), lattice, at);
+        if (together) shared_cell<Rows>(axes, lattice, at);
+        else own_cells<Rows>(axes, std::min(kLanes, points - i), lattice, at);
     }
 }
 
@@ -306,11 +219,9 @@ public:
     {
         for (std::size_t i = 0; i < count_; i += kLanes) {
             const Double scale = Double::load_aligned(scales_ + i);
-            Axis x, y, z;
-            x.prepare(scale * Double(p.x));
-            y.prepare(scale * Double(p.y));
-            z.prepare(scale * Double(p.z));
-            take(i, std::min(kLanes, count_ - i), x, y, z);
+            Axes at;
+            at.prepare(scale * Double(p.x), scale * Double(p.y), scale * Double(p.z));
+            take(i, std::min(kLanes, count_ - i), at);
         }
     }
 
@@ -333,9 +244,9 @@ glm::dvec3 vector_turbulence(const glm::dvec3& p, int octaves, double lambda, do
     alignas(64) double n[3][Octaves::kRoom];
     glm::dvec3 sum(-0.0);  // to which a number adds as itself
     while (sums.next()) {
-        sums.each(p, [&](std::size_t i, std::size_t count, const Axis& x, const Axis& y, const Axis& z) {
+        sums.each(p, [&](std::size_t i, std::size_t count, const Axes& at) {
             double* const to[3] = {n[0] + i, n[1] + i, n[2] + i};
-            own_cells<3>(x, y, z, count, kNoiseTables.lattice.data(), to);
+            own_cells<3>(at, count, first_row(0), to);
             for (double* v : to) (sums.shares(i) * Double::load_aligned(v)).store_aligned(v);
         });
         for (std::size_t i = 0; i < sums.count(); ++i) sum += glm::dvec3(n[0][i], n[1][i], n[2][i]);
@@ -351,9 +262,9 @@ double scalar_turbulence(const glm::dvec3& p, int octaves, double lambda, double
     for (bool first = true; sums.next(); first = false) {
         if (generator == 3)
             for (std::size_t i = 0; i < sums.count(); ++i) n[i] = noise(sums.scale(i) * p, 3);
-        sums.each(p, [&](std::size_t i, std::size_t count, const Axis& x, const Axis& y, const Axis& z) {
+        sums.each(p, [&](std::size_t i, std::size_t count, const Axes& at) {
             double* const to[1] = {n + i};
-            if (generator != 3) own_cells<1>(x, y, z, count, kNoiseTables.lattice.data(), to);
+            if (generator != 3) own_cells<1>(at, count, first_row(0), to);
             const Double v = Double::load_aligned(n + i), ready = generator == 3 ? v : ranged(v, generator),
                          term = generator == 1 ? ready : Double(2.0) * ready - Double(0.5);
             (sums.shares(i) * term).store_aligned(n + i);

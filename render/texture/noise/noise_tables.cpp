@@ -2,11 +2,19 @@
 
 #include "render/texture/noise/noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
 
 namespace texture {
+namespace {
+
+constexpr std::array<double, NoiseTables::kLatticeNumbers> kLattice{
+#include "render/texture/noise/noise_lattice.inc"
+};
+
+}  // namespace
 
 int draw15(std::uint32_t& state)
 {
@@ -15,11 +23,9 @@ int draw15(std::uint32_t& state)
 }
 
 NoiseTables::NoiseTables()
-    : lattice{
-#include "render/texture/noise/noise_lattice.inc"
-      }
 {
     fill_hash();
+    fill_lattice();
     fill_gradients();
     std::mt19937 generator(5489u);
     for (double& r : random) r = static_cast<double>(generator()) / 4294967296.0;
@@ -35,6 +41,12 @@ void NoiseTables::fill_hash()
         if (i == 0) break;
     }
     for (std::size_t i = 0; i < kHashSize; ++i) row[i] = static_cast<std::uint8_t>(hash[i] & 255u);
+}
+
+void NoiseTables::fill_lattice()
+{
+    for (std::size_t i = 0; i < kLatticeRows; ++i)
+        std::copy_n(kLattice.begin() + i, lattice[i].size(), lattice[i].begin());
 }
 
 void NoiseTables::fill_gradients()

@@ -10,12 +10,14 @@ namespace texture {
 
 struct NoiseTables {
     static constexpr std::size_t kHashSize = 4096;
+    static constexpr std::size_t kLatticeNumbers = 267;
+    static constexpr std::size_t kLatticeRows = kLatticeNumbers - 3;
     static constexpr std::size_t kGradients = 2048;
     static constexpr std::size_t kRandoms = 4100;  ///< cell hashes are below 4096, plus three components
 
     std::array<std::uint16_t, kHashSize> hash;  ///< a permutation
     std::array<std::uint8_t, kHashSize> row;    ///< hash & 255: where a lattice point's row starts
-    std::array<double, 267> lattice;            ///< rows overlap: four numbers from `row` on, and the eight behind them
+    alignas(64) std::array<std::array<double, 4>, kLatticeRows> lattice;  ///< the i-th: four numbers from the i-th on
     std::array<glm::dvec3, kGradients> gradient;
     std::array<int, kGradients + 1> permutation;
     std::array<double, kRandoms> random;  ///< in [0, 1)
@@ -24,6 +26,7 @@ struct NoiseTables {
 
 private:
     void fill_hash();
+    void fill_lattice();
     void fill_gradients();
 };
 
