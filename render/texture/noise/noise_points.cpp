@@ -3,7 +3,9 @@
 #include "render/texture/noise/cells.h"
 #include "render/texture/noise/noise.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace texture {
 namespace {
@@ -157,20 +159,80 @@ void scalar_turbulence_points(const Points& p, int octaves, double lambda, doubl
     }
 }
 
-void octave_points(const Points& p, OctaveSum kind, int generator, Values& out)
-{
-    Values n;
-    Points scaled;
-    each(p.size(), [&](std::size_t i) { put(out, i, Double(0.0)); });
-    double factor = 1.0;
-    for (int k = 0; k < octaves_of(kind); ++k, factor *= 2.0) {
-        scale(p, first_scale(kind) * factor, scaled);
-        noise_points(scaled, generator, n);
-        each(p.size(), [&](std::size_t i) {
-            put(out, i, get(out, i) + octave_term(get(n, i), kind, generator, Double(1.0 / factor)));
+namespace {
+
+/// Sums of octaves, of which no term is negative, so that a sum that is large enough need not be finished.
+class OctaveSums {
+public:
+    OctaveSums(const Points& p, OctaveSum kind, int generator) : kind_(kind), generator_(generator)
+    {
+        left_.take(p);
+        each(p.size(), [&](std::size_t i) { put(sums_, i, Double(0.0)); });
+        for (std::size_t i = 0; i < p.size(); ++i) place_[i] = static_cast<std::uint8_t>(i);
+    }
+
+    void add(double factor)
+    {
+        scale(left_, first_scale(kind_) * factor, scaled_);
+        noise_points(scaled_, generator_, n_);
+        each(left_.size(), [&](std::size_t i) {
+            put(sums_, i, get(sums_, i) + octave_term(get(n_, i), kind_, generator_, Double(1.0 / factor)));
         });
     }
-    each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) * Double(last_factor(kind))); });
+
+    /// Tells the points whose value is `enough` by now, if vectors get fewer without them.
+    void drop(double enough, Values& out)
+    {
+        const Double limit(enough), share(last_factor(kind_));
+        std::uint64_t below = 0;
+        each(left_.size(),
+             [&](std::size_t i) { below |= std::uint64_t{csg::lanes::mask(get(sums_, i) * share < limit)} << i; });
+        if (left_.size() < kMostPoints) below &= (std::uint64_t{1} << left_.size()) - 1;
+        const auto count = static_cast<std::size_t>(std::popcount(below));
+        const auto vectors = [](std::size_t points) { return (points + kLanes - 1) / kLanes; };
+        if (vectors(count) == vectors(left_.size())) return;
+        finish(out);
+        std::size_t kept = 0;
+        for (; below != 0; below &= below - 1, ++kept) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(below));
+            left_.x[kept] = left_.x[i];
+            left_.y[kept] = left_.y[i];
+            left_.z[kept] = left_.z[i];
+            sums_[kept] = sums_[i];
+            place_[kept] = place_[i];
+        }
+        left_.count = static_cast<int>(kept);
+        if (kept != 0) left_.pad();
+    }
+
+    void finish(Values& out) const
+    {
+        const double share = last_factor(kind_);
+        for (std::size_t i = 0; i < left_.size(); ++i) out[place_[i]] = sums_[i] * share;
+    }
+
+    bool empty() const { return left_.count == 0; }
+
+private:
+    OctaveSum kind_;
+    int generator_;
+    Points left_, scaled_;
+    Values sums_, n_;
+    std::array<std::uint8_t, kMostPoints> place_;
+};
+
+}  // namespace
+
+void octave_points(const Points& p, OctaveSum kind, int generator, double enough, Values& out)
+{
+    OctaveSums sums(p, kind, generator);
+    double factor = 1.0;
+    for (int k = 0; k < octaves_of(kind) && !sums.empty(); ++k, factor *= 2.0) {
+        sums.add(factor);
+        const bool worth_it = k == 1 || k == 2 || k == 4;  // the first is too small as a rule, the last add little
+        if (worth_it && enough < last_factor(kind) * 2.0) sums.drop(enough, out);
+    }
+    sums.finish(out);
 }
 
 double octaves_at(const glm::dvec3& p, OctaveSum kind, int generator)

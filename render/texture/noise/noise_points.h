@@ -24,8 +24,9 @@ void scalar_turbulence_points(const Points& p, int octaves, double lambda, doubl
 /// One term of a pattern that sums octaves: factor * p in the i-th octave, and what its noise n adds.
 enum class OctaveSum { Granite, Wrinkles };
 
-/// The values of granite or wrinkles (spec 4, 5.3). Padded.
-void octave_points(const Points& p, OctaveSum kind, int generator, Values& out);
+/// The values of granite or wrinkles (spec 4, 5.3). Padded. Of a value that is `enough` or more, any number from there
+/// up to the value may be told.
+void octave_points(const Points& p, OctaveSum kind, int generator, double enough, Values& out);
 
 /// The same of one point, its octaves side by side.
 double octaves_at(const glm::dvec3& p, OctaveSum kind, int generator);

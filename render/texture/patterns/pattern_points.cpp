@@ -5,10 +5,14 @@
 #include "render/texture/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace texture {
 namespace {
+
+constexpr double kNothingEnough = std::numeric_limits<double>::infinity();  // all octaves are wanted
 
 void turbulence_values(const Pattern& pattern, const Points& p, Values& out)
 {
@@ -145,8 +149,29 @@ void grey_values(const TextureSet& set, const Pattern& pattern, const Points& p,
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = static_cast<double>(scene::grey(colors.at(i).rgb()));
 }
 
-/// Before frequency and wave.
-void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
+/// From which value on a map of colours shows its last one.
+double flat_from(const float* keys, const scene::Color* colors, std::uint32_t entries)
+{
+    const scene::Color& last = colors[entries - 1];
+    const bool number = std::isfinite(last.red + last.green + last.blue + last.filter + last.transmit);
+    if (!number || !std::is_sorted(keys, keys + entries)) return kNothingEnough;
+    std::uint32_t first = entries - 1;
+    while (first > 0 && colors[first - 1] == last) --first;
+    return static_cast<double>(keys[first]);
+}
+
+/// The same for the values of a pattern before frequency and wave.
+double raw_flat_from(const TextureSet& set, const Pigment& pigment, const Pattern& pattern)
+{
+    const bool sums_octaves = pattern.kind == PatternKind::Granite || pattern.kind == PatternKind::Wrinkles;
+    const bool as_it_is = pattern.wave == scene::WaveForm::Ramp && pattern.frequency == 1.0 && pattern.phase == 0.0;
+    if (!sums_octaves || !as_it_is) return kNothingEnough;
+    return flat_from(set.keys.data() + pigment.first, set.colors.data() + pigment.first, pigment.count);
+}
+
+/// Before frequency and wave. Of a value that is `enough` or more, any number from there up to the value may be told.
+void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, double enough,
+                Values& out)
 {
     const int generator = pattern.noise_generator;
     switch (pattern.kind) {
@@ -156,8 +181,8 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
         noise_points(p, generator, out);
         for (std::size_t i = 0; i < p.size(); ++i) out[i] = out[i] * out[i] * out[i];
         return;
-    case PatternKind::Granite: return octave_points(p, OctaveSum::Granite, generator, out);
-    case PatternKind::Wrinkles: return octave_points(p, OctaveSum::Wrinkles, generator, out);
+    case PatternKind::Granite: return octave_points(p, OctaveSum::Granite, generator, enough, out);
+    case PatternKind::Wrinkles: return octave_points(p, OctaveSum::Wrinkles, generator, enough, out);
     case PatternKind::Agate:
         turbulence_values(pattern, p, out);
         agate_bands(pattern, p, out);
@@ -266,7 +291,7 @@ void average_colors(const TextureSet& set, const Pigment& pigment, const Points&
 
 void pattern_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
 {
-    raw_values(set, pattern, p, around, out);
+    raw_values(set, pattern, p, around, kNothingEnough, out);
     waved_points(pattern, p.size(), out);
 }
 
@@ -291,7 +316,9 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
     warp_points(set, pattern, q, color_map ? live_components(pattern) : kAllLive);
     if (pigment.kind == Pigment::Kind::Average) return average_colors(set, pigment, q, around, out);
     Values values;
-    pattern_values(set, pattern, q, around, values);
+    const double enough = color_map ? raw_flat_from(set, pigment, pattern) : kNothingEnough;
+    raw_values(set, pattern, q, around, enough, values);
+    waved_points(pattern, q.size(), values);
     if (color_map) return color_map_points(set, pigment.first, pigment.count, values, p.size(), out);
     Blends blends;
     for (std::size_t i = 0; i < p.size(); ++i) blends[i] = blend_at(set, pigment.first, pigment.count, values[i]);

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <cmath>
 #include <numbers>
 
@@ -108,6 +109,27 @@ TEST_CASE("noise in lanes has the bits of the plain sum over corners", "[texture
                 REQUIRE(bits(one[k]) == bits(sums[static_cast<std::size_t>(k)]));
                 REQUIRE(bits(vectors.at(i)[k]) == bits(one[k]));
             }
+        }
+    }
+}
+
+TEST_CASE("sums of octaves that stop early differ from the whole ones only where those are enough", "[texture][noise]")
+{
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        Points p = random_points(rng);
+        p.pad();
+        const int generator = 1 + rng.below(3);
+        const OctaveSum kind = rng.below(2) == 0 ? OctaveSum::Granite : OctaveSum::Wrinkles;
+        const double enough = 0.1 * (1 + rng.below(8));
+        Values cut, whole;
+        octave_points(p, kind, generator, enough, cut);
+        octave_points(p, kind, generator, std::numeric_limits<double>::infinity(), whole);
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            REQUIRE(bits(whole[i]) == bits(octaves_at(p.at(i), kind, generator)));
+            if (whole[i] < enough) REQUIRE(bits(cut[i]) == bits(whole[i]));
+            else REQUIRE((cut[i] >= enough && cut[i] <= whole[i]));
         }
     }
 }
