@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace csg {
@@ -33,6 +34,9 @@ public:
     std::shared_ptr<const FreeformShape> made() const;
 
     void intersect(const Ray& ray, IntersectionList& out) const;
+    /// Of few components, rays lie in lanes until it is known which stretches they have in whose reach.
+    bool intersects_many() const { return tree_.nodes.empty() && !box_.empty(); }
+    void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t) const;
     /// The parts' shares of |field| at p.
@@ -83,12 +87,17 @@ private:
         }
     };
     struct Walk;
+    template <std::size_t components>
+    struct WalkRoom;
+    class Lanes;
     struct Chord;
     struct Later;
 
     void add(const Component& component);
     void bound();
     void intersect(const Ray& ray, Walk& walk, IntersectionList& out) const;
+    /// Tells the crossings from the stretches of a ray, whose parameter is less by `start` than what is told.
+    void follow(Walk& walk, double start, IntersectionList& out) const;
     /// Write the stretches that the ray has in a component, three at most, and move on behind them.
     void gather(const Field& field, const Chord& chord, const Ray& ray, double inverse, double from, double to,
                 Stretch*& out) const;

@@ -1,89 +1,10 @@
-#include "csg/freeform/bernstein.h"
-#include "csg/freeform/field/blob.h"
+#include "csg/freeform/field/blob_lanes.h"
 #include "csg/bvh/traverse.h"
 
 #include <cstring>
 
 /// A ray through a blob: the stretches that it has in each component's reach, and between their ends a sum of quartics.
 namespace csg {
-
-/// Bernstein ordinates.
-using Quartic = std::array<double, 5>;
-
-/// What one ray needs, in room that is there already: a component has three stretches at most.
-struct Blob::Walk {
-    struct End {
-        double t;
-        std::uint32_t stretch;
-        bool leaves;
-    };
-    static constexpr std::size_t kStretches = 3;  ///< of a component
-
-    Stretch* stretches;
-    End* ends;
-    std::uint32_t* active;
-    std::size_t stretch_count = 0, end_count = 0, active_count = 0;
-
-    void sort_ends()
-    {
-        end_count = 2 * stretch_count;
-        const auto before = [](const End& a, const End& b) { return a.t < b.t; };
-        const bool many = end_count > 32;
-        for (std::uint32_t i = 0; i < end_count; ++i) {
-            const Stretch& of = stretches[i / 2];
-            const End end{i % 2 == 0 ? of.enter : of.leave, i / 2, i % 2 != 0};
-            std::size_t k = i;
-            for (; !many && k > 0 && before(end, ends[k - 1]); --k) ends[k] = ends[k - 1];
-            ends[k] = end;
-        }
-        if (many) std::sort(ends, ends + end_count, before);
-    }
-
-    void pass(const End& end)
-    {
-        if (!end.leaves) {
-            active[active_count++] = end.stretch;
-            return;
-        }
-        for (std::size_t i = 0; i < active_count; ++i) {
-            if (active[i] != end.stretch) continue;
-            active[i] = active[--active_count];
-            return;
-        }
-    }
-
-    /// No sum of fields in the range asked for is above this.
-    double most_of_all() const
-    {
-        double sum = 0.0;
-        for (std::size_t k = 0; k < stretch_count; ++k) sum += stretches[k].most;
-        return sum;
-    }
-
-    /// Nor above this where `active` are.
-    double most() const
-    {
-        double sum = 0.0;
-        for (std::size_t k = 0; k < active_count; ++k) sum += stretches[active[k]].most;
-        return sum;
-    }
-
-    /// The sum of the active fields less the threshold, on [a, b].
-    Quartic sum(double a, double b, double threshold) const
-    {
-        Quartic all{-threshold, -threshold, -threshold, -threshold, -threshold};
-        for (std::size_t k = 0; k < active_count; ++k) {
-            const Stretch& s = stretches[active[k]];
-            const double first = s.w(a), last = s.w(b), middle = s.between(a, b);
-            all[0] += s.strength * first * first;
-            all[1] += s.strength * first * middle;
-            all[2] += s.strength * (first * last + 2.0 * middle * middle) * (1.0 / 3.0);
-            all[3] += s.strength * middle * last;
-            all[4] += s.strength * last * last;
-        }
-        return all;
-    }
-};
 
 /// Where a ray is nearest to the middle of a sphere around a field, and half of what it has inside.
 struct Blob::Chord {
@@ -126,18 +47,18 @@ void Blob::gather_loose(const Ray& ray, double inverse, double from, double to, 
 {
     constexpr std::size_t kLanes = 4;
     static_assert(kMostLoose % kLanes == 0);
-    typedef double Lanes __attribute__((vector_size(sizeof(double) * kLanes)));
+    typedef double Four __attribute__((vector_size(sizeof(double) * kLanes)));
     const glm::dvec3 &o = ray.origin, &d = ray.direction;
     for (std::size_t first = 0; first < fields_.size(); first += kLanes) {
-        Lanes x, y, z, reach2;
+        Four x, y, z, reach2;
         std::memcpy(&x, &loose_.x[first], sizeof x);
         std::memcpy(&y, &loose_.y[first], sizeof y);
         std::memcpy(&z, &loose_.z[first], sizeof z);
         std::memcpy(&reach2, &loose_.reach2[first], sizeof reach2);
         x = o.x - x, y = o.y - y, z = o.z - z;
-        const Lanes ref = -(x * d.x + y * d.y + z * d.z) * inverse;
-        const Lanes fx = x + ref * d.x, fy = y + ref * d.y, fz = z + ref * d.z;
-        const Lanes left2 = reach2 - (fx * fx + fy * fy + fz * fz);
+        const Four ref = -(x * d.x + y * d.y + z * d.z) * inverse;
+        const Four fx = x + ref * d.x, fy = y + ref * d.y, fz = z + ref * d.z;
+        const Four left2 = reach2 - (fx * fx + fy * fy + fz * fz);
         for (std::size_t k = 0; k < kLanes; ++k) {
             if (!(left2[k] > 0.0)) continue;
             const Field& field = fields_[first + k];
@@ -198,10 +119,8 @@ void Blob::intersect(const Ray& ray, IntersectionList& out) const
 {
     if (box_.empty()) return;
     if (tree_.nodes.empty()) {
-        std::array<Stretch, Walk::kStretches * kMostLoose> stretches;
-        std::array<Walk::End, 2 * Walk::kStretches * kMostLoose> ends;
-        std::array<std::uint32_t, Walk::kStretches * kMostLoose> active;
-        Walk walk{stretches.data(), ends.data(), active.data()};
+        WalkRoom<kMostLoose> room;
+        Walk walk = room.walk();
         return intersect(ray, walk, out);
     }
     thread_local std::vector<Stretch> stretches;
@@ -239,6 +158,12 @@ void Blob::intersect(const Ray& ray, Walk& walk, IntersectionList& out) const
         });
     }
     walk.stretch_count = static_cast<std::size_t>(next - walk.stretches);
+    follow(walk, start, out);
+}
+
+void Blob::follow(Walk& walk, double start, IntersectionList& out) const
+{
+    const double from = out.from - start, to = out.to - start;
     // Most rays that meet fields stay below the threshold, and those that leave a surface have its better part behind.
     if (threshold_ >= 0.0 && walk.most_of_all() < threshold_) return;
     walk.sort_ends();
@@ -279,6 +204,16 @@ void Blob::intersect(const Ray& ray, Walk& walk, IntersectionList& out) const
     }
     // Nothing reaches beyond the last end.
     if (more && inside != (0.0 > threshold_) && walk.end_count != 0) cross(walk.ends[walk.end_count - 1].t);
+}
+
+void Blob::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
+{
+    Lanes lanes(*this);
+    for (std::size_t k = 0; k < rays.size(); k += Lanes::kWide) {
+        const std::size_t count = std::min(Lanes::kWide, rays.size() - k);
+        if (count == 1) intersect(rays[k], out[k]);
+        else lanes.run(rays.subspan(k, count), out + k);
+    }
 }
 
 }  // namespace csg

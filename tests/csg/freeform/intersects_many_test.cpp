@@ -182,6 +182,27 @@ TEST_CASE("many rays of an isosurface are told what each is told alone", "[csg][
     CHECK(ends > share(400) * 10);
 }
 
+TEST_CASE("many rays of a blob are told what each is told alone", "[csg][many][blob]")
+{
+    if (!runs_here()) return;
+    int ends = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(2000)); ++seed) {
+        Rng rng(seed + 5000);
+        std::vector<Blob::Component> components(static_cast<std::size_t>(2 + rng.below(11)));
+        for (Blob::Component& component : components) {
+            if (rng.coin()) component.length = rng.uniform(0.0, 1.5);
+            component.radius = rng.uniform(0.3, 1.2);
+            component.strength = rng.below(4) == 0 ? rng.uniform(-1.5, 0.0) : rng.uniform(0.0, 2.0);
+            component.frame = Transform::translate(rng.point(0.8)) * Transform::rotate_degrees(rng.point(180.0));
+            if (rng.below(3) == 0) component.frame = component.frame * Transform::scale(glm::dvec3(1.0, 0.6, 1.3));
+        }
+        components.front().strength = 2.0;
+        const double threshold = rng.below(8) == 0 ? -rng.uniform(0.0, 0.5) : rng.uniform(0.05, 0.9);
+        ends += check_many(Blob(threshold, components), 1.5, seed);
+    }
+    CHECK(ends > share(2000) * 10);
+}
+
 TEST_CASE("powers of one number are those of lanes, and near the library's", "[csg][lanes]")
 {
     if (!runs_here()) return;
