@@ -232,9 +232,10 @@ private:
     /// Which of the samples asked for lies there: squares of a pixel share those of their edges.
     std::uint32_t place_of(std::uint32_t pixel, const SamplePosition& nominal)
     {
+        // The low bits of such positions are empty, and a product's digits depend on those below alone.
         std::uint64_t hash = std::bit_cast<std::uint64_t>(nominal.x) * 0x9e3779b97f4a7c15u ^
-                             std::bit_cast<std::uint64_t>(nominal.y) ^ pixel;
-        hash *= 0xbf58476d1ce4e5b9u;
+                             std::bit_cast<std::uint64_t>(nominal.y);
+        hash = (hash ^ hash >> 32 ^ pixel) * 0xbf58476d1ce4e5b9u;
         const std::size_t mask = scratch_.places.size() - 1;
         for (std::size_t at = hash >> 32 & mask;; at = (at + 1) & mask) {
             std::uint32_t& place = scratch_.places[at];
