@@ -2,6 +2,7 @@
 
 #include "csg/solids/solid_crossings.h"
 #include "csg/base/tolerance.h"
+#include "csg/world/leaving.h"
 
 /// Where a ray that leaves a solid begins to look. POV-Ray skips a fixed length, and with it what the solid itself has
 /// there: light leaks through edges, and a flat solid has no far side. The others' crossings are skipped all the same:
@@ -20,11 +21,7 @@ inline bool blends_normals(const T& solid)
 template <class T>
 inline bool leaves(const T& solid, const Ray& ray, bool inward, double own, double usual)
 {
-    if constexpr (std::is_same_v<T, Plane> || std::is_same_v<T, Disc> || std::is_same_v<T, Triangle>)
-        return true;  // met once
-    if constexpr (std::is_same_v<T, Sphere> || std::is_same_v<T, Ellipsoid> || std::is_same_v<T, Box> ||
-                  std::is_same_v<T, OrientedBox> || std::is_same_v<T, Cylinder>)
-        if (!inward) return true;
+    if (leaves_for_good<T>(inward)) return true;
     if constexpr (std::is_same_v<T, Mesh>) return false;  // to be within takes a ray
     if constexpr (std::is_same_v<T, Freeform>) {
         if (solid.surface()) return false;

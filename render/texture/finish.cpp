@@ -91,10 +91,8 @@ double fresnel_share(double eta, double c)
 
 }  // namespace
 
-glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, const glm::dvec3& d, const glm::dvec3& n,
-                       double eta)
+glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, double c, double eta)
 {
-    const double c = -glm::dot(d, n);
     glm::vec3 r = finish.reflection_max;
     if (finish.reflection_min != finish.reflection_max) {
         const double s = finish.fresnel ? (finish.schlick ? schlick_share(eta, c) : fresnel_share(eta, c))

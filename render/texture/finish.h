@@ -45,9 +45,14 @@ double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, 
 glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const scene::Color& pigment,
                           const glm::dvec3& n, const glm::dvec3& l);
 
-/// Reflectivity per channel (7.9). eta: relative index, read by a fresnel finish only.
-glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, const glm::dvec3& d, const glm::dvec3& n,
-                       double eta);
+/// Reflectivity per channel (7.9). cosine: of the ray that comes back with the normal; eta: relative index, read by a
+/// fresnel finish only.
+glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, double cosine, double eta);
+inline glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, const glm::dvec3& d,
+                              const glm::dvec3& n, double eta)
+{
+    return reflectivity(finish, pigment, -glm::dot(d, n), eta);
+}
 
 /// Iridescence per channel (7.11) for a film of thickness h.
 glm::vec3 film(const Finish& finish, double h, double cos_light, double cos_view, const glm::vec3& wavelength);

@@ -2,6 +2,7 @@
 
 #include "render/texture/evaluate.h"
 #include "render/trace/path/fresnel.h"
+#include "render/trace/queue/interface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,7 +161,8 @@ void SurfaceReader::add_layer(HitContext& hit, const texture::Texture& texture, 
     add_own_light(out_.bsdf, hit, finish, c, normal, stack.above, share);
     glm::vec3 mirrored(0);
     if (finish.reflects()) {
-        const double eta = finish.fresnel ? fresnel_index(context_, hit) : 1.0;
+        const double eta =
+            finish.fresnel ? fresnel_index(context_.scene.interiors, hit.state.interiors, hit.surface.interior) : 1.0;
         mirrored = glm::max(glm::vec3(0), texture::reflectivity(finish, c, hit.state.ray.direction, normal, eta));
         if (!black(mirrored) && stack.mirror_count < stack.mirrors.size()) {
             Lobe& lobe = stack.mirrors[stack.mirror_count++];

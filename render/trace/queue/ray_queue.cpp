@@ -91,7 +91,7 @@ void RayQueue::start(std::size_t camera_rays)
 {
     rays.clear();
     mirrors.clear();
-    batches.clear();
+    batches_.clear();
     nodes.clear();
     terms.clear();
     frames_.clear();
@@ -119,23 +119,24 @@ std::uint32_t RayQueue::new_terms(std::size_t count)
     return first;
 }
 
-void RayQueue::begin_tile() { frames_.push_back({rays.size(), nodes.size(), terms.size(), colors.size()}); }
+void RayQueue::begin_tile()
+{
+    frames_.push_back({rays.size(), mirrors.size(), nodes.size(), terms.size(), colors.size()});
+}
 
 void RayQueue::end_tile()
 {
-    const std::size_t first = frames_.back().rays;
-    if (rays.size() > first) batches.push_back(static_cast<std::uint32_t>(first));
-    if (mirrors.empty()) return;
-    batches.push_back(static_cast<std::uint32_t>(rays.size()));
-    rays.insert(rays.end(), mirrors.begin(), mirrors.end());
-    mirrors.clear();
+    const Frame& frame = frames_.back();
+    if (rays.size() > frame.rays) batches_.push_back({&rays, frame.rays, rays.size() - frame.rays});
+    if (mirrors.size() > frame.mirrors) batches_.push_back({&mirrors, frame.mirrors, mirrors.size() - frame.mirrors});
 }
 
 void RayQueue::fold()
 {
     const Folding folding{*this};
-    for (; !frames_.empty() && rays.size() <= frames_.back().rays; frames_.pop_back()) {
+    for (; !frames_.empty(); frames_.pop_back()) {
         const Frame& frame = frames_.back();
+        if (rays.size() > frame.rays || mirrors.size() > frame.mirrors) return;
         for (std::size_t i = nodes.size(); i-- > frame.nodes;) colors[nodes[i].out] = folding.color(nodes[i]);
         nodes.resize(frame.nodes);
         terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(frame.terms), terms.end());

@@ -3,6 +3,7 @@
 #include "render/scene/color.h"
 #include "render/trace/queue/ray_state.h"
 
+#include <algorithm>
 #include <vector>
 
 /// The rays that wait to be traced, and the nodes that say what becomes of their colours. Nothing recurses: a tile of
@@ -17,14 +18,14 @@ using ColorSlot = std::uint32_t;
 inline constexpr ColorSlot kNoSlot = 0xffffffffu;  ///< black: no ray was worth tracing
 
 struct QueuedRay {
-    RayState state;
     ColorSlot slot;  ///< of its colour
     int level;       ///< levels in use including this ray's
+    RayState state;
 
     /// Not cleared: its state is written where it waits.
     QueuedRay() {}
     /// Made where it waits: a copy of what was just written in smaller pieces waits for all of them.
-    QueuedRay(const RayState& of, ColorSlot into, int in_use) : state(of), slot(into), level(in_use) {}
+    QueuedRay(const RayState& of, ColorSlot into, int in_use) : slot(into), level(in_use), state(of) {}
 };
 
 /// One of the colours that a node puts together.
@@ -62,12 +63,12 @@ struct ShadeNode {
 };
 
 /// What waits, per thread. Rays are a stack of batches: the last is traced first, so that few wait at any time, however
-/// deep light goes.
+/// deep light goes. Of a tile the rays that are mirrored are a batch behind those that go through, and have a stack of
+/// their own, where they stay until they are traced.
 class RayQueue {
 public:
-    std::vector<QueuedRay> rays, mirrors;  ///< `mirrors`: of the tile at hand, until it is through
-    std::vector<std::uint32_t> batches;    ///< where each starts in `rays`
-    std::vector<ShadeNode> nodes;          ///< before every node those that wait for it
+    std::vector<QueuedRay> rays, mirrors;
+    std::vector<ShadeNode> nodes;  ///< before every node those that wait for it
     std::vector<ShadeTerm> terms;
     std::vector<scene::Color> colors;  ///< by ColorSlot
 
@@ -88,18 +89,56 @@ public:
 
     /// Before a tile is shaded, whose rays have left the queue.
     void begin_tile();
-    /// After it: its mirrored rays become a batch of their own behind those that go through.
+    /// After it: its rays become batches.
     void end_tile();
+    /// Nothing waits any more.
+    bool empty() const { return batches_.empty(); }
+    /// Takes rays of the batch that waits last, at most so many, and while they are few the batches before it as well,
+    /// where that makes no more: few rays make a poor beam. How many. alike: whether rays of two kinds may be traced
+    /// together.
+    template <class F>
+    std::size_t take(std::size_t most, QueuedRay* out, F&& alike);
     /// Folds the nodes of every tile of which no ray waits any more.
     void fold();
 
 private:
     /// What there was when a tile began.
     struct Frame {
-        std::size_t rays, nodes, terms, colors;
+        std::size_t rays, mirrors, nodes, terms, colors;
+    };
+    /// Rays of a stack; behind them are those of later batches.
+    struct Batch {
+        std::vector<QueuedRay>* stack;
+        std::size_t first, count;
+        std::vector<QueuedRay>::iterator begin() const { return stack->begin() + static_cast<std::ptrdiff_t>(first); }
     };
     std::vector<Frame> frames_;
+    std::vector<Batch> batches_;
 };
+
+template <class F>
+std::size_t RayQueue::take(std::size_t most, QueuedRay* out, F&& alike)
+{
+    constexpr std::size_t kSmall = 16;
+    Batch& top = batches_.back();
+    if (top.count > most) {
+        top.count -= most;
+        std::copy_n(top.begin() + static_cast<std::ptrdiff_t>(top.count), most, out);
+        top.stack->erase(top.begin() + static_cast<std::ptrdiff_t>(top.count), top.stack->end());
+        return most;
+    }
+    std::size_t from = batches_.size() - 1, taken = top.count;
+    for (; from > 0 && taken < kSmall; --from) {
+        const Batch &last = batches_[from], &before = batches_[from - 1];
+        if (taken + before.count > most || !alike(last.begin()->state.kind, before.begin()->state.kind)) break;
+        taken += before.count;
+    }
+    for (std::size_t i = from; i < batches_.size(); ++i) out = std::copy_n(batches_[i].begin(), batches_[i].count, out);
+    for (std::size_t i = batches_.size(); i-- > from;)
+        batches_[i].stack->erase(batches_[i].begin(), batches_[i].stack->end());
+    batches_.erase(batches_.begin() + static_cast<std::ptrdiff_t>(from), batches_.end());
+    return taken;
+}
 
 /// A ray that goes on from a hit: in `queue`, if it is worth tracing. The slot of its colour.
 /// \param straight  it is not bent and uses no level (spec 3, section 2)

@@ -3,7 +3,9 @@
 #include "render/plan/textures/interior.h"
 #include "render/trace/geometry.h"
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <vector>
 
 /// A ray of shading with all that it inherits from the rays before it.
@@ -14,38 +16,56 @@ class InteriorList {
 public:
     InteriorList() = default;
     InteriorList(const InteriorList& other) { *this = other; }
-    /// Copies what is there: a list is handed down with every ray, and hardly ever has more than two entries.
+    /// Copies what is there: a list is handed down with every ray, and hardly ever has more than the few entries that
+    /// are copied without asking how many there are.
     InteriorList& operator=(const InteriorList& other)
     {
         head_ = other.head_;
-        for (std::size_t i = 0; i < head_.count; ++i) items_[i] = other.items_[i];
+        std::memcpy(items_.data(), other.items_.data(), kFew * sizeof(std::uint32_t));
+        for (std::size_t i = kFew; i < head_.count; ++i) items_[i] = other.items_[i];
         return *this;
     }
     void append(std::uint32_t interior)
     {
         if (head_.count < kCapacity) items_[head_.count++] = interior;
     }
-    void remove_first(std::uint32_t interior);
+    void remove_first(std::uint32_t interior)
+    {
+        std::uint32_t* const end = items_.data() + head_.count;
+        std::uint32_t* const found = std::find(items_.data(), end, interior);
+        if (found == end) return;
+        std::copy(found + 1, end, found);
+        --head_.count;
+    }
     void remove_last() { --head_.count; }
-    bool holds(std::uint32_t interior) const;
+    bool holds(std::uint32_t interior) const
+    {
+        for (std::size_t i = 0; i < head_.count; ++i)
+            if (items_[i] == interior) return true;
+        return false;
+    }
     bool empty() const { return head_.count == 0; }
     std::size_t size() const { return head_.count; }
     std::uint32_t last() const { return items_[head_.count - 1]; }
     std::uint32_t operator[](std::size_t i) const { return items_[i]; }
 
     /// Nothing solid around: fog shows.
-    bool all_hollow(const std::vector<plan::Interior>& interiors) const;
+    bool all_hollow(const std::vector<plan::Interior>& interiors) const
+    {
+        return head_.clouded == 0 && std::all_of(items_.data(), items_.data() + head_.count,
+                                                 [&](std::uint32_t i) { return interiors[i].hollow; });
+    }
     /// POV-Ray clears the list between the rays of a blurred position and forgets that they were inside something
     /// solid: a ray is taken to be so still, until it leaves something solid.
     void cloud() { head_.clouded = 1; }
     void uncloud() { head_.clouded = 0; }
 
 private:
-    static constexpr std::size_t kCapacity = 32;
-    std::array<std::uint32_t, kCapacity> items_;
+    static constexpr std::size_t kCapacity = 32, kFew = 4;
     struct Head {
         std::uint32_t count = 0, clouded = 0;
     } head_;  ///< one word
+    std::array<std::uint32_t, kCapacity> items_;
 };
 
 /// One ray with what it inherits.
@@ -57,10 +77,10 @@ struct RayState {
     plan::RayKind kind = plan::RayKind::Image;
     std::uint8_t root = 0;   ///< the ray of the tile that it stems from
     bool scattered = false;  ///< one of many off a rough mirror
-    InteriorList interiors;
-    float wavelength = 0;  ///< nm; 0: white
+    float wavelength = 0;    ///< nm; 0: white
     double stretch =
         1;  ///< length of POV-Ray's direction, which a normal not of length 1 has bent; refraction goes by it
+    InteriorList interiors;  ///< last: most of it is empty as a rule
 };
 
 }  // namespace trace

@@ -45,6 +45,12 @@ public:
     {
         return queued_ != nullptr ? queued_[k].state.ray : rays.ray(static_cast<int>(k));
     }
+    /// What segment k inherits, but for what has a function of its own: of a camera ray root, ray and interiors.
+    const RayState& inherited(std::size_t k) const { return queued_ != nullptr ? queued_[k].state : camera_; }
+    std::uint8_t root(std::size_t k) const
+    {
+        return queued_ != nullptr ? queued_[k].state.root : static_cast<std::uint8_t>(k);
+    }
     plan::RayKind kind(std::size_t k) const { return queued_ != nullptr ? queued_[k].state.kind : camera_.kind; }
     /// The ray with all that it inherits, until the next one is asked for.
     [[gnu::always_inline]] const RayState& state(std::size_t k) const

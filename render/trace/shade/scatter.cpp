@@ -2,6 +2,7 @@
 #include "render/texture/noise/noise.h"
 #include "render/trace/extensions/rough_mirror.h"
 #include "render/trace/air/interior_fade.h"
+#include "render/trace/queue/interface.h"
 #include "render/trace/shade/refraction.h"
 
 #include <algorithm>
@@ -9,42 +10,6 @@
 
 namespace trace {
 namespace {
-
-/// How an interface turns a ray (spec 3, 8.2): incoming over outgoing.
-struct Crossing {
-    double ratio = 1, dispersion = 1;
-    int samples = 0;  ///< of the spectrum, where there is dispersion
-};
-
-/// `out`: what the ray is inside of afterwards.
-[[gnu::always_inline]] inline Crossing cross(const Context& context, const InteriorList& list, std::uint32_t own,
-                                             InteriorList& out)
-{
-    const auto& interiors = context.scene.interiors;
-    const auto ior = [&](std::uint32_t i) { return static_cast<double>(interiors[i].ior); };
-    const auto dispersion = [&](std::uint32_t i) { return static_cast<double>(interiors[i].dispersion); };
-    const int samples = interiors[own].dispersion_samples;
-    out = list;
-    if (list.empty()) {
-        out.append(own);
-        return {1.0 / ior(own), 1.0 / dispersion(own), samples};
-    }
-    const std::uint32_t last = list.last();
-    if (!interiors[own].hollow && list.holds(own)) out.uncloud();
-    if (last == own) {
-        // Leaving the body entered last; remove_first would take an earlier entry of the same body.
-        out.remove_last();
-        if (out.empty()) return {ior(own), dispersion(own), samples};
-        return {ior(own) / ior(out.last()), dispersion(own) / dispersion(out.last()),
-                std::max(samples, interiors[out.last()].dispersion_samples)};
-    }
-    if (list.holds(own)) {
-        out.remove_first(own);
-        return {};
-    }
-    out.append(own);
-    return {ior(last) / ior(own), dispersion(last) / dispersion(own), samples};
-}
 
 /// The length of a direction as POV-Ray goes on with it: 1 but for normals that no_bump_scale leaves longer or shorter.
 double stretch_of(const glm::dvec3& direction)
@@ -88,18 +53,6 @@ double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& d
     return start_here(context, hit, direction);
 }
 
-double fresnel_index(const Context& context, const HitPlace& hit)
-{
-    const auto& interiors = context.scene.interiors;
-    const InteriorList& list = hit.state.interiors;
-    if (hit.surface.interior == plan::kNone) return 1.0;
-    const auto own = static_cast<double>(interiors[hit.surface.interior].ior);
-    if (list.empty()) return own;
-    const auto outer = static_cast<double>(interiors[list.last()].ior);
-    if (!list.holds(hit.surface.interior)) return own / outer;
-    return list.size() == 1 ? 1.0 / own : outer / own;
-}
-
 namespace {
 
 /// The mirrored ray, where it waits: a copy of what was just written in smaller pieces waits for all of them.
@@ -140,7 +93,8 @@ namespace {
 
     out.straight = true;
     out.total = false;
-    const Crossing crossing = cross(context, hit.state.interiors, hit.surface.interior, ray.interiors);
+    const Crossing crossing = crossing_of(context.scene.interiors, hit.state.interiors, hit.surface.interior);
+    cross(context.scene.interiors, hit.state.interiors, hit.surface.interior, crossing.way, ray.interiors);
     ray.ray = {hit.point, d};
     ray.weight = weight;
     ray.level = hit.level;
@@ -320,11 +274,10 @@ void find_mirror(const Context& context, const HitPlace& hit, const texture::Fin
     mirror.weight = 0.0f;
     mirror.finish = &finish;
     if (!finish.reflects()) return;
-    const double eta = finish.fresnel ? fresnel_index(context, hit) : 1.0;
+    const double eta =
+        finish.fresnel ? fresnel_index(context.scene.interiors, hit.state.interiors, hit.surface.interior) : 1.0;
     mirror.reflectivity = texture::reflectivity(finish, c, hit.state.ray.direction, normal, eta);
-    const float strength = finish.fresnel ? largest(mirror.reflectivity)
-                                          : std::max(largest(finish.reflection_max), largest(finish.reflection_min));
-    mirror.weight = hit.state.weight * residual * std::max(0.0f, strength);
+    mirror.weight = mirror_weight(hit.state.weight, residual, finish, mirror.reflectivity);
 }
 
 std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& stack, ColorSlot out)

@@ -54,32 +54,16 @@ void intersect(Context& context, const QueuedRay* queued, int count)
     context.world.nearest(rays, bit(queued[0].state.kind), context.scratch.geometry, scratch.segment_hits);
 }
 
-/// Makes one of the last batches while they are small: few rays make a poor beam.
-void join_small_batches(const Context& context, RayQueue& queue)
-{
-    constexpr std::size_t kSmall = 16;
-    const auto kind = [&](std::size_t batch) { return bit(queue.rays[queue.batches[batch]].state.kind); };
-    for (std::size_t last = queue.batches.size() - 1; last > 0; --last) {
-        if (queue.rays.size() - queue.batches[last] >= kSmall ||
-            queue.rays.size() - queue.batches[last - 1] > kTileRays)
-            return;
-        const std::uint8_t both = kind(last) | kind(last - 1);
-        if (kind(last) != kind(last - 1) && !context.world.seen_by_all(both)) return;
-        queue.batches.pop_back();
-    }
-}
-
 /// The batch of rays that waits last: traced and shaded, up to a tile of them.
 void shade_queued(Context& context, const RayState& camera)
 {
     ShadeScratch& scratch = context.scratch.shade;
     RayQueue& queue = scratch.queue;
-    join_small_batches(context, queue);
-    const std::size_t begin = queue.batches.back(), most = context.scene.options.grain_stream ? 1 : kTileRays;
-    const std::size_t count = std::min<std::size_t>(queue.rays.size() - begin, most), first = queue.rays.size() - count;
-    std::copy_n(queue.rays.begin() + static_cast<std::ptrdiff_t>(first), count, scratch.segments.begin());
-    queue.rays.erase(queue.rays.begin() + static_cast<std::ptrdiff_t>(first), queue.rays.end());
-    if (first == begin) queue.batches.pop_back();
+    const auto alike = [&](plan::RayKind a, plan::RayKind b) {
+        return a == b || context.world.seen_by_all(bit(a) | bit(b));
+    };
+    const std::size_t count =
+        queue.take(context.scene.options.grain_stream ? 1 : kTileRays, scratch.segments.data(), alike);
     intersect(context, scratch.segments.data(), static_cast<int>(count));
     shade(context, scratch.segment_rays, scratch.segment_hits, camera, nullptr, scratch.segments.data());
 }
@@ -94,7 +78,7 @@ void shade_tile(Context& context, const RayTile& rays, const HitTile& hits, cons
     RayQueue& queue = scratch.queue;
     queue.start(static_cast<std::size_t>(rays.count));
     shade(context, rays, hits, first, starts, nullptr);
-    for (queue.fold(); !queue.batches.empty(); queue.fold()) shade_queued(context, first);
+    for (queue.fold(); !queue.empty(); queue.fold()) shade_queued(context, first);
     std::copy_n(queue.colors.begin(), rays.count, out);
 }
 

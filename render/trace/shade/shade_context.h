@@ -177,6 +177,22 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);
 
+/// What the only layer of a texture lets through, in LayerStack::pass()'s order of operations.
+inline glm::vec3 layer_filter(const scene::Color& c, const texture::Finish& finish, const glm::vec3& reflectivity)
+{
+    const glm::vec3 filter = c.filter * c.rgb() + c.transmit;
+    return finish.conserve_energy ? filter * glm::min(glm::vec3(1.0f), 1.0f - reflectivity) : filter;
+}
+inline float residual_of(const glm::vec3& filter) { return std::min(1.0f, std::abs(scene::grey(filter))); }
+
+/// Weight of the ray off a mirror that reflects; residual: of the layers above.
+inline float mirror_weight(float weight, float residual, const texture::Finish& finish, const glm::vec3& reflectivity)
+{
+    const float strength = finish.fresnel ? largest(reflectivity)
+                                          : std::max(largest(finish.reflection_max), largest(finish.reflection_min));
+    return weight * residual * std::max(0.0f, strength);
+}
+
 /// What the layers of a texture leave to the rays that go on.
 struct LayerStack {
     explicit LayerStack(std::vector<Mirror>& reused) : mirrors(reused) { mirrors.clear(); }
@@ -191,7 +207,7 @@ struct LayerStack {
     {
         filter *= c.filter * c.rgb() + c.transmit;
         if (finish.conserve_energy) filter *= glm::min(glm::vec3(1.0f), 1.0f - reflectivity);
-        residual = std::min(1.0f, std::abs(scene::grey(filter)));
+        residual = residual_of(filter);
     }
 };
 
@@ -205,9 +221,6 @@ std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& s
 
 /// A mirrored colour as the finish wants it (spec 3, section 6).
 glm::vec3 raised(const scene::Color& c, float exponent);
-
-/// Relative index for a fresnel reflection (spec 3, 7.9).
-double fresnel_index(const Context& context, const HitPlace& hit);
 
 /// Iridescence of light from `l` (spec 3, 7.11).
 glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,

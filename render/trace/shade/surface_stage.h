@@ -5,6 +5,7 @@
 #include "render/trace/extensions/ink_lines.h"
 #include "render/trace/shade/prefetch_pigments.h"
 #include "render/trace/queue/segment_tile.h"
+#include "render/trace/shade/scatter_lanes.h"
 
 /// From the hits of a tile to rows of light, and to the rays that go on. Compiled once per instruction set.
 namespace trace {
@@ -36,7 +37,12 @@ public:
         if (layered_) finish_layers();
         if (scratch_.mapped_count != 0) look_up_maps();
         batch_.bend();
-        for_each_hit(tile_.found() & ~batch_.all_alone(), [this](std::size_t k) { go_on(k); });
+        LaneScatter together(context_, tile_, batch_);
+        if (context_.scene.textures.extensions.empty()) together.prepare(batch_.all() & ~batch_.all_alone());
+        for_each_hit(tile_.found() & ~batch_.all_alone(), [&](std::size_t k) {
+            if (together.ready(k)) together.send(k, slot(k));
+            else go_on(k);
+        });
     }
 
 private:
@@ -173,7 +179,7 @@ private:
             queue.colors[tile_.slot(k)] = has(dimmed_, k) ? scratch_.air[k](ink) : ink;
             return;
         }
-        const ColorSlot out = has(dimmed_, k) ? dim(queue, scratch_.air[k], tile_.slot(k)) : tile_.slot(k);
+        const ColorSlot out = slot(k);
         if (batch_.holds(k)) return go_on_single(tile_.place(k, state, met), k, out);
         HitContext hit = tile_.context(k, state, met);
         const HitDetails& details = tile_.details(k);
@@ -200,6 +206,12 @@ private:
         find_mirror(context_, hit, finish, c, normal, stack.residual, mirror);
         stack.pass(c, finish, mirror.reflectivity);
         batch_.close_node(k, 0, scatter(context_, hit, stack, out));
+    }
+
+    /// Where the colour of hit k is to come, without the air before it.
+    ColorSlot slot(std::size_t k)
+    {
+        return has(dimmed_, k) ? dim(scratch_.queue, scratch_.air[k], tile_.slot(k)) : tile_.slot(k);
     }
 
     /// A node for the air before the hit; the slot that it dims.

@@ -44,7 +44,9 @@ public:
                                   one_of({"sphere { 0,.9 ", "box { -.8,.8 ", "torus { .7,.25 ", "cone { -y,.9,y,.2 "}),
                               first = texture();
             const bool mapped = first.find("texture_map") != std::string::npos;  // nothing lies on top of it
-            out += solid + first + one_of({"", "interior { ior 1.2 caustics 1.7 } "});
+            out += solid + first +
+                   one_of({"", "interior { ior 1.2 caustics 1.7 } ",
+                           "interior { ior 1.6 fade_distance .8 fade_power 2 } "});
             if (!mapped)
                 out +=
                     one_of({"", "texture { pigment { agate color_map { [0 rgbt <.3,1,.6,.7>] [1 rgbt <1,1,1,.2>] } } " +
@@ -65,8 +67,10 @@ private:
         return "finish { ambient " + number(0, .2) + "diffuse " + number(0, 1) + "brilliance " +
                one_of({"1 ", "2.5 ", ".7 "}) + "phong " + one_of({"0 ", "1.2 ", ".4 "}) + "phong_size " +
                number(3, 90) + "specular " + one_of({"0 ", ".8 "}) + "roughness " + number(.003, .1) + "metallic " +
-               one_of({"0 ", "1 ", ".5 "}) + "reflection " + one_of({"0 ", ".3 "}) + "crand " +
-               one_of({"0 ", "0 ", ".2 "}) + "} ";
+               one_of({"0 ", "1 ", ".5 "}) + "reflection " +
+               one_of({"0 ", "0 ", ".3 ", "{ .1, .7 } ", "{ 0, .9 fresnel } conserve_energy ", "{ .6 metallic } ",
+                       "{ .1, .5 falloff 2 } "}) +
+               "crand " + one_of({"0 ", "0 ", ".2 "}) + "} ";
     }
     /// One of layers, or a map of such, or a map of maps.
     std::string texture(int depth = 2)
