@@ -115,8 +115,11 @@ private:
     void together(std::uint32_t index, RayMask mask) const
     {
         const WorldItem& item = world.items[index];
-        const RayBatch& batch =
-            told_of(world.store.all<Freeform>()[index_of(item.solid)], mask, query.first_only(item));
+        const bool first_only = query.first_only(item);
+        const std::uint32_t at = index_of(item.solid);
+        const RayBatch& batch = kind_of(item.solid) == SolidKind::Extrusion
+                                    ? told_of(world.store.all<Extrusion>()[at], mask, first_only)
+                                    : told_of(world.store.all<Freeform>()[at], mask, first_only);
         for (std::size_t k = 0; k < batch.count; ++k) query.record(index, batch.place[k], batch.records[k]);
     }
 
@@ -140,7 +143,8 @@ private:
         known.clear();
     }
 
-    const RayBatch& told_of(const Freeform& solid, RayMask asked, bool first_only) const
+    template <class Solid>
+    const RayBatch& told_of(const Solid& solid, RayMask asked, bool first_only) const
     {
         RayBatch& batch = query.scratch().batch();
         each_ray(asked, [&](std::size_t k) {

@@ -9,6 +9,8 @@
 
 namespace csg {
 
+struct RayBatch;
+
 /// A plane region swept along local z from `low` to `high`: text, linear prisms (spec 5b, 6 and 11). It holds its
 /// surface, its inverse does not. Faces: 0 at low, 1 at high, 2 + piece of the outline.
 struct Extrusion {
@@ -47,30 +49,18 @@ struct Extrusion {
         if (!slab(o.z, d.z, low, high, within)) return;
         const double nearest = glm::max(within.entry, from), farthest = glm::min(within.exit, to);
         if (nearest > farthest) return;
-        const std::uint32_t first = within.entry_face == 0 ? end_face(kLow) : end_face(kHigh);
-        const std::uint32_t last = within.exit_face == 0 ? end_face(kLow) : end_face(kHigh);
         const glm::dvec2 start(o.x, o.y), along(d.x, d.y);
         if (along == glm::dvec2(0.0)) {
-            if (shape->contains(start)) f(within.entry, first, within.exit, last);
+            if (shape->contains(start))
+                f(within.entry, end_face(within.entry_face), within.exit, end_face(within.exit_face));
             return;
         }
         Walls walls;
         meet_walls(start, along, nearest, farthest, first_only, walls);
-        const auto tell = [&](const Wall& a, const Wall& b) {
-            if (b.t < within.entry || a.t > within.exit) return;
-            const bool entered = a.t < within.entry;
-            const bool left = b.t > within.exit;
-            f(entered ? within.entry : a.t, entered ? first : a.face, left ? within.exit : b.t, left ? last : b.face);
-        };
-        bool inside = walls.odd_before;
-        Wall in{-kInfinity, kUndrawnFace};
-        for (std::size_t i = 0; i < walls.count; ++i, inside = !inside) {
-            const Wall& wall = walls.walls[i];
-            if (inside) tell(in, wall);
-            in = wall;
-        }
-        if (inside) tell(in, {kInfinity, kUndrawnFace});
+        tell(within, walls, walls.odd_before, f);
     }
+    /// each_span() of the rays of a batch, as the spans of their records. A record of the nearest end may hold others.
+    void intersect_many(RayBatch& batch) const;
 
     bool contains(const glm::dvec3& p) const
     {
@@ -95,6 +85,7 @@ struct Extrusion {
     static constexpr bool kClosed = true, kInverseClosed = false;
 
 private:
+    class Lanes;
     struct Wall {
         double t;
         std::uint32_t face;
@@ -105,9 +96,32 @@ private:
         bool odd_before;
         std::size_t count;
         std::array<Wall, kMostWalls> walls;  // filled as far as the count says
+
+        const Wall* begin() const { return walls.data(); }
+        const Wall* end() const { return walls.data() + count; }
     };
 
     std::uint32_t end_face(std::uint32_t face) const { return open ? kUndrawnFace : face; }
+
+    /// f() of the pieces within both ends between walls. `inside`: before all of them.
+    template <class SomeWalls, class F>
+    void tell(const Interval& within, const SomeWalls& walls, bool inside, F&& f) const
+    {
+        static_assert(kLow == 0 && kHigh == 1, "slab() counts its faces so");
+        const std::uint32_t first = end_face(within.entry_face), last = end_face(within.exit_face);
+        Wall in{-kInfinity, kUndrawnFace};
+        const auto piece = [&](double until, std::uint32_t face) {
+            if (until < within.entry || in.t > within.exit) return;
+            const bool entered = in.t<within.entry, left = until> within.exit;
+            f(entered ? within.entry : in.t, entered ? first : in.face, left ? within.exit : until, left ? last : face);
+        };
+        for (const auto& wall : walls) {
+            if (inside) piece(wall.t, wall.face);
+            in = {wall.t, wall.face};
+            inside = !inside;
+        }
+        if (inside) piece(kInfinity, kUndrawnFace);
+    }
 
     /// Those in [nearest, farthest], beyond it maybe some.
     void meet_walls(const glm::dvec2& from, const glm::dvec2& along, double nearest, double farthest, bool first_only,

@@ -68,7 +68,7 @@ bool many(const WorldData& world, const WorldItem& item)
                world.store.all<Freeform>()[index_of(part)].intersects_many();
     };
     if (item.instance != Hit::kNoInstance) return false;
-    if (item.solid != kNoPart) return solid(item.solid);
+    if (item.solid != kNoPart) return solid(item.solid) || kind_of(item.solid) == SolidKind::Extrusion;
     const auto& nodes = world.programs[item.program].nodes;
     return std::any_of(nodes.begin(), nodes.end(),
                        [&](const Node& node) { return node.op == Op::Leaf && solid(node.solid); });
@@ -143,7 +143,8 @@ void WorldData::finish()
         item.boolean = item.solid == kNoPart && item.instance == Hit::kNoInstance && !item.simple &&
                        programs[item.program].boolean.in_lanes;
         item.many = many(*this, item);
-        costly = costly || item.many;
+        const bool weighs = item.many && (item.solid == kNoPart || kind_of(item.solid) == SolidKind::Freeform);
+        costly = costly || weighs;
         visible_everywhere &= item.visible;
         if (item.guard != WorldItem::kNoGuard) {
             guards[item.guard].shadows_pass &= item.all_opaque;
@@ -151,7 +152,7 @@ void WorldData::finish()
         }
         const Aabb box = drawn_bounds(*this, item);
         if (box.empty() && drop_empty) continue;
-        if (item.many) costly_bounds.include(box);
+        if (weighs) costly_bounds.include(box);
         if (fits(box)) inputs.push_back({box, leaf_kind(item), i, item.visible});
         else unbounded.push_back(i);
     }

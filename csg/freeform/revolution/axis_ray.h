@@ -13,6 +13,8 @@ namespace csg {
 /// beyond(r, y) = rise^2 (r^2 - nearest^2) - run^2 (y - foot)^2 > 0, and the ray meets the circle where that is 0.
 /// Level and upright rays are no special cases of it: neither rise nor run is divided by.
 class AxisRay {
+    friend class AxisRays;
+
 public:
     explicit AxisRay(const Ray& ray)
     {

@@ -4,6 +4,7 @@
 #include "csg/freeform/intersection_list.h"
 #include "csg/solids/shared/outline_shape.h"
 
+#include <span>
 #include <vector>
 
 namespace csg {
@@ -19,6 +20,8 @@ public:
     Lathe(const std::vector<OutlinePiece>& segments, const Aabb& extent, double least_radius);
 
     void intersect(const Ray& ray, IntersectionList& out) const;
+    bool intersects_many() const;
+    void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
@@ -57,6 +60,7 @@ private:
 
     class Sweep;
     class Meeting;
+    class Tile;
 
     void add_segment(const OutlinePiece& piece, std::uint32_t segment);
     Reach reach_of(std::size_t first, std::size_t last) const;

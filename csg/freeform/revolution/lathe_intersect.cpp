@@ -1,9 +1,8 @@
+#include "csg/freeform/revolution/lathe_limits.h"
 #include "csg/freeform/revolution/lathe_point.h"
 #include "csg/freeform/revolution/lathe_reach.h"
-#include "csg/freeform/sorted_ends.h"
+#include "csg/freeform/revolution/lathe_told.h"
 #include "csg/roots/safeguarded_newton.h"
-
-#include <array>
 
 namespace csg {
 
@@ -15,15 +14,10 @@ public:
         : foot_(ray.foot), rise_(ray.rise), run_(ray.run), nearest_(ray.nearest), by_range_(first_only && !ray.level())
     {
         if (!by_range_) return;
-        // The heights of the range, a little more: an arc passed there is none of rounding.
-        const double earliest = ray.sooner(from), latest = ray.later(to),
-                     room = kRoom * (std::abs(ray.foot) + ray.nearest);
-        const double below = ray.height_at(earliest), over = ray.height_at(latest);
-        const auto wider = [&](double height, double sign) {
-            return height + sign * (room + kRoom * std::abs(height));
-        };
-        low_ = Double(wider(glm::min(below, over), -1.0));
-        high_ = Double(wider(glm::max(below, over), 1.0));
+        double low = 0.0, high = 0.0;
+        lathe_heights(ray, from, to, low, high);
+        low_ = Double(low);
+        high_ = Double(high);
     }
 
     std::uint32_t misses(const Reaches& reach, int at) const
@@ -39,8 +33,6 @@ public:
 
 private:
     using Double = lanes::Double;
-    static constexpr double kRoom = 1e-9;
-
     /// AxisRay::beyond() in lanes.
     Double beyond(const Double& r, const Double& above) const
     {
@@ -55,67 +47,36 @@ private:
 /// One ray through a lathe.
 class Lathe::Meeting {
 public:
-    Meeting(const Lathe& lathe, const Ray& ray, const IntersectionList& wanted)
-        : lathe_(lathe), ray_(ray), from_(wanted.from), best_{wanted.to, kUndrawnFace}, first_only_(wanted.first_only)
-    {}
+    Meeting(const Lathe& lathe, const Ray& ray, const IntersectionList& wanted) : lathe_(lathe), ray_(ray)
+    {
+        told_.begin(wanted);
+    }
 
     void find()
     {
         if (!ray_.valid()) return;
-        const Sweep sweep(ray_, from_, best_.t, first_only_);
+        const Sweep sweep(ray_, told_.from(), told_.to(), told_.first_only());
         lathe_.each_near(sweep, [&](std::size_t arc) { meet_arc(static_cast<std::uint32_t>(arc)); });
-        for (std::uint32_t i = 0; i < waiting_count_; ++i) resolve(waiting_[i]);
-        if (ray_.level() || first_only_) return;
+        told_.resolve_waiting([&](const Waiting& one) { resolve(one); });
+        if (ray_.level() || told_.first_only()) return;
         for (const glm::dvec2& rim : lathe_.rims_)
-            if (ray_.beyond(rim.x, rim.y - ray_.foot) > 0.0) add(ray_.at_height(rim.y), kUndrawnFace);
+            if (ray_.beyond(rim.x, rim.y - ray_.foot) > 0.0) told_.add(ray_.at_height(rim.y), kUndrawnFace);
     }
 
     void tell(IntersectionList& out) const
     {
-        if (first_only_) {  // whether it leads in or out does not matter
-            out.touch(best_.t, best_.face);
-            return;
-        }
-        double from = kInfinity, to = kInfinity;  // what the hole takes away
-        if (lathe_.hole_ > 0.0 && ray_.valid()) ray_.within(lathe_.hole_, from, to);
-        const Event* in = nullptr;
-        for (const Event& event : events_) {
-            if (event.face != kUndrawnFace && lathe_.arcs_[event.face].negative) {
-                out.touch(event.t, event.face);
-            } else if (in == nullptr) {
-                in = &event;
-            } else {
-                if (!span(*in, event, from, to, out)) return;
-                in = nullptr;
-            }
-        }
+        if (told_.first_only()) return told_.tell_nearest(out);
+        const auto is_negative = [&](std::uint32_t face) { return lathe_.arcs_[face].negative; };
+        told_.tell(ray_, lathe_.hole_, is_negative, out);
     }
 
 private:
-    using Event = SortedEnds::End;
-
     /// A crossing between two points of an arc that is still to be found, no nearer than `nearest`.
     struct Waiting {
         double nearest, side;
         std::uint32_t face;
         LathePoint start, end;
     };
-
-    /// False: no more is wanted.
-    static bool span(const Event& in, const Event& end, double from, double to, IntersectionList& out)
-    {
-        const auto push = [&](const Event& a, const Event& b) {
-            return !(a.t <= b.t) || (out.enter(a.t, a.face) && out.leave(b.t, b.face));
-        };
-        if (!(from < end.t && to > in.t)) return push(in, end);
-        return (from <= in.t || push(in, {from, kUndrawnFace})) && (to >= end.t || push({to, kUndrawnFace}, end));
-    }
-
-    void add(double t, std::uint32_t face)
-    {
-        if (!first_only_) events_.add(t, face);
-        else if (t >= from_ && t <= best_.t && t < kInfinity) best_ = {t, face};
-    }
 
     LathePoint point(const Arc& arc, double w, double radius, double height, double above) const
     {
@@ -130,18 +91,12 @@ private:
     /// any: CSG goes on from them.
     void add_between(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
     {
-        if (!first_only_) return add_at(arc, refined(arc, start, end), side);
+        if (!told_.first_only()) return add_at(arc, refined(arc, start, end), side);
         const auto [least, most] = ray_.between(start.radius, start.height, end.radius, end.height, side);
-        if (most < from_ || least > best_.t) return;
-        const Waiting one{least, side, face_, start, end};
-        if (waiting_count_ == kMostWaiting) return resolve(one);
-        std::uint32_t at = waiting_count_++;
-        for (; at > 0 && waiting_[at - 1].nearest > one.nearest; --at) waiting_[at] = waiting_[at - 1];
-        waiting_[at] = one;
+        told_.wait({least, side, face_, start, end}, most, [&](const Waiting& one) { resolve(one); });
     }
     void resolve(const Waiting& one)
     {
-        if (one.nearest > best_.t) return;
         const Arc& arc = lathe_.arcs_[one.face];
         face_ = one.face;
         add_at(arc, refined(arc, one.start, one.end), one.side);
@@ -149,7 +104,7 @@ private:
     void add_at(const Arc& arc, double w, double side)
     {
         const glm::dvec2 p = arc.at(w);
-        add(ray_.polished(ray_.at(p.x, p.y, side), p, arc.slope(w)), face_);
+        told_.add(ray_.polished(ray_.at(p.x, p.y, side), p, arc.slope(w)), face_);
     }
 
     void meet_arc(std::uint32_t index)
@@ -162,8 +117,8 @@ private:
             if (!passes) return;
             const double radius = arc.at(level_parameter(arc, above_start, above_end)).x;
             if (!(std::abs(radius) > ray_.nearest)) return;
-            add(ray_.at(radius, ray_.foot, -1.0), index);
-            add(ray_.at(radius, ray_.foot, 1.0), index);
+            told_.add(ray_.at(radius, ray_.foot, -1.0), index);
+            told_.add(ray_.at(radius, ray_.foot, 1.0), index);
             return;
         }
         const LathePoint start = point(arc.start_slope, arc.lo, arc.start.x, arc.start.y, above_start);
@@ -187,7 +142,7 @@ private:
         if (arc.straight) {
             meet_line(arc, start, end, side);
         } else {
-            cells_left_ = kMostCells;
+            cells_left_ = LatheLimits::kMostCells;
             meet_curve(arc, start, end, side);
         }
     }
@@ -296,23 +251,13 @@ private:
         return safeguarded_newton(at, lo, hi, !start.out(), w, {kClose, 0.0}, 80);
     }
 
-    // Of the parameter, 0 to 1 along a segment: the step that is this small has squared the error before it.
-    static constexpr double kClose = 1e-12;
-    static constexpr double kNarrow = 1e-9;  // the same: what turns twice within that is a tangent
-    static constexpr int kMostCells = 400;   // a tangent takes some 60; more are rounding alone
-
-    static constexpr std::uint32_t kMostWaiting = 8;
+    static constexpr double kClose = LatheLimits::kClose, kNarrow = LatheLimits::kNarrow;
 
     const Lathe& lathe_;
     const AxisRay ray_;
-    const double from_;
-    Event best_;  // of all so far, if one is enough
-    const bool first_only_;
     std::uint32_t face_ = 0;
     int cells_left_ = 0;
-    std::uint32_t waiting_count_ = 0;
-    SortedEnds events_;
-    std::array<Waiting, kMostWaiting> waiting_;
+    LatheTold<Waiting> told_;
 };
 
 void Lathe::intersect(const Ray& ray, IntersectionList& out) const

@@ -1,4 +1,4 @@
-#include "csg/freeform/sweep/conic_prism.h"
+#include "csg/freeform/sweep/conic_prism_walls.h"
 
 #include "csg/freeform/sorted_ends.h"
 #include "csg/solids/shared/outline_crossings.h"
@@ -8,9 +8,6 @@ namespace csg {
 namespace {
 
 constexpr double kApex = 1e-10;  // a height that POV-Ray takes for the apex's (spec 5b, 6.5)
-
-/// An end of a range, farther off by more than ends that count as one differ.
-double widened(double end, double sign) { return end + sign * 1e-9 * std::abs(end); }
 
 }  // namespace
 
@@ -38,19 +35,19 @@ void ConicPrism::intersect(const Ray& ray, IntersectionList& out) const
     const glm::dvec3 o = ray.at(shift);  // near the apex
     Interval within;
     if (!slab(o.y, d.y, low_, high_, within)) return;
-    const std::uint32_t first = end_face(within.entry_face == 0 ? kLow : kHigh),
-                        last = end_face(within.exit_face == 0 ? kLow : kHigh);
     const glm::dvec3 normal = glm::cross(o, d);
     const glm::dvec2 side(normal.x, normal.z);
     if (side == glm::dvec2(0.0)) {
         if (d.y == 0.0 || !outline_->contains({d.x / d.y, d.z / d.y})) return;
-        if (out.enter(shift + within.entry, first)) out.leave(shift + within.exit, last);
+        if (out.enter(shift + within.entry, end_face(within.entry_face)))
+            out.leave(shift + within.exit, end_face(within.exit_face));
         return;
     }
     const double apex = -o.y / d.y;  // where the ray is level with it; never, if the ray is level
     // The stretch of that straight line that is asked for: one piece of it, unless the prism reaches to both sides of
     // the apex.
     const bool rises = d.y != 0.0, one_sided = low_ > 0.0 || high_ < 0.0 || (rises && (low_ == 0.0 || high_ == 0.0));
+    const auto widened = [](double end, double sign) { return end + sign * kWider * std::abs(end); };
     const double nearest = glm::max(within.entry, widened(out.from, -1.0) - shift),
                  farthest = glm::min(within.exit, widened(out.to, 1.0) - shift);
     if (nearest > farthest) return;
@@ -79,20 +76,7 @@ void ConicPrism::intersect(const Ray& ray, IntersectionList& out) const
             line.hi = std::min(line.hi, farthest_along(line, o, d, t, 1.0));
     });
     inside = inside != odd;
-    const auto tell = [&](const SortedEnds::End& a, const SortedEnds::End& b) {
-        if (b.t < within.entry || a.t > within.exit || !(a.t <= b.t)) return true;
-        const bool entered = a.t < within.entry;
-        const bool left = b.t > within.exit;
-        return out.enter(shift + (entered ? within.entry : a.t), entered ? first : a.face) &&
-               out.leave(shift + (left ? within.exit : b.t), left ? last : b.face);
-    };
-    SortedEnds::End in{-kInfinity, kUndrawnFace};
-    for (const SortedEnds::End& wall : walls) {
-        if (inside && !tell(in, wall)) return;
-        in = wall;
-        inside = !inside;
-    }
-    if (inside) tell(in, {kInfinity, kUndrawnFace});
+    tell({shift, within}, walls, inside, out);
 }
 
 /// How far along the line the ray is at t, a little more in the direction of `sign`: times `sign`. Infinite where it is

@@ -4,6 +4,7 @@
 #include "csg/solids/shared/outline_shape.h"
 
 #include <memory>
+#include <span>
 
 namespace csg {
 
@@ -19,6 +20,8 @@ public:
                const glm::dvec2 (&reach)[2]);
 
     void intersect(const Ray& ray, IntersectionList& out) const;
+    static bool intersects_many() { return true; }
+    void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
     Aabb bounds() const { return outline_->empty() ? Aabb{} : box(outline_->lower(), outline_->upper()); }
@@ -29,11 +32,22 @@ public:
 
 private:
     static constexpr std::uint32_t kLow = 0, kHigh = 1, kFirstWall = 2;
+    static constexpr double kWider = 1e-9;  // of an end of a range: more than ends that count as one differ
+
+    class Lanes;
+    /// A ray's way between the heights of both ends, from the point of it nearest to the apex on.
+    struct Course {
+        double shift;  ///< from there to the given ray's parameter
+        Interval within;
+    };
 
     Aabb box(const glm::dvec2& lower, const glm::dvec2& upper) const;
     double farthest_along(const OutlineLine& line, const glm::dvec3& o, const glm::dvec3& d, double t,
                           double sign) const;
     std::uint32_t end_face(std::uint32_t face) const { return open_ ? kUndrawnFace : face; }
+    /// The pieces of the ray between walls, told in order. `inside`: before all of them.
+    template <class Walls>
+    void tell(const Course& course, const Walls& walls, bool inside, IntersectionList& out) const;
 
     std::shared_ptr<const OutlineShape> outline_;
     double low_, high_;

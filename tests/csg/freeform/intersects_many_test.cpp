@@ -1,96 +1,21 @@
 #include "csg/freeform/freeform.h"
 #include "csg/roots/lane_power.h"
 #include "csg/solids/freeform.h"
-#include "tests/csg/support.h"
+#include "tests/csg/freeform/many_rays.h"
 
 #include <catch2/catch.hpp>
 
-#include <cstring>
 #include <memory>
 
 using namespace csg;
+using csg_test::check_many;
 using csg_test::Rng;
+using csg_test::runs_here;
+using csg_test::same_number;
 using csg_test::share;
+using csg_test::Told;
 
 namespace {
-
-bool same_number(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
-struct Told {
-    std::vector<double> t;
-    std::vector<std::uint32_t> face;
-
-    explicit Told(const IntersectionList& record)
-    {
-        record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
-            add(in, in_face);
-            add(out, out_face);
-        });
-        record.each_touching([&](double at, std::uint32_t of) { add(at, of); });
-    }
-
-private:
-    void add(double at, std::uint32_t of)
-    {
-        t.push_back(at);
-        face.push_back(of);
-    }
-};
-
-/// Rays from outside, from inside and from far away, some along axes, some with a direction of another length.
-Ray ray_to(Rng& rng, double size)
-{
-    const double away[] = {0.5, 3.0, 3.0, 20.0, 1e7};
-    Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), size, away[rng.below(5)] * size);
-    if (rng.below(6) == 0) {
-        const int axis = rng.below(3);
-        ray.origin = rng.point(size);
-        ray.origin[axis] = -3.0 * size;
-        ray.direction = glm::dvec3(0.0);
-        ray.direction[axis] = 1.0;
-    }
-    if (rng.below(4) == 0) ray.direction *= rng.uniform(0.01, 100.0);
-    return ray;
-}
-
-/// Batches of 1 to 64 rays are told what each of them is told alone, for the nearest end and for all. Returns how many
-/// ends were told.
-template <class Shape>
-int check_many(const Shape& shape, double size, std::uint32_t seed)
-{
-    static_assert(IntersectsMany<Shape>);
-    REQUIRE(shape.intersects_many());
-    Rng rng(seed);
-    const auto batch = std::make_unique<RayBatch>();
-    const int count = rng.below(4) == 0 ? 1 + rng.below(4) : 1 + rng.below(kTileRays);
-    const bool first_only = rng.coin();
-    for (int k = 0; k < count; ++k) {
-        const Ray ray = rng.below(40) == 0 ? csg_test::hostile_ray(rng) : ray_to(rng, size);
-        const double length = glm::length(ray.direction),
-                     from = rng.coin() ? 0.0 : rng.uniform(-2.0, 4.0) * size / length;
-        const double to = rng.coin() ? kInfinity : from + rng.uniform(0.0, 5.0) * size / length;
-        batch->add(ray, static_cast<std::size_t>(k), from, to, first_only);
-    }
-    shape.intersect_many(batch->asked(), batch->records.data());
-    int ends = 0;
-    for (std::size_t k = 0; k < batch->count; ++k) {
-        const IntersectionList& asked = batch->records[k];
-        IntersectionList alone(asked.from, asked.to, asked.first_only);
-        shape.intersect(batch->rays[k], alone);
-        const Told many(asked), one(alone);
-        const Ray& ray = batch->rays[k];
-        INFO("seed " << seed << ", ray " << k << " of " << count << ": origin " << ray.origin.x << ' ' << ray.origin.y
-                     << ' ' << ray.origin.z << ", direction " << ray.direction.x << ' ' << ray.direction.y << ' '
-                     << ray.direction.z << ", from " << asked.from << " to " << asked.to << ", first " << first_only);
-        REQUIRE(many.face == one.face);
-        for (std::size_t i = 0; i < one.t.size(); ++i) {
-            INFO("end " << i << ": " << many.t[i] << ", alone " << one.t[i]);
-            REQUIRE(same_number(many.t[i], one.t[i]));
-        }
-        ends += static_cast<int>(one.t.size());
-    }
-    return ends;
-}
 
 /// Waves about a sphere; what it is at points is all that is known.
 struct Waves final : Field {
@@ -108,18 +33,6 @@ struct Waves final : Field {
     }
     bool ranged() const override { return false; }
 };
-
-/// Whether this machine can run what the file is compiled for.
-bool runs_here()
-{
-#if defined(__AVX512F__)
-    return __builtin_cpu_supports("avx512f") != 0;
-#elif defined(__AVX2__)
-    return __builtin_cpu_supports("avx2") != 0;
-#else
-    return true;
-#endif
-}
 
 }  // namespace
 

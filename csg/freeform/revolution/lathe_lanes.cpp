@@ -1,0 +1,382 @@
+#include "csg/freeform/revolution/lathe.h"
+#include "csg/freeform/revolution/lathe_lane_ranges.h"
+#include "csg/freeform/revolution/lathe_limits.h"
+#include "csg/freeform/revolution/lathe_told.h"
+#include "csg/roots/lane_newton.h"
+
+#include <bit>
+
+namespace csg {
+
+/// Lathe::intersect() of as many rays as there are lanes: every number comes from the same operations in the same
+/// order. What is done for some lanes of a vector only is told by masks.
+class Lathe::Tile : private LatheLanes {
+public:
+    static constexpr std::size_t kWide = AxisRays::kWide;
+
+    /// Of the rays from `at` on.
+    Tile(const Lathe& lathe, const LocalRays& local, std::size_t at, std::span<const Ray> rays, IntersectionList* out)
+        : lathe_(lathe), rays_(rays), out_(out), ray_(local.at(at))
+    {
+        const Mask known = lanes::mask(ray_.valid()) & ((1u << rays.size()) - 1u), level = lanes::mask(ray_.level());
+        asked_ = known & ~level;
+        alignas(64) Numbers from, to;
+        from.fill(-kInfinity);
+        to.fill(kInfinity);
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+            if ((known & level & (1u << k)) != 0) lathe.intersect(rays[k], out[k]);
+            told_[k].begin(out[k]);
+            if (out[k].first_only) from[k] = out[k].from, to[k] = out[k].to;
+        }
+        ray_.heights(Double::load_aligned(from.data()), Double::load_aligned(to.data()), LatheLimits::kRoom, low_,
+                     high_);
+    }
+
+    void run()
+    {
+        if (asked_ == 0) return;
+        for (std::size_t b = 0; b < lathe_.reaches_.size(); ++b) {
+            Mask near = asked_;
+            if (!lathe_.groups_.empty()) near &= ~misses(lathe_.groups_[b / Reaches::kArcs], b % Reaches::kArcs);
+            const std::size_t first = b * Reaches::kArcs, most = std::min(Reaches::kArcs, lathe_.arcs_.size() - first);
+            for (std::size_t i = 0; i < most && near != 0; ++i)
+                if (const Mask met = near & ~misses(lathe_.reaches_[b], i); met != 0)
+                    meet_arc(static_cast<std::uint32_t>(first + i), met);
+        }
+        find_roots();
+        for (Mask left = asked_; left != 0; left &= left - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(left));
+            Told& told = told_[k];
+            told.resolve_waiting([&](const Waiting& one) { told.add(one.t, one.face); });
+            if (told.first_only()) {
+                told.tell_nearest(out_[k]);
+                continue;
+            }
+            const AxisRay ray(rays_[k]);
+            for (const glm::dvec2& rim : lathe_.rims_)
+                if (ray.beyond(rim.x, rim.y - ray.foot) > 0.0) told.add(ray.at_height(rim.y), kUndrawnFace);
+            const auto is_negative = [&](std::uint32_t face) { return lathe_.arcs_[face].negative; };
+            told.tell(ray, lathe_.hole_, is_negative, out_[k]);
+        }
+    }
+
+private:
+    using Mask = AxisRays::Mask;
+    using Numbers = std::array<double, kWide>;
+    /// A crossing that has been worked out, but for other rays' sake.
+    struct Waiting {
+        double nearest, t;
+        std::uint32_t face;
+    };
+    using Told = LatheTold<Waiting>;
+    struct Place {
+        Double x, y;
+    };
+    /// LathePoint.
+    struct Point {
+        Double w, radius, height, above, slope_radius, slope_above, beyond;
+        Bool out() const { return beyond > Double(0.0); }
+    };
+    static Point chosen(const Bool& which, const Point& a, const Point& b)
+    {
+        return {pick(which, a.w, b.w),
+                pick(which, a.radius, b.radius),
+                pick(which, a.height, b.height),
+                pick(which, a.above, b.above),
+                pick(which, a.slope_radius, b.slope_radius),
+                pick(which, a.slope_above, b.slope_above),
+                pick(which, a.beyond, b.beyond)};
+    }
+    static Place at(const Arc& arc, const Double& w)
+    {
+        const auto of = [&](int k) {
+            return ((Double(arc.a[k]) * w + Double(arc.b[k])) * w + Double(arc.c[k])) * w + Double(arc.d[k]);
+        };
+        return {of(0), of(1)};
+    }
+    static Place slope(const Arc& arc, const Double& w)
+    {
+        const auto of = [&](int k) {
+            return (Double(3.0 * arc.a[k]) * w + Double(2.0 * arc.b[k])) * w + Double(arc.c[k]);
+        };
+        return {of(0), of(1)};
+    }
+
+    /// Lathe::Sweep::misses() of one of eight.
+    Mask misses(const Reaches& reach, std::size_t k) const
+    {
+        const Double low(reach.low[k]), high(reach.high[k]), zero(0.0);
+        const Double below = low - ray_.foot, over = high - ray_.foot;
+        const Double least = xsimd::max(zero, xsimd::max(below, zero - over)), most = xsimd::max(zero - below, over);
+        return lanes::mask((ray_.beyond(Double(reach.farthest[k]), least) < zero) |
+                           (ray_.beyond(Double(reach.nearest[k]), most) > zero) | (high < low_) | (low > high_));
+    }
+
+    Point point(const Place& slope, const Double& w, const Double& radius, const Double& height,
+                const Double& above) const
+    {
+        return {w, radius, height, above, slope.x, slope.y, ray_.beyond(radius, above)};
+    }
+
+    /// Lathe::Meeting::meet_arc().
+    void meet_arc(std::uint32_t index, Mask asked)
+    {
+        const Arc& arc = lathe_.arcs_[index];
+        face_ = index;
+        const Double start_y(arc.start.y), end_y(arc.end.y), above_start = start_y - ray_.foot,
+                                                             above_end = end_y - ray_.foot;
+        const Point start = point({Double(arc.start_slope.x), Double(arc.start_slope.y)}, Double(arc.lo),
+                                  Double(arc.start.x), start_y, above_start),
+                    end = point({Double(arc.end_slope.x), Double(arc.end_slope.y)}, Double(arc.hi), Double(arc.end.x),
+                                end_y, above_end);
+        const Bool passing = differ(negative(above_start), negative(above_end));
+        const Mask passes = asked & lanes::mask(passing);
+        if (passes == 0) {
+            meet_cell(arc, start, end, negative(above_start + above_end), asked);
+            return;
+        }
+        const Double w = level_parameter(arc, above_start, above_end, passes);
+        const Double nearer(glm::min(arc.start.x, arc.end.x)), farther(glm::max(arc.start.x, arc.end.x));
+        const Double radius = smaller(larger(at(arc, w).x, nearer), farther);
+        const Point foot = point(slope(arc, w), w, radius, ray_.foot, Double(0.0));
+        const Bool from_below = negative(above_start);
+        meet_cell(arc, start, chosen(passing, foot, end),
+                  (passing & from_below) | ((!passing) & negative(above_start + above_end)), asked);
+        meet_cell(arc, foot, end, !from_below, passes);
+    }
+
+    void meet_cell(const Arc& arc, const Point& start, const Point& end, const Bool& below, Mask asked)
+    {
+        if (arc.straight) {
+            meet_line(arc, start, end, below, asked);
+        } else {
+            cells_left_ = Double(LatheLimits::kMostCells);
+            meet_curve(arc, start, end, below, asked);
+        }
+    }
+
+    Double level_parameter(const Arc& arc, const Double& above_start, const Double& above_end, Mask asked) const
+    {
+        const Double lo(arc.lo), hi(arc.hi);
+        const Double w = lo + (hi - lo) * (above_start / (above_start - above_end));
+        if (arc.straight) return w;
+        const auto level = [&](const Double& v) {
+            return lanes::ValuesAndSlopes{at(arc, v).y - ray_.foot, slope(arc, v).y};
+        };
+        lanes::Newton newton{lo, hi, w, negative(above_start)};
+        for (int step = 0; step < 60 && asked != 0; ++step) newton.step(level(newton.t), LatheLimits::kClose, asked);
+        return newton.t;
+    }
+
+    void meet_line(const Arc& arc, const Point& start, const Point& end, const Bool& below, Mask asked)
+    {
+        const Double r(arc.d.x), u = Double(arc.d.y) - ray_.foot, dr(arc.c.x), du(arc.c.y), zero(0.0);
+        const Double rise2 = ray_.rise * ray_.rise, run2 = ray_.run * ray_.run;
+        const Double a = rise2 * dr * dr - run2 * du * du, b = rise2 * r * dr - run2 * u * du, c = ray_.beyond(r, u);
+        const Double cross = ray_.run * (r * du - u * dr),
+                     discriminant = rise2 * (cross * cross + ray_.nearest * ray_.nearest * a);
+        const Bool out = start.out(), changing = differ(out, end.out()), turned = differ(out, a > zero);
+        const Mask changes = asked & lanes::mask(changing);
+        Mask twice = asked & ~changes & lanes::mask((discriminant > zero) & (!turned));
+        if ((changes | twice) == 0) return;
+        const Double root = xsimd::sqrt(larger(discriminant, zero));
+        const Double q = negated(b + (xsimd::abs(root) | (b & Double(-0.0))));
+        const Double one = q / a, other = pick(q != zero, c / q, zero);
+        const Double first = smaller(one, other), last = larger(one, other);
+        twice &= lanes::mask((first > start.w) & (last < end.w));
+        Double w = pick(a == zero, other, pick(turned, last, first));
+        w = pick(w >= start.w, w, start.w);
+        w = pick(w <= end.w, w, end.w);
+        w = pick(changing, w, first);
+        add_at(arc, w, below, changes | twice);
+        if (twice != 0) add_at(arc, last, below, twice);
+    }
+
+    void add_at(const Arc& arc, const Double& w, const Bool& below, Mask asked)
+    {
+        find_roots();  // in order
+        alignas(64) Numbers t;
+        place(arc, w, below).store_aligned(t.data());
+        for (; asked != 0; asked &= asked - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(asked));
+            told_[k].add(t[k], face_);
+        }
+    }
+    /// The ray's parameter where it meets the arc at w.
+    Double place(const Arc& arc, const Double& w, const Bool& below) const
+    {
+        const Place p = at(arc, w), d = slope(arc, w);
+        return ray_.polished(ray_.at(p.x, p.y, below), p.x, p.y, d.x, d.y);
+    }
+
+    /// Lathe::Meeting::meet_curve().
+    void meet_curve(const Arc& arc, const Point& start, const Point& end, const Bool& below, Mask asked)
+    {
+        const Double rise2 = ray_.rise * ray_.rise, run2 = ray_.run * ray_.run;
+        Range gain = slope_range(start.radius, end.radius, start.slope_radius, end.slope_radius);
+        Range loss = slope_range(start.above, end.above, start.slope_above, end.slope_above);
+        gain.least = gain.least * rise2, gain.most = gain.most * rise2;
+        loss.least = loss.least * run2, loss.most = loss.most * run2;
+        const Mask changes = asked & lanes::mask(differ(start.out(), end.out()));
+        const Double width = end.w - start.w;
+        const Double steepest = Double(2.0) * larger(gain.most - loss.least, loss.most - gain.least);
+        asked &= changes | ~lanes::mask(xsimd::abs(start.beyond) + xsimd::abs(end.beyond) > width * steepest);
+        if (asked == 0) return;
+        Mask open = asked & ~lanes::mask(apart(gain, loss));
+        if (open != 0) open &= ~lanes::mask(falls_by_roots(start, end, gain.negative));
+        if (open != 0) open &= ~lanes::mask(width < Double(LatheLimits::kNarrow));
+        if (open != 0) {
+            cells_left_ = pick(lanes::lanes_of(open), cells_left_ - Double(1.0), cells_left_);
+            open &= ~lanes::mask(negative(cells_left_));
+        }
+        if (const Mask roots = asked & ~open & changes; roots != 0) add_between(start, end, below, roots);
+        if (open == 0) return;
+        const Double w = Double(0.5) * (start.w + end.w);
+        const Place p = at(arc, w);
+        const Point middle = point(slope(arc, w), w, p.x, p.y, p.y - ray_.foot);
+        meet_curve(arc, start, middle, below, open);
+        meet_curve(arc, middle, end, below, open);
+    }
+
+    Bool falls_by_roots(const Point& start, const Point& end, const Bool& toward_axis) const
+    {
+        const Double c = ray_.nearest, r0 = xsimd::abs(start.radius), r1 = xsimd::abs(end.radius);
+        const Double least = smaller(r0, r1), most = larger(r0, r1);
+        const Bool clear = least > c;
+        if (lanes::mask(clear) == 0) return clear;
+        const Double factor_least = most / xsimd::sqrt((most - c) * (most + c)),
+                     factor_most = least / xsimd::sqrt((least - c) * (least + c));
+        Range gain =
+            slope_range(ray_.rise * factor_least, ray_.rise * factor_most, start.slope_radius, end.slope_radius);
+        gain.negative = toward_axis;
+        Range loss = slope_range(ray_.run, ray_.run, start.slope_above, end.slope_above);
+        loss.negative = differ(negative(start.slope_above + end.slope_above), negative(start.above + end.above));
+        return clear & apart(gain, loss);
+    }
+
+    /// A crossing lies between these. Those of a few cells are closed in on together: a step of one is worked out while
+    /// another waits for its quotient.
+    void add_between(const Point& start, const Point& end, const Bool& below, Mask asked)
+    {
+        if (root_count_ == kMostRoots) find_roots();
+        Root& root = roots_[root_count_++];
+        root.face = face_;
+        root.asked = asked;
+        root.below = below;
+        ray_.between(start.radius, start.height, end.radius, end.height, below, root.nearest, root.farthest);
+        prepare(root, start, end);
+    }
+
+    void find_roots()
+    {
+        for (int step = 0; step < kMostSteps; ++step) {
+            Mask open = 0;
+            for (std::size_t i = 0; i < root_count_; ++i)
+                if (Root& root = roots_[i]; root.open != 0) {
+                    root.newton.step(evaluated(root), LatheLimits::kClose, root.open);
+                    open |= root.open;
+                }
+            if (open == 0) break;
+        }
+        for (std::size_t i = 0; i < root_count_; ++i) add_root(roots_[i]);
+        root_count_ = 0;
+    }
+
+    /// A crossing on an arc between two points, of which one is out.
+    struct Root {
+        lanes::Newton newton;
+        Double sign, nearest, farthest;
+        Bool by_roots, below;
+        Mask asked, open, rooted;
+        std::uint32_t face;
+    };
+
+    Double across(const Double& r) const
+    {
+        return xsimd::sqrt(larger((r - ray_.nearest) * (r + ray_.nearest), Double(0.0)));
+    }
+    Double by_root(const Double& along, const Double& above) const
+    {
+        return ray_.rise * along - ray_.run * xsimd::abs(above);
+    }
+
+    /// Lathe::Meeting::refined(), up to its first step, ...
+    void prepare(Root& root, const Point& start, const Point& end) const
+    {
+        const Double c = ray_.nearest, half(0.5);
+        root.sign = pick(negative(start.above + end.above), Double(-1.0), Double(1.0));
+        root.by_roots = (ray_.rise < ray_.run) & (xsimd::abs(start.radius) > c) & (xsimd::abs(end.radius) > c);
+        root.rooted = lanes::mask(root.by_roots) & root.asked;
+        root.open = root.asked;
+        Double before = start.beyond, after = end.beyond;
+        if (root.rooted != 0) {
+            before = pick(root.by_roots, by_root(across(start.radius), start.above), before);
+            after = pick(root.by_roots, by_root(across(end.radius), end.above), after);
+        }
+        const Double lo = start.w, hi = end.w;
+        const Double w = pick(before != after, lo + (hi - lo) * (before / (before - after)), half * (lo + hi));
+        root.newton = {lo, hi, pick((w > lo) & (w < hi), w, half * (lo + hi)), !start.out()};
+    }
+    /// ... what it asks at each, ...
+    lanes::ValuesAndSlopes evaluated(const Root& root) const
+    {
+        const Arc& arc = lathe_.arcs_[root.face];
+        const Double &v = root.newton.t, zero(0.0);
+        const Place p = at(arc, v), d = slope(arc, v);
+        const Double above = p.y - ray_.foot;
+        lanes::ValuesAndSlopes found{zero, zero};
+        if (root.rooted != root.asked)
+            found = {ray_.beyond(p.x, above),
+                     Double(2.0) * (ray_.rise * ray_.rise * p.x * d.x - ray_.run * ray_.run * above * d.y)};
+        if (root.rooted == 0) return found;
+        const Double along = across(p.x);
+        return {pick(root.by_roots, by_root(along, above), found.value),
+                pick(root.by_roots, ray_.rise * d.x * p.x / along - ray_.run * root.sign * d.y, found.slope)};
+    }
+    /// ... and what comes of it.
+    void add_root(const Root& root)
+    {
+        alignas(64) Numbers t, least, most;
+        place(lathe_.arcs_[root.face], root.newton.t, root.below).store_aligned(t.data());
+        root.nearest.store_aligned(least.data());
+        root.farthest.store_aligned(most.data());
+        for (Mask left = root.asked; left != 0; left &= left - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(left));
+            Told& told = told_[k];
+            if (told.first_only())
+                told.wait({least[k], t[k], root.face}, most[k], [&](const Waiting& one) { told.add(one.t, one.face); });
+            else told.add(t[k], root.face);
+        }
+    }
+
+    static constexpr std::size_t kMostRoots = 4;
+    static constexpr int kMostSteps = 80;
+
+    const Lathe& lathe_;
+    std::span<const Ray> rays_;
+    IntersectionList* out_;
+    AxisRays ray_;
+    Double low_, high_;  ///< heights of the range that is asked for
+    Double cells_left_ = Double(0.0);
+    Mask asked_ = 0;
+    std::uint32_t face_ = 0;
+    std::size_t root_count_ = 0;
+    std::array<Root, kMostRoots> roots_;
+    std::array<Told, kWide> told_;
+};
+
+bool Lathe::intersects_many() const { return true; }
+
+void Lathe::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
+{
+    constexpr std::size_t kFewest = 3;  // fewer are told sooner one by one
+    const LatheLanes::LocalRays local(rays);
+    for (std::size_t at = 0; at < rays.size(); at += Tile::kWide) {
+        const std::size_t count = std::min(Tile::kWide, rays.size() - at);
+        if (count < kFewest)
+            for (std::size_t k = at; k < at + count; ++k) intersect(rays[k], out[k]);
+        else Tile(*this, local, at, rays.subspan(at, count), out + at).run();
+    }
+}
+
+}  // namespace csg

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "csg/freeform/revolution/axis_ray.h"
+#include "csg/freeform/sorted_ends.h"
+
+#include <array>
+
+/// What a ray is told of a lathe: shared by one ray and by rays in lanes. Compiled once per instruction set.
+namespace csg {
+
+/// Crossings of one ray as they are found. Where all are told they are kept. Where the nearest is enough, those that
+/// are costly to work out wait for their turn, the nearest first.
+/// \tparam Waiting a crossing no nearer than its `nearest`
+template <class Waiting>
+class LatheTold {
+public:
+    using Event = SortedEnds::End;
+
+    /// To be called first.
+    void begin(const IntersectionList& wanted)
+    {
+        from_ = wanted.from;
+        best_ = {wanted.to, kUndrawnFace};
+        first_only_ = wanted.first_only;
+    }
+    bool first_only() const { return first_only_; }
+    double from() const { return from_; }
+    double to() const { return best_.t; }
+
+    void add(double t, std::uint32_t face)
+    {
+        if (!first_only_) events_.add(t, face);
+        else if (t >= from_ && t <= best_.t && t < kInfinity) best_ = {t, face};
+    }
+
+    /// Of a crossing that lies before `last`; out of the range that was asked for it is left out. resolve(one) is to
+    /// add it.
+    template <class Resolve>
+    void wait(const Waiting& one, double last, Resolve&& resolve)
+    {
+        if (last < from_ || one.nearest > best_.t) return;
+        if (waiting_count_ == kMostWaiting) {
+            resolve(one);
+            return;
+        }
+        std::uint32_t at = waiting_count_++;
+        for (; at > 0 && waiting_[at - 1].nearest > one.nearest; --at) waiting_[at] = waiting_[at - 1];
+        waiting_[at] = one;
+    }
+    /// resolve() of those that wait and may still be the nearest.
+    template <class Resolve>
+    void resolve_waiting(Resolve&& resolve)
+    {
+        for (std::uint32_t i = 0; i < waiting_count_; ++i)
+            if (!(waiting_[i].nearest > best_.t)) resolve(waiting_[i]);
+    }
+
+    /// Where that is enough; whether it leads in or out does not matter.
+    void tell_nearest(IntersectionList& out) const { out.touch(best_.t, best_.face); }
+    /// Where all are told. `hole`: the radius that is never inside; is_negative(face): it is drawn, but bounds nothing.
+    template <class IsNegative>
+    void tell(const AxisRay& ray, double hole, IsNegative&& is_negative, IntersectionList& out) const
+    {
+        double from = kInfinity, to = kInfinity;  // what the hole takes away
+        if (hole > 0.0 && ray.valid()) ray.within(hole, from, to);
+        const Event* in = nullptr;
+        for (const Event& event : events_) {
+            if (event.face != kUndrawnFace && is_negative(event.face)) {
+                out.touch(event.t, event.face);
+            } else if (in == nullptr) {
+                in = &event;
+            } else {
+                if (!span(*in, event, from, to, out)) return;
+                in = nullptr;
+            }
+        }
+    }
+
+private:
+    /// False: no more is wanted.
+    static bool span(const Event& in, const Event& end, double from, double to, IntersectionList& out)
+    {
+        const auto push = [&](const Event& a, const Event& b) {
+            return !(a.t <= b.t) || (out.enter(a.t, a.face) && out.leave(b.t, b.face));
+        };
+        if (!(from < end.t && to > in.t)) return push(in, end);
+        return (from <= in.t || push(in, {from, kUndrawnFace})) && (to >= end.t || push({to, kUndrawnFace}, end));
+    }
+
+    static constexpr std::uint32_t kMostWaiting = 8;
+
+    double from_ = 0.0;
+    Event best_{};  // of all so far, if one is enough
+    bool first_only_ = false;
+    std::uint32_t waiting_count_ = 0;
+    SortedEnds events_;
+    std::array<Waiting, kMostWaiting> waiting_;  // filled as far as the count says
+};
+
+}  // namespace csg

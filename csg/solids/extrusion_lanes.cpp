@@ -1,0 +1,140 @@
+#include "csg/freeform/ray_batch.h"
+#include "csg/solids/extrusion.h"
+#include "csg/solids/shared/outline_lines.h"
+#include "csg/solids/shared/outline_walls.h"
+
+#include <bit>
+
+namespace csg {
+
+/// Extrusion::each_span() of many rays, a ray a lane: every number comes from the same operations in the same order.
+class Extrusion::Lanes {
+public:
+    Lanes(const Extrusion& solid, RayBatch& batch) : solid_(solid), batch_(batch) {}
+
+    void run()
+    {
+        for (std::size_t k = 0; k < batch_.count; ++k) {
+            const Ray local = local_ray(solid_.frame, batch_.rays[k]);
+            origin_[0][k] = local.origin.x, origin_[1][k] = local.origin.y, origin_[2][k] = local.origin.z;
+            way_[0][k] = local.direction.x, way_[1][k] = local.direction.y, way_[2][k] = local.direction.z;
+            from_[k] = batch_.records[k].from;
+            to_[k] = batch_.records[k].to;
+        }
+        for (std::size_t at = 0; at < batch_.count; at += kWide) meet(at);
+    }
+
+    void run_one_by_one()
+    {
+        for (std::size_t k = 0; k < batch_.count; ++k) ask(k);
+    }
+
+private:
+    using Double = OutlineLines::Double;
+    using Bool = OutlineLines::Bool;
+    using Mask = OutlineLines::Mask;
+    using Place = OutlineLines::Place;
+    using Numbers = std::array<double, kTileRays>;
+    static constexpr std::size_t kWide = OutlineLines::kWide;
+
+    static Double load(const Numbers& of, std::size_t at) { return Double::load_aligned(of.data() + at); }
+
+    void meet(std::size_t at)
+    {
+        const std::size_t count = std::min(kWide, batch_.count - at);
+        const Double zero(0.0), infinite(kInfinity), low(solid_.low), high(solid_.high);
+        const Double z = load(origin_[2], at), dz = load(way_[2], at);
+        // slab()
+        const Bool level = dz == zero, forward = dz > zero;
+        const Double to_low = (low - z) / dz, to_high = (high - z) / dz;
+        const Double entry = xsimd::select(level, Double(-kInfinity), xsimd::select(forward, to_low, to_high)),
+                     exit = xsimd::select(level, infinite, xsimd::select(forward, to_high, to_low));
+        const Double from = load(from_, at), to = load(to_, at);
+        const Double nearest = xsimd::select(entry < from, from, entry), farthest = xsimd::select(to < exit, to, exit);
+        const Place start{load(origin_[0], at), load(origin_[1], at)}, along{load(way_[0], at), load(way_[1], at)};
+        Mask asked = ((1u << count) - 1u) & ~lanes::mask(nearest > farthest) &
+                     lanes::mask((level & (z >= low) & (z <= high)) | ((!level) & (entry <= exit)));
+        Mask alone = asked & lanes::mask((along.x == zero) & (along.y == zero));
+        asked &= ~alone;
+        if (asked != 0) alone |= meet_walls(at, asked, start, along, nearest, farthest, entry, exit);
+        for (; alone != 0; alone &= alone - 1) ask(at + static_cast<std::size_t>(std::countr_zero(alone)));
+    }
+
+    void ask(std::size_t k)
+    {
+        IntersectionList& record = batch_.records[k];
+        std::uint32_t count = 0;
+        solid_.each_span(
+            batch_.rays[k],
+            [&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) {
+                if (count++ < IntersectionList::kMostSpans) put(record, in, in_face, end, end_face);
+            },
+            record.from, record.to, record.first_only);
+    }
+
+    /// Whether more is wanted does not matter: of ends in one place the last one counts.
+    static void put(IntersectionList& record, double in, std::uint32_t in_face, double end, std::uint32_t end_face)
+    {
+        record.enter(in, in_face);
+        record.leave(end, end_face);
+    }
+
+    /// Extrusion::meet_walls() and what it is asked for. Returns the rays that pass too many.
+    Mask meet_walls(std::size_t at, Mask asked, const Place& start, const Place& along, const Double& nearest,
+                    const Double& farthest, const Double& entry, const Double& exit)
+    {
+        const Double square = OutlineLines::dot(along, along), over = Double(1.0) / square,
+                     first = OutlineLines::dot(start, along);
+        const Double coarse = Double(1e-14) * (xsimd::abs(start.x * along.x) + xsimd::abs(start.y * along.y));
+        const auto room = [&](const Double& t) { return coarse + Double(1e-14) * xsimd::abs(t) * square; };
+        OutlineLines line;
+        line.side = {along.y ^ Double(-0.0), along.x};
+        line.level = OutlineLines::dot(line.side, start);
+        line.along = along;
+        line.lo = first + nearest * square - room(nearest);
+        line.hi = first + farthest * square + room(farthest);
+        std::array<OutlineWalls, kWide> walls;
+        Mask full = 0;
+        const Mask odd = line.crossings(*solid_.shape, asked, [&](std::uint32_t piece, const Double& w, Mask crossing) {
+            const Place p = OutlineLines::at(solid_.shape->pieces()[piece], w);
+            const Double t = OutlineLines::dot({p.x - start.x, p.y - start.y}, along) * over;
+            alignas(64) std::array<double, kWide> places;
+            t.store_aligned(places.data());
+            for (; crossing != 0; crossing &= crossing - 1) {
+                const auto k = static_cast<std::size_t>(std::countr_zero(crossing));
+                if (!walls[k].add(places[k], kFirstWall + piece)) full |= 1u << k;
+            }
+        });
+        alignas(64) std::array<double, kWide> entries, exits;
+        entry.store_aligned(entries.data());
+        exit.store_aligned(exits.data());
+        for (Mask left = asked & ~full; left != 0; left &= left - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(left));
+            const bool inside = (odd >> k & 1u) != 0;
+            if (!inside && walls[k].empty()) continue;
+            const double dz = way_[2][at + k];
+            const Interval within = dz == 0.0 ? Interval{}
+                                              : Interval{entries[k], exits[k], dz > 0.0 ? 0u : 1u, dz > 0.0 ? 1u : 0u};
+            solid_.tell(within, walls[k], inside,
+                        [&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) {
+                            put(batch_.records[at + k], in, in_face, end, end_face);
+                        });
+        }
+        return full;
+    }
+
+    const Extrusion& solid_;
+    RayBatch& batch_;
+    alignas(64) Numbers origin_[3]{}, way_[3]{}, from_{}, to_{};
+};
+
+void Extrusion::intersect_many(RayBatch& batch) const
+{
+    constexpr std::size_t kFewest = 3;  // fewer are told sooner one by one
+    if (shape->empty()) return;
+    Lanes lanes(*this, batch);
+    if (batch.count < kFewest) lanes.run_one_by_one();
+    else lanes.run();
+}
+
+}  // namespace csg
