@@ -10,7 +10,8 @@ namespace csg {
 /// as far as the places that it comes to have been looked at; what was looked at in vain costs nothing but its lane.
 class Julia::Ahead {
 public:
-    static constexpr std::size_t kMostRays = Orbits::kPlaces / 4;  // two lanes a ray gain nothing
+    static constexpr std::size_t kPlaces = 2 * Orbits::kWide;
+    static constexpr std::size_t kMostRays = kPlaces / 4;  // two lanes a ray gain nothing
 
     enum class Phase : std::uint8_t { First, Second, Stepping, Halving };
     /// A ray on its way.
@@ -58,7 +59,7 @@ private:
     void deal()
     {
         groups_ = std::bit_ceil(count_);
-        ahead_ = std::min(Orbits::kPlaces / groups_, kMostAhead);
+        ahead_ = std::min(kPlaces / groups_, kMostAhead);
         for (std::size_t r = count_; r < groups_; ++r) marches_[r].out = nullptr;
         for (std::size_t r = 0; r < count_; ++r)
             for (std::size_t k = 0; k < ahead_; ++k) orbits_.set_ray(r * ahead_ + k, marches_[r].way.unit);

@@ -17,7 +17,7 @@ public:
     {
         for (std::size_t lane = 0; lane < kRays; ++lane) take_next(lane);
         while (std::popcount(busy()) > static_cast<int>(Ahead::kMostRays)) {
-            if (std::popcount(busy()) <= lanes::kDoubles && vectors() > 1) join();
+            while (vectors() > 1 && std::popcount(busy()) <= vectors() / 2 * lanes::kDoubles) join(vectors() / 2);
             look();
         }
         if (busy() != 0) finish_few();
@@ -27,7 +27,6 @@ private:
     using Double = lanes::Double;
     using Mask = Orbits::Mask;
     using Numbers = Orbits::Numbers;
-    static constexpr int kVectors = Orbits::kVectors;
     static constexpr std::size_t kRays = Orbits::kPlaces;
 
     static void set_bit(Mask& of, Mask bit, bool on) { of = on ? of | bit : of & ~bit; }
@@ -83,12 +82,12 @@ private:
         march_on(lane, m.step_behind);
     }
 
-    int vectors() const { return (busy() & ~Orbits::kVector) != 0 ? kVectors : 1; }
+    int vectors() const { return Orbits::vectors(busy()); }
 
-    /// Rays of the last vectors to free lanes of the first, when no other waits.
-    void join()
+    /// All rays to the first vectors, when no other waits.
+    void join(int kept)
     {
-        for (Mask left = busy() & ~Orbits::kVector; left != 0; left &= left - 1) {
+        for (Mask left = busy() & ~Orbits::first(kept); left != 0; left &= left - 1) {
             const auto from = static_cast<std::size_t>(std::countr_zero(left)),
                        to = static_cast<std::size_t>(std::countr_zero(~busy()));
             orbits_.move_ray(from, to);

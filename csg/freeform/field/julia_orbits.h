@@ -18,7 +18,7 @@ public:
     using Double = lanes::Double;
     using Bool = Double::batch_bool_type;
     using Mask = std::uint32_t;
-    static constexpr int kVectors = 2;  // so that one's orbit is worked out while the other's waits for a sum
+    static constexpr int kVectors = 4;  // so that some orbits are worked out while others wait for a sum
     static constexpr std::size_t kWide = static_cast<std::size_t>(lanes::kDoubles), kPlaces = kVectors * kWide;
     static constexpr Mask kVector = (1u << kWide) - 1u;
     using Numbers = std::array<double, kPlaces>;
@@ -38,6 +38,11 @@ public:
         return xsimd::select(lanes::lanes_of(bits), a, b);
     }
 
+    /// Lanes of the first so many vectors.
+    static Mask first(int vectors) { return (Mask{2} << (static_cast<std::size_t>(vectors) * kWide - 1)) - 1u; }
+    /// How many hold these lanes: 1, 2 or all.
+    static int vectors(Mask of) { return (of & ~first(2)) != 0 ? kVectors : (of & ~kVector) != 0 ? 2 : 1; }
+
     explicit Orbits(const Julia& set) : set_(set) {}
 
     void set_ray(std::size_t lane, const Ray& ray)
@@ -55,7 +60,11 @@ public:
     /// that hold those asked are left out.
     Mask look(const Numbers& places, Mask asked, Mask stepping)
     {
-        return (asked & ~kVector) != 0 ? look<kVectors>(places, asked, stepping) : look<1>(places, asked, stepping);
+        switch (vectors(asked)) {
+        case 1: return look<1>(places, asked, stepping);
+        case 2: return look<2>(places, asked, stepping);
+        default: return look<kVectors>(places, asked, stepping);
+        }
     }
     /// Steps that the last look gave.
     const Numbers& steps() const { return steps_; }
