@@ -225,12 +225,26 @@ private:
 
 void octave_points(const Points& p, OctaveSum kind, int generator, double enough, Values& out)
 {
-    OctaveSums sums(p, kind, generator);
     double factor = 1.0;
+    if (!(enough < last_factor(kind) * 2.0)) {
+        Values n;
+        Points scaled;
+        each(p.size(), [&](std::size_t i) { put(out, i, Double(0.0)); });
+        for (int k = 0; k < octaves_of(kind); ++k, factor *= 2.0) {
+            scale(p, first_scale(kind) * factor, scaled);
+            noise_points(scaled, generator, n);
+            each(p.size(), [&](std::size_t i) {
+                put(out, i, get(out, i) + octave_term(get(n, i), kind, generator, Double(1.0 / factor)));
+            });
+        }
+        each(p.size(), [&](std::size_t i) { put(out, i, get(out, i) * Double(last_factor(kind))); });
+        return;
+    }
+    OctaveSums sums(p, kind, generator);
     for (int k = 0; k < octaves_of(kind) && !sums.empty(); ++k, factor *= 2.0) {
         sums.add(factor);
-        const bool worth_it = k == 1 || k == 2 || k == 4;  // the first is too small as a rule, the last add little
-        if (worth_it && enough < last_factor(kind) * 2.0) sums.drop(enough, out);
+        if (k == 1 || k == 2 || k == 4)
+            sums.drop(enough, out);  // the first is too small as a rule, the last add little
     }
     sums.finish(out);
 }

@@ -52,7 +52,7 @@ std::array<double, 3> plain_lattice(const glm::dvec3& p)
                 const bool high[3] = {(c & 1) != 0, (c & 2) != 0, (c & 4) != 0};
                 const double factor = e == 0 ? 0.5 : f[static_cast<int>(e) - 1] - (high[e - 1] ? 1.0 : 0.0);
                 const double share = (high[0] ? s.x : 1 - s.x) * (high[1] ? s.y : 1 - s.y) * (high[2] ? s.z : 1 - s.z);
-                return factor * share * kNoiseTables.lattice[cell.rows[c] + 4 * r + e];
+                return factor * share * kNoiseTables.lattice[cell.rows[c] + 4 * r][e];
             };
             part[e] = ((corner(0) + corner(1)) + (corner(2) + corner(3))) +
                       ((corner(4) + corner(5)) + (corner(6) + corner(7)));
@@ -70,7 +70,7 @@ std::array<long double, 3> precise_lattice(const glm::dvec3& p)
     for (std::size_t r = 0; r < 3; ++r) {
         long double corner[8];
         for (std::size_t c = 0; c < 8; ++c) {
-            const double* row = kNoiseTables.lattice.data() + cell.rows[c] + 4 * r;
+            const double* row = kNoiseTables.lattice[cell.rows[c] + 4 * r].data();
             corner[c] = 0.5L * row[0];
             for (int k = 0; k < 3; ++k)
                 corner[c] += (static_cast<long double>(cell.fraction[k]) - ((c >> k) & 1)) * row[1 + k];
