@@ -42,7 +42,9 @@ struct RenderStatistics {
     std::string isa;  ///< "v2", "v3" or "v4"
     bool cancelled = false;
     std::uint64_t samples = 0;  ///< of a picture of many samples (sampling/sampled_render.h); 0: of another
-    double error = 0;           ///< and what the spread of its samples says of it, in shown levels, root mean square
+    /// And what the spread of its samples says of it, in shown levels, root mean square; NaN: a pixel has one sample or
+    /// none, which has no spread.
+    double error = 0;
 
     /// Of two parts of one picture.
     RenderStatistics& operator+=(const RenderStatistics& other)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace app {
@@ -26,7 +27,9 @@ std::string report_text(const StageTimes& times, const trace::RenderStatistics& 
     text += fmt::format("\nrays   camera {}  shadow {}  reflected {}  refracted {}", rays.camera, rays.shadow,
                         rays.reflected, rays.refracted);
     if (rays.supersamples) text += fmt::format("  (supersamples {})", rays.supersamples);
-    if (statistics.samples)
+    if (statistics.samples && std::isnan(statistics.error))
+        text += fmt::format("\nerror  not known: a pixel has one sample or none of {}", statistics.samples);
+    else if (statistics.samples)
         text += fmt::format("\nerror  {:.3f} of 255 expected from the spread of {} samples", statistics.error,
                             statistics.samples);
     const double total = static_cast<double>(rays.camera + rays.shadow + rays.reflected + rays.refracted);

@@ -218,7 +218,16 @@ bool PictureRun::trace_samples()
     goal.error = goal.even ? settings_.samples_error : settings_.error;
     double before = 0.0;
     for (const auto& [stage, seconds] : times_.stages()) before += seconds;
-    if (settings_.time > 0.0) goal.seconds = std::max(settings_.time - before, 1e-3);
+    if (settings_.time > 0.0) {
+        constexpr double kWriting = 8e-8;  // seconds a pixel, as a PNG takes
+        const double writing = settings_.output_to_file ? kWriting * settings_.width * settings_.height : 0.0;
+        if (before > settings_.time)
+            task_.run.reporter.note(
+                fmt::format("what comes before the picture (reading, photons, radiosity) took {:.2f} s, "
+                            "more than --time gives",
+                            before));
+        goal.seconds = std::max(settings_.time - before - writing, 1e-3);
+    }
     const image::Transcoder shown(task_.file.encoding.curves.working, task_.file.encoding.curves.file);
     const auto level = [&shown](double light) {
         return 255.0 * std::clamp(static_cast<double>(shown.to_file(static_cast<float>(light))), 0.0, 1.0);
@@ -228,6 +237,7 @@ bool PictureRun::trace_samples()
     if (settings_.denoise) features.emplace(settings_.width, settings_.height);
     const auto after_pass = [&](double share) {
         samples.show(picture_);
+        samples.fill(picture_, task_.compiled.options);
         for (std::size_t i = 0; preview_ && i < blocks_.size(); ++i) preview_->show(blocks_[i], picture_);
         if (growing_) growing_->show(picture_);
         any_done_ = true;
@@ -245,7 +255,10 @@ bool PictureRun::trace_samples()
         statistics_ +=
             trace::render_sampled(scene, options, goal, level, samples, after_pass, features ? &*features : nullptr);
     }
-    if (features) trace::denoise(samples, *features, picture_);
+    if (features) {
+        trace::denoise(samples, *features, picture_);
+        samples.fill(picture_, task_.compiled.options);
+    }
     times_.finish("trace");
     return !statistics_.cancelled;
 }

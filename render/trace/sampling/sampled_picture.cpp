@@ -103,4 +103,20 @@ void SampledPicture::show(image::Image& image) const
         }
 }
 
+void SampledPicture::fill(image::Image& image, const plan::Options& window) const
+{
+    const int right = window.end_column < 0 ? width_ - 1 : window.end_column,
+              bottom = window.end_row < 0 ? height_ - 1 : window.end_row;
+    for (int y = window.start_row; y <= bottom; ++y)
+        for (int x = window.start_column; x <= right; ++x) {
+            if (at(x, y).count > 0) continue;
+            for (auto step = kCoarse.rbegin(); step != kCoarse.rend(); ++step) {
+                const int u = x - (x - window.start_column) % *step, v = y - (y - window.start_row) % *step;
+                if (at(u, v).count == 0) continue;
+                std::copy_n(image.at(u, v), 4, image.at(x, y));
+                break;
+            }
+        }
+}
+
 }  // namespace trace

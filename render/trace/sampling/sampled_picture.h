@@ -58,6 +58,12 @@ public:
     /// Means into an image of the same size, as trace::render() leaves them.
     void show(image::Image& image) const;
 
+    /// Where time is short one pixel in so many squared comes first, coarse to fine, from the window's corner on.
+    static constexpr std::array kCoarse{32, 8, 2};
+    /// Pixels of the window without a sample become like the one that stands for them: the finest of the coarse that
+    /// has one. \param image as shown
+    void fill(image::Image& image, const plan::Options& window) const;
+
 private:
     std::size_t index(int x, int y) const
     {

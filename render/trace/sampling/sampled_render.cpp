@@ -16,16 +16,19 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace trace {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kSide = 8;  // of the squares whose samples make tiles of rays
+constexpr int kSide = 8;     // of the squares whose samples make tiles of rays
+constexpr int kWidest = 32;  // of those whose pixels are not all asked
 constexpr std::size_t kAtOnce = 16 * csg::kTileRays;
 constexpr std::uint32_t kFirst = 8;        // samples of each pixel before its spread is believed
 constexpr std::uint32_t kMost = 1u << 16;  // of a pixel
+constexpr double kBreath = 0.01;           // seconds of a thread between two looks at the clock, where time is given
 constexpr double kGrowth = 4.0;            // most samples of a pixel after a pass, by those before it
 constexpr double kAim = 0.95;              // of the error asked for, as it is but estimated
 
@@ -60,6 +63,7 @@ public:
                                         static_cast<std::size_t>(threads));
         RenderStatistics out;
         tbb::task_arena arena(threads);
+        threads_ = threads;
         want_first();
         while (true) {
             const Clock::time_point begun = Clock::now();
@@ -68,11 +72,14 @@ public:
             ++passes_;
             const double took = std::chrono::duration<double>(Clock::now() - begun).count();
             if (took > 0.0) rate_ = static_cast<double>(taken_ - before) / took;
+            const Clock::time_point ended = Clock::now();
             variances_ = picture_.variances(shown_, scene_.options);
             out.error = picture_.expected_error(variances_, shown_, scene_.options);
             if (after_pass) after_pass(met(out.error));
+            afterwards_ = std::chrono::duration<double>(Clock::now() - ended).count();
             if (stopped_ || !want_more(out.error)) break;
         }
+        if (fewest() < 2) out.error = std::numeric_limits<double>::quiet_NaN();
         out.samples = picture_.samples();
         out.rays = tracers_.counts();
         out.rays += paths_.counts();
@@ -88,13 +95,21 @@ private:
     {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width()) + static_cast<std::size_t>(x);
     }
-    SampledPicture::Pixel& pixel(std::size_t at)
+    std::pair<int, int> place(std::size_t at) const
     {
         const auto width = static_cast<std::size_t>(picture_.width());
-        return picture_.at(static_cast<int>(at % width), static_cast<int>(at / width));
+        return {static_cast<int>(at % width), static_cast<int>(at / width)};
+    }
+    SampledPicture::Pixel& pixel(std::size_t at)
+    {
+        const auto [x, y] = place(at);
+        return picture_.at(x, y);
     }
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-    double left() const { return goal_.seconds > 0.0 ? goal_.seconds - seconds() : 0.0; }
+    /// Where the time is over, whatever is still wanted. The first pass is taken whatever it costs: there has to be a
+    /// picture.
+    bool late() const { return ends_ && left() <= 0.0; }
+    double left() const { return goal_.seconds > 0.0 ? goal_.seconds - seconds() - afterwards_ : 0.0; }
 
     /// Share of the goal, for those who wait.
     double met(double error) const
@@ -111,9 +126,30 @@ private:
     void want_first()
     {
         before_ = fewest();
+        if (goal_.seconds > 0.0 && before_ == 0) return want_coarse();
         std::uint32_t first = goal_.seconds > 0.0 ? 1 : kFirst;
         if (goal_.samples > 0) first = std::min(first, goal_.samples);
         for (const std::size_t at : window_) wanted_[at] = first;
+    }
+
+    /// Whether some pixels have no sample yet, as time may not allow that.
+    bool coarse() const { return goal_.seconds > 0.0 && before_ == 0 && steps_ <= SampledPicture::kCoarse.size(); }
+
+    /// A sample for each pixel of the next finer grid that has none; for all, where there seems to be time for that.
+    void want_coarse()
+    {
+        constexpr double kSure = 0.5;  // of the time that is left
+        const std::size_t grids = SampledPicture::kCoarse.size();
+        if (steps_ > 0 && rate_ * kSure * left() > static_cast<double>(window_.size())) steps_ = grids;
+        const int step = steps_ < grids ? SampledPicture::kCoarse[steps_] : 1;
+        side_ = step > 1 ? kWidest : kSide;
+        ++steps_;
+        for (const std::size_t at : window_) {
+            const auto [x, y] = place(at);
+            const bool asked = (x - scene_.options.start_column) % step == 0 &&
+                               (y - scene_.options.start_row) % step == 0;
+            wanted_[at] = asked && pixel(at).count == 0 ? 1 : 0;
+        }
     }
 
     /// What the next pass takes, in wanted_. False: nothing.
@@ -123,6 +159,11 @@ private:
         if (goal_.error > 0.0 && now >= kFirst && error <= kAim * goal_.error) return false;
         const double room = room_left();
         if (room < 1.0 || now >= kMost) return false;
+        if (coarse()) {
+            want_coarse();
+            return true;
+        }
+        side_ = kSide;
         if (goal_.samples > 0) return want_evenly(std::min(taken, goal_.samples - taken), room);
         return goal_.even || now < kFirst ? want_evenly(now, room) : want_by_spread(error, room);
     }
@@ -204,17 +245,22 @@ private:
         std::uint64_t all = 0;
         for (const std::size_t at : window_) all += wanted_[at];
         std::atomic<std::uint64_t> done = 0;
-        const bool ends = goal_.seconds > 0.0 && taken_ > 0;
+        ends_ = goal_.seconds > 0.0 && taken_ > 0;
+        at_once_ = kAtOnce;
+        if (goal_.seconds > 0.0)  // tiles stay whole
+            at_once_ = csg::kTileRays *
+                       static_cast<std::size_t>(std::clamp(kBreath * rate_ / (threads_ * double{csg::kTileRays}), 1.0,
+                                                           double{kAtOnce} / csg::kTileRays));
         tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t i) {
             if (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) stopped_ = true;
-            if (stopped_ || (ends && left() <= 0.0)) return;
             const Block block = blocks_[i];
-            for (int top = 0; top < block.height; top += kSide)
-                for (int column = 0; column < block.width; column += kSide) {
-                    const Block square{block.left + column, block.top + top, std::min(kSide, block.width - column),
-                                       std::min(kSide, block.height - top)};
+            for (int top = 0; top < block.height; top += side_)
+                for (int column = 0; column < block.width; column += side_) {
+                    if (stopped_ || late()) return;
+                    const Block square{block.left + column, block.top + top, std::min(side_, block.width - column),
+                                       std::min(side_, block.height - top)};
                     if (!take(square, done)) {
-                        stopped_ = true;
+                        if (!late()) stopped_ = true;
                         return;
                     }
                 }
@@ -241,7 +287,8 @@ private:
         Tracers::Worker& worker = tracers_.local();
         worker.colors.resize(kAtOnce);
         const auto flush = [&] {
-            if (!kernel_.sample(*worker.tracer, {positions.data(), count}, worker.colors.data())) return false;
+            if (late() || !kernel_.sample(*worker.tracer, {positions.data(), count}, worker.colors.data()))
+                return false;
             for (std::size_t i = 0; i < count; ++i) owners[i]->add(worker.colors[i]);
             done += count;
             count = 0;
@@ -252,7 +299,7 @@ private:
                                const std::array<double, 2> at = sobol_point(seed, index);
                                positions[count] = {x - 0.5 + at[0], y - 0.5 + at[1]};
                                owners[count++] = &picture_.at(x, y);
-                               return count < kAtOnce || flush();
+                               return count < at_once_ || flush();
                            }) &&
                (count == 0 || flush());
     }
@@ -266,7 +313,7 @@ private:
         worker.samples.clear();
         worker.found.resize(kAtOnce);
         const auto flush = [&] {
-            if (!kernel_.trace_paths(*worker.tracer, worker.samples, worker.found.data())) return false;
+            if (late() || !kernel_.trace_paths(*worker.tracer, worker.samples, worker.found.data())) return false;
             for (std::size_t i = 0; i < worker.samples.size(); ++i) {
                 owners[i]->add(worker.found[i].color);
                 if (features_ != nullptr) features_->add(places[i][0], places[i][1], worker.found[i]);
@@ -281,7 +328,7 @@ private:
                                owners[worker.samples.size()] = &picture_.at(x, y);
                                places[worker.samples.size()] = {x, y};
                                worker.samples.push_back({x - 0.5 + at[0], y - 0.5 + at[1], seed, index});
-                               return worker.samples.size() < kAtOnce || flush();
+                               return worker.samples.size() < at_once_ || flush();
                            }) &&
                (worker.samples.empty() || flush());
     }
@@ -290,12 +337,12 @@ private:
     template <class F>
     bool each_wanted(const Block& square, F&& f)
     {
-        std::array<std::uint32_t, kSide * kSide> first;
+        std::array<std::uint32_t, kWidest * kWidest> first;
         std::uint32_t most = 0;
         const auto each = [&](auto&& of) {
             for (int row = 0; row < square.height; ++row)
                 for (int column = 0; column < square.width; ++column)
-                    of(static_cast<std::size_t>(row * kSide + column), square.left + column, square.top + row);
+                    of(static_cast<std::size_t>(row * kWidest + column), square.left + column, square.top + row);
         };
         each([&](std::size_t k, int x, int y) {
             first[k] = picture_.at(x, y).count;
@@ -326,7 +373,13 @@ private:
     std::uint32_t before_ = 0;  ///< samples of a pixel when the run began
     std::uint64_t taken_ = 0;   ///< in the passes before
     std::uint32_t passes_ = 0;
-    double rate_ = 0.0;  ///< samples a second, in the last pass
+    std::size_t steps_ = 0;          ///< grids of SampledPicture::kCoarse that were asked, and all pixels
+    int side_ = kSide;               ///< of the squares of this pass
+    std::size_t at_once_ = kAtOnce;  ///< samples between two looks at the clock
+    bool ends_ = false;              ///< whether the clock ends this pass
+    int threads_ = 1;
+    double rate_ = 0.0;        ///< samples a second, in the last pass
+    double afterwards_ = 0.0;  ///< seconds from the end of the last pass on until its picture was judged and shown
     std::atomic<bool> stopped_ = false;
 };
 

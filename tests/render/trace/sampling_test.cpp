@@ -210,6 +210,65 @@ TEST_CASE("a picture that has no spread takes its first samples alone", "[sampli
     CHECK(timed.statistics.seconds_trace < 10.0);
 }
 
+TEST_CASE("a time that does not hold a sample of each pixel ends all the same, with a coarse picture", "[sampling]")
+{
+    // Twenty glasses one in the other above many lamps. What is seen is never black.
+    const std::string text =
+        "camera { location <0,1,-4> look_at 0 }\nglobal_settings { max_trace_level 20 }\n"
+        "light_source { <3,5,-3> rgb 1 area_light x, z, 9, 9 area_illumination on }\n"
+        "background { rgb .5 }\n"
+        "plane { y,-1 pigment { checker rgb 1 rgb .5 } finish { ambient .5 reflection .3 } }\n"
+        "#for (I, 1, 20) sphere { 0, 1.5 - I*.05 pigment { rgbt <1,1,1,.9> } finish { reflection .2 } "
+        "interior { ior 1 + I*.02 } } #end\n";
+    trace::SamplingGoal goal;
+    goal.samples = 1;
+    const Sampled whole = sampled(text, goal, 1);
+    const double one = whole.statistics.seconds_trace;
+    CHECK(std::isnan(whole.statistics.error));  // one sample has no spread
+    goal.samples = 0;
+    goal.seconds = 0.3 * one;
+    const Sampled found = sampled(text, goal, 1);
+    INFO(one << " s for one, " << found.statistics.seconds_trace << " of " << goal.seconds);
+    CHECK(std::isnan(found.statistics.error));
+    CHECK(found.statistics.seconds_trace < 0.8 * one);
+    CHECK(found.statistics.samples < 1u * kWidth * kHeight);
+    image::Image picture;
+    found.picture.show(picture);
+    plan::Options window;
+    found.picture.fill(picture, window);
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            INFO(x << ", " << y);
+            // What is there is what is always there; what is not looks like a place of a coarser grid.
+            if (found.picture.at(x, y).count == 1) CHECK(found.picture.at(x, y).sum == whole.picture.at(x, y).sum);
+            const int u = x - x % 32, v = y - y % 32;
+            CHECK(found.picture.at(u, v).count >= 1);
+            CHECK(picture.at(x, y)[1] > 0.0f);
+        }
+}
+
+TEST_CASE("pixels without a sample look like the finest place of the coarse grids that has one", "[sampling]")
+{
+    trace::SampledPicture samples(70, 40);
+    plan::Options window;
+    window.start_column = 3, window.start_row = 2, window.end_column = 66, window.end_row = 37;
+    const auto put = [&](int x, int y, float value) { samples.at(x, y).add({value, value, value, 0, 0}); };
+    put(3, 2, .25f), put(35, 2, .5f), put(3, 34, .75f), put(35, 34, 1.0f), put(11, 10, 2.0f), put(13, 10, 3.0f);
+    image::Image picture;
+    samples.show(picture);
+    samples.fill(picture, window);
+    CHECK(picture.at(3, 2)[0] == .25f);
+    CHECK(picture.at(34, 33)[0] == .25f);
+    CHECK(picture.at(35, 33)[0] == .5f);
+    CHECK(picture.at(66, 37)[2] == 1.0f);
+    CHECK(picture.at(18, 17)[1] == 2.0f);
+    CHECK(picture.at(19, 17)[1] == .25f);
+    CHECK(picture.at(14, 11)[0] == 3.0f);
+    CHECK(picture.at(15, 11)[0] == 2.0f);
+    CHECK(picture.at(2, 2)[0] == 0.0f);  // outside of the window
+    CHECK(picture.at(67, 37)[0] == 0.0f);
+}
+
 TEST_CASE("a time that does not hold another sample of each pixel is used all the same", "[sampling]")
 {
     // Many lamps and mirrors: a sample of the picture takes tens of milliseconds.
