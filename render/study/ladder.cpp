@@ -55,6 +55,20 @@ void add_samples(Settings& out)
                        error});
 }
 
+void add_times(Settings& out)
+{
+    for (const double seconds : {0.3, 1.0})
+        out.push_back({"samples in a time",
+                       fmt::format("--time={:g}", seconds),
+                       [=](Trial& t) {
+                           t.options.free_sampling = true;
+                           t.goal.seconds = seconds;
+                       },
+                       {},
+                       0.0,
+                       seconds});
+}
+
 /// The rest stands on a picture whose edges are sure: its own error is to be seen. Lamps and lenses stay as given.
 void smooth(Trial& trial) { trial.goal.samples = 32; }
 
@@ -161,8 +175,38 @@ void add_photons(Settings& out, const scene::GlobalSettings& global)
                        {}});
 }
 
+/// What stands in for light between surfaces, each by itself and both, on ever surer pictures.
+void add_stand_ins(Settings& out, const scene::GlobalSettings& global)
+{
+    const bool radiosity = global.radiosity.has_value(), photons = global.photons && global.photons->active();
+    const auto add = [&](const char* family, bool keeps_radiosity, bool keeps_photons) {
+        for (const std::uint32_t samples : {1u, 4u, 16u, 64u})
+            out.push_back({family,
+                           fmt::format("--samples={}", samples),
+                           [=](Trial& t) {
+                               t.options.free_sampling = true;
+                               t.goal.samples = samples;
+                               if (!keeps_radiosity) t.scene.global.radiosity.reset();
+                               if (!keeps_photons) t.scene.global.photons.reset();
+                           },
+                           {}});
+    };
+    if (radiosity) add("radiosity alone", true, false);
+    if (photons) add("photons alone", false, true);
+    if (radiosity && photons) add("radiosity and photons", true, true);
+}
+
 void add_paths(Settings& out)
 {
+    for (const double error : {16.0, 8.0, 4.0})
+        out.push_back({"paths where needed",
+                       fmt::format("--integrator=path --error={:g}", error),
+                       [=](Trial& t) {
+                           t.options.free_sampling = t.options.paths = true;
+                           t.goal.error = error;
+                       },
+                       {},
+                       error});
     for (const bool denoise : {false, true})
         for (const std::uint32_t samples : {1u, 4u, 16u, 64u, 256u, 1024u})
             out.push_back({denoise ? "paths, filtered" : "paths",
@@ -217,6 +261,7 @@ Settings ladder(const scene::Description& scene, const plan::CompiledScene& comp
     Settings out;
     add_antialiasing(out);
     add_samples(out);
+    add_times(out);
     add_lamps(out, compiled.lights);
     add_lens(out, scene.camera);
     add_depth(out, rays);
@@ -224,7 +269,10 @@ Settings ladder(const scene::Description& scene, const plan::CompiledScene& comp
     add_photons(out, scene.global);
     add_media(out, compiled.media);
     add_solvers(out, scene.objects);
-    if (paths) add_paths(out);
+    if (paths) {
+        add_stand_ins(out, scene.global);
+        add_paths(out);
+    }
     return out;
 }
 

@@ -1,10 +1,14 @@
 #include "render/study/page.h"
 
+#include "render/study/between_surfaces.h"
+#include "render/study/kinds.h"
 #include "render/study/plot.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
@@ -48,32 +52,17 @@ std::string figure(const Shown& picture, const std::string& caption, const PngOf
                        base64(png(picture)), escaped(caption));
 }
 
-/// Every kind of setting of all scenes: a kind has one color throughout.
-std::vector<std::string> families_of(const std::vector<Section>& sections)
+/// What links to a scene's part end with: the name of its file, with a number where two are called alike.
+std::vector<std::string> anchors_of(const std::vector<Section>& sections)
 {
     std::vector<std::string> out;
-    for (const Section& section : sections)
-        for (const Result& result : section.results)
-            if (std::find(out.begin(), out.end(), result.family) == out.end()) out.push_back(result.family);
-    return out;
-}
-
-std::vector<Series> series_of(const Section& section, const std::vector<std::string>& families)
-{
-    std::vector<Series> out;
-    for (const Result& result : section.results) {
-        const std::string name = (result.povray ? "POV-Ray, " : "") + result.family;
-        auto found = std::find_if(out.begin(), out.end(), [&](const Series& s) { return s.name == name; });
-        if (found == out.end()) {
-            Series one;
-            one.name = name;
-            one.color = series_color(static_cast<std::size_t>(
-                std::find(families.begin(), families.end(), result.family) - families.begin()));
-            one.dashed = result.povray;
-            out.push_back(std::move(one));
-            found = out.end() - 1;
-        }
-        found->points.push_back({result.seconds, result.error.levels, result.name});
+    std::map<std::string, int> seen;
+    for (const Section& section : sections) {
+        std::string name = std::filesystem::path(section.scene).stem().string();
+        for (char& c : name)
+            if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+        const int before = seen[name]++;
+        out.push_back(before == 0 ? name : fmt::format("{}_{}", name, before + 1));
     }
     return out;
 }
@@ -86,15 +75,18 @@ std::string cell_of(const Result* result)
 }
 
 /// All scenes in one table: what reaches the wanted error soonest.
-std::string summary(const std::vector<Section>& sections, const Circumstances& c)
+std::string summary(const std::vector<Section>& sections, const std::vector<std::string>& anchors,
+                    const Circumstances& c)
 {
     std::string out =
-        fmt::format("<table><tr><th>scene</th><th>fastest within {:g} of 255</th><th>seconds</th>", c.wanted);
+        fmt::format("<h2 id='soonest'>What is near enough soonest</h2>\n<table><tr><th>scene</th><th>fastest within "
+                    "{:g} of 255</th><th>seconds</th>",
+                    c.wanted);
     if (!c.povray.empty()) out += "<th>POV-Ray's fastest</th><th>seconds</th><th>ratio</th>";
     out += "</tr>\n";
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const Section& section = sections[i];
-        out += fmt::format("<tr><td><a href='#scene{}'>{}</a></td>", i + 1, escaped(section.scene));
+        out += fmt::format("<tr><td><a href='#{}'>{}</a></td>", anchors[i], escaped(section.scene));
         const Result *ours = cheapest(section.results, c.wanted), *theirs = cheapest(section.results, c.wanted, true);
         out += cell_of(ours);
         if (!c.povray.empty()) {
@@ -106,34 +98,55 @@ std::string summary(const std::vector<Section>& sections, const Circumstances& c
     return out + "</table>\n";
 }
 
-/// What settings that promise an error kept: the error found for each that was asked for.
-std::string promises(const std::vector<Section>& sections)
+/// What settings that promise something kept: what was found for each that was asked for. \param asked of a result, 0:
+/// nothing \param found what came of it \param kept whether that will do
+std::string promises(const std::vector<Section>& sections, const std::vector<std::string>& anchors,
+                     double Result::*asked, const std::function<double(const Result&)>& found, double slack)
 {
-    std::set<double, std::greater<>> asked;
+    std::vector<std::string> names;  // settings, as they come
     for (const Section& section : sections)
         for (const Result& r : section.results)
-            if (r.asked_error > 0.0) asked.insert(r.asked_error);
-    if (asked.empty()) return {};
-    std::string out = "<p>What came of an error that was asked for (RMS, of 255):</p>\n<table><tr><th>scene</th>";
-    for (const double error : asked) out += fmt::format("<th><code>--error={:g}</code></th>", error);
+            if (r.*asked > 0.0 && std::find(names.begin(), names.end(), r.name) == names.end()) names.push_back(r.name);
+    if (names.empty()) return {};
+    std::string out = "<table><tr><th>scene</th>";
+    for (const std::string& name : names) out += fmt::format("<th><code>{}</code></th>", escaped(name));
     out += "</tr>\n";
-    std::map<double, std::pair<int, int>> kept;  // of how many
+    std::map<std::string, std::pair<int, int>> kept;  // of how many
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        out += fmt::format("<tr><td><a href='#scene{}'>{}</a></td>", i + 1, escaped(sections[i].scene));
-        for (const double error : asked) {
+        out += fmt::format("<tr><td><a href='#{}'>{}</a></td>", anchors[i], escaped(sections[i].scene));
+        for (const std::string& name : names) {
             const std::vector<Result>& all = sections[i].results;
-            const auto found =
-                std::find_if(all.begin(), all.end(), [&](const Result& r) { return r.asked_error == error; });
-            out += found == all.end() ? "<td></td>" : fmt::format("<td>{:.3f}</td>", found->error.levels);
-            if (found == all.end()) continue;
-            kept[error].first += found->error.levels <= error;
-            ++kept[error].second;
+            const auto one =
+                std::find_if(all.begin(), all.end(), [&](const Result& r) { return r.*asked > 0.0 && r.name == name; });
+            out += one == all.end() ? "<td></td>" : fmt::format("<td>{:.3f}</td>", found(*one));
+            if (one == all.end()) continue;
+            kept[name].first += found(*one) <= (*one).*asked * slack;
+            ++kept[name].second;
         }
         out += "</tr>\n";
     }
     out += "<tr><td>kept</td>";
-    for (const double error : asked) out += fmt::format("<td>{} of {}</td>", kept[error].first, kept[error].second);
+    for (const std::string& name : names) out += fmt::format("<td>{} of {}</td>", kept[name].first, kept[name].second);
     return out + "</tr></table>\n";
+}
+
+std::string promises(const std::vector<Section>& sections, const std::vector<std::string>& anchors)
+{
+    constexpr double kLate = 1.1;
+    std::string out;
+    const std::string errors = promises(
+        sections, anchors, &Result::asked_error, [](const Result& r) { return r.error.levels; }, 1.0);
+    if (!errors.empty())
+        out += "<h2 id='asked_errors'>Asked for by error</h2>\n<p>What came of an error that was asked for (RMS, of "
+               "255):</p>\n" +
+               errors;
+    const std::string times = promises(
+        sections, anchors, &Result::asked_seconds, [](const Result& r) { return r.seconds; }, kLate);
+    if (!times.empty())
+        out += "<h2 id='asked_times'>Asked for by time</h2>\n<p>Seconds that a picture took, of those that it was "
+               "given (kept: no more than a tenth above; a picture that needs no more samples ends sooner):</p>\n" +
+               times;
+    return out;
 }
 
 /// What the curves teach, in sentences.
@@ -236,11 +249,11 @@ std::string page(const std::vector<Section>& sections, const Circumstances& c, c
         c.threads, c.threads == 1 ? "" : "s");
     out += fmt::format("<pre>{}\n{}\nWhittle {}{}</pre>\n", escaped(c.command), escaped(c.machine), escaped(c.version),
                        c.povray.empty() ? std::string() : ", " + escaped(c.povray));
-    out += summary(sections, c) + promises(sections);
-    const std::vector<std::string> families = families_of(sections);
+    const std::vector<std::string> anchors = anchors_of(sections);
+    out += summary(sections, anchors, c) + promises(sections, anchors);
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const Section& section = sections[i];
-        out += fmt::format("<h2 id='scene{}'>{}</h2>\n", i + 1, escaped(section.scene));
+        out += fmt::format("<h2 id='{}'>{}</h2>\n", anchors[i], escaped(section.scene));
         if (!section.unmeasured.empty()) {
             out += fmt::format("<p>Not measured: {}</p>\n", escaped(section.unmeasured));
             continue;
@@ -249,7 +262,9 @@ std::string page(const std::vector<Section>& sections, const Circumstances& c, c
             "<p>{} x {} pixels. The truth: {:.0f} samples a pixel in {:.1f} s, expected to be off by {:.3f} of "
             "255.</p>\n",
             section.width, section.height, section.truth.samples, section.truth.seconds, section.truth.expected_error);
-        out += plot(series_of(section, families),
+        if (!section.povray_note.empty()) out += fmt::format("<p>{}</p>\n", escaped(section.povray_note));
+        out += between_surfaces(section, c.wanted);
+        out += plot(series_of(section.results, false),
                     {"seconds", "error, levels of 255 (RMS)", "s", section.truth.expected_error, c.wanted});
         out += lesson(section, c) + table(section) + pictures(section, png);
     }

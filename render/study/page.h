@@ -13,7 +13,8 @@ struct Section {
     int width = 0, height = 0;
     Truth truth;
     std::vector<Result> results;
-    std::string unmeasured;  ///< why there is nothing; empty: there is
+    std::string unmeasured;   ///< why there is nothing; empty: there is
+    std::string povray_note;  ///< why POV-Ray's curves are short; empty: nothing to say
 };
 
 /// What a report was made with.

@@ -10,6 +10,7 @@
 namespace study {
 namespace {
 
+constexpr std::array kColors{"#0072b2", "#d55e00", "#009e73", "#a5437e", "#56b4e9", "#c49000", "#444444"};
 constexpr double kWidth = 860, kHeight = 460, kLeft = 70, kRight = 250, kTop = 16, kBottom = 48;
 
 /// Logarithmic, whole decades at its ends.
@@ -56,6 +57,27 @@ std::string ticks(const Scale& x, const Scale& y)
     return out;
 }
 
+/// \param told when pointed at; empty: nothing
+std::string mark(const Series& series, double x, double y, const std::string& told)
+{
+    constexpr double kRadius = 3.6;
+    const std::string paint = series.dashed
+                                  ? fmt::format("fill='#fff' stroke='{}' stroke-width='1.4'", series.look.color)
+                                  : fmt::format("fill='{}'", series.look.color);
+    const std::string title = told.empty() ? std::string() : "<title>" + escaped(told) + "</title>";
+    const auto polygon = [&](std::initializer_list<std::array<double, 2>> corners) {
+        std::string points;
+        for (const auto& [u, v] : corners) points += fmt::format("{:.1f},{:.1f} ", x + u * kRadius, y + v * kRadius);
+        return fmt::format("<polygon points='{}' {}>{}</polygon>", points, paint, title);
+    };
+    switch (series.look.mark) {
+    case Mark::Square: return polygon({{-.9, -.9}, {.9, -.9}, {.9, .9}, {-.9, .9}});
+    case Mark::Triangle: return polygon({{0, -1.2}, {1.1, .9}, {-1.1, .9}});
+    case Mark::Diamond: return polygon({{0, -1.3}, {1.1, 0}, {0, 1.3}, {-1.1, 0}});
+    default: return fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='{}' {}>{}</circle>", x, y, kRadius, paint, title);
+    }
+}
+
 std::string drawn(const Series& series, const Scale& x, const Scale& y, const std::string& unit)
 {
     std::vector<Series::Point> sorted = series.points;
@@ -66,25 +88,23 @@ std::string drawn(const Series& series, const Scale& x, const Scale& y, const st
     for (const Series::Point& p : sorted)
         if (front.empty() || p.y < front.back().y) front.push_back(p);
     if (series.line && front.size() > 1) {
-        out += fmt::format("<polyline fill='none' stroke='{}' stroke-width='1.6'{} points='", series.color,
+        out += fmt::format("<polyline fill='none' stroke='{}' stroke-width='1.6'{} points='", series.look.color,
                            series.dashed ? " stroke-dasharray='5 4'" : "");
         for (const Series::Point& p : front) out += fmt::format("{:.1f},{:.1f} ", x(p.x), y(p.y));
         out += "'/>";
     }
     for (const Series::Point& p : sorted)
-        out += fmt::format(
-            "<circle cx='{:.1f}' cy='{:.1f}' r='3.4' fill='{}'><title>{}: {:.3g} {}, {:.3g}</title></circle>", x(p.x),
-            y(p.y), series.color, escaped(p.name), p.x, unit, p.y);
+        out += mark(series, x(p.x), y(p.y), fmt::format("{}: {:.3g} {}, {:.3g}", p.name, p.x, unit, p.y));
     return out;
 }
 
 }  // namespace
 
-std::string series_color(std::size_t i)
+Look look(std::size_t color, Mark mark) { return {kColors[color % kColors.size()], mark}; }
+
+Look look(std::size_t i)
 {
-    static constexpr std::array kColors{"#1b6ca8", "#c0392b", "#2e8b57", "#8e44ad", "#d68910", "#16a085", "#7f5539",
-                                        "#e05a9b", "#34495e", "#6c9a00", "#b03060", "#0097a7", "#5d4037", "#9e9d24"};
-    return kColors[i % kColors.size()];
+    return look(i, static_cast<Mark>(i / kColors.size() % static_cast<std::size_t>(Mark::Count)));
 }
 
 std::string escaped(const std::string& text)
@@ -130,7 +150,8 @@ std::string plot(const std::vector<Series>& series, const Axes& axes)
     for (const Series& one : series) {
         out +=
             fmt::format("<line x1='{0:.1f}' x2='{1:.1f}' y1='{2:.1f}' y2='{2:.1f}' stroke='{3}' stroke-width='2'{4}/>",
-                        x.end + 14, x.end + 32, at, one.color, one.dashed ? " stroke-dasharray='5 4'" : "");
+                        x.end + 14, x.end + 32, at, one.look.color, one.dashed ? " stroke-dasharray='5 4'" : "");
+        out += mark(one, x.end + 23, at, {});
         out += fmt::format("<text x='{:.1f}' y='{:.1f}'>{}</text>", x.end + 38, at + 4, escaped(one.name));
         at += 18;
     }

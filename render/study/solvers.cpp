@@ -82,7 +82,7 @@ std::vector<Series> series_of(const std::vector<const SolverRow*>& rows)
         if (found == out.end()) {
             Series one;
             one.name = row->solid;
-            one.color = series_color(out.size());
+            one.look = look(out.size());
             one.line = false;
             out.push_back(std::move(one));
             found = out.end() - 1;

@@ -79,9 +79,12 @@ Study::Rendered Study::render(const Trial& trial) const
         std::optional<trace::PathFeatures> features;
         if (trial.denoise) features.emplace(options_.width, options_.height);
         trace::PathFeatures* const seen = features ? &*features : nullptr;
-        out.statistics = trace::render_sampled(compiled, render, trial.goal, level(), samples, {}, seen);
+        trace::SamplingGoal goal = trial.goal;
+        if (goal.seconds > 0.0) goal.seconds = std::max(goal.seconds - since(start), 1e-3);
+        out.statistics = trace::render_sampled(compiled, render, goal, level(), samples, {}, seen);
         if (features) trace::denoise(samples, *features, picture);
         else samples.show(picture);
+        samples.fill(picture, compiled.options);
     } else {
         out.statistics = trace::render(compiled, render, picture);
     }
@@ -120,6 +123,7 @@ std::optional<Result> Study::run(const Setting& setting) const
     out.family = setting.family;
     out.name = setting.name;
     out.asked_error = setting.asked_error;
+    out.asked_seconds = setting.asked_seconds;
     out.seconds = std::numeric_limits<double>::infinity();
     double all = 0.0;
     for (int i = 0; i < kMostRuns && all < kEnough; ++i) {

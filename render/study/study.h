@@ -31,8 +31,9 @@ struct Result {
     bool povray = false;   ///< by the real POV-Ray
     double seconds = 0.0;  ///< of all passes and the trace, wall clock; the least of the runs
     Error error;
-    double asked_error = 0.0;  ///< levels that the setting promised; 0: none
-    std::uint64_t rays = 0;    ///< camera, shadow, reflected and refracted; 0: not told
+    double asked_error = 0.0;    ///< levels that the setting promised; 0: none
+    double asked_seconds = 0.0;  ///< that it was to take; 0: none
+    std::uint64_t rays = 0;      ///< camera, shadow, reflected and refracted; 0: not told
     Shown picture;
 };
 

@@ -60,12 +60,12 @@ PovrayRuns::PovrayRuns(const std::string& program) : program_(program)
 }
 
 std::optional<PovrayRuns::Found> PovrayRuns::render(const std::string& scene, const std::vector<std::string>& switches,
-                                                    const image::Files& files) const
+                                                    const image::Files& files, double longest) const
 {
     if (!found()) return {};
     const ScratchFolder scratch;
     const std::string picture = scratch / "a.png";
-    std::string command = fmt::format("timeout 300 {} {} {} +FN16 -D -P -GD", shell_word(program_),
+    std::string command = fmt::format("timeout {:g} {} {} {} +FN16 -D -P -GD", longest, shell_word(program_),
                                       shell_word("+I" + scene), shell_word("+O" + picture));
     for (const std::string& word : switches) command += ' ' + shell_word(word);
     std::string told;

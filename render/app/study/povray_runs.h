@@ -21,9 +21,10 @@ public:
         study::Shown picture;
         double seconds;  ///< of photons, radiosity and trace, as it tells them
     };
-    /// Nothing: it failed, told no times, or took longer than five minutes.
+    /// \param longest seconds after which it is stopped
+    /// Nothing: it failed, told no times, or was stopped.
     std::optional<Found> render(const std::string& scene, const std::vector<std::string>& switches,
-                                const image::Files& files) const;
+                                const image::Files& files, double longest) const;
 
 private:
     std::string program_, version_;

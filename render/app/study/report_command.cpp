@@ -20,6 +20,7 @@
 #include <sys/utsname.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -39,6 +40,7 @@ Error against run time of each scene, over the settings that it has a use for: a
   --want=E            the error that the page names the fastest setting for, of 255; usual: 1
   --longest=S         a setting that takes longer is the last of its kind; usual: 20
   --solvers=FILE      a table of numerics_lab --csv: error against time of the solvers follows the scenes
+  --povray-longest=S  POV-Ray is stopped after so long, and not asked again for that scene; usual: 300
   --povray=PROGRAM    the POV-Ray to measure beside, or off; usual: povray, where it is installed
 
   --integrator=path   measure against a picture of paths, and paths beside all else
@@ -50,7 +52,7 @@ measured, 2 cancelled.
 struct Request {
     std::vector<std::string> scenes;
     std::string out = "report.html", povray = "povray";
-    double truth_error = 0.1, truth_seconds = 60.0, wanted = 1.0, longest = 20.0;
+    double truth_error = 0.1, truth_seconds = 60.0, wanted = 1.0, longest = 20.0, povray_longest = 300.0;
     std::vector<study::SolverRow> solvers;
     Settings settings;
     std::string command;
@@ -69,7 +71,8 @@ Request request_of(const std::vector<std::string>& arguments)
         const std::size_t equals = word.find('=');
         const std::string name = word.substr(0, equals);
         const bool own = name == "-o" || name == "--out" || name == "--truth-error" || name == "--truth-seconds" ||
-                         name == "--want" || name == "--longest" || name == "--povray" || name == "--solvers";
+                         name == "--want" || name == "--longest" || name == "--povray" || name == "--povray-longest" ||
+                         name == "--solvers";
         if (!own) {
             const bool scene = !word.starts_with('-') && !word.starts_with('+') && equals == std::string::npos &&
                                !word.ends_with('/') && !word.ends_with(".ini");
@@ -82,6 +85,7 @@ Request request_of(const std::vector<std::string>& arguments)
         else if (name == "--truth-error") request.truth_error = whole_positive(name, value);
         else if (name == "--truth-seconds") request.truth_seconds = whole_positive(name, value);
         else if (name == "--longest") request.longest = whole_positive(name, value);
+        else if (name == "--povray-longest") request.povray_longest = whole_positive(name, value);
         else if (name == "--solvers") request.solvers = study::read_solvers(value);
         else if (name == "--want") request.wanted = whole_positive(name, value);
         else request.povray = value == "off" ? "" : value;
@@ -179,7 +183,8 @@ private:
             if (!found) return;
             section.results.push_back(*found);
             took[setting.family] = std::max(took[setting.family], found->seconds);
-            if (povray_.found() && !setting.switches.empty()) add_povray(file, setting, study, section);
+            if (povray_.found() && !setting.switches.empty() && section.povray_note.empty())
+                add_povray(file, setting, study, section);
         }
     }
 
@@ -197,7 +202,12 @@ private:
         for (const auto& [name, value] : s.declared_numbers)
             switches.push_back(fmt::format("Declare={}={}", name, value));
         switches.insert(switches.end(), setting.switches.begin(), setting.switches.end());
-        auto found = povray_.render(file, switches, files_);
+        const auto start = std::chrono::steady_clock::now();
+        auto found = povray_.render(file, switches, files_, request_.povray_longest);
+        const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        if (!found && took >= request_.povray_longest)
+            section.povray_note =
+                fmt::format("POV-Ray with {} was stopped after {:g} seconds.", setting.name, request_.povray_longest);
         if (!found || found->picture.values.size() != study.truth().picture.values.size()) return;
         study::Result result;
         result.family = setting.family;

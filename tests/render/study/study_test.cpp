@@ -1,5 +1,6 @@
 // Error against run time: docs/error_and_time.md.
 #include "render/image/compare/flip.h"
+#include "render/study/kinds.h"
 #include "render/study/page.h"
 #include "render/study/plot.h"
 #include "tests/parser/grammar_support.h"
@@ -7,9 +8,11 @@
 #include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 
@@ -94,7 +97,7 @@ TEST_CASE("a scene is asked about what it has and nothing else", "[study]")
 {
     const auto plain_scene = families("light_source { 5*y rgb 1 } sphere { 0, 1 pigment { rgb 1 } }");
     CHECK(plain_scene == std::set<std::string>{"antialiasing", "antialiasing, method 1", "antialiasing, method 2",
-                                               "samples", "samples where needed"});
+                                               "samples", "samples in a time", "samples where needed"});
     const auto rich = families("light_source { 5*y rgb 1 area_light x, z, 3, 3 }\n"
                                "sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }\n"
                                "plane { y, -1 pigment { rgb .5 } }");
@@ -187,6 +190,7 @@ TEST_CASE("a page counts how often an asked error was kept", "[study]")
     const auto result = [](double asked, double found) {
         study::Result r;
         r.family = "samples where needed";
+        r.name = fmt::format("--error={:g}", asked);
         r.asked_error = asked;
         r.error.levels = found;
         r.seconds = 1.0;
@@ -198,6 +202,84 @@ TEST_CASE("a page counts how often an asked error was kept", "[study]")
     b.results = {result(1.0, 0.8)};
     const std::string page = study::page({a, b}, {}, [](const study::Shown&) { return std::string(); });
     CHECK(page.find("<td>2 of 2</td><td>0 of 1</td>") != std::string::npos);
+}
+
+TEST_CASE("a page counts how often a time was kept", "[study]")
+{
+    const auto result = [](double asked, double took) {
+        study::Result r;
+        r.family = "samples in a time";
+        r.name = fmt::format("--time={:g}", asked);
+        r.asked_seconds = asked;
+        r.seconds = took;
+        r.error.levels = 1.0;
+        return r;
+    };
+    study::Section a, b;
+    a.scene = "x/a.pov", b.scene = "y/a.pov";
+    a.results = {result(1.0, 1.09), result(2.0, 0.3)};
+    b.results = {result(1.0, 1.2)};
+    const std::string page = study::page({a, b}, {}, [](const study::Shown&) { return std::string(); });
+    CHECK(page.find("<td>1 of 2</td><td>1 of 1</td>") != std::string::npos);
+    // Links end with the name of the scene's file.
+    CHECK(page.find("<h2 id='a'>x/a.pov</h2>") != std::string::npos);
+    CHECK(page.find("<h2 id='a_2'>y/a.pov</h2>") != std::string::npos);
+    CHECK(page.find("href='#a_2'") != std::string::npos);
+}
+
+TEST_CASE("what stands in for light between surfaces has a plot and equal times of its own", "[study]")
+{
+    const auto result = [](const char* family, double seconds, double levels) {
+        study::Result r;
+        r.family = r.name = family;
+        r.seconds = seconds;
+        r.error.levels = levels;
+        return r;
+    };
+    study::Section section;
+    section.scene = "a.pov";
+    section.results = {
+        result("radiosity alone", 0.4, 15), result("radiosity alone", 3, 14), result("photons alone", 0.1, 40),
+        result("paths", 0.15, 20),          result("paths", 1.5, 7),          result("samples", 0.3, 41)};
+    const std::string page = study::page({section}, {}, [](const study::Shown&) { return std::string(); });
+    const auto has = [&](const std::string& row) { return page.find(row) != std::string::npos; };
+    CHECK(has("<th>seconds</th><th>radiosity alone</th><th>photons alone</th><th>paths</th></tr>"));
+    CHECK(has("<tr><td>0.1</td><td></td><td>40.00</td><td></td></tr>"));
+    CHECK(has("<tr><td>0.5</td><td>15.00</td><td>40.00</td><td>20.00</td></tr>"));
+    CHECK(has("<tr><td>5</td><td>14.00</td><td>40.00</td><td>7.00</td></tr>"));
+    CHECK_FALSE(has("<tr><td>10</td>"));
+    section.results = {result("samples", 0.3, 41)};
+    CHECK(study::page({section}, {}, [](const study::Shown&) { return std::string(); }).find("equal time") ==
+          std::string::npos);
+}
+
+TEST_CASE("no two kinds of one plot look alike", "[study]")
+{
+    const scene::Description scene =
+        parser::parse_text(kHead + "global_settings { radiosity {} photons { spacing .1 } }\n"
+                                   "light_source { 5*y rgb 1 area_light x, z, 3, 3 }\n"
+                                   "media { emission .1 }\n"
+                                   "isosurface { function { y } contained_by { box { -1, 1 } } }\n"
+                                   "sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } photons { target } }\n",
+                           "t.pov", {})
+            .scene;
+    plan::Options options;
+    options.width = kWidth, options.height = kHeight;
+    const plan::CompiledScene compiled = plan::compile(scene, options);
+    trace::RayCounts rays;
+    rays.reflected = 1;
+    std::map<std::string, std::string> seen;  // which kind has a look
+    std::set<std::string> kinds;
+    for (const study::Setting& setting : study::ladder(scene, compiled, rays, true)) {
+        if (!kinds.insert(setting.family).second) continue;
+        const study::Look look = study::look_of(setting.family);
+        const std::string key = fmt::format("{} {}", look.color, static_cast<int>(look.mark));
+        INFO(setting.family << " and " << seen[key]);
+        CHECK(seen[key].empty());
+        seen[key] = setting.family;
+    }
+    CHECK(kinds.count("radiosity alone") + kinds.count("photons alone") + kinds.count("radiosity and photons") == 3);
+    CHECK(kinds.size() >= 20);
 }
 
 TEST_CASE("the laboratory's table becomes plots of error against nanoseconds", "[study]")
