@@ -16,21 +16,21 @@ struct Passage {
 };
 
 /// Tangent of the angle between a line and the surface that it passes.
-double slope_at(const Body& body, const glm::dvec3& point, const End& end, const glm::dvec3& along)
+double slope_of(const Body& body, const glm::dvec3& point, const End& end, const glm::dvec3& along)
 {
     const double sine = std::min(1.0, std::abs(glm::dot(body.normal(point, end), along)));
     return sine / std::sqrt(std::max(1.0 - sine * sine, 1e-30));
 }
 
-/// How far a surface that a line passes twice goes away from it in between, if it is two planes. What a line passes at a
-/// grazing angle again and again, as it does hills that lie along it, needs no split: the surface stays near.
-double height_between(double wide, double slope1, double slope2)
-{
-    const double both = slope1 + slope2;
-    return both > 0.0 ? wide * (slope1 / both) * slope2 : 0.0;
-}
-
 }  // namespace
+
+double height_between(const Body& body, const glm::dvec3& from, const glm::dvec3& along, const End& a, const End& b)
+{
+    const double first = slope_of(body, from + a.t * along, a, along),
+                 second = slope_of(body, from + b.t * along, b, along);
+    const double both = first + second;
+    return both > 0.0 ? (b.t - a.t) * (first / both) * second : 0.0;
+}
 
 double end_room(double length, const Finish& finish)
 {
@@ -62,10 +62,7 @@ bool cut_edge(const Body& body, const Finish& finish, const glm::dvec3& from, co
         for (std::size_t i = 0; i + 1 < passed.size(); ++i) {
             const double wide = passed[i + 1].t - passed[i].t;
             if (wide <= std::max(widest, finish.narrow)) continue;
-            const auto slope = [&](const Passage& p) {
-                return slope_at(body, from + (start + p.t) * along, *p.end, along);
-            };
-            if (2.0 * height_between(wide, slope(passed[i]), slope(passed[i + 1])) <= finish.narrow) continue;
+            if (2.0 * height_between(body, from, along, *passed[i].end, *passed[i + 1].end) <= finish.narrow) continue;
             widest = wide;
             middle = passed[i].t + 0.5 * wide;
         }

@@ -11,14 +11,20 @@ namespace solid {
 
 /// What is exact enough, in scene units.
 struct Finish {
-    double off = 0.0;     ///< the mesh may be so far from the body
-    double least = 0.0;   ///< edges are not split below
-    double grain = 0.0;   ///< vertices nearer to each other may become one in single precision
-    double narrow = 0.0;  ///< parts of an edge on the other side of the boundary are looked into if longer
+    double off = 0.0;    ///< the mesh may be so far from the body
+    double least = 0.0;  ///< edges are not split below
+    double grain = 0.0;  ///< vertices nearer to each other may become one in single precision
+    double narrow =
+        0.0;  ///< parts of an edge on the other side of the boundary are looked into if longer and twice as high
     /// Of the room that crossings leave in a face or tetrahedron: points inside keep so far from its border, and are
     /// moved there. Single precision asks for much.
     double inner = 0.25;
 };
+
+/// How far the surface goes away from a line between two passages (ends of chords of it from `from` along a unit
+/// vector), as if it were two planes. What a line passes at a grazing angle again and again, as it does hills that lie
+/// along it, stays near however long the parts between are.
+double height_between(const Body& body, const glm::dvec3& from, const glm::dvec3& along, const End& a, const End& b);
 
 /// An edge that the boundary passes through.
 struct EdgeCut {

@@ -51,7 +51,8 @@ glm::dvec3 kept_inside(double share_kept, const std::array<double, N>& own, cons
 }
 
 /// The place nearest to `point` on the line along the unit vector `out` where the line leaves the body, or passes at
-/// all. \param between how many parts of the line longer than Finish::narrow lie between passages
+/// all. \param folded whether parts of the line that the surface is farther from than half of Finish::narrow lie
+/// between passages
 bool passage(const Body& body, const Finish& finish, const glm::dvec3& point, const glm::dvec3& out, double low,
              double high, bool leaving, SurfacePoint& found, double& t, bool* folded = nullptr)
 {
@@ -59,12 +60,14 @@ bool passage(const Body& body, const Finish& finish, const glm::dvec3& point, co
     if (!(low < high)) return false;
     body.chords(point, out, low, high, chords);
     bool any = false;
-    double last = -csg::kInfinity;
+    const End* last = nullptr;
     for (const Chord& chord : chords)
         for (const End* end : {&chord.in, &chord.out}) {
             if (end->t < low || end->t > high) continue;
-            if (folded != nullptr && end->t - last > finish.narrow && last > -csg::kInfinity) *folded = true;
-            last = end->t;
+            if (folded != nullptr && last != nullptr && end->t - last->t > finish.narrow &&
+                2.0 * height_between(body, point, out, *last, *end) > finish.narrow)
+                *folded = true;
+            last = end;
             if (leaving && end == &chord.in) continue;
             if (any && std::abs(end->t) >= std::abs(t)) continue;
             any = true;
