@@ -26,7 +26,8 @@ table{border-collapse:collapse;font-size:13px} td,th{padding:.15em .7em;text-ali
 td:first-child,td:nth-child(2),th:first-child,th:nth-child(2){text-align:left} tr.best{background:#eef7ee}
 tr.povray{color:#777} svg text{font:12px system-ui,sans-serif;fill:#333} .decade{stroke:#ddd} .tick{stroke:#f3f3f3}
 .floor{fill:#f2ead8} .wanted{stroke:#2e8b57;stroke-dasharray:2 4} figure{display:inline-block;margin:.5em 1em .5em 0}
-figcaption{font-size:13px;color:#555} img{image-rendering:pixelated;max-width:340px} pre{white-space:pre-wrap;font-size:13px}
+figcaption{font-size:13px;color:#555} img{image-rendering:pixelated;max-width:340px}
+pre{white-space:pre-wrap;font-size:13px}
 code{background:#f5f5f5;padding:0 .25em;white-space:nowrap}
 </style></head><body>
 )";
@@ -244,9 +245,8 @@ std::string page(const std::vector<Section>& sections, const Circumstances& c, c
         "<p>Seconds are wall clock of passes and trace on {} thread{}, without reading. Errors are distances "
         "from the truth: the same scene with many samples a pixel, lamps and lenses drawn freely and no "
         "adaptivity; where the command asks for --integrator=path a picture of many paths a pixel. The band at the "
-        "foot of a plot is what the truth itself may be off by, t: an error told as e is "
-        "one of "
-        "e - t to e + t. POV-Ray's curves are dashed; a line joins what nothing faster of its kind comes near.</p>\n",
+        "foot of a plot is what the truth itself may be off by, t: an error told as e is one of e - t to e + t. "
+        "POV-Ray's curves are dashed; a line joins what nothing faster of its kind comes near.</p>\n",
         c.threads, c.threads == 1 ? "" : "s");
     out += fmt::format("<pre>{}\n{}\nWhittle {}{}</pre>\n", escaped(c.command), escaped(c.machine), escaped(c.version),
                        c.povray.empty() ? std::string() : ", " + escaped(c.povray));
