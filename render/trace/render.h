@@ -42,6 +42,7 @@ struct RenderStatistics {
     std::string isa;  ///< "v2", "v3" or "v4"
     bool cancelled = false;
     std::uint64_t samples = 0;  ///< of a picture of many samples (sampling/sampled_render.h); 0: of another
+    std::uint64_t broken = 0;   ///< of them: no numbers, and taken as black
     /// And what the spread of its samples says of it, in shown levels, root mean square; NaN: a pixel has one sample or
     /// none, which has no spread.
     double error = 0;
@@ -55,6 +56,7 @@ struct RenderStatistics {
         isa = other.isa;
         cancelled = cancelled || other.cancelled;
         samples = other.samples;
+        broken += other.broken;
         error = other.error;
         return *this;
     }

@@ -255,6 +255,11 @@ bool PictureRun::trace_samples()
         statistics_ +=
             trace::render_sampled(scene, options, goal, level, samples, after_pass, features ? &*features : nullptr);
     }
+    if (statistics_.broken > 0)
+        task_.run.reporter.note(
+            fmt::format("{} of {} samples are no numbers, as a function of a pigment or a normal may "
+                        "give: they count as black",
+                        statistics_.broken, statistics_.samples));
     if (features) {
         trace::denoise(samples, *features, picture_);
         samples.fill(picture_, task_.compiled.options);

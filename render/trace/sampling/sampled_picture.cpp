@@ -6,10 +6,12 @@
 
 namespace trace {
 
-void SampledPicture::Pixel::add(const scene::Color& color)
+bool SampledPicture::Pixel::add(const scene::Color& color)
 {
-    const std::array<double, 4> parts{static_cast<double>(color.red), static_cast<double>(color.green),
-                                      static_cast<double>(color.blue), static_cast<double>(color.transmit)};
+    std::array<double, 4> parts{static_cast<double>(color.red), static_cast<double>(color.green),
+                                static_cast<double>(color.blue), static_cast<double>(color.transmit)};
+    const bool numbers = std::isfinite(parts[0] + parts[1] + parts[2] + parts[3]);
+    if (!numbers) parts = {};
     if (std::has_single_bit(count)) {
         std::copy_n(sum.begin(), 3, begun.begin());
         mark = count;
@@ -17,6 +19,7 @@ void SampledPicture::Pixel::add(const scene::Color& color)
     for (std::size_t k = 0; k < 4; ++k) sum[k] += parts[k];
     for (std::size_t k = 0; k < 3; ++k) squares[k] += parts[k] * parts[k];
     ++count;
+    return numbers;
 }
 
 double SampledPicture::Pixel::spread(std::size_t channel) const

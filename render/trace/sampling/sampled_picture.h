@@ -25,7 +25,8 @@ public:
         std::uint32_t count = 0;
         std::uint32_t mark = 0;  ///< the largest power of two below count; 0: none
 
-        void add(const scene::Color& color);
+        /// False: it holds what is no number, and counts as black.
+        bool add(const scene::Color& color);
         double mean(std::size_t channel) const { return count == 0 ? 0.0 : sum[channel] / count; }
         /// Sum of the squares of the differences from the mean; never negative.
         double spread(std::size_t channel) const;

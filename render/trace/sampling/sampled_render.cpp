@@ -81,6 +81,7 @@ public:
         }
         if (fewest() < 2) out.error = std::numeric_limits<double>::quiet_NaN();
         out.samples = picture_.samples();
+        out.broken = broken_;
         out.rays = tracers_.counts();
         out.rays += paths_.counts();
         out.threads = threads;
@@ -289,7 +290,8 @@ private:
         const auto flush = [&] {
             if (late() || !kernel_.sample(*worker.tracer, {positions.data(), count}, worker.colors.data()))
                 return false;
-            for (std::size_t i = 0; i < count; ++i) owners[i]->add(worker.colors[i]);
+            for (std::size_t i = 0; i < count; ++i)
+                if (!owners[i]->add(worker.colors[i])) ++broken_;
             done += count;
             count = 0;
             return true;
@@ -315,7 +317,7 @@ private:
         const auto flush = [&] {
             if (late() || !kernel_.trace_paths(*worker.tracer, worker.samples, worker.found.data())) return false;
             for (std::size_t i = 0; i < worker.samples.size(); ++i) {
-                owners[i]->add(worker.found[i].color);
+                if (!owners[i]->add(worker.found[i].color)) ++broken_;
                 if (features_ != nullptr) features_->add(places[i][0], places[i][1], worker.found[i]);
             }
             done += worker.samples.size();
@@ -381,6 +383,7 @@ private:
     double rate_ = 0.0;        ///< samples a second, in the last pass
     double afterwards_ = 0.0;  ///< seconds from the end of the last pass on until its picture was judged and shown
     std::atomic<bool> stopped_ = false;
+    std::atomic<std::uint64_t> broken_ = 0;  ///< samples that are no numbers
 };
 
 }  // namespace

@@ -41,6 +41,21 @@ TEST_CASE("a function that gives no number is named, with its place", "[program]
           std::string::npos);
 }
 
+TEST_CASE("samples that are no numbers are told, and spoil no other", "[program][faults]")
+{
+    const support::TemporaryFolder folder;
+    // No normal above the middle: what is lit there has no color.
+    const std::string text = "#declare N = function { sqrt(-y) }\n"
+                             "plane { z, 3 pigment { rgb 1 } normal { function { N(x, y, z) } } }\n";
+    const auto told = [&](std::vector<std::string> words) { return rendered(folder, text, std::move(words)).err; };
+    const std::string sampled = told({"--samples=4", "+Oa.png"});
+    CHECK(sampled.find(" of 768 samples are no numbers") != std::string::npos);
+    CHECK(sampled.find("nan") == std::string::npos);
+    CHECK(sampled.find("expected from the spread") != std::string::npos);
+    CHECK(rendered(folder, "sphere { 0, 1 pigment { rgb 1 } }\n", {"--samples=4"}).err.find("no numbers") ==
+          std::string::npos);
+}
+
 TEST_CASE("no time, no error and no samples are refused before the scene is read", "[program][faults]")
 {
     const support::TemporaryFolder folder;

@@ -1,6 +1,7 @@
 // Lamps and emitters that paths meet or aim at, against closed forms: docs/path_tracing.md.
 #include "render/trace/path/fresnel.h"
 #include "tests/render/trace/path_support.h"
+#include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
 
@@ -121,4 +122,30 @@ TEST_CASE("flat and round lamps light a wall as their form factors say", "[path]
     CHECK(mesh.mean() == Approx(square).epsilon(0.01));
     CHECK(face.mean() == Approx(square / 2.0).epsilon(0.01));
     for (const Paths* found : {&disc, &ring, &tube, &face, &mesh}) CHECK(found->statistics.error < 4.0);
+}
+
+TEST_CASE("the bright texel of an HDR sky lights a floor as its solid angle says", "[path]")
+{
+    // 64 x 32 texels, all black but one, of radiance L = 200 * 2^(135 - 136): from 61.875 to 67.5 degrees above the
+    // horizon, a 64th of the circle wide. The floor, white, shows L (sin^2 b - sin^2 a) / (2 * 64).
+    const support::TemporaryFolder folder;
+    constexpr int kColumns = 64, kRows = 32, kRow = 4;
+    const auto lit = [&](int column) {
+        std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+        for (int i = 0; i < kColumns * kRows; ++i)
+            file += i == kRow * kColumns + column ? std::string("\xc8\xc8\xc8\x87") : std::string(4, '\0');
+        support::write_text(folder / "sky.hdr", file);
+        return traced("camera { orthographic location 4*y right x up z direction -y sky z }\n"
+                      "sky_sphere { pigment { image_map { hdr \"" +
+                          (folder / "sky.hdr") +
+                          "\" map_type 1 } } }\nplane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }",
+                      256);
+    };
+    const auto height = [](double row) { return std::pow(std::sin(M_PI * (0.5 - row / kRows)), 2); };
+    const double expected = 100.0 * (height(kRow) - height(kRow + 1)) / (2.0 * kColumns);
+    for (const int column : {5, 40}) {
+        const Paths found = lit(column);
+        CHECK(found.mean() == Approx(expected).epsilon(0.01));
+        CHECK(found.statistics.error < 3.0);  // one direction in two thousand: by chance nearly all would be black
+    }
 }
