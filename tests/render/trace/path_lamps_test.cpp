@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <fstream>
 
 using namespace path_tests;
 
@@ -127,14 +128,15 @@ TEST_CASE("flat and round lamps light a wall as their form factors say", "[path]
 TEST_CASE("the bright texel of an HDR sky lights a floor as its solid angle says", "[path]")
 {
     // 64 x 32 texels, all black but one, of radiance L = 200 * 2^(135 - 136): from 61.875 to 67.5 degrees above the
-    // horizon, a 64th of the circle wide. The floor, white, shows L (sin^2 b - sin^2 a) / (2 * 64).
+    // horizon, a 64th of the circle wide. The floor, white, shows 1/pi times the integral of L sin h cos h
+    // over 2 pi / 64 and the heights: L (sin^2 b - sin^2 a) / 64.
     const support::TemporaryFolder folder;
     constexpr int kColumns = 64, kRows = 32, kRow = 4;
     const auto lit = [&](int column) {
         std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
         for (int i = 0; i < kColumns * kRows; ++i)
             file += i == kRow * kColumns + column ? std::string("\xc8\xc8\xc8\x87") : std::string(4, '\0');
-        support::write_text(folder / "sky.hdr", file);
+        std::ofstream(folder / "sky.hdr", std::ios::binary) << file;
         return traced("camera { orthographic location 4*y right x up z direction -y sky z }\n"
                       "sky_sphere { pigment { image_map { hdr \"" +
                           (folder / "sky.hdr") +
@@ -142,7 +144,7 @@ TEST_CASE("the bright texel of an HDR sky lights a floor as its solid angle says
                       256);
     };
     const auto height = [](double row) { return std::pow(std::sin(M_PI * (0.5 - row / kRows)), 2); };
-    const double expected = 100.0 * (height(kRow) - height(kRow + 1)) / (2.0 * kColumns);
+    const double expected = 100.0 * (height(kRow) - height(kRow + 1)) / kColumns;
     for (const int column : {5, 40}) {
         const Paths found = lit(column);
         CHECK(found.mean() == Approx(expected).epsilon(0.01));
