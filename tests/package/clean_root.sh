@@ -16,7 +16,8 @@ inside() { chroot "$place" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HO
 expect() { "$@" || { echo "failed: $*" >&2; exit 1; }; }
 inside apt-get install -q -y --no-install-recommends /root/whittle.deb >&2
 for file in bin/whittle bin/povray-whittle bin/povray share/man/man1/whittle.1 share/bash-completion/completions/whittle \
-    share/zsh/vendor-completions/_whittle share/applications/whittle.desktop share/mime/packages/whittle.xml; do
+    share/zsh/vendor-completions/_whittle share/applications/whittle.desktop share/mime/packages/whittle.xml \
+    share/whittle/editors/nvim/lua/whittle.lua share/whittle/editors/emacs/pov-scene-mode.el share/whittle/editors/vscode/package.json; do
     expect test -e "$place/usr/$file" -o -L "$place/usr/$file"
 done
 inside whittle --version
@@ -26,6 +27,6 @@ expect cmp "$place/root/a.png" "$place/root/b.png"
 inside whittle /root/first_light.pov +W80 +H60 --aov=depth +FE +O/root/c.exr 2>/dev/null
 expect test -s "$place/root/c.layers.exr"
 inside apt-get remove -q -y whittle >&2
-for file in bin/whittle bin/povray lib/whittle share/man/man1/whittle.1; do expect test ! -e "$place/usr/$file"; done
+for file in bin/whittle bin/povray lib/whittle share/whittle share/man/man1/whittle.1; do expect test ! -e "$place/usr/$file"; done
 rm "$place"/root/*.png "$place"/root/*.exr
 echo "installed, run and removed: $(basename "$package")"
