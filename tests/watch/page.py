@@ -3,14 +3,16 @@
 usage: page.py WHITTLE [--shots FOLDER]     exit status 0: passed, 77: no browser
 """
 import argparse
+import math
 import os
+import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 
 import browser
+from watched import Seen, Watched, beyond
 
 SCENE = """#version 3.7;
 global_settings { assumed_gamma 1 }
@@ -27,198 +29,211 @@ PART = """#macro Part(H) box { <-1, 0, -0.5>, <0.5, H, 0.5> pigment { rgb <%s> }
 """
 
 
-class Watched:
-    """A scene in a folder of its own, the program that watches it, and the page."""
-
-    def __init__(self, program, arguments=()):
-        self.folder = tempfile.mkdtemp(prefix="whittle-watch-")
-        self.scene = os.path.join(self.folder, "scene.pov")
-        self.part = os.path.join(self.folder, "part.inc")
-        self.write(self.scene, SCENE)
-        self.write(self.part, PART % "0.9, 0.2, 0.1")
-        self.process = subprocess.Popen([program, "watch", self.scene, "+W160", "+H120", *arguments], cwd=self.folder,
-                                        stdout=subprocess.PIPE, text=True)
-        self.address = self.process.stdout.readline().strip()
-
-    def write(self, path, text):
-        with open(path, "w") as out:
-            out.write(text)
-
-    def replace(self, path, text):
-        """As most editors save: a new file takes the old one's place."""
-        self.write(path + "~", text)
-        os.replace(path + "~", path)
-
-    def close(self):
-        self.process.terminate()
-        status = self.process.wait(20)
-        left = sorted(os.listdir(self.folder))
-        shutil.rmtree(self.folder)
-        assert status == 2, f"status {status}"
-        return left
+SIZE = (160, 120)
 
 
-def pixel(page, x, y):
-    return page.ask(f"Array.from(paper.getImageData({x}, {y}, 1, 1).data)")
+def check_saves(seen):
+    """Returns the colour of the box."""
+    watched = seen.watched
+    red = seen.pixel(70, 55)
+    assert red[0] > 2 * red[1], red
+    seen.shot("first")
+
+    print("save of an included file, by renaming")
+    seen.after(lambda: watched.replace(watched.path("part.inc"), PART % "0.1, 0.2, 0.9"))
+    blue = seen.pixel(70, 55)
+    assert blue[2] > 2 * blue[0], blue
+
+    print("the same bytes as a render")
+    assert seen.samples() == watched.rendered(*SIZE)
+    return red, blue
 
 
-def middle(page, x, y):
-    """Where a pixel of the picture is on the screen."""
-    box = page.ask("(() => { const b = stage.getBoundingClientRect(); return [b.left, b.top, view.x, view.y, view.scale]; })()")
-    return box[0] + box[2] + (x + 0.5) * box[4], box[1] + box[3] + (y + 0.5) * box[4]
+def check_messages(seen, red, blue):
+    page, watched, part = seen.page, seen.watched, seen.watched.path("part.inc")
+    print("error: message, place, the last good picture")
+    watched.write(part, "#macro Part(H)\nbox { <-1, 0, -0.5>, <0.5, H 0.5> pigmnt { rgb 1 } }\n#end\n")
+    page.wait("state.wrong")
+    text = page.ask("byId('messages').innerText")
+    assert "part.inc:2:" in text and "^" in text, text
+    assert seen.pixel(70, 55) == blue
+    assert page.ask("byId('lamp').className") == "wrong"
+    page.ask("document.querySelector('.message .place').click()")
+    assert page.ask("state.copied").endswith("part.inc:2"), page.ask("state.copied")
+    seen.shot("error")
+
+    print("a file that is missing, and its coming")
+    os.rename(part, part + ".away")
+    watched.write(watched.scene, SCENE + "// again\n")
+    page.wait("byId('messages').innerText.includes('part.inc')")
+    seen.after(lambda: watched.write(part, PART % "0.9, 0.2, 0.1"), "!state.wrong")
+    assert seen.pixel(70, 55) == red, (seen.pixel(70, 55), red)
+
+    print("warning")
+    seen.after(lambda: watched.write(watched.scene, SCENE + '#warning "look here"\n'))
+    assert "look here" in page.ask("byId('messages').innerText")
+    seen.after(lambda: watched.write(watched.scene, SCENE))
+
+
+def check_before(seen):
+    print("comparison with the save before")
+    page, watched = seen.page, seen.watched
+    before = seen.samples()
+    seen.after(lambda: watched.write(watched.path("part.inc"), PART % "0.1, 0.9, 0.2"))
+    now = seen.samples()
+    seen.choose("compare", "before")
+    seen.choose("wipe", 1, "input")
+    assert seen.samples("other.getContext('2d')") == before
+    seen.choose("compare-how", "difference")
+    count, worst = beyond(now, before)
+    assert count > 0 and page.ask("byId('compare-note').textContent").startswith(f"{count} pixels differ by more than 3, the worst by {worst},")
+    seen.shot("difference")
+    seen.choose("compare", "")
+
+
+def check_sliders(seen):
+    print("sliders of the clock and of a constant")
+    page, watched = seen.page, seen.watched
+    assert page.ask("[...byId('values').children].map(r => r.dataset.name).join()") == "clock,Height"
+    move = "(() => {{ const r = document.querySelector('[data-name={0}] input[type=range]'); r.value = {1}; r.oninput(); }})()"
+    still = seen.samples()
+    seen.after(lambda: page.ask(move.format("Height", 2)))
+    grown = seen.samples()
+    assert grown != still and grown == watched.rendered(*SIZE, "Declare=Height=2")
+    seen.after(lambda: page.ask(move.format("clock", 0.5)))
+    both = seen.samples()
+    assert both != grown and both == watched.rendered(*SIZE, "Declare=Height=2", "+K0.5")
+    seen.shot("sliders")
+    seen.after(lambda: page.ask("document.querySelector('[data-name=clock] button').click()"))
+    assert seen.samples() == grown
+    seen.after(lambda: page.ask("document.querySelector('[data-name=Height] button').click()"))
+    assert seen.samples() == still
+
+
+def vectors(camera):
+    """location and direction of a camera's text."""
+    return [[float(n) for n in re.search(name + r" <(.*?)>", camera)[1].split(",")] for name in ("location", "direction")]
+
+
+def check_camera(seen):
+    print("camera by mouse, copied as text")
+    page, watched = seen.page, seen.watched
+    text = lambda: page.ask("byId('camera').textContent")
+    page.ask("window.last = {}; on('controls', c => { last = c; }); document.querySelector('[data-tool=orbit]').click()")
+    # The server has heard of it, and the picture is whole.
+    there = lambda test: page.wait(f"last.orbit && ({test}) && state.doneGeneration === state.next.g && byId('lamp').className === 'done'")
+    before, whole = text(), seen.samples()
+    x, y = seen.on_screen(80, 60)
+    # The middle of the picture shows the box's front at (0, 0.625, -0.5): what the camera comes nearer to, and turns about.
+    pivot, near = (0, 0.625, -0.5), math.exp(-0.5)
+    seen.after(lambda: page.mouse("mouseWheel", x, y, button="none", deltaX=0, deltaY=-200))
+    there(f"Math.abs(last.orbit.dolly - {near}) < 1e-9")
+    (eye, ahead) = vectors(text())
+    assert all(abs(e - p - near * (o - p)) < 0.02 for e, p, o in zip(eye, pivot, (0, 2, -6))), eye
+    assert ahead == vectors(before)[1]
+    shown = page.ask("view.scale * picture.width")
+    page.drag(x, y, x + 120, y + 30)
+    there(f"Math.abs(last.orbit.yaw - {180 * 120 / shown}) < {180 / shown}")
+    (turned_eye, turned) = vectors(text())
+    assert abs(math.dist(turned_eye, pivot) - math.dist(eye, pivot)) < 0.02 and math.dist(turned_eye, eye) > 0.5, turned_eye
+    page.drag(x, y, x + 40, y, modifiers=8)  # with shift: aside, looking the same way
+    there(f"Math.abs(last.orbit.right + {40 / shown}) < {1 / shown}")
+    (shifted_eye, shifted) = vectors(text())
+    aside = [a - b for a, b in zip(shifted_eye, turned_eye)]
+    assert shifted == turned and math.hypot(*aside) > 0.05 and abs(sum(a * d for a, d in zip(aside, turned))) < 1e-6, (aside, turned)
+
+    page.ask("byId('copy-camera').click()")
+    copied = page.wait("state.copied.startsWith('camera') && state.copied")
+    assert copied == text() != before
+    seen.shot("camera")
+    # The block in the scene's place gives the picture that is seen, but for the digits that text has.
+    moved = seen.samples()
+    seen.after(lambda: page.ask("byId('reset-camera').click()"))
+    assert text() == before and seen.samples() == whole
+    replaced = SCENE.replace("camera { location <0, 2, -6> look_at <0, 0.5, 0> }", copied)
+    assert replaced != SCENE
+    seen.after(lambda: watched.write(watched.scene, replaced))
+    assert beyond(moved, seen.samples())[0] < 0.005 * SIZE[0] * SIZE[1]
+    seen.after(lambda: watched.write(watched.scene, SCENE))
+    page.ask("document.querySelector('[data-tool=pan]').click()")
+
+
+def check_cut(seen):
+    print("cutting plane")
+    whole = seen.samples()
+    seen.after(lambda: seen.choose("cut-axis", "0,1,0"))  # all above y = 0 away
+    seen.after(lambda: seen.choose("cut-offset", 0.3))
+    seen.shot("cut")
+    cut = seen.samples()
+    # The box cut at 0.3 is the box of that height; the picture's left half has nothing of the sphere.
+    low = seen.watched.rendered(*SIZE, "Declare=Height=0.3")
+    left = [k for k in range(len(whole)) if k // 3 % SIZE[0] < SIZE[0] // 2]
+    assert [cut[k] for k in left] == [low[k] for k in left] != [whole[k] for k in left]
+    seen.after(lambda: seen.choose("cut-axis", ""))
+    assert seen.samples() == whole
+
+
+def check_zoom(seen):
+    print("zoom and pan")
+    page = seen.page
+    x, y = seen.on_screen(80, 60)
+    scale = page.ask("view.scale")
+    page.mouse("mouseWheel", x, y, button="none", deltaX=0, deltaY=-200)
+    page.wait(f"view.scale > {scale}")
+    left = page.ask("view.x")
+    page.drag(x, y, x + 40, y)
+    assert abs(page.ask("view.x") - left - 40) < 1.5
+
+
+def check_pick(seen):
+    print("pick")
+    page, watched = seen.page, seen.watched
+    x, y = seen.on_screen(70, 55)
+    page.click(x, y)
+    page.wait("state.picked")
+    text = page.ask("byId('pixel').innerText")
+    assert "box" in text and "part.inc:1" in text, text
+    assert page.ask("[state.picked.x, state.picked.y, ...state.picked.shown]") == [70, 55, *seen.pixel(70, 55)[:3]]
+    printed = subprocess.run([watched.program, "pixel", watched.scene, "70,55", "+W160", "+H120"], check=True, capture_output=True, text=True,
+                             cwd=watched.folder).stdout
+    assert printed == page.ask("state.picked.text"), printed
+    seen.shot("pick")
+
+
+def check_povray(seen):
+    print("POV-Ray beside it")
+    seen.choose("compare", "povray")
+    seen.page.wait("!!compared.povray", 60)
+    assert seen.page.ask("compared.povray.width") == SIZE[0]
+    seen.shot("povray")
+
+
+def check_endless(seen):
+    print("a scene that never ends, and a save that ends it")
+    watched = seen.watched
+    watched.write(watched.scene, "#while (1) #end\n")
+    time.sleep(0.3)
+    started = time.monotonic()
+    seen.after(lambda: watched.write(watched.scene, SCENE), "!state.wrong", 10)
+    assert time.monotonic() - started < 5
 
 
 def run(program, shots):
-    watched = Watched(program, ["--reference=" + os.path.join(os.path.dirname(__file__), "reference.png")]
-                      if os.path.exists(os.path.join(os.path.dirname(__file__), "reference.png")) else [])
-    shot = lambda page, name: shots and page.screenshot(os.path.join(shots, name + ".png"))
-    try:
-        with browser.Browser() as page:
-            generation = lambda: page.ask("state.doneGeneration")
-
-            def after(act, check="true", seconds=30):
-                """Waits for the picture that follows `act`."""
-                before = generation()
-                act()
-                page.wait(f"state.doneGeneration > {before} && ({check})", seconds)
-
-            page.open(watched.address)
-            page.wait("state.doneGeneration > 0")
-            red = pixel(page, 70, 55)
-            assert red[0] > 2 * red[1], red
-            shot(page, "first")
-
-            print("save of an included file, by renaming")
-            after(lambda: watched.replace(watched.part, PART % "0.1, 0.2, 0.9"))
-            blue = pixel(page, 70, 55)
-            assert blue[2] > 2 * blue[0], blue
-
-            print("the same bytes as a render")
-            out = os.path.join(watched.folder, "out.ppm")
-            subprocess.run([program, watched.scene, "+W160", "+H120", "+A0.3", "+FP", "+O" + out], check=True,
-                           stderr=subprocess.DEVNULL)
-            with open(out, "rb") as file:
-                wanted = file.read()[-3 * 160 * 120:]
-            shown = bytes(page.ask("Array.from(paper.getImageData(0, 0, 160, 120).data)"))
-            seen = b"".join(shown[i:i + 3] for i in range(0, len(shown), 4))
-            assert seen == wanted, sum(a != b for a, b in zip(seen, wanted))
-            os.remove(out)
-
-            print("error: message, place, the last good picture")
-            watched.write(watched.part, "#macro Part(H)\nbox { <-1, 0, -0.5>, <0.5, H 0.5> pigmnt { rgb 1 } }\n#end\n")
-            page.wait("state.wrong")
-            text = page.ask("byId('messages').innerText")
-            assert "part.inc:2:" in text and "^" in text, text
-            assert pixel(page, 70, 55) == blue
-            assert page.ask("byId('lamp').className") == "wrong"
-            page.ask("document.querySelector('.message .place').click()")
-            assert page.ask("state.copied").endswith("part.inc:2"), page.ask("state.copied")
-            shot(page, "error")
-
-            print("a file that is missing, and its coming")
-            os.rename(watched.part, watched.part + ".away")
-            watched.write(watched.scene, SCENE + "// again\n")
-            page.wait("byId('messages').innerText.includes('part.inc')")
-            after(lambda: watched.write(watched.part, PART % "0.9, 0.2, 0.1"), "!state.wrong")
-            assert pixel(page, 70, 55) == red, (pixel(page, 70, 55), red)
-
-            print("warning")
-            after(lambda: watched.write(watched.scene, SCENE + '#warning "look here"\n'))
-            assert "look here" in page.ask("byId('messages').innerText")
-            after(lambda: watched.write(watched.scene, SCENE))
-
-            print("comparison with the save before")
-            after(lambda: watched.write(watched.part, PART % "0.1, 0.9, 0.2"))
-            page.ask("byId('compare').value = 'before'; byId('compare').onchange(); byId('wipe').value = 1; drawComparison()")
-            seen = page.ask("Array.from(other.getContext('2d').getImageData(70, 55, 1, 1).data)")
-            assert seen == red, (seen, red)
-            page.ask("byId('compare-how').value = 'difference'; drawComparison()")
-            assert "pixels differ" in page.ask("byId('compare-note').textContent")
-            shot(page, "difference")
-            page.ask("byId('compare').value = ''; drawComparison()")
-
-            print("sliders")
-            assert page.ask("[...byId('values').children].map(r => r.dataset.name).join()") == "clock,Height"
-            sky = pixel(page, 70, 30)
-            move = "(() => {{ const r = document.querySelector('[data-name={0}] input[type=range]'); r.value = {1}; r.oninput(); }})()"
-            after(lambda: page.ask(move.format("Height", 2)))
-            grown = pixel(page, 70, 30)
-            assert grown != sky and grown[1] > grown[0], (sky, grown)
-            still = pixel(page, 118, 56)
-            after(lambda: page.ask(move.format("clock", 1)))
-            assert pixel(page, 118, 56) != still
-            shot(page, "sliders")
-            after(lambda: page.ask("document.querySelector('[data-name=clock] button').click()"))
-            after(lambda: page.ask("document.querySelector('[data-name=Height] button').click()"))
-
-            print("camera by mouse, copied as text")
-            before = page.ask("byId('camera').textContent")
-            page.ask("document.querySelector('[data-tool=orbit]').click()")
-            x, y = middle(page, 80, 60)
-            after(lambda: page.drag(x, y, x + 120, y + 30))
-            page.wait("byId('lamp').className === 'done'")
-            page.ask("byId('copy-camera').click()")
-            text = page.wait("state.copied.startsWith('camera') && state.copied")
-            assert text != before
-            shot(page, "camera")
-            # The block in the scene's place gives the picture that is seen.
-            time.sleep(0.5)
-            turned = page.ask("Array.from(paper.getImageData(0, 0, 160, 120).data)")
-            after(lambda: page.ask("byId('reset-camera').click()"))
-            assert page.ask("byId('camera').textContent") == before
-            replaced = SCENE.replace("camera { location <0, 2, -6> look_at <0, 0.5, 0> }", text)
-            after(lambda: watched.write(watched.scene, replaced))
-            again = page.ask("Array.from(paper.getImageData(0, 0, 160, 120).data)")
-            off = sum(abs(a - b) > 3 for a, b in zip(turned, again))
-            assert off < 0.005 * len(again), off
-            after(lambda: watched.write(watched.scene, SCENE))
-            page.ask("document.querySelector('[data-tool=pan]').click()")
-
-            print("cutting plane")
-            whole = pixel(page, 70, 55)
-            after(lambda: page.ask("byId('cut-axis').value = '0,1,0'; byId('cut-offset').value = 0.3; askCut()"))
-            assert pixel(page, 70, 55) != whole
-            shot(page, "cut")
-            after(lambda: page.ask("byId('cut-axis').value = ''; askCut()"))
-            assert pixel(page, 70, 55) == whole
-
-            print("zoom and pan")
-            x, y = middle(page, 80, 60)
-            scale = page.ask("view.scale")
-            page.mouse("mouseWheel", x, y, button="none", deltaX=0, deltaY=-200)
-            page.wait(f"view.scale > {scale}")
-            left = page.ask("view.x")
-            page.drag(x, y, x + 40, y)
-            assert abs(page.ask("view.x") - left - 40) < 1.5
-
-            print("pick")
-            x, y = middle(page, 70, 55)
-            page.click(x, y)
-            page.wait("state.picked")
-            text = page.ask("byId('pixel').innerText")
-            assert "box" in text and "part.inc:1" in text, text
-            printed = subprocess.run([program, "pixel", watched.scene, "70,55", "+W160", "+H120"], check=True,
-                                     capture_output=True, text=True, cwd=watched.folder).stdout
-            assert printed == page.ask("state.picked.text"), printed
-            shot(page, "pick")
-
-            if shutil.which("povray"):
-                print("POV-Ray beside it")
-                page.ask("byId('compare').value = 'povray'; byId('compare').onchange()")
-                page.wait("!!compared.povray", 60)
-                assert page.ask("compared.povray.width") == 160
-                shot(page, "povray")
-
-            print("a scene that never ends, and a save that ends it")
-            watched.write(watched.scene, "#while (1) #end\n")
-            time.sleep(0.3)
-            started = time.monotonic()
-            after(lambda: watched.write(watched.scene, SCENE), "!state.wrong", 10)
-            assert time.monotonic() - started < 5
-            assert not page.complaints(), page.complaints()
-    finally:
-        left = watched.close()
-    assert left == ["part.inc", "part.inc.away", "scene.pov"], left  # nothing was written
+    files = {"scene.pov": SCENE, "part.inc": PART % "0.9, 0.2, 0.1"}
+    with Watched(program, files, ["+W160", "+H120"], ["part.inc.away"]) as watched, browser.Browser() as page:
+        seen = Seen(page, watched, shots)
+        red, blue = check_saves(seen)
+        check_messages(seen, red, blue)
+        check_before(seen)
+        check_sliders(seen)
+        check_camera(seen)
+        check_cut(seen)
+        check_zoom(seen)
+        check_pick(seen)
+        if shutil.which("povray"):
+            check_povray(seen)
+        check_endless(seen)
+        assert not page.complaints(), page.complaints()
     print("passed")
 
 

@@ -1,0 +1,110 @@
+"""A scene that `whittle watch` looks at in a folder of its own, and the page that a browser shows of it."""
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+
+
+class Watched:
+    """The files, and the program that watches the first of them. Use as a context manager."""
+
+    def __init__(self, program, files, arguments, stay=()):
+        """`stay`: the names that may be in the folder at the end; nothing else was written there."""
+        self.program, self.arguments = program, list(arguments)
+        self.folder = tempfile.mkdtemp(prefix="whittle-watch-")
+        self.stay = sorted([*files, *stay])
+        for name, text in files.items():
+            self.write(self.path(name), text)
+        self.scene = self.path(next(iter(files)))
+        self.process = subprocess.Popen([program, "watch", self.scene, *arguments], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        self.address = self.process.stdout.readline().strip()
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, path, text):
+        with open(path, "w") as out:
+            out.write(text)
+
+    def replace(self, path, text):
+        """As most editors save: a new file takes the old one's place."""
+        self.write(path + "~", text)
+        os.replace(path + "~", path)
+
+    def rendered(self, width, height, *more):
+        """The samples of the scene as an ordinary run of the program makes them."""
+        out = self.path("out.ppm")
+        subprocess.run([self.program, self.scene, f"+W{width}", f"+H{height}", "+A0.3", *more, "+FP", "+O" + out], check=True,
+                       stderr=subprocess.DEVNULL)
+        with open(out, "rb") as file:
+            samples = file.read()[-3 * width * height:]
+        os.remove(out)
+        return samples
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, *_):
+        self.process.terminate()
+        status = self.process.wait(20)
+        left = sorted(os.listdir(self.folder))
+        shutil.rmtree(self.folder)
+        if kind is None:
+            assert status == 2, f"status {status}"
+            assert left == self.stay, left
+
+
+class Seen:
+    """What the page shows."""
+
+    def __init__(self, page, watched, shots=None):
+        self.page, self.watched, self.shots = page, watched, shots
+        page.open(watched.address)
+        page.wait("state.doneGeneration > 0", 60)
+
+    def shot(self, name):
+        if self.shots:
+            self.page.screenshot(os.path.join(self.shots, name + ".png"))
+
+    def after(self, act, check="true", seconds=30):
+        """Waits for the picture that follows `act`."""
+        before = self.page.ask("state.doneGeneration")
+        act()
+        self.page.wait(f"state.doneGeneration > {before} && ({check})", seconds)
+
+    def pixel(self, x, y, paper="paper"):
+        return self.page.ask(f"Array.from({paper}.getImageData({x}, {y}, 1, 1).data)")
+
+    def samples(self, paper="paper"):
+        """Red, green and blue of all pixels."""
+        data = bytes(self.page.ask(f"Array.from({paper}.getImageData(0, 0, picture.width, picture.height).data)"))
+        return b"".join(data[i:i + 3] for i in range(0, len(data), 4))
+
+    def on_screen(self, x, y):
+        """Where a pixel of the picture is in the window."""
+        box = self.page.ask("(() => { const b = stage.getBoundingClientRect(); return [b.left, b.top, view.x, view.y, view.scale]; })()")
+        return box[0] + box[2] + (x + 0.5) * box[4], box[1] + box[3] + (y + 0.5) * box[4]
+
+    def choose(self, control, value, event="change"):
+        """As a hand sets a control of the page."""
+        self.page.ask(f"byId('{control}').value = '{value}'; byId('{control}').dispatchEvent(new Event('{event}'))")
+
+    def save_until(self, text, enough, seconds=60):
+        """Saves the scene again and again until `enough(when it was saved)` is true. What a page sees of one save the machine's other
+        work may delay and coarse passes may be over before they are sent; that can only add time and take events away."""
+        deadline = time.monotonic() + seconds
+        number = 0
+        while True:
+            number += 1
+            saved = 1e3 * time.time()
+            self.after(lambda: self.watched.write(self.watched.scene, f"{text}\n// {number}\n"), seconds=60)
+            if enough(saved):
+                return
+            assert time.monotonic() < deadline, f"not in {number} saves"
+
+
+def beyond(a, b):
+    """How many pixels of two pictures differ by more than 3 of 255 in a channel, and the worst difference."""
+    most = [max(abs(p - q) for p, q in zip(a[i:i + 3], b[i:i + 3])) for i in range(0, len(a), 3)]
+    return sum(m > 3 for m in most), max(most)
