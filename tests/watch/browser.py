@@ -35,7 +35,8 @@ class Browser:
         if os.geteuid() == 0:
             words.insert(1, "--no-sandbox")
         self.process = subprocess.Popen(words, preexec_fn=place, close_fds=False, stdin=subprocess.DEVNULL,
-                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                        env={**os.environ, "TMPDIR": self.profile})  # what it leaves goes with the profile
         os.close(to_read)
         os.close(from_write)
         self.buffer = b""
