@@ -60,7 +60,11 @@ class Browser:
             self.process.wait()
         os.close(self.to_write)
         os.close(self.from_read)
-        shutil.rmtree(self.profile, ignore_errors=True)
+        for _ in range(50):  # its helpers may write for a moment still
+            shutil.rmtree(self.profile, ignore_errors=True)
+            if not os.path.exists(self.profile):
+                break
+            time.sleep(0.1)
 
     def _message(self, deadline):
         while b"\0" not in self.buffer:
