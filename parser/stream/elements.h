@@ -25,9 +25,4 @@ inline std::size_t element_index(const Array& array, const double* subscripts, s
     return index;
 }
 
-/// One that gives its memory back if that was much.
-std::shared_ptr<Array> new_array();
-/// So many elements, none of them set.
-void make_elements(Array& array, std::size_t count);
-
 }  // namespace parser

@@ -1,7 +1,6 @@
 #include "render/app/benchmark.h"
 #include "render/app/editor/fmt_command.h"
 #include "render/app/editor/lint_command.h"
-#include "render/app/heap.h"
 #include "render/app/options/command_line.h"
 #include "render/app/lsp/lsp_command.h"
 #include "render/app/compare_command.h"
@@ -134,7 +133,6 @@ int run(const std::vector<std::string>& arguments, app::Settings& settings, app:
         return app::kSuccess;
     }
     heed_signals();
-    app::prepare_heap();
     app::read_default_ini_file(settings);
     if (has_word(arguments, {"--benchmark", "-benchmark"})) {
         app::apply_benchmark(settings);

@@ -84,7 +84,7 @@ const Op* store_elements(const Op* op, Machine& m)
 
 const Op* make_array(const Op* op, Machine& m)
 {
-    auto array = new_array();
+    auto array = std::make_shared<Array>();
     double elements = 1;
     for (std::uint32_t i = 0; i < op->to; ++i) {
         const double size = std::floor(m.registers[op->b + i] + kSubscriptSlack);
@@ -94,7 +94,7 @@ const Op* make_array(const Op* op, Machine& m)
     }
     Value* const to = m.value_to_store(op->a, op->jump != 0);
     if (!to) return m.leave(op);
-    make_elements(*array, static_cast<std::size_t>(elements));
+    array->elements.resize(static_cast<std::size_t>(elements));
     *to = std::move(array);
     return op + 1;
 }

@@ -3,12 +3,9 @@
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 /// Arrays and dictionaries: how they are written and how their parts are named.
@@ -30,43 +27,7 @@ void grow(Array& array)
     array.sizes[0] = static_cast<std::uint32_t>(array.elements.size());
 }
 
-constexpr std::size_t kHugePage = std::size_t{2} << 20, kMuch = 2 * kHugePage;
-
-/// Calls madvise on the whole pages of a block, and on `more` bytes behind it.
-void advise(const void* block, std::size_t bytes, int advice, std::size_t more = 0)
-{
-    static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    const auto begin = reinterpret_cast<std::uintptr_t>(block);
-    const std::uintptr_t first = (begin + page - 1) / page * page, last = (begin + bytes) / page * page;
-    madvise(reinterpret_cast<void*>(first), last - first + more, advice);
-}
-
-std::size_t bytes_of(const Array& array) { return array.elements.capacity() * sizeof(Value); }
-
 }  // namespace
-
-std::shared_ptr<Array> new_array()
-{
-    return {new Array, [](Array* array) {
-                array->elements.clear();
-                if (bytes_of(*array) >= kMuch) advise(array->elements.data(), bytes_of(*array), MADV_DONTNEED);
-                delete array;
-            }};
-}
-
-void make_elements(Array& array, std::size_t count)
-{
-    array.elements.reserve(count);
-    if (const std::size_t bytes = bytes_of(array); bytes >= kMuch) {
-        // As large as it is: pages of 2 MB would round it up, and what comes behind it. One may be there already, for
-        // the heap notes its end behind each block: what no one uses of it is given back.
-        advise(array.elements.data(), bytes, MADV_NOHUGEPAGE, 2 * kHugePage);
-        const std::unique_ptr<char[]> behind(new char[kHugePage]);
-        advise(array.elements.data(), bytes, MADV_DONTNEED);
-        advise(behind.get(), kHugePage, MADV_DONTNEED);
-    }
-    array.elements.resize(count);
-}
 
 Cell TokenStream::element_cell(const std::shared_ptr<Array>& array, const Token& name, bool may_create)
 {
@@ -150,7 +111,7 @@ std::shared_ptr<Array> TokenStream::read_array()
 {
     next();
     const bool raw = std::exchange(raw_operators_, false);
-    auto array = new_array();
+    auto array = std::make_shared<Array>();
     if (at_new_word("mixed")) next(), array->mixed = true;
     double elements = 1;
     if (new_language() && peek_raw().kind != Kind::LeftSquare) {
@@ -167,7 +128,7 @@ std::shared_ptr<Array> TokenStream::read_array()
         if (!(size >= 1.0 && elements <= kMostElements)) fail(last(), "this array has no or too many elements");
         array->sizes.push_back(static_cast<std::uint32_t>(size));
     }
-    make_elements(*array, static_cast<std::size_t>(elements));
+    array->elements.resize(static_cast<std::size_t>(elements));
     if (at_new_word("optional")) next(), array->gaps = true;
     if (peek_raw().kind == Kind::LeftBrace) {
         std::size_t at = 0;
