@@ -2,7 +2,6 @@
 
 usage: page.py WHITTLE [--shots FOLDER]     exit status 0: passed, 77: no browser
 """
-import argparse
 import math
 import os
 import re
@@ -12,7 +11,7 @@ import sys
 import time
 
 import browser
-from watched import Seen, Watched, beyond
+from watched import NO_BROWSER, Seen, Watched, asked, beyond
 
 SCENE = """#version 3.7;
 global_settings { assumed_gamma 1 }
@@ -239,15 +238,9 @@ def run(program, shots):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("whittle")
-    parser.add_argument("--shots", help="folder for screenshots")
-    arguments = parser.parse_args()
-    if not browser.find():
-        print("no chromium: the page is not tested")
-        return 77
-    if arguments.shots:
-        os.makedirs(arguments.shots, exist_ok=True)
+    arguments = asked()
+    if not arguments:
+        return NO_BROWSER
     run(os.path.abspath(arguments.whittle), arguments.shots)
     return 0
 

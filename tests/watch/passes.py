@@ -3,14 +3,13 @@ times of the stages; and the comparison with a reference, POV-Ray's picture of t
 
 usage: passes.py WHITTLE [--shots FOLDER]     exit status 0: passed, 77: no browser
 """
-import argparse
 import base64
 import os
 import re
 import sys
 
 import browser
-from watched import Seen, Watched, beyond
+from watched import NO_BROWSER, Seen, Watched, asked, beyond
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 SIZE = (640, 480)  # whole blocks of 16 pixels, so that each cell of a coarse pass is a square of the picture
@@ -153,15 +152,9 @@ def check_reference(program, shots):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("whittle")
-    parser.add_argument("--shots", help="folder for screenshots")
-    arguments = parser.parse_args()
-    if not browser.find():
-        print("no chromium: the page is not tested")
-        return 77
-    if arguments.shots:
-        os.makedirs(arguments.shots, exist_ok=True)
+    arguments = asked()
+    if not arguments:
+        return NO_BROWSER
     program = os.path.abspath(arguments.whittle)
     # One thread, so that the last pass lasts some tenths of a second: the time left is told ten times a second.
     size = [f"+W{SIZE[0]}", f"+H{SIZE[1]}", "+WT1"]

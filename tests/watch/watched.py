@@ -1,9 +1,28 @@
 """A scene that `whittle watch` looks at in a folder of its own, and the page that a browser shows of it."""
+import argparse
 import os
 import shutil
 import subprocess
 import tempfile
 import time
+
+import browser
+
+NO_BROWSER = 77  # exit status that ctest takes for "skipped"
+
+
+def asked():
+    """The command line of a test of the page; None, told, where there is no browser."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("whittle")
+    parser.add_argument("--shots", help="folder for screenshots")
+    arguments = parser.parse_args()
+    if not browser.find():
+        print("no chromium: the page is not tested")
+        return None
+    if arguments.shots:
+        os.makedirs(arguments.shots, exist_ok=True)
+    return arguments
 
 
 class Watched:
