@@ -6,7 +6,8 @@
 namespace csg {
 
 /// Each ray goes its own way, but they share the stack: a node is looked at once for all that come to it, and a leaf
-/// is opened for these. leaf.open(child, rays) lowers rays.limit.
+/// is opened for these. leaf.open(child, rays) lowers rays.limit; leaf.fetch(child), if there is one, is told of what
+/// will be looked at.
 template <class Rays, class Leaf>
 class PacketWalk {
 public:
@@ -64,6 +65,7 @@ private:
         for (std::uint32_t mask = slabs_.meet(node.bounds, asked, rays, near); mask != 0; mask &= mask - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(mask));
             if ((node.kinds[i] & kinds_) == 0) continue;
+            if constexpr (requires { leaf_.fetch(node.child[i]); }) leaf_.fetch(node.child[i]);
             int at = top++;
             for (; at > bottom && stack_[at - 1].near < near[i]; --at) stack_[at] = stack_[at - 1];
             stack_[at] = {node.child[i], near[i], rays[i]};

@@ -65,6 +65,7 @@ public:
 
     double guarded_until(std::size_t k) const { return rays_.limit[k]; }
     static bool first_only(const WorldItem& item) { return item.all_opaque; }
+    static bool any_will_do() { return true; }
     void hit(std::uint32_t index, std::size_t k, const Hit& found)
     {
         if (world_.items[index].all_opaque) block(k);

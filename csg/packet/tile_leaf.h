@@ -3,6 +3,7 @@
 #include "csg/packet/lane_boolean.h"
 #include "csg/packet/lane_front.h"
 #include "csg/packet/lane_torus.h"
+#include "csg/packet/mesh_rays.h"
 #include "csg/packet/tile_walk.h"
 #include "csg/world/world_item.h"
 
@@ -15,6 +16,7 @@ namespace csg {
 ///   query.program(item index, front)   what came of it
 ///   query.record(item index, ray, told)  what a lone solid that answers many rays together has told of one;
 ///   query.first_only(item)             whether the nearest drawn end of it is enough
+///   query.any_will_do()                and any other as well
 ///   query.hit(item index, ray, hit)    one crossing of a CSG object: the nearest, or each of them
 ///   query.each(item index, ray)        anything else, ray by ray
 ///   query.guarded_until(ray)           as `end` of passes()
@@ -56,8 +58,10 @@ struct TileLeaf {
             return;
         }
         if (kind_of(item.solid) == SolidKind::Torus && !guarded && torus(index, mask)) return;
-        if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many))
+        const bool mesh = serves_mesh(item, mask);
+        if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many || mesh))
             mask = passing(item, mask);
+        if (mesh) return faces(index, mask);
         if (item.many && (mask & (mask - 1)) != 0) {
             if (item.solid != kNoPart) return together(index, mask);
             return fetched(index, mask);
@@ -93,6 +97,33 @@ private:
                 out |= RayMask{1} << k;
         });
         return out;
+    }
+
+    bool serves_mesh(const WorldItem& item, RayMask mask) const
+    {
+        constexpr int kFewest = 4;
+        return kind_of(item.solid) == SolidKind::Mesh && std::popcount(mask) >= kFewest && query.first_only(item);
+    }
+
+    /// A mesh of which the nearest face of each ray is enough, or any where the query needs no more.
+    void faces(std::uint32_t index, RayMask mask) const
+    {
+        const WorldItem& item = world.items[index];
+        const Mesh& mesh = world.store.all<Mesh>()[index_of(item.solid)];
+        MeshRays near;
+        each_ray(mask, [&](std::size_t k) {
+            if (!(rays.limit[k] < 0.0))
+                near.add(mesh.shape->bounds(), local_ray(mesh.frame, rays.ray(static_cast<int>(k))), k, rays.t_min[k],
+                         rays.limit[k]);
+        });
+        MeshFaces met(*mesh.shape, near, rays, query.any_will_do());
+        const PacketSlabs<MeshRays> slabs(near);
+        PacketWalk(mesh.shape->bvh(), slabs, near, ~0u, met).run();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(near.count); ++i) {
+            if (!(met.t[i] < kInfinity)) continue;
+            const Hit hit{met.t[i], mesh.surface(met.face[i]), item.solid, met.face[i], item.inverted};
+            if (hit.found()) query.hit(index, near.place[i], hit);
+        }
     }
 
     static bool serves_ends(const WorldItem& item, RayMask mask)

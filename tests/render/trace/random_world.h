@@ -3,7 +3,9 @@
 #include "csg/world/world.h"
 #include "csg/world/world_data.h"
 
+#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <random>
 
 /// Random scenes and rays; the same seed gives the same ones.
@@ -61,8 +63,40 @@ inline csg::Solid block(Rng& rng, const glm::dvec3& center, double size)
     return csg::Box{center - glm::dvec3(step(), step(), step()), center + glm::dvec3(step(), step(), step())};
 }
 
-/// Lone solids, some CSG objects and two planes; one surface in `clear_one_in` is clear, some items are hidden from
-/// shadow rays.
+/// A ball of faces with two surfaces in turn, some of them missing, others twice: large enough for levels of nodes.
+inline csg::Mesh mesh(Rng& rng, const glm::dvec3& center, csg::SurfaceId first, csg::SurfaceId second)
+{
+    csg::MeshInput input;
+    const auto rings = 4 + rng.below(20), sectors = 2 * rings;
+    for (std::uint32_t i = 0; i <= rings; ++i)
+        for (std::uint32_t k = 0; k <= sectors; ++k) {
+            const double up = std::acos(-1.0) * i / rings, round = 2.0 * std::acos(-1.0) * k / sectors;
+            const double far = 1.0 + 0.2 * std::sin(5.0 * up) * std::cos(3.0 * round);
+            input.vertices.push_back(
+                far * glm::dvec3(std::sin(up) * std::cos(round), std::cos(up), std::sin(up) * std::sin(round)));
+        }
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        const auto times = rng.below(12);  // none, or two in one place
+        for (std::uint32_t k = 0; k < (times == 0 ? 0u : times == 1 ? 2u : 1u); ++k)
+            input.faces.push_back({.vertex = {a, b, c}, .slot = static_cast<std::uint32_t>(input.faces.size() % 2)});
+    };
+    for (std::uint32_t i = 0; i < rings; ++i)
+        for (std::uint32_t k = 0; k < sectors; ++k) {
+            const std::uint32_t a = i * (sectors + 1) + k, b = a + sectors + 1;
+            add(a, a + 1, b);
+            add(a + 1, b + 1, b);
+        }
+    csg::Mesh made;
+    made.shape = std::make_shared<const csg::MeshShape>(input);
+    made.surfaces = {first, second};
+    if (rng.below(3) != 0)
+        made.frame = csg::Transform::translate(center) * csg::Transform::rotate_degrees(rng.point(180.0)) *
+                     csg::Transform::scale(glm::dvec3(rng.uniform(0.3, 2.0), rng.uniform(0.3, 2.0), 1.0));
+    return made;
+}
+
+/// Lone solids, some CSG objects, meshes and two planes; one surface in `clear_one_in` is clear, some items are hidden
+/// from shadow rays.
 inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear_one_in = 5)
 {
     std::uint32_t object = 0;
@@ -89,6 +123,10 @@ inline void fill(csg::WorldData& world, Rng& rng, int count, std::uint32_t clear
         }
         csg::Program program = csg::build(tree, world.store);
         if (!program.nodes.empty()) world.add_program(std::move(program), object++, visible());
+    }
+    for (std::uint32_t k = 0; k < 1 + rng.below(3); ++k) {
+        const csg::SurfaceId first = next_surface(), second = rng.below(2) == 0 ? first : next_surface();
+        world.add_solid(world.store.add(mesh(rng, rng.point(8.0), first, second), first), false, object++, visible());
     }
     // One with enough cuts for a hierarchy of them.
     csg::Tree pitted{.op = csg::Tree::Op::Difference};
