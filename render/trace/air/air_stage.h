@@ -39,11 +39,12 @@ private:
     /// Segments with nothing solid around them.
     HitMask find_hollow() const
     {
-        const auto hollow = [&](std::size_t k) { return tile_.interiors(k).all_hollow(context_.scene.interiors); };
+        const std::vector<plan::Interior>& interiors = context_.scene.interiors;
+        const auto hollow = [&](std::size_t k) { return tile_.interiors(k).all_hollow(interiors); };
         if (tile_.alike()) return hollow(0) ? first_hits(tile_.count()) : 0;
         HitMask all = 0;
         for (std::size_t k = 0; k < static_cast<std::size_t>(tile_.count()); ++k)
-            if (hollow(k)) all |= HitMask{1} << k;
+            all |= static_cast<HitMask>(hollow(k)) << k;
         return all;
     }
 
@@ -67,8 +68,6 @@ private:
     {
         using csg::lanes::Double;
         ShadeScratch& scratch = context_.scratch.shade;
-        const auto count = static_cast<std::size_t>(tile_.count());
-        std::fill_n(scratch.air.begin(), count, Air());
         alignas(64) TileLanes length = tile_.hits.t, passes;
         for_each_hit(first_hits(tile_.count()) & ~tile_.found(), [&](std::size_t k) { length[k] = kSkyDistance; });
         HitMask changed = 0;
@@ -83,6 +82,7 @@ private:
             }
             if (tint != glm::vec3(1)) seen = ~HitMask{0};
             seen &= first_hits(tile_.count());
+            for_each_hit(seen & ~changed, [&](std::size_t k) { scratch.air[k] = Air(); });
             changed |= seen;
             for_each_hit(seen, [&](std::size_t k) {
                 Air& air = scratch.air[k];

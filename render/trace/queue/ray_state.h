@@ -52,6 +52,7 @@ public:
     /// Nothing solid around: fog shows.
     bool all_hollow(const std::vector<plan::Interior>& interiors) const
     {
+        if (empty()) return head_.clouded == 0;  // as most are
         return head_.clouded == 0 && std::all_of(items_.data(), items_.data() + head_.count,
                                                  [&](std::uint32_t i) { return interiors[i].hollow; });
     }
