@@ -136,7 +136,7 @@ void BlockCompiler::mark_drawing(std::uint32_t token, std::uint32_t place, std::
 /// Whether it may change something before the statement is done.
 bool BlockCompiler::draws(const Token& token) const
 {
-    if (token.kind != Kind::Identifier) return token.kind == Kind::Rand;
+    if (token.kind != Kind::Identifier) return token.kind == Kind::Rand || token.kind == Kind::Trace;
     const Value* const value = find(token.name);
     return value && value->get_if<std::shared_ptr<const Macro>>();
 }

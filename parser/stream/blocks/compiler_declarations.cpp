@@ -212,7 +212,7 @@ bool BlockCompiler::argument(std::uint32_t& at, std::uint32_t end, Argument& out
     if (meant && ends(at + 1)) {
         out.kind = Argument::Kind::Name;
         out.name = tokens_[at].name;
-        if (slot_kind(*meant) == kAny) return false;
+        if (slot_kind(*meant) == kAny && !meant->get_if<std::shared_ptr<const scene::Object>>()) return false;
         ++at;
         return true;
     }

@@ -86,8 +86,9 @@ Cell given(const Argument& argument, Machine& m)
     switch (argument.kind) {
     case Argument::Kind::Name: {
         Cell cell = m.symbols.find_cell(argument.name);
-        const bool plain =
-            cell && (cell->get_if<Tuple>() || cell->get_if<std::string>() || cell->get_if<std::shared_ptr<Array>>());
+        const bool plain = cell && (cell->get_if<Tuple>() || cell->get_if<std::string>() ||
+                                    cell->get_if<std::shared_ptr<Array>>() ||
+                                    cell->get_if<std::shared_ptr<const scene::Object>>());
         return plain ? std::move(cell) : nullptr;  // a copy would be counted
     }
     case Argument::Kind::Element: {

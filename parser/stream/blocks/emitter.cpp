@@ -134,6 +134,19 @@ bool Emitter::borrow(std::uint32_t expression, std::size_t at, std::size_t takes
     return true;
 }
 
+bool Emitter::trace(std::uint32_t object, std::uint32_t normal)
+{
+    const std::uint32_t to = slot(normal, 3);
+    if (to == kNoIndex) return false;
+    const std::uint32_t first = in_registers(6);
+    Op& op = emit(kTrace);
+    op.to = first;
+    op.a = object;
+    op.b = to;
+    drop(3);
+    return true;
+}
+
 bool Emitter::load_tuple(const CompiledExpression& read, std::size_t& at)
 {
     const CompiledOp& op = read.ops[at];
@@ -223,6 +236,10 @@ bool Emitter::operation(const CompiledExpression& read, std::size_t& at, std::ui
         for (std::uint8_t i = 1; i < op.a; ++i) stack_.push_back(Entry(stack_.back()));
         return true;
     case Code::MacroCall: return macro_call(read.calls[op.name], op.a);
+    case Code::Trace:
+        if (at + 1 == read.ops.size() || read.ops[at + 1].code != Code::StoreNormal)
+            return borrow(expression, at, 6, 3);
+        return trace(op.name, read.ops[++at].name);
     default: return op.code >= Code::TextConstant ? text_operation(op) : tuples(op, expression, at);
     }
 }
@@ -258,8 +275,7 @@ bool Emitter::tuples(const CompiledOp& op, std::uint32_t expression, std::size_t
     case Code::Inside: return borrow(expression, at, 3, 1);
     case Code::Dot: return borrow(expression, at, 6, 1);
     case Code::Cross:
-    case Code::Rotate:
-    case Code::Trace: return borrow(expression, at, 6, 3);
+    case Code::Rotate: return borrow(expression, at, 6, 3);
     case Code::Normalize: return borrow(expression, at, 3, 3);
     case Code::Curve: return borrow(expression, at, 1, op.b);
     case Code::Call: return borrow(expression, at, op.a, program_.expressions[expression].functions[op.b]->components);

@@ -55,7 +55,9 @@ extern const Handler kAddTuple;       ///< to += a, count b
 extern const Handler kSubtractTuple;  ///< to -= a, count b
 extern const Handler kScaleTuple;     ///< to *= the number in register a, count b
 extern const Handler kDivideTuple;    ///< to /= the number in register a, count b
-extern const Handler kBorrowed;       ///< operation b of expression a, on a stack whose first free register is `to`
+extern const Handler
+    kTrace;  ///< trace() of the object whose name is a: origin and direction become the point; slot b: the normal
+extern const Handler kBorrowed;  ///< operation b of expression a, on a stack whose first free register is `to`
 
 // Arrays: slot a.
 Handler element_handler(Operand subscript);                       ///< to = A[b], one component

@@ -1,5 +1,6 @@
 #include "parser/stream/blocks/machine.h"
 #include "parser/stream/blocks/operations.h"
+#include "parser/stream/hooks.h"
 
 /// Vectors and colours, and what is borrowed from the operations of single expressions.
 namespace parser::blocks {
@@ -66,6 +67,29 @@ const Op* divide_tuple(const Op* op, Machine& m)
     return op + 1;
 }
 
+glm::dvec3 at3(const double* v) { return {v[0], v[1], v[2]}; }
+
+/// The normal is stored before the statement is done: it is noted, as what comes behind may leave the statement.
+const Op* trace(const Op* op, Machine& m)
+{
+    if (!m.slots[op->b].numbers && !m.missing(op, op->b)) return nullptr;
+    const Value* const value = m.symbols.find(op->a);
+    const auto* const asked = value ? value->get_if<std::shared_ptr<const scene::Object>>() : nullptr;
+    if (!asked || !(*asked)->drawn()) return m.leave(op);
+    double* const at = m.registers + op->to;
+    const auto answer = m.context.hooks.trace(*asked, at3(at), glm::normalize(at3(at + 3)));
+    if (!answer) return m.leave(op);
+    m.note(op->b);
+    const glm::dvec3 point = answer->hit ? answer->point : glm::dvec3(0.0);
+    const glm::dvec3 normal = answer->hit ? answer->normal : glm::dvec3(0.0);
+    double* const to = m.slots[op->b].numbers;
+    for (int i = 0; i < 3; ++i) {
+        at[i] = point[i];
+        to[i] = normal[i];
+    }
+    return op + 1;
+}
+
 const Op* borrowed(const Op* op, Machine& m)
 {
     const CompiledExpression& expression = m.program->expressions[op->a];
@@ -81,6 +105,7 @@ const Handler kAddTuple = add_tuple;
 const Handler kSubtractTuple = subtract_tuple;
 const Handler kScaleTuple = scale_tuple;
 const Handler kDivideTuple = divide_tuple;
+const Handler kTrace = trace;
 const Handler kBorrowed = borrowed;
 
 }  // namespace parser::blocks

@@ -40,7 +40,8 @@ bool Compiler::macro_argument(CompiledArgument& out)
     if (meant && ends(at_ + 1)) {
         out.kind = CompiledArgument::Kind::Name;
         out.name = tokens_[at_++].name;
-        return array || meant->get_if<Tuple>() || meant->get_if<std::string>();
+        return array || meant->get_if<Tuple>() || meant->get_if<std::string>() ||
+               meant->get_if<std::shared_ptr<const scene::Object>>();
     }
     if (array) {  // an element alone is given by reference
         const std::size_t ops = out_.ops.size();
