@@ -1,5 +1,7 @@
 #include "parser/lexer/number_blocks.h"
 
+#include "parser/lexer/short_number.h"
+
 #include <charconv>
 #include <cstddef>
 #include <cstring>
@@ -7,9 +9,6 @@
 
 namespace parser {
 namespace {
-
-constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 
@@ -42,6 +41,7 @@ public:
     /// `< a, b, c >`: `count` numbers.
     bool vector(double* values, int count)
     {
+        if (next() == '<' && plain_vector(values, count)) return true;
         if (!accept('<')) return false;
         for (int i = 0; i < count; ++i)
             if (!number(values[i]) || !accept(i + 1 < count ? ',' : '>')) return false;
@@ -62,8 +62,24 @@ public:
     void go_back(const char* to) { at_ = to; }
 
 private:
-    /// Digits of at most 2^53 times or over a power of ten up to 10^22 are rounded once; others are left to the
-    /// library.
+    /// A vector of short numbers with at most a blank between them. False: it stands where it stood.
+    bool plain_vector(double* values, int count)
+    {
+        constexpr std::ptrdiff_t kMost = 3 * (kShortNumber + 3);
+        if (end_ - at_ < kMost) return false;
+        const char* at = at_;
+        for (int i = 0; i < count; ++i) {
+            ++at;  // '<' or ','
+            at += *at == ' ' ? 1 : 0;
+            const bool minus = *at == '-';
+            at = short_number(at + (minus ? 1 : 0), values[i]);
+            if (!at || *at != (i + 1 < count ? ',' : '>')) return false;
+            values[i] = minus ? -values[i] : values[i];
+        }
+        at_ = at + 1;
+        return true;
+    }
+    /// Numbers that do not round once are left to the library.
     bool literal(double& value)
     {
         const char* const begin = at_;
@@ -92,8 +108,7 @@ private:
         if (at_ < end_ && (is_digit(*at_) || *at_ == '_' || ((*at_ | 0x20) >= 'a' && (*at_ | 0x20) <= 'z')))
             return false;
         const int power = exponent - point;
-        constexpr std::uint64_t kExact = 1ull << 53;
-        if (count <= 19 && significand <= kExact && power >= -22 && power <= 22) {
+        if (count <= 19 && significand <= kExactDigits && power >= -22 && power <= 22) {
             const double whole = static_cast<double>(significand);
             value = power < 0 ? whole / kPowersOfTen[-power] : whole * kPowersOfTen[power];
             return true;
@@ -199,7 +214,7 @@ bool read_list(ListReader& in, std::vector<double>& values, NumberList& list, Ki
         } else {
             in.accept(',');
         }
-        values.insert(values.end(), item, item + list.stride);
+        for (std::uint32_t i = 0; i < list.stride; ++i) values.push_back(item[i]);
         ++list.items;
     }
     return in.next() == '}' && count == static_cast<double>(list.items);

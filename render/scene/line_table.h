@@ -1,8 +1,10 @@
 #pragma once
 
+#include <emmintrin.h>
+
 #include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 #include <vector>
 
@@ -19,9 +21,12 @@ public:
     LineTable() = default;
     explicit LineTable(std::string_view text)
     {
+        constexpr std::size_t kShortLine = 16;  // memory that is not written to costs nothing
+        starts_.reserve(text.size() / kShortLine + 1);
         starts_.push_back(0);
-        if (std::memchr(text.data(), '\r', text.size()) == nullptr) find_line_feeds(text);
-        else find_line_ends(text);
+        if (find_line_feeds(text)) return;
+        starts_.resize(1);
+        find_line_ends(text);
     }
     bool empty() const { return starts_.empty(); }
     std::uint32_t lines() const { return static_cast<std::uint32_t>(starts_.size()); }
@@ -35,14 +40,31 @@ public:
     }
 
 private:
-    void find_line_feeds(std::string_view text)
+    /// False: there are other line ends, too. Lines are short: 64 bytes are looked at together.
+    bool find_line_feeds(std::string_view text)
     {
-        for (std::size_t at = 0; at < text.size();) {
-            const void* found = std::memchr(text.data() + at, '\n', text.size() - at);
-            if (!found) return;
-            at = static_cast<std::size_t>(static_cast<const char*>(found) - text.data()) + 1;
-            starts_.push_back(static_cast<std::uint32_t>(at));
+        constexpr std::size_t kStep = 64, kLanes = 16;
+        const __m128i feed = _mm_set1_epi8('\n'), carriage = _mm_set1_epi8('\r');
+        std::size_t at = 0;
+        for (; at + kStep <= text.size(); at += kStep) {
+            std::uint64_t feeds = 0;
+            __m128i returns = _mm_setzero_si128();
+            for (std::size_t i = 0; i < kStep; i += kLanes) {
+                const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(text.data() + at + i));
+                returns = _mm_or_si128(returns, _mm_cmpeq_epi8(bytes, carriage));
+                const int found = _mm_movemask_epi8(_mm_cmpeq_epi8(bytes, feed));
+                feeds |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(found)) << i;
+            }
+            if (_mm_movemask_epi8(returns) != 0) return false;
+            for (; feeds != 0; feeds &= feeds - 1)
+                starts_.push_back(
+                    static_cast<std::uint32_t>(at + static_cast<std::size_t>(std::countr_zero(feeds)) + 1));
         }
+        for (; at < text.size(); ++at) {
+            if (text[at] == '\r') return false;
+            if (text[at] == '\n') starts_.push_back(static_cast<std::uint32_t>(at + 1));
+        }
+        return true;
     }
     /// CR LF and LF CR are one line end.
     void find_line_ends(std::string_view text)

@@ -1,8 +1,10 @@
 #include "parser/lexer/number_blocks.h"
+#include "parser/lexer/short_number.h"
 #include "tests/parser/grammar_support.h"
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <random>
@@ -176,5 +178,42 @@ TEST_CASE("a mesh begins with one token for its plain triangles", "[parser][mesh
         values.clear();
         CHECK(read(text, values) == "none");
         CHECK(values.empty());
+    }
+}
+
+TEST_CASE("short numbers are what the library reads", "[parser][mesh]")
+{
+    std::mt19937 random(11);
+    const auto upto = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most + 1)); };
+    const auto digits = [&](int count) {
+        std::string out;
+        for (int i = 0; i < count; ++i) out += static_cast<char>('0' + upto(9));
+        return out;
+    };
+    int read = 0;
+    constexpr int kTexts = 20'000;
+    for (int i = 0; i < kTexts; ++i) {
+        std::string text = digits(upto(9));
+        if (upto(3) > 0) text += "." + digits(upto(9));
+        if (upto(3) == 0)
+            text += std::string(upto(1) ? "e" : "E") + std::array{"", "+", "-"}[static_cast<std::size_t>(upto(2))] +
+                    digits(upto(3));
+        const std::string padded = text + std::array{",", ">", " ", "\n"}[static_cast<std::size_t>(upto(3))] +
+                                   std::string(40, ' ');
+        double value = -1.0, expected = -2.0;
+        const char* const end = parser::short_number(padded.data(), value);
+        if (!end) continue;
+        ++read;
+        INFO(text);
+        const auto result = std::from_chars(padded.data(), padded.data() + padded.size(), expected);
+        REQUIRE(end == result.ptr);
+        REQUIRE(value == expected);
+    }
+    CHECK(read > kTexts / 2);
+    double value = 0.0;
+    for (const char* const text : {"123456789", "1.123456789", ".5", "1.", "1.e2", "1e", "1e+", "1e999", "1e-23", "",
+                                   "x", "-1", "99999999.99999999"}) {
+        INFO(text);
+        CHECK(parser::short_number((text + std::string(40, ' ')).c_str(), value) == nullptr);
     }
 }

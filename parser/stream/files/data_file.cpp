@@ -1,5 +1,7 @@
 #include "parser/stream/files/data_file.h"
 
+#include "parser/lexer/short_number.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -77,6 +79,11 @@ bool DataFile::plain_number(double& to)
     if (!has(0)) return false;
     const bool begins = is_digit(text[position]) || (text[position] == '.' && has(1) && is_digit(text[position + 1]));
     if (!begins) return false;
+    if (text.size() - position > kShortNumber)
+        if (const char* const end = short_number(text.data() + position, to)) {
+            position = static_cast<std::size_t>(end - text.data());
+            return true;
+        }
     for (;;) {
         to = 0;
         const char* const last = text.data() + text.size();
