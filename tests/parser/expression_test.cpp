@@ -1,8 +1,12 @@
+#include "parser/stream/expressions/compiled_functions.h"
 #include "tests/parser/stream_support.h"
 
 #include <catch2/catch.hpp>
 
+#include <bit>
+#include <cmath>
 #include <fstream>
+#include <random>
 
 // Each row: an expression and what POV-Ray 3.7 prints for it (data/make_expressions.py).
 TEST_CASE("expressions have POV-Ray's values", "[parser][expression]")
@@ -91,4 +95,25 @@ TEST_CASE("five components are single precision once they are stored", "[parser]
     CHECK(x_of("#macro M(X) #debug concat(str(X.x,0,10),\" \") #end M(<4.47,1/3,0,0,pi>) #for(I,1,3) "
                "M(<4.47,1/3,0,0,pi>) #declare V=<4.47,I,0,0,pi>; #debug concat(str(V.x,0,6),\" \") #end") ==
           "4.4699997902 4.4699997902 4.470000 4.4699997902 4.470000 4.4699997902 4.470000 ");
+}
+
+TEST_CASE("mod() of whole numbers is the library's", "[parser][expression]")
+{
+    std::mt19937_64 random(5);
+    const auto whole = [&] {
+        const std::uint64_t bits = random();
+        return static_cast<double>(static_cast<std::int64_t>(bits >> (10 + bits % 54))) * (random() % 2 ? 1.0 : -1.0);
+    };
+    for (int i = 0; i < 200'000; ++i) {
+        const double b = whole(), times = static_cast<double>(random() % 1000);
+        const double a = i % 5 == 0 ? b * times : i % 7 == 0 ? whole() / 8.0 : whole();
+        const double ours = parser::remainder_of(a, b), theirs = std::fmod(a, b);
+        INFO(a << " and " << b);
+        REQUIRE((std::isnan(theirs) ? std::isnan(ours)
+                                    : std::bit_cast<std::uint64_t>(ours) == std::bit_cast<std::uint64_t>(theirs)));
+    }
+    CHECK(std::signbit(parser::remainder_of(-6.0, 3.0)));
+    CHECK(std::isnan(parser::remainder_of(6.0, 0.0)));
+    CHECK(std::isnan(parser::remainder_of(INFINITY, 3.0)));
+    CHECK(parser::remainder_of(5.0, INFINITY) == 5.0);
 }

@@ -198,12 +198,6 @@ double in_parentheses(TokenStream& stream, const Token& word)
 
 }  // namespace
 
-std::int32_t to_int32(double value)
-{
-    if (!(value > -2147483649.0 && value < 2147483648.0)) return std::numeric_limits<std::int32_t>::min();
-    return static_cast<std::int32_t>(value);
-}
-
 std::shared_ptr<const scene::Object> read_object_identifier(TokenStream& stream)
 {
     auto object = stream.accept_identifier<std::shared_ptr<const scene::Object>>();

@@ -20,7 +20,11 @@ Tuple replicated(double value, int requested);
 /// An identifier that must be an object: argument of trace, inside, ...
 std::shared_ptr<const scene::Object> read_object_identifier(TokenStream& stream);
 /// Truncation towards zero to 32 bits; what does not fit (or is no number) becomes the smallest value.
-std::int32_t to_int32(double value);
+inline std::int32_t to_int32(double value)
+{
+    constexpr std::int32_t kSmallest = -2147483647 - 1;
+    return value > -2147483649.0 && value < 2147483648.0 ? static_cast<std::int32_t>(value) : kSmallest;
+}
 /// v turned about x, then y, then z.
 glm::dvec3 rotated(glm::dvec3 v, const glm::dvec3& degrees);
 /// `a relation b`, with the tolerance of the language.
