@@ -97,6 +97,7 @@ constexpr std::size_t kBytesOfNumber = 8;  ///< of text, about
 
 struct Builder {
     SourceFile& file;
+    const char* text;  ///< begin
     Names& names;
     std::uint16_t file_index;
     bool lists = true;
@@ -109,7 +110,7 @@ struct Builder {
         Token token;
         token.kind = kind;
         token.file = file_index;
-        token.offset = static_cast<std::uint32_t>(at - file.text.data());
+        token.offset = static_cast<std::uint32_t>(at - text);
         open = list != Kind::Bad && kind == Kind::LeftBrace && !open;
         if (!open) list = lists && begins_numbers(kind) ? kind : Kind::Bad;
         return file.tokens.emplace_back(token);
@@ -301,22 +302,27 @@ void link_branches(std::vector<Token>& tokens)
 
 bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool main_text, bool lists)
 {
+    return tokenize(file.text, file, file_index, names, main_text, lists);
+}
+
+bool tokenize(std::string_view text, SourceFile& file, std::uint16_t file_index, Names& names, bool main_text,
+              bool lists)
+{
     file.tokens.clear();
     file.strings.clear();
     file.numbers.clear();
     file.bad.clear();
     std::size_t skipped = 0;
     if (main_text)
-        while (skipped < file.text.size() && static_cast<unsigned char>(file.text[skipped]) > 127) ++skipped;
-    else if (file.text.starts_with("\xEF\xBB\xBF"))  // POV-Ray refuses it in an include file; editors write it
+        while (skipped < text.size() && static_cast<unsigned char>(file.text[skipped]) > 127) ++skipped;
+    else if (text.starts_with("\xEF\xBB\xBF"))  // POV-Ray refuses it in an include file; editors write it
         skipped = 3;
 
-    Builder build{file, names, file_index, lists};
-    file.tokens.reserve(file.text.size() / 4 + 1);
-    pegtl::memory_input<pegtl::tracking_mode::lazy> in(file.text.data() + skipped, file.text.data() + file.text.size(),
-                                                       file.path);
+    Builder build{file, text.data(), names, file_index, lists};
+    file.tokens.reserve(text.size() / 4 + 1);
+    pegtl::memory_input<pegtl::tracking_mode::lazy> in(text.data() + skipped, text.data() + text.size(), file.path);
     pegtl::parse<whole, action>(in, build);
-    build.add(Kind::EndOfText, file.text.data() + file.text.size());
+    build.add(Kind::EndOfText, text.data() + text.size());
     link_branches(file.tokens);
     return skipped != 0;
 }

@@ -26,7 +26,10 @@ struct SourceFile {
     /// Frees the text of a long file, which only messages ask for from now on. `reread` reads it again; empty: it is
     /// not what it was.
     void give_text_back(std::function<std::string()> reread);
+    /// The same of a text that it never had.
+    void do_without(std::string_view whole, std::function<std::string()> reread);
     const std::string& whole_text() const;
+    bool can_read_again() const { return reread_ != nullptr; }
 
     using Place = scene::LineAndColumn;
     Place locate(std::uint32_t offset) const { return lines().place(offset); }
@@ -46,5 +49,8 @@ private:
 /// above 127 at the very start are skipped; returns whether there were any.
 /// `lists`: literal lists of meshes become Numbers tokens.
 bool tokenize(SourceFile& file, std::uint16_t file_index, Names& names, bool main_text, bool lists = true);
+/// The same of a text that lies elsewhere: the file does not get it.
+bool tokenize(std::string_view text, SourceFile& file, std::uint16_t file_index, Names& names, bool main_text,
+              bool lists = true);
 
 }  // namespace parser

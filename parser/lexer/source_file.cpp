@@ -11,6 +11,12 @@ void SourceFile::give_text_back(std::function<std::string()> reread)
     reread_ = std::move(reread);
 }
 
+void SourceFile::do_without(std::string_view whole, std::function<std::string()> reread)
+{
+    lines_ = scene::LineTable(whole);
+    reread_ = std::move(reread);
+}
+
 const std::string& SourceFile::whole_text() const
 {
     if (!reread_) return text;

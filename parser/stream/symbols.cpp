@@ -59,20 +59,20 @@ struct CellAllocator {
 
 Cell make_cell(Value value) { return std::allocate_shared<Value>(CellAllocator<Value>(), std::move(value)); }
 
-Cell make_number_cell(const Tuple& value)
+Cell make_number_cell(const double* numbers, int count)
 {
-    return std::allocate_shared<Value>(CellAllocator<Value>(), std::in_place_type<Tuple>, value);
+    Cell made = std::allocate_shared<Value>(CellAllocator<Value>(), std::in_place_type<Tuple>);
+    Tuple& tuple = *made->get_if<Tuple>();
+    tuple.count = count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        tuple.at[i] = count == 5 ? static_cast<float>(numbers[i]) : numbers[i];  // Tuple::stored
+    return made;
 }
 
 void Symbols::grow(std::uint32_t name)
 {
     slots_.resize(std::max<std::size_t>(name + 1, slots_.size() * 2));
     current_.resize(slots_.size());
-}
-
-Cell Symbols::find_cell(std::uint32_t name) const
-{
-    return name < slots_.size() && !slots_[name].empty() ? slots_[name].back().cell : nullptr;
 }
 
 Cell Symbols::find_global(std::uint32_t name) const

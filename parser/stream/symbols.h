@@ -8,8 +8,8 @@ namespace parser {
 
 /// A cell of its own that holds `value`.
 Cell make_cell(Value value);
-/// The same without a Value on the way: macros make one for each number that they get.
-Cell make_number_cell(const Tuple& value);
+/// The same of `count` components, without a Value on the way: macros make one for each number that they get.
+Cell make_number_cell(const double* numbers, int count);
 
 /// Dynamic scoping: one stack of bindings per interned name, a scope is only a number. Scope 0 is the global table;
 /// every open include file and every active macro adds one (reference manual 3.3.1.8; spec 1, 7).
@@ -19,7 +19,16 @@ public:
     /// The same of a name that was bound once.
     Value* find_known(std::uint32_t name) const { return current_[name]; }
     Value* find(std::uint32_t name) const { return name < current_.size() ? current_[name] : nullptr; }
-    Cell find_cell(std::uint32_t name) const;
+    Cell find_cell(std::uint32_t name) const
+    {
+        const Cell* const found = bound_cell(name);
+        return found ? *found : nullptr;
+    }
+    /// The same where it lies; null: there is none.
+    const Cell* bound_cell(std::uint32_t name) const
+    {
+        return name < slots_.size() && !slots_[name].empty() ? &slots_[name].back().cell : nullptr;
+    }
     bool in_current_scope(std::uint32_t name) const;
     Cell find_global(std::uint32_t name) const;
 

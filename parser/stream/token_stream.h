@@ -334,7 +334,7 @@ private:
     std::uint16_t loaded(const std::string& path, const scene::SourceRef& at);
     void include_named(const std::string& name, const Token& call, const scene::SourceRef& at);
     void message_directive(Kind kind);
-    std::uint16_t load(const std::string& path, std::string text, bool main_text);
+    std::uint16_t load(const std::string& path, std::string text, bool main_text, std::string_view elsewhere = {});
     void open_main(std::uint16_t file, const std::string& path);
     void predefine();
     /// A message with its place alone.

@@ -154,7 +154,8 @@ void Object::transform_by(const csg::Transform& t, const BoxGrowth& growth)
     }
     // A light keeps no transformation of its own: items written later must not be moved.
     if (auto* light = std::get_if<Shared<Light>>(&shape)) transform_light(light->edit(), t);
-    else transform = !transform.given() && settled(t) ? t : t * *transform;
+    else if (transform.given()) transform.edit() = t * *transform;
+    else transform = settled(t) ? t : t * *transform;
 
     if (auto* plane = std::get_if<Plane>(&shape); plane != nullptr && clipped) plane->moved_clips = true;
     // Textures of a uv-mapped object live on its surface (spec 5a, 6).

@@ -1,8 +1,13 @@
 #include "parser/stream/files/data_file.h"
+#include "parser/stream/files/mapped_text.h"
 #include "stream_support.h"
 
 #include <catch2/catch.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -120,4 +125,49 @@ TEST_CASE("files are refused with a reason", "[parser][file]")
     CHECK(trouble_of("#declare F=1; #fopen F \"a.txt\" read").find("declared already") != std::string::npos);
     CHECK(debug_of("#fclose Nothing #debug \"on\"") == "on");
     CHECK_FALSE(fs::exists(folder.here.parent_path() / "up.txt"));
+}
+
+TEST_CASE("a long file lies where the system has it, and nobody writes to it meanwhile", "[parser][file]")
+{
+    const Folder folder;
+    folder.write("long.txt", std::string(10'000, 'x'));
+    CHECK_FALSE(parser::MappedText("no.txt", 1));
+    CHECK_FALSE(parser::MappedText("long.txt", 10'001));
+    const auto writable = [] {
+        const int file = open("long.txt", O_WRONLY | O_TRUNC | O_NONBLOCK);
+        if (file < 0) return errno != EWOULDBLOCK;
+        close(file);
+        return true;
+    };
+    {
+        const parser::MappedText mapped("long.txt", 10'000);
+        if (!mapped) return;  // this file system gives no leases: files are read
+        CHECK(mapped.text() == std::string(10'000, 'x'));
+        CHECK_FALSE(writable());
+        CHECK(mapped.text() == std::string(10'000, 'x'));
+    }
+    const int busy = open("long.txt", O_WRONLY);
+    CHECK_FALSE(parser::MappedText("long.txt", 1));  // it may change
+    close(busy);
+    CHECK(writable());
+    CHECK_FALSE(parser::MappedText("long.txt", 0));  // nothing is left of it
+}
+
+TEST_CASE("a long include file says the same as a short one", "[parser][file]")
+{
+    const Folder folder;
+    const std::string blanks = "\n" + std::string(5'000'000, ' ');
+    for (const char* const body :
+         {"#declare A = 3;\n#debug \"A\"\n", "\n\n#declare B = (1 + ;\n", "#if (1)\n", "/* open"}) {
+        folder.write("short.inc", body);
+        folder.write("large.inc", body + blanks);
+        const auto said = [](const std::string& name) {
+            const std::string text = "#include \"" + name + "\" #debug str(A, 0, 0)";
+            std::string told = trouble_of(text);
+            if (told == "no error") told = debug_of(text);
+            if (const std::size_t at = told.find(name); at != std::string::npos) told.replace(at, name.size(), "it");
+            return told;
+        };
+        CHECK(said("short.inc") == said("large.inc"));
+    }
 }

@@ -85,11 +85,11 @@ Cell given(const Argument& argument, Machine& m)
 {
     switch (argument.kind) {
     case Argument::Kind::Name: {
-        Cell cell = m.symbols.find_cell(argument.name);
-        const bool plain = cell && (cell->get_if<Tuple>() || cell->get_if<std::string>() ||
-                                    cell->get_if<std::shared_ptr<Array>>() ||
-                                    cell->get_if<std::shared_ptr<const scene::Object>>());
-        return plain ? std::move(cell) : nullptr;  // a copy would be counted
+        const Cell* const cell = m.symbols.bound_cell(argument.name);
+        const bool plain = cell && ((*cell)->get_if<Tuple>() || (*cell)->get_if<std::string>() ||
+                                    (*cell)->get_if<std::shared_ptr<Array>>() ||
+                                    (*cell)->get_if<std::shared_ptr<const scene::Object>>());
+        return plain ? *cell : nullptr;
     }
     case Argument::Kind::Element: {
         const std::shared_ptr<Array>* const held = held_array(m, argument.slot);
@@ -97,12 +97,7 @@ Cell given(const Argument& argument, Machine& m)
         const bool plain = element && (element->get_if<Tuple>() || element->get_if<std::string>());
         return plain ? Cell(*held, element) : nullptr;
     }
-    case Argument::Kind::Number: {
-        Tuple made;
-        made.count = argument.count;
-        for (std::size_t i = 0; i < argument.count; ++i) made.at[i] = m.registers[argument.first + i];
-        return make_number_cell(argument.count == 5 ? made.stored() : made);
-    }
+    case Argument::Kind::Number: return make_number_cell(m.registers + argument.first, argument.count);
     default: return make_cell(m.texts[argument.first]);
     }
 }

@@ -134,6 +134,17 @@ bool Emitter::borrow(std::uint32_t expression, std::size_t at, std::size_t takes
     return true;
 }
 
+bool Emitter::in_place(Handler run, std::size_t takes, std::size_t gives, std::uint32_t b)
+{
+    const std::uint32_t first = in_registers(takes);
+    Op& op = emit(run);
+    op.to = first;
+    op.b = b;
+    drop(takes);
+    push_registers(gives);
+    return true;
+}
+
 bool Emitter::trace(std::uint32_t object, std::uint32_t normal)
 {
     const std::uint32_t to = slot(normal, 3);
@@ -253,6 +264,7 @@ bool Emitter::tuples(const CompiledOp& op, std::uint32_t expression, std::size_t
     case Code::SubtractTuple:
     case Code::MultiplyTuple:
     case Code::DivideTuple: {
+        if (op.code == Code::MultiplyTuple && op.a == 1) return in_place(kScaledTuple, 1u + op.b, op.b, op.b);
         if (!scales && !sums) return borrow(expression, at, op.a + op.b, std::max(op.a, op.b));
         const std::uint32_t first = in_registers(op.a + op.b);
         Op& made = emit(op.code == Code::AddTuple        ? kAddTuple
@@ -271,9 +283,9 @@ bool Emitter::tuples(const CompiledOp& op, std::uint32_t expression, std::size_t
     case Code::Choose:
     case Code::Choose3: return borrow(expression, at, 3, 1);
     case Code::Choose4: return borrow(expression, at, 4, 1);
-    case Code::Length:
+    case Code::Length: return in_place(kLength, 3, 1, 0);
+    case Code::Dot: return in_place(kDot, 6, 1, 0);
     case Code::Inside: return borrow(expression, at, 3, 1);
-    case Code::Dot: return borrow(expression, at, 6, 1);
     case Code::Cross:
     case Code::Rotate: return borrow(expression, at, 6, 3);
     case Code::Normalize: return borrow(expression, at, 3, 3);

@@ -84,6 +84,7 @@ private:
     bool element(const CompiledOp& op);
     bool tuples(const CompiledOp& op, std::uint32_t expression, std::size_t at);
     bool borrow(std::uint32_t expression, std::size_t at, std::size_t takes, std::size_t gives);
+    bool in_place(Handler run, std::size_t takes, std::size_t gives, std::uint32_t b);
     bool trace(std::uint32_t object, std::uint32_t normal);
     bool binary(Binary f);
     void fill(std::uint32_t to, Operand where, std::uint32_t index);

@@ -59,6 +59,13 @@ const Op* scale_tuple(const Op* op, Machine& m)
     return op + 1;
 }
 
+const Op* scaled_tuple(const Op* op, Machine& m)
+{
+    const double factor = m.registers[op->to];
+    for (std::uint32_t i = 0; i < op->b; ++i) m.registers[op->to + i] = factor * m.registers[op->to + 1 + i];
+    return op + 1;
+}
+
 const Op* divide_tuple(const Op* op, Machine& m)
 {
     const double divisor = m.registers[op->a];
@@ -90,6 +97,20 @@ const Op* trace(const Op* op, Machine& m)
     return op + 1;
 }
 
+const Op* vector_length(const Op* op, Machine& m)
+{
+    double* const at = m.registers + op->to;
+    at[0] = glm::length(at3(at));
+    return op + 1;
+}
+
+const Op* vector_dot(const Op* op, Machine& m)
+{
+    double* const at = m.registers + op->to;
+    at[0] = glm::dot(at3(at), at3(at + 3));
+    return op + 1;
+}
+
 const Op* borrowed(const Op* op, Machine& m)
 {
     const CompiledExpression& expression = m.program->expressions[op->a];
@@ -104,7 +125,10 @@ const Handler kStoreTuple = store_tuple;
 const Handler kAddTuple = add_tuple;
 const Handler kSubtractTuple = subtract_tuple;
 const Handler kScaleTuple = scale_tuple;
+const Handler kScaledTuple = scaled_tuple;
 const Handler kDivideTuple = divide_tuple;
+const Handler kLength = vector_length;
+const Handler kDot = vector_dot;
 const Handler kTrace = trace;
 const Handler kBorrowed = borrowed;
 

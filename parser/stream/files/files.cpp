@@ -1,5 +1,6 @@
 #include "parser/stream/expressions/expression.h"
 #include "parser/stream/files/file_policy.h"
+#include "parser/stream/files/mapped_text.h"
 #include "parser/stream/limits.h"
 #include "parser/stream/messages.h"
 #include "parser/stream/text.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 namespace parser {
 namespace {
@@ -41,21 +43,27 @@ bool is_file(const fs::path& path)
 
 }  // namespace
 
-std::uint16_t TokenStream::load(const std::string& path, std::string text, bool main_text)
+/// `elsewhere`: the text is not ours, and is gone when this returns.
+std::uint16_t TokenStream::load(const std::string& path, std::string text, bool main_text, std::string_view elsewhere)
 {
     constexpr std::size_t kMostFiles = 60'000, kMostBytes = 0xffffffffu;
-    if (files_.size() >= kMostFiles) throw Error({path, {}}, "too many files");
-    if (text.size() >= kMostBytes) throw Error({path, {}}, "this file is too long");
-    const auto index = static_cast<std::uint16_t>(files_.size());
     auto source = std::make_unique<SourceFile>();
     source->path = path;
     source->text = std::move(text);
-    if (tokenize(*source, index, names_, main_text)) language_.charset = Charset::Utf8;
+    const std::string_view whole = elsewhere.empty() ? std::string_view(source->text) : elsewhere;
+    if (files_.size() >= kMostFiles) throw Error({path, {}}, "too many files");
+    if (whole.size() >= kMostBytes) throw Error({path, {}}, "this file is too long");
+    const auto index = static_cast<std::uint16_t>(files_.size());
+    if (tokenize(whole, *source, index, names_, main_text)) language_.charset = Charset::Utf8;
     ++statistics_.files;
-    statistics_.bytes += source->text.size();
+    statistics_.bytes += whole.size();
     statistics_.tokens += source->tokens.size();
-    if (source->text.size() >= kKeptText && !kept_files_.has(path))
-        if (auto reread = reader_of(path, source->text.size())) source->give_text_back(std::move(reread));
+    if (whole.size() >= kKeptText && !kept_files_.has(path)) {
+        auto reread = reader_of(path, whole.size());
+        if (reread && elsewhere.empty()) source->give_text_back(std::move(reread));
+        else if (reread) source->do_without(elsewhere, std::move(reread));
+    }
+    if (!elsewhere.empty() && !source->can_read_again()) source->text = elsewhere;
     files_.push_back(std::move(source));
     return index;
 }
@@ -203,10 +211,11 @@ std::uint16_t TokenStream::loaded(const std::string& path, const scene::SourceRe
 {
     const auto known = loaded_.find(path);
     if (known != loaded_.end()) return known->second;
-    auto text = kept_files_.read(path);
+    const MappedText mapped(path, kept_files_.has(path) ? std::numeric_limits<std::size_t>::max() : kKeptText);
+    auto text = mapped ? std::string() : kept_files_.read(path);
     if (!text) fail(at, fmt::format("cannot read the include file '{}'", path));
     spend_time();
-    const std::uint16_t file = load(path, std::move(*text), false);
+    const std::uint16_t file = load(path, std::move(*text), false, mapped.text());
     open_places_.push_back({ReadingProfile::What::File, file, 0});
     profile_.spend(open_places_);
     loaded_.emplace(path, file);
