@@ -1,9 +1,12 @@
 #include "parser/stream/expressions/compiled_functions.h"
+#include "parser/stream/expressions/fixed_text.h"
 #include "tests/parser/stream_support.h"
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -116,4 +119,38 @@ TEST_CASE("mod() of whole numbers is the library's", "[parser][expression]")
     CHECK(std::isnan(parser::remainder_of(6.0, 0.0)));
     CHECK(std::isnan(parser::remainder_of(INFINITY, 3.0)));
     CHECK(parser::remainder_of(5.0, INFINITY) == 5.0);
+}
+
+TEST_CASE("numbers are written as the library writes them", "[parser][expression]")
+{
+    std::mt19937_64 random(9);
+    const auto number = [&](int kind) {
+        const auto whole = static_cast<double>(random() % 1'000'000);
+        switch (kind) {
+        case 0: return std::bit_cast<double>(random());
+        case 1: return whole / static_cast<double>(1 << random() % 20);  // ties
+        case 2: return whole / 1000.0;
+        default: return std::ldexp(static_cast<double>(random() >> 11), -static_cast<int>(random() % 140));
+        }
+    };
+    int written = 0;
+    constexpr int kNumbers = 200'000;
+    for (int i = 0; i < kNumbers; ++i) {
+        const int precision = static_cast<int>(random() % 20);
+        const double value = number(i % 4) * (random() % 2 ? 1.0 : -1.0);
+        std::array<char, parser::kFixedText> ours;
+        char* const end = ours.data() + ours.size();
+        const char* const begin = parser::fixed_text(end, value, precision);
+        if (!begin) continue;
+        ++written;
+        std::array<char, 400> theirs;
+        const auto result =
+            std::to_chars(theirs.data(), theirs.data() + theirs.size(), value, std::chars_format::fixed, precision);
+        REQUIRE(std::string_view(begin, static_cast<std::size_t>(end - begin)) ==
+                std::string_view(theirs.data(), static_cast<std::size_t>(result.ptr - theirs.data())));
+    }
+    CHECK(written > kNumbers / 2);
+    CHECK(parser::number_text(-0.0, -6, 2) == "-00.00");
+    CHECK(parser::number_text(2.5, 6, 0) == "     2");
+    CHECK(parser::number_text(-1.25, -8, 1) == "-00001.2");
 }

@@ -53,7 +53,8 @@ const Op* append(const Op* op, Machine& m)
 const Op* number(const Op* op, Machine& m)
 {
     const double* const given = m.registers + op->a;
-    m.texts[op->to] = number_text(given[0], given[1], given[2]);
+    m.texts[op->to].clear();
+    add_number_text(m.texts[op->to], given[0], given[1], given[2]);
     return op + 1;
 }
 
@@ -65,7 +66,7 @@ const Op* tuple(const Op* op, Machine& m)
     std::string text;
     for (int i = 0; i < count; ++i) {
         if (i > 0) text += m.texts[op->to];
-        text += number_text(i < known ? given[1 + i] : 0.0, given[1 + known], given[2 + known]);
+        add_number_text(text, i < known ? given[1 + i] : 0.0, given[1 + known], given[2 + known]);
     }
     m.texts[op->to] = std::move(text);
     return op + 1;

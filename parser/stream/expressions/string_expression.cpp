@@ -1,3 +1,4 @@
+#include "parser/stream/expressions/fixed_text.h"
 #include "parser/stream/expressions/operand.h"
 #include "parser/stream/text.h"
 
@@ -8,42 +9,57 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <optional>
 
 namespace parser {
 namespace {
 
 constexpr int kEscapesInPaths = 371;  // language version from which a backslash in a file's name is an escape
 
-/// C's %.*f with leading blanks or zeros, by the quicker way for numbers of ordinary size.
-std::optional<std::string> plain_number_text(double value, int width, int precision)
+/// C's %.*f with leading blanks or zeros, by the quicker ways for numbers of ordinary size.
+bool add_plain_number(std::string& to, double value, int width, int precision)
 {
     constexpr double kLargest = 1e15;
     constexpr int kMostDecimals = 40, kMostWidth = 60;
-    if (!(std::abs(value) < kLargest) || precision > kMostDecimals || std::abs(width) > kMostWidth) return std::nullopt;
+    if (!(std::abs(value) < kLargest) || precision > kMostDecimals || std::abs(width) > kMostWidth) return false;
     char digits[80];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, precision);
-    std::string text(digits, end);
-    const auto wanted = static_cast<std::size_t>(std::abs(width));
-    if (text.size() < wanted)
-        text.insert(width < 0 && text[0] == '-' ? 1 : 0, wanted - text.size(), width < 0 ? '0' : ' ');
-    return text;
+    const char* end = digits + kFixedText;
+    const char* begin = fixed_text(digits + kFixedText, value, precision);
+    if (!begin) {
+        begin = digits;
+        end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, precision).ptr;
+    }
+    const auto length = static_cast<std::size_t>(end - begin), wanted = static_cast<std::size_t>(std::abs(width));
+    if (length >= wanted) {
+        to.append(begin, end);
+        return true;
+    }
+    const bool minus = width < 0 && *begin == '-';
+    if (minus) to += *begin++;
+    to.append(wanted - length, width < 0 ? '0' : ' ').append(begin, end);
+    return true;
 }
 
 }  // namespace
 
-std::string number_text(double value, double width_wanted, double precision_wanted)
+void add_number_text(std::string& to, double value, double width_wanted, double precision_wanted)
 {
     constexpr int kLongest = 255, kMost = 2 * kLongest;
     const int width = std::clamp(to_int32(width_wanted), -kMost, kMost);
     const int precision = precision_wanted < 0 ? 6 : std::clamp(to_int32(precision_wanted), 0, kMost);
-    if (auto plain = plain_number_text(value, width, precision)) return std::move(*plain);
+    if (add_plain_number(to, value, width, precision)) return;
     char text[kLongest];
     int length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*f" : "%*.*f", std::abs(width), precision, value);
     if (length >= kLongest)
         length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*g" : "%*.*g", std::abs(width), precision, value);
-    if (length >= kLongest) return "<invalid>";
-    return std::string(text, static_cast<std::size_t>(length));
+    if (length >= kLongest) to += "<invalid>";
+    else to.append(text, static_cast<std::size_t>(length));
+}
+
+std::string number_text(double value, double width_wanted, double precision_wanted)
+{
+    std::string text;
+    add_number_text(text, value, width_wanted, precision_wanted);
+    return text;
 }
 
 namespace {
