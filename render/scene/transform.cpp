@@ -2,6 +2,7 @@
 #include "render/scene/object.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <utility>
@@ -94,20 +95,16 @@ void transform_details(ObjectDetails& details, const csg::Transform& t, const Bo
     for (Object& bound : details.bounded_by) bound.transform_by(t, growth);
 }
 
-/// Whether all products with 1 and sums with products of 0 give the number itself: it is finite and not -0.
-bool settled(const glm::dvec3& v)
-{
-    const auto one = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0) == std::bit_cast<std::uint64_t>(x); };
-    const glm::dvec3 nothing = v * 0.0;  // not so of what is infinite
-    return nothing == glm::dvec3(0.0) && one(v.x) && one(v.y) && one(v.z);
-}
-
-/// Whether t * Transform{} is t to the last bit.
+/// Whether t * Transform{} is t to the last bit: all products with 1 and sums with products of 0 give the number itself
+/// where it is finite and not -0.
 bool settled(const csg::Transform& t)
 {
-    for (int i = 0; i < 3; ++i)
-        if (!settled(t.linear[i]) || !settled(t.inverse_linear[i])) return false;
-    return settled(t.offset) && settled(t.inverse_offset);
+    constexpr std::uint64_t kExponent = 0x7ff0000000000000, kMinusZero = 0x8000000000000000;
+    bool unsettled = false;
+    for (const std::uint64_t bits :
+         std::bit_cast<std::array<std::uint64_t, sizeof(csg::Transform) / sizeof(double)>>(t))
+        unsettled |= (bits & kExponent) == kExponent || bits == kMinusZero;
+    return !unsettled;
 }
 
 }  // namespace

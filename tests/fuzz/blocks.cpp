@@ -83,6 +83,12 @@ private:
                                              : "rgbf ") +
                                     (choice(2) ? vector(2) : "<" + number(2) + ",1,0,.5>")) +
                    end;
+        case 4: {  // numbers, vectors and colours that turn into each other
+            static constexpr std::array kTurning = {"V", "W", "A", "K", "X"};
+            const std::string name = kTurning[choice(kTurning.size())];
+            if (choice(3) == 0) return word + name + "=" + name + "*2+" + number(1) + end;
+            return word + name + "=" + (choice(3) ? number(0) : (choice(2) ? "rgb " : "") + vector(0)) + end;
+        }
         default: return word + target() + "=" + number(0) + end;
         }
     }

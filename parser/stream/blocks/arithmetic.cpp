@@ -51,7 +51,7 @@ double* target(const Op* op, Machine& m)
     if constexpr (where == Target::Register) return m.registers + op->to;
     double* const known = where == Target::Declared ? m.slots[op->to].numbers : m.slots[op->to].own;
     if (where == Target::Declared && m.values != 0 && known) m.note(op->to);
-    return known ? known : m.place_to_store(op->to, where == Target::Local);
+    return known ? known : m.place_to_store(op->to, where == Target::Local, true);
 }
 
 template <Binary f, Operand A, Operand B, Target to>

@@ -38,6 +38,7 @@ void BlockCompiler::sequence(std::uint32_t begin, std::uint32_t end)
 {
     root_ = begin;
     program_.registers = kStackRegisters;
+    emitter_.let_turn();
     block(begin, end, kNoIndex);
     stop(end, kNoIndex);
 }

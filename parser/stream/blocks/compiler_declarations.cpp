@@ -29,18 +29,20 @@ int components_of_color(Kind kind)
 
 }  // namespace
 
-/// Whether a declaration leaves the kind of the name as it is, or makes it.
+/// Whether a declaration leaves the kind of the name as it is, or makes it, or turns it (Machine::place_to_store).
 bool BlockCompiler::may_declare(std::uint32_t name, const Value& sample, bool local) const
 {
     const Value* const old = find(name);
     if (!old || !old->set() || slot_kind(*old) == slot_kind(sample)) return true;
+    if (!in_macro_ && old->get_if<Tuple>() && sample.get_if<Tuple>()) return true;
     return local && !known_.contains(name) && !symbols_.in_current_scope(name);
 }
 
 void BlockCompiler::know(std::uint32_t name, Value sample, bool local)
 {
     const Value* const old = find(name);
-    if (!old || !old->set() || local) known_.insert_or_assign(name, std::move(sample));
+    if (!old || !old->set() || local || slot_kind(*old) != slot_kind(sample))
+        known_.insert_or_assign(name, std::move(sample));
 }
 
 /// Behind a declaration: the semicolon, two of them behind a number.

@@ -47,7 +47,7 @@ const Op* set(const Op* op, Machine& m)
 double* variable(Machine& m, std::uint32_t slot)
 {
     double* const own = m.slots[slot].own;
-    return own ? own : m.place_to_store(slot, true);
+    return own ? own : m.place_to_store(slot, true, false);
 }
 
 const Op* for_begin(const Op* op, Machine& m)
@@ -171,6 +171,7 @@ const Op* ready(const Op* op, Machine& m)
     constexpr std::uint32_t kGuards = 40;  // more than the reader of tokens would need for it
     const ReadyValues& values = m.program->ready[op->a];
     const bool may = m.statements && m.values == 0 && m.guards + kGuards < m.most_guards;
+    const RandomUndo::Hold hold(m.context.random);  // a texture may be read on the way
     return may && values.statement->run(m.registers + values.first, m.symbols) ? op + 1 : m.leave(op);
 }
 

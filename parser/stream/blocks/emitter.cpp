@@ -48,9 +48,13 @@ std::optional<Binary> binary_of(const CompiledOp& op)
 
 std::uint32_t Emitter::slot(std::uint32_t name, std::uint8_t kind)
 {
-    for (std::uint32_t i = 0; i < program_.slots.size(); ++i)
-        if (program_.slots[i].name == name && (program_.slots[i].kind == kind || kind == kAny)) return i;
-        else if (program_.slots[i].name == name && program_.slots[i].kind != kAny) return kNoIndex;
+    const auto tuple = [](std::uint8_t one) { return one >= kFloat && one < kText; };
+    for (std::uint32_t i = 0; i < program_.slots.size(); ++i) {
+        const SlotInfo& known = program_.slots[i];
+        if (known.name != name) continue;
+        if (known.kind == kind || kind == kAny) return i;
+        if (known.kind != kAny && !(turning_ && tuple(known.kind) && tuple(kind))) return kNoIndex;
+    }
     program_.slots.push_back({name, kind});
     return static_cast<std::uint32_t>(program_.slots.size() - 1);
 }
@@ -243,7 +247,7 @@ bool Emitter::operation(const CompiledExpression& read, std::size_t& at, std::ui
             return unary(negate_handler(operand.where), operand), true;
         }
     case Code::Splat:
-        if (stack_.back().where == Operand::Register) return borrow(expression, at, 1, op.a);
+        if (stack_.back().where == Operand::Register) return in_place(kSplat, 1, op.a, op.a);
         for (std::uint8_t i = 1; i < op.a; ++i) stack_.push_back(Entry(stack_.back()));
         return true;
     case Code::MacroCall: return macro_call(read.calls[op.name], op.a);
@@ -264,6 +268,7 @@ bool Emitter::tuples(const CompiledOp& op, std::uint32_t expression, std::size_t
     case Code::SubtractTuple:
     case Code::MultiplyTuple:
     case Code::DivideTuple: {
+        if (op.code == Code::MultiplyTuple && op.a == op.b) return in_place(kMultiplyTuple, 2u * op.b, op.b, op.b);
         if (op.code == Code::MultiplyTuple && op.a == 1) return in_place(kScaledTuple, 1u + op.b, op.b, op.b);
         if (!scales && !sums) return borrow(expression, at, op.a + op.b, std::max(op.a, op.b));
         const std::uint32_t first = in_registers(op.a + op.b);

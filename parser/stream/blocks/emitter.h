@@ -15,6 +15,8 @@ public:
 
     /// The slot of a name that is expected to mean `kind`; kNoIndex: another kind is expected of it elsewhere.
     std::uint32_t slot(std::uint32_t name, std::uint8_t kind);
+    /// Names may turn from a number, vector or colour to one of another length: a slot for each.
+    void let_turn() { turning_ = true; }
     Op& emit(Handler run);
     std::uint32_t size() const { return static_cast<std::uint32_t>(program_.ops.size()); }
     /// Jumps of the operation `from` lead to the next that will be emitted.
@@ -95,6 +97,7 @@ private:
     Program& program_;
     std::vector<Entry> stack_;
     std::uint32_t texts_ = 0, place_ = kNoIndex;
+    bool turning_ = false;
     Last last_;
 };
 

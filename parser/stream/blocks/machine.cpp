@@ -91,26 +91,50 @@ const Op* Machine::missing(const Op* op, std::uint32_t slot)
     return slots[slot].numbers ? op : leave(op);
 }
 
-double* Machine::place_to_store(std::uint32_t slot, bool local)
+/// Only the outermost frame can tell which of its slots lie in the cell.
+bool Machine::may_turn(const Value& value) const
+{
+    return frames.size() == 1 && values == 0 && value.get_if<Tuple>() != nullptr;
+}
+
+/// The value becomes a tuple of zeros. Slots that lie in it mean nothing until they are looked up again.
+void Machine::turn(Value& value, std::uint8_t count)
+{
+    if (const Tuple* const old = value.get_if<Tuple>())
+        for (std::size_t i = 0; i < program->slots.size(); ++i)
+            if (slots[i].numbers == old->at.data() || slots[i].own == old->at.data()) slots[i] = {};
+    Tuple zero;
+    zero.count = count;
+    value = zero;
+}
+
+/// Slots of the same name with another number of components: it may have another cell now.
+void Machine::forget_others(std::uint32_t slot)
+{
+    for (std::uint32_t i = 0; i < program->slots.size(); ++i)
+        if (i != slot && info(i).name == info(slot).name) slots[i] = {};
+}
+
+double* Machine::place_to_store(std::uint32_t slot, bool local, bool turns)
 {
     const SlotInfo& wanted = info(slot);
+    const auto fits = [&](Value* value) {
+        return !value->set() || numbers_of(value, wanted.kind) || (turns && may_turn(*value));
+    };
     Value* value = nullptr;
     if (local) {
         value = symbols.in_current_scope(wanted.name) ? symbols.find(wanted.name) : nullptr;
-        if (value && value->set() && !numbers_of(value, wanted.kind)) return nullptr;
+        if (value && !fits(value)) return nullptr;
         if (value && values != 0) note(slot);
         if (!value) value = symbols.local(wanted.name, frame().scope).get();
     } else {
         value = symbols.find(wanted.name);
-        if (value && value->set() && !numbers_of(value, wanted.kind)) return nullptr;
+        if (value && !fits(value)) return nullptr;
         if (!value) value = symbols.declare(wanted.name).get();
         if (values != 0) note(slot);
     }
-    if (!value->set()) {
-        Tuple zero;
-        zero.count = wanted.kind;
-        *value = zero;
-    }
+    if (!numbers_of(value, wanted.kind)) turn(*value, wanted.kind);
+    if (frames.size() == 1) forget_others(slot);
     double* const numbers = numbers_of(value, wanted.kind);
     slots[slot] = {numbers, local ? numbers : slots[slot].own, value, local};
     return numbers;

@@ -69,8 +69,9 @@ public:
     }
     /// A slot of `op` means nothing: it may have come to mean something since the frame was entered.
     const Op* missing(const Op* op, std::uint32_t slot);
-    /// Components of a slot that a store wants to write; null: it means something else.
-    double* place_to_store(std::uint32_t slot, bool local);
+    /// Components of a slot that a store wants to write; null: it means something else. `turns`: a number, vector or
+    /// colour of another length becomes one of the slot's.
+    double* place_to_store(std::uint32_t slot, bool local, bool turns);
     Value* value_to_store(std::uint32_t slot, bool local);
     Value* value_of(std::uint32_t slot)
     {
@@ -101,6 +102,9 @@ public:
 
 private:
     void resolve();
+    bool may_turn(const Value& value) const;
+    void turn(Value& value, std::uint8_t count);
+    void forget_others(std::uint32_t slot);
     std::vector<Slot> slot_stack_;
     std::vector<double> register_stack_;
 };

@@ -54,6 +54,8 @@ extern const Handler kStoreTuple;     ///< slot `to`, registers from a on, count
 extern const Handler kAddTuple;       ///< to += a, count b
 extern const Handler kSubtractTuple;  ///< to -= a, count b
 extern const Handler kScaleTuple;     ///< to *= the number in register a, count b
+extern const Handler kMultiplyTuple;  ///< to *= what stands behind it, each count b
+extern const Handler kSplat;          ///< the number in `to`, count b
 extern const Handler kScaledTuple;    ///< to = the number in `to` times what stands behind it, count b
 extern const Handler kLength;         ///< vlength() of three
 extern const Handler kDot;            ///< vdot() of three and three

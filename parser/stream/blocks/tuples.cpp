@@ -28,7 +28,7 @@ const Op* store_tuple(const Op* op, Machine& m)
     const bool local = op->jump != 0;
     double* to = local ? m.slots[op->to].own : m.slots[op->to].numbers;
     if (!to) {
-        if (!(to = m.place_to_store(op->to, local))) return m.leave(op);
+        if (!(to = m.place_to_store(op->to, local, true))) return m.leave(op);
     } else if (!local && m.values != 0) {
         m.note(op->to);
     }
@@ -56,6 +56,19 @@ const Op* scale_tuple(const Op* op, Machine& m)
 {
     const double factor = m.registers[op->a];
     for (std::uint32_t i = 0; i < op->b; ++i) m.registers[op->to + i] *= factor;
+    return op + 1;
+}
+
+const Op* multiply_tuple(const Op* op, Machine& m)
+{
+    for (std::uint32_t i = 0; i < op->b; ++i) m.registers[op->to + i] *= m.registers[op->to + op->b + i];
+    return op + 1;
+}
+
+const Op* splat(const Op* op, Machine& m)
+{
+    const double value = m.registers[op->to];
+    for (std::uint32_t i = 1; i < op->b; ++i) m.registers[op->to + i] = value;
     return op + 1;
 }
 
@@ -125,6 +138,8 @@ const Handler kStoreTuple = store_tuple;
 const Handler kAddTuple = add_tuple;
 const Handler kSubtractTuple = subtract_tuple;
 const Handler kScaleTuple = scale_tuple;
+const Handler kMultiplyTuple = multiply_tuple;
+const Handler kSplat = splat;
 const Handler kScaledTuple = scaled_tuple;
 const Handler kDivideTuple = divide_tuple;
 const Handler kLength = vector_length;

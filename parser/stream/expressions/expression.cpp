@@ -152,13 +152,9 @@ namespace {
 /// `requested` components at most; an error names the expression's first token.
 Tuple limited_expr(TokenStream& stream, int requested, Level level, const char* refusal)
 {
-    Tuple value;
-    if (stream.run_compiled_here(requested, level == Level::Full, value)) {
-        if (value.count <= requested) return value;
-        stream.fail(stream.last(), refusal);
-    }
     const Token& at = stream.peek();
-    value = read_expr(stream, requested, level);
+    Tuple value;
+    if (!stream.run_compiled_here(requested, level == Level::Full, value)) value = read_expr(stream, requested, level);
     if (value.count > requested) stream.fail(stream.place(at), refusal);
     return value;
 }

@@ -24,11 +24,38 @@ public:
     /// Sets all back; false.
     bool give_up()
     {
-        for (; !old_.empty(); old_.pop_back())
+        for (; old_.size() > first_; old_.pop_back())
             streams_[static_cast<std::size_t>(old_.back().index)] = old_.back().state;
         return false;
     }
-    void keep() { old_.clear(); }  ///< what was drawn stays drawn
+    /// What was drawn stays drawn, unless there is a Hold.
+    void keep()
+    {
+        if (held_) first_ = old_.size();
+        else old_.clear();
+    }
+    /// Something is read in the midst of what may be given up: whatever becomes of it, what was drawn before and since
+    /// can be set back when this is gone.
+    class Hold {
+    public:
+        explicit Hold(RandomUndo& undo) : undo_(undo), first_(undo.first_), held_(undo.held_)
+        {
+            undo.first_ = undo.old_.size();
+            undo.held_ = true;
+        }
+        Hold(const Hold&) = delete;
+        Hold& operator=(const Hold&) = delete;
+        ~Hold()
+        {
+            undo_.first_ = first_;
+            undo_.held_ = held_;
+        }
+
+    private:
+        RandomUndo& undo_;
+        std::size_t first_;
+        bool held_;
+    };
 
 private:
     struct Old {
@@ -37,6 +64,8 @@ private:
     };
     std::vector<std::uint32_t>& streams_;
     std::vector<Old> old_;
+    std::size_t first_ = 0;  ///< of those that are set back
+    bool held_ = false;
 };
 
 }  // namespace parser

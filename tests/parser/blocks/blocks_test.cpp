@@ -81,6 +81,14 @@ TEST_CASE("an error in a compiled block names its place and the calls that led t
     CHECK(said.find("t.pov:11:16: note: in the expansion of macro Sum") != std::string::npos);
 }
 
+TEST_CASE("an expression that is too long is told at its beginning, compiled or not", "[parser][blocks]")
+{
+    const std::string said = both_ways("#macro M(X, Y)\n  #local Z = sin(X + 2*Y);\n#end\n"
+                                       "#for (I, 1, 4) M(I, 1) #end #for (I, 1, 4) M(I, (I > 2 ? 1 : 2)) #end\n"
+                                       "#for (I, 1, 4) #if (I = 3) #undef I #declare I = 7; #end M(I, x) #end\n");
+    CHECK(said.find("t.pov:3:18: error: expected a number, found a vector or color") != std::string::npos);
+}
+
 TEST_CASE("what a block has done stays done where it is left, and no more", "[parser][blocks]")
 {
     const std::string show = "#debug concat(str(A, 0, 3), \" \", str(B, 0, 3), \" \", str(rand(R), 0, 6), \"|\")\n";
@@ -104,6 +112,15 @@ TEST_CASE("variables change their type under a compiled block", "[parser][blocks
     both_ways(
         "#for (I, 1, 6) #ifdef (New) #undef New #else #local New = I; #end #ifdef (New) #debug str(New, 0, 0) #end "
         "#end");
+    // One that turns to and fro in each pass, under another name too, and in the place of a loop's variable.
+    const std::string show = " #debug concat(vstr(5, Hue, \",\", 0, 3), \" \") ";
+    both_ways("#declare Hue = rgb <1, .5, .25>; #for (I, 1, 9) #declare Hue = Hue*0.5 + rgb <I, 0, 1/3>*0.1;" + show +
+              "#declare Hue = <Hue.red, Hue.green, Hue.blue>;" + show + "#declare Hue = Hue.y; #local T = Hue + I;" +
+              show + "#local Hue = <T, Hue, I/3>; #end\n" + show);
+    both_ways("#macro M(Hue, B) #for (I, 1, 7) #declare Hue = B + <1, 2, 3>; #declare B = B + 1;" + show +
+              "#declare B = vlength(Hue); #local Hue = 2; #local Hue = Hue*<I, 1>; #end #end\n"
+              "#declare A = 1; M(A, A) #declare V = <1, 2, 3>; M(V, A)\n");
+    both_ways("#for (I, 1, 6) #declare Hue = I; #declare I = <1, 2, I>;" + show + "#end\n");
 }
 
 TEST_CASE("loops write what they write word by word", "[parser][blocks]")

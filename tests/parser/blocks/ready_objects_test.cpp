@@ -92,6 +92,17 @@ TEST_CASE("what has to be said of an object in a loop is said", "[parser][blocks
     made_both_ways("#declare C=rgb x;#for(I,0,9)\nsphere{I,1 pigment{C}}\n#if(mod(I,3)=0)#declare C=rgb I;#end\n#end");
 }
 
+TEST_CASE("random numbers are set back where an object in a loop is left to its tokens", "[parser][blocks]")
+{
+    // The first texture is read by itself on the way, the second cannot follow it.
+    const std::string text = "#declare R = seed(4); #declare B = .5; #declare Paint = texture { pigment { rgb 1 } }\n"
+                             "#for (I, 1, 3) union { #for (J, 1, 6)\n"
+                             "object { sphere { J*x, rand(R) } texture { pigment { rgb I } normal { dents B } }\n"
+                             "texture { Paint finish { phong I } } }\n"
+                             "#end } #debug concat(str(rand(R), 0, 6), \" \") #end\n";
+    CHECK(made_by("#version 3.7;\n" + text, true) == made_by("#version 3.7;\n" + text, false));
+}
+
 TEST_CASE("an object in a loop stands where an object may stand only", "[parser][blocks]")
 {
     CHECK(made_both_ways("#macro M()#for(I,0,6)sphere{I,1}#end 3 #end\nsphere{0,M()}").find("error") !=
