@@ -122,8 +122,31 @@ DataFile::Token DataFile::token()
     return other;
 }
 
+/// Short numbers with commas behind them, all in the text that was read already. False: nothing was taken.
+bool DataFile::read_short_numbers(double* to, std::size_t count)
+{
+    if (text.size() <= position + kShortNumber) return false;
+    const char* const limit = text.data() + text.size() - kShortNumber;
+    const char* at = text.data() + position;
+    const auto skip = [&] {
+        while (at < limit && is_blank(*at)) ++at;
+        return at < limit;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!skip()) return false;
+        const bool minus = *at == '-';
+        at = short_number(at + (minus ? 1 : 0), to[i]);
+        if (!at || !skip() || *at != ',') return false;
+        to[i] = minus ? -to[i] : to[i];
+        ++at;
+    }
+    position = static_cast<std::size_t>(at - text.data());
+    return true;
+}
+
 bool DataFile::read_numbers(double* to, std::size_t count)
 {
+    if (read_short_numbers(to, count)) return true;
     held_ = dropped + position;
     bool good = true;
     for (std::size_t i = 0; good && i < count; ++i) {

@@ -63,6 +63,7 @@ private:
     bool stands(const char (&two)[3]) { return has(1) && text[position] == two[0] && text[position + 1] == two[1]; }
     void skip_blanks();
     bool plain_number(double& to);
+    bool read_short_numbers(double* to, std::size_t count);
     Token token();
     double signed_number(Token first);
     std::optional<std::size_t> held_;  ///< what stands from this byte of the file on is not dropped
