@@ -29,6 +29,17 @@ private:
     ObjectRecipe recipe_;
 };
 
+/// Room for one more. Memory that is not written to yet costs nothing, copies of what is there do: long lists grow by
+/// more than others.
+template <class T>
+void make_room(std::vector<T>& all)
+{
+    if (all.size() < all.capacity()) return;
+    constexpr std::size_t kLong = std::size_t{1} << 18, kLongest = std::size_t{1} << 26;  // bytes
+    const std::size_t bytes = all.size() * sizeof(T);
+    all.reserve(bytes >= kLong && bytes <= kLongest ? 8 * all.size() : 2 * all.size() + 8);
+}
+
 using BlobPart = scene::Blob::Component;
 
 /// A component of a blob.
@@ -75,7 +86,9 @@ public:
             part.transform = modified.transform;
             part.texture = std::move(modified.texture);
         }
-        static_cast<ComponentReceiver&>(*build_.receiver).blob.components.push_back(std::move(part));
+        std::vector<BlobPart>& all = static_cast<ComponentReceiver&>(*build_.receiver).blob.components;
+        make_room(all);
+        all.push_back(std::move(part));
         return true;
     }
 
@@ -125,16 +138,19 @@ public:
         const double *v = values + value_, *uv = values + uvs_;
         for (std::size_t i = 0; i < 3; ++i, v += 3) {
             face.vertex[i] = size(data.vertices);
+            make_room(data.vertices);
             data.vertices.emplace_back(v[0], v[1], v[2]);
             if (!smooth_) continue;
             v += 3;
             face.normal[i] = size(data.normals);
+            make_room(data.normals);
             data.normals.emplace_back(v[0], v[1], v[2]);
         }
         for (std::size_t i = 0; has_uvs_ && i < 3; ++i, uv += 2) {
             face.uv[i] = size(data.uvs);
             data.uvs.emplace_back(uv[0], uv[1]);
         }
+        make_room(data.faces);
         data.faces.push_back(face);
         return true;
     }
