@@ -53,7 +53,9 @@ std::uint32_t Emitter::slot(std::uint32_t name, std::uint8_t kind)
         const SlotInfo& known = program_.slots[i];
         if (known.name != name) continue;
         if (known.kind == kind || kind == kAny) return i;
-        if (known.kind != kAny && !(turning_ && tuple(known.kind) && tuple(kind))) return kNoIndex;
+        if (known.kind == kAny) continue;
+        if (!turning_ || !tuple(known.kind) || !tuple(kind)) return kNoIndex;
+        program_.turning = true;
     }
     program_.slots.push_back({name, kind});
     return static_cast<std::uint32_t>(program_.slots.size() - 1);

@@ -134,7 +134,7 @@ double* Machine::place_to_store(std::uint32_t slot, bool local, bool turns)
         if (values != 0) note(slot);
     }
     if (!numbers_of(value, wanted.kind)) turn(*value, wanted.kind);
-    if (frames.size() == 1) forget_others(slot);
+    if (program->turning) forget_others(slot);
     double* const numbers = numbers_of(value, wanted.kind);
     slots[slot] = {numbers, local ? numbers : slots[slot].own, value, local};
     return numbers;

@@ -105,6 +105,7 @@ struct Program {
     int version = 0;                 ///< of the language
     int result = 0;                  ///< components that a macro gives; 0: none
     bool named = false;              ///< see CompiledCall
+    bool turning = false;            ///< names have slots for several numbers of components
 };
 
 /// Registers below this are the stack of expressions.
