@@ -130,7 +130,7 @@ const Op* call(const Op* op, Machine& m)
         ++m.values;
         m.guards += site.guards;
     }
-    m.push(site.value ? *site.value : m.supply.program_of(site.macro), site, op + 1);
+    m.push(site.value ? *site.value : m.supply.program_of(site), site, op + 1);
     ++m.calls;
     return m.program->ops.data();
 }

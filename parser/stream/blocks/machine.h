@@ -34,8 +34,8 @@ public:
     virtual ~Supply() = default;
     /// More tokens that may be read; 0: none, or reading shall end.
     virtual std::int64_t more() = 0;
-    /// The body of a macro whose parameters are bound.
-    virtual const Program& program_of(const std::shared_ptr<const Macro>& macro) = 0;
+    /// The body of the macro that is called, whose parameters are bound.
+    virtual const Program& program_of(const Call& call) = 0;
 };
 
 /// Runs programs. Everything that names mean stays in the cells of the symbols; slots point to it.

@@ -71,8 +71,9 @@ struct Call {
     std::uint32_t token = 0;  ///< the macro's name
     std::uint32_t after = 0;  ///< behind the arguments
     std::uint32_t place = kNoIndex;
-    const Program* value = nullptr;  ///< what it gives is wanted; null: the call is a statement
-    std::uint32_t guards = 0;        ///< see CompiledCall
+    const Program* value = nullptr;   ///< what it gives is wanted; null: the call is a statement
+    std::uint32_t guards = 0;         ///< see CompiledCall
+    mutable Program* body = nullptr;  ///< that Supply::program_of() gave last
 };
 
 /// A statement of the grammar and its values as far as they are constants.

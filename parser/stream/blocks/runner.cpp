@@ -95,15 +95,19 @@ bool Runner::found_wanting(Program& program) const
     return program.stops > kMostStops && program.attempt + 1 < kMostAttempts;
 }
 
-const Program& Runner::program_of(const std::shared_ptr<const Macro>& macro)
+const Program& Runner::program_of(const Call& call)
 {
-    Program*& known = macros_[macro.get()];
-    const bool stale = known && known->version != stream_.language_.version;
-    if (known && !stale && !found_wanting(*known)) return *known;
-    Program& made = compile(known && !stale ? known->attempt + 1 : 0);
-    BlockCompiler(source_of(macro->file), stream_.symbols_, *this, made).macro(*macro);
-    known = &made;
-    return made;
+    const int version = stream_.language_.version;
+    if (call.body && call.body->version == version && !found_wanting(*call.body)) return *call.body;
+    Program*& known = macros_[call.macro.get()];
+    const bool stale = known && known->version != version;
+    if (!known || stale || found_wanting(*known)) {
+        Program& made = compile(known && !stale ? known->attempt + 1 : 0);
+        BlockCompiler(source_of(call.macro->file), stream_.symbols_, *this, made).macro(*call.macro);
+        known = &made;
+    }
+    call.body = known;
+    return *known;
 }
 
 /// By macro, form of the call and types of the arguments.

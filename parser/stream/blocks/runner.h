@@ -27,7 +27,7 @@ public:
     bool at_end_of_pass(std::uint32_t hash_of_end);
 
     std::int64_t more() override;
-    const Program& program_of(const std::shared_ptr<const Macro>& macro) override;
+    const Program& program_of(const Call& call) override;
 
 private:
     enum State : std::uint32_t { kUnseen, kSeen, kNever, kFirst };
