@@ -109,6 +109,7 @@ Julia::March Julia::look(const glm::dvec3& p, const glm::dvec3& way) const
 
 void Julia::intersect(const Ray& ray, IntersectionList& out) const
 {
+    if (whole()) return intersect_whole(ray, out);
     const julia::Way way(ray, radius_, out);
     if (!way.meets) return;
     const Ray& unit = way.unit;
@@ -167,6 +168,7 @@ glm::dvec3 Julia::quaternion_slope(glm::dvec4 q) const
 
 glm::dvec3 Julia::gradient(const glm::dvec3& p, std::uint32_t) const
 {
+    if (whole()) return whole_gradient(p);
     if (quaternion()) return quaternion_slope(plain_start(p));
     // Where the plain orbit escapes POV-Ray goes on with what the last look has left: the orbit of the same point as
     // marched.

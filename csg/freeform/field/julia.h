@@ -37,10 +37,12 @@ struct JuliaTerms {
     double precision = 20.0;               ///< at least 1: steps of a ray are no shorter than one part of so many
     glm::dvec4 slice{0.0, 0.0, 0.0, 1.0};  ///< normal of the slice through four dimensions; the last is not 0
     double slice_distance = 0.0;
+    bool whole = false;  ///< rays of polynomials are told every crossing, no matter what the precision is
 };
 
 /// A slice of the points of four dimensions that stay near the origin under q -> f(q) + constant. Rays are marched as
-/// POV-Ray does it: which of the set's hairs they meet depends on the steps.
+/// POV-Ray does it: which of the set's hairs they meet depends on the steps. A whole one is the set itself, and its
+/// normals are those of its surface, which POV-Ray's, of one iteration more, are not.
 class Julia {
 public:
     explicit Julia(const JuliaTerms& terms);
@@ -48,7 +50,7 @@ public:
     const JuliaTerms& terms() const { return terms_; }
     void intersect(const Ray& ray, IntersectionList& out) const;
     /// Polynomials; of the other functions the C library works out most.
-    bool intersects_many() const { return terms_.function <= JuliaTerms::Function::HyperCube; }
+    bool intersects_many() const { return polynomial() && !terms_.whole; }
     void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
@@ -66,6 +68,8 @@ private:
         bool inside;
         double step;  ///< to where the next look is worth while
     };
+    bool polynomial() const { return terms_.function <= JuliaTerms::Function::HyperCube; }
+    bool whole() const { return terms_.whole && polynomial(); }
     bool quaternion() const { return terms_.function <= JuliaTerms::Function::Cube; }
     glm::dvec4 lifted(const glm::dvec3& p) const { return {p, offset_ - glm::dot(tilt_, p)}; }
     glm::dvec4 plain_start(const glm::dvec3& p) const;
@@ -74,6 +78,10 @@ private:
     March look(const glm::dvec3& p, const glm::dvec3& way) const;
     March look_quaternion(const glm::dvec3& p) const;
     glm::dvec3 quaternion_slope(glm::dvec4 q) const;
+    enum class Where : std::uint8_t { Outside, Inside, CrossesOnce, Unknown };
+    Where where(const glm::dvec3& p, const glm::dvec3& half) const;
+    void intersect_whole(const Ray& ray, IntersectionList& out) const;
+    glm::dvec3 whole_gradient(const glm::dvec3& p) const;
     struct Orbit;
     Orbit follow(glm::dvec4 q) const;
 

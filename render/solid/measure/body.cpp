@@ -13,7 +13,7 @@ constexpr double kFilm = 1e-9;         // of the body's size: less is left out
 constexpr double kIsoAccuracy = 1e-6;  // of the container: an isosurface is told so exactly, drawn or not
 constexpr std::uint32_t kFewSpans = 8;
 
-/// The same object with isosurfaces that are found more exactly.
+/// The same object with isosurfaces that are found more exactly, and julia sets from which no crossing is left out.
 scene::Object sharpened(scene::Object object)
 {
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
@@ -29,6 +29,12 @@ scene::Object sharpened(scene::Object object)
             terms.accuracy = std::min(terms.accuracy, kIsoAccuracy * glm::max(size.x, glm::max(size.y, size.z)));
             scene::Freeform made = *freeform;
             made.shape = csg::make_freeform<csg::Isosurface>(std::move(terms));
+            object.shape = std::move(made);
+        } else if (const auto* julia = std::get_if<csg::Julia>(&freeform->shape->kind)) {
+            csg::JuliaTerms terms = julia->terms();
+            terms.whole = true;
+            scene::Freeform made = *freeform;
+            made.shape = csg::make_freeform<csg::Julia>(terms);
             object.shape = std::move(made);
         }
     }

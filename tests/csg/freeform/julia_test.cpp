@@ -103,6 +103,52 @@ TEST_CASE("a ray's crossings part inside from outside", "[csg][julia]")
     }
 }
 
+TEST_CASE("a whole julia set leaves out no stretch that points of a ray lie in", "[csg][julia]")
+{
+    for (const Function f : {Function::Square, Function::Cube, Function::HyperSquare, Function::HyperCube}) {
+        JuliaTerms t = terms(f);
+        t.precision = 2.0;  // a march of such steps would pass over most of what is thin
+        t.whole = true;
+        const Julia set(t);
+        int inside = 0, ends = 0;
+        for (std::uint32_t seed = 0; seed < 200; ++seed) {
+            INFO("function " << static_cast<int>(f) << " seed " << seed);
+            Rng rng(seed);
+            const Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), 1.0, 6.0);
+            IntersectionList record(0.0, kInfinity, false);
+            set.intersect(ray, record);
+            std::vector<std::pair<double, double>> spans;
+            record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t) {
+                REQUIRE(in <= out);
+                spans.emplace_back(in, out);
+                if (in_face == kUndrawnFace) return;
+                ++ends;
+                // The normal looks out of the set.
+                const glm::dvec3 p = ray.at(in), n = glm::normalize(set.gradient(p, in_face));
+                if (glm::dot(n, ray.direction) < -0.2 * glm::length(ray.direction)) {
+                    CHECK(set.contains(p - 1e-7 * n));
+                    CHECK_FALSE(set.contains(p + 1e-7 * n));
+                }
+            });
+            constexpr double kEnd = 1e-9;  // so near to an end a point may be on either side
+            for (int i = 0; i < 2000; ++i) {
+                const double at = 12.0 * (i + 0.5) / 2000.0;
+                bool told = false, unsure = false;
+                for (const auto& [in, out] : spans) {
+                    told = told || (at >= in && at <= out);
+                    unsure = unsure || std::abs(at - in) < kEnd || std::abs(at - out) < kEnd;
+                }
+                if (unsure) continue;
+                INFO("at " << at);
+                REQUIRE(set.contains(ray.at(at)) == told);
+                inside += told ? 1 : 0;
+            }
+        }
+        CHECK(inside > 1000);
+        CHECK(ends > 40);
+    }
+}
+
 TEST_CASE("a julia set is met from 6e9 away where it is met from beside it", "[csg][julia]")
 {
     const Julia set(terms(Function::Square));
