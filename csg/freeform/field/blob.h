@@ -89,6 +89,7 @@ private:
     struct Walk;
     template <std::size_t components>
     struct WalkRoom;
+    class Follower;
     class Lanes;
     struct Chord;
     struct Later;
@@ -97,7 +98,7 @@ private:
     void bound();
     void intersect(const Ray& ray, Walk& walk, IntersectionList& out) const;
     /// Tells the crossings from the stretches of a ray, whose parameter is less by `start` than what is told.
-    void follow(Walk& walk, double start, IntersectionList& out) const;
+    void follow(const Walk& walk, double start, IntersectionList& out) const;
     /// Write the stretches that the ray has in a component, three at most, and move on behind them.
     void gather(const Field& field, const Chord& chord, const Ray& ray, double inverse, double from, double to,
                 Stretch*& out) const;

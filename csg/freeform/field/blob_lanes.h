@@ -1,10 +1,12 @@
 #pragma once
 
 #include "csg/base/lanes.h"
-#include "csg/freeform/field/blob_walk.h"
+#include "csg/freeform/bernstein_lanes.h"
+#include "csg/freeform/field/blob_follower.h"
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 /// Rays of a blob with few components in lanes: the stretches that they have in each one's reach come from the same
 /// operations in the same order as in blob_ray.cpp. Most rays end there; the others are followed one by one.
@@ -25,20 +27,15 @@ public:
         const double threshold = blob_.threshold_;
         std::uint32_t left = started_ & ~alone_;
         if (threshold >= 0.0) left &= ~lanes::mask(most_ < Double(threshold));
-        for (; left != 0; left &= left - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            follow(lane, out[lane]);
-        }
-        for (std::uint32_t rest = alone_; rest != 0; rest &= rest - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-            blob_.intersect(rays[lane], out[lane]);
-        }
+        follow(left, out);
+        each(alone_, [&](std::size_t lane) { blob_.intersect(rays[lane], out[lane]); });
     }
 
 private:
     using Double = lanes::Double;
     using Bool = Double::batch_bool_type;
     using Numbers = std::array<double, kWide>;
+    struct alignas(64) AlignedNumbers : Numbers {};
 
     struct Vector {
         Double x, y, z;
@@ -177,16 +174,46 @@ private:
         laid.lanes = met;
     }
 
-    void follow(std::size_t lane, IntersectionList& out)
+    template <class F>
+    static void each(std::uint32_t lanes, F&& f)
     {
-        Walk walk = room_.walk();
+        for (; lanes != 0; lanes &= lanes - 1) f(static_cast<std::size_t>(std::countr_zero(lanes)));
+    }
+
+    void follow(std::uint32_t left, IntersectionList* out)
+    {
+        std::uint32_t asking = 0;
+        const auto go_on = [&](std::size_t lane) {
+            if (!followers_[lane].next()) return;
+            asking |= 1u << lane;
+            for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i][lane] = followers_[lane].sum()[i];
+        };
+        each(left, [&](std::size_t lane) {
+            followers_[lane] = {blob_.threshold_, walk(lane), start_[lane], out[lane]};
+            go_on(lane);
+        });
+        while (asking != 0) {
+            std::array<Double, 5> sums;
+            for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = Double::load_aligned(sums_[i].data());
+            alignas(64) Numbers places;
+            lanes::only_changes(sums, asking).store_aligned(places.data());
+            each(std::exchange(asking, 0), [&](std::size_t lane) {
+                followers_[lane].found(places[lane]);
+                go_on(lane);
+            });
+        }
+    }
+
+    Walk walk(std::size_t lane)
+    {
+        Walk walk = rooms_[lane].walk();
         for (std::size_t i = 0; i < count_; ++i) {
             const Laid& s = laid_[i];
             if ((s.lanes >> lane & 1u) == 0) continue;
             walk.stretches[walk.stretch_count++] = {s.enter[lane], s.leave[lane], s.ref[lane], s.w0[lane],
                                                     s.w1[lane],    s.w2[lane],    s.strength,  s.most[lane]};
         }
-        blob_.follow(walk, start_[lane], out);
+        return walk;
     }
 
     const Blob& blob_;
@@ -197,7 +224,9 @@ private:
     std::uint32_t alone_ = 0;    ///< of these, rays that are asked for one by one
     std::size_t count_ = 0;
     std::array<Laid, Walk::kStretches * kMostLoose> laid_;
-    WalkRoom<kMostLoose> room_;
+    std::array<WalkRoom<kMostLoose>, kWide> rooms_;
+    std::array<Follower, kWide> followers_;
+    std::array<AlignedNumbers, 5> sums_{};  ///< of followers that ask
 };
 
 }  // namespace csg

@@ -161,49 +161,10 @@ void Blob::intersect(const Ray& ray, Walk& walk, IntersectionList& out) const
     follow(walk, start, out);
 }
 
-void Blob::follow(Walk& walk, double start, IntersectionList& out) const
+void Blob::follow(const Walk& walk, double start, IntersectionList& out) const
 {
-    const double from = out.from - start, to = out.to - start;
-    // Most rays that meet fields stay below the threshold, and those that leave a surface have its better part behind.
-    if (threshold_ >= 0.0 && walk.most_of_all() < threshold_) return;
-    walk.sort_ends();
-
-    bool inside = 0.0 > threshold_;
-    bool more = !inside || out.enter(-kInfinity, kUndrawnFace);
-    const auto cross = [&](double t) {
-        inside = !inside;
-        more = inside ? out.enter(start + t, 0) : out.leave(start + t, 0);
-        return more;
-    };
-    const auto cross_before = [&] {
-        inside = !inside;
-        if (inside) out.enter(-kInfinity, kUndrawnFace);
-        else out.leave(-kInfinity, kUndrawnFace);
-    };
-    for (std::size_t i = 0; i < walk.end_count && more; ++i) {
-        walk.pass(walk.ends[i]);
-        double a = walk.ends[i].t;
-        const double b = i + 1 < walk.end_count ? walk.ends[i + 1].t : a;
-        if (!(a < b) || b < from) continue;
-        if (a > to) break;
-        if (!inside && walk.most() < threshold_) continue;
-        // Of the nearest end alone, what lies before the range need not be found.
-        const bool cut = out.first_only && a < from;
-        if (cut) a = from;
-        // Nor what lies beyond: its end may depend on what else the ray has met, so that no number comes from it.
-        if (out.first_only && to < b && a < to) {
-            const Quartic wanted = walk.sum(a, to, threshold_);
-            if (ordinate_changes(wanted) == 0 && ((wanted[0] > 0.0) == inside || cut)) break;
-        }
-        const Quartic sum = walk.sum(a, b, threshold_);
-        if ((sum[0] > 0.0) != inside) {
-            if (cut) cross_before();
-            else if (!cross(a)) break;
-        }
-        each_change(sum, a, b, kHalvings, cross);
-    }
-    // Nothing reaches beyond the last end.
-    if (more && inside != (0.0 > threshold_) && walk.end_count != 0) cross(walk.ends[walk.end_count - 1].t);
+    Follower follower(threshold_, walk, start, out);
+    while (follower.next()) follower.found(detail::only_change(follower.sum()));
 }
 
 void Blob::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
