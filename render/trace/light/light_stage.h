@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/indirect/indirect_light.h"
+#include "render/trace/light/dimmed_lanes.h"
 #include "render/trace/light/direct_batch.h"
 #include "render/trace/queue/segment_tile.h"
 #include "render/trace/light/shade_light.h"
@@ -158,6 +159,18 @@ private:
     HitMask illuminate_each(const light::Light& light)
     {
         HitMask colored = 0;
+        if (shines_from_one_place(light)) {
+            toward_point(light, scratch_.hits, tile_.count(), scratch_.light);
+            alignas(64) TileLanes share;
+            DimmedLanes(light).find(asks_, scratch_.light, share);
+            for_each_hit(asks_, [&](std::size_t k) {
+                const glm::vec3 color = light.color * static_cast<float>(share[k]);
+                scratch_.lit_colors[k] = color;
+                batch_.begin_light(k, color);
+                colored |= HitMask{color != glm::vec3(0) ? 1u : 0u} << k;
+            });
+            return colored;
+        }
         for_each_hit(asks_, [&](std::size_t k) {
             const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
             scratch_.light.set(k, lit);

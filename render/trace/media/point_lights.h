@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/trace/light/dimmed_lanes.h"
 #include "render/trace/light/shadow_caster.h"
 #include "render/trace/shade/shade_lanes.h"
 #include "render/trace/media/media_photons.h"
@@ -77,9 +78,10 @@ private:
         HitMask colored = 0;
         if (light.from_one_point()) {  // only the colour differs from point to point
             toward_point(light, scratch_.hits, count_, scratch_.light);
+            alignas(64) TileLanes share;
+            DimmedLanes(light).find(asking, scratch_.light, share);
             for_each_hit(asking, [&](std::size_t k) {
-                const light::Illumination seen{scratch_.light.direction(k), scratch_.light.distance[k]};
-                const glm::vec3 color = light::color_at(light, seen, scratch_.hits.point(k));
+                const glm::vec3 color = light.color * static_cast<float>(share[k]);
                 scratch_.lit_colors[k] = color;
                 colored |= HitMask{dark(color) ? 0u : 1u} << k;
             });
