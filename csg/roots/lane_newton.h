@@ -15,7 +15,7 @@ template <bool halving>
 struct NewtonOf {
     Double lo, hi, t;
     Double::batch_bool_type negative_at_lo;
-    Double before{0.0};  ///< of halving ones the last step's length: hi - lo at first
+    Double before = Double(0.0);  ///< of halving ones the last step's length: hi - lo at first
 
     /// One step of the lanes asked for, from `here` at t; those that end with it are taken out. The last is one no
     /// longer than `close`.
