@@ -1,4 +1,6 @@
 // Rows of light go through the lights in vector lanes or by themselves: one formula, the same picture.
+#include "render/light/illuminate.h"
+#include "render/trace/light/dimmed_lanes.h"
 #include "render/trace/render.h"
 #include "tests/parser/grammar_support.h"
 
@@ -144,4 +146,44 @@ TEST_CASE("an area light of four by four nodes casts the shadows of sixteen ligh
     CHECK(off <= 3);  // to_string rounds the places of the sixteen: an edge may fall on a pixel
     CHECK(farthest < 0.1);
     CHECK((least < 0.3 && most > 0.99));
+}
+
+TEST_CASE("cones and distance dim a light in lanes as they do point by point", "[trace][light]")
+{
+    std::mt19937 random(7);
+    const auto number = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) * 0x1p-32);
+    };
+    const auto point = [&](double size) {
+        return glm::dvec3(number(-size, size), number(-size, size), number(-size, size));
+    };
+    const double powers[] = {0.0, 1.0, 2.0, 2.7};
+    int dark = 0, dimmed = 0;
+    for (int round = 0; round < 400; ++round) {
+        INFO("round " << round);
+        light::Light light;
+        light.kind = round % 4 == 0 ? light::Light::Kind::Point : light::Light::Kind::Spot;
+        light.color = {0.9f, 0.5f, 0.2f};
+        light.location = point(5.0);
+        light.axis = glm::normalize(point(1.0));
+        light.cos_radius = number(-0.2, 0.95);
+        light.cos_falloff = light.cos_radius - number(0.01, 0.5);
+        light.tightness = powers[random() % 4];
+        light.fade_power = powers[random() % 4];
+        light.fade_distance = round % 9 == 0 ? 0.0 : number(0.5, 8.0);
+        trace::TileLight seen;
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) seen.set(k, light::toward(light, point(10.0), glm::dvec3(0)));
+        const trace::HitMask asked = static_cast<trace::HitMask>(random()) << 32 | random();
+        alignas(64) trace::TileLanes share;
+        trace::DimmedLanes(light).find(asked, seen, share);
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+            if ((asked >> k & 1) == 0) continue;
+            const light::Illumination one{seen.direction(k), seen.distance[k]};
+            const glm::vec3 expected = light::color_at(light, one, glm::dvec3(0));
+            REQUIRE(light.color * static_cast<float>(share[k]) == expected);
+            (expected == glm::vec3(0) ? dark : dimmed) += expected == light.color ? 0 : 1;
+        }
+    }
+    CHECK(dark > 2000);
+    CHECK(dimmed > 2000);
 }
