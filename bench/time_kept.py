@@ -4,7 +4,7 @@
 usage: bench/time_kept.py [SCENE...] [--seconds 1 5] [--bar 10] [--whittle PROGRAM]
 
 320x240, both integrators, all threads. Exit status 1 if a run took more than --bar per cent more or less than it was given. Without SCENE:
-first_light and nine of scenes/phases.
+first_light, nine of scenes/phases and a room with radiosity.
 """
 import argparse
 import pathlib
@@ -25,7 +25,8 @@ def main():
     parser.add_argument("--bar", type=float, default=10)
     parser.add_argument("--whittle", type=pathlib.Path, default=HERE.parent / "build/release/whittle")
     options = parser.parse_args()
-    scenes = options.scenes or [HERE.parent / "scenes/first_light.pov", *(HERE / f"scenes/phases/{name}.pov" for name in PHASES)]
+    scenes = options.scenes or [HERE.parent / "scenes/first_light.pov", *(HERE / f"scenes/phases/{name}.pov" for name in PHASES),
+                                HERE / "scenes/cornell.pov"]
     farthest = 0.0
     print(f"{'scene':<22} {'integrator':<10} {'given s':>8} {'taken s':>8} {'error told, of 255':>19}")
     with tempfile.TemporaryDirectory() as folder:

@@ -6,6 +6,9 @@
 
 namespace csg {
 
+/// 1 / d, clamped so that 0 * infinity never arises; 1e30 times any distance in a scene is past its end.
+inline double slab_reciprocal(double d) { return std::abs(d) < 1e-30 ? std::copysign(1e30, d) : 1.0 / d; }
+
 /// A ray and the two sides of boxes across one axis, in single precision: boxes are only a sieve, and a ray that meets
 /// one is never said to miss it. Compiled once per instruction set.
 struct SlabAxis {

@@ -18,10 +18,7 @@ public:
     {
         for (int axis = 0; axis < 3; ++axis) {
             const double d = ray.direction[axis];
-            const bool backward = std::signbit(d);
-            // Clamped, so that 0 * infinity never arises; 1e30 times any distance in a scene is past its end.
-            const double inverse = std::abs(d) < 1e-30 ? (backward ? -1e30 : 1e30) : 1.0 / d;
-            axes_[axis] = SlabAxis(axis, ray.origin[axis], inverse, backward);
+            axes_[axis] = SlabAxis(axis, ray.origin[axis], slab_reciprocal(d), std::signbit(d));
         }
     }
 

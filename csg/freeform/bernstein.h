@@ -40,6 +40,17 @@ inline void quadratic_roots(const std::array<double, 3>& b, double (&roots)[2])
     roots[1] = std::max(s, t);
 }
 
+/// The coefficients of a quartic, the lowest first, from its ordinates. Number is double or a vector of lanes.
+template <class Number>
+inline std::array<Number, 5> quartic_powers(const std::array<Number, 5>& b)
+{
+    const Number two(2.0), three(3.0), four(4.0), six(6.0);
+    return {b[0], four * (b[1] - b[0]), six * (b[2] - two * b[1] + b[0]),
+            four * (b[3] - three * b[2] + three * b[1] - b[0]), b[4] - four * b[3] + six * b[2] - four * b[1] + b[0]};
+}
+
+inline constexpr double kClosePlace = 1e-15;  ///< of itself: a few units in the last place of where a quartic changes
+
 /// One polynomial, one change of sign among its ordinates: where, in [0, 1].
 template <std::size_t count>
 inline double only_change(const std::array<double, count>& b)
@@ -55,10 +66,7 @@ inline double only_change(const std::array<double, count>& b)
         const bool first = std::abs(roots[0] - 0.5) <= std::abs(roots[1] - 0.5);
         return std::min(std::max(first ? roots[0] : roots[1], 0.0), 1.0);
     } else if constexpr (count == 5) {
-        const double c[5] = {b[0], 4.0 * (b[1] - b[0]), 6.0 * (b[2] - 2.0 * b[1] + b[0]),
-                             4.0 * (b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0]),
-                             b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
-        return bracketed(c, 4, 0.0, 1.0, b[0] <= 0.0, t, 1e-15);
+        return bracketed(quartic_powers(b).data(), 4, 0.0, 1.0, b[0] <= 0.0, t, kClosePlace);
     } else {
         constexpr double kClose = 1e-9;  // of the interval: the last of Newton's steps doubles its digits
         const auto at = [&b](double place) {

@@ -124,6 +124,12 @@ inline double move_near(const Aabb& box, Ray& ray)
     return t;
 }
 
+/// Of two faces that a ray meets: at equal t the one in the first place, whatever the way there.
+inline bool face_comes_first(double t, std::uint32_t face, double than_t, std::uint32_t than_face)
+{
+    return t < than_t || (t == than_t && face < than_face);
+}
+
 /// Calls f(t, face) for every face met with t_min <= t <= t_max; f returns the new t_max, a negative infinity ends it.
 template <class F>
 inline void mesh_crossings(const MeshShape& shape, const Ray& ray, double t_min, double t_max, F&& f)

@@ -29,8 +29,8 @@ struct MeshRays {
         t_min[i] = first - moved[i];
         limit[i] = last - moved[i];
         const auto set = [&](int axis, RayLanes& direction, RayLanes& inverse) {
-            const double d = direction[i] = ray.direction[axis];
-            inverse[i] = std::abs(d) < 1e-30 ? std::copysign(1e30, d) : 1.0 / d;
+            direction[i] = ray.direction[axis];
+            inverse[i] = slab_reciprocal(direction[i]);
         };
         set(0, dx, inverse_x);
         set(1, dy, inverse_y);
@@ -81,8 +81,7 @@ private:
     void offer(std::size_t i, double here, std::uint32_t which)
     {
         if (!(here >= first_[i] && here <= last_[i])) return;
-        // At equal t the first place wins, whatever the way there.
-        if (!(here < t[i] || (here == t[i] && which < face[i]))) return;
+        if (!face_comes_first(here, which, t[i], face[i])) return;
         t[i] = last_[i] = here;
         face[i] = which;
         rays_.limit[i] = any_ ? -kInfinity : here - rays_.moved[i];

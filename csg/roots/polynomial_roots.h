@@ -23,6 +23,9 @@ inline void evaluate(const double* c, int degree, double t, double& value, doubl
     }
 }
 
+/// More than bisection of any bracket would need.
+inline constexpr int kMostLooks = 300;
+
 /// The sign change of a polynomial between lo and hi, from `t` on, until it moves by less than `close` of itself.
 inline double bracketed(const double* c, int degree, double lo, double hi, bool negative_at_lo, double t, double close)
 {
@@ -31,7 +34,7 @@ inline double bracketed(const double* c, int degree, double lo, double hi, bool 
         evaluate(c, degree, place, here.value, here.slope);
         return here;
     };
-    return safeguarded_newton<true>(at, lo, hi, negative_at_lo, t, {0.0, close}, 300);
+    return safeguarded_newton<true>(at, lo, hi, negative_at_lo, t, {0.0, close}, kMostLooks);
 }
 
 /// No root, nor one of a derivative, is larger by amount (Fujiwara 1916: twice the largest |c[n - k] / c[n]|^(1/k)),

@@ -32,13 +32,13 @@ inline bool normal_flipped(const WorldData& world, const WorldItem& item)
     return kind_of(item.solid) != SolidKind::Freeform || !world.store.all<Freeform>()[index_of(item.solid)].surface();
 }
 
-/// The nearest face of a mesh in [t_min, t_max]; at equal t the one in the first place, whatever the way there.
+/// The nearest face of a mesh in [t_min, t_max].
 inline Hit mesh_nearest(const SolidStore& store, PartId part, const Ray& ray, double t_min, double t_max)
 {
     const Mesh& mesh = store.all<Mesh>()[index_of(part)];
     Hit best;
     mesh_crossings(*mesh.shape, local_ray(mesh.frame, ray), t_min, t_max, [&](double t, std::uint32_t face) {
-        if (t < best.t || (t == best.t && face < best.face)) {
+        if (face_comes_first(t, face, best.t, best.face)) {
             best.t = t;
             best.face = face;
         }

@@ -314,7 +314,7 @@ bool tokenize(std::string_view text, SourceFile& file, std::uint16_t file_index,
     file.bad.clear();
     std::size_t skipped = 0;
     if (main_text)
-        while (skipped < text.size() && static_cast<unsigned char>(file.text[skipped]) > 127) ++skipped;
+        while (skipped < text.size() && static_cast<unsigned char>(text[skipped]) > 127) ++skipped;
     else if (text.starts_with("\xEF\xBB\xBF"))  // POV-Ray refuses it in an include file; editors write it
         skipped = 3;
 

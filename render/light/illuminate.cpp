@@ -6,8 +6,6 @@
 namespace light {
 namespace {
 
-constexpr double kNearlyZero = 1e-10;  // POV-Ray's: fade distances below it count as not given
-
 /// 0 below low, 1 from high on, a cubic between.
 double smooth_step(double low, double high, double x)
 {
@@ -53,7 +51,7 @@ double attenuation(const Light& light, const Illumination& lit, const glm::dvec3
     double factor = 1.0;
     if (light.kind == Light::Kind::Spot) factor = spot(light, lit);
     if (light.kind == Light::Kind::Cylinder) factor = cylinder(light, point);
-    if (factor > 0.0 && light.fade_power > 0.0 && std::abs(light.fade_distance) > kNearlyZero)
+    if (factor > 0.0 && light.fade_power > 0.0 && std::abs(light.fade_distance) > kLeastFadeDistance)
         factor *= 2.0 / (1.0 + raised(lit.distance / light.fade_distance, light.fade_power));
     return factor;
 }

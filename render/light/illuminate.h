@@ -5,6 +5,9 @@
 /// Direction, distance and colour of the light that reaches a point if nothing stands between (spec 3, 12.2 to 12.4).
 namespace light {
 
+/// POV-Ray's: a fade_distance below it counts as not given.
+inline constexpr double kLeastFadeDistance = 1e-10;
+
 struct Illumination {
     glm::dvec3 direction{0};  ///< unit, from the point toward the light
     double distance = 0;      ///< along direction; may be negative for parallel lights

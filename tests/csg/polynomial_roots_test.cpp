@@ -1,3 +1,4 @@
+#include "csg/freeform/bernstein.h"
 #include "csg/roots/polynomial_roots.h"
 #include "csg/roots/safeguarded_newton.h"
 #include "tests/csg/degrees.h"
@@ -5,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -161,19 +163,14 @@ TEST_CASE("odd coefficients leave the roots unharmed", "[csg][polynomial]")
 TEST_CASE("a Newton step too short to move its place ends the search of a polynomial", "[csg][polynomial]")
 {
     // A quartic as blobs have, by its ordinates; bisection from the far end of the bracket took 54 looks.
-    constexpr double b[5] = {0x1.e41ec3d70a3d7p-11, 0x1.44e1019cccccdp-6, 0x1.312b31e666667p-7, 0x1.3dc6c7499999ap-6,
-                             -0x1.1b1556299999ap-6};
-    const double c[5] = {b[0], 4.0 * (b[1] - b[0]), 6.0 * (b[2] - 2.0 * b[1] + b[0]),
-                         4.0 * (b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0]),
-                         b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
+    const std::array<double, 5> b = {0x1.e41ec3d70a3d7p-11, 0x1.44e1019cccccdp-6, 0x1.312b31e666667p-7,
+                                     0x1.3dc6c7499999ap-6, -0x1.1b1556299999ap-6};
+    const std::array<double, 5> c = detail::quartic_powers(b);
     int looks = 0;
     const auto at = [&](double t) {
         ++looks;
-        ValueAndSlope here{c[4], 0.0};
-        for (int k = 3; k >= 0; --k) {
-            here.slope = here.slope * t + here.value;
-            here.value = here.value * t + c[k];
-        }
+        ValueAndSlope here{};
+        detail::evaluate(c.data(), 4, t, here.value, here.slope);
         return here;
     };
     const double t = safeguarded_newton<true>(at, 0.0, 1.0, false, b[0] / (b[0] - b[4]), {0.0, 1e-15}, 300);

@@ -9,17 +9,16 @@
 /// operations are those of light::color_at in the same order.
 namespace trace {
 
-/// Whether the lanes know the light: not one whose rays are parallel.
-inline bool shines_from_one_place(const light::Light& light)
-{
-    return light.kind != light::Light::Kind::Cylinder && !light.parallel;
-}
-
 class DimmedLanes {
 public:
+    /// Not a light whose rays are parallel.
+    static bool serve(const light::Light& light)
+    {
+        return light.kind != light::Light::Kind::Cylinder && !light.parallel;
+    }
     explicit DimmedLanes(const light::Light& light)
         : light_(light), spot_(light.kind == light::Light::Kind::Spot), cone_(spot_ && light.cos_radius > 0.0),
-          fades_(light.fade_power > 0.0 && std::abs(light.fade_distance) > kNoDistance)
+          fades_(light.fade_power > 0.0 && std::abs(light.fade_distance) > light::kLeastFadeDistance)
     {}
 
     /// The light's share at the hits of `which`, seen so; others have any.
@@ -42,7 +41,6 @@ public:
 
 private:
     using Double = csg::lanes::Double;
-    static constexpr double kNoDistance = 1e-10;  // POV-Ray's
 
     static Double load(const TileLanes& lanes, std::size_t i) { return Double::load_aligned(lanes.data() + i); }
 

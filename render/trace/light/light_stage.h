@@ -159,25 +159,23 @@ private:
     HitMask illuminate_each(const light::Light& light)
     {
         HitMask colored = 0;
-        if (shines_from_one_place(light)) {
+        const auto lit = [&](std::size_t k, const glm::vec3& color) {
+            scratch_.lit_colors[k] = color;
+            batch_.begin_light(k, color);
+            colored |= HitMask{color != glm::vec3(0) ? 1u : 0u} << k;
+        };
+        if (DimmedLanes::serve(light)) {
             toward_point(light, scratch_.hits, tile_.count(), scratch_.light);
             alignas(64) TileLanes share;
             DimmedLanes(light).find(asks_, scratch_.light, share);
+            for_each_hit(asks_, [&](std::size_t k) { lit(k, light.color * static_cast<float>(share[k])); });
+        } else {
             for_each_hit(asks_, [&](std::size_t k) {
-                const glm::vec3 color = light.color * static_cast<float>(share[k]);
-                scratch_.lit_colors[k] = color;
-                batch_.begin_light(k, color);
-                colored |= HitMask{color != glm::vec3(0) ? 1u : 0u} << k;
+                const light::Illumination seen = light::illuminate(light, scratch_.hits.point(k));
+                scratch_.light.set(k, seen);
+                lit(k, seen.color);
             });
-            return colored;
         }
-        for_each_hit(asks_, [&](std::size_t k) {
-            const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
-            scratch_.light.set(k, lit);
-            scratch_.lit_colors[k] = lit.color;
-            batch_.begin_light(k, lit.color);
-            if (lit.color != glm::vec3(0)) colored |= HitMask{1} << k;
-        });
         return colored;
     }
 

@@ -35,6 +35,19 @@ JuliaTerms terms(Function f)
     return t;
 }
 
+/// f(ray, what it is told) for random rays near a set.
+void each_ray_near(const Julia& set, std::uint32_t rays, const auto& f)
+{
+    for (std::uint32_t seed = 0; seed < rays; ++seed) {
+        INFO("function " << static_cast<int>(set.terms().function) << " seed " << seed);
+        Rng rng(seed);
+        const Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), 1.0, 6.0);
+        IntersectionList record(0.0, kInfinity, false);
+        set.intersect(ray, record);
+        f(ray, record);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("hypercomplex sets are pairs of complex ones", "[csg][julia]")
@@ -78,12 +91,7 @@ TEST_CASE("a ray's crossings part inside from outside", "[csg][julia]")
         const JuliaTerms t = terms(f);
         const Julia set(t);
         int hits = 0;
-        for (std::uint32_t seed = 0; seed < 1000; ++seed) {
-            INFO("function " << static_cast<int>(f) << " seed " << seed);
-            Rng rng(seed);
-            const Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), 1.0, 6.0);
-            IntersectionList record(0.0, kInfinity, false);
-            set.intersect(ray, record);
+        each_ray_near(set, 1000, [&](const Ray& ray, const IntersectionList& record) {
             record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
                 REQUIRE(in <= out);
                 if (in_face != kUndrawnFace) {
@@ -98,7 +106,7 @@ TEST_CASE("a ray's crossings part inside from outside", "[csg][julia]")
                     REQUIRE_FALSE(set.contains(ray.at(out + 2e-7)));
                 }
             });
-        }
+        });
         CHECK(hits > 200);
     }
 }
@@ -111,12 +119,7 @@ TEST_CASE("a whole julia set leaves out no stretch that points of a ray lie in",
         t.whole = true;
         const Julia set(t);
         int inside = 0, ends = 0;
-        for (std::uint32_t seed = 0; seed < 200; ++seed) {
-            INFO("function " << static_cast<int>(f) << " seed " << seed);
-            Rng rng(seed);
-            const Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), 1.0, 6.0);
-            IntersectionList record(0.0, kInfinity, false);
-            set.intersect(ray, record);
+        each_ray_near(set, 200, [&](const Ray& ray, const IntersectionList& record) {
             std::vector<std::pair<double, double>> spans;
             record.each_span([&](double in, std::uint32_t in_face, double out, std::uint32_t) {
                 REQUIRE(in <= out);
@@ -143,7 +146,7 @@ TEST_CASE("a whole julia set leaves out no stretch that points of a ray lie in",
                 REQUIRE(set.contains(ray.at(at)) == told);
                 inside += told ? 1 : 0;
             }
-        }
+        });
         CHECK(inside > 1000);
         CHECK(ends > 40);
     }

@@ -1,4 +1,4 @@
-#include "parser/parse.h"
+#include "tests/parser/blocks/said.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,25 +14,13 @@
 // fuzz_blocks of tests/fuzz compares programs that nobody wrote.
 namespace {
 
-/// All messages and the error, with their places.
 std::string said_by(const std::string& text, bool blocks, const std::vector<std::string>& library = {})
 {
-    std::string said;
     parser::Options options;
     options.blocks = blocks;
     options.library_path = library;
-    options.most_tokens = 300'000;
     options.write_nothing = true;  // a scene reads what it would have written
-    const auto keep = [](void* to, const parser::Message& message) {
-        *static_cast<std::string*>(to) += std::to_string(static_cast<int>(message.severity)) + message_text(message) +
-                                          "\n";
-    };
-    try {
-        parser::parse_text(text, "t.pov", options, keep, &said);
-    } catch (const parser::Error& error) {
-        said += error.what();
-    }
-    return said;
+    return said::in_full(text, options);
 }
 
 bool unending(const std::string& said) { return said.find("the limit of tokens is reached") != std::string::npos; }

@@ -1,5 +1,5 @@
-#include "parser/parse.h"
 #include "parser/queries.h"
+#include "tests/parser/blocks/said.h"
 
 #include <catch2/catch.hpp>
 
@@ -31,22 +31,11 @@ public:
 
 std::string rays_said(const std::string& text, bool blocks)
 {
-    std::string said;
     Ground ground;
     parser::Options options;
     options.blocks = blocks;
     options.queries = &ground;
-    options.most_tokens = 300'000;
-    const auto keep = [](void* to, const parser::Message& message) {
-        *static_cast<std::string*>(to) += std::to_string(static_cast<int>(message.severity)) + message_text(message) +
-                                          "\n";
-    };
-    try {
-        parser::parse_text(text, "t.pov", options, keep, &said);
-    } catch (const parser::Error& error) {
-        said += error.what();
-    }
-    return said;
+    return said::in_full(text, options);
 }
 
 /// What is said both ways; `loop` shows P, N and K.
