@@ -1,35 +1,60 @@
 #!/usr/bin/env python3
 """What a sample costs with antialiasing, beside a sample of the plain picture.
 
-usage: bench/samples.py [SCENE...] [--runs 5] [--bar 1.3] [--whittle PROGRAM]
+usage: bench/samples.py [SCENE...] [--runs 5] [--bar 1.3] [--whittle PROGRAM] [--povray PROGRAM]
 
-Renders each scene plain, with +A0.1 +AM1 and with +A0.1 +AM2 in turn, one thread, 320x240, and takes the least trace time of each. A sample is
-a camera ray. Those of antialiasing lie where colours change, at outlines and in half-shadows, where each sends more rays on than a plain one that
-may see the sky: time by all rays tells what is due to the order of work alone. Without SCENE: the scenes of scenes/phases.
-Exit status 1 if the geometric mean of a method is above --bar times the plain picture's by samples.
+Renders each scene plain, with +A0.1 +AM1 and with +A0.1 +AM2 in turn, one thread, 320x240, and takes the least trace time of each over the
+plain picture's: by samples (camera rays), by rays of any kind, and POV-Ray's own by samples (one run). Those of antialiasing lie
+where colours change, at outlines and in half-shadows, where each may see more than one of the plain picture: POV-Ray's ratio tells how much
+of ours is that. Without SCENE: the scenes of scenes/phases. Exit status 1 if the geometric mean of a method is above --bar by samples.
 """
 import argparse
 import json
 import math
 import pathlib
-import subprocess
+import re
 import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
+import speed
+
 WAYS = {"plain": ["-A"], "method 1": ["+A0.1", "+AM1"], "method 2": ["+A0.1", "+AM2"]}
-BY = ("a sample", "a ray")
+BY = ("sample", "ray", "POV-Ray's")
 
 
-def nanoseconds(program, scene, switches, folder):
+def render(program, scene, folder, more):
+    command = [program, f"+I{scene.name}", f"+O{folder / 'picture.png'}", "+W320", "+H240", "+WT1", "-D", *more]
+    return speed.execute(command, scene.parent).said
+
+
+def whittle_seconds(program, scene, folder, switches):
     """Of a camera ray, and of a ray of any kind."""
     told = folder / "told.json"
-    command = [program, f"+I{scene}", f"+O{folder / 'picture.png'}", "+W320", "+H240", "+WT1", "-D", "--quiet", "--json", told, *switches]
-    subprocess.run(command, cwd=scene.parent, check=True, capture_output=True)
+    render(program, scene, folder, ["--quiet", "--json", told, *switches])
     frame = json.loads(told.read_text())["frames"][0]
-    counts, seconds = frame["counts"], frame["phases"]["trace_seconds"]
+    counts, took = frame["counts"], frame["phases"]["trace_seconds"]
     rays = sum(counts[f"{kind}_rays"] for kind in ("camera", "shadow", "reflected", "refracted"))
-    return seconds / counts["camera_rays"] * 1e9, seconds / rays * 1e9
+    return took / counts["camera_rays"], took / rays
+
+
+def povray_seconds(program, scene, folder, switches):
+    """Of a sample: a pixel, or one more in it."""
+    said = render(program, scene, folder, ["-P", *switches])
+    samples = sum(int(re.search(rf"{what}:\s+(\d+)", said)[1]) for what in ("Pixels", "Samples"))
+    return float(speed.POVRAY_TRACE.search(said)[1]) / samples
+
+
+def measured(options, scene, folder):
+    """Least seconds by way and by what."""
+    least = {(way, what): math.inf for way in WAYS for what in BY}
+    for run in range(options.runs):
+        for way, switches in WAYS.items():
+            took = [*whittle_seconds(options.whittle.resolve(), scene, folder, switches)]
+            if run == 0:
+                took.append(povray_seconds(options.povray, scene, folder, switches))
+            for what, each in zip(BY, took):
+                least[way, what] = min(least[way, what], each)
+    return least
 
 
 def main():
@@ -37,29 +62,24 @@ def main():
     parser.add_argument("scenes", nargs="*", metavar="SCENE", type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--bar", type=float, default=1.3)
-    parser.add_argument("--whittle", type=pathlib.Path, default=HERE.parent / "build/release/whittle")
+    parser.add_argument("--whittle", type=pathlib.Path, default=speed.HERE.parent / "build/release/whittle")
+    parser.add_argument("--povray", default="povray")
     options = parser.parse_args()
-    scenes = options.scenes or sorted((HERE / "scenes/phases").glob("*.pov"))
-    logs = {(way, what): [] for way in WAYS for what in BY}
-    heads = [f"{way} {what}" for way in ("method 1", "method 2") for what in BY]
-    print(f"{'scene':<24} {'plain ns':>9}" + "".join(f" {head:>16}" for head in heads))
-    with tempfile.TemporaryDirectory() as name:
+    scenes = options.scenes or sorted((speed.HERE / "scenes/phases").glob("*.pov"))
+    asked = [(way, what) for way in ("method 1", "method 2") for what in BY]
+    logs = {key: [] for key in asked}
+    print(f"{'scene':<20} {'plain ns':>8}" + "".join(f" {way[-1] + ' ' + what:>11}" for way, what in asked))
+    with tempfile.TemporaryDirectory() as folder:
         for scene in scenes:
-            least = dict.fromkeys(logs, math.inf)
-            for _ in range(options.runs):
-                for way, switches in WAYS.items():
-                    took = nanoseconds(options.whittle.resolve(), scene.resolve(), switches, pathlib.Path(name))
-                    for what, each in zip(BY, took):
-                        least[way, what] = min(least[way, what], each)
-            row = []
-            for (way, what), took in least.items():
-                logs[way, what].append(math.log(took / least["plain", what]))
-                if way != "plain":
-                    row.append(f" {took / least['plain', what]:>16.2f}")
-            print(f"{scene.stem:<24} {least['plain', 'a sample']:>9.0f}" + "".join(row), flush=True)
-    means = {key: math.exp(sum(each) / len(each)) for key, each in logs.items() if key[0] != "plain"}
-    print(f"{'geometric mean':<34}" + "".join(f" {mean:>16.2f}" for mean in means.values()))
-    return 0 if max(mean for (_, what), mean in means.items() if what == "a sample") <= options.bar else 1
+            least = measured(options, scene.resolve(), pathlib.Path(folder))
+            ratios = {(way, what): least[way, what] / least["plain", what] for way, what in asked}
+            for key, ratio in ratios.items():
+                logs[key].append(math.log(ratio))
+            nanoseconds = least["plain", "sample"] * 1e9
+            print(f"{scene.stem:<20} {nanoseconds:>8.0f}" + "".join(f" {ratio:>11.2f}" for ratio in ratios.values()), flush=True)
+    means = {key: math.exp(sum(each) / len(each)) for key, each in logs.items()}
+    print(f"{'geometric mean':<29}" + "".join(f" {mean:>11.2f}" for mean in means.values()))
+    return 0 if max(means[way, "sample"] for way in ("method 1", "method 2")) <= options.bar else 1
 
 
 if __name__ == "__main__":

@@ -9,12 +9,12 @@ first_light, nine of scenes/phases and a room with radiosity.
 import argparse
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
-import time
 
-HERE = pathlib.Path(__file__).resolve().parent
+import speed
+
+HERE = speed.HERE
 PHASES = ["antialias_method_1", "area_17_jitter", "area_50", "flange", "focal_blur", "glasses", "julias", "layered_mirrors", "pawn"]
 
 
@@ -33,16 +33,12 @@ def main():
         for scene in scenes:
             for integrator in ("whitted", "path"):
                 for given in options.seconds:
-                    command = [options.whittle.resolve(), f"+I{scene}", f"+O{folder}/picture.png", "+W320", "+H240", "-D",
+                    command = [options.whittle.resolve(), f"+I{scene.resolve()}", f"+O{folder}/picture.png", "+W320", "+H240", "-D",
                                f"--time={given:g}s", f"--integrator={integrator}"]
-                    began = time.monotonic()
-                    run = subprocess.run(command, capture_output=True, text=True)
-                    taken = time.monotonic() - began
-                    if run.returncode != 0:
-                        sys.exit(f"time_kept.py: {scene}: {run.stderr[-2000:]}")
-                    told = re.search(r"error\s+([0-9.]+) of 255", run.stderr)
-                    farthest = max(farthest, abs(taken / given - 1) * 100)
-                    print(f"{scene.stem:<22} {integrator:<10} {given:>8g} {taken:>8.2f} {told[1] if told else 'not known':>19}", flush=True)
+                    run = speed.execute(command, HERE.parent)
+                    told = re.search(r"error\s+([0-9.]+) of 255", run.said)
+                    farthest = max(farthest, abs(run.wall / given - 1) * 100)
+                    print(f"{scene.stem:<22} {integrator:<10} {given:>8g} {run.wall:>8.2f} {told[1] if told else 'not known':>19}", flush=True)
     print(f"farthest off: {farthest:.1f} %")
     return 0 if farthest <= options.bar else 1
 
