@@ -4,9 +4,10 @@
 usage: bench/samples.py [SCENE...] [--runs 5] [--bar 1.3] [--whittle PROGRAM] [--povray PROGRAM]
 
 Renders each scene plain, with +A0.1 +AM1 and with +A0.1 +AM2 in turn, one thread, 320x240, and takes the least trace time of each over the
-plain picture's: by samples (camera rays), by rays of any kind, and POV-Ray's own by samples (one run). Those of antialiasing lie
-where colours change, at outlines and in half-shadows, where each may see more than one of the plain picture: POV-Ray's ratio tells how much
-of ours is that. Without SCENE: the scenes of scenes/phases. Exit status 1 if the geometric mean of a method is above --bar by samples.
+plain picture's: by samples (camera rays), by rays of any kind, by samples where all pixels have more of them (+A0.0), and POV-Ray's own by
+samples of +A0.1 (one run). Those of +A0.1 lie where colours change, at outlines and in half-shadows, where each may cost more than one of the
+plain picture; those of +A0.0 lie where the plain picture's do, so that their ratio is what antialiasing itself costs.
+Without SCENE: the scenes of scenes/phases. Exit status 1 if the geometric mean of a method is above --bar by samples of +A0.1.
 """
 import argparse
 import json
@@ -18,8 +19,8 @@ import tempfile
 
 import speed
 
-WAYS = {"plain": ["-A"], "method 1": ["+A0.1", "+AM1"], "method 2": ["+A0.1", "+AM2"]}
-BY = ("sample", "ray", "POV-Ray's")
+METHODS = {"method 1": ["+AM1"], "method 2": ["+AM2"]}
+BY = ("sample", "ray", "all pixels", "POV-Ray's")
 
 
 def render(program, scene, folder, more):
@@ -45,15 +46,22 @@ def povray_seconds(program, scene, folder, switches):
 
 
 def measured(options, scene, folder):
-    """Least seconds by way and by what."""
-    least = {(way, what): math.inf for way in WAYS for what in BY}
+    """Least seconds of the plain picture by what, and of methods by (method, what)."""
+    least = {}
+
+    def keep(key, took):
+        least[key] = min(least.get(key, math.inf), took)
+
     for run in range(options.runs):
-        for way, switches in WAYS.items():
-            took = [*whittle_seconds(options.whittle.resolve(), scene, folder, switches)]
+        for way, switches in {"plain": ["-A"], **{way: ["+A0.1", *more] for way, more in METHODS.items()}}.items():
+            by_sample, by_ray = whittle_seconds(options.whittle.resolve(), scene, folder, switches)
+            keep((way, "sample"), by_sample)
+            keep((way, "ray"), by_ray)
             if run == 0:
-                took.append(povray_seconds(options.povray, scene, folder, switches))
-            for what, each in zip(BY, took):
-                least[way, what] = min(least[way, what], each)
+                keep((way, "POV-Ray's"), povray_seconds(options.povray, scene, folder, switches))
+        for way, more in METHODS.items():
+            keep((way, "all pixels"), whittle_seconds(options.whittle.resolve(), scene, folder, ["+A0.0", "+R2", *more])[0])
+    least["plain", "all pixels"] = least["plain", "sample"]
     return least
 
 
@@ -66,9 +74,9 @@ def main():
     parser.add_argument("--povray", default="povray")
     options = parser.parse_args()
     scenes = options.scenes or sorted((speed.HERE / "scenes/phases").glob("*.pov"))
-    asked = [(way, what) for way in ("method 1", "method 2") for what in BY]
+    asked = [(way, what) for way in METHODS for what in BY]
     logs = {key: [] for key in asked}
-    print(f"{'scene':<20} {'plain ns':>8}" + "".join(f" {way[-1] + ' ' + what:>11}" for way, what in asked))
+    print(f"{'scene':<20} {'plain ns':>8}" + "".join(f" {way[-1] + ' ' + what:>12}" for way, what in asked))
     with tempfile.TemporaryDirectory() as folder:
         for scene in scenes:
             least = measured(options, scene.resolve(), pathlib.Path(folder))
@@ -76,10 +84,10 @@ def main():
             for key, ratio in ratios.items():
                 logs[key].append(math.log(ratio))
             nanoseconds = least["plain", "sample"] * 1e9
-            print(f"{scene.stem:<20} {nanoseconds:>8.0f}" + "".join(f" {ratio:>11.2f}" for ratio in ratios.values()), flush=True)
+            print(f"{scene.stem:<20} {nanoseconds:>8.0f}" + "".join(f" {ratio:>12.2f}" for ratio in ratios.values()), flush=True)
     means = {key: math.exp(sum(each) / len(each)) for key, each in logs.items()}
-    print(f"{'geometric mean':<29}" + "".join(f" {mean:>11.2f}" for mean in means.values()))
-    return 0 if max(means[way, "sample"] for way in ("method 1", "method 2")) <= options.bar else 1
+    print(f"{'geometric mean':<29}" + "".join(f" {mean:>12.2f}" for mean in means.values()))
+    return 0 if max(means[way, "sample"] for way in METHODS) <= options.bar else 1
 
 
 if __name__ == "__main__":
