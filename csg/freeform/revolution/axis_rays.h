@@ -1,9 +1,11 @@
 #pragma once
 
+#include "csg/base/hit.h"
 #include "csg/base/lanes.h"
 #include "csg/freeform/revolution/axis_ray.h"
 
 #include <array>
+#include <span>
 
 /// Several rays as an AxisRay sees one, a ray a lane: the same operations in the same order. Compiled once per
 /// instruction set.
@@ -43,6 +45,7 @@ public:
         return (length_ > Double(0.0)) & (length_ < infinite) & (nearest < infinite) & (xsimd::abs(foot) < infinite);
     }
     Bool level() const { return !(rise > Double(AxisRay::kLevel)); }
+    Bool rising() const { return way_.y > Double(0.0); }
 
     /// lathe_heights().
     void heights(const Double& from, const Double& to, double room, Double& low, Double& high) const
@@ -57,6 +60,11 @@ public:
     {
         const Double across = run * above;
         return rise * rise * (r - nearest) * (r + nearest) - across * across;
+    }
+    Double beyond_square(const Double& r2, const Double& above) const
+    {
+        const Double across = run * above;
+        return rise * rise * (r2 - nearest2_) - across * across;
     }
     /// `side`: which lanes meet their circle below the foot.
     Double at(const Double& r, const Double& y, const Bool& below) const
@@ -128,6 +136,28 @@ private:
 
     Vector origin_, way_;
     Double length_, start_, shift_, nearest2_;
+};
+
+/// Rays by coordinates.
+class LocalRays {
+public:
+    explicit LocalRays(std::span<const Ray> rays)
+    {
+        for (std::size_t k = 0; k < rays.size(); ++k)
+            for (std::size_t i = 0; i < 3; ++i) {
+                origin_[i][k] = rays[k].origin[static_cast<glm::length_t>(i)];
+                way_[i][k] = rays[k].direction[static_cast<glm::length_t>(i)];
+            }
+    }
+    AxisRays at(std::size_t k) const
+    {
+        const auto load = [&](const auto& of) { return AxisRays::Double::load_aligned(of.data() + k); };
+        return AxisRays({load(origin_[0]), load(origin_[1]), load(origin_[2])},
+                        {load(way_[0]), load(way_[1]), load(way_[2])});
+    }
+
+private:
+    alignas(64) std::array<std::array<double, kTileRays>, 3> origin_{}, way_{};
 };
 
 }  // namespace csg

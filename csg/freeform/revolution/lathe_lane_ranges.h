@@ -1,9 +1,6 @@
 #pragma once
 
-#include "csg/base/hit.h"
 #include "csg/freeform/revolution/axis_rays.h"
-
-#include <span>
 
 /// Compiled once per instruction set.
 namespace csg {
@@ -12,28 +9,6 @@ namespace csg {
 struct LatheLanes {
     using Double = AxisRays::Double;
     using Bool = AxisRays::Bool;
-
-    /// Rays by coordinates.
-    class LocalRays {
-    public:
-        explicit LocalRays(std::span<const Ray> rays)
-        {
-            for (std::size_t k = 0; k < rays.size(); ++k)
-                for (std::size_t i = 0; i < 3; ++i) {
-                    origin_[i][k] = rays[k].origin[static_cast<glm::length_t>(i)];
-                    way_[i][k] = rays[k].direction[static_cast<glm::length_t>(i)];
-                }
-        }
-        AxisRays at(std::size_t k) const
-        {
-            const auto load = [&](const auto& of) { return Double::load_aligned(of.data() + k); };
-            return AxisRays({load(origin_[0]), load(origin_[1]), load(origin_[2])},
-                            {load(way_[0]), load(way_[1]), load(way_[2])});
-        }
-
-    private:
-        alignas(64) std::array<std::array<double, kTileRays>, 3> origin_{}, way_{};
-    };
 
     /// SlopeRange.
     struct Range {

@@ -151,7 +151,7 @@ private:
     static double root(const Value& value, const Slope& slope, double lo, double hi, bool out_at_lo)
     {
         const auto at = [&](double v) { return ValueAndSlope{value(v), slope(v)}; };
-        return safeguarded_newton(at, lo, hi, !out_at_lo, 0.5 * (lo + hi), {0.0, 1e-16});
+        return safeguarded_newton(at, lo, hi, !out_at_lo, 0.5 * (lo + hi), {0.0, kClose}, kMostSteps);
     }
 
     const Sor& sor_;

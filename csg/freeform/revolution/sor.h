@@ -3,6 +3,7 @@
 #include "csg/freeform/revolution/axis_ray.h"
 #include "csg/freeform/intersection_list.h"
 
+#include <span>
 #include <vector>
 
 namespace csg {
@@ -17,6 +18,8 @@ public:
     Sor(const std::vector<glm::dvec2>& points, bool open);
 
     void intersect(const Ray& ray, IntersectionList& out) const;
+    bool intersects_many() const { return true; }
+    void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
@@ -27,6 +30,8 @@ public:
 
 private:
     static constexpr std::uint32_t kBase = 0, kCap = 1, kFirstSide = 2;
+    static constexpr double kClose = 1e-16;  ///< of a root: a step no longer than this much of it is the last
+    static constexpr int kMostSteps = 100;
 
     /// The squared radius ((a h + b) h + c) h + d at height low + h.
     struct Segment {
@@ -37,6 +42,7 @@ private:
         double slope(double h) const { return (3.0 * a * h + 2.0 * b) * h + c; }
     };
     class Meeting;
+    class Tile;
 
     const Segment& segment_at(double y) const;
 

@@ -1,4 +1,5 @@
 #include "csg/freeform/revolution/lathe.h"
+#include "csg/freeform/revolution/sor.h"
 #include "csg/freeform/sweep/conic_prism.h"
 #include "csg/solids/extrusion.h"
 #include "tests/csg/freeform/many_rays.h"
@@ -70,6 +71,23 @@ TEST_CASE("many rays of a lathe are told what each is told alone", "[csg][many][
         ends += check_many(Lathe(pieces, {glm::dvec3(-1.0), glm::dvec3(1.0)}, least), 1.0, seed);
     }
     CHECK(ends > share(800) * 10);
+}
+
+TEST_CASE("many rays of a surface of revolution are told what each is told alone", "[csg][many][sor]")
+{
+    if (!runs_here()) return;
+    int ends = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(1600)); ++seed) {
+        Rng rng(seed + 8000);
+        std::vector<glm::dvec2> points;
+        double height = -1.4;
+        for (int left = 4 + rng.below(rng.below(8) == 0 ? 20 : 6); left > 0; --left) {
+            points.emplace_back(rng.below(6) == 0 ? 0.0 : rng.uniform(0.0, 1.0), height);
+            height += rng.below(8) == 0 ? 1e-6 : rng.uniform(0.05, 0.8);
+        }
+        ends += check_many(Sor(points, rng.coin()), 1.0, seed);
+    }
+    CHECK(ends > share(1600) * 10);
 }
 
 TEST_CASE("many rays of a text or prism are told what each is told alone", "[csg][many][prism]")
