@@ -34,8 +34,8 @@ public:
     std::shared_ptr<const FreeformShape> made() const;
 
     void intersect(const Ray& ray, IntersectionList& out) const;
-    /// Of few components, rays lie in lanes until it is known which stretches they have in whose reach.
-    bool intersects_many() const { return tree_.nodes.empty() && !box_.empty(); }
+    /// Rays lie in lanes until it is known which stretches they have in whose reach.
+    bool intersects_many() const { return !box_.empty(); }
     void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t) const;
@@ -90,6 +90,7 @@ private:
     template <std::size_t components>
     struct WalkRoom;
     class Follower;
+    template <std::size_t components>
     class Lanes;
     struct Chord;
     struct Later;
@@ -104,10 +105,21 @@ private:
                 Stretch*& out) const;
     void gather_capsule(const Field& field, const Ray& ray, double from, double to, Stretch*& out) const;
     void gather_loose(const Ray& ray, double inverse, double from, double to, Stretch*& out) const;
+    /// Numbers of the components whose boxes one of these rays meets between two of its parameters, rising, so that
+    /// a ray has its stretches in one order whatever others are asked with it.
+    struct Part {
+        Ray ray;
+        double from, to;
+    };
+    static constexpr std::size_t kMostTogether = 8;
+    void find_near(std::span<const Part> rays, std::vector<std::uint32_t>& out) const;
+    template <std::size_t components>
+    void intersect_in_lanes(std::span<const Ray> rays, IntersectionList* out) const;
     template <class F>
     void each_near(const glm::dvec3& p, F&& f) const;
 
     static constexpr std::size_t kMostLoose = 12;  ///< more components go through a hierarchy
+    static constexpr std::size_t kMostNear = 48;   ///< of that, what rays in lanes have room for
     /// Of a strength: what sums of fields and the places where they cross the threshold are off by, and far more.
     static constexpr double kRounding = 1e-13;
 

@@ -8,10 +8,12 @@
 #include <cmath>
 #include <utility>
 
-/// Rays of a blob with few components in lanes: the stretches that they have in each one's reach come from the same
-/// operations in the same order as in blob_ray.cpp. Most rays end there; the others are followed one by one.
+/// Rays in lanes through a blob, or the part of one, that has no more than so many components: the stretches that they
+/// have in each one's reach come from the same operations in the same order as in blob_ray.cpp. Most rays end there;
+/// the others are followed one by one.
 namespace csg {
 
+template <std::size_t components>
 class Blob::Lanes {
 public:
     static constexpr std::size_t kWide = static_cast<std::size_t>(lanes::kDoubles);
@@ -22,7 +24,10 @@ public:
     void run(std::span<const Ray> rays, IntersectionList* out)
     {
         load(rays, out);
-        for (const Field& field : blob_.fields_) gather(field);
+        if (!gather(rays.size(), out)) {
+            for (std::size_t lane = 0; lane < rays.size(); ++lane) blob_.intersect(rays[lane], out[lane]);
+            return;
+        }
         // As follow() asks: no sum of fields reaches the threshold.
         const double threshold = blob_.threshold_;
         std::uint32_t left = started_ & ~alone_;
@@ -90,6 +95,35 @@ private:
         alone_ = 0;
         most_ = Double(0.0);
         count_ = 0;
+    }
+
+    /// False: there are more components than there is room for.
+    bool gather(std::size_t count, const IntersectionList* out)
+    {
+        if (blob_.tree_.nodes.empty()) {
+            for (const Field& field : blob_.fields_) gather(field);
+            return true;
+        }
+        static_assert(kWide <= kMostTogether);
+        alignas(64) Numbers o[3], d[3];
+        const Double *from[] = {&origin_.x, &origin_.y, &origin_.z},
+                     *way[] = {&direction_.x, &direction_.y, &direction_.z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            from[axis]->store_aligned(o[axis].data());
+            way[axis]->store_aligned(d[axis].data());
+        }
+        std::array<Part, kWide> parts;
+        std::size_t known = 0;
+        for (std::size_t lane = 0; lane < count; ++lane)
+            if ((started_ >> lane & 1u) != 0)
+                parts[known++] = {{{o[0][lane], o[1][lane], o[2][lane]}, {d[0][lane], d[1][lane], d[2][lane]}},
+                                  out[lane].from - start_[lane],
+                                  out[lane].to - start_[lane]};
+        thread_local std::vector<std::uint32_t> near;
+        blob_.find_near({parts.data(), known}, near);
+        if (near.size() > components) return false;
+        for (const std::uint32_t component : near) gather(blob_.fields_[component]);
+        return true;
     }
 
     void gather(const Field& field)
@@ -223,8 +257,8 @@ private:
     std::uint32_t started_ = 0;  ///< lanes with a ray
     std::uint32_t alone_ = 0;    ///< of these, rays that are asked for one by one
     std::size_t count_ = 0;
-    std::array<Laid, Walk::kStretches * kMostLoose> laid_;
-    std::array<WalkRoom<kMostLoose>, kWide> rooms_;
+    std::array<Laid, Walk::kStretches * components> laid_;
+    std::array<WalkRoom<components>, kWide> rooms_;
     std::array<Follower, kWide> followers_;
     std::array<AlignedNumbers, 5> sums_{};  ///< of followers that ask
 };

@@ -1,7 +1,10 @@
 #include "csg/freeform/field/blob_lanes.h"
 #include "csg/bvh/traverse.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
+#include <optional>
 
 /// A ray through a blob: the stretches that it has in each component's reach, and between their ends a sum of quartics.
 namespace csg {
@@ -148,14 +151,15 @@ void Blob::intersect(const Ray& ray, Walk& walk, IntersectionList& out) const
     if (tree_.nodes.empty()) {
         gather_loose(near, inverse, from, to, next);
     } else {
-        const double limit = std::max(to, 0.0);  // below 0 the walk would end
-        traverse(tree_, RaySlabs(near), from, limit, ~0u, [&](ChildWord leaf) {
-            const Field& field = fields_[leaf.index()];
+        thread_local std::vector<std::uint32_t> components;
+        const Part part{near, from, to};
+        find_near({&part, 1}, components);
+        for (const std::uint32_t component : components) {
+            const Field& field = fields_[component];
             const glm::dvec3& c = field.middle;
             gather(field, Chord::of(near, inverse, from, to, c.x, c.y, c.z, field.reach2), near, inverse, from, to,
                    next);
-            return limit;
-        });
+        }
     }
     walk.stretch_count = static_cast<std::size_t>(next - walk.stretches);
     follow(walk, start, out);
@@ -167,14 +171,59 @@ void Blob::follow(const Walk& walk, double start, IntersectionList& out) const
     while (follower.next()) follower.found(detail::only_change(follower.sum()));
 }
 
-void Blob::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
+void Blob::find_near(std::span<const Part> rays, std::vector<std::uint32_t>& out) const
 {
-    Lanes lanes(*this);
-    for (std::size_t k = 0; k < rays.size(); k += Lanes::kWide) {
-        const std::size_t count = std::min(Lanes::kWide, rays.size() - k);
+    struct Entry {
+        std::uint32_t node, rays;
+    };
+    out.clear();
+    std::array<Entry, kBvhStack> stack;
+    std::size_t top = 0;
+    stack[top++] = {0, (1u << rays.size()) - 1u};
+    std::array<std::optional<RaySlabs>, kMostTogether> slabs;
+    std::array<float, kMostTogether> begin, limit;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+        slabs[k].emplace(rays[k].ray);
+        begin[k] = rounded_down(rays[k].from);
+        limit[k] = rounded_up(rays[k].to);
+    }
+    alignas(32) float unused[8];
+    while (top > 0) {
+        const Entry at = stack[--top];
+        const BvhNode& node = tree_.nodes[at.node];
+        std::array<std::uint32_t, 8> met{};
+        std::uint32_t any = 0;
+        for (std::uint32_t left = at.rays; left != 0; left &= left - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(left));
+            const std::uint32_t children = slabs[k]->meet(node.bounds, begin[k], limit[k], unused);
+            any |= children;
+            for (std::uint32_t c = children; c != 0; c &= c - 1)
+                met[static_cast<std::size_t>(std::countr_zero(c))] |= 1u << k;
+        }
+        for (; any != 0; any &= any - 1) {
+            const auto c = static_cast<std::size_t>(std::countr_zero(any));
+            if (node.child[c].is_leaf()) out.push_back(node.child[c].index());
+            else stack[top++] = {node.child[c].index(), met[c]};
+        }
+    }
+    std::sort(out.begin(), out.end());
+}
+
+template <std::size_t components>
+void Blob::intersect_in_lanes(std::span<const Ray> rays, IntersectionList* out) const
+{
+    using InLanes = Lanes<components>;
+    InLanes lanes(*this);
+    for (std::size_t k = 0; k < rays.size(); k += InLanes::kWide) {
+        const std::size_t count = std::min(InLanes::kWide, rays.size() - k);
         if (count == 1) intersect(rays[k], out[k]);
         else lanes.run(rays.subspan(k, count), out + k);
     }
+}
+
+void Blob::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
+{
+    tree_.nodes.empty() ? intersect_in_lanes<kMostLoose>(rays, out) : intersect_in_lanes<kMostNear>(rays, out);
 }
 
 }  // namespace csg
