@@ -103,7 +103,9 @@ public:
                          face = xsimd::select(second, in.exit_face, in.entry_face);
             const Double nearer = Double::load_aligned(nearer_.data() + i),
                          item = Double::load_aligned(item_.data() + i);
-            const auto wins = (seen.entry | seen.exit) & ((t < nearer) | (id < item));
+            const auto any = seen.entry | seen.exit, before = t < nearer;
+            note_ties(i, lanes::mask(any & before), lanes::mask(any & !before));
+            const auto wins = any & (before | (id < item));
             if (lanes::mask(wins) == 0) return;
             const Double room = Tolerance::same_place(t, Double::load_aligned(reach_.data() + i));
             xsimd::select(wins, t, Double::load_aligned(out_.t.data() + i)).store_aligned(out_.t.data() + i);
@@ -125,13 +127,15 @@ public:
         for (RayMask left = front.found; left != 0; left &= left - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(left));
             const double t = front.t[k];
-            if (t > rays_.limit[k] || (!(t < nearer_[k]) && !(static_cast<double>(index) < item_[k]))) continue;
+            if (t > rays_.limit[k] || !wins_against(k, index, t)) continue;
             out_.t[k] = t;
             face_[k] = front.end[k];
             win(k, index, t);
         }
     }
 
+    /// Rays whose nearest hit shares its place with another object's.
+    RayMask tied() const { return tied_; }
     /// Of a ray that hit something.
     std::uint32_t item(std::size_t ray) const { return static_cast<std::uint32_t>(item_[ray]); }
 
@@ -156,11 +160,22 @@ public:
 private:
     void offer(std::uint32_t index, std::size_t k, const Hit& hit)
     {
-        if (!hit.found() || hit.t > rays_.limit[k]) return;
-        if (!(hit.t < nearer_[k]) && !(static_cast<double>(index) < item_[k])) return;
+        if (!hit.found() || hit.t > rays_.limit[k] || !wins_against(k, index, hit.t)) return;
         out_.set(static_cast<int>(k), hit);
         face_[k] = kKnown;
         win(k, index, hit.t);
+    }
+
+    /// Rays for which something lies before all that they met, and rays for which it lies in the same place.
+    void note_ties(int first, std::uint32_t before, std::uint32_t beside)
+    {
+        tied_ = (tied_ & ~(RayMask{before} << first)) | RayMask{beside} << first;
+    }
+    bool wins_against(std::size_t k, std::uint32_t index, double t)
+    {
+        const bool before = t < nearer_[k];
+        tied_ = (tied_ & ~(RayMask{1} << k)) | RayMask{!before} << k;
+        return before || static_cast<double>(index) < item_[k];
     }
 
     void win(std::size_t k, std::uint32_t index, double t)
@@ -199,6 +214,7 @@ private:
     Rays& rays_;
     Scratch& scratch_;
     HitTile& out_;
+    RayMask tied_ = 0;
     alignas(64) RayLanes item_;    ///< the winner's place in the order of items
     alignas(64) RayLanes nearer_;  ///< before this nothing is in the same place as the winner
     alignas(64) RayLanes reach_;   ///< Nearest::reach of the ray

@@ -246,7 +246,55 @@ Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_b
     walk_nearest(world, ray, slabs, t_min, kind_bit, best, each);
     if (!world.ordered.empty() && best.hit.found() && before_box(world, best.item, ray, t_min, best.hit.t))
         return first_in_order(ray, t_min, t_max, kind_bit, scratch);
+    if (best.tied && world.test_order) return first_tested(ray, t_min, kind_bit, scratch, best.hit);
     return best.hit;
+}
+
+/// The order of a world that has one.
+const TestOrder& World::test_order() const
+{
+    return data_->test_order->made([this] {
+        std::vector<TestOrder::Box> boxes(data_->items.size());
+        const auto& known = data_->test_order->boxes;
+        std::size_t next = 0;
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            const bool given = next < known.size() && known[next].first == i;
+            boxes[i] = given ? known[next++].second : TestOrder::Box::of(drawn_bounds(*data_, data_->items[i]));
+        }
+        return TestOrder(boxes);
+    });
+}
+
+/// Of all that lies in the place of the nearest hit, what POV-Ray asks first.
+Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scratch& scratch, const Hit& nearest) const
+{
+    const WorldData& world = *data_;
+    const RaySlabs slabs(ray);
+    const double room = Tolerance::same_place(nearest.t, Nearest::reach_of(ray.origin)), limit = nearest.t + room;
+    std::vector<std::uint32_t> items;
+    std::vector<Hit> hits;
+    const auto offer = [&](const Hit& hit, std::uint32_t i) {
+        if (!hit.found() || hit.t < nearest.t - room || hit.t > limit) return;
+        items.push_back(i);
+        hits.push_back(hit);
+    };
+    const auto each = [&](std::uint32_t i) {
+        if ((world.items[i].visible & kind_bit) != 0)
+            offer(item_nearest(world, world.items[i], ray, t_min, limit, scratch, &slabs), i);
+    };
+    const auto sphere = [&](std::uint32_t i, double near, double far) {
+        const WorldItem& item = world.items[i];
+        if ((item.visible & kind_bit) != 0)
+            offer({near >= t_min ? near : far, world.store.surface(item.solid), item.solid, 0, false}, i);
+    };
+    for (const std::uint32_t i : world.unbounded) each(i);
+    traverse(world.bvh, slabs, t_min, limit, kind_bit, [&](ChildWord leaf) {
+        open_block(world, leaf, ray, each, sphere);
+        return limit;
+    });
+    if (items.size() < 2) return nearest;
+    const std::uint32_t first = test_order().first(ray, items);
+    return hits[static_cast<std::size_t>(std::find(items.begin(), items.end(), first) - items.begin())];
 }
 
 bool World::too_far(const Hit& hit) const { return hit.t > reach_of(*data_, hit).to; }

@@ -8,14 +8,15 @@
 
 namespace csg {
 
+class TestOrder;   // csg/world/test_order.h
 struct WorldData;  // csg/world/world_data.h
 class Scratch;     // csg/base/scratch.h: per thread, reused; never shared
 class Shaft;       // csg/packet/shaft.h
 
 /// All top-level objects of a scene behind one bounding hierarchy. Immutable once built; safe for any number of
 /// threads. Ray directions have unit length; t is a distance in scene units. Bits of `kinds`:
-/// trace::bit(plan::RayKind). Of what lies in one place (Tolerance::kSamePlace) the object declared first is seen, as
-/// in POV-Ray where its numbers are equal and the boxes that it tests first do not say otherwise (spec 5a, 2.2).
+/// trace::bit(plan::RayKind). Of what lies in one place (Tolerance::kSamePlace) the object is seen that POV-Ray asks
+/// first, as it is there where its numbers are equal (csg/world/test_order.h).
 class World {
 public:
     explicit World(const WorldData& data) : data_(&data) {}
@@ -74,6 +75,8 @@ public:
 private:
     Hit first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
     Hit first_in_order(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
+    Hit first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scratch& scratch, const Hit& nearest) const;
+    const TestOrder& test_order() const;
     Hit first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
     void recheck(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const;
     const WorldData* data_;

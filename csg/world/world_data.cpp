@@ -125,6 +125,17 @@ void WorldData::add_instance(std::shared_ptr<const WorldData> shared, const Tran
     instance_surfaces.insert(instance_surfaces.end(), surfaces.begin(), surfaces.end());
 }
 
+void WorldData::test_box_of_last(const Aabb& box)
+{
+    if (!test_order) return;
+    const WorldItem& item = items.back();
+    // So many are drawn as large as their box that it is not kept for them.
+    if (item.solid != kNoPart &&
+        (kind_of(item.solid) == SolidKind::Sphere || kind_of(item.solid) == SolidKind::Triangle))
+        return;
+    test_order->boxes.emplace_back(static_cast<std::uint32_t>(items.size() - 1), TestOrder::Box::of(box));
+}
+
 void WorldData::guard_last(BoundingGuard guard)
 {
     items.back().guard = static_cast<std::uint32_t>(guards.size());

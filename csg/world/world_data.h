@@ -3,6 +3,7 @@
 #include "csg/bvh/bvh.h"
 #include "csg/base/hit.h"
 #include "csg/tree/program.h"
+#include "csg/world/test_order.h"
 
 #include <cstdint>
 #include <memory>
@@ -66,8 +67,9 @@ struct WorldData {
     std::vector<BoundingGuard> guards;
     std::vector<Instance> instances;
     std::vector<SurfaceId> instance_surfaces;
-    std::vector<std::uint32_t> unbounded;  ///< items outside the hierarchy
-    std::vector<std::uint32_t> ordered;    ///< items with ordered guards
+    std::vector<std::uint32_t> unbounded;       ///< items outside the hierarchy
+    std::vector<std::uint32_t> ordered;         ///< items with ordered guards
+    std::shared_ptr<LazyTestOrder> test_order;  ///< null: of what lies in one place the first item is seen
     Bvh bvh;
     std::vector<SphereBlock> spheres;          ///< by leaf block
     std::vector<std::uint8_t> surface_opaque;  ///< by SurfaceId: a shadow ray may stop at it for good (spec 3, 13.2)
@@ -85,6 +87,8 @@ struct WorldData {
     /// A copy of a shared world, whose surfaces are `surfaces` here.
     void add_instance(std::shared_ptr<const WorldData> shared, const Transform& frame,
                       const std::vector<SurfaceId>& surfaces, std::uint32_t object, std::uint8_t visible);
+    /// Tells POV-Ray's box of the item that was added last.
+    void test_box_of_last(const Aabb& box);
     /// Puts a guard before the item that was added last.
     void guard_last(BoundingGuard guard);
     /// Builds the hierarchy. surface_opaque must be set.

@@ -164,6 +164,7 @@ struct Nearest {
     double limit = kInfinity;   ///< nothing beyond matters
     double nearer = kInfinity;  ///< before this nothing is in the same place
     double reach = 0.0;         ///< of the ray's origin
+    bool tied = false;          ///< something else lies in the same place
 
     Nearest(const Ray& ray, double t_max) : limit(t_max), reach(reach_of(ray.origin)) {}
 
@@ -175,7 +176,8 @@ struct Nearest {
     void offer(const Hit& found, std::uint32_t from)
     {
         if (!found.found() || found.t > limit) return;
-        if (found.t < nearer || from < item) {
+        tied = !(found.t < nearer);
+        if (!tied || from < item) {
             hit = found;
             item = from;
             const double room = Tolerance::same_place(found.t, reach);

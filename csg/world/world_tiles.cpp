@@ -79,10 +79,15 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
         if (!beam) ask_packet(*data_, lanes, kind_bit, query);
         else if (!ask_tile(*data_, lanes, kind_bit, query)) return false;
         query.finish();
+        const RayMask tied = data_->test_order ? query.tied() : 0;
+        each_ray(tied, [&](std::size_t k) {
+            const int i = static_cast<int>(k);
+            out.set(i, first_tested(rays.ray(i), rays.t_min[k], kind_bit, scratch, out.at(i)));
+        });
         if (!data_->ordered.empty()) {
             for (int i = 0; i < rays.count; ++i) {
                 const auto k = static_cast<std::size_t>(i);
-                if (out.surface[k] == kNoSurface ||
+                if (out.surface[k] == kNoSurface || (tied >> k & 1u) != 0 ||
                     !before_box(*data_, query.item(k), rays.ray(i), rays.t_min[k], out.t[k]))
                     continue;
                 out.set(i, first_in_order(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));

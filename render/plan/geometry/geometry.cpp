@@ -43,7 +43,9 @@ GeometryCompiler::GeometryCompiler(const scene::Description& description, const 
     : description_(description), options_(options), textures_(textures), out_(out), interiors_(out.interiors, media),
       fields_(description, options, notes), starts_(camera_starts(out.camera, out.mesh_camera.get())),
       photons_(compile_photons(description, options.quality))
-{}
+{
+    if (bounding_active()) out_.geometry.test_order = std::make_shared<csg::LazyTestOrder>();
+}
 
 void GeometryCompiler::expect(std::size_t statements)
 {

@@ -1,0 +1,212 @@
+#include "csg/world/test_order.h"
+
+#include "csg/base/hit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace csg {
+namespace {
+
+constexpr double kInfiniteVolume = 2e10;
+constexpr float kInfiniteKey = -1e7f;  // of nodes that are asked first
+constexpr float kLeastExit = 1e-4f;
+constexpr std::size_t kFewest = 4;  // nodes that are not divided
+constexpr float kCostOfNode = 3.0f;
+
+float half_area(const glm::vec3& edges) { return edges.x * edges.y + edges.y * edges.z + edges.z * edges.x; }
+
+TestOrder::Box around(const TestOrder::Box& a, const TestOrder::Box& b)
+{
+    const glm::vec3 lower = glm::min(a.lower, b.lower);
+    return {lower, glm::max(a.upper(), b.upper()) - lower};
+}
+
+/// A ray as POV-Ray's boxes know it.
+struct SingleRay {
+    glm::vec3 origin, inverse;
+
+    explicit SingleRay(const Ray& ray) : origin(ray.origin), inverse(1.0f / glm::vec3(ray.direction)) {}
+
+    /// Where it comes into the box; false: it misses it.
+    bool enter(const TestOrder::Box& box, float& at) const
+    {
+        float from = -std::numeric_limits<float>::max(), to = std::numeric_limits<float>::max();
+        for (int axis = 0; axis < 3; ++axis) {
+            const float low = (box.lower[axis] - origin[axis]) * inverse[axis],
+                        high = (box.lower[axis] + box.edges[axis] - origin[axis]) * inverse[axis];
+            from = std::max(from, std::min(low, high));
+            to = std::min(to, std::max(low, high));
+        }
+        at = from;
+        return from <= to && to >= kLeastExit;
+    }
+};
+
+/// A binary heap as POV-Ray keeps it, which decides between equal keys.
+class Waiting {
+public:
+    struct Entry {
+        float key;
+        std::uint32_t node;
+    };
+
+    void add(const Entry& entry)
+    {
+        std::size_t at = heap_.size();
+        heap_.push_back(entry);
+        for (; at > 1 && heap_[at / 2].key > entry.key; at /= 2) std::swap(heap_[at], heap_[at / 2]);
+    }
+    bool empty() const { return heap_.size() < 2; }
+    Entry take()
+    {
+        const Entry top = heap_[1];
+        heap_[1] = heap_.back();
+        heap_.pop_back();
+        for (std::size_t at = 1; 2 * at < heap_.size();) {
+            std::size_t child = 2 * at;
+            if (child + 1 < heap_.size() && !(heap_[child].key < heap_[child + 1].key)) ++child;
+            if (!(heap_[at].key > heap_[child].key)) break;
+            std::swap(heap_[at], heap_[child]);
+            at = child;
+        }
+        return top;
+    }
+
+private:
+    std::vector<Entry> heap_{{0.0f, 0}};  // counted from 1
+};
+
+}  // namespace
+
+TestOrder::Box TestOrder::Box::of(const Aabb& box)
+{
+    const glm::dvec3 edges = box.upper - box.lower;
+    return {glm::vec3(box.lower), glm::vec3(edges), !(edges.x * edges.y * edges.z <= kInfiniteVolume)};
+}
+
+TestOrder::TestOrder(std::span<const Box> items)
+{
+    Numbers finite, infinite;
+    for (const Box& box : items) {
+        const auto number = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back({.box = box, .item = number});
+        (box.infinite ? infinite : finite).push_back(number);
+    }
+    while (finite.size() > 1 || (finite.size() == 1 && nodes_[finite[0]].item != kNone)) finite = gather(finite);
+    Numbers below;
+    if (!infinite.empty()) {
+        below.push_back(add_parent(infinite));
+        nodes_[below[0]].box.infinite = true;
+    }
+    if (!finite.empty()) {
+        const Node& top = nodes_[finite[0]];
+        below.insert(below.end(), children_.begin() + top.first_child,
+                     children_.begin() + top.first_child + top.child_count);
+    }
+    if (!below.empty()) root_ = add_parent(below);
+}
+
+/// Parents of all nodes.
+TestOrder::Numbers TestOrder::gather(const Numbers& nodes)
+{
+    Numbers all = nodes, made;
+    divide(all, made);
+    return made;
+}
+
+void TestOrder::divide(std::span<std::uint32_t> nodes, Numbers& made)
+{
+    sort_along(widest_axis(nodes), nodes);
+    const std::size_t count = nodes.size();
+    std::size_t left = 0;  // nodes of the cheapest part
+    if (count > kFewest) {
+        std::vector<float> after(count);  // half the area of what lies from here on
+        Box behind = nodes_[nodes[count - 1]].box;
+        for (std::size_t k = count; k-- > 0;) {
+            behind = around(behind, nodes_[nodes[k]].box);
+            after[k] = half_area(behind.edges);
+        }
+        float least = after[0] * (static_cast<float>(count) - kCostOfNode);
+        Box before = nodes_[nodes[0]].box;
+        for (std::size_t k = 0; k + 1 < count; ++k) {
+            before = around(before, nodes_[nodes[k]].box);
+            const float cost = static_cast<float>(k + 1) * half_area(before.edges) +
+                               static_cast<float>(count - 1 - k) * after[k + 1];
+            if (cost < least) least = cost, left = k + 1;
+        }
+    }
+    if (left == 0) {
+        made.push_back(add_parent(nodes));
+        return;
+    }
+    divide(nodes.first(left), made);
+    divide(nodes.subspan(left), made);
+}
+
+std::uint32_t TestOrder::add_parent(std::span<const std::uint32_t> nodes)
+{
+    const auto number = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back({.box = hull(nodes),
+                      .first_child = static_cast<std::uint32_t>(children_.size()),
+                      .child_count = static_cast<std::uint32_t>(nodes.size())});
+    children_.insert(children_.end(), nodes.begin(), nodes.end());
+    return number;
+}
+
+TestOrder::Box TestOrder::hull(std::span<const std::uint32_t> nodes) const
+{
+    Box box = nodes_[nodes[0]].box;
+    box.infinite = false;
+    for (const std::uint32_t node : nodes) box = around(box, nodes_[node].box);
+    return box;
+}
+
+/// Along which the boxes lie farthest apart, as POV-Ray measures it: its running maximum takes lower corners.
+int TestOrder::widest_axis(std::span<const std::uint32_t> nodes) const
+{
+    constexpr float kFar = 1e30f;
+    glm::vec3 least(kFar), most(-kFar);
+    for (const std::uint32_t node : nodes) {
+        const Box& box = nodes_[node].box;
+        for (int axis = 0; axis < 3; ++axis) {
+            least[axis] = std::min(least[axis], box.lower[axis]);
+            if (box.upper()[axis] > most[axis]) most[axis] = box.lower[axis];
+        }
+    }
+    const glm::vec3 spread = most - least;
+    return spread.z > std::max(spread.x, spread.y) ? 2 : spread.y > spread.x ? 1 : 0;
+}
+
+void TestOrder::sort_along(int axis, std::span<std::uint32_t> nodes) const
+{
+    const auto middle = [&](std::uint32_t node) {
+        const Box& box = nodes_[node].box;
+        return box.lower[axis] + box.upper()[axis];
+    };
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return middle(a) < middle(b); });
+}
+
+std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> items) const
+{
+    const SingleRay single(ray);
+    Waiting waiting;
+    const auto open = [&](const Node& node) {
+        for (std::uint32_t k = 0; k < node.child_count; ++k) {
+            const std::uint32_t child = children_[node.first_child + k];
+            float key = kInfiniteKey;
+            if (nodes_[child].box.infinite || single.enter(nodes_[child].box, key)) waiting.add({key, child});
+        }
+    };
+    if (root_ != kNone) open(nodes_[root_]);
+    while (!waiting.empty()) {
+        const Node& node = nodes_[waiting.take().node];
+        if (node.item == kNone) open(node);
+        else if (std::find(items.begin(), items.end(), node.item) != items.end()) return node.item;
+    }
+    return *std::min_element(items.begin(), items.end());
+}
+
+}  // namespace csg

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "csg/base/types.h"
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace csg {
+
+/// Which of several objects POV-Ray asks first for a ray: of faces in one place that one's is seen (spec 5a, 2.2 and
+/// 11.3). The order is that in which the ray comes to the boxes of POV-Ray's hierarchy, which is built again here for
+/// its shape; nothing else is looked for in it.
+class TestOrder {
+public:
+    /// As POV-Ray keeps an object's box.
+    struct Box {
+        glm::vec3 lower{0.0f}, edges{0.0f};
+        bool infinite = false;  ///< or so large that it is taken for it: asked before all others
+
+        static Box of(const Aabb& box);
+        glm::vec3 upper() const { return lower + edges; }
+    };
+
+    /// \param items  boxes of all objects, as they are declared
+    explicit TestOrder(std::span<const Box> items);
+
+    /// Of these items (places in the list), which the ray all meets, the one that is asked first.
+    std::uint32_t first(const Ray& ray, std::span<const std::uint32_t> items) const;
+
+private:
+    struct Node {
+        Box box;
+        std::uint32_t first_child = 0, child_count = 0;  ///< in children_
+        std::uint32_t item = kNone;
+    };
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    using Numbers = std::vector<std::uint32_t>;
+
+    Numbers gather(const Numbers& nodes);
+    void divide(std::span<std::uint32_t> nodes, Numbers& made);
+    std::uint32_t add_parent(std::span<const std::uint32_t> nodes);
+    Box hull(std::span<const std::uint32_t> nodes) const;
+    int widest_axis(std::span<const std::uint32_t> nodes) const;
+    void sort_along(int axis, std::span<std::uint32_t> nodes) const;
+
+    std::vector<Node> nodes_;
+    Numbers children_;
+    std::uint32_t root_ = kNone;
+};
+
+/// The order, made when a ray first needs it.
+class LazyTestOrder {
+public:
+    /// Boxes that are not an item's drawn bounds (drawn_bounds()), by item.
+    std::vector<std::pair<std::uint32_t, TestOrder::Box>> boxes;
+
+    template <class Make>
+    const TestOrder& made(Make&& make) const
+    {
+        std::call_once(once_, [&] { order_ = std::make_unique<const TestOrder>(make()); });
+        return *order_;
+    }
+
+private:
+    mutable std::once_flag once_;
+    mutable std::unique_ptr<const TestOrder> order_;
+};
+
+}  // namespace csg

@@ -1,0 +1,77 @@
+#include "csg/world/test_order.h"
+#include "tests/csg/support.h"
+
+#include <catch2/catch.hpp>
+
+#include <numeric>
+
+using namespace csg;
+using csg_test::Rng;
+
+namespace {
+
+TestOrder::Box box(const glm::dvec3& lower, const glm::dvec3& upper) { return TestOrder::Box::of({lower, upper}); }
+
+/// The items in the order in which they are asked.
+std::vector<std::uint32_t> all_in_order(const TestOrder& order, const Ray& ray, std::size_t count)
+{
+    std::vector<std::uint32_t> left(count), out;
+    std::iota(left.begin(), left.end(), 0u);
+    while (!left.empty()) {
+        out.push_back(order.first(ray, left));
+        left.erase(std::find(left.begin(), left.end(), out.back()));
+    }
+    return out;
+}
+
+}  // namespace
+
+// spec 5a, 11.3: eight boxes with one extent, and what is taken for infinite, of which six planes were drawn by
+// POV-Ray.
+TEST_CASE("of boxes that a ray comes to at once the first declared is asked first, then the last", "[csg][test_order]")
+{
+    const Ray ray{{0.1, 0.2, -5.0}, {0.0, 0.0, 1.0}};
+    const std::vector<TestOrder::Box> alike(4, box(glm::dvec3(-1.0), glm::dvec3(1.0)));
+    CHECK(all_in_order(TestOrder(alike), ray, 4) == std::vector<std::uint32_t>{0, 3, 2, 1});
+    const std::vector<TestOrder::Box> endless(4, box(glm::dvec3(-1e10), glm::dvec3(1e10)));
+    CHECK(all_in_order(TestOrder(endless), ray, 4) == std::vector<std::uint32_t>{0, 3, 2, 1});
+}
+
+TEST_CASE("what has no end is asked before all boxes, and nearer boxes before farther ones", "[csg][test_order]")
+{
+    const std::vector<TestOrder::Box> boxes{
+        box({-1.0, -1.0, 3.0}, {1.0, 1.0, 4.0}), box({-1.0, -1.0, 1.0}, {1.0, 1.0, 4.0}),
+        box(glm::dvec3(-1e10), glm::dvec3(1e10)), box({-1.0, -1.0, 2.0}, {1.0, 1.0, 4.0})};
+    const TestOrder order(boxes);
+    CHECK(all_in_order(order, {{0.1, 0.2, -5.0}, {0.0, 0.0, 1.0}}, 4) == std::vector<std::uint32_t>{2, 1, 3, 0});
+    // From behind they begin together.
+    CHECK(order.first({{0.1, 0.2, 9.0}, {0.0, 0.0, -1.0}}, std::vector<std::uint32_t>{0, 2, 3}) == 2);
+}
+
+TEST_CASE("every box that a ray meets is found in the hierarchy, in the order of where it begins", "[csg][test_order]")
+{
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        std::vector<TestOrder::Box> boxes;
+        std::vector<Aabb> known;
+        for (int left = 1 + rng.below(60); left > 0; --left) {
+            const glm::dvec3 lower = rng.point(5.0);
+            known.push_back({lower, lower + glm::dvec3(rng.uniform(0.1, 3.0), rng.uniform(0.1, 3.0), 1.0)});
+            boxes.push_back(TestOrder::Box::of(known.back()));
+        }
+        const TestOrder order(boxes);
+        const Ray ray{{rng.uniform(-5.0, 5.0), rng.uniform(-5.0, 5.0), -20.0}, {0.0, 1e-3, 1.0}};
+        std::vector<std::uint32_t> met;
+        for (std::uint32_t i = 0; i < known.size(); ++i) {
+            const glm::dvec3 p = ray.at(known[i].lower.z - ray.origin.z);
+            if (p.x > known[i].lower.x && p.x < known[i].upper.x && p.y > known[i].lower.y && p.y < known[i].upper.y)
+                met.push_back(i);
+        }
+        if (met.empty()) continue;
+        const auto nearest = std::min_element(met.begin(), met.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return known[a].lower.z < known[b].lower.z;
+        });
+        CHECK(order.first(ray, met) == *nearest);
+    }
+}
