@@ -130,6 +130,14 @@ inline void walk_nearest(const WorldData& world, const Ray& ray, const RaySlabs&
     });
 }
 
+/// drawn_bounds(), of spheres without what keeps rounding off: as large as POV-Ray's box of one.
+Aabb unpadded_bounds(const WorldData& world, const WorldItem& item)
+{
+    if (item.solid == kNoPart || kind_of(item.solid) != SolidKind::Sphere) return drawn_bounds(world, item);
+    const Sphere& sphere = world.store.all<Sphere>()[index_of(item.solid)];
+    return {sphere.center - glm::dvec3(sphere.radius), sphere.center + glm::dvec3(sphere.radius)};
+}
+
 }  // namespace
 
 Hit instance_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
@@ -259,7 +267,7 @@ const TestOrder& World::test_order() const
         std::size_t next = 0;
         for (std::uint32_t i = 0; i < boxes.size(); ++i) {
             const bool given = next < known.size() && known[next].first == i;
-            boxes[i] = given ? known[next++].second : TestOrder::Box::of(drawn_bounds(*data_, data_->items[i]));
+            boxes[i] = given ? known[next++].second : TestOrder::Box::of(unpadded_bounds(*data_, data_->items[i]));
         }
         return TestOrder(boxes);
     });
