@@ -1,7 +1,11 @@
 #include "function/field.h"
 
 #include "function/evaluate.h"
+#include "function/internal/internal.h"
 #include "function/intervals/interval.h"
+#include "function/lone_internal.h"
+
+#include <array>
 
 namespace function {
 namespace {
@@ -15,13 +19,30 @@ Evaluators current{evaluate, evaluate_all, evaluate_lanes, evaluate_intervals};
 
 void copy(const csg::Eight& from, double* to) { std::copy_n(from.v, kLanes, to); }
 
+/// Of f_rounded_box(x, y, z, ...), whatever its sizes.
+std::optional<csg::RoundedBox> rounded_box_of(const Function& f)
+{
+    constexpr std::uint32_t kArguments = 7;
+    const LoneInternal call(f);
+    if (!call || call.number() != kRoundedBox || call.count() != kArguments) return {};
+    std::array<double, kArguments> a{};
+    for (std::uint32_t i = 0; i < kArguments; ++i) {
+        const std::optional<double> number = call.constant(i);
+        if (number.has_value() != (i >= kCoordinates)) return {};
+        if (number) a[i] = *number;
+        else if (call.argument<std::uint32_t>(i, [](std::uint32_t which) { return which; }) != i) return {};
+    }
+    return csg::RoundedBox{{a[4] - a[3], a[5] - a[3], a[6] - a[3]}, a[3]};
+}
+
 }  // namespace
 
 void use(const Evaluators& evaluators) { current = evaluators; }
 const Evaluators& in_use() { return current; }
 
 FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> host)
-    : function_(std::move(function)), host_(host ? std::move(host) : lone_host()), ranged_(narrows(*function_))
+    : function_(std::move(function)), host_(host ? std::move(host) : lone_host()), ranged_(narrows(*function_)),
+      rounded_box_(rounded_box_of(*function_))
 {}
 
 double FunctionField::value(const glm::dvec3& p) const

@@ -3,6 +3,8 @@
 #include "csg/freeform/field/field.h"
 #include "function/program.h"
 
+#include <optional>
+
 namespace function {
 
 /// How functions are evaluated; see evaluate.h and interval.h. Each build of those sources has its own.
@@ -29,6 +31,7 @@ public:
     void values(const csg::EightPoints& p, csg::Eight& out) const override;
     void ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) const override;
     bool ranged() const override { return ranged_; }
+    const csg::RoundedBox* rounded_box() const override { return rounded_box_ ? &*rounded_box_ : nullptr; }
 
     const FunctionPtr& function() const { return function_; }
 
@@ -36,6 +39,7 @@ private:
     FunctionPtr function_;
     std::shared_ptr<const Host> host_;
     bool ranged_;
+    std::optional<csg::RoundedBox> rounded_box_;
 };
 
 }  // namespace function

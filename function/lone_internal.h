@@ -2,6 +2,8 @@
 
 #include "function/program.h"
 
+#include <optional>
+
 namespace function {
 
 /// A function that is one call of the library on its own parameters and constants, as f_sphere(x, y, z, 2) is: answered
@@ -25,6 +27,14 @@ public:
     {
         const std::uint32_t place = f_.arguments[f_.code[0].a + i], constants = f_.first_parameter();
         return place < constants ? V(f_.constants[place]) : parameter(place - constants);
+    }
+
+    /// Its argument i, if that is known.
+    std::optional<double> constant(std::uint32_t i) const
+    {
+        const std::uint32_t place = f_.arguments[f_.code[0].a + i];
+        if (place < f_.first_parameter()) return f_.constants[place];
+        return {};
     }
 
     static constexpr std::size_t kMostArguments = 16;

@@ -1,5 +1,6 @@
 #include "function/internal/internal_shapes.h"
 
+#include "csg/freeform/field/rounded_box.h"
 #include "function/internal/internal_polynomials.h"
 
 #include <algorithm>
@@ -177,9 +178,7 @@ double quantum(const double* a)
 
 double rounded_box(const double* a)
 {
-    const auto beyond = [&](int k) { return std::max(0.0, std::abs(a[k]) - (a[4 + k] - a[3])); };
-    const double x = beyond(0), y = beyond(1), z = beyond(2);
-    return std::sqrt(x * x + y * y + z * z) - a[3] - 1e-6;
+    return csg::RoundedBox{{a[4] - a[3], a[5] - a[3], a[6] - a[3]}, a[3]}({a[0], a[1], a[2]});
 }
 
 double spikes(const double* a)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "csg/freeform/field/rounded_box.h"
+
 #include <glm/glm.hpp>
 
 namespace csg {
@@ -31,6 +33,8 @@ public:
     virtual void ranges(const EightBoxes& boxes, EightRanges& out) const = 0;
     /// Whether ranges() narrow down as boxes do. False: its value at points is all that is known.
     virtual bool ranged() const = 0;
+    /// What gives the same bits as value(), where it is that: asked without a call, and known to be convex.
+    virtual const RoundedBox* rounded_box() const { return nullptr; }
 };
 
 }  // namespace csg

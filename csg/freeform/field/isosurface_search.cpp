@@ -49,8 +49,9 @@ double IsosurfaceSearch::accuracy_along(const IsosurfaceTerms& terms, const Inte
 }
 
 IsosurfaceSearch::IsosurfaceSearch(const IsosurfaceTerms& terms, const Ray& ray, const Interval& way, double to)
-    : terms_(terms), ray_(ray), to_(to), speed_(std::sqrt(glm::dot(ray.direction, ray.direction))),
-      gradient_(terms.max_gradient), accuracy_(accuracy_along(terms, way)), far_(is_far(terms.container, ray))
+    : terms_(terms), ray_(ray), box_(terms.field->rounded_box()), to_(to),
+      speed_(std::sqrt(glm::dot(ray.direction, ray.direction))), gradient_(terms.max_gradient),
+      accuracy_(accuracy_along(terms, way)), far_(is_far(terms.container, ray))
 {}
 
 glm::dvec3 IsosurfaceSearch::near_point(double t) const { return fused_at(ray_, t); }
@@ -80,10 +81,56 @@ bool IsosurfaceSearch::first(double from, double end, double sign, double& found
         // Eighths as fine as POV-Ray's last halves, or up to four times finer.
         const int levels = std::max(1, (halvings + 2) / 3);
         const Grid grid{from, (end - from) / std::ldexp(1.0, 3 * levels), 3 * levels - halvings};
-        return eighths(grid, 0, levels, sign, found);
+        if (box_ == nullptr) return eighths(grid, 0, levels, sign, found);
+        const std::int64_t parts = std::int64_t{1} << (3 * levels);
+        return sign > 0.0 ? comes_in(grid, parts, found) : goes_out(grid, parts, found);
     }
     if (terms_.evaluate && gradient_ > terms_.growth.x) gradient_ *= terms_.growth.z;
     return bisect({from, sign * value(from)}, {end, sign * value(end)}, sign, found);
+}
+
+/// By secants from before: beyond two places a convex field lies above the line through them, so that nothing is
+/// inside before that line is.
+bool IsosurfaceSearch::comes_in(const Grid& grid, std::int64_t parts, double& found) const
+{
+    std::int64_t before = 0, at = 1;
+    double above = value(grid.at(before));
+    for (;;) {
+        const double here = value(grid.at(at));
+        if (here < 0.0) {
+            found = told(grid, at, 1.0);
+            return true;
+        }
+        const double fall = (above - here) / static_cast<double>(at - before);
+        if (!(fall > 0.0)) return false;
+        const double skipped = std::max(1.0, std::floor(here / fall));
+        if (!(skipped <= static_cast<double>(parts - at))) return false;
+        before = at;
+        above = here;
+        if (grid.at(at) > to_) return false;
+        at += static_cast<std::int64_t>(skipped);
+    }
+}
+
+/// The same from behind, where everything is outside.
+bool IsosurfaceSearch::goes_out(const Grid& grid, std::int64_t parts, double& found) const
+{
+    std::int64_t behind = parts, at = parts - 1;
+    double above = value(grid.at(behind));
+    if (!(above > 0.0)) return false;
+    while (at > 0) {
+        const double here = value(grid.at(at));
+        if (!(here > 0.0)) break;
+        const double rise = (above - here) / static_cast<double>(behind - at);
+        const double skipped = rise > 0.0 ? std::max(1.0, std::floor(here / rise)) : 1.0;
+        behind = at;
+        above = here;
+        at -= static_cast<std::int64_t>(std::min(skipped, static_cast<double>(at)));
+    }
+    // Rounding may have led past some that are outside.
+    while (at + 1 < behind && !(value(grid.at(at + 1)) > 0.0)) ++at;
+    found = told(grid, at + 1, -1.0);
+    return true;
 }
 
 bool IsosurfaceSearch::eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found)
@@ -120,10 +167,7 @@ bool IsosurfaceSearch::in_leaves(const Grid& grid, std::int64_t first, std::uint
     for (; open != 0; open &= open - 1) {
         const int k = std::countr_zero(open);
         if (!((few ? sign * value(t.v[k]) : f.v[k]) < 0.0)) continue;
-        // POV-Ray's interval that ends here or behind; what is thinner than it is found all the same.
-        const std::int64_t leaf = first + k + 1, end = ((leaf + (std::int64_t{1} << grid.finer) - 1) >> grid.finer)
-                                                       << grid.finer;
-        found = end == leaf || !(sign * value(grid.at(end)) < 0.0) ? t.v[k] : grid.at(end);
+        found = told(grid, first + k + 1, sign);
         return true;
     }
     return false;

@@ -19,7 +19,11 @@ public:
     static bool is_far(const Container& container, const Ray& ray);
 
     /// The field above the threshold.
-    double value(double t) const { return terms_.field->value(far_ ? near_point(t) : ray_.at(t)) - terms_.threshold; }
+    double value(double t) const
+    {
+        const glm::dvec3 p = far_ ? near_point(t) : ray_.at(t);
+        return (box_ != nullptr ? (*box_)(p) : terms_.field->value(p)) - terms_.threshold;
+    }
 
     /// Where sign * value first falls below 0 between `from` and `end`, as POV-Ray tells it: the farther end of the
     /// interval, shorter than the accuracy, that halving leads to.
@@ -35,6 +39,15 @@ private:
         int finer;
         double at(std::int64_t i) const { return from + step * static_cast<double>(i); }
     };
+    /// Of a field that is convex along the ray: the place on the grid of so many parts that eighths() comes to.
+    bool comes_in(const Grid& grid, std::int64_t parts, double& found) const;
+    bool goes_out(const Grid& grid, std::int64_t parts, double& found) const;
+    /// POV-Ray's interval that ends at a place of the grid or behind; what is thinner than it is found all the same.
+    double told(const Grid& grid, std::int64_t place, double sign) const
+    {
+        const std::int64_t end = ((place + (std::int64_t{1} << grid.finer) - 1) >> grid.finer) << grid.finer;
+        return grid.at(end == place || !(sign * value(grid.at(end)) < 0.0) ? place : end);
+    }
     bool eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found);
     /// Those of the eight finest parts from `first` on whose bit is set in `open`.
     bool in_leaves(const Grid& grid, std::int64_t first, std::uint32_t open, double sign, double& found) const;
@@ -45,6 +58,7 @@ private:
 
     const IsosurfaceTerms& terms_;
     const Ray& ray_;
+    const RoundedBox* box_;  ///< what the field is, or null
     double to_, speed_, gradient_, accuracy_;
     bool far_;  ///< the ray begins so far off that its points need near_point()
 };

@@ -43,6 +43,38 @@ private:
     bool ranged_;
 };
 
+/// A rounded box that says so, or does not.
+class Rounded final : public Field {
+public:
+    Rounded(const RoundedBox& box, bool says_so) : box_(box), says_so_(says_so) {}
+
+    double value(const glm::dvec3& p) const override { return box_(p); }
+    void values(const EightPoints& p, Eight& out) const override
+    {
+        for (int k = 0; k < 8; ++k) out.v[k] = value({p.x.v[k], p.y.v[k], p.z.v[k]});
+    }
+    void ranges(const EightBoxes& b, EightRanges& out) const override
+    {
+        for (int k = 0; k < 8; ++k) {
+            glm::dvec3 near, far;
+            const EightRanges* const sides[] = {&b.x, &b.y, &b.z};
+            for (int axis = 0; axis < 3; ++axis) {
+                const double low = sides[axis]->low.v[k], high = sides[axis]->high.v[k];
+                near[axis] = std::sqrt(square_low(low, high));
+                far[axis] = std::max(std::abs(low), std::abs(high));
+            }
+            out.low.v[k] = box_(near) - 1e-14;
+            out.high.v[k] = box_(far) + 1e-14;
+        }
+    }
+    bool ranged() const override { return true; }
+    const RoundedBox* rounded_box() const override { return says_so_ ? &box_ : nullptr; }
+
+private:
+    RoundedBox box_;
+    bool says_so_;
+};
+
 struct End {
     double t;
     std::uint32_t face;
@@ -244,4 +276,37 @@ TEST_CASE("an isosurface survives numbers that are none", "[csg][isosurface]")
             else odd.container = Container::box(glm::dvec3(bad), glm::dvec3(1.5));
             for (const End& end : ends(Isosurface(odd), {{-5, 0.1, 0.2}, {1, 0, 0}})) CHECK_FALSE(std::isnan(end.t));
         }
+}
+
+TEST_CASE("a rounded box is crossed where its ranges find it", "[csg][isosurface]")
+{
+    int crossed = 0;
+    for (std::uint32_t seed = 0; seed < 4000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const double radius = rng.uniform(0.01, 0.5);
+        IsosurfaceTerms terms;
+        terms.accuracy = rng.coin() ? 0.001 : rng.uniform(1e-5, 0.05);
+        terms.threshold = rng.below(3) == 0 ? rng.uniform(-0.2, 0.2) : 0.0;
+        terms.max_trace = 1 + rng.below(4);
+        terms.open = rng.coin();
+        terms.container = rng.below(4) == 0 ? Container::sphere(glm::dvec3(0.0), 0.7)
+                                            : Container::box(glm::dvec3(-0.5), glm::dvec3(0.5));
+        const RoundedBox box{glm::dvec3(0.5, 0.5, rng.uniform(0.3, 0.5)) - radius, radius};
+        terms.field = std::make_shared<Rounded>(box, false);
+        const Isosurface by_ranges(terms);
+        terms.field = std::make_shared<Rounded>(box, true);
+        const Isosurface by_secants(terms);
+        for (int k = 0; k < 4; ++k) {
+            const Ray ray = csg_test::ray_near(rng, glm::dvec3(0.0), 0.8, rng.coin() ? 3.0 : 0.3);
+            const std::vector<End> wanted = ends(by_ranges, ray), found = ends(by_secants, ray);
+            REQUIRE(found.size() == wanted.size());
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                ++crossed;
+                REQUIRE(found[i].t == wanted[i].t);
+                REQUIRE(found[i].face == wanted[i].face);
+            }
+        }
+    }
+    CHECK(crossed > 10000);
 }
