@@ -118,7 +118,7 @@ void waved_points(const Pattern& pattern, std::size_t count, Values& values)
 {
     using scene::WaveForm;
     const bool by_library = pattern.wave == WaveForm::Sine || pattern.wave == WaveForm::Scallop ||
-                            pattern.wave == WaveForm::Poly;
+                            (pattern.wave == WaveForm::Poly && pattern.poly_exponent != 2.0);
     const Double zero(0.0), half(0.5), one(1.0), two(2.0);
     for (std::size_t i = 0; i < count; i += kLanes) {
         Double v = Double::load_aligned(values.data() + i);
@@ -132,6 +132,8 @@ void waved_points(const Pattern& pattern, std::size_t count, Values& values)
             v = xsimd::select(o < half, two * o, two * (one - o));
         } else if (pattern.wave == WaveForm::Cubic) {
             v = v * v * (Double(3.0) - two * v);
+        } else if (pattern.wave == WaveForm::Poly) {
+            v = v * v;
         }
         v.store_aligned(values.data() + i);
     }
