@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/packet/extrusion_sieve.h"
 #include "csg/packet/lane_boolean.h"
 #include "csg/packet/lane_front.h"
 #include "csg/packet/lane_torus.h"
@@ -148,9 +149,12 @@ private:
         const WorldItem& item = world.items[index];
         const bool first_only = query.first_only(item);
         const std::uint32_t at = index_of(item.solid);
-        const RayBatch& batch = kind_of(item.solid) == SolidKind::Extrusion
-                                    ? told_of(world.store.all<Extrusion>()[at], mask, first_only)
-                                    : told_of(world.store.all<Freeform>()[at], mask, first_only);
+        const Extrusion* const extrusion =
+            kind_of(item.solid) == SolidKind::Extrusion ? &world.store.all<Extrusion>()[at] : nullptr;
+        if (extrusion != nullptr) mask = rays_near(*extrusion, rays, mask);
+        if (mask == 0) return;
+        const RayBatch& batch = extrusion != nullptr ? told_of(*extrusion, mask, first_only)
+                                                     : told_of(world.store.all<Freeform>()[at], mask, first_only);
         for (std::size_t k = 0; k < batch.count; ++k) query.record(index, batch.place[k], batch.records[k]);
     }
 

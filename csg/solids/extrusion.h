@@ -55,6 +55,7 @@ struct Extrusion {
                 f(within.entry, end_face(within.entry_face), within.exit, end_face(within.exit_face));
             return;
         }
+        if (misses(start, along, nearest, farthest)) return;
         Walls walls;
         meet_walls(start, along, nearest, farthest, first_only, walls);
         tell(within, walls, walls.odd_before, f);
@@ -102,6 +103,21 @@ private:
     };
 
     std::uint32_t end_face(std::uint32_t face) const { return open ? kUndrawnFace : face; }
+
+    /// Whether the stretch surely passes the box of the region, by far more than the roundings of a wall's place.
+    bool misses(const glm::dvec2& from, const glm::dvec2& along, double nearest, double farthest) const
+    {
+        const glm::dvec2 &lower = shape->lower(), &upper = shape->upper();
+        const glm::dvec2 size = glm::abs(from) + glm::max(glm::abs(lower), glm::abs(upper));
+        const double room = 1e-10 * (size.x + size.y);
+        for (int k = 0; k < 2; ++k) {
+            const double inverse = 1.0 / along[k];
+            const double a = (lower[k] - room - from[k]) * inverse, b = (upper[k] + room - from[k]) * inverse;
+            nearest = glm::max(nearest, glm::min(a, b));
+            farthest = glm::min(farthest, glm::max(a, b));
+        }
+        return nearest > farthest;
+    }
 
     /// f() of the pieces within both ends between walls. `inside`: before all of them.
     template <class SomeWalls, class F>

@@ -55,9 +55,28 @@ private:
         Mask asked = ((1u << count) - 1u) & ~lanes::mask(nearest > farthest) &
                      lanes::mask((level & (z >= low) & (z <= high)) | ((!level) & (entry <= exit)));
         Mask alone = asked & lanes::mask((along.x == zero) & (along.y == zero));
-        asked &= ~alone;
+        asked &= ~(alone | missing(start, along, nearest, farthest));
         if (asked != 0) alone |= meet_walls(at, asked, start, along, nearest, farthest, entry, exit);
         for (; alone != 0; alone &= alone - 1) ask(at + static_cast<std::size_t>(std::countr_zero(alone)));
+    }
+
+    /// Extrusion::misses().
+    Mask missing(const Place& from, const Place& along, Double nearest, Double farthest) const
+    {
+        const glm::dvec2 &lower = solid_.shape->lower(), &upper = solid_.shape->upper(),
+                         most = glm::max(glm::abs(lower), glm::abs(upper));
+        const Double room = Double(1e-10) *
+                            (xsimd::abs(from.x) + Double(most.x) + (xsimd::abs(from.y) + Double(most.y)));
+        const auto axis = [&](const Double& at, const Double& slope, double low, double high) {
+            const Double inverse = Double(1.0) / slope, a = (Double(low) - room - at) * inverse,
+                         b = (Double(high) + room - at) * inverse, first = xsimd::select(b < a, b, a),
+                         last = xsimd::select(a < b, b, a);
+            nearest = xsimd::select(nearest < first, first, nearest);
+            farthest = xsimd::select(last < farthest, last, farthest);
+        };
+        axis(from.x, along.x, lower.x, upper.x);
+        axis(from.y, along.y, lower.y, upper.y);
+        return lanes::mask(nearest > farthest);
     }
 
     void ask(std::size_t k)

@@ -1,6 +1,7 @@
 #include "csg/freeform/revolution/lathe.h"
 #include "csg/freeform/revolution/sor.h"
 #include "csg/freeform/sweep/conic_prism.h"
+#include "csg/packet/extrusion_sieve.h"
 #include "csg/solids/extrusion.h"
 #include "tests/csg/freeform/many_rays.h"
 
@@ -135,4 +136,43 @@ TEST_CASE("many rays of a text or prism are told what each is told alone", "[csg
             });
     }
     CHECK(ends > share(800) * 5);
+}
+
+TEST_CASE("a ray that is told something of a text or prism is one that comes near", "[csg][many][prism]")
+{
+    if (!runs_here()) return;
+    int told = 0, near = 0, all = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(800)); ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed + 8000);
+        Extrusion solid;
+        solid.shape = random_shape(rng);
+        solid.high = rng.uniform(0.05, 1.0);
+        solid.frame = csg_test::random_transform(rng);
+        RayTile tile{};
+        tile.count = 1 + rng.below(kTileRays);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(tile.count); ++k) {
+            Ray ray = csg_test::ray_to(rng, 1.5);
+            ray.origin = solid.frame.point(ray.origin);
+            ray.direction = solid.frame.vector(ray.direction);
+            tile.set(k, ray, rng.coin() ? 0.0 : 1.0, rng.coin() ? kInfinity : rng.uniform(1.0, 6.0));
+        }
+        const TileRays<OwnOrigins> rays(tile);
+        const RayMask mask = rays_near(solid, rays, rays.all());
+        for (std::size_t k = 0; k < static_cast<std::size_t>(tile.count); ++k) {
+            bool drawn = false;
+            solid.each_span(
+                tile.ray(static_cast<int>(k)),
+                [&](double in, std::uint32_t, double end, std::uint32_t) {
+                    for (const double t : {in, end}) drawn = drawn || (t >= tile.t_min[k] && t <= tile.t_max[k]);
+                },
+                tile.t_min[k], tile.t_max[k]);
+            ++all;
+            told += drawn ? 1 : 0;
+            near += (mask >> k & 1) != 0 ? 1 : 0;
+            if (drawn) REQUIRE((mask >> k & 1) != 0);
+        }
+    }
+    CHECK(told > share(800) * 2);
+    CHECK(near < all * 9 / 10);
 }
