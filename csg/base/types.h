@@ -39,6 +39,10 @@ struct Aabb {
         lower = glm::min(lower, box.lower);
         upper = glm::max(upper, box.upper);
     }
+    bool holds(const Aabb& box) const
+    {
+        return glm::all(glm::lessThanEqual(lower, box.lower)) && glm::all(glm::greaterThanEqual(upper, box.upper));
+    }
     Aabb intersected(const Aabb& box) const { return {glm::max(lower, box.lower), glm::min(upper, box.upper)}; }
 };
 

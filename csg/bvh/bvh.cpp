@@ -259,7 +259,8 @@ private:
             std::uint32_t seen = 0;
             if (node.leaf()) {
                 word = leaf(node);
-                for (std::uint32_t k = node.begin; k < node.end; ++k) seen |= inputs_[k].visible;
+                for (std::uint32_t k = node.begin; k < node.end; ++k)
+                    seen |= inputs_[k].visible | (inputs_[k].quick ? kQuick : 0u);
             } else {
                 const auto index = static_cast<std::uint32_t>(out_.nodes.size());
                 out_.nodes.emplace_back();
@@ -267,7 +268,7 @@ private:
                 seen = collapse(open[i], index, level + 1);
             }
             place(into, i, node.bounds, word, seen);
-            seen_below |= seen;
+            seen_below |= seen & ~kQuick;
         }
         return seen_below;
     }

@@ -124,6 +124,12 @@ private:
         return (gap <= Double(kCoincidence) * (xsimd::abs(a) + Double(reach_))) & (gap < lanes::beyond());
     }
 
+    /// Whether what coincides with a place can lie before the limit: beyond it nothing matters.
+    Bool reaches(Double limit, Double at) const
+    {
+        return at - Double(2.0 * kCoincidence) * (xsimd::abs(at) + Double(reach_)) <= limit;
+    }
+
     bool close(double a, double b) const
     {
         const double gap = std::abs(a - b);
@@ -211,9 +217,12 @@ private:
         cuts_ = 0;
         constexpr std::uint32_t kFew = 2;
         const std::uint32_t count = term.cut_last - term.cut_first;
-        if (count <= kFew || !term.bounded_cuts) {
-            if (count > kMostCuts) return false;
-            for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) near_cut(form, k, mask);
+        if (count <= kFew || !term.bounded_cuts || term.wide_cuts) {
+            for (std::uint32_t k = term.cut_first; k < term.cut_last; ++k) {
+                if (cuts_ == kMostCuts) return false;
+                if (term.wide_cuts) meet_cut_of(form, k, mask);
+                else near_cut(form, k, mask);
+            }
             return true;
         }
         if (slabs_ != nullptr) return sieve_cuts(form, term, mask);
@@ -333,7 +342,7 @@ private:
             if (lanes::mask(ends) != 0) find_end(i, ends, t_min, front, code, coincide);
         }
         if (cuts_ > 0 && lanes::mask(!ends) != 0) leave_cuts(i, ends, front, code, own, coincide);
-        coincide = coincide | ((!ends) & close(front, out));
+        coincide = coincide | ((!ends) & reaches(load(rays_.limit, i), front) & close(front, out));
         store(t, i, front);
         store(end, i, code);
         undecided |= bits(coincide, i);
@@ -356,19 +365,20 @@ private:
     /// Moves the fronts out of all cuts that cover them, but for those of rays at their end.
     void leave_cuts(int i, Bool ends, Double& front, Double& code, Double& own, Bool& coincide) const
     {
-        const Double out = load(out_, i);
+        const Double limit = load(rays_.limit, i), last = xsimd::min(load(out_, i), limit);
         for (bool moved = true; moved;) {
             Bool moves(false);
             each_cut(i, [&](std::uint32_t c, Double entry, Double exit) {
                 const Double id(static_cast<double>(c));
-                coincide = coincide | ((!ends) & (own != id) & (close(entry, front) | close(exit, front)));
+                const Bool counts = (!ends) & (own != id) & reaches(limit, front);
+                coincide = coincide | (counts & (close(entry, front) | close(exit, front)));
                 const Bool covers = (!ends) & (entry < front) & (exit > front);
                 front = xsimd::select(covers, exit, front);
                 own = xsimd::select(covers, id, own);
                 code = xsimd::select(covers, load(cut_end_[c], i), code);
                 moves = moves | covers;
             });
-            moved = lanes::mask(moves & (front <= out)) != 0;
+            moved = lanes::mask(moves & (front <= last)) != 0;
         }
     }
 

@@ -50,12 +50,17 @@ public:
     {}
     Intervals operator()(const Directions& d) const
     {
+        const Double one(1.0);
+        return (*this)(d, {one / d.x, one / d.y, one / d.z});
+    }
+    /// \param inverse of the directions
+    Intervals operator()(const Directions& d, const Directions& inverses) const
+    {
         Intervals out;
         out.entry = before();
         out.exit = beyond();
         Double first_plane(low_.x), last_plane(high_.x), first_slope = d.x, last_slope = d.x;
-        const auto axis = [&](Double direction, Double lower, Double upper, double face) {
-            const Double inverse = Double(1.0) / direction;
+        const auto axis = [&](Double direction, Double inverse, Double lower, Double upper, double face) {
             const Bool backward = inverse < Double(0.0);
             const Double near = xsimd::select(backward, upper, lower);
             const Double far = xsimd::select(backward, lower, upper);
@@ -72,9 +77,9 @@ public:
             out.exit_face =
                 xsimd::select(earlier, xsimd::select(backward, Double(face), Double(face + 1.0)), out.exit_face);
         };
-        axis(d.x, Double(low_.x), Double(high_.x), 0.0);
-        axis(d.y, Double(low_.y), Double(high_.y), 2.0);
-        axis(d.z, Double(low_.z), Double(high_.z), 4.0);
+        axis(d.x, inverses.x, Double(low_.x), Double(high_.x), 0.0);
+        axis(d.y, inverses.y, Double(low_.y), Double(high_.y), 2.0);
+        axis(d.z, inverses.z, Double(low_.z), Double(high_.z), 4.0);
         out.met = (out.entry <= out.exit) & (out.entry != beyond()) & (out.exit != before());
         if (mask(out.met) == 0) return out;
         const Double entry = first_plane / first_slope, exit = last_plane / last_slope;
@@ -92,17 +97,6 @@ template <class P>
 class Test<Box, P> : public BoxTest<P> {
 public:
     Test(const Box& s, const P& origin) : BoxTest<P>(s.lower, s.upper, origin) {}
-};
-
-template <class P>
-class Test<OrientedBox, P> {
-public:
-    Test(const OrientedBox& s, const P& origin) : frame_(s.frame), box_(s.lower, s.upper, into(s.frame, origin)) {}
-    Intervals operator()(const Directions& d) const { return box_(d.in(frame_)); }
-
-private:
-    const Transform& frame_;
-    BoxTest<P> box_;
 };
 
 template <class P>
@@ -342,7 +336,16 @@ inline void with_test(const SolidStore& store, PartId part, const Rays& rays, F&
     case SolidKind::Sphere: prepared(store.all<Sphere>()[i]); return;
     case SolidKind::Ellipsoid: prepared(store.all<Ellipsoid>()[i]); return;
     case SolidKind::Box: prepared(store.all<Box>()[i]); return;
-    case SolidKind::OrientedBox: prepared(store.all<OrientedBox>()[i]); return;
+    case SolidKind::OrientedBox: {
+        const OrientedBox& box = store.all<OrientedBox>()[i];
+        rays.turned.turn(box.frame, rays);
+        f([&](int at) {
+            rays.turned.find(at, rays);
+            return BoxTest(box.lower, box.upper, rays.turned.origins(at))(rays.turned.directions(at),
+                                                                          rays.turned.inverses(at));
+        });
+        return;
+    }
     case SolidKind::Plane: prepared(store.all<Plane>()[i]); return;
     case SolidKind::Cylinder: prepared(store.all<Cylinder>()[i]); return;
     case SolidKind::Cone: prepared(store.all<Cone>()[i]); return;

@@ -24,7 +24,7 @@ public:
 
     /// A part of the hierarchy that all rays may come to, `near` being where at the earliest. The last is looked at
     /// first.
-    void put(ChildWord child, float near) { stack_[top_++] = {child, near, rays_.all()}; }
+    void put(ChildWord child, float near) { stack_[top_++] = {child, near, near, rays_.all()}; }
 
     void go_on()
     {
@@ -42,6 +42,7 @@ private:
     struct Entry {
         ChildWord child;
         float near;  ///< where the first of the rays is in its box
+        float order;
         RayMask rays;
     };
 
@@ -67,8 +68,9 @@ private:
             if ((node.kinds[i] & kinds_) == 0) continue;
             if constexpr (requires { leaf_.fetch(node.child[i]); }) leaf_.fetch(node.child[i]);
             int at = top++;
-            for (; at > bottom && stack_[at - 1].near < near[i]; --at) stack_[at] = stack_[at - 1];
-            stack_[at] = {node.child[i], near[i], rays[i]};
+            const float order = asked_at(node, static_cast<std::uint32_t>(i), near[i]);
+            for (; at > bottom && stack_[at - 1].order < order; --at) stack_[at] = stack_[at - 1];
+            stack_[at] = {node.child[i], near[i], order, rays[i]};
         }
         return top;
     }

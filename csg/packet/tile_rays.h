@@ -2,6 +2,7 @@
 
 #include "csg/base/hit.h"
 #include "csg/packet/lane_interval.h"
+#include "csg/packet/turned_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -113,6 +114,7 @@ struct alignas(64) TileRays : Origins {
     alignas(64) Lanes inverse_a;                        ///< 1 / dot(direction, direction)
     alignas(64) Lanes t_min, limit;                     ///< limit: nothing beyond matters; -infinity: the ray is done
     int count, groups;
+    mutable TurnedRays<Origins> turned;  ///< where one solid after the other stands in the same space
 
     explicit TileRays(const RayTile& tile)
         : Origins(tile), count(tile.count), groups((tile.count + kRayGroup - 1) / kRayGroup)
@@ -153,11 +155,7 @@ struct alignas(64) TileRays : Origins {
         lanes::Double most(-kInfinity);
         for (int i = first * kRayGroup; i < last * kRayGroup; i += lanes::kDoubles)
             most = xsimd::max(most, lanes::Double::load_aligned(limit.data() + i));
-        alignas(64) double all[lanes::kDoubles];
-        most.store_aligned(all);
-        double farthest = all[0];
-        for (const double t : all) farthest = t > farthest ? t : farthest;
-        return farthest;
+        return -lanes::lowest(-most);
     }
 
     /// Which of the rays meet the box between t_min and limit.

@@ -20,7 +20,8 @@ public:
     void run()
     {
         if (bvh_.nodes.empty()) return;
-        stack_[0] = {ChildWord::node(0), 0, -std::numeric_limits<float>::infinity()};
+        constexpr float kAnywhere = -std::numeric_limits<float>::infinity();
+        stack_[0] = {ChildWord::node(0), 0, kAnywhere, kAnywhere};
         const int left = walk(stack_, 1, 0, rays_.groups, kBeamBlocks);
         if (left == 0) return;
         if constexpr (!Rays::kShared) return each_its_own_way(left);
@@ -46,6 +47,7 @@ private:
         ChildWord child;
         std::uint32_t slot;  ///< node * 8 + place: where its box is
         float near;
+        float order;
     };
 
     /// Until the stack is empty or the budget is used up; returns what is left on the stack.
@@ -76,12 +78,12 @@ private:
         for (std::uint32_t mask = beam_.meet(node.bounds, limit, near); mask != 0; mask &= mask - 1) {
             const auto i = static_cast<std::uint32_t>(std::countr_zero(mask));
             if ((node.kinds[i] & kinds_) == 0) continue;
-            const Entry made{node.child[i], index * 8 + i, near[i]};
+            const Entry made{node.child[i], index * 8 + i, near[i], asked_at(node, i, near[i])};
             if (packet >= 0 &&
                 rays_.meet(corner(made.slot, 0), corner(made.slot, 3), rays_of_groups(packet, packet + 1)) == 0)
                 continue;
             int at = top++;
-            for (; at > bottom && stack[at - 1].near < made.near; --at) stack[at] = stack[at - 1];
+            for (; at > bottom && stack[at - 1].order < made.order; --at) stack[at] = stack[at - 1];
             stack[at] = made;
         }
         return top;

@@ -141,6 +141,7 @@ private:
                 front = cuts_[i].out;
                 near = 2.0 * slack(front.t);
                 own = i;
+                if (passed(front.t)) break;
                 i = static_cast<std::uint32_t>(-1);  // the rest are looked at again after a move
             }
         }
@@ -153,8 +154,11 @@ private:
         for (double before = -kInfinity;
              front.t > before;) {  // what begins farther off is evaluated when the front gets there
             before = front.t;
+            if (passed(front.t)) return Answer::Nothing;
             if (evaluate_cuts(front.t + slack(front.t)) == Answer::Undecided) return Answer::Undecided;
-            if (leave_cuts(front, own) == Answer::Undecided || close(front.t, out.t)) return Answer::Undecided;
+            if (leave_cuts(front, own) == Answer::Undecided) return Answer::Undecided;
+            if (passed(front.t)) return Answer::Nothing;
+            if (close(front.t, out.t)) return Answer::Undecided;
             if (front.t > out.t || !within(front.t)) return Answer::Nothing;
         }
         return Answer::Found;

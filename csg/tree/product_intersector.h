@@ -33,6 +33,8 @@ protected:
         const double gap = std::abs(a - b);
         return gap <= slack(a) && gap < kInfinity;
     }
+    /// Beyond the range, and whatever coincides with it is too.
+    bool passed(double t) const { return t - 2.0 * slack(t) > t_max_; }
     bool within(double t) const { return t <= t_max_ && t < kInfinity; }
 
     Crossing crossing(const ProductEnd& end) const

@@ -218,6 +218,8 @@ private:
         std::vector<Group> groups;
         for (const Group& group : all)
             if (!common_box(group).intersected(within).empty()) groups.push_back(group);
+        term.wide_cuts = std::all_of(groups.begin(), groups.end(),
+                                     [&](const Group& group) { return common_box(group).holds(within); });
         const auto known = known_cuts_.find(groups);
         if (known != known_cuts_.end()) {
             term.cut_first = known->second.cut_first;

@@ -33,6 +33,7 @@ struct ProductTerm {
     std::uint32_t tree = kNoTree;               ///< index into trees: where there are many cuts
     bool convex = true;                         ///< all leaves are
     bool bounded_cuts = true;                   ///< the boxes of all cuts are finite
+    bool wide_cuts = false;                     ///< and each holds that of the leaves: no ray would be sieved out
     static constexpr std::uint32_t kNoTree = 0xffffffffu;
 
     /// Convex and nothing is cut from it: its crossings are two ends.

@@ -74,6 +74,14 @@ bool many(const WorldData& world, const WorldItem& item)
                        [&](const Node& node) { return node.op == Op::Leaf && solid(node.solid); });
 }
 
+/// Whether it is soon asked: before what costs more and may lie behind.
+bool quick(const WorldItem& item)
+{
+    if (item.solid == kNoPart || item.guard != WorldItem::kNoGuard) return false;
+    const SolidKind kind = kind_of(item.solid);
+    return kind == SolidKind::Box || kind == SolidKind::OrientedBox;
+}
+
 /// A box too wide for single precision counts as unbounded.
 bool fits(const Aabb& box)
 {
@@ -164,7 +172,7 @@ void WorldData::finish()
         const Aabb box = drawn_bounds(*this, item);
         if (box.empty() && drop_empty) continue;
         if (weighs) costly_bounds.include(box);
-        if (fits(box)) inputs.push_back({box, leaf_kind(item), i, item.visible});
+        if (fits(box)) inputs.push_back({box, leaf_kind(item), i, item.visible, quick(item)});
         else unbounded.push_back(i);
     }
     bvh = build_bvh(std::move(inputs));

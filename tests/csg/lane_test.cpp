@@ -1,13 +1,42 @@
 #include "csg/packet/lane_solids.h"
+#include "csg/packet/tile_rays.h"
 #include "tests/csg/support.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <cstring>
+#include <vector>
 
 using namespace csg;
 using csg_test::Rng;
+
+namespace csg::lanes {
+
+/// As with_test() asks it.
+template <>
+class Test<OrientedBox, glm::dvec3> {
+public:
+    Test(const OrientedBox& s, const glm::dvec3& origin) : solid_(s), origin_(origin) {}
+    Intervals operator()(const Directions& d) const
+    {
+        const struct {
+            const Directions& d;
+            glm::dvec3 origin;
+            Directions directions(int) const { return d; }
+        } rays{d, origin_};
+        TurnedRays<SharedOrigin> turned;
+        turned.turn(solid_.frame, rays);
+        turned.find(0, rays);
+        return BoxTest(solid_.lower, solid_.upper, turned.origins(0))(turned.directions(0), turned.inverses(0));
+    }
+
+private:
+    const OrientedBox& solid_;
+    glm::dvec3 origin_;
+};
+
+}  // namespace csg::lanes
 
 namespace {
 
@@ -198,4 +227,49 @@ TEST_CASE("intervals in lanes are those of single rays, bit for bit", "[csg][lan
             return Cone{0.0, Transform::translate(p), false};
         });
     }
+}
+
+TEST_CASE("boxes that stand in one space and in others are met as each is alone", "[csg][lanes]")
+{
+#if defined(__AVX512F__)
+    if (!__builtin_cpu_supports("avx512f")) return;
+#elif defined(__AVX2__)
+    if (!__builtin_cpu_supports("avx2")) return;
+#endif
+    int met = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        Rng rng(seed + 300000);
+        const Transform frames[2] = {csg_test::random_transform(rng), csg_test::random_transform(rng)};
+        SolidStore store;
+        std::vector<OrientedBox> boxes;
+        for (int k = 0; k < 8; ++k) {
+            const glm::dvec3 lower = -rng.point(1.0) - 1.0;
+            boxes.push_back({lower, lower + 1.0 + glm::abs(rng.point(1.0)), frames[rng.below(2)]});
+            store.add(boxes.back(), 0);
+        }
+        RayTile tile{};
+        tile.count = 1 + rng.below(kTileRays);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(tile.count); ++i) {
+            const glm::dvec3 origin = frames[rng.below(2)].offset + 4.0 * rng.direction();
+            tile.set(i, {origin, direction(rng, origin, frames[rng.below(2)].offset, frames[0])}, 0.0, kInfinity);
+        }
+        const TileRays<OwnOrigins> rays(tile);
+        for (std::uint32_t k = 0; k < boxes.size(); ++k)
+            lanes::with_test(store, make_part(SolidKind::OrientedBox, k), rays, [&](const auto& at) {
+                each_vector(rays.all(), [&](int i) {
+                    const lanes::Intervals in = at(i);
+                    alignas(64) std::array<double, lanes::kDoubles> entry;
+                    in.entry.store_aligned(entry.data());
+                    for (int lane = 0; lane < lanes::kDoubles && i + lane < tile.count; ++lane) {
+                        Interval alone;
+                        const bool hit = boxes[k].interval(tile.ray(i + lane), alone);
+                        REQUIRE(((lanes::mask(in.met) >> lane) & 1u) == (hit ? 1u : 0u));
+                        if (!hit) continue;
+                        ++met;
+                        REQUIRE(same_bits(entry[static_cast<std::size_t>(lane)], alone.entry));
+                    }
+                });
+            });
+    }
+    CHECK(met > 5000);
 }
