@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -24,6 +25,10 @@ inline Double choose(const Double::batch_bool_type& which, const Double& a, cons
 {
     return xsimd::select(which, a, b);
 }
+inline double root_of(double v) { return std::sqrt(v); }
+inline Double root_of(const Double& v) { return xsimd::sqrt(v); }
+inline double size_of(double v) { return std::abs(v); }
+inline Double size_of(const Double& v) { return xsimd::abs(v); }
 
 /// c[0] + c[1] x + c[2] x^2 + ..., by halves: a chain of products as long as the logarithm of their number (Estrin).
 template <std::size_t First, std::size_t Count, class T, std::size_t N>

@@ -46,6 +46,7 @@ public:
 
     glm::vec3 color(std::size_t k) const { return colors_[k]; }
     glm::dvec3 direction(std::size_t k) const { return scratch_.light.direction(k); }
+    const TileLight& directions() const { return scratch_.light; }
 
     // What ShadowCaster asks of a tile.
     const csg::HitTile& hits;

@@ -1,29 +1,43 @@
 #pragma once
 
+#include "csg/roots/lane_power.h"
 #include "render/plan/subsurface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-/// What a material does to light below its surface, per channel (spec 6, 5.2 and 5.3). Lengths are in mm.
+/// What a material does to light below its surface, per channel (spec 6, 5.2 and 5.3). Lengths are in mm. T is double
+/// or csg::lanes::Double: the same bits for both.
 namespace trace {
 
 /// Share of light that passes an interface at a cosine, by Fresnel's equations. eta: relative index.
-inline double fresnel_passed(double cosine, double eta)
+template <class T>
+inline T fresnel_passed(const T& cosine, const T& eta)
 {
-    const double q = eta * eta + cosine * cosine - 1.0;
-    if (q < 0.0) return 0.0;
-    const double g = std::sqrt(q);
-    const double a = (g - cosine) / (g + cosine);
-    const double b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
-    return 1.0 - std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
+    const T zero(0.0), one(1.0), q = eta * eta + cosine * cosine - one;
+    const auto mirrored = q < zero;
+    const T g = csg::lanes::root_of(csg::lanes::choose(mirrored, zero, q));
+    const T a = (g - cosine) / (g + cosine);
+    const T b = (cosine * (g + cosine) - one) / (cosine * (g - cosine) + one);
+    const T back = T(0.5) * a * a * (one + b * b);
+    return csg::lanes::choose(mirrored | (back > one), zero, one - csg::lanes::choose(back < zero, zero, back));
 }
 
 /// The cosine beyond an interface.
-inline double bent_cosine(double cosine, double eta)
+template <class T>
+inline T bent_cosine(const T& cosine, const T& eta)
 {
-    return std::sqrt(std::max(0.0, 1.0 - (1.0 - cosine * cosine) / (eta * eta)));
+    const T zero(0.0), one(1.0), squared = one - (one - cosine * cosine) / (eta * eta);
+    return csg::lanes::root_of(csg::lanes::choose(squared > zero, squared, zero));
+}
+
+/// What is left of light after a depth; nothing that counts, but not 0, of what is too deep.
+template <class T>
+inline T left_at(const T& optical_depth)
+{
+    const T deepest(700.0);
+    return csg::lanes::exponential(T(0.0) - csg::lanes::choose(optical_depth < deepest, optical_depth, deepest));
 }
 
 struct Scattering {
@@ -58,24 +72,37 @@ struct Scattering {
         return std::isfinite(mean) && mean > 0.0 ? 1.0 / mean : 0.0;
     }
 
-    /// Light that comes out at a distance from where it went in, of one channel: a dipole.
-    double dipole(int c, double distance) const
+    /// Light that comes out where it went in so far away, of one channel: a dipole. squared: that distance squared.
+    template <class T>
+    T dipole(int c, const T& squared) const
     {
         const auto pole = [&](double z) {
-            const double d2 = z * z + distance * distance, d = std::sqrt(d2);
-            return z * (effective[c] + 1.0 / d) * std::exp(-effective[c] * d) / d2;
+            const T d = csg::lanes::root_of(T(z * z) + squared), over = T(1.0) / d;
+            return T(z) * (T(effective[c]) + over) * left_at(T(effective[c]) * d) * (over * over);
         };
-        return albedo[c] / (4.0 * std::numbers::pi) * (pole(depth[c]) + pole(height[c]));
+        return T(albedo[c] / (4.0 * std::numbers::pi)) * (pole(depth[c]) + pole(height[c]));
     }
+};
 
-    /// Light scattered once, of one channel. in: what passes where it comes in; out: of where it comes out.
-    double single(int c, double cos_in, double cos_out, double way_in, double way_out) const
+/// Light of one channel that is scattered once on its way to the viewer.
+template <class T>
+struct ScatteredOnce {
+    T eta, extinction;
+    T outer;  ///< cosine of the viewer's ray below the surface
+    T scale;  ///< what does not depend on where the light comes from
+
+    /// passed: of the light that leaves for the viewer; left: of it, after the way below the surface
+    static ScatteredOnce of(const Scattering& matter, int c, double cos_out, double passed, double left)
     {
-        const double inner = bent_cosine(cos_in, eta), outer = bent_cosine(cos_out, eta);
-        const double geometry = std::abs(outer / inner);
-        return cos_in * scattered[c] * fresnel_passed(cos_in, eta) * fresnel_passed(cos_out, eta) * 0.25 /
-               (extinction[c] * (1.0 + geometry)) * std::exp(-way_in * cos_in / inner * extinction[c]) *
-               std::exp(-way_out * extinction[c]);
+        return {matter.eta, matter.extinction[c], bent_cosine(cos_out, matter.eta),
+                0.25 * matter.scattered[c] / matter.extinction[c] * passed * left};
+    }
+    /// way_in: below the surface, as if the light were not bent there
+    T share(const T& cos_in, const T& way_in) const
+    {
+        const T inner = bent_cosine(cos_in, eta), geometry = csg::lanes::size_of(outer / inner);
+        return cos_in * fresnel_passed(cos_in, eta) * scale / (T(1.0) + geometry) *
+               left_at(way_in * cos_in / inner * extinction);
     }
 };
 

@@ -5,7 +5,7 @@
 #include "render/trace/radiosity/ambient.h"
 #include "render/trace/random.h"
 #include "render/trace/shade/shade.h"
-#include "render/trace/subsurface/subsurface_scratch.h"
+#include "render/trace/subsurface/entry_lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,14 @@ namespace trace {
 namespace {
 
 constexpr double kFromBelow = 1e-10;  ///< where rays from below a surface begin: they start on none
+constexpr std::size_t kFewest = 40;   ///< rays that are worth a beam of their own
 
 class SubsurfaceLight {
 public:
     SubsurfaceLight(Context& context, const SegmentTile& tile)
         : context_(context), plan_(*context.scene.subsurface), tile_(tile), own_(context, context.scratch.nested()),
           sites_(context.scratch.subsurface().sites), ways_(context.scratch.subsurface().ways),
-          photons_(has_surface_photons(context))
+          photons_(has_surface_photons(context)), order_(context.scratch.subsurface().order)
     {
         sites_.clear();
         ++own_.below;
@@ -45,6 +46,8 @@ public:
                           Scattering(at.pigment[k] * finish.subsurface_diffuse, finish.translucency, eta,
                                      plan_.tables[plan_.table_of[interior]]),
                           random_seed(point, viewer), point});
+        SubsurfaceSite& site = sites_.back();
+        site.passed = fresnel_passed(site.cosine(), site.matter.eta);
     }
 
     void run()
@@ -104,20 +107,23 @@ private:
     /// Light that goes in somewhere around the site, is scattered many times and comes out there (spec 6, 5.3).
     void add_diffuse(int samples)
     {
-        const std::size_t cycle = plan_.directions.size();
         std::size_t waiting = 0;
         const auto flush = [&] {
             if (waiting != 0) light_diffuse(static_cast<int>(waiting));
             waiting = 0;
+            sent_.clear();
         };
         for (std::size_t s = 0; s < sites_.size(); ++s) {
             const SubsurfaceSite& site = sites_[s];
             if (!(way_of(site) > 0.0)) continue;
-            for (std::size_t i = 0; i < static_cast<std::size_t>(samples); ++i) {
-                owner_[waiting] = s;
-                const glm::dvec3& direction = plan_.directions[(site.seed + i) % cycle];
-                rays_.set(waiting++, {site.base, direction}, kFromBelow, csg::kInfinity);
-                if (waiting == kTileRays) flush();
+            order_.sort(plan_.directions, site.seed, static_cast<std::size_t>(samples));
+            for (std::size_t octant = 0; octant < OctantOrder::kOctants; ++octant) {
+                for (const std::uint32_t number : order_.of(octant)) {
+                    sent_.add(s, waiting);
+                    rays_.set(waiting++, {site.base, plan_.directions[number]}, kFromBelow, csg::kInfinity);
+                    if (waiting == kTileRays) flush();
+                }
+                if (waiting >= kFewest) flush();
             }
         }
         flush();
@@ -127,61 +133,65 @@ private:
 
     void light_diffuse(int count)
     {
-        trace(count, owner_[0] == owner_[static_cast<std::size_t>(count) - 1]);
+        trace(count, sent_.of_one_site());
         HitMask same = 0;
-        for_each_hit(found_, [&](std::size_t k) {
-            SubsurfaceSite& site = sites_[owner_[k]];
-            ++site.met;
-            if (interior_of(met_.surface[k]) == site.interior) same |= HitMask{1} << k;
+        each_sent(found_, [&](SubsurfaceSite& site, HitMask met) {
+            site.met += std::popcount(met);
+            for_each_hit(met, [&](std::size_t k) {
+                if (interior_of(met_.surface[k]) == site.interior) same |= HitMask{1} << k;
+            });
         });
         if (same == 0) return;
         context_.world.places(rays_, met_, same, places_);
-        const auto add = [&](std::size_t k, double share, double cosine, const glm::vec3& color) {
-            SubsurfaceSite& site = sites_[owner_[k]];
-            share *= area(k) * fresnel_passed(cosine, site.matter.eta) * fresnel_passed(site.cosine(), site.matter.eta);
-            const double apart = glm::length(places_.point(k) - site.point) * plan_.mm_per_unit;
-            for (int c = 0; c < 3; ++c)
-                site.diffuse[c] += share * site.matter.dipole(c, apart) * static_cast<double>(color[c]);
-        };
-        light_points(same, [&](std::size_t k, const glm::dvec3& to_light, const glm::vec3& color) {
-            const double cosine = std::abs(glm::dot(places_.normal(k), to_light));
-            if (cosine >= kNearlyZero) add(k, cosine, cosine, color);
+        diffuse_.begin();
+        light_points(same, [&](HitMask lit, const PointLights& light) {
+            each_sent(lit, [&](SubsurfaceSite& site, HitMask which) {
+                diffuse_.add(entries_, site, which, light.directions(), [&](std::size_t k) { return light.color(k); });
+            });
         });
-        if (gathers_) add_ambient(same, [&](std::size_t k, const glm::vec3& color) { add(k, 1.0, 1.0, color); });
+        if (gathers_) add_ambient(same);
+    }
+
+    /// f(site, its rays) for the sites that have sent rays of the mask.
+    template <class F>
+    void each_sent(HitMask rays, F&& f)
+    {
+        sent_.each(rays, [&](std::size_t site, HitMask which) { f(sites_[site], which); });
+    }
+
+    /// Light of surroundings that goes in where a ray has met the object (spec 6, 5.5).
+    void add_ambient(HitMask same)
+    {
+        if (!own_.scratch.gather) own_.scratch.gather = std::make_unique<radiosity::GatherScratch>();
+        radiosity::GatherScratch& gather = *own_.scratch.gather;
+        std::size_t count = 0;
+        each_sent(same, [&](const SubsurfaceSite& site, HitMask which) {
+            for_each_hit(which, [&](std::size_t k) {
+                radiosity::Request& to = gather.requests[count++];
+                to.point = places_.point(k);
+                to.normal = to.bent = places_.normal(k);
+                to.weight = area(k);
+                to.start = context_.scene.tolerance.hit_from(to.point, met_.t[k]);
+                to.lane = static_cast<std::uint8_t>(site.lane);
+                to.root = tile_.state(site.lane).root;
+            });
+        });
+        radiosity::find_ambient(own_, count);
+        count = 0;
+        each_sent(same, [&](SubsurfaceSite& site, HitMask which) {
+            diffuse_.add_around(entries_, site, which, [&](std::size_t) { return gather.ambient[count++]; });
+        });
     }
 
     /// Of the surface that a ray stands for, mm^2.
     double area(std::size_t k) const
     {
-        constexpr double kFlattest = 0.01;
         const glm::dvec3 direction{rays_.dx[k], rays_.dy[k], rays_.dz[k]};
         const double mm = met_.t[k] * plan_.mm_per_unit;
-        return 4.0 * std::numbers::pi * mm * mm / std::max(kFlattest, std::abs(glm::dot(direction, places_.normal(k))));
+        return entry_area(mm, std::abs(glm::dot(direction, places_.normal(k))));
     }
 
-    /// f(k, colour): light of surroundings that goes in where a ray has met the object (spec 6, 5.5).
-    template <class F>
-    void add_ambient(HitMask which, F&& f)
-    {
-        if (!own_.scratch.gather) own_.scratch.gather = std::make_unique<radiosity::GatherScratch>();
-        radiosity::GatherScratch& gather = *own_.scratch.gather;
-        std::size_t count = 0;
-        for_each_hit(which, [&](std::size_t k) {
-            radiosity::Request& to = gather.requests[count++];
-            const std::size_t lane = sites_[owner_[k]].lane;
-            to.point = places_.point(k);
-            to.normal = to.bent = places_.normal(k);
-            to.weight = area(k);
-            to.start = context_.scene.tolerance.hit_from(to.point, met_.t[k]);
-            to.lane = static_cast<std::uint8_t>(lane);
-            to.root = tile_.state(lane).root;
-        });
-        radiosity::find_ambient(own_, count);
-        count = 0;
-        for_each_hit(which, [&](std::size_t k) { f(k, gather.ambient[count++]); });
-    }
-
-    /// f(k, unit vector to the light, colour) for every light that reaches a point that was met.
+    /// f(hits, lights) for every light: the points that were met and that it reaches.
     template <class F>
     void light_points(HitMask which, F&& f)
     {
@@ -198,15 +208,20 @@ private:
     void ask(std::size_t light, HitMask which, const texture::Points& points, F&& f)
     {
         HitMask asking = 0, collecting = 0;
+        csg::SurfaceId known = csg::kNoSurface;
+        bool asks = false, collects_here = false;
         for_each_hit(which, [&](std::size_t k) {
-            const csg::SurfaceId surface = met_.surface[k];
-            const bool asks = shines_on(context_.lights.lights[light], context_.scene.surfaces[surface]);
+            if (const csg::SurfaceId surface = met_.surface[k]; surface != known) {
+                known = surface;
+                asks = shines_on(context_.lights.lights[light], context_.scene.surfaces[surface]);
+                collects_here = asks && photons_ && collects(context_.scene, surface);
+            }
             asking |= HitMask{asks ? 1u : 0u} << k;
-            collecting |= HitMask{asks && photons_ && collects(context_.scene, surface) ? 1u : 0u} << k;
+            collecting |= HitMask{collects_here ? 1u : 0u} << k;
         });
         if (asking == 0) return;
         PointLights lit(own_, met_, around_, points, collecting);
-        for_each_hit(lit.ask(light, asking), [&](std::size_t k) { f(k, lit.direction(k), lit.color(k)); });
+        if (const HitMask reached = lit.ask(light, asking)) f(reached, std::as_const(lit));
     }
 
     /// Where the viewer's ray goes on below the surface, and how far until it comes out.
@@ -251,17 +266,19 @@ private:
             };
             for (std::size_t s = 0; s < sites_.size(); ++s) {
                 if (!ways_[s].open) continue;
-                for (std::uint32_t i = 0; i < 3u * static_cast<std::uint32_t>(samples); ++i) {
+                const SubsurfaceSite& site = sites_[s];
+                const std::uint32_t all = 3u * static_cast<std::uint32_t>(samples);
+                for (std::uint32_t i = 0; i < all; ++i) {
+                    if (i % kTileRays == 0) depths_.draw(site.seed, i, std::min<std::uint32_t>(kTileRays, all - i));
                     const int c = static_cast<int>(i % 3);
-                    const double drawn = -std::log(1.0 - random_of(sites_[s].seed, 0, i));
-                    const double way = drawn / sites_[s].matter.extinction[c];
+                    const double way = depths_.drawn[i % kTileRays] / site.matter.extinction[c];
                     if (!(way < ways_[s].length)) continue;
-                    const glm::dvec3 place = sites_[s].point + way / plan_.mm_per_unit * ways_[s].direction;
+                    const glm::dvec3 place = site.point + way / plan_.mm_per_unit * ways_[s].direction;
                     const light::Illumination to = light::toward(light, place, glm::dvec3(0));
                     if (!(to.distance > kFromBelow)) continue;
                     owner_[waiting] = s;
                     channel_[waiting] = c;
-                    drawn_[waiting] = way;
+                    single_.set(waiting, site, c, depths_.left[i % kTileRays]);
                     rays_.set(waiting++, {place, to.direction}, kFromBelow, to.distance);
                     if (waiting == kTileRays) flush();
                 }
@@ -286,13 +303,12 @@ private:
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
             points.add(has(same, k) ? places_.point(k) : glm::dvec3(0));
         points.pad();
-        ask(light, same, points, [&](std::size_t k, const glm::dvec3& to_light, const glm::vec3& color) {
-            SubsurfaceSite& site = sites_[owner_[k]];
-            const int c = channel_[k];
-            const double cosine = std::abs(glm::dot(places_.normal(k), to_light));
-            if (!(cosine >= kNearlyZero)) return;
-            const double share = site.matter.single(c, cosine, site.cosine(), met_.t[k] * plan_.mm_per_unit, drawn_[k]);
-            if (std::isfinite(share)) site.single[c] += share * static_cast<double>(color[c]);
+        ask(light, same, points, [&](HitMask lit, const PointLights& lights) {
+            single_.each(entries_, lit, lights.directions(), [&](std::size_t k, double share) {
+                const int c = channel_[k];
+                if (std::isfinite(share))
+                    sites_[owner_[k]].single[c] += share * static_cast<double>(lights.color(k)[c]);
+            });
         });
     }
 
@@ -346,9 +362,14 @@ private:
     HitMask found_ = 0;
     bool gathers_ = false;  ///< light of surroundings goes in too
     const bool photons_;    ///< there are some on surfaces
+    SentRays sent_;
+    OctantOrder& order_;
+    const EntryTile entries_{rays_, met_, places_, plan_.mm_per_unit};
+    DiffuseEntries diffuse_;
+    SingleEntries single_;
+    DrawnDepths depths_;
     std::array<std::size_t, csg::kTileRays> owner_;
     std::array<int, csg::kTileRays> channel_;
-    std::array<double, csg::kTileRays> drawn_;
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ double summed(const trace::Scattering& matter, int c)
     for (int i = 0; i < 200000; ++i) {
         const double to = scale * 1e-4 * (std::exp(i * 1e-4) - 1.0 + i * 1e-2);
         const double middle = 0.5 * (from + to);
-        sum += matter.dipole(c, middle) * 2.0 * std::numbers::pi * middle * (to - from);
+        sum += matter.dipole(c, middle * middle) * 2.0 * std::numbers::pi * middle * (to - from);
         from = to;
         if (matter.effective[c] * from > 40.0) break;
     }
@@ -58,6 +58,46 @@ TEST_CASE("light passes an interface by Fresnel's equations", "[subsurface]")
     CHECK(trace::fresnel_passed(0.1, 0.5) == 0.0);  // totally mirrored
     CHECK(trace::bent_cosine(1.0, 1.5) == Approx(1.0));
     CHECK(trace::bent_cosine(0.0, 1.5) == Approx(std::sqrt(1.0 - 1.0 / 2.25)));
+}
+
+TEST_CASE("what comes out of a material has the same bits in lanes", "[subsurface]")
+{
+    using csg::lanes::Double;
+    constexpr std::size_t kLanes = csg::lanes::kDoubles;
+    alignas(64) std::array<double, kLanes> cosines, ways, dipole, once, passed;
+    for (const double eta : {0.7, 1.0, 1.5}) {
+        const plan::AlbedoTable table(plan::internal_reflection(eta));
+        const trace::Scattering matter(glm::vec3(0.9f, 0.5f, 0.01f), glm::vec3(5.0f, 1.0f, 0.01f), eta, table);
+        for (std::size_t i = 0; i < 300; ++i) {
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                cosines[k] = static_cast<double>((7 * i + 11 * k) % 101) / 100.0;
+                ways[k] = std::pow(1.1, static_cast<double>(i) - 150.0) * static_cast<double>(k + 1);
+            }
+            const Double cosine = Double::load_aligned(cosines.data()), way = Double::load_aligned(ways.data());
+            trace::fresnel_passed(cosine, Double(eta)).store_aligned(passed.data());
+            for (int c = 0; c < 3; ++c) {
+                matter.dipole(c, way).store_aligned(dipole.data());
+                const auto one = trace::ScatteredOnce<double>::of(matter, c, 0.6, 0.9, 0.5);
+                const trace::ScatteredOnce<Double> many{Double(one.eta), Double(one.extinction), Double(one.outer),
+                                                        Double(one.scale)};
+                many.share(cosine, way).store_aligned(once.data());
+                for (std::size_t k = 0; k < kLanes; ++k) {
+                    const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+                    CHECK(same(dipole[k], matter.dipole(c, ways[k])));
+                    CHECK(same(once[k], one.share(cosines[k], ways[k])));
+                    CHECK(same(passed[k], trace::fresnel_passed(cosines[k], eta)));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("what is left of light is its exponential", "[subsurface]")
+{
+    for (const double depth : {0.0, 1e-9, 0.3, 1.0, 20.0, 650.0})
+        CHECK(trace::left_at(depth) == Approx(std::exp(-depth)).epsilon(1e-14));
+    CHECK(trace::left_at(1e9) < 1e-300);
+    CHECK(trace::left_at(csg::kInfinity) < 1e-300);
 }
 
 namespace {
