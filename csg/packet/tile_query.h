@@ -309,7 +309,8 @@ inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Qu
     LaneBoolean<Rays> boolean(world.store, rays);
     TileLeaf<Rays, Query> leaf{world, &beam, rays, query, kinds, front, boolean};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
-    TileWalk(world.bvh, beam, rays, kinds, leaf).run();
+    // Rays from an eye are those of neighbouring pixels; points that ask for a lamp may lie anywhere.
+    TileWalk(world.bvh, beam, rays, kinds, leaf).run(Rays::kShared && !query.any_will_do());
     return true;
 }
 
@@ -353,13 +354,13 @@ inline int fewest_for_beam(const WorldData& world, const RayTile& rays)
     return kFewestForBeam;
 }
 
-/// Fewer rays than this that form no beam, or in a larger world, are not asked together: there each of them soon goes
-/// its own way, and what they share weighs less than its cost.
-inline int fewest_for_packet(const WorldData& world)
+/// Fewer rays than this that form no beam are not asked together. Nor are rays from places of their own in a larger
+/// world: there each of them soon goes its own way, and what they share weighs less than its cost.
+inline int fewest_for_packet(const WorldData& world, const RayTile& rays)
 {
     constexpr int kFewest = 6;
     constexpr std::size_t kMostNodes = 128;
-    return world.bvh.nodes.size() <= kMostNodes ? kFewest : kTileRays + 1;
+    return rays.common_origin || world.bvh.nodes.size() <= kMostNodes ? kFewest : kTileRays + 1;
 }
 
 }  // namespace csg

@@ -8,8 +8,8 @@ namespace csg {
 
 /// Walks for the whole tile at once, nearest box first, up to a budget of leaf blocks (a beam that sees hundreds of
 /// small things is slower than packets). From the stack as it stands each group of eight rays goes on alone then, if
-/// all come from one point: these are neighbours; otherwise each ray does, by PacketWalk. leaf(child, lower, upper,
-/// first group, last group) opens a block and lowers rays.limit.
+/// these are neighbours; otherwise each ray does, by PacketWalk. leaf(child, lower, upper, first group, last group)
+/// opens a block and lowers rays.limit.
 template <class Rays, class Leaf>
 class TileWalk {
 public:
@@ -17,14 +17,16 @@ public:
         : bvh_(bvh), beam_(beam), rays_(rays), kinds_(kinds), leaf_(leaf)
     {}
 
-    void run()
+    /// neighbours: the eight rays of each group go nearly the same way.
+    void run(bool neighbours)
     {
         if (bvh_.nodes.empty()) return;
         constexpr float kAnywhere = -std::numeric_limits<float>::infinity();
+        constexpr int kBlocksOfNeighbours = 32, kBlocks = 8;
         stack_[0] = {ChildWord::node(0), 0, kAnywhere, kAnywhere};
-        const int left = walk(stack_, 1, 0, rays_.groups, kBeamBlocks);
+        const int left = walk(stack_, 1, 0, rays_.groups, neighbours ? kBlocksOfNeighbours : kBlocks);
         if (left == 0) return;
-        if constexpr (!Rays::kShared) return each_its_own_way(left);
+        if (!neighbours) return each_its_own_way(left);
         Entry own[kBvhStack];
         for (int g = 0; g < rays_.groups; ++g) {
             std::copy(stack_, stack_ + left, own);
@@ -33,8 +35,6 @@ public:
     }
 
 private:
-    static constexpr int kBeamBlocks = 32;
-
     [[gnu::noinline]] void each_its_own_way(int left)
     {
         const PacketSlabs<Rays> slabs(rays_);

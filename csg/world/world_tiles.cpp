@@ -35,7 +35,7 @@ void shadow_of_cluster(const World& world, const WorldData& data, const RayTile&
         for (int i = 0; i < rays.count; ++i) out[i] = query.answer(i);
         return true;
     };
-    if (!data.faithful && in_lanes(rays, fewest_for_packet(data), together)) return;
+    if (!data.faithful && in_lanes(rays, fewest_for_packet(data, rays), together)) return;
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         out[i] = world.shadow(rays.ray(i), rays.t_min[k], rays.t_max[k], scratch);
@@ -58,7 +58,7 @@ void crossings_of_cluster(const World& world, const WorldData& data, const RayTi
         query.finish();
         return true;
     };
-    if (!data.faithful && in_lanes(rays, fewest_for_packet(data), together)) return;
+    if (!data.faithful && in_lanes(rays, fewest_for_packet(data, rays), together)) return;
     std::vector<Hit>& hits = scratch.hits();
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -102,7 +102,7 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
         if (data_->faithful) recheck(rays, kind_bit, scratch, out);
         return;
     }
-    if (in_lanes(rays, fewest_for_packet(*data_), together)) {
+    if (in_lanes(rays, fewest_for_packet(*data_, rays), together)) {
         if (data_->faithful) recheck(rays, kind_bit, scratch, out);
         return;
     }
