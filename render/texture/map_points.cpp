@@ -140,8 +140,9 @@ void waved_points(const Pattern& pattern, std::size_t count, Values& values)
 }
 
 void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
-                      std::size_t count, ColorPoints& out)
+                      const Points& points, ColorPoints& out)
 {
+    const std::size_t count = points.size();
     const float* keys = set.keys.data() + first;
     const scene::Color* colors = set.colors.data() + first;
     if (entries > kMostEntries || !std::is_sorted(keys, keys + entries)) {
@@ -162,6 +163,7 @@ void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t 
     component(&scene::Color::red, out.red);
     component(&scene::Color::green, out.green);
     component(&scene::Color::blue, out.blue);
+    if (points.density) return out.fill_clear(0.0f);
     component(&scene::Color::filter, out.filter);
     component(&scene::Color::transmit, out.transmit);
 }

@@ -9,8 +9,8 @@ namespace texture {
 /// waved() of each value; `values` has room for whole vectors behind the last one.
 void waved_points(const Pattern& pattern, std::size_t count, Values& values);
 
-/// The colours that a map of colours, entries first to first + entries, has at the values.
+/// The colours that a map of colours, entries first to first + entries, has at the values that points have.
 void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
-                      std::size_t count, ColorPoints& out);
+                      const Points& points, ColorPoints& out);
 
 }  // namespace texture

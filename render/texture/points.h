@@ -26,6 +26,7 @@ struct alignas(64) Values {
 struct Points {
     Values x, y, z;
     int count = 0;
+    bool density = false;  ///< of media: noise is told in single precision, colours without filter and transmittance
 
     std::size_t size() const { return static_cast<std::size_t>(count); }
     glm::dvec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
@@ -41,6 +42,7 @@ struct Points {
     void take(const Points& from, int first)
     {
         count = first;
+        density = from.density;
         const std::size_t end = (size() + 7) & ~std::size_t{7};
         std::copy_n(from.x.data(), end, x.data());
         std::copy_n(from.y.data(), end, y.data());
@@ -76,6 +78,12 @@ struct alignas(64) ColorPoints {
         blue.fill(c.blue);
         filter.fill(c.filter);
         transmit.fill(c.transmit);
+    }
+    /// What lets light through.
+    void fill_clear(float share)
+    {
+        filter.fill(share);
+        transmit.fill(share);
     }
 };
 

@@ -32,6 +32,8 @@ struct Media {
 
     bool scatters() const { return scattering != glm::vec3(0); }
     bool extinguishes() const { return extinction != glm::vec3(0); }
+    /// Whether places of samples, as far as it says them, depend on random numbers.
+    bool draws() const { return method == Method::Random || jitter != 0 || !enough.empty(); }
     /// For more samples than `enough` knows, as much more as for its last ones.
     double enough_after(std::size_t n) const
     {

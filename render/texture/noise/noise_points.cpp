@@ -2,6 +2,7 @@
 
 #include "render/texture/noise/cells.h"
 #include "render/texture/noise/noise.h"
+#include "render/texture/noise/single_points.h"
 
 #include <bit>
 #include <cmath>
@@ -63,6 +64,7 @@ void scale(const Points& p, double by, Points& out)
 {
     const Double factor(by);
     out.count = p.count;
+    out.density = p.density;
     each(p.size(), [&](std::size_t i) {
         put(out.x, i, factor * get(p.x, i));
         put(out.y, i, factor * get(p.y, i));
@@ -83,6 +85,16 @@ constexpr int octaves_of(OctaveSum kind) { return kind == OctaveSum::Granite ? 6
 constexpr double first_scale(OctaveSum kind) { return kind == OctaveSum::Granite ? 4.0 : 1.0; }
 constexpr double last_factor(OctaveSum kind) { return kind == OctaveSum::Granite ? 1.0 : 0.5; }
 
+void single_vector_points(const Points& p, unsigned live, Points& out)
+{
+    switch (live) {
+    case 1: return single_sums(p, 0, out.x);
+    case 2: return single_sums(p, 1, out.y);
+    case 4: return single_sums(p, 2, out.z);
+    default: return single_vector_sums(p, out);
+    }
+}
+
 }  // namespace
 
 void noise_points(const Points& p, int generator, Values& out)
@@ -91,7 +103,8 @@ void noise_points(const Points& p, int generator, Values& out)
         for (std::size_t i = 0; i < p.size(); ++i) out[i] = noise(p.at(i), 3);
         return;
     }
-    lattice_points<1>(p, 0, {out.data()});
+    if (p.density) single_sums(p, 0, out);
+    else lattice_points<1>(p, 0, {out.data()});
     each(p.size(), [&](std::size_t i) { put(out, i, ranged(get(out, i), generator)); });
 }
 
@@ -108,6 +121,7 @@ void noise_eight(const double* x, const double* y, const double* z, int generato
 void vector_noise_points(const Points& p, unsigned live, Points& out)
 {
     out.count = p.count;
+    if (p.density) return single_vector_points(p, live, out);
     switch (live) {
     case 1: return lattice_points<1>(p, 0, {out.x.data()});
     case 2: return lattice_points<1>(p, 1, {out.y.data()});

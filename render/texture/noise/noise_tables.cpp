@@ -40,6 +40,7 @@ void NoiseTables::fill_hash()
         std::swap(hash[i], hash[j]);
         if (i == 0) break;
     }
+    hash[kHashSize] = hash[0];
     for (std::size_t i = 0; i < kHashSize; ++i) row[i] = static_cast<std::uint8_t>(hash[i] & 255u);
 }
 
@@ -47,6 +48,11 @@ void NoiseTables::fill_lattice()
 {
     for (std::size_t i = 0; i < kLatticeRows; ++i)
         std::copy_n(kLattice.begin() + i, lattice[i].size(), lattice[i].begin());
+    for (std::size_t i = 0; i < singles.size(); ++i) {
+        singles[i].fill(0.0f);
+        for (std::size_t k = 0; k < 12; ++k) singles[i][k] = static_cast<float>(kLattice[i + k]);
+    }
+    for (std::size_t i = 0; i < kHashSize; ++i) single_row[i] = static_cast<std::uint16_t>(row[i] * singles[0].size());
 }
 
 void NoiseTables::fill_gradients()

@@ -15,9 +15,12 @@ struct NoiseTables {
     static constexpr std::size_t kGradients = 2048;
     static constexpr std::size_t kRandoms = 4100;  ///< cell hashes are below 4096, plus three components
 
-    std::array<std::uint16_t, kHashSize> hash;  ///< a permutation
-    std::array<std::uint8_t, kHashSize> row;    ///< hash & 255: where a lattice point's row starts
+    std::array<std::uint16_t, kHashSize + 1> hash;  ///< a permutation; then its first number again
+    std::array<std::uint8_t, kHashSize> row;        ///< hash & 255: where a lattice point's row starts
     alignas(64) std::array<std::array<double, 4>, kLatticeRows> lattice;  ///< the i-th: four numbers from the i-th on
+    /// The rows of all three components side by side, a cache line each.
+    alignas(64) std::array<std::array<float, 16>, 256> singles;
+    std::array<std::uint16_t, kHashSize> single_row;  ///< where a lattice point's line starts, in numbers
     std::array<glm::dvec3, kGradients> gradient;
     std::array<int, kGradients + 1> permutation;
     std::array<double, kRandoms> random;  ///< in [0, 1)

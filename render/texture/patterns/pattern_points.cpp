@@ -259,6 +259,7 @@ void mapped_colors(const TextureSet& set, const Blends& blends, const Points& p,
     Group group;
     for (std::uint32_t entry = first; entry <= last; ++entry) {
         group.points.count = 0;
+        group.points.density = p.density;
         for (std::size_t i = 0; i < p.size(); ++i)
             if (blends[i].lower == entry || blends[i].upper == entry) group.add(p, around, i);
         if (group.points.count == 0) continue;
@@ -271,6 +272,23 @@ void mapped_colors(const TextureSet& set, const Blends& blends, const Points& p,
     }
     for (std::size_t i = 0; i < p.size(); ++i)
         if (blends[i].lower != blends[i].upper) out.set(i, mix(out.at(i), upper.at(i), blends[i].share));
+}
+
+bool all_equal(const Values& values, std::size_t count)
+{
+    const Double first(values[0]);
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const std::uint32_t equal = csg::lanes::mask(get(values, i) == first);
+        const std::uint32_t wanted = count - i < kLanes ? (1u << (count - i)) - 1 : (1u << kLanes) - 1;
+        if ((equal & wanted) != wanted) return false;
+    }
+    return true;
+}
+
+/// What a map of colours has there.
+scene::Color mapped(const TextureSet& set, const Blend& at)
+{
+    return at.lower == at.upper ? set.colors[at.lower] : mix(set.colors[at.lower], set.colors[at.upper], at.share);
 }
 
 void average_colors(const TextureSet& set, const Pigment& pigment, const Points& p, const Around& around,
@@ -318,8 +336,10 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
     Values values;
     const double enough = color_map ? raw_flat_from(set, pigment, pattern) : kNothingEnough;
     raw_values(set, pattern, q, around, enough, values);
+    if (color_map && all_equal(values, q.size()))  // as beside a ball of density
+        return out.fill(mapped(set, blend_at(set, pigment.first, pigment.count, waved(pattern, values[0]))));
     waved_points(pattern, q.size(), values);
-    if (color_map) return color_map_points(set, pigment.first, pigment.count, values, p.size(), out);
+    if (color_map) return color_map_points(set, pigment.first, pigment.count, values, q, out);
     Blends blends;
     for (std::size_t i = 0; i < p.size(); ++i) blends[i] = blend_at(set, pigment.first, pigment.count, values[i]);
     mapped_colors(set, blends, q, around, out);

@@ -2,6 +2,8 @@
 
 #include "render/trace/media/media_chunk.h"
 
+#include <utility>
+
 namespace trace {
 
 /// Half of a gap of method 3 that is divided again, at its middle.
@@ -38,20 +40,27 @@ public:
     void run();
 
 private:
+    using GapFlags = std::array<std::uint32_t, MediaChunk::kMost>;
+
+    std::pair<std::uint8_t*, double*> add_samples();
     void place_even();
     void place_middles();
     void find_gaps();
+    void find_steps(std::size_t n, GapFlags& left, GapFlags& right) const;
     void find_divided();
     void divide_all();
     void fold();
     void sum();
+    void sum_undimmed();
     double middle_of(std::uint32_t first, std::uint32_t last, std::size_t job, std::uint32_t number) const;
 
     MediaChunk& chunk_;
     MediaSamples& samples_;
     AdaptiveScratch& scratch_;
     MediaSampler& sampler_;
+    bool dims_ = true;                               ///< false: no medium takes light, and no depth is looked at
     std::size_t jobs_ = 0, gaps_ = 0, middles_ = 0;  ///< middles_: the first of those samples
+    alignas(64) std::array<float, MediaChunk::kMost> threshold_;  ///< of the sub-intervals, if gaps may be divided
 };
 
 }  // namespace trace

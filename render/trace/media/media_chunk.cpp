@@ -19,6 +19,7 @@ std::size_t MediaChunk::add(const MediaJob& job, const csg::Ray& ray, double at,
     const auto i = static_cast<std::size_t>(count++);
     jobs[i] = job;
     control = job.mix->control;
+    one_mix &= job.mix == jobs[0].mix;
     from[i] = at;
     step[i] = length;
     ox[i] = ray.origin.x, oy[i] = ray.origin.y, oz[i] = ray.origin.z;

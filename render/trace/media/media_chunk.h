@@ -43,6 +43,14 @@ struct MediaSamples {
         place.push_back(at);
         return static_cast<std::uint32_t>(job.size() - 1);
     }
+    /// Room for so many more, which are to be filled in; the first of them.
+    std::size_t grow(std::size_t more)
+    {
+        const std::size_t first = size();
+        job.resize(first + more);
+        place.resize(first + more);
+        return first;
+    }
 };
 
 /// A sub-interval that is to be sampled.
@@ -61,6 +69,7 @@ struct MediaChunk {
 
     int count = 0;
     const plan::Media* control = nullptr;  ///< what all of them are sampled as
+    bool one_mix = true;                   ///< all are of the same media
     std::array<MediaJob, kMost> jobs;
     alignas(64) std::array<double, kMost> from, step;              ///< distances along their rays
     alignas(64) std::array<double, kMost> ox, oy, oz, dx, dy, dz;  ///< of the rays
@@ -68,7 +77,7 @@ struct MediaChunk {
     std::array<glm::vec3, kMost> light, depth;
     std::array<int, kMost> taken;
 
-    void clear() { count = 0, control = nullptr; }
+    void clear() { count = 0, control = nullptr, one_mix = true; }
     /// Whether one that goes by this control fits in.
     bool takes(const plan::Media& other) const;
     std::size_t add(const MediaJob& job, const csg::Ray& ray, double at, double length);

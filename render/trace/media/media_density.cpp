@@ -36,6 +36,7 @@ const TileColors& MediaDensity::at(const plan::CompiledScene& scene, const plan:
             multiply_all(which, i == 0);
         } else {
             some_.count = 0;
+            some_.density = points.density;
             for_each_hit(which, [&](std::size_t k) { some_.add(points.at(k)); });
             some_.pad();
             texture::pigment_colors(scene.textures, pigment, some_, around_, colors_);

@@ -14,7 +14,10 @@ using ShadowMethod = plan::Media::Method;
 /// Optical depths of stretches from weighted points, a batch at a time. The sums don't depend on where batches end.
 class DepthBatch {
 public:
-    DepthBatch(const plan::CompiledScene& scene, const MediaMix& mix) : scene_(scene), mix_(mix) { points_.count = 0; }
+    DepthBatch(const plan::CompiledScene& scene, const MediaMix& mix) : scene_(scene), mix_(mix)
+    {
+        points_.density = true;
+    }
 
     void add(const glm::dvec3& point, double weight, glm::vec3& depth)
     {
@@ -63,6 +66,7 @@ struct ShadowStretch {
     const csg::Ray& ray;
     double from, to;
     glm::vec3& depth;
+    const glm::vec3* start = nullptr;  ///< extinction where it begins, if that is known
 };
 
 /// The samples of one sub-interval, with the weights that they get.
@@ -96,7 +100,8 @@ void add_samples(DepthBatch& batch, const plan::Media& control, std::uint64_t se
             if (jittered) middle += control.jitter * (place - before) * (random(2 * n + 1) - 0.5);
             add(middle, third);
         }
-        add(place, n == 0 || n == gaps ? third : 2.0 * third);
+        if (n == 0 && at.start != nullptr && !jittered) at.depth += static_cast<float>(third) * *at.start;
+        else add(place, n == 0 || n == gaps ? third : 2.0 * third);
         before = place;
     }
 }
@@ -106,10 +111,11 @@ void add_stretch(DepthBatch& batch, const plan::Media& control, const ShadowStre
 {
     const int intervals = control.has_density ? control.intervals : 1;
     const double step = (at.to - at.from) / intervals;
-    const std::uint64_t seed = random_seed(at.ray.at(at.from), at.ray.direction);
+    const std::uint64_t seed = control.draws() ? random_seed(at.ray.at(at.from), at.ray.direction) : 0;
     for (int i = 0; i < intervals; ++i) {
         const double from = at.from + i * step;
-        add_samples(batch, control, seed, static_cast<std::uint32_t>(i), {at.ray, from, from + step, at.depth});
+        add_samples(batch, control, seed, static_cast<std::uint32_t>(i),
+                    {at.ray, from, from + step, at.depth, i == 0 ? at.start : nullptr});
     }
 }
 
@@ -119,14 +125,6 @@ glm::vec3 even_share(const MediaMix& mix, double length)
     glm::vec3 extinction(0);
     for (std::size_t m = 0; m < mix.count; ++m) extinction += mix.members[m]->extinction;
     return media_exp(-extinction * static_cast<float>(length));
-}
-
-glm::vec3 share_now_or_later(const plan::CompiledScene& scene, const MediaMix& mix, const csg::Ray& ray, double from,
-                             double to, MediaShadows* later, std::size_t lane)
-{
-    if (later == nullptr || !mix.patterned) return media_share(scene, mix, ray, from, to);
-    later->add(mix, ray, from, to, lane);
-    return glm::vec3(1);
 }
 
 }  // namespace
@@ -143,6 +141,22 @@ glm::vec3 media_share(const plan::CompiledScene& scene, const MediaMix& mix, con
     return media_exp(-depth);
 }
 
+bool MediaShadows::add_again(const InteriorList& inside, const csg::Ray& ray, double from, double to, std::size_t lane)
+{
+    if (!inside_known_ || !(inside_ == inside)) return false;
+    put(inside_mix_, ray, from, to, lane);
+    return true;
+}
+
+void MediaShadows::add(const InteriorList& inside, const MediaMix& mix, const csg::Ray& ray, double from, double to,
+                       std::size_t lane)
+{
+    add(mix, ray, from, to, lane);
+    inside_ = inside;
+    inside_mix_ = stretches_.back().mix;
+    inside_known_ = true;
+}
+
 void MediaShadows::add(const MediaMix& mix, const csg::Ray& ray, double from, double to, std::size_t lane)
 {
     std::size_t i = mix_count_;
@@ -152,7 +166,20 @@ void MediaShadows::add(const MediaMix& mix, const csg::Ray& ray, double from, do
         if (mixes_.size() < mix_count_) mixes_.emplace_back();
         mixes_[i] = mix;
     }
-    stretches_.push_back({ray, from, to, static_cast<std::uint32_t>(i), static_cast<std::uint8_t>(lane), glm::vec3(0)});
+    put(static_cast<std::uint32_t>(i), ray, from, to, lane);
+}
+
+void MediaShadows::put(std::uint32_t mix, const csg::Ray& ray, double from, double to, std::size_t lane)
+{
+    Stretch& stretch = stretches_.emplace_back();
+    stretch.ray = ray;
+    stretch.from = from;
+    stretch.to = to;
+    stretch.mix = mix;
+    stretch.lane = static_cast<std::uint8_t>(lane);
+    if (from != 0.0 || starts_ == nullptr || !starts_->mixes[lane]->same_members(mixes_[mix])) return;
+    stretch.start = starts_->extinction[lane];
+    stretch.start_known = true;
 }
 
 void MediaShadows::find_depths(const plan::CompiledScene& scene)
@@ -161,12 +188,26 @@ void MediaShadows::find_depths(const plan::CompiledScene& scene)
         DepthBatch batch(scene, mixes_[m]);
         for (Stretch& stretch : stretches_)
             if (stretch.mix == m)
-                add_stretch(batch, *mixes_[m].control, {stretch.ray, stretch.from, stretch.to, stretch.depth});
+                add_stretch(batch, *mixes_[m].control,
+                            {stretch.ray, stretch.from, stretch.to, stretch.depth,
+                             stretch.start_known ? &stretch.start : nullptr});
         batch.flush();
     }
 }
 
-glm::vec3 MediaShadows::share_of(const glm::vec3& depth) { return media_exp(-depth); }
+/// media_exp() of all depths, in vector lanes.
+void MediaShadows::find_shares()
+{
+    exponents_.clear();
+    for (const Stretch& stretch : stretches_)
+        for (int c = 0; c < 3; ++c) exponents_.push_back(stretch.depth[c]);
+    for (float& e : exponents_) e = static_cast<float>(media_exp(-static_cast<double>(e)));
+    const float* share = exponents_.data();
+    for (Stretch& stretch : stretches_) {
+        stretch.share = {share[0], share[1], share[2]};
+        share += 3;
+    }
+}
 
 glm::vec3 interior_media_share(const plan::CompiledScene& scene, const RayState& ray, double from, double to,
                                MediaShadows* later, std::size_t lane)
@@ -174,9 +215,12 @@ glm::vec3 interior_media_share(const plan::CompiledScene& scene, const RayState&
     bool dims = false;
     for (std::size_t i = 0; i < ray.interiors.size(); ++i) dims |= scene.interiors[ray.interiors[i]].media.extinguishes;
     if (!dims || !ray.interiors.all_hollow(scene.interiors)) return glm::vec3(1);
+    if (later != nullptr && later->add_again(ray.interiors, ray.ray, from, to, lane)) return glm::vec3(1);
     MediaMix mix;
     mix.add(scene, ray.interiors);
-    return share_now_or_later(scene, mix, ray.ray, from, to, later, lane);
+    if (later == nullptr || !mix.patterned) return media_share(scene, mix, ray.ray, from, to);
+    later->add(ray.interiors, mix, ray.ray, from, to, lane);
+    return glm::vec3(1);
 }
 
 glm::vec3 atmosphere_media_share(const plan::CompiledScene& scene, const csg::Ray& ray, double from, double to,
@@ -185,7 +229,9 @@ glm::vec3 atmosphere_media_share(const plan::CompiledScene& scene, const csg::Ra
     if (!scene.atmosphere.extinguishes || !(to > from)) return glm::vec3(1);
     MediaMix mix;
     mix.add(scene.media, scene.atmosphere);
-    return share_now_or_later(scene, mix, ray, from, to, later, lane);
+    if (later == nullptr || !mix.patterned) return media_share(scene, mix, ray, from, to);
+    later->add(mix, ray, from, to, lane);
+    return glm::vec3(1);
 }
 
 }  // namespace trace

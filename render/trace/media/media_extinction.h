@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/trace/media/media_mix.h"
+#include "render/trace/queue/row_page.h"
 
 #include <vector>
 
@@ -10,21 +11,34 @@ namespace trace {
 glm::vec3 media_share(const plan::CompiledScene& scene, const MediaMix& mix, const csg::Ray& ray, double from,
                       double to);
 
+/// What has been found where the shadow rays of a tile start, by lane.
+struct MediaStarts {
+    const TileColors& extinction;
+    std::array<const MediaMix*, csg::kTileRays> mixes;
+};
+
 /// Stretches of shadow rays whose densities are looked up together, when all rays of a tile have been followed.
 class MediaShadows {
 public:
-    void clear() { stretches_.clear(), mix_count_ = 0; }
+    void clear() { stretches_.clear(), mix_count_ = 0, inside_known_ = false; }
     bool empty() const { return stretches_.empty(); }
+    /// Until further notice rays start where this has been found; null: nothing has.
+    void start_at(const MediaStarts* starts) { starts_ = starts; }
 
     /// lane: whose light is dimmed.
     void add(const MediaMix& mix, const csg::Ray& ray, double from, double to, std::size_t lane);
+    /// The same of the media of what the ray is inside of. add_again: if they are the last ones that were added so.
+    void add(const InteriorList& inside, const MediaMix& mix, const csg::Ray& ray, double from, double to,
+             std::size_t lane);
+    bool add_again(const InteriorList& inside, const csg::Ray& ray, double from, double to, std::size_t lane);
 
     /// Calls give(lane, share) for every stretch, in any order.
     template <class Give>
     void run(const plan::CompiledScene& scene, Give&& give)
     {
         find_depths(scene);
-        for (const Stretch& stretch : stretches_) give(std::size_t{stretch.lane}, share_of(stretch.depth));
+        find_shares();
+        for (const Stretch& stretch : stretches_) give(std::size_t{stretch.lane}, stretch.share);
         clear();
     }
 
@@ -34,14 +48,22 @@ private:
         double from, to;
         std::uint32_t mix;
         std::uint8_t lane;
-        glm::vec3 depth;
+        bool start_known = false;
+        glm::vec3 start{0}, depth{0};  ///< extinction where it begins, if that is known; optical depth
+        glm::vec3 share{1};            ///< of light that it lets through
     };
+    void put(std::uint32_t mix, const csg::Ray& ray, double from, double to, std::size_t lane);
     void find_depths(const plan::CompiledScene& scene);
-    static glm::vec3 share_of(const glm::vec3& depth);
+    void find_shares();
 
     std::vector<Stretch> stretches_;
+    std::vector<float> exponents_;
     std::vector<MediaMix> mixes_;
     std::size_t mix_count_ = 0;
+    const MediaStarts* starts_ = nullptr;
+    InteriorList inside_;  ///< of the last ones that were added with such a list
+    std::uint32_t inside_mix_ = 0;
+    bool inside_known_ = false;
 };
 
 /// The same for media of what a shadow ray is inside of; all light passes where it is inside of something solid.

@@ -11,6 +11,12 @@
 namespace trace {
 namespace {
 
+constexpr auto kInOrder = [] {
+    std::array<std::uint8_t, csg::kTileRays> jobs{};
+    for (std::size_t k = 0; k < jobs.size(); ++k) jobs[k] = static_cast<std::uint8_t>(k);
+    return jobs;
+}();
+
 /// Adds coefficients times densities; nothing for the density: 1.
 void add_scaled(TileColors& sum, const glm::vec3& by, const TileColors* density, const LaneMask& which)
 {
@@ -56,18 +62,24 @@ void MediaSampler::place(std::size_t first, std::size_t count)
     const double* at = scratch_.samples.place.data() + first;
     texture::Points& points = scratch_.points;
     points.count = static_cast<int>(count);
+    points.density = true;
     all_ = first_hits(points.count);
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t i = job_[k];
+    const auto put = [&](std::size_t k, std::size_t i) {
         const double t = chunk.from[i] + at[k] * chunk.step[i];
         scratch_.met.t[k] = t;
         points.x[k] = chunk.ox[i] + t * chunk.dx[i];
         points.y[k] = chunk.oy[i] + t * chunk.dy[i];
         points.z[k] = chunk.oz[i] + t * chunk.dz[i];
-    }
+        step_[k] = static_cast<float>(chunk.step[i]);
+    };
+    // The even samples of a full chunk.
+    const bool in_order = std::equal(job_, job_ + count, kInOrder.data());
+    if (in_order)
+        for (std::size_t k = 0; k < count; ++k) put(k, k);
+    else
+        for (std::size_t k = 0; k < count; ++k) put(k, job_[k]);
     points.pad();
-    one_mix_ = true;
-    for (std::size_t k = 1; k < count; ++k) one_mix_ = one_mix_ && job(k).mix == job(0).mix;
+    one_mix_ = chunk.one_mix;
 }
 
 /// Sums over the media at each point: coefficients times densities.
@@ -129,11 +141,15 @@ void MediaSampler::add_lamps(HitMask lit)
     Context own(context_, context_.scratch.nested());
     if (own.scratch.shade.traits.surfaces.empty()) own.scratch.shade.traits = context_.scratch.shade.traits;
     std::array<const InteriorList*, csg::kTileRays> around;
+    MediaStarts starts{extinction_, {}};
     HitMask segments = 0;
     for_each_hit(lit, [&](std::size_t k) {
         around[k] = &tile_.interiors(job(k).lane);
+        starts.mixes[k] = job(k).mix;
         segments |= HitMask{1} << job(k).segment;
     });
+    MediaShadows& shadows = own.scratch.media().shadows;
+    shadows.start_at(&starts);
     PointLights points(own, scratch_.met, around, scratch_.points, lit);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const LitSegments& reach = scratch_.lit[i];
@@ -152,6 +168,7 @@ void MediaSampler::add_lamps(HitMask lit)
             emission_.set(k, emission_[k] + turned * scattered_[k] * points.color(k));
         });
     }
+    shadows.start_at(nullptr);
 }
 
 /// Methods 1 and 2: what lies before a sample in its sub-interval dims it.
@@ -169,10 +186,8 @@ void MediaSampler::dim(std::size_t first, std::size_t count)
 /// Contributions and optical depths.
 void MediaSampler::keep(std::size_t first, std::size_t count)
 {
-    alignas(64) TileFloats step;
-    for (std::size_t k = 0; k < count; ++k) step[k] = static_cast<float>(scratch_.chunk.step[job_[k]]);
     const auto scale = [&](const TileFloats& found, std::vector<float>& out) {
-        for (std::size_t k = 0; k < count; ++k) out[first + k] = found[k] * step[k];
+        for (std::size_t k = 0; k < count; ++k) out[first + k] = found[k] * step_[k];
     };
     MediaSamples& samples = scratch_.samples;
     scale(emission_.red, samples.light.red);

@@ -32,6 +32,7 @@ private:
     HitMask all_ = 0;
     bool one_mix_ = true;  ///< all points of the batch are of the same media
     TileColors emission_, scattered_, extinction_;
+    alignas(64) TileFloats step_;  ///< length of the sub-interval
 };
 
 }  // namespace trace

@@ -23,8 +23,9 @@ void MediaStage::cross(HitMask segments, bool atmosphere)
     if (scratch_.lit.size() < lights) scratch_.lit.resize(lights);
     for (LitSegments& lit : scratch_.lit) lit.reached = 0;
     scratch_.pieces.clear();
+    last_inside_ = nullptr;
     for_each_hit(segments, [&](std::size_t k) {
-        if (const MediaMix* mix = find_mix(k, atmosphere)) add_segment(k, *mix);
+        if (const MediaMix* mix = mix_of(k, atmosphere)) add_segment(k, *mix);
     });
     next_ = ended_ = 0;
     while (take_parts()) {
@@ -39,6 +40,14 @@ void MediaStage::cross(HitMask segments, bool atmosphere)
 }
 
 /// The media of segment k; null: none. Neighbours as a rule have the same.
+const MediaMix* MediaStage::mix_of(std::size_t k, bool atmosphere)
+{
+    const InteriorList& inside = tile_.interiors(k);
+    if (last_inside_ == nullptr || !(atmosphere || *last_inside_ == inside)) last_mix_ = find_mix(k, atmosphere);
+    last_inside_ = &inside;
+    return last_mix_;
+}
+
 const MediaMix* MediaStage::find_mix(std::size_t k, bool atmosphere)
 {
     const plan::CompiledScene& scene = context_.scene;
@@ -56,27 +65,26 @@ const MediaMix* MediaStage::find_mix(std::size_t k, bool atmosphere)
 
 void MediaStage::add_segment(std::size_t k, const MediaMix& mix)
 {
-    MediaSegment segment;
+    MediaSegment& segment = scratch_.segments.emplace_back();  // in place: a copy would wait for what was just written
     segment.ray = tile_.ray(k);
     segment.length = has(tile_.found(), k) ? tile_.hits.t[k] : kSkyDistance;
     segment.lane = static_cast<std::uint8_t>(k);
     segment.mix = &mix;
-    segment.seed = random_seed(segment.ray.origin, segment.ray.direction);
+    if (mix.control->draws()) segment.seed = random_seed(segment.ray.origin, segment.ray.direction);
     segment.piece = static_cast<std::uint32_t>(scratch_.pieces.size());
     scratch_.ranges.clear();
     find_lit(segment);
     add_pieces(mix, segment.length, scratch_.ranges, scratch_.pieces);
     segment.last_piece = static_cast<std::uint32_t>(scratch_.pieces.size());
-    scratch_.segments.push_back(segment);
 }
 
-/// Where each light may reach the segment: those that the object that ends it is lit by (spec 6, 2.4).
+/// Where each light may reach the segment, the last one: those that the object that ends it is lit by (spec 6, 2.4).
 void MediaStage::find_lit(const MediaSegment& segment)
 {
     const plan::CompiledScene& scene = context_.scene;
     const plan::Surface* end = has(tile_.found(), segment.lane) ? &scene.surfaces[tile_.hits.surface[segment.lane]]
                                                                 : nullptr;
-    const std::size_t at = scratch_.segments.size();
+    const std::size_t at = scratch_.segments.size() - 1;
     for (std::size_t i = 0; i < context_.lights.lights.size(); ++i) {
         const light::Light& light = context_.lights.lights[i];
         LitSegments& lit = scratch_.lit[i];

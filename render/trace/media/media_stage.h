@@ -17,6 +17,7 @@ public:
 
 private:
     void cross(HitMask segments, bool atmosphere);
+    const MediaMix* mix_of(std::size_t k, bool atmosphere);
     const MediaMix* find_mix(std::size_t k, bool atmosphere);
     void add_segment(std::size_t k, const MediaMix& mix);
     void find_lit(const MediaSegment& segment);
@@ -31,8 +32,10 @@ private:
     MediaScratch& scratch_;
     const SegmentTile& tile_;
     MediaSampler sampler_;
-    std::size_t next_ = 0;   ///< segment whose turn it is
-    std::size_t ended_ = 0;  ///< segments in a row that had nothing left
+    const InteriorList* last_inside_ = nullptr;  ///< of the segment looked at last; null: of none
+    const MediaMix* last_mix_ = nullptr;         ///< its media
+    std::size_t next_ = 0;                       ///< segment whose turn it is
+    std::size_t ended_ = 0;                      ///< segments in a row that had nothing left
 };
 
 }  // namespace trace

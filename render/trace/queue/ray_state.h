@@ -45,6 +45,11 @@ public:
         return false;
     }
     bool empty() const { return head_.count == 0; }
+    bool operator==(const InteriorList& other) const
+    {
+        return head_.count == other.head_.count && head_.clouded == other.head_.clouded &&
+               std::equal(items_.data(), items_.data() + head_.count, other.items_.data());
+    }
     std::size_t size() const { return head_.count; }
     std::uint32_t last() const { return items_[head_.count - 1]; }
     std::uint32_t operator[](std::size_t i) const { return items_[i]; }

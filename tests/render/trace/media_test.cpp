@@ -120,6 +120,30 @@ TEST_CASE("method 3 halves gaps by threshold and level", "[trace][media]")
     CHECK(stepped("samples 8 aa_threshold 0.001 aa_level 6") == near(0.39892));
 }
 
+TEST_CASE("ways that only some media take lead where the others do", "[trace][media]")
+{
+    const std::string grain =
+        "density { wrinkles scale .3 color_map { [0 rgb <1, .5, 0>] [.45 rgb <.1, .8, 1>] [.6 rgb "
+        "0] } } density { spherical scale 3 } ";
+    const auto lit = [&](const std::string& how) {
+        return seen("light_source { <3, 20, -4>, rgb 1 }\n" +
+                    filled("media { scattering { 1, <.8, .5, .3> extinction 1.5 } " + grain + how + " }"));
+    };
+    const auto glowing = [&](const std::string& how) {
+        return seen(filled("media { emission <1, .9, .8> " + grain + how + " }"));
+    };
+    const auto same = [](const glm::vec3& a, const glm::vec3& b) {
+        for (int c = 0; c < 3; ++c) CHECK(a[c] == near(static_cast<double>(b[c])));
+        CHECK(a.x + a.y + a.z > 0.05f);
+    };
+    for (const std::string how :
+         {"", "samples 3", "samples 9 aa_level 5 aa_threshold 0.01", "intervals 3 aa_level 1"}) {
+        INFO(how);
+        same(lit(how), lit(how + " jitter 1e-9"));  // shadow rays look again at the density where they start
+        same(glowing(how), glowing(how + " absorption 1e-9"));  // depths are summed up
+    }
+}
+
 TEST_CASE("what is inside of what", "[trace][media]")
 {
     const auto box = [](double from, double to, const std::string& more) {
