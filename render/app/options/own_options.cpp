@@ -55,6 +55,13 @@ void set_time(Settings& s, const std::string& value)
         throw OptionError("--time wants seconds, or minutes with m, hours with h, found '" + value + "'");
 }
 
+void set_seed(Settings& s, const std::string& value)
+{
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), s.seed);
+    if (error != std::errc() || end != value.data() + value.size())
+        throw OptionError("--seed wants a whole number from 0 to 4294967295, found '" + value + "'");
+}
+
 /// In the order in which texts show them.
 constexpr OwnOption kOwnOptions[] = {
     {"check", "", "read the scene, tell its errors and warnings, and stop; files that it would write are left alone",
@@ -107,6 +114,8 @@ constexpr OwnOption kOwnOptions[] = {
     {"error", "LEVELS",
      "samples where they are needed, until the estimated error of the picture is so many levels of 255", set_error},
     {"time", "SECONDS", "samples where they are needed, for so long a frame; also 2m, 1h", set_time},
+    {"seed", "N", "other random places of those samples: the errors of two pictures with two seeds are independent",
+     set_seed},
     {"integrator", "whitted|path",
      "how light is found: as POV-Ray does, or by paths through the same scene, 64 in each pixel unless samples, error "
      "or "

@@ -53,6 +53,7 @@ struct Settings {
     double samples_error = 0.0;  ///< as many in each pixel as this error needs, of 255
     double error = 0.0;          ///< estimated, of 255, that a picture may have
     double time = 0.0;           ///< seconds that a frame may take
+    std::uint32_t seed = 0;      ///< another one: other samples, which err independently of these
     bool paths = false;          ///< by the path tracer (docs/path_tracing.md)
     bool denoise = false;        ///< of a picture of the path tracer
     double shutter = 0.0;        ///< share of the time to the next frame that a picture is exposed for

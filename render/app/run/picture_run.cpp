@@ -214,6 +214,7 @@ bool PictureRun::trace_samples()
     const bool usual = settings_.paths && !settings_.asks_for_samples();
     goal.samples = static_cast<std::uint32_t>(usual ? kUsualPaths : settings_.samples);
     if (task_.moments > 1) goal.samples = std::max(1u, goal.samples / static_cast<std::uint32_t>(task_.moments));
+    goal.seed = settings_.seed;
     goal.even = settings_.samples_error > 0.0;
     goal.error = goal.even ? settings_.samples_error : settings_.error;
     double before = 0.0;
