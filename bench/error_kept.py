@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Whether --error is kept: levels of 255 that pictures are off by, beside those that were asked for.
 
-usage: bench/error_kept.py [SCENE...] [--integrator path] [--shares .5 .25 .125 | --asked 8 4 2] [--seeds 3] [--truth 8192] [--keep FOLDER]
+usage: bench/error_kept.py [SCENE...] [--integrator path] [--shares .5 .25 .125 | --asked 8 4 2] [--seeds 3] [--truth 2048] [--keep FOLDER]
 
 Each scene is asked for half, a quarter and an eighth of what eight samples a pixel are off by (so that every run has to decide), with several
 seeds. The truth is the mean of two pictures of --truth samples a pixel with seeds of their own; half of what those are apart is what it is off by,
@@ -71,8 +71,8 @@ def measured(options, path, folder):
     rows = []
     eight = error(renders.picture("eight", "--samples=8", "--seed=1000")[0])
     for asked in options.asked or [float(f"{eight * share:.2g}") for share in options.shares]:
-        if not asked > 3 * off:
-            continue  # nothing can be said of so little
+        if not asked > 2 * off:
+            continue  # too little to be told from what the truth lacks
         for seed in range(1, options.seeds + 1):
             picture, told = renders.picture("asked", f"--error={asked:g}", f"--seed={seed}")
             rows.append((seed, asked, error(picture), float(told[0][1]) if told[0] else math.nan, samples_of(told[2], options)))
@@ -91,9 +91,9 @@ def main():
     parser.add_argument("--shares", nargs="+", type=float, default=[0.5, 0.25, 0.125])
     parser.add_argument("--asked", nargs="+", type=float)
     parser.add_argument("--seeds", type=int, default=3)
-    parser.add_argument("--truth", type=int, default=8192)
-    parser.add_argument("--width", type=int, default=64)
-    parser.add_argument("--height", type=int, default=48)
+    parser.add_argument("--truth", type=int, default=2048)
+    parser.add_argument("--width", type=int, default=40)
+    parser.add_argument("--height", type=int, default=30)
     parser.add_argument("--kept", type=float, default=90)
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2, help="scenes at a time")

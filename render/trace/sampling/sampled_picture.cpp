@@ -18,8 +18,21 @@ bool SampledPicture::Pixel::add(const scene::Color& color)
     }
     for (std::size_t k = 0; k < 4; ++k) sum[k] += parts[k];
     for (std::size_t k = 0; k < 3; ++k) squares[k] += parts[k] * parts[k];
+    const double all = parts[0] + parts[1] + parts[2];
+    powers[0] += all * all;
+    powers[1] += all * all * all;
+    powers[2] += all * all * all * all;
     ++count;
     return numbers;
+}
+
+SampledPicture::Pixel::Moments SampledPicture::Pixel::moments() const
+{
+    if (count == 0) return {};
+    const double all = sum[0] + sum[1] + sum[2], mean = all / count;
+    const double second = std::max(0.0, powers[0] - mean * all);
+    const double fourth = powers[2] - mean * (4.0 * powers[1] - mean * (6.0 * powers[0] - 3.0 * mean * all));
+    return {second, std::max(fourth, second * second / count)};  // no less (Jensen), whatever digits are lost
 }
 
 double SampledPicture::Pixel::spread(std::size_t channel) const

@@ -22,6 +22,7 @@ public:
         std::array<double, 4> sum{};      ///< red, green, blue, transmit
         std::array<double, 3> squares{};  ///< of red, green, blue
         std::array<double, 3> begun{};    ///< sum of the first `mark` samples
+        std::array<double, 3> powers{};   ///< second, third and fourth of red + green + blue
         std::uint32_t count = 0;
         std::uint32_t mark = 0;  ///< the largest power of two below count; 0: none
 
@@ -30,6 +31,11 @@ public:
         double mean(std::size_t channel) const { return count == 0 ? 0.0 : sum[channel] / count; }
         /// Sum of the squares of the differences from the mean; never negative.
         double spread(std::size_t channel) const;
+        /// Of red + green + blue: sums of the second and of the fourth powers of the differences from the mean.
+        struct Moments {
+            double second = 0, fourth = 0;
+        };
+        Moments moments() const;
     };
 
     SampledPicture(int width, int height)

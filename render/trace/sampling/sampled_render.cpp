@@ -4,6 +4,8 @@
 #include "render/trace/path/denoise.h"
 #include "render/trace/path/path_workers.h"
 #include "render/trace/random.h"
+#include "render/trace/sampling/path_spread.h"
+#include "render/trace/sampling/sharing.h"
 #include "render/trace/sampling/sobol.h"
 
 #include <tbb/global_control.h>
@@ -73,8 +75,7 @@ public:
             const double took = std::chrono::duration<double>(Clock::now() - begun).count();
             if (took > 0.0) rate_ = static_cast<double>(taken_ - before) / took;
             const Clock::time_point ended = Clock::now();
-            variances_ = picture_.variances(shown_, scene_.options);
-            out.error = picture_.expected_error(variances_, shown_, scene_.options);
+            out.error = judge();
             if (after_pass) after_pass(met(out.error));
             afterwards_ = std::chrono::duration<double>(Clock::now() - ended).count();
             if (stopped_ || !want_more(out.error)) break;
@@ -92,6 +93,18 @@ public:
     }
 
 private:
+    /// What the picture is expected to be off by; fills variances_.
+    double judge()
+    {
+        if (!scene_.options.paths) {
+            variances_ = picture_.variances(shown_, scene_.options);
+            return picture_.expected_error(variances_, shown_, scene_.options);
+        }
+        const PathSpread spread(picture_, shown_, scene_.options);
+        variances_ = spread.variances();
+        return spread.expected_error();
+    }
+
     std::size_t index(int x, int y) const
     {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width()) + static_cast<std::size_t>(x);
@@ -200,45 +213,10 @@ private:
         return true;
     }
 
-    /// Samples in proportion to the spread make the error of the whole least (Neyman 1934).
     bool want_by_spread(double error, double room)
     {
-        double spreads = 0.0;
-        for (const std::size_t at : window_) spreads += std::sqrt(variances_[at]);
-        if (!(spreads > 0.0)) return false;  // nothing that more samples would change
-        double scale = std::numeric_limits<double>::infinity();
-        if (goal_.error > 0.0) {
-            // The error falls at least as fast as that of samples anywhere.
-            double by_spread = 0.0;
-            for (const std::size_t at : window_) by_spread += variances_[at] / std::max(pixel(at).count, 1u);
-            by_spread = std::sqrt(by_spread / (3.0 * static_cast<double>(window_.size())));
-            const double aim = kAim * goal_.error * by_spread / error;
-            scale = spreads / (3.0 * static_cast<double>(window_.size()) * aim * aim);
-        }
-        double all = want_scaled(scale);
-        if (all > room) {
-            double low = 0.0, high = std::isfinite(scale) ? scale : static_cast<double>(kMost) * kMost;
-            for (int i = 0; i < 60; ++i) {
-                const double middle = low > 0.0 ? std::sqrt(low * high) : high * 0x1p-40;
-                (want_scaled(middle) > room ? high : low) = middle;
-            }
-            all = want_scaled(low);
-        }
-        return all >= 1.0;
-    }
-
-    double want_scaled(double scale)
-    {
-        double all = 0.0;
-        for (const std::size_t at : window_) {
-            const double now = pixel(at).count, spread = std::sqrt(variances_[at]);
-            const double wanted = spread > 0.0 ? std::min({scale * spread, kGrowth * now, static_cast<double>(kMost)})
-                                               : 0.0;
-            const double more = std::floor(std::max(wanted - now, 0.0));
-            wanted_[at] = static_cast<std::uint32_t>(more);
-            all += more;
-        }
-        return all;
+        return Sharing{picture_, window_, variances_, kGrowth, double{kMost}}.share_out(
+            goal_.error > 0.0 ? kAim * goal_.error / error : 0.0, room, wanted_);
     }
 
     void pass()
