@@ -4,7 +4,8 @@
 usage: bench/lean.py [--whittle PROGRAM] [--scene SCENE] [--isa v3] [--bar PERCENT]
 
 Counts by callgrind (Debian package valgrind), which knows no AVX-512: no clock, the same numbers on every run. Counted are the instructions
-between a tile's rays and its colours. Exit status 1 if a thing costs more than --bar per cent (2 if none is given).
+between a tile's rays and its colours. Exit status 1 if a thing out of sight costs more than --bar per cent (0.5 if none is given). Fog is told
+beside them: it lies before everything, however thin, and has to be looked at.
 """
 import argparse
 import pathlib
@@ -22,9 +23,10 @@ THINGS = {
     "a ball of patterned glass": "sphere { <0, 3000, -3000>, 1 pigment { bozo color_map { [0 rgbt 1] [1 rgb 1] } } }",
     "a texture map with mirrors": "sphere { <0, 3000, -3000>, 1 texture { bozo texture_map { [0 pigment { rgb 1 }] "
                                   "[1 pigment { rgb x } finish { reflection 0.3 }] } } }",
+    "a ball of media": "sphere { <0, 3000, -3000>, 1 hollow pigment { rgbt 1 } interior { media { emission 0.1 absorption 0.1 } } }",
     "an isosurface": "isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 1.1 } } translate <0, 3000, -3000> }",
-    "fog": "fog { distance 1e12 rgb 0 }",
 }
+IN_SIGHT = {"thin fog": "fog { distance 1e12 rgb 0 }"}
 COUNTED = ["trace::shade_tile*", "csg::World::nearest(csg::RayTile*"]
 
 
@@ -46,7 +48,7 @@ def main():
     parser.add_argument("--whittle", default=str(ROOT / "build/release/whittle"))
     parser.add_argument("--scene", default=str(ROOT / "scenes/first_light.pov"))
     parser.add_argument("--isa", default="v3")
-    parser.add_argument("--bar", type=float, default=2.0)
+    parser.add_argument("--bar", type=float, default=0.5)
     args = parser.parse_args()
     if shutil.which("valgrind") is None:
         sys.exit("lean.py: needs valgrind")
@@ -56,11 +58,11 @@ def main():
         folder = pathlib.Path(name)
         base = instructions(args.whittle, text, args.isa, folder)
         print(f"{'nothing':28} {base / 1e6:9.1f} million")
-        for thing, statement in THINGS.items():
+        for thing, statement in (THINGS | IN_SIGHT).items():
             count = instructions(args.whittle, text + "\n" + statement + "\n", args.isa, folder)
             more = 100.0 * (count / base - 1.0)
             print(f"{thing:28} {count / 1e6:9.1f} million {more:+6.1f} %")
-            if more > args.bar:
+            if more > args.bar and thing in THINGS:
                 missed.append(thing)
     if missed:
         sys.exit(f"more than {args.bar:g} %: {', '.join(missed)}")

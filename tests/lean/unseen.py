@@ -48,6 +48,8 @@ THINGS = {
     "iridescence out of sight": ("sphere { <0, 60, -90>, 1 pigment { rgb 1 } finish { irid { 0.3 } } }", ""),
     "a slope pattern out of sight": ("sphere { <0, 60, -90>, 1 pigment { slope y } }", ""),
     "surface coordinates out of sight": ("sphere { <0, 60, -90>, 1 pigment { uv_mapping checker } }", ""),
+    "patterned glass out of sight": ("sphere { <0, 60, -90>, 1 pigment { bozo color_map { [0 rgbt 1] [1 rgb 1] } } }", ""),
+    "media out of sight": ("sphere { <0, 60, -90>, 1 hollow pigment { rgbt 1 } interior { media { emission 0.1 absorption 0.1 } } }", ""),
     "glass out of sight": ("sphere { <0, 60, -90>, 1 pigment { rgbf 1 } interior { ior 1.5 fade_distance 1 fade_power 2 } }", ""),
 }
 

@@ -28,7 +28,7 @@ public:
     HitMask run()
     {
         if (!has_air(context_)) return 0;
-        const HitMask hollow = find_hollow() & in_some_air();
+        const HitMask hollow = find_hollow(in_some_air());
         if (hollow == 0) return 0;
         if (context_.scratch.shade.traits.even_fog) return hollow & fog_tile();
         along(hollow);
@@ -36,15 +36,16 @@ public:
     }
 
 private:
-    /// Segments with nothing solid around them.
-    HitMask find_hollow() const
+    /// Those of the segments with nothing solid around them.
+    HitMask find_hollow(HitMask asked) const
     {
         const std::vector<plan::Interior>& interiors = context_.scene.interiors;
         const auto hollow = [&](std::size_t k) { return tile_.interiors(k).all_hollow(interiors); };
-        if (tile_.alike()) return hollow(0) ? first_hits(tile_.count()) : 0;
+        asked &= first_hits(tile_.count());
+        if (asked == 0) return 0;
+        if (tile_.alike()) return hollow(0) ? asked : 0;
         HitMask all = 0;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(tile_.count()); ++k)
-            all |= static_cast<HitMask>(hollow(k)) << k;
+        for_each_hit(asked, [&](std::size_t k) { all |= static_cast<HitMask>(hollow(k)) << k; });
         return all;
     }
 
@@ -55,7 +56,8 @@ private:
         if (!scene.fogs.empty() || !scene.rainbows.empty() || !scene.atmosphere.empty() ||
             !scene.options.lean.takes(plan::LeanStep::Interiors))
             return ~HitMask{0};
-        if (tile_.alike()) return tile_.interiors(0).empty() ? 0 : ~HitMask{0};
+        if (tile_.all_outside()) return 0;
+        if (tile_.alike()) return ~HitMask{0};
         HitMask inside = 0;
         for (std::size_t k = 0; k < static_cast<std::size_t>(tile_.count()); ++k)
             if (!tile_.interiors(k).empty()) inside |= HitMask{1} << k;

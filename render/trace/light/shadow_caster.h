@@ -6,6 +6,7 @@
 #include "render/trace/light/shadow_rays.h"
 
 #include <algorithm>
+#include <limits>
 
 /// What stands between the points of a tile and a light: the same for hits of surfaces and for points of the air.
 /// Compiled once per instruction set.
@@ -73,32 +74,59 @@ public:
     }
 
 private:
-    /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays).
+    /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays). What is out of
+    /// sight is told by all points of the tile on the axis on which the first of them is farthest from the light.
     bool asks_own_rays(const light::Light& light, HitMask asking) const
     {
-        if (scratch_.traits.own_rays.empty()) return false;
-        glm::dvec3 low = light.location, high = light.location;
-        const auto span = [&](const TileLanes& of, int axis) {
-            using csg::lanes::Double;
-            Double least(low[axis]), most(high[axis]);
-            for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
-                const auto lanes = csg::lanes::lanes_of(static_cast<std::uint32_t>(asking >> i));
-                const Double at = Double::load_aligned(of.data() + i);
-                least = xsimd::select(lanes, xsimd::min(least, at), least);
-                most = xsimd::select(lanes, xsimd::max(most, at), most);
-            }
-            alignas(64) std::array<double, csg::lanes::kDoubles> lows, highs;
-            least.store_aligned(lows.data());
-            most.store_aligned(highs.data());
-            low[axis] = *std::min_element(lows.begin(), lows.end());
-            high[axis] = *std::max_element(highs.begin(), highs.end());
-        };
-        span(scratch_.hits.x, 0);
-        span(scratch_.hits.y, 1);
-        span(scratch_.hits.z, 2);
-        return std::any_of(scratch_.traits.own_rays.begin(), scratch_.traits.own_rays.end(), [&](const csg::Aabb& box) {
+        const std::vector<csg::Aabb>& boxes = scratch_.traits.own_rays;
+        if (boxes.empty()) return false;
+        const std::array<const TileLanes*, 3> lanes{&scratch_.hits.x, &scratch_.hits.y, &scratch_.hits.z};
+        const glm::dvec3& from = light.location;
+        glm::length_t farthest = 0;
+        double distance = -std::numeric_limits<double>::infinity();
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const double apart = std::max(boxes[0].lower[axis] - from[axis], from[axis] - boxes[0].upper[axis]);
+            if (apart > distance) distance = apart, farthest = axis;
+        }
+        const Interval all = span<false>(*lanes[static_cast<std::size_t>(farthest)], from[farthest], asking);
+        if (std::none_of(boxes.begin(), boxes.end(), [&](const csg::Aabb& box) {
+                return box.lower[farthest] <= all.high && box.upper[farthest] >= all.low;
+            }))
+            return false;
+        const std::array<Interval, 3> at{span<true>(*lanes[0], from.x, asking), span<true>(*lanes[1], from.y, asking),
+                                         span<true>(*lanes[2], from.z, asking)};
+        const glm::dvec3 low(at[0].low, at[1].low, at[2].low), high(at[0].high, at[1].high, at[2].high);
+        return std::any_of(boxes.begin(), boxes.end(), [&](const csg::Aabb& box) {
             return glm::all(glm::lessThanEqual(box.lower, high)) && glm::all(glm::greaterThanEqual(box.upper, low));
         });
+    }
+
+    struct Interval {
+        double low, high;
+    };
+    /// The least and the most of a coordinate of the light and the points, those that ask or all of whole lanes.
+    template <bool kAsking>
+    Interval span(const TileLanes& of, double light, HitMask asking) const
+    {
+        using csg::lanes::Double;
+        Double least(light), most(light);
+        int i = 0;
+        // In this order what is no number is not taken.
+        for (; !kAsking && i + csg::lanes::kDoubles <= tile_.count(); i += csg::lanes::kDoubles) {
+            const Double at = Double::load_aligned(of.data() + i);
+            least = xsimd::min(at, least);
+            most = xsimd::max(at, most);
+        }
+        for (; i < tile_.count(); i += csg::lanes::kDoubles) {
+            const auto lanes = csg::lanes::lanes_of(static_cast<std::uint32_t>(asking >> i));
+            const Double at = Double::load_aligned(of.data() + i);
+            least = xsimd::select(lanes, xsimd::min(least, at), least);
+            most = xsimd::select(lanes, xsimd::max(most, at), most);
+        }
+        alignas(64) std::array<double, csg::lanes::kDoubles> lows, highs;
+        least.store_aligned(lows.data());
+        most.store_aligned(highs.data());
+        return {*std::min_element(lows.begin(), lows.end()), *std::max_element(highs.begin(), highs.end())};
     }
 
     /// The points that see a light through its projector, where their shadow rays end then; the others are dark.

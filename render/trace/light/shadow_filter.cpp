@@ -165,13 +165,26 @@ Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double
     return out.empty() ? Shadow::Clear : Shadow::Filtered;
 }
 
-/// What surfaces leave of a light that filter it alike everywhere, where nothing else dims it: past_crossings() without
-/// a ray. False, with nothing done, if one of them does not.
-bool past_steady(const SceneTraits& traits, double tolerance, glm::vec3& color, const Hit* first, const Hit* last,
-                 double& before)
+/// Whether the way inside of something dims light.
+bool dims_inside(const plan::CompiledScene& scene, const InteriorList& interiors)
 {
-    if (traits.fades || traits.media) return false;
-    if (!std::all_of(first, last, [&](const Hit& hit) { return traits.surfaces[hit.surface].steady_filter; }))
+    for (std::size_t i = 0; i < interiors.size(); ++i)
+        if (dims(scene.interiors[interiors[i]])) return true;
+    return false;
+}
+
+/// What surfaces leave of a light that filter it alike everywhere, where nothing else dims it: past_crossings() without
+/// a ray. False, with nothing done, if one of them does not, or what is inside of it, or one of `interiors`.
+bool past_steady(const Context& context, const InteriorList& interiors, double tolerance, glm::vec3& color,
+                 const Hit* first, const Hit* last, double& before)
+{
+    const SceneTraits& traits = context.scratch.shade.traits;
+    const bool within = traits.fades || traits.media;
+    if (within && dims_inside(context.scene, interiors)) return false;
+    if (!std::all_of(first, last, [&](const Hit& hit) {
+            const SurfaceTraits& surface = traits.surfaces[hit.surface];
+            return surface.steady_filter && !(within && surface.dims);
+        }))
         return false;
     for (; first != last; ++first) {
         if (first->t - before <= tolerance) continue;
@@ -238,7 +251,7 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
     }
     glm::vec3 color = lit.color;
     double before = 0.0;
-    if (!air.atmosphere && past_steady(context.scratch.shade.traits, tolerance, color, crossings, end, before)) {
+    if (!air.atmosphere && past_steady(context, interiors, tolerance, color, crossings, end, before)) {
         if (air.last_crossing != nullptr) *air.last_crossing = before;
         return color;
     }

@@ -41,6 +41,18 @@ public:
     {
         return queued_ != nullptr ? queued_[k].state.interiors : starts_ != nullptr ? starts_[k] : camera_.interiors;
     }
+    /// No segment is inside of anything that has an interior.
+    bool all_outside() const
+    {
+        std::size_t inside = 0;
+        const auto many = static_cast<std::size_t>(rays.count);
+        if (queued_ != nullptr)
+            for (std::size_t k = 0; k < many; ++k) inside |= queued_[k].state.interiors.size();
+        else if (starts_ != nullptr)
+            for (std::size_t k = 0; k < many; ++k) inside |= starts_[k].size();
+        else inside = camera_.interiors.size();
+        return inside == 0;
+    }
     csg::Ray ray(std::size_t k) const
     {
         return queued_ != nullptr ? queued_[k].state.ray : rays.ray(static_cast<int>(k));

@@ -1,6 +1,7 @@
 #include "render/trace/shade/surface_traits.h"
 
 #include "render/trace/air/even_fog.h"
+#include "render/trace/air/interior_fade.h"
 #include "render/trace/shade/looking_patterns.h"
 #include "render/trace/shade/pigment_batch.h"
 
@@ -225,6 +226,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         const plan::Surface& surface = scene.surfaces[i];
         traits.grouped |= surface.light_group != 0;
         traits.filters |= !surface.opaque && !surface.no_shadow;
+        all[i].dims = surface.interior != plan::kNone && dims(scene.interiors[surface.interior]);
         const LookedAt looks = looked_at(scene, surface, texture_looks);
         all[i].looked_around = looks.uv || looks.around || every_detail;
         all[i].needs_uv = looks.uv || surface.uv_mapping || every_detail;

@@ -25,6 +25,7 @@ struct SurfaceTraits {
     bool looked_around = false;  ///< something asks for more than the point (texture::Surroundings)
     bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
+    bool dims = false;           ///< what is inside dims light on its way
     bool filters_together = false;  ///< what it filters by patterns or focuses (`caustics`) is found for a whole tile
     SingleLayer outer, inner;       ///< as seen from outside, and where the raw normal faces along the ray
     PatternedLayers outer_patterned, inner_patterned;  ///< textures whose layers a tile looks up together
