@@ -6,15 +6,19 @@
 namespace trace {
 namespace {
 
-constexpr double kSamples = 4.0;  // that the surroundings are worth where samples are spread as those of a bell curve
-constexpr double kBell = 3.0;     // its kurtosis
+constexpr double kBell = 3.0;  // kurtosis of a bell curve
+// Of variances, squared: no square is believed more than if its like differed by 0.7 of themselves, nor less than if
+// by 0.03.
+constexpr double kMostVariety = 0.5, kLeastVariety = 1e-3;
 
 /// The square of the slope of the shown level across what the mean may be off by: the mean of those to both sides,
 /// which are not alike where the one is cut at black or white, or bent by the gamma.
 double slope_squared(const ShownLevel& shown, double mean, double step)
 {
     step = std::max(step, 1e-4);
-    const double at = shown(mean), up = shown(mean + step) - at, down = at - shown(mean - step);
+    const double at = shown(mean), up = shown(mean + step) - at;
+    // No mean is below black: what is nearer to it than the step is rather too dark.
+    const double down = std::max(at - shown(mean - step), mean < step ? up : 0.0);
     return (up * up + down * down) / (2.0 * step * step);
 }
 
@@ -28,10 +32,10 @@ void PathSpread::Sums::add(const Sums& other)
     freedom += other.freedom;
 }
 
-PathSpread::Rates PathSpread::Sums::leaning_on(const Rates& around) const
+PathSpread::Rates PathSpread::Sums::leaning_on(const Rates& around, double variety) const
 {
-    // The variance of a variance goes with the kurtosis less one.
-    const double weight = kSamples * std::max(1.0, (around.kurtosis() - 1.0) / (kBell - 1.0));
+    // Of n samples the variance is off by a part whose square is the kurtosis less one, over n.
+    const double weight = std::max(kBell - 1.0, around.kurtosis() - 1.0) / variety;
     const double all = freedom + weight;
     Rates out;
     for (std::size_t c = 0; c < 3; ++c) out.variance[c] = (rates.variance[c] + weight * around.variance[c]) / all;
@@ -79,20 +83,46 @@ PathSpread::Sums PathSpread::sums_of(const SampledPicture::Pixel& pixel) const
 
 void PathSpread::build()
 {
-    Level pixels{columns(), rows(), {}};
+    Level pixels{columns(), rows(), {}, kMostVariety};
     for (int y = top_; y <= bottom_; ++y)
         for (int x = left_; x <= right_; ++x) pixels.squares.push_back(sums_of(picture_.at(x, y)));
     levels_.push_back(std::move(pixels));
     while (levels_.back().squares.size() > 1) {
         const Level& fine = levels_.back();
-        Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}};
+        Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}, kMostVariety};
         coarse.squares.resize(static_cast<std::size_t>(coarse.width) * static_cast<std::size_t>(coarse.height));
         for (int y = 0; y < fine.height; ++y)
             for (int x = 0; x < fine.width; ++x)
                 coarse.squares[static_cast<std::size_t>(y / 2 * coarse.width + x / 2)].add(
                     fine.squares[static_cast<std::size_t>(y * fine.width + x)]);
+        const double differs = variety(fine, coarse);
+        levels_.back().variety = differs;
         levels_.push_back(std::move(coarse));
     }
+}
+
+/// What squares differ by beyond what their samples leave to chance.
+double PathSpread::variety(const Level& fine, const Level& coarse)
+{
+    double apart = 0.0, samples = 0.0;
+    std::vector<double> squares(coarse.squares.size(), 0.0), children(coarse.squares.size(), 0.0);
+    for (int y = 0; y < fine.height; ++y)
+        for (int x = 0; x < fine.width; ++x) {
+            const Sums& own = fine.squares[static_cast<std::size_t>(y * fine.width + x)];
+            const auto above = static_cast<std::size_t>(y / 2 * coarse.width + x / 2);
+            const Sums& whole = coarse.squares[above];
+            if (!(own.freedom > 0.0) || !(whole.rates.second > 0.0)) continue;
+            const double part = own.rates.second / own.freedom / (whole.rates.second / whole.freedom) - 1.0;
+            squares[above] += own.freedom * part * part;
+            children[above] += 1.0;
+        }
+    for (std::size_t i = 0; i < coarse.squares.size(); ++i) {
+        if (children[i] < 2.0) continue;
+        const Rates whole = coarse.squares[i].mean();
+        apart += squares[i] - (children[i] - 1.0) * (whole.kurtosis() - 1.0);
+        samples += coarse.squares[i].freedom * (children[i] - 1.0) / children[i];
+    }
+    return samples > 0.0 ? std::clamp(apart / samples, kLeastVariety, kMostVariety) : kMostVariety;
 }
 
 /// A pixel and its eight neighbours: squares that are halved cut through what belongs together.
@@ -117,7 +147,7 @@ void PathSpread::judge()
         for (int y = 0; y < level.height; ++y)
             for (int x = 0; x < level.width; ++x)
                 here.push_back(level.squares[static_cast<std::size_t>(y * level.width + x)].leaning_on(
-                    above[static_cast<std::size_t>(y / 2 * levels_[k + 1].width + x / 2)]));
+                    above[static_cast<std::size_t>(y / 2 * levels_[k + 1].width + x / 2)], level.variety));
         above = std::move(here);
     }
     const Level& pixels = levels_[0];
@@ -126,8 +156,10 @@ void PathSpread::judge()
         for (int x = 0; x < pixels.width; ++x) {
             const SampledPicture::Pixel& own = picture_.at(left_ + x, top_ + y);
             if (own.count == 0) continue;
-            const Rates rates = pixels.squares[static_cast<std::size_t>(y * pixels.width + x)].leaning_on(
-                around(pixels, x, y).leaning_on(above[static_cast<std::size_t>(y / 2 * across + x / 2)]));
+            const Rates near = around(pixels, x, y)
+                                   .leaning_on(above[static_cast<std::size_t>(y / 2 * across + x / 2)], pixels.variety);
+            const Rates rates =
+                pixels.squares[static_cast<std::size_t>(y * pixels.width + x)].leaning_on(near, pixels.variety);
             const double n = own.count, step = std::max(std::sqrt(1.0 / n), std::sqrt(rates.kurtosis()) / n);
             double all = 0.0;
             for (std::size_t c = 0; c < 3; ++c) {

@@ -27,6 +27,9 @@ bool Sharing::share_out(double share, double room, std::span<std::uint32_t> want
         scale = spreads / (3.0 * static_cast<double>(window.size()) * aim * aim);
     }
     double all = want_scaled(scale, wanted);
+    // So little is wanting that none gets a whole sample: then those that come first to one.
+    constexpr double kLittle = 1.02;
+    for (int i = 0; share > 0.0 && all < 1.0 && i < 200; ++i) all = want_scaled(scale *= kLittle, wanted);
     if (all > room) {
         double low = 0.0, high = std::isfinite(scale) ? scale : most * most;
         for (int i = 0; i < 60; ++i) {
