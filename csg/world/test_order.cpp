@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 namespace csg {
 namespace {
@@ -14,6 +14,9 @@ constexpr float kInfiniteKey = -1e7f;  // of nodes that are asked first
 constexpr float kLeastExit = 1e-4f;
 constexpr std::size_t kFewest = 4;  // nodes that are not divided
 constexpr float kCostOfNode = 3.0f;
+// Divisions that each part one box from many others take the square of their number: after as many boxes looked at as
+// would be if each were one of 200 halves the order is given up, and the object declared first is the first.
+constexpr std::size_t kWorkOfItem = 200, kLeastWork = 100000;
 
 float half_area(const glm::vec3& edges) { return edges.x * edges.y + edges.y * edges.z + edges.z * edges.x; }
 
@@ -89,12 +92,16 @@ TestOrder::Box TestOrder::Box::of(const Aabb& box)
 TestOrder::TestOrder(std::span<const Box> items)
 {
     Numbers finite, infinite;
+    work_left_ = kWorkOfItem * items.size() + kLeastWork;
     for (const Box& box : items) {
         const auto number = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back({.box = box, .item = number});
         (box.infinite ? infinite : finite).push_back(number);
     }
-    while (finite.size() > 1 || (finite.size() == 1 && nodes_[finite[0]].item != kNone)) finite = gather(finite);
+    while (finite.size() > 1 || (finite.size() == 1 && nodes_[finite[0]].item != kNone)) {
+        finite = gather(finite);
+        if (work_left_ == 0) return;
+    }
     Numbers below;
     if (!infinite.empty()) {
         below.push_back(add_parent(infinite));
@@ -112,11 +119,25 @@ TestOrder::TestOrder(std::span<const Box> items)
 TestOrder::Numbers TestOrder::gather(const Numbers& nodes)
 {
     Numbers all = nodes, made;
-    divide(all, made);
+    std::vector<std::span<std::uint32_t>> waiting{all};
+    while (!waiting.empty()) {
+        const std::span<std::uint32_t> part = waiting.back();
+        waiting.pop_back();
+        work_left_ -= std::min(work_left_, part.size());
+        if (work_left_ == 0) break;
+        const std::size_t left = divided(part);
+        if (left == 0) {
+            made.push_back(add_parent(part));
+            continue;
+        }
+        waiting.push_back(part.subspan(left));
+        waiting.push_back(part.first(left));
+    }
     return made;
 }
 
-void TestOrder::divide(std::span<std::uint32_t> nodes, Numbers& made)
+/// Sorts nodes; gives how many of the first are parted from the others, 0: none.
+std::size_t TestOrder::divided(std::span<std::uint32_t> nodes) const
 {
     sort_along(widest_axis(nodes), nodes);
     const std::size_t count = nodes.size();
@@ -137,12 +158,7 @@ void TestOrder::divide(std::span<std::uint32_t> nodes, Numbers& made)
             if (cost < least) least = cost, left = k + 1;
         }
     }
-    if (left == 0) {
-        made.push_back(add_parent(nodes));
-        return;
-    }
-    divide(nodes.first(left), made);
-    divide(nodes.subspan(left), made);
+    return left;
 }
 
 std::uint32_t TestOrder::add_parent(std::span<const std::uint32_t> nodes)

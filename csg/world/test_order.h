@@ -41,7 +41,7 @@ private:
     using Numbers = std::vector<std::uint32_t>;
 
     Numbers gather(const Numbers& nodes);
-    void divide(std::span<std::uint32_t> nodes, Numbers& made);
+    std::size_t divided(std::span<std::uint32_t> nodes) const;
     std::uint32_t add_parent(std::span<const std::uint32_t> nodes);
     Box hull(std::span<const std::uint32_t> nodes) const;
     int widest_axis(std::span<const std::uint32_t> nodes) const;
@@ -49,7 +49,8 @@ private:
 
     std::vector<Node> nodes_;
     Numbers children_;
-    std::uint32_t root_ = kNone;
+    std::uint32_t root_ = kNone;  ///< none: the first of the items is the first
+    std::size_t work_left_ = 0;   ///< boxes that may still be looked at
 };
 
 /// The order, made when a ray first needs it.

@@ -75,3 +75,19 @@ TEST_CASE("every box that a ray meets is found in the hierarchy, in the order of
         CHECK(order.first(ray, met) == *nearest);
     }
 }
+
+TEST_CASE("boxes of which each is parted from all others do not take the square of their number", "[csg][test_order]")
+{
+    // Flat ones of rising size and distance: a part with the next of them costs more than one without.
+    std::vector<TestOrder::Box> boxes;
+    std::vector<std::uint32_t> all;
+    double at = 0.0, size = 1e-3;
+    for (std::uint32_t i = 0; i < 200000; ++i) {
+        boxes.push_back(box({at, 0.0, 0.0}, {at + size, size, size}));
+        all.push_back(i);
+        at += 2.0 * size;
+        size *= 1.00004;
+    }
+    const TestOrder order(boxes);
+    CHECK(order.first({{-1.0, 1e-4, 1e-4}, {1.0, 0.0, 0.0}}, all) == 0);
+}
