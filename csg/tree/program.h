@@ -124,6 +124,9 @@ public:
 
     /// Items that wait for others to be asked first; kept for its memory.
     std::vector<OrderedItem>& ordered_items() { return ordered_items_; }
+    /// What lies in one place: items, and a hit of each.
+    std::vector<std::uint32_t>& tied_items() { return tied_items_; }
+    std::vector<Hit>& tied_hits() { return tied_hits_; }
 
     /// Looked at by every question to a World.
     CancelWatch cancel;
@@ -162,6 +165,8 @@ private:
     std::unique_ptr<RayBatch> batch_;
     std::vector<Hit> hits_, instance_hits_;
     std::vector<OrderedItem> ordered_items_;
+    std::vector<std::uint32_t> tied_items_;
+    std::vector<Hit> tied_hits_;
     std::vector<ProductCandidate> candidates_;
     std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;
     std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;

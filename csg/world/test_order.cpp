@@ -61,6 +61,7 @@ public:
         heap_.push_back(entry);
         for (; at > 1 && heap_[at / 2].key > entry.key; at /= 2) std::swap(heap_[at], heap_[at / 2]);
     }
+    void clear() { heap_.resize(1); }
     bool empty() const { return heap_.size() < 2; }
     Entry take()
     {
@@ -208,7 +209,8 @@ void TestOrder::sort_along(int axis, std::span<std::uint32_t> nodes) const
 std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> items) const
 {
     const SingleRay single(ray);
-    Waiting waiting;
+    thread_local Waiting waiting;
+    waiting.clear();
     const auto open = [&](const Node& node) {
         for (std::uint32_t k = 0; k < node.child_count; ++k) {
             const std::uint32_t child = children_[node.first_child + k];

@@ -279,8 +279,10 @@ Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scr
     const WorldData& world = *data_;
     const RaySlabs slabs(ray);
     const double room = Tolerance::same_place(nearest.t, Nearest::reach_of(ray.origin)), limit = nearest.t + room;
-    std::vector<std::uint32_t> items;
-    std::vector<Hit> hits;
+    std::vector<std::uint32_t>& items = scratch.tied_items();
+    std::vector<Hit>& hits = scratch.tied_hits();
+    items.clear();
+    hits.clear();
     const auto offer = [&](const Hit& hit, std::uint32_t i) {
         if (!hit.found() || hit.t < nearest.t - room || hit.t > limit) return;
         items.push_back(i);

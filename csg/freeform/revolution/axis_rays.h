@@ -2,6 +2,7 @@
 
 #include "csg/base/hit.h"
 #include "csg/base/lanes.h"
+#include "csg/freeform/intersection_list.h"
 #include "csg/freeform/revolution/axis_ray.h"
 
 #include <array>
@@ -159,5 +160,20 @@ public:
 private:
     alignas(64) std::array<std::array<double, kTileRays>, 3> origin_{}, way_{};
 };
+
+/// Asks a solid of revolution for rays in lanes. Tile(shape, local, first ray, rays, out).run() answers as many as
+/// there are lanes as shape.intersect() does.
+template <class Tile, class Shape>
+inline void intersect_in_lanes(const Shape& shape, std::span<const Ray> rays, IntersectionList* out)
+{
+    constexpr std::size_t kFewest = 3;  // fewer are told sooner one by one
+    const LocalRays local(rays);
+    for (std::size_t at = 0; at < rays.size(); at += AxisRays::kWide) {
+        const std::size_t count = std::min(AxisRays::kWide, rays.size() - at);
+        if (count < kFewest)
+            for (std::size_t k = at; k < at + count; ++k) shape.intersect(rays[k], out[k]);
+        else Tile(shape, local, at, rays.subspan(at, count), out + at).run();
+    }
+}
 
 }  // namespace csg

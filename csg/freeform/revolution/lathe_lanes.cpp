@@ -369,14 +369,7 @@ bool Lathe::intersects_many() const { return true; }
 
 void Lathe::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
 {
-    constexpr std::size_t kFewest = 3;  // fewer are told sooner one by one
-    const LocalRays local(rays);
-    for (std::size_t at = 0; at < rays.size(); at += Tile::kWide) {
-        const std::size_t count = std::min(Tile::kWide, rays.size() - at);
-        if (count < kFewest)
-            for (std::size_t k = at; k < at + count; ++k) intersect(rays[k], out[k]);
-        else Tile(*this, local, at, rays.subspan(at, count), out + at).run();
-    }
+    intersect_in_lanes<Tile>(*this, rays, out);
 }
 
 }  // namespace csg
