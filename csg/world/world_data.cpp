@@ -133,14 +133,18 @@ void WorldData::add_instance(std::shared_ptr<const WorldData> shared, const Tran
     instance_surfaces.insert(instance_surfaces.end(), surfaces.begin(), surfaces.end());
 }
 
+/// Not of what is drawn as large as its box, or about as large.
+bool WorldData::last_has_test_box()
+{
+    if (items.size() > LazyTestOrder::kMostItems) test_order = nullptr;
+    const WorldItem& item = items.back();
+    if (!test_order || item.instance != Hit::kNoInstance) return false;
+    return item.solid == kNoPart ||
+           (kind_of(item.solid) != SolidKind::Sphere && kind_of(item.solid) != SolidKind::Triangle);
+}
+
 void WorldData::test_box_of_last(const Aabb& box)
 {
-    if (!test_order) return;
-    const WorldItem& item = items.back();
-    // So many are drawn as large as their box that it is not kept for them.
-    if (item.solid != kNoPart &&
-        (kind_of(item.solid) == SolidKind::Sphere || kind_of(item.solid) == SolidKind::Triangle))
-        return;
     test_order->boxes.emplace_back(static_cast<std::uint32_t>(items.size() - 1), TestOrder::Box::of(box));
 }
 

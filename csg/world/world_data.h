@@ -87,7 +87,8 @@ struct WorldData {
     /// A copy of a shared world, whose surfaces are `surfaces` here.
     void add_instance(std::shared_ptr<const WorldData> shared, const Transform& frame,
                       const std::vector<SurfaceId>& surfaces, std::uint32_t object, std::uint8_t visible);
-    /// Tells POV-Ray's box of the item that was added last.
+    /// Whether POV-Ray's box of the item that was added last is kept, and what it is.
+    bool last_has_test_box();
     void test_box_of_last(const Aabb& box);
     /// Puts a guard before the item that was added last.
     void guard_last(BoundingGuard guard);

@@ -247,7 +247,7 @@ void GeometryCompiler::add_guard(const scene::Object& object, const Inherited& o
     const csg::Aabb drawn = csg::drawn_bounds(world, item);
     const csg::Transform parent = own.to_world * object.transform->inverted();
     limit_starts(object, parent, own.parent_growth);
-    if (world.test_order) world.test_box_of_last(placed_extent(object, parent, own.parent_growth));
+    if (world.last_has_test_box()) world.test_box_of_last(placed_extent(object, parent, own.parent_growth));
     csg::BoundingGuard guard = clip_guard(object, own, parent);
     if (bounds_inside_) guard.box = guard.box.intersected(placed_extent(object, parent, own.parent_growth));
     const bool lean = options_.lean.takes(LeanStep::Bounds);
