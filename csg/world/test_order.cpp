@@ -119,16 +119,22 @@ TestOrder::TestOrder(std::span<const Box> items)
 /// Parents of all nodes.
 TestOrder::Numbers TestOrder::gather(const Numbers& nodes)
 {
-    Numbers all = nodes, made;
-    std::vector<std::span<std::uint32_t>> waiting{all};
+    std::vector<Placed> all;
+    all.reserve(nodes.size());
+    for (const std::uint32_t node : nodes) all.push_back({nodes_[node].box, node, 0.0f});
+    std::vector<std::span<Placed>> waiting{all};
+    std::vector<float> areas(nodes.size());
+    Numbers made, children;
     while (!waiting.empty()) {
-        const std::span<std::uint32_t> part = waiting.back();
+        const std::span<Placed> part = waiting.back();
         waiting.pop_back();
         work_left_ -= std::min(work_left_, part.size());
         if (work_left_ == 0) break;
-        const std::size_t left = divided(part);
+        const std::size_t left = divided(part, areas);
         if (left == 0) {
-            made.push_back(add_parent(part));
+            children.clear();
+            for (const Placed& child : part) children.push_back(child.node);
+            made.push_back(add_parent(children));
             continue;
         }
         waiting.push_back(part.subspan(left));
@@ -137,27 +143,27 @@ TestOrder::Numbers TestOrder::gather(const Numbers& nodes)
     return made;
 }
 
-/// Sorts nodes; gives how many of the first are parted from the others, 0: none.
-std::size_t TestOrder::divided(std::span<std::uint32_t> nodes) const
+/// Sorts nodes; gives how many of the first are parted from the others, 0: none. areas: room for as many.
+std::size_t TestOrder::divided(std::span<Placed> nodes, std::vector<float>& areas)
 {
-    sort_along(widest_axis(nodes), nodes);
+    const int axis = widest_axis(nodes);
+    for (Placed& node : nodes) node.middle = node.box.lower[axis] + node.box.upper()[axis];
+    std::stable_sort(nodes.begin(), nodes.end(), [](const Placed& a, const Placed& b) { return a.middle < b.middle; });
     const std::size_t count = nodes.size();
+    if (count <= kFewest) return 0;
+    Box behind = nodes[count - 1].box;
+    for (std::size_t k = count; k-- > 0;) {
+        behind = around(behind, nodes[k].box);
+        areas[k] = half_area(behind.edges);
+    }
     std::size_t left = 0;  // nodes of the cheapest part
-    if (count > kFewest) {
-        std::vector<float> after(count);  // half the area of what lies from here on
-        Box behind = nodes_[nodes[count - 1]].box;
-        for (std::size_t k = count; k-- > 0;) {
-            behind = around(behind, nodes_[nodes[k]].box);
-            after[k] = half_area(behind.edges);
-        }
-        float least = after[0] * (static_cast<float>(count) - kCostOfNode);
-        Box before = nodes_[nodes[0]].box;
-        for (std::size_t k = 0; k + 1 < count; ++k) {
-            before = around(before, nodes_[nodes[k]].box);
-            const float cost = static_cast<float>(k + 1) * half_area(before.edges) +
-                               static_cast<float>(count - 1 - k) * after[k + 1];
-            if (cost < least) least = cost, left = k + 1;
-        }
+    float least = areas[0] * (static_cast<float>(count) - kCostOfNode);
+    Box before = nodes[0].box;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        before = around(before, nodes[k].box);
+        const float cost = static_cast<float>(k + 1) * half_area(before.edges) +
+                           static_cast<float>(count - 1 - k) * areas[k + 1];
+        if (cost < least) least = cost, left = k + 1;
     }
     return left;
 }
@@ -181,29 +187,18 @@ TestOrder::Box TestOrder::hull(std::span<const std::uint32_t> nodes) const
 }
 
 /// Along which the boxes lie farthest apart, as POV-Ray measures it: its running maximum takes lower corners.
-int TestOrder::widest_axis(std::span<const std::uint32_t> nodes) const
+int TestOrder::widest_axis(std::span<const Placed> nodes)
 {
     constexpr float kFar = 1e30f;
     glm::vec3 least(kFar), most(-kFar);
-    for (const std::uint32_t node : nodes) {
-        const Box& box = nodes_[node].box;
+    for (const Placed& node : nodes)
         for (int axis = 0; axis < 3; ++axis) {
-            least[axis] = std::min(least[axis], box.lower[axis]);
-            if (box.upper()[axis] > most[axis]) most[axis] = box.lower[axis];
+            const float lower = node.box.lower[axis];
+            least[axis] = std::min(least[axis], lower);
+            if (lower + node.box.edges[axis] > most[axis]) most[axis] = lower;
         }
-    }
     const glm::vec3 spread = most - least;
     return spread.z > std::max(spread.x, spread.y) ? 2 : spread.y > spread.x ? 1 : 0;
-}
-
-void TestOrder::sort_along(int axis, std::span<std::uint32_t> nodes) const
-{
-    const auto middle = [&](std::uint32_t node) {
-        const Box& box = nodes_[node].box;
-        return box.lower[axis] + box.upper()[axis];
-    };
-    std::stable_sort(nodes.begin(), nodes.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return middle(a) < middle(b); });
 }
 
 std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> items) const

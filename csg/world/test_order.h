@@ -40,12 +40,18 @@ private:
     static constexpr std::uint32_t kNone = 0xffffffffu;
     using Numbers = std::vector<std::uint32_t>;
 
+    /// A node while parts of all nodes are sorted.
+    struct Placed {
+        Box box;
+        std::uint32_t node;
+        float middle;
+    };
+
     Numbers gather(const Numbers& nodes);
-    std::size_t divided(std::span<std::uint32_t> nodes) const;
+    static std::size_t divided(std::span<Placed> nodes, std::vector<float>& areas);
+    static int widest_axis(std::span<const Placed> nodes);
     std::uint32_t add_parent(std::span<const std::uint32_t> nodes);
     Box hull(std::span<const std::uint32_t> nodes) const;
-    int widest_axis(std::span<const std::uint32_t> nodes) const;
-    void sort_along(int axis, std::span<std::uint32_t> nodes) const;
 
     std::vector<Node> nodes_;
     Numbers children_;
