@@ -138,6 +138,22 @@ Aabb unpadded_bounds(const WorldData& world, const WorldItem& item)
     return {sphere.center - glm::dvec3(sphere.radius), sphere.center + glm::dvec3(sphere.radius)};
 }
 
+/// Whether it can't be seen which of the hits is shown: balls and cylinders that make up a surface meet all along it.
+bool look_alike(const WorldData& world, const std::vector<Hit>& hits, const glm::dvec3& point)
+{
+    constexpr double kTurned = 1e-12;
+    const auto look = [&](const Hit& hit) {
+        return hit.surface < world.surface_look.size() ? world.surface_look[hit.surface] : WorldData::kNoLook;
+    };
+    const auto normal = [&](const Hit& hit) { return normal_at(world.store, hit.part, hit.face, hit.inverted, point); };
+    const std::uint32_t first = look(hits[0]);
+    const auto own = [](const Hit& hit) { return hit.instance == Hit::kNoInstance; };
+    if (first == WorldData::kNoLook || !std::all_of(hits.begin(), hits.end(), own)) return false;
+    const glm::dvec3 n = normal(hits[0]);
+    return std::all_of(hits.begin() + 1, hits.end(),
+                       [&](const Hit& hit) { return look(hit) == first && glm::dot(normal(hit), n) > 1.0 - kTurned; });
+}
+
 }  // namespace
 
 Hit instance_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
@@ -302,7 +318,7 @@ Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scr
         open_block(world, leaf, ray, each, sphere);
         return limit;
     });
-    if (items.size() < 2) return nearest;
+    if (items.size() < 2 || look_alike(world, hits, ray.at(nearest.t))) return nearest;
     const std::uint32_t first = test_order().first(ray, items);
     return hits[static_cast<std::size_t>(std::find(items.begin(), items.end(), first) - items.begin())];
 }

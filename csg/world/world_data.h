@@ -73,7 +73,10 @@ struct WorldData {
     Bvh bvh;
     std::vector<SphereBlock> spheres;          ///< by leaf block
     std::vector<std::uint8_t> surface_opaque;  ///< by SurfaceId: a shadow ray may stop at it for good (spec 3, 13.2)
-    std::uint8_t visible_everywhere = 0xff;    ///< kinds of ray that see every item
+    /// By SurfaceId: those of one number look alike wherever their normals are the same; kNoLook: like no other.
+    std::vector<std::uint32_t> surface_look;
+    static constexpr std::uint32_t kNoLook = 0xffffffffu;
+    std::uint8_t visible_everywhere = 0xff;  ///< kinds of ray that see every item
     std::uint8_t shadow_kinds = 0xff;  ///< kinds of ray that ask for shadows: items that none of these sees cast none
     bool drop_empty = true;            ///< items that draw nothing are never asked
     bool costly = false;               ///< some item is `many`

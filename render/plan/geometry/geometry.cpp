@@ -35,6 +35,14 @@ csg::Tree::Op tree_op(scene::CsgOp op)
     return csg::Tree::Op::Union;
 }
 
+/// What surfaces that look alike have in common (csg::WorldData::surface_look).
+std::uint32_t look_of(const Surface& s)
+{
+    const bool plain = s.opaque && !s.blends() && s.interior_texture == kNone && !s.double_illuminate &&
+                       s.importance == 1.0f && !s.uv_mapping && s.light_group == 0 && s.global_lights && s.photons == 0;
+    return plain ? s.texture : csg::WorldData::kNoLook;
+}
+
 }  // namespace
 
 GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options,
@@ -79,6 +87,7 @@ void GeometryCompiler::finish()
         for (std::uint32_t k = 0; k < s.part_count; ++k)
             s.opaque = s.opaque && opaque(out_.part_textures[s.first_part + k]);
         out_.geometry.surface_opaque.push_back(s.opaque ? 1 : 0);
+        if (out_.geometry.test_order) out_.geometry.surface_look.push_back(look_of(s));
     }
     out_.geometry.drop_empty = options_.lean.takes(LeanStep::EmptyObjects);
     out_.geometry.finish();
