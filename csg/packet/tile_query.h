@@ -104,7 +104,7 @@ public:
             const Double nearer = Double::load_aligned(nearer_.data() + i),
                          item = Double::load_aligned(item_.data() + i);
             const auto any = seen.entry | seen.exit, before = t < nearer;
-            note_ties(i, lanes::mask(any & before), lanes::mask(any & !before));
+            note_ties(i, index, lanes::mask(any & before), lanes::mask(any & !before));
             const auto wins = any & (before | (id < item));
             if (lanes::mask(wins) == 0) return;
             const Double room = Tolerance::same_place(t, Double::load_aligned(reach_.data() + i));
@@ -134,8 +134,9 @@ public:
         }
     }
 
-    /// Rays whose nearest hit shares its place with another object's.
+    /// Rays whose nearest hit shares its place with another object's, and which.
     RayMask tied() const { return tied_; }
+    Tie tie(std::size_t ray) const { return {item(ray), other_[ray]}; }
     /// Of a ray that hit something.
     std::uint32_t item(std::size_t ray) const { return static_cast<std::uint32_t>(item_[ray]); }
 
@@ -167,15 +168,24 @@ private:
     }
 
     /// Rays for which something lies before all that they met, and rays for which it lies in the same place.
-    void note_ties(int first, std::uint32_t before, std::uint32_t beside)
+    void note_ties(int first, std::uint32_t index, std::uint32_t before, std::uint32_t beside)
     {
-        tied_ = (tied_ & ~(RayMask{before} << first)) | RayMask{beside} << first;
+        tied_ &= ~(RayMask{before} << first);
+        each_ray(RayMask{beside} << first, [&](std::size_t k) { note_tie(k, index); });
+    }
+    void note_tie(std::size_t k, std::uint32_t index)
+    {
+        other_[k] = (tied_ >> k & 1) != 0 ? Tie::kSeveral : std::max(index, item(k));
+        tied_ |= RayMask{1} << k;
     }
     bool wins_against(std::size_t k, std::uint32_t index, double t)
     {
-        const bool before = t < nearer_[k];
-        tied_ = (tied_ & ~(RayMask{1} << k)) | RayMask{!before} << k;
-        return before || static_cast<double>(index) < item_[k];
+        if (t < nearer_[k]) {
+            tied_ &= ~(RayMask{1} << k);
+            return true;
+        }
+        note_tie(k, index);
+        return static_cast<double>(index) < item_[k];
     }
 
     void win(std::size_t k, std::uint32_t index, double t)
@@ -215,10 +225,11 @@ private:
     Scratch& scratch_;
     HitTile& out_;
     RayMask tied_ = 0;
-    alignas(64) RayLanes item_;    ///< the winner's place in the order of items
-    alignas(64) RayLanes nearer_;  ///< before this nothing is in the same place as the winner
-    alignas(64) RayLanes reach_;   ///< Nearest::reach of the ray
-    alignas(64) RayLanes face_;    ///< kKnown: `out` has the whole hit already
+    std::array<std::uint32_t, kTileRays> other_;  ///< of tied rays: the item that is not the winner
+    alignas(64) RayLanes item_;                   ///< the winner's place in the order of items
+    alignas(64) RayLanes nearer_;                 ///< before this nothing is in the same place as the winner
+    alignas(64) RayLanes reach_;                  ///< Nearest::reach of the ray
+    alignas(64) RayLanes face_;                   ///< kKnown: `out` has the whole hit already
 };
 
 /// Whether every ray is blocked. A blocked ray's limit becomes -infinity: it is done.

@@ -270,7 +270,8 @@ Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_b
     walk_nearest(world, ray, slabs, t_min, kind_bit, best, each);
     if (!world.ordered.empty() && best.hit.found() && before_box(world, best.item, ray, t_min, best.hit.t))
         return first_in_order(ray, t_min, t_max, kind_bit, scratch);
-    if (best.tied && world.test_order) return first_tested(ray, t_min, kind_bit, scratch, best.hit);
+    if (best.tied && world.test_order)
+        return first_tested(ray, t_min, kind_bit, scratch, best.hit, {best.item, best.other});
     return best.hit;
 }
 
@@ -290,7 +291,8 @@ const TestOrder& World::test_order() const
 }
 
 /// Of all that lies in the place of the nearest hit, what POV-Ray asks first.
-Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scratch& scratch, const Hit& nearest) const
+Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scratch& scratch, const Hit& nearest,
+                        const Tie& tie) const
 {
     const WorldData& world = *data_;
     const RaySlabs slabs(ray);
@@ -313,11 +315,16 @@ Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scr
         if ((item.visible & kind_bit) != 0)
             offer({near >= t_min ? near : far, world.store.surface(item.solid), item.solid, 0, false}, i);
     };
-    for (const std::uint32_t i : world.unbounded) each(i);
-    traverse(world.bvh, slabs, t_min, limit, kind_bit, [&](ChildWord leaf) {
-        open_block(world, leaf, ray, each, sphere);
-        return limit;
-    });
+    if (tie.other != Tie::kSeveral) {
+        offer(nearest, tie.item);
+        each(tie.other);
+    } else {
+        for (const std::uint32_t i : world.unbounded) each(i);
+        traverse(world.bvh, slabs, t_min, limit, kind_bit, [&](ChildWord leaf) {
+            open_block(world, leaf, ray, each, sphere);
+            return limit;
+        });
+    }
     if (items.size() < 2 || look_alike(world, hits, ray.at(nearest.t))) return nearest;
     const std::uint32_t first = test_order().first(ray, items);
     return hits[static_cast<std::size_t>(std::find(items.begin(), items.end(), first) - items.begin())];

@@ -8,6 +8,7 @@
 
 namespace csg {
 
+struct Tie;        // csg/world/world_item.h
 class TestOrder;   // csg/world/test_order.h
 struct WorldData;  // csg/world/world_data.h
 class Scratch;     // csg/base/scratch.h: per thread, reused; never shared
@@ -75,7 +76,8 @@ public:
 private:
     Hit first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
     Hit first_in_order(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
-    Hit first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scratch& scratch, const Hit& nearest) const;
+    Hit first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scratch& scratch, const Hit& nearest,
+                     const Tie& tie) const;
     const TestOrder& test_order() const;
     Hit first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const;
     void recheck(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const;

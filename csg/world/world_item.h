@@ -157,6 +157,12 @@ inline void item_crossings(const WorldData& world, const WorldItem& item, const 
     });
 }
 
+/// Items that a ray meets in one place: the first in order, and another.
+struct Tie {
+    std::uint32_t item, other;
+    static constexpr std::uint32_t kSeveral = 0xffffffffu;  ///< there is more than one other
+};
+
 /// What a ray keeps while it meets items: the nearest so far, and in the same place the first in order.
 struct Nearest {
     Hit hit;
@@ -164,7 +170,8 @@ struct Nearest {
     double limit = kInfinity;   ///< nothing beyond matters
     double nearer = kInfinity;  ///< before this nothing is in the same place
     double reach = 0.0;         ///< of the ray's origin
-    bool tied = false;          ///< something else lies in the same place
+    bool tied = false;          ///< something else lies in the same place,
+    std::uint32_t other = 0;    ///< this item (Tie)
 
     Nearest(const Ray& ray, double t_max) : limit(t_max), reach(reach_of(ray.origin)) {}
 
@@ -176,8 +183,10 @@ struct Nearest {
     void offer(const Hit& found, std::uint32_t from)
     {
         if (!found.found() || found.t > limit) return;
-        tied = !(found.t < nearer);
-        if (!tied || from < item) {
+        const bool beside = !(found.t < nearer);
+        if (beside) other = tied ? Tie::kSeveral : std::max(from, item);
+        tied = beside;
+        if (!beside || from < item) {
             hit = found;
             item = from;
             const double room = Tolerance::same_place(found.t, reach);

@@ -82,7 +82,7 @@ void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
         const RayMask tied = data_->test_order ? query.tied() : 0;
         each_ray(tied, [&](std::size_t k) {
             const int i = static_cast<int>(k);
-            out.set(i, first_tested(rays.ray(i), rays.t_min[k], kind_bit, scratch, out.at(i)));
+            out.set(i, first_tested(rays.ray(i), rays.t_min[k], kind_bit, scratch, out.at(i), query.tie(k)));
         });
         if (!data_->ordered.empty()) {
             for (int i = 0; i < rays.count; ++i) {
