@@ -56,7 +56,9 @@ private:
         if (!scene.fogs.empty() || !scene.rainbows.empty() || !scene.atmosphere.empty() ||
             !scene.options.lean.takes(plan::LeanStep::Interiors))
             return ~HitMask{0};
-        if (tile_.all_outside()) return 0;
+        bool& in_media = context_.scratch.shade.in_media;
+        if (tile_.is_queued() ? !in_media : tile_.all_outside()) return 0;
+        in_media = true;
         if (tile_.alike()) return ~HitMask{0};
         HitMask inside = 0;
         for (std::size_t k = 0; k < static_cast<std::size_t>(tile_.count()); ++k)

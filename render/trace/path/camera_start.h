@@ -21,6 +21,8 @@ public:
         for (const std::uint32_t interior : scene.camera_interiors) around_.append(interior);
     }
 
+    /// A ray may start inside of something that has an interior.
+    bool may_be_inside() const { return !around_.empty() || starts_.asked(); }
     double farthest() const { return rays_.max_distance() > 0.0 ? rays_.max_distance() : csg::kInfinity; }
 
     /// False: there is no ray.

@@ -61,6 +61,7 @@ public:
         scratch_.geometry.cancel = csg::CancelWatch(cancel);
         scratch_.shade.traits = scene_traits(scene);
         sources_.set_air(has_air(context_));
+        scratch_.shade.in_media = camera_.may_be_inside();
     }
 
     /// Ended paths make room for new ones, so that tiles stay full.

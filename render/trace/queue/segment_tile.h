@@ -34,6 +34,8 @@ public:
     HitMask batched() const { return batched_; }
 
     int level(std::size_t k) const { return queued_ == nullptr ? camera_.level + 1 : queued_[k].level; }
+    /// The segments stem from those of other tiles.
+    bool is_queued() const { return queued_ != nullptr; }
     /// All segments inherit the same.
     bool alike() const { return queued_ == nullptr && starts_ == nullptr; }
     ColorSlot slot(std::size_t k) const { return queued_ == nullptr ? static_cast<ColorSlot>(k) : queued_[k].slot; }

@@ -203,6 +203,7 @@ private:
         ray.state.kind = tile_.kind(k);
         ray.state.stretch = bent ? stretch_[k] : state.stretch;
         cross(context_.scene.interiors, list, own, way_[k], ray.state.interiors);
+        scratch_.cross(interior);
         node.through = queue.keep(ray, !bent);
     }
 

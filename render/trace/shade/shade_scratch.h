@@ -120,10 +120,11 @@ struct ShadeScratch {
     std::array<QueuedRay, csg::kTileRays> segments;  ///< those being traced
     csg::RayTile segment_rays;                       ///< the same as a tile
     csg::HitTile segment_hits;
-    std::array<Air, csg::kTileRays> air;               ///< by segment, where there is some (AirStage)
-    TileHits hits;                                     ///< of a tile
-    TileLight light;                                   ///< the one at hand
-    ShadowEnds shadow_ends;                            ///< the same
+    std::array<Air, csg::kTileRays> air;  ///< by segment, where there is some (AirStage)
+    bool in_media = false;                ///< a ray of the queue may have been inside of media of an interior
+    TileHits hits;                        ///< of a tile
+    TileLight light;                      ///< the one at hand
+    ShadowEnds shadow_ends;               ///< the same
     std::array<glm::vec3, csg::kTileRays> lit_colors;  ///< of the light at hand, before shadows
     TileColors reaching;                               ///< colours of the light at hand where it reaches hits
     std::vector<RowPage> pages;                        ///< rows that go through the lights together
@@ -151,6 +152,12 @@ struct ShadeScratch {
     PhotonShadow photon_shadow;                     ///< of the light at hand
     NearPhotons near_photons, wide_photons;         ///< around the hit at hand
     std::array<std::uint8_t, csg::kTileRays> lane;  ///< of each shadow ray: which hit it belongs to
+
+    /// A ray goes into what has this interior, or out of it.
+    void cross(const plan::Interior& interior)
+    {
+        if (traits.interior_media) in_media |= !interior.media.empty();
+    }
 };
 
 }  // namespace trace

@@ -219,6 +219,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     for (const plan::Interior& interior : scene.interiors) {
         traits.fades |= interior.fade_distance != 0.0f;
         traits.media |= interior.media.extinguishes;
+        traits.interior_media |= !interior.media.empty();
     }
     for (const csg::Freeform& solid : scene.geometry.store.all<csg::Freeform>())
         traits.has_open_surface |= solid.has_open_surface();

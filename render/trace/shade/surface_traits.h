@@ -41,6 +41,7 @@ struct SceneTraits {
     bool filters_together = false;            ///< some surface does so in a way that is found for a whole tile
     bool fades = false;                       ///< light fades inside some interior
     bool media = false;                       ///< some interior holds media that dim light
+    bool interior_media = false;              ///< some interior holds media of any kind
     bool scalar_rows = false;                 ///< Options::scalar_light
     bool even_fog = false;                    ///< the air has fog that is the same everywhere, and nothing else
     /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are
