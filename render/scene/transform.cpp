@@ -84,8 +84,6 @@ void transform_light(Light& light, const csg::Transform& t)
 void transform_details(ObjectDetails& details, const csg::Transform& t, const BoxGrowth& growth, bool textures)
 {
     if (textures) details.interior_texture = transformed(details.interior_texture, t);
-    // The interior of an object that has moved is one of its own, as in POV-Ray; without media there is nothing to
-    // move.
     if (details.interior && !details.interior->media.empty()) {
         auto moved = std::make_shared<Interior>(*details.interior);
         moved->transform(t);

@@ -118,7 +118,6 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     const auto in_world = [&](const scene::TexturePtr& t) { return own.uv_mapping ? t : moved(t, above.to_world); };
     if (object.texture) own.texture = in_world(object.texture);
     if (object.details->interior_texture) own.interior_texture = in_world(object.details->interior_texture);
-    if (object.details->interior) own.interior = moved(object.details->interior, above.to_world);
     if (object.flags.hollow) own.hollow = object.flags.hollow;
     own.no_shadow = above.no_shadow || object.flags.no_shadow;
     own.no_image = above.no_image || object.flags.no_image;
@@ -128,6 +127,8 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
         own.importance = static_cast<float>(*object.details->radiosity_importance);
     own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
     own.to_world = is_light(object) ? above.to_world : above.to_world * *object.transform;
+    if (object.details->interior)
+        own.interior = of_copy(moved(object.details->interior, above.to_world), own.to_world);
     own.parent_growth = own.growth = above.growth;
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
         own.growth = *csg->growth;
@@ -135,7 +136,8 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     }
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape); csg != nullptr && csg->light_group) {
         if (above.light_group == 0) own.global_lights = csg->global_lights;  // the outermost group decides
-        own.light_group = light_group(object, own.to_world);
+        if (above.light_group == 0 || std::any_of(csg->operands->begin(), csg->operands->end(), is_light))
+            own.light_group = light_group(object, own.to_world);
     }
     if (photons_ && object.details->photons) hand_down_photons(object, own);
     return own;

@@ -103,6 +103,9 @@ private:
     scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
     std::shared_ptr<const scene::Interior> moved(const std::shared_ptr<const scene::Interior>& interior,
                                                  const csg::Transform& to_world);
+    /// The interior of an object that stands there: each copy of an object has one of its own (spec 3, 15.6).
+    std::shared_ptr<const scene::Interior> of_copy(const std::shared_ptr<const scene::Interior>& interior,
+                                                   const csg::Transform& to_world);
     std::uint8_t visible(const Inherited& own) const;
     void hand_down_photons(const scene::Object& object, Inherited& own);
     void aim_photons(const scene::Object& object, Inherited& own);
@@ -172,7 +175,7 @@ private:
         csg::Transform by;
         std::shared_ptr<const scene::Interior> from, to;
     };
-    std::unordered_map<std::size_t, std::vector<MovedInterior>> moved_interiors_;
+    std::unordered_map<std::size_t, std::vector<MovedInterior>> moved_interiors_, interiors_of_copies_;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
     std::shared_ptr<PhotonPlan> photons_;  ///< null: the scene has none
     std::uint64_t split_unions_ = 0, empty_programs_ = 0, black_lights_ = 0, bounds_ = 0, guards_ = 0;

@@ -83,7 +83,7 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
         };
         if (known.own.texture) here.texture = in_world(known.own.texture);
         if (known.own.interior_texture) here.interior_texture = in_world(known.own.interior_texture);
-        if (known.own.interior) here.interior = this->moved(known.own.interior, own.to_world);
+        if (known.own.interior) here.interior = of_copy(this->moved(known.own.interior, own.to_world), own.to_world);
         if (known.own.hollow) here.hollow = known.own.hollow;
         if (known.own.importance) here.importance = known.own.importance;
         here.double_illuminate |= known.own.double_illuminate;

@@ -91,6 +91,17 @@ std::shared_ptr<const scene::Interior> GeometryCompiler::moved(const std::shared
     return copy;
 }
 
+std::shared_ptr<const scene::Interior> GeometryCompiler::of_copy(const std::shared_ptr<const scene::Interior>& interior,
+                                                                 const csg::Transform& to_world)
+{
+    if (to_world.identity()) return interior;
+    std::vector<MovedInterior>& known = interiors_of_copies_[key_of(interior.get(), to_world)];
+    for (const MovedInterior& m : known)
+        if (m.from == interior && same(m.by, to_world)) return m.to;
+    known.push_back({to_world, interior, std::make_shared<scene::Interior>(*interior)});
+    return known.back().to;
+}
+
 /// The texture in world space; equal for equal transformations, so that copies share it.
 scene::TexturePtr GeometryCompiler::moved(const scene::TexturePtr& texture, const csg::Transform& to_world)
 {
