@@ -162,6 +162,7 @@ struct Flags {
     bool no_radiosity : 1 = false;
     bool double_illuminate : 1 = false;
     bool uv_mapping : 1 = false;
+    bool textured_late : 1 = false;  ///< the texture, or a layer of it, was given after the object had moved
     std::optional<bool> hollow;
 };
 

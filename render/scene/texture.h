@@ -95,9 +95,14 @@ struct PatternedPigment {
 struct Pigment {
     std::variant<Color, Shared<PatternedPigment>> kind = Color{};
     std::optional<Color> quick_color;
+    /// Of a plain colour: warps and the like, without a name, that a pattern written in its place takes over.
+    Shared<Pattern> space;
     SourceRef source;
 
-    void transform(const csg::Transform& t);  ///< deep: a pigment_map's entries stay in the map's space
+    /// Deep: a pigment_map's entries stay in the map's space. A plain colour keeps no note of it (move_space).
+    void transform(const csg::Transform& t);
+    /// A transformation of a plain colour, where the text may put a pattern in its place yet.
+    void move_space(const csg::Transform& t);
 };
 
 struct Normal;

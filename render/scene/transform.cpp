@@ -26,6 +26,11 @@ void Pigment::transform(const csg::Transform& t)
     if (auto* patterned = std::get_if<Shared<PatternedPigment>>(&kind)) patterned->edit().pattern.transform(t);
 }
 
+void Pigment::move_space(const csg::Transform& t)
+{
+    if (std::holds_alternative<Color>(kind) && !t.identity()) space.edit().transform(t);
+}
+
 void Normal::transform(const csg::Transform& t) { pattern.transform(t); }
 
 void Texture::transform(const csg::Transform& t)

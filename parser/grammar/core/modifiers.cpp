@@ -23,7 +23,14 @@ struct ObjectState : BlockState {
         auto* layers = std::get_if<Layers>(&copy->kind);
         if (!layers) stream().fail(stream().last(), fmt::format("'{}' cannot change a patterned texture", what));
         change(layers->back());
-        object.texture = copy;
+        if (object.texture) object.texture = copy;
+        else take_texture(copy);
+    }
+    /// A texture, or a layer of it, that the object's transformations so far do not move.
+    void take_texture(scene::TexturePtr texture)
+    {
+        object.flags.textured_late |= !object.transform->identity();
+        object.texture = std::move(texture);
     }
 };
 
@@ -31,7 +38,7 @@ struct texture : item<Kind::Texture> {
     static void act(ObjectState& s)
     {
         const scene::SourceRef at = s.stream().last();
-        s.object.texture = layered(s.build, s.object.texture, read_texture(s.build), at);
+        s.take_texture(layered(s.build, s.object.texture, read_texture(s.build), at));
     }
 };
 struct interior_texture : item<Kind::InteriorTexture> {
@@ -45,7 +52,11 @@ struct interior_texture : item<Kind::InteriorTexture> {
 struct pigment : item<Kind::Pigment> {
     static void act(ObjectState& s)
     {
-        s.change_top("pigment", [&](scene::Layer& top) { top.pigment = read_pigment(s.build, top.pigment); });
+        const bool moved = s.object.texture && !s.object.flags.textured_late && !s.object.flags.uv_mapping;
+        s.change_top("pigment", [&](scene::Layer& top) {
+            if (moved) top.pigment.move_space(*s.object.transform);  // noted nowhere else, to spare time
+            top.pigment = read_pigment(s.build, top.pigment);
+        });
     }
 };
 struct normal : item<Kind::Normal> {
@@ -74,7 +85,7 @@ struct material : item<Kind::Material> {
     {
         const scene::ObjectDetails& before = *s.object.details;
         Material m = read_material(s.build, {s.object.texture, before.interior_texture, before.interior});
-        s.object.texture = std::move(m.texture);
+        s.take_texture(std::move(m.texture));
         if (!m.interior_texture && !m.interior && !s.object.details.given()) return;
         scene::ObjectDetails& details = s.object.details.edit();
         details.interior_texture = std::move(m.interior_texture);

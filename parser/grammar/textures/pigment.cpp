@@ -5,6 +5,33 @@
 namespace parser {
 namespace {
 
+/// What a plain colour keeps of a pattern for one that may follow.
+void keep_space(scene::Pattern& pattern)
+{
+    scene::Pattern kept;
+    kept.warps = std::move(pattern.warps);
+    kept.turbulence = pattern.turbulence;
+    kept.noise_generator = pattern.noise_generator;
+    kept.frequency = pattern.frequency;
+    kept.phase = pattern.phase;
+    kept.wave = pattern.wave;
+    kept.poly_exponent = pattern.poly_exponent;
+    pattern = std::move(kept);
+}
+
+/// Whether keep_space() leaves more than of a pattern that nothing was written for.
+bool has_space(const scene::Pattern& pattern)
+{
+    return !pattern.warps.empty() || pattern.turbulence || pattern.noise_generator != 0 || pattern.frequency != 1.0 ||
+           pattern.phase != 0.0 || pattern.wave != scene::WaveForm::Ramp || pattern.poly_exponent != 1.0;
+}
+
+bool same(const scene::ColorMap& a, const scene::ColorMap& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& x, const auto& y) { return x.key == y.key && x.value == y.value; });
+}
+
 struct PigmentState : BlockState {
     PigmentState(SceneBuilder& b, const scene::Pigment& base, bool density_block)
         : BlockState(b), density(density_block)
@@ -26,6 +53,7 @@ struct PigmentState : BlockState {
         quick_color = base.quick_color;
         if (const auto* plain = std::get_if<scene::Color>(&base.kind)) {
             color = *plain;
+            pattern = *base.space;
             return;
         }
         const scene::PatternedPigment& patterned = *std::get<scene::Shared<scene::PatternedPigment>>(base.kind);
@@ -35,7 +63,7 @@ struct PigmentState : BlockState {
     }
     void set_plain(const scene::Color& c)
     {
-        pattern = {};
+        keep_space(pattern);
         color = c;
     }
 };
@@ -138,8 +166,10 @@ void read_head(PigmentState& s)
         s.on_surface = std::make_shared<scene::Pigment>(read_pigment_body(s.build, scene::Pigment{}));
     } else {
         const bool had_list = list_size(s.pattern) > 0;
+        const bool usual = !s.pattern.name.empty() && !had_list && same(s.colors, default_colors(s.pattern));
         if (!read_pattern_type(s.build, s.pattern)) return;
         const int count = list_size(s.pattern);
+        if (usual) s.colors.clear();  // the colours of a pattern that has no map are its own
         if (had_list != (count > 0)) {
             s.colors.clear();
             s.pigments.clear();
@@ -156,6 +186,10 @@ scene::Pigment finished(PigmentState& s, const scene::SourceRef& source)
     result.quick_color = s.quick_color;
     if (s.pattern.name.empty()) {
         result.kind = s.color;
+        if (has_space(s.pattern)) {
+            keep_space(s.pattern);
+            result.space = std::move(s.pattern);
+        }
         return result;
     }
     scene::PatternedPigment patterned;

@@ -162,8 +162,10 @@ bool read_texture_modifier(TextureState& s)
 {
     if (s.patterned()) return read_pattern_modifier(s.build, s.pattern().pattern);
     const auto t = read_transformation(s.build);
-    if (t) s.texture.transform(*t);
-    return t.has_value();
+    if (!t) return false;
+    s.texture.transform(*t);
+    for (scene::Layer& layer : std::get<Layers>(s.texture.kind)) layer.pigment.move_space(*t);
+    return true;
 }
 
 }  // namespace

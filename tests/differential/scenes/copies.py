@@ -15,6 +15,8 @@ def scene(r):
     parts += [placed(r, names) for _ in range(r.whole(2, 4))]
     if r.chance(.5):
         parts += [common.thing(r, .5)]
+    if r.chance(.3):
+        parts += [repainted(r)]
     return lines(*parts)
 
 
@@ -52,3 +54,22 @@ def placed(r, names):
     if r.chance(.15):
         return block(r.pick("union", "merge", "difference"), f"object {{ {name} }}", f"object {{ {name} {near} }}", r.some(.3, look(r)))
     return block("object", name, near, r.some(.2, look(r)), r.some(.1, "hollow"))
+
+
+def pattern(r):
+    """A pigment that may change what stands there: without a map as often as not."""
+    return block("pigment", r.pick("rgb <.3, .6, .9>", "bozo", "agate", "gradient y", "checker", "wood", "marble", "radial", "leopard", "brick"),
+                 r.some(.4, move(r)))
+
+
+def move(r):
+    return r.pick(f"translate {r.vec(-.5, .5)}", f"scale {r.num(.2, 1.5)}", f"rotate {r.vec(-90, 90)}", "")
+
+
+def repainted(r):
+    """Textures whose pigments are written anew, before and after they and what they are on have moved."""
+    word, body = common.solid(r, .7)
+    look = block("texture", pattern(r), move(r), r.some(.5, pattern(r)), move(r))
+    once = r.pick("texture { Look }", block("texture", "Look", r.some(.7, pattern(r)), move(r)), pattern(r))
+    return lines(f"#declare Look = {look}", f"#declare Painted = {block(word, body, once, move(r), r.some(.5, pattern(r)))}",
+                 block("object", "Painted", move(r), r.some(.6, pattern(r)), common.place(r)))
