@@ -95,8 +95,8 @@ struct PatternedPigment {
 struct Pigment {
     std::variant<Color, Shared<PatternedPigment>> kind = Color{};
     std::optional<Color> quick_color;
-    /// Of a plain colour: warps and the like, without a name, that a pattern written in its place takes over.
-    Shared<Pattern> space;
+    /// Of a plain colour: warps, a map and the like, without a name, that a pattern written in its place takes over.
+    Shared<PatternedPigment> space;
     SourceRef source;
 
     /// Deep: a pigment_map's entries stay in the map's space. A plain colour keeps no note of it (move_space).

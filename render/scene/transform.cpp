@@ -28,7 +28,7 @@ void Pigment::transform(const csg::Transform& t)
 
 void Pigment::move_space(const csg::Transform& t)
 {
-    if (std::holds_alternative<Color>(kind) && !t.identity()) space.edit().transform(t);
+    if (std::holds_alternative<Color>(kind) && !t.identity()) space.edit().pattern.transform(t);
 }
 
 void Normal::transform(const csg::Transform& t) { pattern.transform(t); }

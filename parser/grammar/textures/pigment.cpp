@@ -53,10 +53,13 @@ struct PigmentState : BlockState {
         quick_color = base.quick_color;
         if (const auto* plain = std::get_if<scene::Color>(&base.kind)) {
             color = *plain;
-            pattern = *base.space;
+            if (base.space.given()) take(*base.space);
             return;
         }
-        const scene::PatternedPigment& patterned = *std::get<scene::Shared<scene::PatternedPigment>>(base.kind);
+        take(*std::get<scene::Shared<scene::PatternedPigment>>(base.kind));
+    }
+    void take(const scene::PatternedPigment& patterned)
+    {
         pattern = patterned.pattern;
         if (const auto* c = std::get_if<scene::ColorMap>(&patterned.map)) colors = *c;
         else pigments = std::get<scene::PigmentMap>(patterned.map);
@@ -170,10 +173,6 @@ void read_head(PigmentState& s)
         if (!read_pattern_type(s.build, s.pattern)) return;
         const int count = list_size(s.pattern);
         if (usual) s.colors.clear();  // the colours of a pattern that has no map are its own
-        if (had_list != (count > 0)) {
-            s.colors.clear();
-            s.pigments.clear();
-        }
         if (count > 0) read_list(s, count);
         close_list(s.build, s.pattern);
     }
@@ -186,10 +185,12 @@ scene::Pigment finished(PigmentState& s, const scene::SourceRef& source)
     result.quick_color = s.quick_color;
     if (s.pattern.name.empty()) {
         result.kind = s.color;
-        if (has_space(s.pattern)) {
-            keep_space(s.pattern);
-            result.space = std::move(s.pattern);
-        }
+        if (!has_space(s.pattern) && s.colors.empty() && s.pigments.empty()) return result;
+        keep_space(s.pattern);
+        scene::PatternedPigment& space = result.space.edit();
+        space.pattern = std::move(s.pattern);
+        if (s.pigments.empty()) space.map = std::move(s.colors);
+        else space.map = std::move(s.pigments);
         return result;
     }
     scene::PatternedPigment patterned;
