@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 /// Light of one wavelength (spec 3, 8.5).
 namespace trace {
@@ -18,12 +21,41 @@ inline float wavelength(int i, int samples)
     return kShortest + kSpectrum * (static_cast<float>(i) + 0.5f) / static_cast<float>(samples);
 }
 
-/// How an interface bends light of a wavelength: `ratio` in the middle of the spectrum, `dispersion` of both sides'
-/// numbers.
+/// By what an interface bends light of a wavelength more than that in the middle of the spectrum; `dispersion` of both
+/// sides' numbers.
+inline double spectrum_power(double dispersion, float wavelength)
+{
+    return std::pow(dispersion, -(static_cast<double>(wavelength) - kMiddle) / static_cast<double>(kSpectrum));
+}
+
+/// How an interface bends light of a wavelength: `ratio` in the middle of the spectrum.
 inline double ratio_at(double ratio, double dispersion, float wavelength)
 {
-    return ratio * std::pow(dispersion, -(static_cast<double>(wavelength) - kMiddle) / static_cast<double>(kSpectrum));
+    return ratio * spectrum_power(dispersion, wavelength);
 }
+
+/// ratio_at() of many rays: a scene has few dispersions and wavelengths, and they are looked up.
+class SpectrumPowers {
+public:
+    double ratio_at(double ratio, double dispersion, float wavelength)
+    {
+        // Any odd multiplier spreads them; two that share an entry only take turns.
+        const std::uint64_t mixed =
+            (std::bit_cast<std::uint64_t>(dispersion) ^ std::bit_cast<std::uint32_t>(wavelength)) * 0x9e3779b97f4a7c15u;
+        Entry& e = entries_[mixed >> kShift];
+        if (e.dispersion != dispersion || e.wavelength != wavelength)
+            e = {dispersion, spectrum_power(dispersion, wavelength), wavelength};
+        return ratio * e.power;
+    }
+
+private:
+    static constexpr int kBits = 7, kShift = 64 - kBits;
+    struct Entry {
+        double dispersion = 0.0, power = 0.0;
+        float wavelength = 0.0f;
+    };
+    std::array<Entry, std::size_t{1} << kBits> entries_;
+};
 
 /// Red, green and blue of white light up to a wavelength.
 inline glm::vec3 hue_up_to(float wavelength)

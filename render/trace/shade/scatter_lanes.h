@@ -18,7 +18,8 @@ public:
         : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch)
     {}
 
-    /// Gets these hits ready; those that only scatter() knows about (dispersion, iridescence) are not.
+    /// Gets these hits ready; those that only scatter() knows about (white light that is dispersed,
+    /// iridescence) are not.
     void prepare(HitMask hits)
     {
         if (hits == 0) return;
@@ -110,11 +111,13 @@ private:
         through_ |= bit;
         const Crossing crossing = crossing_of(interiors, list, own);
         way_[k] = crossing.way;
-        if (std::abs(crossing.dispersion - 1.0) >= kNearlyZero) {
+        const bool disperses = std::abs(crossing.dispersion - 1.0) >= kNearlyZero;
+        if (disperses && !(state.wavelength > 0.0f)) {
             ready_ &= ~bit;
-        } else if (std::abs(crossing.ratio - 1.0) >= kNearlyZero) {
+        } else if (disperses || std::abs(crossing.ratio - 1.0) >= kNearlyZero) {
             bent_ |= bit;
-            ratio_[k] = crossing.ratio;
+            ratio_[k] = disperses ? scratch_.spectrum.ratio_at(crossing.ratio, crossing.dispersion, state.wavelength)
+                                  : crossing.ratio;
             stretch_[k] = state.stretch;
         }
     }

@@ -7,6 +7,7 @@
 #include "render/trace/air/air.h"
 #include "render/trace/photon/near_photons.h"
 #include "render/trace/photon/photon_shadow.h"
+#include "render/trace/shade/dispersion.h"
 #include "render/trace/shade/pigment_batch.h"
 #include "render/trace/shade/shade_lanes.h"
 #include "render/trace/shade/surface_traits.h"
@@ -119,6 +120,7 @@ struct ShadeScratch {
     RayQueue queue;                                  ///< rays that go on from the tile's hits
     std::array<QueuedRay, csg::kTileRays> segments;  ///< those being traced
     csg::RayTile segment_rays;                       ///< the same as a tile
+    SpectrumPowers spectrum;                         ///< of light that has been dispersed
     csg::HitTile segment_hits;
     std::array<Air, csg::kTileRays> air;  ///< by segment, where there is some (AirStage)
     bool in_media = false;                ///< a ray of the queue may have been inside of media of an interior
