@@ -5,11 +5,9 @@
 namespace csg {
 namespace {
 
-/// The box of what is drawn is this much higher and lower than the points, in levels (spec 5b, 10.2).
-constexpr double kMargin = 0.001;
 constexpr double kLevels = 65536.0;
 
-std::uint32_t above(std::uint32_t n, std::uint32_t by) { return (n + by - 1) / by; }
+std::int32_t above(std::int32_t n, std::int32_t by) { return (n + by - 1) / by; }
 
 /// The cell that a coordinate lies in; what is not inside belongs to the nearest.
 std::uint32_t cell_at(double x, std::uint32_t points)
@@ -35,34 +33,24 @@ HeightField::HeightField(Grid grid) : grid_(std::move(grid))
 
 void HeightField::build_blocks()
 {
-    constexpr std::uint32_t kWide = TerrainWalk::kWide;
-    std::uint32_t columns = grid_.columns - 1, rows = grid_.rows - 1;
+    constexpr std::int32_t kWide = TerrainWalk::kWide, kWidestTop = 8;
+    const auto add = [](Range& range, const Range& more) {
+        range.lowest = std::min(range.lowest, more.lowest);
+        range.highest = std::max(range.highest, more.highest);
+    };
+    levels_.push_back({static_cast<std::int32_t>(grid_.columns - 1), static_cast<std::int32_t>(grid_.rows - 1), 0});
+    std::uint32_t row = 0;
     do {
-        Blocks made{above(columns, kWide), above(rows, kWide), {}};
-        made.ranges.resize(std::size_t{made.columns} * made.rows);
-        const auto add = [&](Range& range, const Range& more) {
-            range.lowest = std::min(range.lowest, more.lowest);
-            range.highest = std::max(range.highest, more.highest);
-        };
-        if (blocks_.empty()) {
-            // A point on a border between blocks belongs to both.
-            for (std::uint32_t k = 0; k <= rows; ++k)
-                for (std::uint32_t i = 0; i <= columns; ++i) {
-                    const std::uint16_t level = grid_.levels[std::size_t{k} * grid_.columns + i];
-                    for (std::uint32_t b = (k > 0 ? k - 1 : 0) / kWide; b <= std::min(k, rows - 1) / kWide; ++b)
-                        for (std::uint32_t a = (i > 0 ? i - 1 : 0) / kWide; a <= std::min(i, columns - 1) / kWide; ++a)
-                            add(made.ranges[std::size_t{b} * made.columns + a], {level, level});
-                }
-        } else {
-            for (std::uint32_t k = 0; k < rows; ++k)
-                for (std::uint32_t i = 0; i < columns; ++i)
-                    add(made.ranges[std::size_t{k / kWide} * made.columns + i / kWide],
-                        blocks_.back().ranges[std::size_t{k} * columns + i]);
-        }
-        columns = made.columns;
-        rows = made.rows;
-        blocks_.push_back(std::move(made));
-    } while (columns > kWide || rows > kWide);
+        const Level below = levels_.back();
+        const Level made{above(below.columns, kWide), above(below.rows, kWide), row, below.size * kWide};
+        row += static_cast<std::uint32_t>(made.rows);
+        levels_.push_back(made);
+        ranges_.resize(std::size_t{row} * static_cast<std::size_t>(levels_[1].columns));
+        for (std::int32_t k = 0; k < below.rows; ++k)
+            for (std::int32_t i = 0; i < below.columns; ++i)
+                add(ranges_[at(made, i / kWide, k / kWide)],
+                    levels_.size() == 2 ? cell_range(i, k) : block_range(below, i, k));
+    } while (levels_.back().columns > kWidestTop || levels_.back().rows > kWidestTop);
 }
 
 void HeightField::intersect(const Ray& ray, IntersectionList& out) const
@@ -90,20 +78,45 @@ glm::dvec3 HeightField::gradient(const glm::dvec3&, std::uint32_t face) const
     return n * scale_;
 }
 
-/// The sum of the unit normals that a point has with its neighbours in each quadrant, as POV-Ray stores it: the steps
-/// of 16 bits are seen, for in levels all slopes are steep.
-glm::dvec3 HeightField::point_normal(std::uint32_t i, std::uint32_t k) const
+/// Of a cell's corners the sums of the unit normals that each has with its neighbours in each quadrant, as POV-Ray
+/// stores them: the steps of 16 bits are seen, for in levels all slopes are steep.
+std::array<glm::dvec3, 4> HeightField::corner_normals(std::uint32_t i, std::uint32_t k) const
 {
-    const double here = level(i, k);
-    glm::dvec3 sum(0.0);
-    for (const int across : {-1, 1})
-        for (const int along : {-1, 1}) {
-            if ((across < 0 && i == 0) || (across > 0 && i + 1 == grid_.columns)) continue;
-            if ((along < 0 && k == 0) || (along > 0 && k + 1 == grid_.rows)) continue;
-            const std::uint32_t a = across < 0 ? i - 1 : i + 1, b = along < 0 ? k - 1 : k + 1;
-            sum += glm::normalize(glm::dvec3(across * (here - level(a, k)), 1.0, along * (here - level(i, b))));
+    // Quadrant q of corner c is 4 c + q. All roots stand in one loop, for the vector unit.
+    std::array<double, 16> across, along, length;
+    for (std::uint32_t c = 0; c < 4; ++c) {
+        const std::uint32_t a = i + c % 2, b = k + c / 2;
+        const bool there[4] = {a != 0, a + 1 != grid_.columns, b != 0, b + 1 != grid_.rows};
+        const double here = level(a, b);
+        const double left = there[0] ? level(a - 1, b) - here : 0.0, right = there[1] ? here - level(a + 1, b) : 0.0,
+                     near = there[2] ? level(a, b - 1) - here : 0.0, far = there[3] ? here - level(a, b + 1) : 0.0;
+        for (std::uint32_t q = 0; q < 4; ++q) {
+            across[4 * c + q] = q < 2 ? left : right;
+            along[4 * c + q] = q % 2 == 0 ? near : far;
+            length[4 * c + q] = there[q / 2] && there[2 + q % 2] ? 1.0 : 0.0;  // nothing is added for a missing one
         }
-    return glm::trunc(32767.0 * glm::normalize(sum));
+    }
+    for (std::size_t n = 0; n < 16; ++n)
+        length[n] = length[n] / std::sqrt(across[n] * across[n] + 1.0 + along[n] * along[n]);
+    for (std::size_t n = 0; n < 16; ++n) {
+        across[n] *= length[n];
+        along[n] *= length[n];
+    }
+    std::array<double, 4> x, y, z;
+    for (std::size_t c = 0; c < 4; ++c) {
+        x[c] = across[4 * c] + across[4 * c + 1] + across[4 * c + 2] + across[4 * c + 3];
+        y[c] = length[4 * c] + length[4 * c + 1] + length[4 * c + 2] + length[4 * c + 3];
+        z[c] = along[4 * c] + along[4 * c + 1] + along[4 * c + 2] + along[4 * c + 3];
+    }
+    for (std::size_t c = 0; c < 4; ++c) {
+        const double one = 1.0 / std::sqrt(x[c] * x[c] + y[c] * y[c] + z[c] * z[c]);
+        x[c] = 32767.0 * (x[c] * one);
+        y[c] = 32767.0 * (y[c] * one);
+        z[c] = 32767.0 * (z[c] * one);
+    }
+    std::array<glm::dvec3, 4> out;
+    for (std::size_t c = 0; c < 4; ++c) out[c] = glm::trunc(glm::dvec3(x[c], y[c], z[c]));
+    return out;
 }
 
 glm::dvec3 HeightField::world_gradient(const Transform& frame, const glm::dvec3& p, std::uint32_t face) const
@@ -111,11 +124,9 @@ glm::dvec3 HeightField::world_gradient(const Transform& frame, const glm::dvec3&
     if (!grid_.smooth) return frame.normal(gradient(p, face));
     const std::uint32_t cell = face / 2, wide = grid_.columns - 1, i = cell % wide, k = cell / wide;
     const double fx = std::clamp(p.x * scale_.x - i, 0.0, 1.0), fz = std::clamp(p.z * scale_.z - k, 0.0, 1.0);
-    const auto at = [&](std::uint32_t a, std::uint32_t b) {
-        return unit_or_x(frame.normal(point_normal(a, b) * scale_));
-    };
-    return (1.0 - fz) * ((1.0 - fx) * at(i, k) + fx * at(i + 1, k)) +
-           fz * ((1.0 - fx) * at(i, k + 1) + fx * at(i + 1, k + 1));
+    std::array<glm::dvec3, 4> n = corner_normals(i, k);
+    for (glm::dvec3& corner : n) corner = unit_or_x(frame.normal(corner * scale_));
+    return (1.0 - fz) * ((1.0 - fx) * n[0] + fx * n[1]) + fz * ((1.0 - fx) * n[2] + fx * n[3]);
 }
 
 Aabb HeightField::extent() const
@@ -126,9 +137,7 @@ Aabb HeightField::extent() const
 
 std::size_t HeightField::bytes() const
 {
-    std::size_t sum = grid_.levels.capacity() * sizeof(std::uint16_t);
-    for (const Blocks& b : blocks_) sum += b.ranges.capacity() * sizeof(Range);
-    return sum;
+    return grid_.levels.capacity() * sizeof(std::uint16_t) + ranges_.capacity() * sizeof(Range);
 }
 
 }  // namespace csg

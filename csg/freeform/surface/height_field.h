@@ -3,6 +3,7 @@
 #include "csg/freeform/intersection_list.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace csg {
@@ -25,6 +26,8 @@ public:
     explicit HeightField(Grid grid);
 
     void intersect(const Ray& ray, IntersectionList& out) const;
+    bool intersects_many() const { return !empty(); }
+    void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3&, std::uint32_t face) const;
     /// In the world, not normalised: blended there between the corners' if smooth.
@@ -40,14 +43,19 @@ public:
 
 private:
     friend class TerrainWalk;
+    friend class TerrainLanes;
     struct Range {
         std::uint16_t lowest = 0xffff, highest = 0;
     };
-    /// Lowest and highest point of blocks of cells, each level's blocks four times as wide as those below it.
-    struct Blocks {
-        std::uint32_t columns = 0, rows = 0;
-        std::vector<Range> ranges;
+    /// Cells, or blocks of them, each level's four times as wide as those below it.
+    struct Level {
+        std::int32_t columns = 0, rows = 0;
+        std::uint32_t first = 0;  ///< row in ranges_; of blocks alone
+        double size = 1.0;        ///< of a side, in cells
     };
+
+    /// The box of what is drawn is this much higher and lower than the points, in levels (spec 5b, 10.2).
+    static constexpr double kMargin = 0.001;
 
     bool empty() const { return grid_.columns < 2 || grid_.rows < 2; }
     double level(std::uint32_t i, std::uint32_t k) const { return grid_.levels[std::size_t{k} * grid_.columns + i]; }
@@ -57,14 +65,33 @@ private:
         const std::uint16_t* at = &grid_.levels[std::size_t{k} * grid_.columns + i];
         return {double(at[0]), double(at[1]), double(at[grid_.columns]), double(at[grid_.columns + 1])};
     }
-    glm::dvec3 point_normal(std::uint32_t i, std::uint32_t k) const;
+    /// Rows of all levels of blocks lie one after the other, as long as those of the finest.
+    std::size_t at(const Level& level, std::int32_t i, std::int32_t k) const
+    {
+        return (level.first + static_cast<std::size_t>(k)) * static_cast<std::size_t>(levels_[1].columns) +
+               static_cast<std::size_t>(i);
+    }
+    Range block_range(const Level& level, std::int32_t i, std::int32_t k) const { return ranges_[at(level, i, k)]; }
+    Range cell_range(std::int32_t i, std::int32_t k) const
+    {
+        return range_of(grid_, static_cast<std::size_t>(k) * grid_.columns + static_cast<std::size_t>(i));
+    }
+    /// Of the cell that the point is the first of.
+    static Range range_of(const Grid& grid, std::size_t point)
+    {
+        const std::uint16_t *low = &grid.levels[point], *high = low + grid.columns;
+        return {std::min(std::min(low[0], low[1]), std::min(high[0], high[1])),
+                std::max(std::max(low[0], low[1]), std::max(high[0], high[1]))};
+    }
+    std::array<glm::dvec3, 4> corner_normals(std::uint32_t i, std::uint32_t k) const;
     void build_blocks();
 
     Grid grid_;
     glm::dvec3 scale_{1.0};           ///< from the unit box to points and levels
     double floor_ = 0.0, top_ = 0.0;  ///< drawn between these, in levels
     bool hole_ = false;               ///< some terrain lies below the water
-    std::vector<Blocks> blocks_;      ///< the finest first
+    std::vector<Level> levels_;       ///< the cells first
+    std::vector<Range> ranges_;       ///< lowest and highest point of blocks
 };
 
 }  // namespace csg

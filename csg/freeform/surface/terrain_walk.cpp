@@ -16,17 +16,25 @@ bool TerrainWalk::clip(double& first, double& last) const
 
 void TerrainWalk::run()
 {
-    double first = 0.0, last = 0.0;
+    if (!start()) return;
+    walk(first_place());
+    finish();
+}
+
+/// What the ray meets before the band of levels in which the terrain lies. False: it has no part there.
+bool TerrainWalk::start()
+{
+    double first = 0.0;
     const double down = ray_.direction.y, height = ray_.origin.y;
-    if (!clip(first, last)) return;
+    if (!clip(first, last_)) return false;
     if (field_.floor_ > field_.top_) {  // all of it under water
-        Interval over{.entry = first, .exit = std::min(last, out_.to)}, below;
-        if (!slab(height, down, -kInfinity, field_.floor_, below) || !narrow(over, below)) return;
+        Interval over{.entry = first, .exit = std::min(last_, out_.to)}, below;
+        if (!slab(height, down, -kInfinity, field_.floor_, below) || !narrow(over, below)) return false;
         if (out_.enter(over.entry, kUndrawnFace)) out_.leave(over.exit, kUndrawnFace);
-        return;
+        return false;
     }
-    if (down == 0.0 && !(height <= field_.top_)) return;
-    // Between low and high the ray is in the band of levels in which the terrain lies.
+    if (down == 0.0 && !(height <= field_.top_)) return false;
+    // Between low and high the ray is in the band.
     double low = -kInfinity, high = kInfinity;
     if (down != 0.0) {
         const double a = (field_.floor_ - height) / down, b = (field_.top_ - height) / down;
@@ -36,14 +44,22 @@ void TerrainWalk::run()
         low = kInfinity;
     }
     if ((down > 0.0 && first < low) || (down < 0.0 && first > high) || low == kInfinity) cross(first, kUndrawnFace);
-    const double begin = std::max(first, low), end = std::min(last, high);
-    if (begin <= end && begin > -kInfinity && end < kInfinity) {
-        enter_band(begin, first < low);
-        const HeightField::Blocks& all = field_.blocks_.back();
-        walk(field_.blocks_.size(), {0, all.columns, 0, all.rows}, begin, end);
-        if (!done_ && end == high && end <= out_.to) leave_band(end, down < 0.0);
+    begin_ = std::max(first, low);
+    end_ = std::min(last_, high);
+    if (begin_ <= end_ && begin_ > -kInfinity && end_ < kInfinity) {
+        through_ = end_ == high;
+        enter_band(begin_, first < low);
+        return true;
     }
-    if (inside_ && !done_) out_.leave(std::min(last, out_.to), kUndrawnFace);
+    leave_grid();
+    return false;
+}
+
+/// What it meets beyond.
+void TerrainWalk::finish()
+{
+    if (!done_ && through_ && end_ <= out_.to) leave_band(end_, ray_.direction.y < 0.0);
+    leave_grid();
 }
 
 /// Which side of the terrain the ray is on where it comes into the band at t, through its floor or top (`from_beyond`)
@@ -51,6 +67,11 @@ void TerrainWalk::run()
 /// rounding has moved.
 void TerrainWalk::enter_band(double t, bool from_beyond)
 {
+    // No corner is as high: there is no need to look.
+    if (y(t) > field_.top_ - HeightField::kMargin / 2.0) {
+        if (inside_) cross(t, from_beyond && !field_.hole_ ? face_below(t) : kUndrawnFace);
+        return;
+    }
     const std::uint32_t i = place(x(t), 0, field_.grid_.columns - 1), k = place(z(t), 0, field_.grid_.rows - 1);
     const double across = std::clamp(x(t) - i, 0.0, 1.0), along = std::clamp(z(t) - k, 0.0, 1.0);
     const bool inside = y(t) < terrain_level(field_.corners(i, k), across, along);
@@ -63,58 +84,68 @@ void TerrainWalk::leave_band(double t, bool inside)
     if (inside != inside_) cross(t, field_.hole_ ? kUndrawnFace : face_below(t));
 }
 
-inline void TerrainWalk::cell(std::uint32_t i, std::uint32_t k, const Step& step)
+/// Whether a step is all above or all below the levels of what it passes over.
+inline bool TerrainWalk::passed(HeightField::Range range, const Step& step)
 {
-    const std::uint16_t *low = &field_.grid_.levels[std::size_t{k} * field_.grid_.columns + i],
-                        *high = low + field_.grid_.columns;
-    if (step.lowest() > std::max(std::max(low[0], low[1]), std::max(high[0], high[1]))) return settle(false, step.from);
-    if (step.highest() < std::min(std::min(low[0], low[1]), std::min(high[0], high[1]))) return settle(true, step.from);
-    triangles(i, k, step);
+    if (step.lowest() > range.highest) settle(false, step.from);
+    else if (step.highest() < range.lowest) settle(true, step.from);
+    else return false;
+    return true;
 }
 
-/// `level` 0: cells; blocks otherwise.
-void TerrainWalk::walk(std::size_t level, const Window& window, double from, double to)
+/// Into the block of the next lower level that the ray is over.
+inline void TerrainWalk::descend(Place& at) const
 {
-    const double size = static_cast<double>(std::uint32_t{1} << (level * kWideBits)), inverse_size = 1.0 / size;
+    const HeightField::Level& level = field_.levels_[--at.level];
+    const double inverse = 1.0 / level.size;
+    const std::int32_t i = at.i * kWide, k = at.k * kWide;
+    at.i = nearest(x(at.t) * inverse, i, std::min(i + kWide, level.columns) - 1);
+    at.k = nearest(z(at.t) * inverse, k, std::min(k + kWide, level.rows) - 1);
+}
+
+TerrainWalk::Place TerrainWalk::first_place() const
+{
+    const HeightField::Level& top = field_.levels_.back();
+    return {field_.levels_.size() - 1, nearest(x(begin_) / top.size, 0, top.columns - 1),
+            nearest(z(begin_) / top.size, 0, top.rows - 1), begin_, y(begin_)};
+}
+
+void TerrainWalk::walk(Place at)
+{
+    while (!(at.t > out_.to) && step(at)) {}
+}
+
+/// Past the block or cell, or into it. False: there is no more to come. TerrainLanes::advance() does the same with the
+/// same numbers; of numbers that are none the same is taken as there.
+bool TerrainWalk::step(Place& at)
+{
     const glm::dvec3 &o = ray_.origin, &d = ray_.direction;
-    std::uint32_t i = place(x(from) * inverse_size, window.x_from, window.x_to),
-                  k = place(z(from) * inverse_size, window.z_from, window.z_to);
     const bool right = d.x > 0.0, up = d.z > 0.0;
-    const auto next_x = [&] { return d.x != 0.0 ? ((i + (right ? 1u : 0u)) * size - o.x) * inverse_.x : kInfinity; };
-    const auto next_z = [&] { return d.z != 0.0 ? ((k + (up ? 1u : 0u)) * size - o.z) * inverse_.z : kInfinity; };
-    double at_x = next_x(), at_z = next_z();
-    Step step{from, from, y(from), y(from)};
-    while (!done_) {
-        const bool by_x = at_x <= at_z;
-        const double edge = by_x ? at_x : at_z;
-        step.from = step.to;
-        step.y_from = step.y_to;
-        if (step.from > out_.to) return;
-        step.to = std::max(step.from, std::min(edge, to));
-        step.y_to = y(step.to);
-        if (level == 0) cell(i, k, step);
-        else block(level, i, k, step);
-        if (!(edge < to)) return;
-        if (by_x) {
-            if (right ? ++i == window.x_to : i-- == window.x_from) return;
-            at_x = next_x();
-        } else {
-            if (up ? ++k == window.z_to : k-- == window.z_from) return;
-            at_z = next_z();
+    const HeightField::Level& level = field_.levels_[at.level];
+    const double at_x = d.x != 0.0 ? ((at.i + (right ? 1 : 0)) * level.size - o.x) * inverse_.x : kInfinity,
+                 at_z = d.z != 0.0 ? ((at.k + (up ? 1 : 0)) * level.size - o.z) * inverse_.z : kInfinity,
+                 edge = std::min(at_z, at_x);
+    Step part{at.t, std::max(at.t, std::min(end_, edge)), at.y, 0.0};
+    part.y_to = y(part.to);
+    if (!passed(at.level == 0 ? field_.cell_range(at.i, at.k) : field_.block_range(level, at.i, at.k), part)) {
+        if (at.level != 0) {
+            descend(at);
+            return true;
         }
+        triangles(static_cast<std::uint32_t>(at.i), static_cast<std::uint32_t>(at.k), part);
     }
-}
-
-void TerrainWalk::block(std::size_t level, std::uint32_t i, std::uint32_t k, const Step& step)
-{
-    const HeightField::Blocks& blocks = field_.blocks_[level - 1];
-    const HeightField::Range range = blocks.ranges[std::size_t{k} * blocks.columns + i];
-    if (step.lowest() > range.highest) return settle(false, step.from);
-    if (step.highest() < range.lowest) return settle(true, step.from);
-    const std::uint32_t columns = level == 1 ? field_.grid_.columns - 1 : field_.blocks_[level - 2].columns;
-    const std::uint32_t rows = level == 1 ? field_.grid_.rows - 1 : field_.blocks_[level - 2].rows;
-    walk(level - 1, {i * kWide, std::min((i + 1) * kWide, columns), k * kWide, std::min((k + 1) * kWide, rows)},
-         step.from, step.to);
+    if (done_ || !(edge < end_)) return false;
+    at.t = part.to;
+    at.y = part.y_to;
+    std::int32_t &by = at_x <= at_z ? at.i : at.k, was = by;
+    by += at_x <= at_z ? (right ? 1 : -1) : (up ? 1 : -1);
+    if (at.i < 0 || at.k < 0 || at.i == level.columns || at.k == level.rows) return false;
+    if ((was ^ by) >> kWideBits != 0 && at.level + 1 < field_.levels_.size()) {
+        at.i >>= kWideBits;
+        at.k >>= kWideBits;
+        ++at.level;
+    }
+    return true;
 }
 
 /// The ray has come to t, so far above the terrain, through the triangle `face`.
@@ -122,7 +153,7 @@ void TerrainWalk::edge(double t, double above, std::uint32_t face)
 {
     if ((above < 0.0) != inside_) {
         const bool between = known_ && (above_ < 0.0) != (above < 0.0);
-        cross(between ? t_ + (t - t_) * (above_ / (above_ - above)) : t_, face);
+        cross(between ? t_ + (t - t_) * (above_ / (above_ - above)) : known_ ? t_ : t, face);
     }
     t_ = t;
     above_ = above;

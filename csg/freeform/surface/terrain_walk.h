@@ -17,8 +17,7 @@ inline double terrain_level(const std::array<double, 4>& h, double x, double z)
 /// no ray slips between two.
 class TerrainWalk {
 public:
-    static constexpr std::uint32_t kWideBits = 2,
-                                   kWide = 1u << kWideBits;  ///< blocks along a side of the next larger block
+    static constexpr std::int32_t kWideBits = 2, kWide = 1 << kWideBits;  ///< blocks along a side of the next larger
 
     TerrainWalk(const HeightField& field, const Ray& ray, IntersectionList& out)
         : field_(field), ray_(ray), inverse_(1.0 / ray.direction), out_(out)
@@ -26,24 +25,35 @@ public:
     void run();
 
 private:
-    /// Of blocks or cells: [from, to) along x and z.
-    struct Window {
-        std::uint32_t x_from, x_to, z_from, z_to;
+    friend class TerrainLanes;
+    /// Where the walk is: over a block of a level (0: a cell), from t on.
+    struct Place {
+        std::size_t level;
+        std::int32_t i, k;
+        double t, y;
     };
 
     /// A part of the ray and its ends' levels.
     struct Step {
         double from, to, y_from, y_to;
-        double lowest() const { return std::min(y_from, y_to); }
-        double highest() const { return std::max(y_from, y_to); }
+        double lowest() const { return std::min(y_to, y_from); }
+        double highest() const { return std::max(y_to, y_from); }
     };
 
     bool clip(double& first, double& last) const;
     void enter_band(double t, bool between);
     void leave_band(double t, bool inside);
-    void walk(std::size_t level, const Window& window, double from, double to);
-    void block(std::size_t level, std::uint32_t i, std::uint32_t k, const Step& step);
-    void cell(std::uint32_t i, std::uint32_t k, const Step& step);
+    bool start();
+    void finish();
+    Place first_place() const;
+    void walk(Place at);
+    bool step(Place& at);
+    void descend(Place& at) const;
+    bool passed(HeightField::Range range, const Step& step);
+    void leave_grid()
+    {
+        if (inside_ && !done_) out_.leave(std::min(last_, out_.to), kUndrawnFace);
+    }
     void triangles(std::uint32_t i, std::uint32_t k, const Step& step);
     void edge(double t, double above, std::uint32_t face);
     void settle(bool inside, double t)
@@ -76,10 +86,20 @@ private:
         return at >= from ? (at < to ? static_cast<std::uint32_t>(at) : to - 1) : from;
     }
 
+    static constexpr std::size_t kMostLevels = 17;  ///< of 4 in 2^32
+    /// The number of those from `first` to `last` that is next to the cell of v.
+    static std::int32_t nearest(double v, std::int32_t first, std::int32_t last)
+    {
+        return static_cast<std::int32_t>(std::min(std::max(double(first), v), double(last)));
+    }
+
     const HeightField& field_;
     const Ray ray_;
     const glm::dvec3 inverse_;
     IntersectionList& out_;
+    double last_ = 0.0;               ///< the end of the grid
+    double begin_ = 0.0, end_ = 0.0;  ///< of the band of levels in which the terrain lies, over the grid
+    bool through_ = false;            ///< the ray leaves the band by its floor or top
     bool inside_ = false, done_ = false;
     bool known_ = false;  ///< the next two belong to the point that the walk has come to
     double t_ = 0.0, above_ = 0.0;

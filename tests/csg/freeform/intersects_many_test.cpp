@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <memory>
 
 using namespace csg;
@@ -117,6 +118,28 @@ TEST_CASE("many rays of a blob are told what each is told alone", "[csg][many][b
         ends += check_many(Blob(threshold, components), 1.5, seed);
     }
     CHECK(ends > share(2000) * 10);
+}
+
+TEST_CASE("many rays of a height field are told what each is told alone", "[csg][many][height_field]")
+{
+    if (!runs_here()) return;
+    int ends = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(600)); ++seed) {
+        Rng rng(seed + 7000);
+        HeightField::Grid grid;
+        const int most = seed % 10 == 0 ? 200 : 24;  // of some there are blocks of blocks
+        grid.columns = static_cast<std::uint32_t>(2 + rng.below(most));
+        grid.rows = static_cast<std::uint32_t>(2 + rng.below(most));
+        const bool steps = rng.coin();
+        double level = 30000.0;
+        for (std::uint32_t n = 0; n < grid.columns * grid.rows; ++n) {
+            level = std::clamp(level + rng.uniform(-6000.0, 6000.0), 0.0, 65535.0);
+            grid.levels.push_back(static_cast<std::uint16_t>(steps ? 20000 * rng.below(3) : level));
+        }
+        if (rng.coin()) grid.water = rng.uniform(0.0, 70000.0);
+        ends += check_many(HeightField(grid), 1.2, seed);
+    }
+    CHECK(ends > share(600) * 10);
 }
 
 TEST_CASE("powers of one number are those of lanes, and near the library's", "[csg][lanes]")
