@@ -16,8 +16,14 @@ void media_photons(const Context& context, const texture::Points& points, HitMas
     NearPhotons& near = scratch.near_photons;
     near.forget();  // pictures do not depend on the order of batches
     scratch.wide_photons.forget();
+    glm::dvec3 low(csg::kInfinity), high(-csg::kInfinity);
     for_each_hit(which, [&](std::size_t k) {
-        map.gather(points.at(k), nullptr, scratch.wide_photons, near);
+        low = glm::min(low, points.at(k));
+        high = glm::max(high, points.at(k));
+    });
+    const PhotonReach reach = map.reach(low, high);
+    for_each_hit(which, [&](std::size_t k) {
+        map.gather(points.at(k), nullptr, reach, scratch.wide_photons, near);
         glm::vec3 sum(0);
         const bool even = mixes[k]->one_kind && mixes[k]->members[0]->phase == plan::Media::Phase::Isotropic;
         for (const NearPhotons::Near& of : near.found) {

@@ -23,15 +23,23 @@ public:
         const plan::CompiledScene& scene = context_.scene;
         scratch_.near_photons.forget();  // pictures do not depend on the order of tiles
         scratch_.wide_photons.forget();
+        HitMask collecting = 0;
+        glm::dvec3 low(csg::kInfinity), high(-csg::kInfinity);
         for_each_hit(batch_.lit(), [&](std::size_t k) {
-            const csg::SurfaceId surface = tile_.hits.surface[k];
-            if (collects(scene, surface)) add(k, scene.surfaces[surface]);
+            if (!collects(scene, tile_.hits.surface[k])) return;
+            collecting |= HitMask{1} << k;
+            low = glm::min(low, scratch_.hits.point(k));
+            high = glm::max(high, scratch_.hits.point(k));
         });
+        if (collecting == 0) return;
+        const PhotonReach reach = map_.reach(low, high);
+        if (reach.nothing) return;
+        for_each_hit(collecting, [&](std::size_t k) { add(k, scene.surfaces[tile_.hits.surface[k]], reach); });
     }
 
 private:
     /// The photons around hit k, for all its rows: the first one that photons light says how the surface lies.
-    void add(std::size_t k, const plan::Surface& surface)
+    void add(std::size_t k, const plan::Surface& surface, const PhotonReach& reach)
     {
         bool gathered = false;
         for (std::size_t d = 0; d < batch_.rows(k); ++d) {
@@ -41,7 +49,7 @@ private:
                 continue;
             const glm::dvec3 normal = at.bent != 0 ? at.normal(k) : scratch_.hits.normal(k);
             if (!gathered) {
-                map_.gather(scratch_.hits.point(k), &normal, scratch_.wide_photons, scratch_.near_photons);
+                map_.gather(scratch_.hits.point(k), &normal, reach, scratch_.wide_photons, scratch_.near_photons);
                 gathered = true;
                 if (scratch_.near_photons.found.empty()) return;
             }

@@ -138,16 +138,37 @@ void PhotonMap::find_radius(const scene::PhotonSettings& settings, bool media, L
 
 void PhotonMap::find(const glm::dvec3& point, double radius, const glm::dvec3* normal, NearPhotons& out) const
 {
-    if (normal != nullptr) PhotonSearch<true>(places_, boxes_, point, *normal, gather_most).find(radius, out);
-    else PhotonSearch<false>(places_, boxes_, point, {}, gather_most).find(radius, out);
+    find(point, radius, normal, PhotonReach(boxes_), out);
 }
 
-void PhotonMap::gather(const glm::dvec3& point, const glm::dvec3* normal, NearPhotons& scratch, NearPhotons& out) const
+void PhotonMap::find(const glm::dvec3& point, double radius, const glm::dvec3* normal, const PhotonReach& reach,
+                     NearPhotons& out) const
 {
-    find(point, radius_, normal, out);
-    if (out.found.size() >= static_cast<std::size_t>(gather_least)) return;
-    constexpr double kWider = 3.0, kNone = 1e-16;
-    find(point, kWider * radius_, normal, scratch);
+    if (normal != nullptr) PhotonSearch<true>(places_, boxes_, point, *normal, gather_most).find(radius, reach, out);
+    else PhotonSearch<false>(places_, boxes_, point, {}, gather_most).find(radius, reach, out);
+}
+
+void PhotonMap::find_among(const NearPhotons& wide, const glm::dvec3& point, const glm::dvec3* normal,
+                           NearPhotons& out) const
+{
+    if (normal != nullptr)
+        PhotonSearch<true>(places_, boxes_, point, *normal, gather_most).find_among(wide, radius_, out);
+    else PhotonSearch<false>(places_, boxes_, point, {}, gather_most).find_among(wide, radius_, out);
+}
+
+void PhotonMap::gather(const glm::dvec3& point, const glm::dvec3* normal, const PhotonReach& reach,
+                       NearPhotons& scratch, NearPhotons& out) const
+{
+    // Where the point before needed the wider search this one should too, and what it finds holds what the other finds:
+    // unless it found so many that it left some out.
+    const bool wide_first = out.few;
+    if (wide_first) find(point, kWider * radius_, normal, reach, scratch);
+    if (wide_first && static_cast<int>(scratch.found.size()) < gather_most) find_among(scratch, point, normal, out);
+    else find(point, radius_, normal, reach, out);
+    out.few = out.found.size() < static_cast<std::size_t>(gather_least);
+    if (!out.few) return;
+    constexpr double kNone = 1e-16;
+    if (!wide_first) find(point, kWider * radius_, normal, reach, scratch);
     const double first = out.found.empty() ? kNone : out.density_per_area();
     const double second = scratch.density_per_area();
     const bool steady = (second - first) / first < expand_increase;

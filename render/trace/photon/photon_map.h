@@ -5,6 +5,7 @@
 #include "render/trace/photon/photon.h"
 #include "render/trace/photon/photon_boxes.h"
 #include "render/trace/photon/photon_places.h"
+#include "render/trace/photon/photon_reach.h"
 #include "render/trace/photon/random_tables.h"
 
 #include <vector>
@@ -39,10 +40,22 @@ public:
     int gather_least = 20, gather_most = 100;
     double expand_increase = 0.2, expand_least = 35.0;
 
-    /// As find() with the map's radius, or three times that where too few are near.
-    void gather(const glm::dvec3& point, const glm::dvec3* normal, NearPhotons& scratch, NearPhotons& out) const;
+    /// Of points between low and high: what gather() may look at.
+    PhotonReach reach(const glm::dvec3& low, const glm::dvec3& high) const
+    {
+        return {boxes_, low, high, kWider * radius_};
+    }
+    /// As find() with the map's radius, or three times that where too few are near. reach: that of points of which this
+    /// is one.
+    void gather(const glm::dvec3& point, const glm::dvec3* normal, const PhotonReach& reach, NearPhotons& scratch,
+                NearPhotons& out) const;
 
 private:
+    static constexpr double kWider = 3.0;
+
+    void find(const glm::dvec3& point, double radius, const glm::dvec3* normal, const PhotonReach& reach,
+              NearPhotons& out) const;
+    void find_among(const NearPhotons& wide, const glm::dvec3& point, const glm::dvec3* normal, NearPhotons& out) const;
     double estimated_radius(bool media, LibraryRandom& random) const;
 
     std::vector<Photon> photons_;

@@ -4,6 +4,7 @@
 #include "render/trace/photon/pack_lanes.h"
 #include "render/trace/photon/photon_boxes.h"
 #include "render/trace/photon/photon_distance.h"
+#include "render/trace/photon/photon_reach.h"
 
 #include <algorithm>
 #include <array>
@@ -23,11 +24,13 @@ public:
     PhotonSearch(const PhotonPlaces& places, const PhotonBoxes& boxes, const glm::dvec3& point,
                  const glm::dvec3& normal, int most)
         : places_(places), boxes_(boxes), from_(places, point, normal),
-          most_(static_cast<std::size_t>(std::max(most, 1)))
+          most_(static_cast<std::size_t>(std::max(most, 1))), reach_(boxes)
     {}
 
-    void find(double radius, NearPhotons& out)
+    /// reach: of points of which this is one, and of a radius that is not less.
+    void find(double radius, const PhotonReach& reach, NearPhotons& out)
     {
+        reach_ = reach;
         all_ = radius * radius;
         start(out);
         out.radius2 = all_;
@@ -56,6 +59,18 @@ public:
         }
         out.found.resize(count_);
         for (std::size_t k = 0; k < count_; ++k) out.found[k] = {distance2_[k], number_[k]};
+    }
+
+    /// What find() would find, of all the photons within a larger radius.
+    void find_among(const NearPhotons& wide, double radius, NearPhotons& out)
+    {
+        all_ = radius * radius;
+        out.radius2 = out.likely2 = all_;
+        out.asked = from_.point;
+        out.found.clear();
+        const auto limit = static_cast<float>(all_);
+        for (const Near& photon : wide.found)
+            if (photon.distance2 < limit && reached(photon.photon)) out.found.push_back(photon);
     }
 
     /// POV-Ray's own way, whatever it costs.
@@ -158,14 +173,14 @@ private:
     {
         count_ = 0;
         bound_ = bound;
-        if (boxes_.levels() == 0) return;
+        if (reach_.nothing) return;
         struct Waiting {
             float distance2;
             std::uint32_t level, node;
         };
         std::array<Waiting, kLanes * 12> waiting;  // eights of eights: a map has fewer levels than that
         std::size_t count = 0;
-        waiting[count++] = {0.0f, static_cast<std::uint32_t>(boxes_.levels() - 1), 0};
+        waiting[count++] = {0.0f, reach_.level, reach_.node};
         while (count > 0) {
             const Waiting at = waiting[--count];
             if (static_cast<double>(at.distance2) >= bound_) continue;
@@ -361,6 +376,7 @@ private:
     const PhotonBoxes& boxes_;
     const PhotonDistance<kFlat> from_;
     const std::size_t most_;
+    PhotonReach reach_;
     double all_ = 0, bound_ = 0;
     float *distance2_ = nullptr, *parted_ = nullptr;
     std::int32_t* bin_ = nullptr;

@@ -3,6 +3,7 @@
 #include "render/trace/photon/photon_file.h"
 #include "render/trace/photon/photon_search.h"
 #include "tests/render/trace/indirect_support.h"
+#include "tests/render/trace/photon_support.h"
 
 #include <catch2/catch.hpp>
 
@@ -18,19 +19,6 @@
 using Catch::Matchers::Contains;
 
 namespace {
-
-std::vector<trace::Photon> random_photons(std::mt19937& random, std::size_t count, float flat)
-{
-    std::normal_distribution<float> off(0.0f, 1.0f);
-    std::uniform_real_distribution<float> share(0.0f, 1.0f);
-    std::vector<trace::Photon> out;
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 place(off(random), off(random) * flat, off(random));
-        const glm::vec3 flux(share(random), share(random), share(random));
-        out.push_back(trace::make_photon(place, flux, glm::normalize(glm::dvec3(off(random), 1.0, off(random)))));
-    }
-    return out;
-}
 
 /// POV-Ray's search as spec 6, 3.7 has it: photon by photon, with a heap.
 class HeapSearch {
@@ -160,6 +148,7 @@ TEST_CASE("the search finds what POV-Ray's heap is left with", "[photons]")
         places.take(map.photons());
         trace::PhotonBoxes boxes;
         boxes.take(places);
+        const trace::PhotonReach everywhere(boxes);
         trace::NearPhotons found;
         for (int i = 0; i < 600; ++i) {
             if (i % 8 == 0) found.forget();
@@ -168,8 +157,9 @@ TEST_CASE("the search finds what POV-Ray's heap is left with", "[photons]")
             const glm::dvec3* normal = i % 2 == 0 ? &up : nullptr;
             const double radius = 0.05 * (1 + i % 23);
             const int most = 5 + i % 90;
-            if (normal != nullptr) trace::PhotonSearch<true>(places, boxes, point, up, most).find(radius, found);
-            else trace::PhotonSearch<false>(places, boxes, point, up, most).find(radius, found);
+            if (normal != nullptr)
+                trace::PhotonSearch<true>(places, boxes, point, up, most).find(radius, everywhere, found);
+            else trace::PhotonSearch<false>(places, boxes, point, up, most).find(radius, everywhere, found);
             const HeapSearch known(map.photons(), point, radius, normal, static_cast<std::size_t>(most));
             std::vector<std::size_t> a, b;
             for (const trace::NearPhotons::Near& near : found.found) a.push_back(near.photon);
