@@ -1,5 +1,8 @@
 #pragma once
 
+#include "render/trace/photon/near_leaves.h"
+#include "render/trace/photon/photon_places.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -18,16 +21,19 @@ struct NearPhotons {
     double likely2 = 0;   ///< what to expect of that for a point nearby; 0: nothing
     glm::dvec3 asked{0};  ///< the point
     bool few = false;     ///< the point before had too few within the first radius
+    NearLeaves leaves;    ///< looked at for the point before
+    PhotonCell around;    ///< of the point before
     /// What the search keeps: photons that may be among them, and room to put some in order.
     std::vector<float> distances2, parted;
     std::vector<std::uint32_t> numbers;
-    std::vector<std::int32_t> bins;
 
     /// Before points that have nothing to do with those before.
     void forget()
     {
         likely2 = 0.0;
         few = false;
+        leaves.forget();
+        around = {};
     }
     double density_per_area() const { return static_cast<double>(found.size()) / radius2; }
 };

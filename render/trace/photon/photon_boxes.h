@@ -23,6 +23,7 @@ public:
         std::array<float, kWide> x, y, z;
         std::array<std::uint32_t, kWide> photon;
         std::uint32_t gated = 0;  ///< a bit each: it has gates (`photon_places.h`)
+        float gate_off = 0.0f;    ///< the farthest of their gates' planes off their photons
     };
     /// Boxes of what lies below; those behind the last are nowhere.
     struct alignas(32) Node {
@@ -101,7 +102,9 @@ private:
             leaf.y[k] = places[i].at[1];
             leaf.z[k] = places[i].at[2];
             leaf.photon[k] = places[i].photon;
-            if (map.gates[places[i].photon].first != PhotonPlaces::kNoGate) leaf.gated |= 1u << k;
+            if (map.gates[places[i].photon].first == PhotonPlaces::kNoGate) continue;
+            leaf.gated |= 1u << k;
+            leaf.gate_off = std::max(leaf.gate_off, map.gate_off(places[i].photon));
         }
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/base/lanes.h"
+#include "render/trace/photon/near_leaves.h"
 #include "render/trace/photon/photon_places.h"
 
 #include <cmath>
@@ -15,7 +16,7 @@ public:
     using Float = csg::lanes::FloatPart;
 
     PhotonDistance(const PhotonPlaces& places, const glm::dvec3& from, const glm::dvec3& surface)
-        : point(from), high(from), low(from - glm::dvec3(high)), places_(places), normal_(surface)
+        : point(from), split(from), places_(places), normal_(surface)
     {}
 
     double squared(std::size_t photon) const
@@ -30,8 +31,9 @@ public:
     /// In single precision, which is enough to tell which are nearest.
     Float squared(const Float& x, const Float& y, const Float& z) const
     {
-        const Float dx = x - Float(high.x) - Float(low.x), dy = y - Float(high.y) - Float(low.y),
-                    dz = z - Float(high.z) - Float(low.z), d2 = dx * dx + dy * dy + dz * dz;
+        const Float dx = x - Float(split.high.x) - Float(split.low.x),
+                    dy = y - Float(split.high.y) - Float(split.low.y),
+                    dz = z - Float(split.high.z) - Float(split.low.z), d2 = dx * dx + dy * dy + dz * dz;
         if constexpr (!kFlat) return d2;
         const glm::vec3 n(normal_);
         return d2 * (Float(1.0f) + Float(static_cast<float>(kFlattening)) *
@@ -39,8 +41,7 @@ public:
     }
 
     const glm::dvec3 point;
-    /// The point as the sum of two numbers in single precision: what is subtracted from them is right to the last.
-    const glm::vec3 high, low;
+    const SplitPoint split;
 
 private:
     static constexpr double kFlattening = 16.0;

@@ -2,10 +2,28 @@
 
 #include "render/trace/photon/photon.h"
 
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace trace {
+
+/// A part of the tree that fills this box: what a search of a point in it comes to first.
+struct PhotonCell {
+    std::size_t first = 0, end = 0;
+    glm::dvec3 low{0}, high{0};  ///< high is beyond it
+
+    bool holds(const glm::dvec3& point) const
+    {
+        return low.x <= point.x && point.x < high.x && low.y <= point.y && point.y < high.y && low.z <= point.z &&
+               point.z < high.z;
+    }
+};
 
 /// Where photons are, as arrays in the order of the map: a balanced tree without pointers. The node of photons first to
 /// last is the one in the middle; those before it lie below it along its axis, those behind it above.
@@ -26,6 +44,29 @@ struct PhotonPlaces {
     double along(std::size_t i, int which) const
     {
         return static_cast<double>(which == 0 ? x[i] : which == 1 ? y[i] : z[i]);
+    }
+    /// How far the planes of its gates are off a photon, rounded up.
+    float gate_off(std::uint32_t photon) const
+    {
+        double out = 0.0;
+        for (const std::uint32_t gate : {gates[photon].first, gates[photon].second})
+            if (gate != kNoGate) out = std::max(out, std::abs(along(gate, axis[gate]) - along(photon, axis[gate])));
+        return std::nextafter(static_cast<float>(out), std::numeric_limits<float>::infinity());
+    }
+    /// The first part of up to so many photons that POV-Ray comes to.
+    PhotonCell cell(const glm::dvec3& point, std::size_t most) const
+    {
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        PhotonCell out{0, size(), glm::dvec3(-kFar), glm::dvec3(kFar)};
+        while (out.end - out.first > most) {
+            const std::size_t middle = (out.first + out.end - 1) / 2;
+            const int side = axis[middle];
+            const double at = along(middle, side);
+            const bool below = at - point[side] > 0.0;
+            (below ? out.end : out.first) = below ? middle : middle + 1;
+            (below ? out.high : out.low)[side] = at;
+        }
+        return out;
     }
     void take(const std::vector<Photon>& photons)
     {

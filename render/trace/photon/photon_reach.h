@@ -20,6 +20,7 @@ public:
     PhotonReach(const PhotonBoxes& boxes, const glm::dvec3& low, const glm::dvec3& high, double radius)
     {
         begin_at_root(boxes);
+        extent = glm::distance(low, high);
         if (nothing) return;
         constexpr double kSure = 1.0 + 1e-5;  // searches measure in single precision
         constexpr float kMost = std::numeric_limits<float>::max();
@@ -32,6 +33,15 @@ public:
 
     std::uint32_t level = 0, node = 0;  ///< of the lowest node that has all of them below it
     bool nothing = false;               ///< there are no photons near these points
+    double extent = kAnywhere;          ///< how far apart they lie at most
+
+    static constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+
+    /// The first of a node's children that are marked.
+    static std::uint32_t child(std::uint32_t node, std::uint32_t near)
+    {
+        return static_cast<std::uint32_t>(kLanes) * node + static_cast<std::uint32_t>(std::countr_zero(near));
+    }
 
 private:
     using Float = csg::lanes::FloatPart;
@@ -44,12 +54,6 @@ private:
     {
         nothing = boxes.levels() == 0;
         if (!nothing) level = static_cast<std::uint32_t>(boxes.levels() - 1);
-    }
-
-    /// The first of a node's children that are marked.
-    static std::uint32_t child(std::uint32_t node, std::uint32_t near)
-    {
-        return static_cast<std::uint32_t>(kLanes) * node + static_cast<std::uint32_t>(std::countr_zero(near));
     }
 
     /// Never infinite: boxes that are nowhere would overlap.

@@ -2,6 +2,7 @@
 
 #include "render/trace/photon/near_photons.h"
 #include "render/trace/photon/pack_lanes.h"
+#include "render/trace/photon/part_nearest.h"
 #include "render/trace/photon/photon_boxes.h"
 #include "render/trace/photon/photon_distance.h"
 #include "render/trace/photon/photon_reach.h"
@@ -38,7 +39,7 @@ public:
         constexpr double kFarther = 3.0;
         for (double bound = likely(out);; bound *= kFarther) {
             const double here = std::min(bound, all_);
-            collect(here);
+            collect(here, out.leaves);
             if (count_ > most_ || here == all_) break;
         }
         out.likely2 = all_;
@@ -46,7 +47,7 @@ public:
         if (count_ > most_) {
             part(most_);
             out.likely2 = bound_;
-            if (nearest_come_first()) {
+            if (nearest_come_first(out.around)) {
                 walk_in_order(out);
                 out.radius2 = bound_;
                 return;
@@ -90,70 +91,38 @@ private:
 
     void start(NearPhotons& out)
     {
-        const std::size_t room = most_ + kSpare + 2 * kLanes;
+        const std::size_t room = most_ + kSpare + kLanes + PartedPhotons::kRoom;
         if (out.numbers.size() < room) {
             out.numbers.resize(room);
             out.distances2.resize(room);
             out.parted.resize(room);
-            out.bins.resize(room);
         }
         distance2_ = out.distances2.data();
         parted_ = out.parted.data();
-        bin_ = out.bins.data();
         number_ = out.numbers.data();
     }
 
     /// What should hold the nearest: around a point nearby they were found so near.
-    double likely(const NearPhotons& before) const
+    double likely(const NearPhotons& before)
     {
         constexpr double kWider = 1.25, kSure = 1.0 + 1e-5;
-        if (!(before.likely2 > 0.0)) return all_;
+        if (!(before.likely2 > 0.0)) {
+            collect_nearest_first(all_);
+            if (count_ <= most_) return all_;
+            part(most_ + 1);
+            return kSure * bound_;
+        }
         if constexpr (kFlat) return kWider * before.likely2;
         const double radius = std::sqrt(before.likely2) + glm::distance(from_.point, before.asked);
         return kSure * radius * radius;
     }
 
-    /// The `keep` nearest stay, and bound_ is the farthest of them. Counted by distance first, which needs no guesses
-    /// of the processor: only what lies about where they part is put in order.
+    /// The `keep` nearest stay, and bound_ is the farthest of them.
     void part(std::size_t keep)
     {
-        constexpr std::size_t kBins = 128;
-        const Float scale(static_cast<float>(static_cast<double>(kBins) / bound_)), last(static_cast<float>(kBins - 1));
-        std::array<std::uint32_t, kBins> count{};
-        for (std::size_t k = 0; k < count_; k += Float::size)
-            xsimd::to_int(xsimd::min(Float::load_unaligned(distance2_ + k) * scale, last)).store_unaligned(bin_ + k);
-        for (std::size_t k = 0; k < count_; ++k) ++count[static_cast<std::size_t>(bin_[k])];
-        std::int32_t about = 0;
-        std::size_t nearer = 0;
-        for (std::size_t here = count[0]; nearer + here < keep; here = count[static_cast<std::size_t>(++about)])
-            nearer += here;
-        std::size_t n = 0;
-        for (std::size_t k = 0; k < count_; ++k) {
-            parted_[n] = distance2_[k];
-            n += bin_[k] == about ? 1 : 0;
-        }
-        std::nth_element(parted_, parted_ + (keep - 1 - nearer), parted_ + n);
-        const float farthest = parted_[keep - 1 - nearer];
-        std::size_t alike = keep - nearer;  // how many as far as the farthest stay
-        for (std::size_t k = 0; k < n; ++k) alike -= parted_[k] < farthest ? 1 : 0;
-        std::size_t kept = 0;
-        for (std::size_t k = 0; k < count_; k += kLanes) {
-            std::uint32_t stay = 0, as_far = 0;
-            for (std::size_t i = 0; i < kLanes; i += Float::size) {
-                const Float d2 = Float::load_unaligned(distance2_ + k + i);
-                stay |= csg::lanes::mask(d2 < Float(farthest)) << i;
-                as_far |= csg::lanes::mask(d2 == Float(farthest)) << i;
-            }
-            if (count_ - k < kLanes) {
-                const std::uint32_t left = (1u << (count_ - k)) - 1u;
-                stay &= left;
-                as_far &= left;
-            }
-            for (; as_far != 0 && alike > 0; as_far &= as_far - 1, --alike) stay |= as_far & (~as_far + 1u);
-            kept += pack(stay, distance2_ + k, number_ + k, distance2_ + kept, number_ + kept);
-        }
-        count_ = kept;
-        bound_ = static_cast<double>(farthest);
+        PartedPhotons photons(distance2_, number_, count_, parted_);
+        bound_ = static_cast<double>(photons.keep_nearest(keep, static_cast<float>(bound_)));
+        count_ = keep;
     }
     /// Whether POV-Ray comes to a photon that lies in reach.
     bool reached(std::uint32_t photon) const
@@ -168,8 +137,20 @@ private:
         const bool beyond = photon < gate ? !(off > 0.0) : off > 0.0;
         return !beyond || off * off < all_;
     }
-    /// At least the most_ + 1 nearest nearer than the bound, or all.
-    void collect(double bound)
+    /// At least the most_ + 1 nearest nearer than the bound, or all, in the order of the leaves.
+    void collect(double bound, NearLeaves& leaves)
+    {
+        count_ = 0;
+        bound_ = bound;
+        if (reach_.nothing) return;
+        const double distance = std::sqrt(bound);
+        if (!leaves.serve(from_.point, distance))
+            leaves.find(boxes_, reach_, from_.point, distance, leaves.beside(reach_.extent, distance));
+        look(leaves.begin(), leaves.end());
+    }
+
+    /// The same, the nearest boxes first, where nothing tells how far off the photons are.
+    void collect_nearest_first(double bound)
     {
         count_ = 0;
         bound_ = bound;
@@ -185,10 +166,13 @@ private:
             const Waiting at = waiting[--count];
             if (static_cast<double>(at.distance2) >= bound_) continue;
             alignas(64) std::array<float, kLanes> away;
-            std::uint32_t near = open(boxes_.node(at.level, at.node), away);
+            std::uint32_t near =
+                boxes_near(boxes_.node(at.level, at.node), from_.split, static_cast<float>(bound_), away);
             if (at.level == 0) {
-                for (; near != 0; near &= near - 1)
-                    look(boxes_.leaf(kLanes * at.node + static_cast<std::size_t>(std::countr_zero(near))));
+                std::array<std::uint32_t, kLanes> leaves;
+                std::size_t few = 0;
+                for (; near != 0; near &= near - 1) leaves[few++] = PhotonReach::child(at.node, near);
+                look(leaves.data(), leaves.data() + few);
                 continue;
             }
             // The nearest comes to lie on top.
@@ -208,50 +192,58 @@ private:
         return Float::load_aligned(from.data() + at);
     }
 
-    /// How far off the boxes of a node are, squared, and which of them are near enough.
-    std::uint32_t open(const PhotonBoxes::Node& node, std::array<float, kLanes>& away) const
+    /// Keeps those photons of some leaves that are nearer than the bound.
+    template <class Iterator>
+    void look(Iterator leaves, Iterator end)
     {
-        // Rounding may put a box farther off than it is: by less than this share.
-        constexpr float kNearer = 1.0f - 1e-5f;
-        const Float zero(0.0f), x(from_.high.x), y(from_.high.y), z(from_.high.z), rest_x(from_.low.x),
-            rest_y(from_.low.y), rest_z(from_.low.z);
-        const Float limit(static_cast<float>(bound_));
-        std::uint32_t near = 0;
-        for (std::size_t k = 0; k < kLanes; k += Float::size) {
-            const auto off = [&](const std::array<float, kLanes>& low, const std::array<float, kLanes>& high, Float at,
-                                 Float rest) {
-                return xsimd::max(xsimd::max((load(low, k) - at) - rest, rest - (load(high, k) - at)), zero);
-            };
-            const Float dx = off(node.low_x, node.high_x, x, rest_x), dy = off(node.low_y, node.high_y, y, rest_y),
-                        dz = off(node.low_z, node.high_z, z, rest_z);
-            const Float d2 = Float(kNearer) * (dx * dx + dy * dy + dz * dz);
-            d2.store_aligned(away.data() + k);
-            near |= csg::lanes::mask(d2 < limit) << k;
+        // Copies: what is written might be members otherwise.
+        const PhotonDistance<kFlat> from = from_;
+        const std::size_t full = most_ + kSpare;
+        float* const distances2 = distance2_;
+        std::uint32_t* const numbers = number_;
+        std::size_t count = count_;
+        Float limit(static_cast<float>(bound_));
+        float gates_within = surely_passed();
+        for (; leaves != end; ++leaves) {
+            const PhotonBoxes::Leaf& leaf = boxes_.leaf(*leaves);
+            alignas(64) std::array<float, kLanes> d2;
+            std::uint32_t near = 0;
+            for (std::size_t k = 0; k < kLanes; k += Float::size) {
+                const Float here = from.squared(load(leaf.x, k), load(leaf.y, k), load(leaf.z, k));
+                here.store_aligned(d2.data() + k);
+                near |= csg::lanes::mask(here < limit) << k;
+            }
+            if ((near & leaf.gated) != 0 && !(leaf.gate_off < gates_within)) [[unlikely]]
+                near = without_unreached(leaf, near);
+            count += pack(near, d2.data(), leaf.photon.data(), distances2 + count, numbers + count);
+            if (count < full) [[likely]]
+                continue;
+            count_ = count;
+            part(most_ + 1);  // the nearest and one more
+            count = count_;
+            limit = Float(static_cast<float>(bound_));
+            gates_within = surely_passed();
         }
-        return near;
+        count_ = count;
     }
-
-    /// Keeps those of eight photons that are nearer than the bound.
-    void look(const PhotonBoxes::Leaf& leaf)
+    /// Photons nearer than the bound whose gates are no farther off them are reached: the gates' planes are in reach.
+    float surely_passed() const
     {
-        const Float limit(static_cast<float>(bound_));
-        alignas(64) std::array<float, kLanes> d2;
-        std::uint32_t near = 0;
-        for (std::size_t k = 0; k < kLanes; k += Float::size) {
-            const Float here = from_.squared(load(leaf.x, k), load(leaf.y, k), load(leaf.z, k));
-            here.store_aligned(d2.data() + k);
-            near |= csg::lanes::mask(here < limit) << k;
-        }
+        constexpr double kRound = 1e-5;
+        return static_cast<float>((1.0 - kRound) * std::sqrt(all_) - (1.0 + kRound) * std::sqrt(bound_));
+    }
+    [[gnu::noinline]] std::uint32_t without_unreached(const PhotonBoxes::Leaf& leaf, std::uint32_t near) const
+    {
         for (std::uint32_t gated = near & leaf.gated; gated != 0; gated &= gated - 1) {
             const int k = std::countr_zero(gated);
             if (!reached(leaf.photon[static_cast<std::size_t>(k)])) near &= ~(1u << k);
         }
-        count_ += pack(near, d2.data(), leaf.photon.data(), distance2_ + count_, number_ + count_);
-        if (count_ >= most_ + kSpare) part(most_ + 1);  // the nearest and one more
+        return near;
     }
 
-    /// Photons of a part that are in reach. others: whether there are some that are not of the nearest.
-    std::size_t count_in_reach(std::size_t first, std::size_t end, bool& others) const
+    /// Photons of a part that are in reach. others: whether there are some that are not of the nearest; until_others:
+    /// the count does not matter then.
+    std::size_t count_in_reach(std::size_t first, std::size_t end, bool& others, bool until_others) const
     {
         constexpr double kSurely = 1.0 + 1e-5;
         const Float least(static_cast<float>(bound_ * kRounding * kSurely)), most(static_cast<float>(all_)),
@@ -264,6 +256,7 @@ private:
             const std::uint32_t part = end - i < Float::size ? (1u << (end - i)) - 1u : ~0u;
             count += static_cast<std::size_t>(std::popcount(csg::lanes::mask(d2 < most) & part));
             beyond |= csg::lanes::mask((d2 > least) & (d2 < surely)) & part;
+            if (until_others && beyond != 0) break;
         }
         others = beyond != 0;
         return count;
@@ -272,15 +265,20 @@ private:
     /// Whether the first photons that POV-Ray comes to are the nearest. The first that it comes to when it has enough
     /// takes the place of the farthest of them even if it lies farther, for its limit is that of the search until then;
     /// that shows only here.
-    bool nearest_come_first() const
+    bool nearest_come_first(PhotonCell& around) const
     {
-        const Order order = order_of_first(most_);
-        return (order == Order::Unknown ? order_of_first(0) : order) == Order::NearestFirst;
+        if (!around.holds(from_.point)) around = places_.cell(from_.point, most_);
+        bool others = false;  // among those that it comes to first, as is the rule
+        const std::size_t first = count_in_reach(around.first, around.end, others, true);
+        if (others) return false;
+        const Order order = order_of_first(most_, around, first);
+        return (order == Order::Unknown ? order_of_first(0, around, first) : order) == Order::NearestFirst;
     }
 
     /// Parts of POV-Ray's tree of up to `together` photons are looked at as one, which may leave it unknown.
     enum class Order : std::uint8_t { NearestFirst, OthersBetween, Unknown };
-    Order order_of_first(std::size_t together) const
+    /// cell: the first of these parts, of which `in_cell` are in reach, all of them of the nearest.
+    Order order_of_first(std::size_t together, const PhotonCell& cell, std::size_t in_cell) const
     {
         struct Waiting {
             std::size_t first, end;
@@ -292,9 +290,13 @@ private:
         while (count > 0 && met < most_) {
             const Waiting at = waiting[--count];
             if (at.first >= at.end) continue;
+            if (at.first == cell.first && at.end == cell.end && !at.alone) {
+                met += in_cell;
+                continue;
+            }
             if (at.end - at.first <= together && !at.alone) {
                 bool others = false;
-                met += count_in_reach(at.first, at.end, others);
+                met += count_in_reach(at.first, at.end, others, met + (at.end - at.first) <= most_);
                 if (others) return met <= most_ ? Order::OthersBetween : Order::Unknown;
                 continue;
             }
@@ -379,7 +381,6 @@ private:
     PhotonReach reach_;
     double all_ = 0, bound_ = 0;
     float *distance2_ = nullptr, *parted_ = nullptr;
-    std::int32_t* bin_ = nullptr;
     std::uint32_t* number_ = nullptr;
     std::size_t count_ = 0;
 };

@@ -1,12 +1,16 @@
 // Photons that a tile of points gathers: what one point would find alone.
+#include "render/trace/photon/part_nearest.h"
 #include "render/trace/photon/photon_map.h"
 #include "tests/render/trace/photon_support.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
+#include <vector>
 
 TEST_CASE("photons are gathered alike alone and beside other points, few or many", "[photons]")
 {
@@ -54,4 +58,39 @@ TEST_CASE("photons are gathered alike alone and beside other points, few or many
     }
     CHECK(nothing > 100);
     CHECK(some > 1000);
+}
+
+TEST_CASE("the nearest photons are parted from the others as if they were sorted", "[photons]")
+{
+    std::mt19937 random(31);
+    std::uniform_real_distribution<float> share(0.0f, 1.0f);
+    for (int i = 0; i < 4000; ++i) {
+        INFO("set " << i);
+        const std::size_t count = 1 + random() % 400, keep = 1 + random() % count;
+        const float power = std::exp2(8.0f * share(random) - 3.0f), scale = std::exp2(40.0f * share(random) - 20.0f);
+        const auto steps = static_cast<float>(i % 3 == 0 ? 1 + random() % 20 : 0);  // many as far as each other
+        std::vector<float> distances(count);
+        for (float& d2 : distances) {
+            d2 = std::pow(share(random), power);
+            if (steps > 0.0f) d2 = std::floor(d2 * steps) / steps;
+            d2 *= scale;
+        }
+        std::vector<std::uint32_t> order(count);
+        std::iota(order.begin(), order.end(), 0u);
+        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return distances[a] < distances[b]; });
+        order.resize(keep);
+        const float farthest = distances[order.back()], bound = std::max(scale, farthest);
+        std::sort(order.begin(), order.end());
+
+        const std::size_t room = count + trace::PartedPhotons::kRoom;
+        std::vector<float> left = distances, scratch(room);
+        std::vector<std::uint32_t> numbers(room);
+        left.resize(room);
+        std::iota(numbers.begin(), numbers.end(), 0u);
+        trace::PartedPhotons photons(left.data(), numbers.data(), count, scratch.data());
+        REQUIRE(photons.keep_nearest(keep, i % 2 == 0 ? bound : farthest + 0.5f * (bound - farthest)) == farthest);
+        numbers.resize(keep);
+        REQUIRE(numbers == order);
+        for (std::size_t k = 0; k < keep; ++k) REQUIRE(left[k] == distances[order[k]]);
+    }
 }
