@@ -9,6 +9,9 @@
 #include "render/image/codecs/ppm_writer.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
 
 namespace image {
 
@@ -26,6 +29,29 @@ constexpr TypeFacts kTypes[] = {
     {FileType::OpenExr, ".exr", "openexr", true, false, true, false, kAnySide, 16},
     {FileType::RadianceHdr, ".hdr", "hdr", false, false, true, false, kAnySide, 16},
 };
+
+/// POV-Ray takes TIFFs through a picture of 8 bits whose colours are times alpha: it rounds colours and cuts greys of
+/// 16 bits (spec 4, 12.10).
+void take_as_bytes(Picture& picture, bool premultiplied)
+{
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const bool grey = channels < 3, alpha = channels == 2 || channels == 4;
+    for (std::size_t i = 0; i < picture.samples.size(); i += channels) {
+        std::array<int, 4> levels{};
+        for (std::size_t c = 0; c < channels; ++c) {
+            const int most = picture.bits == 16 ? 65535 : 255,
+                      level = static_cast<int>(std::lround(static_cast<float>(most) * picture.samples[i + c]));
+            levels[c] = picture.bits != 16 ? level : grey ? level >> 8 : (level + 128) / 257;
+        }
+        for (std::size_t c = 0; c < channels; ++c) {
+            const bool times = alpha && !premultiplied && c + 1 < channels;
+            picture.samples[i + c] =
+                static_cast<float>(times ? (levels[c] * levels[channels - 1] + 127) / 255 : levels[c]) / 255.0f;
+        }
+    }
+    picture.bits = 8;
+    picture.premultiplied = true;
+}
 
 }  // namespace
 
@@ -152,6 +178,9 @@ Picture Files::read_by_library(const std::string& path, const char* kind) const
     const auto count = static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height) *
                        static_cast<std::size_t>(result.channels);
     picture.samples.assign(result.samples, result.samples + count);
+    if (kind == std::string_view("OpenEXR")) picture.premultiplied = true;
+    if (kind == std::string_view("TIFF") && picture.bits <= 16 && picture.channels <= 4)
+        take_as_bytes(picture, result.premultiplied);
     module.release(result);
     return picture;
 }

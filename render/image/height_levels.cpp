@@ -10,12 +10,13 @@ namespace {
 
 constexpr float kMost = 65535.0f;
 
-/// The single-precision number that POV-Ray makes of an integer sample; floats stay.
+/// The single-precision number that POV-Ray makes of an integer sample; floats stay, and shares of another most.
 float stored(float sample, int bits)
 {
+    constexpr double kOfLevel = 1.0e-2;  // what single precision may lose of 65535 levels
     if (bits > 16) return sample;
-    const double most = (1 << bits) - 1;
-    return static_cast<float>(std::round(static_cast<double>(sample) * most) / most);
+    const double most = (1 << bits) - 1, level = static_cast<double>(sample) * most, whole = std::round(level);
+    return std::abs(level - whole) < kOfLevel ? static_cast<float>(whole / most) : sample;
 }
 
 std::uint16_t level_of(double level) { return static_cast<std::uint16_t>(std::clamp(level, 0.0, 65535.0)); }
@@ -72,7 +73,7 @@ HeightLevels read_heights(const std::string& path, const TransferCurve& decode)
             if (grey) {
                 out.levels.push_back(png && picture.channels == 1 && picture.bits <= 8 ? png_grey(channel(0))
                                                                                        : grey_level(channel(0)));
-            } else if (picture.bits <= 8) {
+            } else if (picture.bits != 16) {  // floats too
                 const double red = static_cast<double>(channel(0)), green = static_cast<double>(channel(1));
                 out.levels.push_back(level_of((red * 256.0 + green) * 255.0));
             } else {

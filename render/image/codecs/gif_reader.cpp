@@ -3,7 +3,6 @@
 #include <gif_lib.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 
@@ -92,20 +91,6 @@ private:
     std::unique_ptr<GifFileType, Closer> file_;
 };
 
-/// The rows in the order of the file: one after the other, or interlaced.
-std::vector<std::size_t> row_order(std::size_t height, bool interlaced)
-{
-    std::vector<std::size_t> rows;
-    rows.reserve(height);
-    constexpr std::array<std::array<std::size_t, 2>, 4> kPasses{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
-    if (!interlaced)
-        for (std::size_t y = 0; y < height; ++y) rows.push_back(y);
-    else
-        for (const auto& [first, step] : kPasses)
-            for (std::size_t y = first; y < height; y += step) rows.push_back(y);
-    return rows;
-}
-
 }  // namespace
 
 Picture decode_gif(const ByteList& bytes)
@@ -127,8 +112,8 @@ Picture decode_gif(const ByteList& bytes)
     }
     const auto width = static_cast<std::size_t>(out.width);
     out.indices.resize(out.count());
-    for (const std::size_t y : row_order(static_cast<std::size_t>(out.height), decoder.description().Interlace))
-        decoder.read_row(&out.indices[y * width], width);
+    // In the file's order of rows even if they are interlaced, as POV-Ray takes them (spec 4, 12.10).
+    for (std::size_t y = 0; y < static_cast<std::size_t>(out.height); ++y) decoder.read_row(&out.indices[y * width], width);
     expand_palette(out);
     return out;
 }

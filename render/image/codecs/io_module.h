@@ -29,6 +29,7 @@ struct ReadResult {
     float* samples;  ///< 0 to 1 for integer files, channels interleaved, straight alpha
     float gamma;     ///< of the file's gAMA entry, 0 if it has none
     bool srgb;       ///< the file says that it is sRGB
+    bool premultiplied;  ///< its colours are times alpha
 };
 
 class OpenPicture;  ///< a file that is being written

@@ -66,7 +66,7 @@ struct Entries {
     png_uint_32 width = 0, height = 0;
     int depth = 0, kind = 0;
     bool has_clear = false;
-    png_color_16 clear{};            ///< the clear colour of files without palette
+    png_uint_16 clear = 0;           ///< the clear level of grey files
     std::array<float, 256> alpha{};  ///< of the palette's colours
 };
 
@@ -80,11 +80,12 @@ Entries entries_of(PngDecoder& decoder, int depth)
     png_bytep alpha = nullptr;
     int count = 0;
     png_color_16p clear = nullptr;
-    e.has_clear = png_get_tRNS(decoder.png(), decoder.info(), &alpha, &count, &clear) != 0;
+    e.has_clear = png_get_tRNS(decoder.png(), decoder.info(), &alpha, &count, &clear) != 0 &&
+                  e.kind != PNG_COLOR_TYPE_RGB;  // one colour that is clear: POV-Ray draws it (spec 4, 12.10)
     if (e.has_clear && e.kind == PNG_COLOR_TYPE_PALETTE)
         std::transform(alpha, alpha + count, e.alpha.begin(),
                        [](png_byte a) { return static_cast<float>(a) / 255.0f; });
-    else if (e.has_clear) e.clear = *clear;
+    else if (e.has_clear) e.clear = clear->gray;
     return e;
 }
 
@@ -104,22 +105,20 @@ void take_palette(PngDecoder& decoder, const Entries& e, Picture& picture)
     expand_palette(picture);
 }
 
-/// Samples of Level's size; a clear colour makes a channel of alpha.
+/// Samples of Level's size; a clear level of grey makes a channel of alpha.
 template <class Level>
 void take_samples(PngDecoder& decoder, const Entries& e, Picture& picture)
 {
     const int stored = png_get_channels(decoder.png(), decoder.info());
     picture.channels = stored + (e.has_clear ? 1 : 0);
     const float most = static_cast<float>((1 << e.depth) - 1);
-    const std::array<png_uint_16, 3> clear = stored == 1 ? std::array<png_uint_16, 3>{e.clear.gray}
-                                                         : std::array{e.clear.red, e.clear.green, e.clear.blue};
     picture.samples.reserve(picture.count() * static_cast<std::size_t>(picture.channels));
     png_bytepp rows = png_get_rows(decoder.png(), decoder.info());
     for (png_uint_32 y = 0; y < e.height; ++y) {
         const Level* p = reinterpret_cast<const Level*>(rows[y]);  // libpng aligns its rows
         for (png_uint_32 x = 0; x < e.width; ++x, p += stored) {
             for (int c = 0; c < stored; ++c) picture.samples.push_back(static_cast<float>(p[c]) / most);
-            if (e.has_clear) picture.samples.push_back(std::equal(p, p + stored, clear.begin()) ? 0.0f : 1.0f);
+            if (e.has_clear) picture.samples.push_back(*p == e.clear ? 0.0f : 1.0f);
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "render/image/codecs/direct_readers.h"
 
+#include <array>
+
 namespace image {
 namespace {
 
@@ -15,21 +17,24 @@ std::uint32_t pair_at(const ByteList& bytes, std::size_t at)
     return static_cast<std::uint32_t>(bytes[at] | bytes[at + 1] << 8);
 }
 
-/// Blue, green, red of 8 bits, or 5 bits of each in two bytes.
-void read_palette(const ByteList& bytes, std::size_t at, std::size_t count, std::size_t entry, Picture& picture)
+/// One colour of `bits`: blue, green, red and alpha of 8 bits, or 5 bits of each in two bytes, which stand for the upper
+/// bits of a byte whose others are 0; the sixteenth bit is alpha (spec 4, 12.10).
+std::array<float, 4> color_at(const ByteList& bytes, std::size_t at, std::size_t bits)
 {
-    for (std::size_t i = 0; i < count; ++i, at += entry) {
-        float color[4] = {0.0f, 0.0f, 0.0f, 1.0f};
-        if (entry == 2) {
-            const std::uint32_t packed = pair_at(bytes, at);
-            for (int c = 0; c < 3; ++c) color[c] = static_cast<float>((packed >> (10 - 5 * c)) & 31u) / 31.0f;
-        } else {
-            if (at + 2 >= bytes.size()) throw FileError("the Targa file ends too early");
-            for (std::size_t c = 0; c < 3; ++c) color[c] = static_cast<float>(bytes[at + 2 - c]) / 255.0f;
-        }
-        picture.palette.insert(picture.palette.end(), color, color + 4);
+    std::array<float, 4> color{0.0f, 0.0f, 0.0f, 1.0f};
+    if (bits <= 16) {
+        const std::uint32_t packed = pair_at(bytes, at);
+        for (std::size_t c = 0; c < 3; ++c) color[c] = static_cast<float>((packed >> (10 - 5 * c) & 31u) << 3) / 255.0f;
+        if (bits == 16) color[3] = packed & 0x8000u ? 1.0f : 0.0f;
+        return color;
     }
+    if (bytes.size() < bits / 8 || at > bytes.size() - bits / 8) throw FileError("the Targa file ends too early");
+    for (std::size_t c = 0; c < 3; ++c) color[c] = static_cast<float>(bytes[at + 2 - c]) / 255.0f;
+    if (bits == 32) color[3] = static_cast<float>(bytes[at + 3]) / 255.0f;
+    return color;
 }
+
+std::size_t bytes_of(std::size_t bits) { return (bits + 7) / 8; }
 
 /// Pixels of `size` bytes each.
 ByteList unpacked(const ByteList& bytes, std::size_t at, std::size_t count, std::size_t size, bool packed)
@@ -56,15 +61,15 @@ ByteList unpacked(const ByteList& bytes, std::size_t at, std::size_t count, std:
     return stored;
 }
 
-/// The file's place of each pixel, top row first.
+/// The file's place of each pixel, top row first. POV-Ray does not ask whether rows run from the right.
 std::vector<std::size_t> places(std::size_t wide, std::size_t high, std::uint8_t order)
 {
-    const bool from_top = order & 0x20, from_right = order & 0x10;
+    const bool from_top = order & 0x20;
     std::vector<std::size_t> result;
     result.reserve(wide * high);
     for (std::size_t y = 0; y < high; ++y)
         for (std::size_t x = 0; x < wide; ++x)
-            result.push_back((from_top ? y : high - 1 - y) * wide + (from_right ? wide - 1 - x : x));
+            result.push_back((from_top ? y : high - 1 - y) * wide + x);
     return result;
 }
 
@@ -74,9 +79,10 @@ bool is_plain_targa(const std::string& path, const ByteList& bytes)
 {
     const bool named = path.ends_with(".tga") || path.ends_with(".TGA");
     if (!named || bytes.size() <= kHeader) return false;
+    const auto is_color = [](int bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; };
     const int kind = bytes[2] & ~kPacked, bits = bytes[16];
-    if (bytes[1] == 1) return kind == kPalette && bits == 8;
-    return bytes[1] == 0 && ((kind == kColors && bits == 24) || (kind == kGreys && bits == 8));
+    if (bytes[1] == 1) return kind == kPalette && bits == 8 && is_color(bytes[7]);
+    return bytes[1] == 0 && ((kind == kColors && is_color(bits)) || (kind == kGreys && bits == 8));
 }
 
 Picture decode_targa(const ByteList& bytes)
@@ -89,20 +95,25 @@ Picture decode_targa(const ByteList& bytes)
     const bool packed = bytes[2] & kPacked;
     std::size_t at = kHeader + bytes[0];
     if (bytes[1] == 1) {
-        const std::size_t first = pair_at(bytes, 3), colors = pair_at(bytes, 5),
-                          entry = (bytes[7] + std::size_t{7}) / 8;
+        const std::size_t first = pair_at(bytes, 3), colors = pair_at(bytes, 5), bits = bytes[7];
         out.palette.assign(4 * first, 0.0f);  // places below the first stored one
-        read_palette(bytes, at, colors, entry, out);
-        at += colors * entry;
+        for (std::size_t i = 0; i < colors; ++i, at += bytes_of(bits)) {
+            const auto color = color_at(bytes, at, bits);
+            out.palette.insert(out.palette.end(), color.begin(), color.end());
+        }
     }
-    const std::size_t size = bytes[16] / std::size_t{8};
+    const std::size_t bits = bytes[16], size = bytes_of(bits);
     const ByteList stored = unpacked(bytes, at, out.count(), size, packed);
-    out.channels = static_cast<int>(size);
+    out.channels = bits == 8 ? 1 : bits == 16 || bits == 32 ? 4 : 3;
     for (const std::size_t place : places(wide, high, bytes[17])) {
-        if (bytes[1] == 1) out.indices.push_back(stored[place]);
-        else
-            for (std::size_t c = size; c-- > 0;)
-                out.samples.push_back(static_cast<float>(stored[place * size + c]) / 255.0f);
+        if (bytes[1] == 1) {
+            out.indices.push_back(stored[place]);
+        } else if (bits == 8) {
+            out.samples.push_back(static_cast<float>(stored[place]) / 255.0f);
+        } else {
+            const auto color = color_at(stored, place * size, bits);
+            out.samples.insert(out.samples.end(), color.begin(), color.begin() + out.channels);
+        }
     }
     if (bytes[1] == 1) expand_palette(out);
     return out;

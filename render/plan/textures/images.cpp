@@ -138,11 +138,8 @@ texture::Image compile_image(const scene::Description& scene, const scene::Image
     else take_texels(picture, levels, ends_with_any(source.path, {".png"}), out);
     apply_transparency(written, out);
     out.opaque = !lets_light_through(out);
-    // EXR stores colours times alpha. A TIFF's straight colours are multiplied and divided again by POV-Ray: left
-    // alone.
-    out.premultiplied = ends_with_any(source.path, {".exr"});
+    out.premultiplied = picture.premultiplied;
     take_settings(written, out);
-    out.premultiplied = out.premultiplied && !ends_with_any(source.path, {".tif", ".tiff"});
     out.opaque = out.opaque && !out.once && out.projection == texture::Image::Projection::Planar;
     return out;
 }

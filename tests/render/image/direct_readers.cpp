@@ -101,8 +101,7 @@ TEST_CASE("Targa pixels stand where the descriptor says", "[image][files]")
         REQUIRE(picture.channels == 3);
         for (int y = 0; y < 3; ++y)
             for (int x = 0; x < 5; ++x) {
-                const int row = order & 0x20 ? y : 2 - y, column = order & 0x10 ? 4 - x : x,
-                          first = 3 * (5 * row + column);
+                const int row = order & 0x20 ? y : 2 - y, first = 3 * (5 * row + x);
                 CHECK(level(picture, x, y, 2) == first);  // blue first
                 CHECK(level(picture, x, y, 0) == first + 2);
             }
@@ -110,6 +109,71 @@ TEST_CASE("Targa pixels stand where the descriptor says", "[image][files]")
     const Picture grey = decode_targa(targa(3, 8, 0x20, counted(15)));
     REQUIRE(grey.channels == 1);
     CHECK(level(grey, 1, 2, 0) == 11);
+}
+
+TEST_CASE("Targa colours of two bytes have five bits each and one of alpha", "[image][files]")
+{
+    ByteList rest = counted(30);
+    rest[0] = 0xe0;  // red 29, green 15, blue 0 and alpha: 0xf5e0
+    rest[1] = 0xf5;
+    const Picture picture = decode_targa(targa(2, 16, 0x20, rest));
+    REQUIRE(picture.channels == 4);
+    CHECK(level(picture, 0, 0, 0) == 29 * 8);
+    CHECK(level(picture, 0, 0, 1) == 15 * 8);
+    CHECK(level(picture, 0, 0, 2) == 0);
+    CHECK(level(picture, 0, 0, 3) == 255);
+    CHECK(level(picture, 1, 0, 3) == 0);
+    CHECK(decode_targa(targa(2, 15, 0x20, rest)).channels == 3);
+    const Picture clear = decode_targa(targa(2, 32, 0x20, counted(60)));
+    REQUIRE(clear.channels == 4);
+    CHECK(level(clear, 1, 0, 0) == 6);
+    CHECK(level(clear, 1, 0, 3) == 7);
+}
+
+TEST_CASE("PPM and PGM levels are shares of the largest", "[image][files]")
+{
+    const auto bytes = [](std::string_view text) { return ByteList(text.begin(), text.end()); };
+    const Picture text = decode_pnm(bytes("P3 # a comment\n2 1\n100\n49 0 16 # another\n 96 100 7"));
+    REQUIRE(text.channels == 3);
+    CHECK(text.bits == 8);
+    CHECK(text.at(0, 0)[0] == 49.0f / 100.0f);
+    CHECK(text.at(1, 0)[2] == 7.0f / 100.0f);
+    const Picture pairs = decode_pnm(bytes({"P5 2 1 1000 \x01\xf2\x03\xe8", 16}));
+    REQUIRE(pairs.channels == 1);
+    CHECK(pairs.bits == 16);
+    CHECK(pairs.at(0, 0)[0] == 498.0f / 1000.0f);
+    CHECK(pairs.at(1, 0)[0] == 1.0f);
+    CHECK(decode_pnm(bytes("P6\n1 1\n255\nabc")).at(0, 0)[2] == 99.0f / 255.0f);
+    for (const char* broken : {"P6\n2 1\n255\nabc", "P6\n0 1\n255\nabc", "P5 x", "P2 2 1 255 3", "P5 1 1 70000 ab",
+                               "P5 99999999999 99999999 255 ab"})
+        CHECK_THROWS_AS(decode_pnm(bytes(broken)), FileError);
+}
+
+TEST_CASE("a Radiance pixel is the middle of what its mantissa stands for", "[image][files]")
+{
+    const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
+    const auto whole = [&](const std::string& sizes, const ByteList& pixels) {
+        ByteList bytes(header.begin(), header.end());
+        bytes.insert(bytes.end(), sizes.begin(), sizes.end());
+        bytes.insert(bytes.end(), pixels.begin(), pixels.end());
+        return bytes;
+    };
+    const Picture plain = decode_hdr(whole("-Y 1 +X 3\n", {127, 0, 255, 128, 1, 1, 1, 1, 9, 9, 9, 0}));
+    CHECK(plain.bits == 32);
+    CHECK(plain.at(0, 0)[0] == 127.5f / 256.0f);
+    CHECK(plain.at(0, 0)[1] == 0.5f / 256.0f);
+    CHECK(plain.at(1, 0)[2] == 255.5f / 256.0f);  // the pixel before, once more
+    CHECK(plain.at(2, 0)[0] == 0.0f);
+    const ByteList packed = {2, 2, 0, 8, 136, 10, 3, 1, 2, 3, 133, 4, 136, 0, 136, 129};
+    const Picture runs = decode_hdr(whole("-Y 1 +X 8\n", packed));
+    CHECK(runs.at(7, 0)[0] == 10.5f / 128.0f);
+    CHECK(runs.at(2, 0)[1] == 3.5f / 128.0f);
+    CHECK(runs.at(3, 0)[1] == 4.5f / 128.0f);
+    for (std::size_t length = 0; length < packed.size(); ++length)
+        CHECK_THROWS_AS(decode_hdr(whole("-Y 1 +X 8\n", {packed.begin(), packed.begin() + std::ptrdiff_t(length)})),
+                        FileError);
+    CHECK_THROWS_AS(decode_hdr(whole("+X 1 -Y 1\n", {1, 2, 3, 4})), FileError);
+    CHECK_THROWS_AS(decode_hdr(whole("-Y 2000000000 +X 2000000000\n", {1, 2, 3, 4})), FileError);
 }
 
 TEST_CASE("a Targa file of no pixels is no picture", "[image][files]")
@@ -143,6 +207,8 @@ int append(GifFileType* file, const GifByteType* bytes, int count)
     return count;
 }
 
+constexpr int kInterlaced[] = {0, 8, 4, 2, 6, 1, 3, 5, 7};
+
 /// 5x9 pixels of 16 colours, pixel (x, y) at place (x + 3 y) mod 16; place 7 is clear.
 ByteList gif(bool interlaced)
 {
@@ -162,7 +228,7 @@ ByteList gif(bool interlaced)
     REQUIRE(EGifPutExtension(file, GRAPHICS_EXT_FUNC_CODE, 4, block) == GIF_OK);
     REQUIRE(EGifPutImageDesc(file, 0, 0, 5, 9, interlaced, nullptr) == GIF_OK);
     std::vector<int> rows{0, 1, 2, 3, 4, 5, 6, 7, 8};
-    if (interlaced) rows = {0, 8, 4, 2, 6, 1, 3, 5, 7};
+    if (interlaced) rows.assign(std::begin(kInterlaced), std::end(kInterlaced));
     for (const int y : rows) {
         GifPixelType row[5];
         for (int x = 0; x < 5; ++x) row[x] = static_cast<GifPixelType>((x + 3 * y) % 16);
@@ -175,7 +241,7 @@ ByteList gif(bool interlaced)
 
 }  // namespace
 
-TEST_CASE("the places and colours of a GIF, interlaced or not", "[image][files]")
+TEST_CASE("the places and colours of a GIF, rows in the order of the file", "[image][files]")
 {
     for (const bool interlaced : {false, true}) {
         const Picture picture = decode_gif(gif(interlaced));
@@ -185,7 +251,7 @@ TEST_CASE("the places and colours of a GIF, interlaced or not", "[image][files]"
         REQUIRE(picture.palette.size() == 4 * 16);
         for (int y = 0; y < 9; ++y)
             for (int x = 0; x < 5; ++x) {
-                const int place = (x + 3 * y) % 16;
+                const int row = interlaced ? kInterlaced[y] : y, place = (x + 3 * row) % 16;
                 CHECK(picture.indices[static_cast<std::size_t>(5 * y + x)] == place);
                 CHECK(level(picture, x, y, 0) == 16 * place);
                 CHECK(level(picture, x, y, 3) == (place == 7 ? 0 : 255));
