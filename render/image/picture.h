@@ -17,8 +17,8 @@ struct Picture {
     int width = 0, height = 0, channels = 0;
     int bits = 8;  ///< of a sample in the file, at least 8; 32 is float
     std::vector<float> samples;
-    float file_gamma = 0.0f;  ///< of its gAMA entry as decoding gamma; 0: none
-    bool srgb = false;        ///< tagged as sRGB
+    float file_gamma = 0.0f;     ///< of its gAMA entry as decoding gamma; 0: none
+    bool srgb = false;           ///< tagged as sRGB
     bool premultiplied = false;  ///< colours are times alpha, as in OpenEXR files and, once read, TIFFs
 
     /// For files with a palette also the places in it, one a pixel, and its colours: red, green, blue, alpha each.

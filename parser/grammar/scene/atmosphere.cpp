@@ -41,6 +41,16 @@ struct lambda : item<Kind::Lambda, a_number> {
 struct turb_depth : item<Kind::TurbDepth, a_number> {
     static void act(FogState& s) { s.fog.turb_depth = s.pop_float(); }
 };
+/// A colour has a word before it or is an identifier that holds one: a number alone is the distance (spec 2, 16.1).
+bool at_fog_color(TokenStream& in)
+{
+    const Token& token = in.peek();
+    if (token.kind != Kind::Identifier) return lexical_class(token.kind) == LexicalClass::Color;
+    const Value* value = in.value_of(token);
+    const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
+    return at_color(in) && (!tuple || tuple->count == 5);
+}
+
 struct FogItems {
     static bool match(SceneBuilder& build, FogState& s)
     {
@@ -52,8 +62,10 @@ struct FogItems {
             s.fog.up = t->vector(s.fog.up);
             return true;
         }
-        if (!at_color(build.stream())) return false;
-        s.fog.color = parser::color_expr(build.stream());
+        TokenStream& in = build.stream();
+        if (at_fog_color(in)) s.fog.color = parser::color_expr(in);
+        else if (at_expression(in)) s.fog.distance = float_expr(in);
+        else return false;
         return true;
     }
 };

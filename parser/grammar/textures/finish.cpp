@@ -1,4 +1,5 @@
 #include "parser/grammar/scene/effects.h"
+#include "parser/grammar/textures/old_words.h"
 #include "parser/grammar/core/rules.h"
 
 namespace parser {
@@ -206,6 +207,25 @@ scene::Finish read_finish(SceneBuilder& build, const scene::Finish& before)
     });
     s.finish.source = source;
     return s.finish;
+}
+
+bool read_old_finish(SceneBuilder& build, scene::Finish& finish)
+{
+    TokenStream& in = build.stream();
+    const Kind kind = in.peek().kind;
+    if (kind == Kind::Number) {
+        finish.crand = static_cast<float>(float_expr(in));
+        return true;
+    }
+    if (!is_one_of(kind,
+                   {Kind::Ambient, Kind::Brilliance, Kind::Crand, Kind::Diffuse, Kind::Ior, Kind::Metallic, Kind::Phong,
+                    Kind::PhongSize, Kind::Reflection, Kind::Refraction, Kind::Roughness, Kind::Specular}))
+        return false;
+    FinishState s(build);
+    s.finish = finish;
+    FinishItems::match(build, s);
+    finish = s.finish;
+    return true;
 }
 
 }  // namespace parser

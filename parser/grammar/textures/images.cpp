@@ -87,8 +87,8 @@ std::shared_ptr<const image::Picture> picture_of(BlockReader& s, const scene::Im
 /// The source of a pattern's picture, its content included.
 scene::ImageSource read_picture(BlockReader& s)
 {
-    // Up to version 2 an image was laid out along the axes of a vector, as in image_map { <1, -1, 0> gif "a.gif" }; it is
-    // without effect (spec 4, 12.10).
+    // Up to version 2 an image was laid out along the axes of a vector, as in image_map { <1, -1, 0> gif "a.gif" }; it
+    // is without effect (spec 4, 12.10).
     if (at_expression(s.in()) && !at_string(s.in())) vector_expr(s.in());
     scene::ImageSource source = read_image_source(s);
     source.picture = source.made() ? picture_of(s, source) : s.build().picture(source.path, s.in().last());

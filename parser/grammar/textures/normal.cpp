@@ -1,4 +1,5 @@
 #include "parser/grammar/textures/images.h"
+#include "parser/grammar/textures/old_words.h"
 #include "parser/grammar/core/rules.h"
 
 namespace parser {
@@ -56,7 +57,9 @@ void read_head(NormalState& s)
         s.normal.map = std::monostate{};
         if (bumps->bump_size) s.normal.amount = *bumps->bump_size;
         in.accept_comma();
-        if (at_expression(in)) s.normal.amount = parser::float_expr(in);
+        // In a texture of version 1 the colour may follow.
+        if (at_expression(in) && lexical_class(in.peek().kind) != LexicalClass::Color)
+            s.normal.amount = parser::float_expr(in);
         return;
     }
     if (in.accept(Kind::UvMapping)) {
@@ -104,6 +107,27 @@ scene::Normal read_normal(SceneBuilder& build, const scene::NormalPtr& base)
     scene::Normal normal = read_normal_body(build, base);
     build.close_block("normal", opened);
     return normal;
+}
+
+bool read_old_normal(SceneBuilder& build, scene::NormalPtr& normal)
+{
+    const Kind kind = build.stream().peek().kind;
+    const bool modifier = is_one_of(kind, {Kind::Frequency, Kind::Phase});
+    if (!modifier &&
+        !is_one_of(kind, {Kind::Bumps, Kind::Dents, Kind::Ripples, Kind::Waves, Kind::Wrinkles, Kind::BumpMap}))
+        return false;
+    NormalState s(build);
+    if (normal) s.normal = *normal;
+    if (modifier) {
+        if (!normal)
+            build.stream().fail(build.stream().last(), "there is no normal whose frequency or phase this could be");
+        read_pattern_modifier(build, s.normal.pattern);
+    } else {
+        s.normal.source = build.stream().here();
+        read_head(s);
+    }
+    normal = std::make_shared<const scene::Normal>(std::move(s.normal));
+    return true;
 }
 
 }  // namespace parser

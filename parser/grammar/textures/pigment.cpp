@@ -1,4 +1,5 @@
 #include "parser/grammar/textures/images.h"
+#include "parser/grammar/textures/old_words.h"
 #include "parser/grammar/core/rules.h"
 #include "render/scene/media.h"
 
@@ -31,6 +32,8 @@ bool same(const scene::ColorMap& a, const scene::ColorMap& b)
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const auto& x, const auto& y) { return x.key == y.key && x.value == y.value; });
 }
+
+}  // namespace
 
 struct PigmentState : BlockState {
     PigmentState(SceneBuilder& b, const scene::Pigment& base, bool density_block)
@@ -70,6 +73,8 @@ struct PigmentState : BlockState {
         color = c;
     }
 };
+
+namespace {
 
 void reject_map(PigmentState& s)
 {
@@ -254,6 +259,35 @@ scene::Pigment read_pigment(SceneBuilder& build, const scene::Pigment& base)
     scene::Pigment pigment = read_pigment_body(build, base);
     build.close_block("pigment", opened);
     return pigment;
+}
+
+bool OldPigment::read(const scene::Pigment& base)
+{
+    TokenStream& in = build_.stream();
+    const Kind kind = in.peek().kind;
+    const bool pattern = is_one_of(kind, {Kind::Agate, Kind::Bozo, Kind::Checker, Kind::Gradient, Kind::Granite,
+                                          Kind::Hexagon, Kind::Leopard, Kind::Mandel, Kind::Marble, Kind::Onion,
+                                          Kind::Spotted, Kind::Wood}),
+               head = pattern || kind == Kind::ImageMap || at_plain_color(in),
+               modifier = is_one_of(kind, {Kind::Turbulence, Kind::Octaves, Kind::Omega, Kind::Lambda});
+    if (!head && !modifier && kind != Kind::ColorMap && kind != Kind::QuickColor) return false;
+    if (!state_) {
+        state_ = std::make_shared<PigmentState>(build_, base, false);
+        source_ = in.here();
+    }
+    PigmentState& s = *state_;
+    if (!head) return modifier ? read_pattern_modifier(build_, s.pattern) : PigmentItems::match(build_, s);
+    s.mapless = false;
+    read_head(s);
+    s.mapless = false;                                    // a map without effect may follow
+    if (pattern) s.pattern.wave = scene::WaveForm::Ramp;  // of marble and wood too (spec 4, 14.1)
+    return true;
+}
+
+void OldPigment::put(scene::Pigment& pigment)
+{
+    if (state_) pigment = finished(*state_, source_);
+    state_.reset();
 }
 
 }  // namespace parser

@@ -1,4 +1,5 @@
 #include "parser/grammar/textures/images.h"
+#include "parser/grammar/textures/old_words.h"
 #include "parser/grammar/core/rules.h"
 
 namespace parser {
@@ -158,14 +159,36 @@ void accept_part(TextureState& s)
     else if (const auto finish = in.accept_identifier<std::shared_ptr<const scene::Finish>>()) top.finish = **finish;
 }
 
+std::optional<csg::Transform> read_texture_transformation(TextureState& s)
+{
+    const auto t = read_transformation(s.build);
+    if (!t) return t;
+    s.texture.transform(*t);
+    for (scene::Layer& layer : std::get<Layers>(s.texture.kind)) layer.pigment.move_space(*t);
+    return t;
+}
+
 bool read_texture_modifier(TextureState& s)
 {
     if (s.patterned()) return read_pattern_modifier(s.build, s.pattern().pattern);
-    const auto t = read_transformation(s.build);
-    if (!t) return false;
-    s.texture.transform(*t);
-    for (scene::Layer& layer : std::get<Layers>(s.texture.kind)) layer.pigment.move_space(*t);
-    return true;
+    return read_texture_transformation(s).has_value();
+}
+
+/// All of a texture of version 1 or 2 (spec 4, 14.1).
+void read_old_items(TextureState& s)
+{
+    OldPigment pigment(s.build);
+    for (;;) {
+        scene::Layer& top = std::get<Layers>(s.texture.kind).back();
+        if (pigment.read(top.pigment) || read_old_normal(s.build, top.normal)) continue;
+        scene::Finish finish = *top.finish;
+        if (read_old_finish(s.build, finish)) {
+            top.finish = finish;
+            continue;
+        }
+        pigment.put(top.pigment);
+        if (!TextureItems::match(s.build, s) && !read_texture_transformation(s)) return;
+    }
 }
 
 }  // namespace
@@ -180,8 +203,11 @@ scene::TexturePtr read_texture_body(SceneBuilder& build)
     if (const auto declared = in.accept_identifier<scene::TexturePtr>()) s.texture = **declared;
     else accept_part(s);
     s.texture.source = in.here();
-    read_head(s);
-    while (TextureItems::match(build, s) || read_texture_modifier(s)) {}
+    const bool old = build.version() < kFirstWithoutOldTextures;
+    if (!old || is_one_of(in.peek().kind, {Kind::Tiles, Kind::MaterialMap})) read_head(s);
+    if (old && !s.patterned()) read_old_items(s);
+    else
+        while (TextureItems::match(build, s) || read_texture_modifier(s)) {}
     if (s.patterned()) check_pavement(build, s.pattern().pattern);
     if (s.patterned() && s.pattern().map.empty())
         in.fail(s.texture.source, "this patterned texture has no texture_map");

@@ -24,15 +24,15 @@ std::optional<Picture> decode_directly(const std::string& path, const ByteList& 
 Picture decode_png(const ByteList& bytes);                  ///< with libpng
 Picture decode_gif(const ByteList& bytes);                  ///< the first picture, with giflib
 std::optional<Picture> decode_jpeg(const ByteList& bytes);  ///< with libjpeg; nothing for four colour components
-Picture decode_pnm(const ByteList& bytes);  ///< what is_plain_pnm() accepts
-Picture decode_hdr(const ByteList& bytes);  ///< Radiance's pixels of one exponent, rows from above
+Picture decode_pnm(const ByteList& bytes);                  ///< what is_plain_pnm() accepts
+Picture decode_hdr(const ByteList& bytes);                  ///< Radiance's pixels of one exponent, rows from above
 Picture decode_targa(const ByteList& bytes);  ///< what is_plain_targa() accepts (Truevision TGA specification 2.0)
 
 /// PPM and PGM files, as text or bytes.
 bool is_plain_pnm(const ByteList& bytes);
 
-/// A Targa file has no signature: its name and the fields for a palette of 8-bit places, 8-bit greys or colours of 15, 16,
-/// 24 or 32 bits.
+/// A Targa file has no signature: its name and the fields for a palette of 8-bit places, 8-bit greys or colours of 15,
+/// 16, 24 or 32 bits.
 bool is_plain_targa(const std::string& path, const ByteList& bytes);
 
 }  // namespace image

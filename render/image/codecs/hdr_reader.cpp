@@ -120,8 +120,8 @@ Picture decode_hdr(const ByteList& bytes)
         rows.read(row);
         for (std::size_t i = 0; i < row.size(); i += kPixel)
             for (std::size_t c = 0; c < 3; ++c)  // the middle of what is rounded to a mantissa (spec 4, 12.10)
-                out.samples.push_back(row[i + 3] == 0 ? 0.0f
-                                                      : std::ldexp(static_cast<float>(row[i + c]) + 0.5f, row[i + 3] - 136));
+                out.samples.push_back(
+                    row[i + 3] == 0 ? 0.0f : std::ldexp(static_cast<float>(row[i + c]) + 0.5f, row[i + 3] - 136));
     }
     return out;
 }

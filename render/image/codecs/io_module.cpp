@@ -122,8 +122,7 @@ const char* read_picture(const char* path, image::ReadResult& result)
     result = {spec.width,        spec.height,
               spec.nchannels,    spec.format.is_floating_point() ? 32 : static_cast<int>(8 * spec.format.size()),
               samples.release(), spec.get_float_attribute("oiio:Gamma", 0.0f),
-              space == "sRGB",
-              spec.alpha_channel >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0};
+              space == "sRGB",   spec.alpha_channel >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0};
     return nullptr;
 }
 

@@ -25,10 +25,10 @@ struct WriteRequest {
 /// What a reader returns; `samples` belongs to the module until `release`.
 struct ReadResult {
     int width, height, channels;
-    int bits;        ///< of the file's samples: 8, 16 or 32 (float)
-    float* samples;  ///< 0 to 1 for integer files, channels interleaved, straight alpha
-    float gamma;     ///< of the file's gAMA entry, 0 if it has none
-    bool srgb;       ///< the file says that it is sRGB
+    int bits;            ///< of the file's samples: 8, 16 or 32 (float)
+    float* samples;      ///< 0 to 1 for integer files, channels interleaved, straight alpha
+    float gamma;         ///< of the file's gAMA entry, 0 if it has none
+    bool srgb;           ///< the file says that it is sRGB
     bool premultiplied;  ///< its colours are times alpha
 };
 

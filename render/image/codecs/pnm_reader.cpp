@@ -52,7 +52,8 @@ Picture decode_pnm(const ByteList& bytes)
     const std::size_t count = out.count() * static_cast<std::size_t>(out.channels),
                       size = is_text(bytes) ? 1 : static_cast<std::size_t>(out.bits / 8);
     if (out.width == 0 || out.height == 0 || most == 0 || most > 65535) throw FileError("the PPM file is broken");
-    if (out.count() > bytes.size() || count * size > bytes.size()) throw FileError("the PPM file is broken (it ends too early)");
+    if (out.count() > bytes.size() || count * size > bytes.size())
+        throw FileError("the PPM file is broken (it ends too early)");
     // A share of the most, not of 255: POV-Ray rounds to no level (spec 4, 12.10).
     const auto put = [&](int level) { out.samples.push_back(static_cast<float>(level) / static_cast<float>(most)); };
     out.samples.reserve(count);
@@ -61,7 +62,8 @@ Picture decode_pnm(const ByteList& bytes)
         return out;
     }
     const std::size_t first = numbers.at() + 1;  // one white space
-    if (first > bytes.size() || bytes.size() - first < count * size) throw FileError("the PPM file is broken (it ends too early)");
+    if (first > bytes.size() || bytes.size() - first < count * size)
+        throw FileError("the PPM file is broken (it ends too early)");
     for (std::size_t i = first; i < first + count * size; i += size)
         put(size == 1 ? bytes[i] : bytes[i] << 8 | bytes[i + 1]);
     return out;

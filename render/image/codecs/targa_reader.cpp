@@ -17,8 +17,8 @@ std::uint32_t pair_at(const ByteList& bytes, std::size_t at)
     return static_cast<std::uint32_t>(bytes[at] | bytes[at + 1] << 8);
 }
 
-/// One colour of `bits`: blue, green, red and alpha of 8 bits, or 5 bits of each in two bytes, which stand for the upper
-/// bits of a byte whose others are 0; the sixteenth bit is alpha (spec 4, 12.10).
+/// One colour of `bits`: blue, green, red and alpha of 8 bits, or 5 bits of each in two bytes, which stand for the
+/// upper bits of a byte whose others are 0; the sixteenth bit is alpha (spec 4, 12.10).
 std::array<float, 4> color_at(const ByteList& bytes, std::size_t at, std::size_t bits)
 {
     std::array<float, 4> color{0.0f, 0.0f, 0.0f, 1.0f};
@@ -68,8 +68,7 @@ std::vector<std::size_t> places(std::size_t wide, std::size_t high, std::uint8_t
     std::vector<std::size_t> result;
     result.reserve(wide * high);
     for (std::size_t y = 0; y < high; ++y)
-        for (std::size_t x = 0; x < wide; ++x)
-            result.push_back((from_top ? y : high - 1 - y) * wide + x);
+        for (std::size_t x = 0; x < wide; ++x) result.push_back((from_top ? y : high - 1 - y) * wide + x);
     return result;
 }
 
