@@ -178,9 +178,9 @@ Picture Files::read_by_library(const std::string& path, const char* kind) const
     const auto count = static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height) *
                        static_cast<std::size_t>(result.channels);
     picture.samples.assign(result.samples, result.samples + count);
-    if (kind == std::string_view("OpenEXR")) picture.premultiplied = true;
-    if (kind == std::string_view("TIFF") && picture.bits <= 16 && picture.channels <= 4)
-        take_as_bytes(picture, result.premultiplied);
+    const std::string_view named = kind ? kind : "";
+    if (named == "OpenEXR") picture.premultiplied = true;
+    if (named == "TIFF" && picture.bits <= 16 && picture.channels <= 4) take_as_bytes(picture, result.premultiplied);
     module.release(result);
     return picture;
 }

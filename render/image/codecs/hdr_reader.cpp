@@ -93,7 +93,7 @@ private:
     }
     std::uint8_t next()
     {
-        if (at_ >= bytes_.size()) throw FileError("the Radiance file ends too early");
+        if (at_ >= bytes_.size()) throw FileError("the Radiance file is broken (it ends too early)");
         return bytes_[at_++];
     }
 
@@ -112,7 +112,7 @@ Picture decode_hdr(const ByteList& bytes)
     out.channels = 3;
     out.bits = 32;
     // A packed row has at least two bytes a channel for 127 pixels.
-    if (out.count() / 127 > bytes.size()) throw FileError("the Radiance file ends too early");
+    if (out.count() / 127 > bytes.size()) throw FileError("the Radiance file is broken (it ends too early)");
     out.samples.reserve(3 * out.count());
     RowReader rows(bytes, bytes.size() - header.rest);
     std::vector<std::uint8_t> row(kPixel * static_cast<std::size_t>(out.width));
