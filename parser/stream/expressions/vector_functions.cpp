@@ -20,8 +20,13 @@ namespace {
 glm::dvec3 rotated_about(const glm::dvec3& v, const glm::dvec3& axis, double degrees)
 {
     const double angle = degrees * (std::numbers::pi / 180.0);
-    const glm::dvec3 k = axis / glm::length(axis);
-    return v * std::cos(angle) + glm::cross(k, v) * std::sin(angle) + k * (glm::dot(k, v) * (1.0 - std::cos(angle)));
+    const glm::dvec3 k = axis * (1.0 / glm::length(axis)), s = k * std::sin(angle);
+    const double c = std::cos(angle), rest = 1.0 - c;
+    // The rows of a matrix, as POV-Ray has it: the same to the last digit, and 0 where it prints 0 (spec 1, 5.2).
+    const glm::dvec3 x(k.x * k.x + c * (1.0 - k.x * k.x), k.x * k.y * rest + s.z, k.x * k.z * rest - s.y),
+        y(k.x * k.y * rest - s.z, k.y * k.y + c * (1.0 - k.y * k.y), k.y * k.z * rest + s.x),
+        z(k.x * k.z * rest + s.y, k.y * k.z * rest - s.x, k.z * k.z + c * (1.0 - k.z * k.z));
+    return v.x * x + v.y * y + v.z * z;
 }
 
 glm::dvec3 read_trace(TokenStream& stream, const Token& word)
