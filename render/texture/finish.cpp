@@ -1,6 +1,7 @@
 #include "render/texture/finish.h"
 
 #include "render/texture/angle.h"
+#include "render/texture/fresnel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,17 +70,6 @@ glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const sc
 
 namespace {
 
-/// Share of the maximum at an angle, by Fresnel's equations; 1 beyond the critical angle.
-double fresnel_share(double eta, double c)
-{
-    const double q = eta * eta + c * c - 1.0;
-    if (q <= 0.0) return 1.0;
-    const double g = std::sqrt(q);
-    const double a = (g - c) / (g + c);
-    const double b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
-    return std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
-}
-
 /// Schlick, "An inexpensive BRDF model for physically-based rendering" (1994): no critical angle, no polarisation.
 /// Hardly ever asked, and not to make reflectivity() too long to be inlined.
 [[gnu::noinline]] double schlick_share(double eta, double c)
@@ -99,9 +89,15 @@ glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, double
                          : finish.reflection_falloff == 1.0f
                              ? 1.0 - c
                              : std::pow(1.0 - c, static_cast<double>(finish.reflection_falloff));
-        const auto share = static_cast<float>(s);
-        r = share * finish.reflection_max + (1.0f - share) * finish.reflection_min;
+        return reflectivity_at(finish, pigment, c, static_cast<float>(s));
     }
+    if (finish.reflection_metallic != 0.0f) r *= metallic_tint(finish.reflection_metallic, c, pigment);
+    return r;
+}
+
+glm::vec3 reflectivity_at(const Finish& finish, const scene::Color& pigment, double c, float share)
+{
+    glm::vec3 r = share * finish.reflection_max + (1.0f - share) * finish.reflection_min;
     if (finish.reflection_metallic != 0.0f) r *= metallic_tint(finish.reflection_metallic, c, pigment);
     return r;
 }

@@ -3,6 +3,7 @@
 #include "csg/base/tolerance.h"
 #include "csg/world/leaving.h"
 #include "render/texture/finish.h"
+#include "render/texture/fresnel.h"
 #include "render/trace/air/interior_fade.h"
 #include "render/trace/light/direct_batch.h"
 #include "render/trace/queue/segment_tile.h"
@@ -24,6 +25,7 @@ public:
     {
         if (hits == 0) return;
         find_mirrored(hits);
+        find_fresnel(hits);
         for_each_hit(hits, [this](std::size_t k) { look(k); });
         if (bent_ != 0) bend();
         find_leaving(hits);
@@ -84,6 +86,24 @@ private:
         });
     }
 
+    /// Shares that Fresnel's equations give, of hits whose finish goes by them.
+    void find_fresnel(HitMask hits)
+    {
+        using csg::lanes::Double;
+        for_each_hit(hits, [this](std::size_t k) {
+            const texture::Finish& finish = batch_.top_finish(k);
+            if (!finish.fresnel || finish.schlick || finish.reflection_min == finish.reflection_max) return;
+            fresnel_ |= HitMask{1} << k;
+            eta_[k] = fresnel_index(context_.scene.interiors, tile_.interiors(k),
+                                    context_.scene.surfaces[tile_.hits.surface[k]].interior);
+        });
+        if (fresnel_ == 0) return;
+        each_vector(fresnel_, [&](int i) {
+            texture::fresnel_share(Double::load_aligned(eta_.data() + i), -Double::load_aligned(cosine_.data() + i))
+                .store_aligned(share_.data() + i);
+        });
+    }
+
     /// What the layer lets through and mirrors, and how the interface bends.
     [[gnu::always_inline]] void look(std::size_t k)
     {
@@ -97,8 +117,10 @@ private:
         if (finish.irid > 0.0f) return;
         glm::vec3 reflectivity(0);
         if (finish.reflects()) {
-            const double eta = finish.fresnel ? fresnel_index(interiors, list, own) : 1.0;
-            reflectivity = texture::reflectivity(finish, c, -cosine_[k], eta);
+            const auto by_index = [&] { return finish.fresnel ? fresnel_index(interiors, list, own) : 1.0; };
+            reflectivity = has(fresnel_, k)
+                               ? texture::reflectivity_at(finish, c, -cosine_[k], static_cast<float>(share_[k]))
+                               : texture::reflectivity(finish, c, -cosine_[k], by_index());
             weight_[k] = mirror_weight(state.weight, 1.0f, finish, reflectivity);
         }
         const glm::vec3 filter = layer_filter(c, finish, reflectivity);
@@ -254,6 +276,7 @@ private:
     const SegmentTile& tile_;
     DirectBatch& batch_;
     HitMask ready_ = 0;
+    HitMask fresnel_ = 0;           ///< those whose share_ is known
     HitMask through_ = 0;           ///< those that a ray behind the surface is asked of
     HitMask bent_ = 0, total_ = 0;  ///< of them, those whose rays change direction; are mirrored within
     HitMask mirrored_along_ = 0, through_along_ = 0;    ///< rays with a positive cosine with the normal
@@ -261,7 +284,8 @@ private:
     // Not cleared.
     alignas(64) TileLanes cosine_, start_, mirrored_x_, mirrored_y_, mirrored_z_;
     alignas(64) TileLanes ratio_, bent_x_, bent_y_, bent_z_;
-    alignas(64) TileLanes stretch_;  ///< RayState::stretch, before the surface and then behind it
+    alignas(64) TileLanes eta_, share_;  ///< of fresnel_
+    alignas(64) TileLanes stretch_;      ///< RayState::stretch, before the surface and then behind it
     TileColors reflectivity_, filter_;
     alignas(64) TileFloats residual_, weight_;  ///< LayerStack::residual, Mirror::weight
     std::array<Crossing::Way, csg::kTileRays> way_;

@@ -1,10 +1,13 @@
+#include "render/texture/fresnel.h"
 #include "render/trace/queue/float_mask.h"
 #include "render/trace/random_lanes.h"
+#include "render/trace/shade/dispersion.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <bit>
+#include <memory>
 #include <random>
 
 // Built for several instruction sets: each has a way of its own.
@@ -29,6 +32,44 @@ TEST_CASE("random numbers of many points are those of each alone", "[lanes][rand
             const double alone = random_at({x[i], y[i], z[i]}, static_cast<std::uint32_t>(purpose[i]) + next);
             REQUIRE(std::bit_cast<std::uint64_t>(alone) == std::bit_cast<std::uint64_t>(found[i]));
         }
+    }
+}
+
+TEST_CASE("Fresnel shares of many rays are those of each alone", "[lanes][fresnel]")
+{
+    using csg::lanes::Double;
+    std::mt19937_64 draw(3);
+    std::uniform_real_distribution<double> number(0.0, 1.0);
+    int beyond = 0;
+    for (int round = 0; round < 20000; ++round) {
+        alignas(64) std::array<double, csg::lanes::kDoubles> eta, cosine, found;
+        for (std::size_t i = 0; i < eta.size(); ++i) {
+            eta[i] = round % 7 == 0 ? 1.0 : 0.3 + 2.0 * number(draw);
+            cosine[i] = round % 5 == 0 ? 0.0 : round % 11 == 0 ? 1.0 : 1.1 * number(draw) - 0.05;
+        }
+        texture::fresnel_share(Double::load_aligned(eta.data()), Double::load_aligned(cosine.data()))
+            .store_aligned(found.data());
+        for (std::size_t i = 0; i < eta.size(); ++i) {
+            INFO("eta " << eta[i] << ", cosine " << cosine[i]);
+            const double alone = texture::fresnel_share(eta[i], cosine[i]);
+            REQUIRE(std::bit_cast<std::uint64_t>(alone) == std::bit_cast<std::uint64_t>(found[i]));
+            beyond += alone == 1.0 ? 1 : 0;
+        }
+    }
+    CHECK(beyond > 1000);
+}
+
+TEST_CASE("powers of the spectrum that were looked up are those of the library", "[dispersion]")
+{
+    std::mt19937_64 draw(4);
+    const auto powers = std::make_unique<SpectrumPowers>();
+    for (int round = 0; round < 20000; ++round) {
+        const int samples = 2 + static_cast<int>(draw() % 30);
+        const float nm = wavelength(static_cast<int>(draw() % static_cast<unsigned>(samples)), samples);
+        // More than there is room for, and the same again.
+        const double dispersion = 0.9 + 0.001 * static_cast<double>(draw() % 200), ratio = 1.5;
+        REQUIRE(powers->ratio_at(ratio, dispersion, nm) == ratio_at(ratio, dispersion, nm));
+        REQUIRE(powers->ratio_at(ratio, dispersion, nm) == ratio_at(ratio, dispersion, nm));
     }
 }
 
