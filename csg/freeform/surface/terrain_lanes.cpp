@@ -34,6 +34,8 @@ private:
         Numbers t{}, y{}, i{}, k{}, size{}, inverse{};  ///< of each walk's place
         Numbers row{};                                  ///< where its level begins, as if cells lay before the blocks
         Numbers above{};                                ///< the terrain, where known
+        Numbers met_t{};                                ///< where it meets the terrain,
+        Mask found = 0, upper = 0;  ///< of those that come from above: in the cell's second triangle
         Mask going = 0, met = 0, ended = 0;
         Mask known = 0;  ///< those that have just come over a cell's triangles
         std::array<std::optional<TerrainWalk>, kLanes> walks;
@@ -100,6 +102,7 @@ void TerrainLanes::take_next(Group& group, std::size_t lane)
         group.t[lane] = at.t, group.y[lane] = at.y, group.i[lane] = at.i, group.k[lane] = at.k;
         group.size[lane] = top.size, group.inverse[lane] = 1.0 / top.size, group.row[lane] = top.first;
         group.known &= ~(1u << lane);
+        group.found &= ~(1u << lane);
         group.going |= 1u << lane;
         return;
     }
@@ -110,19 +113,26 @@ void TerrainLanes::look(Group& group, std::size_t lane)
 {
     TerrainWalk& walk = *group.walks[lane];
     const Mask bit = 1u << lane;
-    if ((group.met & bit) != 0) {
+    const bool met = (group.met & bit) != 0;
+    group.met &= ~bit;
+    group.ended &= ~bit;
+    if (met) {
         const auto size = static_cast<std::uint32_t>(group.size[lane]);
         const TerrainWalk::Place at{static_cast<std::size_t>(std::countr_zero(size)) / TerrainWalk::kWideBits,
                                     static_cast<std::int32_t>(group.i[lane]), static_cast<std::int32_t>(group.k[lane]),
                                     group.t[lane], group.y[lane]};
+        const double t = group.met_t[lane];
+        if ((group.found & bit) != 0 && walk.out_.first_only && t >= walk.out_.from && t <= walk.out_.to) {
+            const bool upper = (group.upper & bit) != 0;
+            walk.cross(t, walk.face_of(static_cast<std::uint32_t>(at.i), static_cast<std::uint32_t>(at.k), upper));
+            return take_next(group, lane);  // no more is wanted
+        }
         walk.known_ = (group.known & bit) != 0;
         walk.t_ = at.t;
         walk.above_ = group.above[lane];
         walk.walk(at);
     }
     walk.finish();
-    group.met &= ~bit;
-    group.ended &= ~bit;
     take_next(group, lane);
 }
 
@@ -180,7 +190,7 @@ inline void TerrainLanes::read(Part& part, const Double& row, Mask blocks, Mask 
     part.high = as_double(high_word(v));
 }
 
-/// Which of them stay above the triangles of their cells: TerrainWalk::triangles().
+/// Which of them stay above the triangles of their cells: TerrainWalk::triangles(). Finds where others meet them.
 inline TerrainLanes::Mask TerrainLanes::clear(Group& group, const Part& part, Mask cells) const
 {
     const Double zero(0.0), one(1.0);
@@ -202,7 +212,20 @@ inline TerrainLanes::Mask TerrainLanes::clear(Group& group, const Part& part, Ma
     const Mask met = (lanes::mask(first < zero) & ~group.known) | (lanes::mask(between < zero) & parted) |
                      lanes::mask(last < zero);
     const Mask out = cells & ~met;
-    group.above.store(xsimd::select(lanes::lanes_of(out), last, group.above.load()));
+    const Double before = xsimd::select(lanes::lanes_of(group.known), group.above.load(), first);
+    if (const Mask found = cells & met & ~(lanes::mask(first < zero) & ~group.known); found != 0) {
+        // TerrainWalk::edge(): between the last edge above it and the first below.
+        const Mask early = parted & lanes::mask(between < zero);
+        const Bool from_start = lanes::lanes_of(early | ~parted), to_middle = lanes::lanes_of(early);
+        const Double t0 = xsimd::select(from_start, part.t, middle), t1 = xsimd::select(to_middle, middle, part.to),
+                     h0 = xsimd::select(from_start, before, between), h1 = xsimd::select(to_middle, between, last);
+        group.met_t.store(xsimd::select(lanes::lanes_of(found), t0 + (t1 - t0) * (h0 / (h0 - h1)), group.met_t.load()));
+        const Mask upper = (early & lanes::mask(s0 > zero)) | (parted & ~early & lanes::mask(s1 > zero)) |
+                           (~parted & lanes::mask(s0 + s1 > zero));
+        group.found |= found;
+        group.upper = (group.upper & ~found) | (upper & found);
+    }
+    group.above.store(xsimd::select(lanes::lanes_of(out), last, before));
     group.known |= out;
     return out;
 }
