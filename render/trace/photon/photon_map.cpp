@@ -1,6 +1,6 @@
 #include "render/trace/photon/photon_map.h"
 
-#include "render/trace/photon/photon_search.h"
+#include "render/trace/gather/photon_search.h"
 
 #include <algorithm>
 #include <cmath>

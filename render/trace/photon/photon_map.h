@@ -1,11 +1,11 @@
 #pragma once
 
 #include "render/scene/effects.h"
-#include "render/trace/photon/near_photons.h"
+#include "render/trace/gather/near_photons.h"
 #include "render/trace/photon/photon.h"
-#include "render/trace/photon/photon_boxes.h"
-#include "render/trace/photon/photon_places.h"
-#include "render/trace/photon/photon_reach.h"
+#include "render/trace/gather/photon_boxes.h"
+#include "render/trace/gather/photon_places.h"
+#include "render/trace/gather/photon_reach.h"
 #include "render/trace/photon/random_tables.h"
 
 #include <vector>

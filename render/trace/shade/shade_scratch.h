@@ -5,7 +5,7 @@
 #include "render/trace/queue/row_page.h"
 #include "render/trace/light/highlight_lanes.h"
 #include "render/trace/air/air.h"
-#include "render/trace/photon/near_photons.h"
+#include "render/trace/gather/near_photons.h"
 #include "render/trace/photon/photon_shadow.h"
 #include "render/trace/shade/dispersion.h"
 #include "render/trace/shade/pigment_batch.h"

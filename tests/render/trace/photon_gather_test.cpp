@@ -1,5 +1,5 @@
 // Photons that a tile of points gathers: what one point would find alone.
-#include "render/trace/photon/part_nearest.h"
+#include "render/trace/gather/part_nearest.h"
 #include "render/trace/photon/photon_map.h"
 #include "tests/render/trace/photon_support.h"
 

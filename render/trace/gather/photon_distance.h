@@ -1,8 +1,8 @@
 #pragma once
 
 #include "csg/base/lanes.h"
-#include "render/trace/photon/near_leaves.h"
-#include "render/trace/photon/photon_places.h"
+#include "render/trace/gather/near_leaves.h"
+#include "render/trace/gather/photon_places.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "render/trace/photon/near_photons.h"
-#include "render/trace/photon/pack_lanes.h"
-#include "render/trace/photon/part_nearest.h"
-#include "render/trace/photon/photon_boxes.h"
-#include "render/trace/photon/photon_distance.h"
-#include "render/trace/photon/photon_reach.h"
+#include "render/trace/gather/near_photons.h"
+#include "render/trace/gather/pack_lanes.h"
+#include "render/trace/gather/part_nearest.h"
+#include "render/trace/gather/photon_boxes.h"
+#include "render/trace/gather/photon_distance.h"
+#include "render/trace/gather/photon_reach.h"
 
 #include <algorithm>
 #include <array>
@@ -105,7 +105,7 @@ private:
     /// What should hold the nearest: around a point nearby they were found so near.
     double likely(const NearPhotons& before)
     {
-        constexpr double kWider = 1.25, kSure = 1.0 + 1e-5;
+        constexpr double kWider = 1.15, kSure = 1.0 + 1e-5;
         if (!(before.likely2 > 0.0)) {
             collect_nearest_first(all_);
             if (count_ <= most_) return all_;
@@ -114,7 +114,9 @@ private:
         }
         if constexpr (kFlat) return kWider * before.likely2;
         const double radius = std::sqrt(before.likely2) + glm::distance(from_.point, before.asked);
-        return kSure * radius * radius;
+        // Where that is far more than the last point's photons filled, they are as likely to lie as near here.
+        constexpr double kLoose = 1.5;
+        return std::min(kSure * radius * radius, kLoose * before.likely2);
     }
 
     /// The `keep` nearest stay, and bound_ is the farthest of them.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/lanes.h"
-#include "render/trace/photon/photon_boxes.h"
+#include "render/trace/gather/photon_boxes.h"
 
 #include <array>
 #include <bit>

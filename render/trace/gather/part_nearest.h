@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/lanes.h"
-#include "render/trace/photon/pack_lanes.h"
+#include "render/trace/gather/pack_lanes.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/photon/photon_places.h"
+#include "render/trace/gather/photon_places.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/trace/photon/near_leaves.h"
-#include "render/trace/photon/photon_places.h"
+#include "render/trace/gather/near_leaves.h"
+#include "render/trace/gather/photon_places.h"
 
 #include <glm/glm.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "csg/base/lanes.h"
-#include "render/trace/photon/photon_boxes.h"
-#include "render/trace/photon/photon_reach.h"
+#include "render/trace/gather/photon_boxes.h"
+#include "render/trace/gather/photon_reach.h"
 
 #include <algorithm>
 #include <array>
