@@ -67,6 +67,12 @@ struct PigmentState : BlockState {
         if (const auto* c = std::get_if<scene::ColorMap>(&patterned.map)) colors = *c;
         else pigments = std::get<scene::PigmentMap>(patterned.map);
     }
+    /// The colours of a pattern without a map are those of its kind, and no map for another; finished() has them again.
+    void forget_usual()
+    {
+        if (pattern.name.empty() || list_size(pattern) > 0) return;
+        if (same(colors, default_colors(pattern))) colors.clear();
+    }
     void set_plain(const scene::Color& c)
     {
         keep_space(pattern);
@@ -156,6 +162,7 @@ bool at_plain_color(TokenStream& in)
 void read_head(PigmentState& s)
 {
     TokenStream& in = s.stream();
+    s.forget_usual();
     if (at_plain_color(in)) {
         s.set_plain(parser::color_expr(in));
         s.mapless = true;
@@ -173,11 +180,8 @@ void read_head(PigmentState& s)
         s.pattern.source = in.last();
         s.on_surface = std::make_shared<scene::Pigment>(read_pigment_body(s.build, scene::Pigment{}));
     } else {
-        const bool had_list = list_size(s.pattern) > 0;
-        const bool usual = !s.pattern.name.empty() && !had_list && same(s.colors, default_colors(s.pattern));
         if (!read_pattern_type(s.build, s.pattern)) return;
         const int count = list_size(s.pattern);
-        if (usual) s.colors.clear();  // the colours of a pattern that has no map are its own
         if (count > 0) read_list(s, count);
         close_list(s.build, s.pattern);
     }

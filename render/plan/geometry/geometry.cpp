@@ -127,8 +127,7 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
         own.importance = static_cast<float>(*object.details->radiosity_importance);
     own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
     own.to_world = is_light(object) ? above.to_world : above.to_world * *object.transform;
-    if (object.details->interior)
-        own.interior = of_copy(moved(object.details->interior, above.to_world), own.to_world);
+    if (object.details->interior) own.interior = of_copy(moved(object.details->interior, above.to_world), own.to_world);
     own.parent_growth = own.growth = above.growth;
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
         own.growth = *csg->growth;

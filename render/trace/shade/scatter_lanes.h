@@ -25,7 +25,7 @@ public:
     {
         if (hits == 0) return;
         find_mirrored(hits);
-        find_fresnel(hits);
+        if (scratch_.traits.fresnel) find_fresnel(hits);
         for_each_hit(hits, [this](std::size_t k) { look(k); });
         if (bent_ != 0) bend();
         find_leaving(hits);

@@ -206,6 +206,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     traits.scalar_rows = scene.options.scalar_light;
     traits.even_fog = scene.rainbows.empty() && scene.media.media.empty() &&
                       std::all_of(scene.fogs.begin(), scene.fogs.end(), even);
+    const auto& finishes = scene.textures.finishes;
+    traits.fresnel = std::any_of(finishes.begin(), finishes.end(), [](const auto& finish) { return finish.fresnel; });
     TextureLooks texture_looks(scene.textures);
     const bool grain = grain_in_lanes(scene);
     const bool every_detail = !scene.options.lean.takes(plan::LeanStep::HitDetails);

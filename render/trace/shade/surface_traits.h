@@ -41,6 +41,7 @@ struct SceneTraits {
     bool filters_together = false;            ///< some surface does so in a way that is found for a whole tile
     bool fades = false;                       ///< light fades inside some interior
     bool media = false;                       ///< some interior holds media that dim light
+    bool fresnel = false;                     ///< some finish mirrors by Fresnel's equations
     bool interior_media = false;              ///< some interior holds media of any kind
     bool scalar_rows = false;                 ///< Options::scalar_light
     bool even_fog = false;                    ///< the air has fog that is the same everywhere, and nothing else
