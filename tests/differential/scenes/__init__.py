@@ -3,11 +3,11 @@ import struct
 
 import png
 from rng import Rng
-from scenes import cameras, copies, csg, finishes, groups, language, lights, media, photons, places, radiosity, solids, standard, textures, versions
+from scenes import cameras, copies, csg, finishes, groups, language, lights, media, modifiers, photons, places, radiosity, solids, standard, textures, versions
 
 CLASSES = {"lights": lights, "finishes": finishes, "cameras": cameras, "csg": csg, "textures": textures,
            "language": language, "versions": versions, "solids": solids, "media": media, "photons": photons, "places": places,
-           "standard": standard, "groups": groups, "copies": copies}
+           "standard": standard, "groups": groups, "copies": copies, "modifiers": modifiers}
 NOISY = {"radiosity": radiosity}  # not the same twice in POV-Ray: judged apart, and never recorded
 
 
