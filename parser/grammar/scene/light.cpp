@@ -1,7 +1,9 @@
 #include "parser/grammar/scene/effects.h"
 #include "parser/grammar/core/rules.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace parser {
 namespace {
@@ -90,6 +92,8 @@ struct light_fade_power : item<Kind::FadePower, a_number> {
     static void act(LightState& s) { s.light().fade_power = s.pop_float(); }
 };
 
+constexpr int kMostLamps = std::numeric_limits<int>::max();  ///< each way; the least int has no absolute value
+
 struct second_axis : seq<opt_comma, a_vector> {};
 struct area_size : seq<opt_comma, a_number> {};
 struct area_light : item<Kind::AreaLight, a_vector, second_axis, must<area_size>, must<area_size>> {
@@ -97,8 +101,8 @@ struct area_light : item<Kind::AreaLight, a_vector, second_axis, must<area_size>
     {
         scene::Light& l = s.light();
         l.area = true;
-        l.size2 = std::abs(s.pop_int());
-        l.size1 = std::abs(s.pop_int());
+        l.size2 = std::abs(std::max(s.pop_int(), -kMostLamps));
+        l.size1 = std::abs(std::max(s.pop_int(), -kMostLamps));
         l.axis2 = s.pop_vector();
         l.axis1 = s.pop_vector();
         if (l.adaptive == 0) l.adaptive = 100;
