@@ -152,6 +152,19 @@ std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const c
     return light_group_count_;
 }
 
+namespace {
+
+bool hides_parts(const scene::Csg& csg)
+{
+    return std::any_of(csg.operands->begin(), csg.operands->end(), [](const scene::Object& operand) {
+        const scene::Flags& flags = operand.flags;
+        const auto* inner = std::get_if<scene::Csg>(&operand.shape);
+        return flags.no_shadow || flags.no_image || flags.no_reflection || (inner != nullptr && hides_parts(*inner));
+    });
+}
+
+}  // namespace
+
 void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
 {
     if (is_light(object)) return;
@@ -160,7 +173,10 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     const bool whole = !object.details->clipped_by.empty() || object.inverse;
     if (csg != nullptr && add_instance(object, own)) return;
-    if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !whole) {
+    // What a bounded union hides of its parts goes by other rules than what they hide by themselves (spec 3, 14; 5a,
+    // 12).
+    const bool kept = csg != nullptr && hides_parts(*csg) && !drops_bounds(object, outer_bounds_.nested);
+    if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !whole && !kept) {
         ++split_unions_;
         const OuterBounds outer = outer_bounds_;
         if (!drops_bounds(object, outer.nested)) {
