@@ -170,6 +170,8 @@ struct Texture {
     std::variant<std::vector<Layer>, Shared<PatternedTexture>> kind;
     SourceRef source;
     void transform(const csg::Transform& t);
+    /// The same while the text may still write patterns in the place of plain colours.
+    void transform_in_text(const csg::Transform& t);
     /// Whether nothing in it depends on the place: transform() changes nothing.
     bool alike_everywhere() const;
 };

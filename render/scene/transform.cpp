@@ -49,6 +49,13 @@ void Texture::transform(const csg::Transform& t)
     }
 }
 
+void Texture::transform_in_text(const csg::Transform& t)
+{
+    transform(t);
+    if (auto* layers = std::get_if<std::vector<Layer>>(&kind))
+        for (Layer& layer : *layers) layer.pigment.move_space(t);
+}
+
 bool Texture::alike_everywhere() const
 {
     const auto* layers = std::get_if<std::vector<Layer>>(&kind);

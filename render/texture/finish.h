@@ -54,6 +54,9 @@ inline glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment,
     return reflectivity(finish, pigment, -glm::dot(d, n), eta);
 }
 
+/// The same where the share of the most that it mirrors is known.
+glm::vec3 reflectivity_at(const Finish& finish, const scene::Color& pigment, double cosine, float share);
+
 /// Iridescence per channel (7.11) for a film of thickness h.
 glm::vec3 film(const Finish& finish, double h, double cos_light, double cos_view, const glm::vec3& wavelength);
 

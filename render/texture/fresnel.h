@@ -1,12 +1,11 @@
 #pragma once
 
 #include "csg/base/lanes.h"
-#include "render/texture/finish.h"
 
 #include <algorithm>
 #include <cmath>
 
-/// Compiled once per instruction set.
+/// Fresnel's equations for one ray and for many. Compiled once per instruction set.
 namespace texture {
 
 /// Share of the maximum at an angle, by Fresnel's equations; 1 beyond the critical angle.
@@ -31,8 +30,5 @@ inline csg::lanes::Double fresnel_share(const csg::lanes::Double& eta, const csg
     const Double share = Double(0.5) * a * a * (one + b * b);
     return xsimd::select(q <= zero, one, xsimd::select(share < zero, zero, xsimd::select(one < share, one, share)));
 }
-
-/// reflectivity() of a finish that goes by such a share.
-glm::vec3 reflectivity_at(const Finish& finish, const scene::Color& pigment, double cosine, float share);
 
 }  // namespace texture

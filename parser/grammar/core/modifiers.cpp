@@ -135,7 +135,7 @@ struct clipped_by : item<Kind::ClippedBy> {
                 s.stream().fail(s.stream().last(), "clips cannot be linked to the bounds: there are clips already");
             details.clipped_by = std::move(details.bounded_by);
             details.bounded_by.clear();
-            details.bounded_by_clip = !details.clipped_by.empty();  // none is no link (spec 5a, 10)
+            details.bounded_by_clip = !details.clipped_by.empty();  // none is no link (spec 5a, 9.3)
         } else {
             if (details.bounded_by_clip)
                 s.stream().fail(s.stream().last(), "no clips can be added after they were linked with the bounds");
@@ -150,7 +150,9 @@ struct bounded_by : item<Kind::BoundedBy> {
         const auto opened = s.build.open_block("bounded_by");
         scene::ObjectDetails& details = s.object.details.edit();
         if (s.stream().accept(Kind::ClippedBy)) {
-            if (!details.bounded_by.empty() || details.bounded_by_clip)
+            if (details.bounded_by_clip)
+                s.stream().fail(s.stream().last(), "the bounds are linked with the clips already");
+            if (!details.bounded_by.empty())
                 s.stream().fail(s.stream().last(), "bounds cannot be linked to the clips: there are bounds already");
             details.bounded_by_clip = !details.clipped_by.empty();
         } else {

@@ -88,9 +88,7 @@ bool transform_material(MaterialState& s)
     if (!t) return false;
     if (s.material.texture) {
         auto moved = std::make_shared<scene::Texture>(*s.material.texture);
-        moved->transform(*t);
-        if (auto* layers = std::get_if<std::vector<scene::Layer>>(&moved->kind))
-            for (scene::Layer& layer : *layers) layer.pigment.move_space(*t);
+        moved->transform_in_text(*t);
         s.material.texture = std::move(moved);
     }
     return true;

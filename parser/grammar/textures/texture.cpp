@@ -162,9 +162,7 @@ void accept_part(TextureState& s)
 std::optional<csg::Transform> read_texture_transformation(TextureState& s)
 {
     const auto t = read_transformation(s.build);
-    if (!t) return t;
-    s.texture.transform(*t);
-    for (scene::Layer& layer : std::get<Layers>(s.texture.kind)) layer.pigment.move_space(*t);
+    if (t) s.texture.transform_in_text(*t);
     return t;
 }
 

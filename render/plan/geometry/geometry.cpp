@@ -43,6 +43,16 @@ std::uint32_t look_of(const Surface& s)
     return plain ? s.texture : csg::WorldData::kNoLook;
 }
 
+/// Whether some of its parts are hidden from some rays by themselves.
+bool hides_parts(const scene::Csg& csg)
+{
+    return std::any_of(csg.operands->begin(), csg.operands->end(), [](const scene::Object& operand) {
+        const scene::Flags& flags = operand.flags;
+        const auto* inner = std::get_if<scene::Csg>(&operand.shape);
+        return flags.no_shadow || flags.no_image || flags.no_reflection || (inner != nullptr && hides_parts(*inner));
+    });
+}
+
 }  // namespace
 
 GeometryCompiler::GeometryCompiler(const scene::Description& description, const Options& options,
@@ -67,6 +77,7 @@ void GeometryCompiler::add(const scene::Object& object)
     default_texture_ = description_.default_of(object);
     automatic_interiors_.clear();
     light_groups_.clear();
+    if (!interior_copies_.empty()) interior_copies_ = {};
     collect_lights(object, {});
     add_top(object, {});
     ++statement_;
@@ -127,7 +138,10 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
         own.importance = static_cast<float>(*object.details->radiosity_importance);
     own.double_illuminate = above.double_illuminate || object.flags.double_illuminate;
     own.to_world = is_light(object) ? above.to_world : above.to_world * *object.transform;
-    if (object.details->interior) own.interior = of_copy(moved(object.details->interior, above.to_world), own.to_world);
+    if (object.details->interior) {
+        own.interior = moved(object.details->interior, above.to_world);
+        own.interior_copy = interior_copy(*own.interior, own.to_world);
+    }
     own.parent_growth = own.growth = above.growth;
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
         own.growth = *csg->growth;
@@ -152,19 +166,6 @@ std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const c
     return light_group_count_;
 }
 
-namespace {
-
-bool hides_parts(const scene::Csg& csg)
-{
-    return std::any_of(csg.operands->begin(), csg.operands->end(), [](const scene::Object& operand) {
-        const scene::Flags& flags = operand.flags;
-        const auto* inner = std::get_if<scene::Csg>(&operand.shape);
-        return flags.no_shadow || flags.no_image || flags.no_reflection || (inner != nullptr && hides_parts(*inner));
-    });
-}
-
-}  // namespace
-
 void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
 {
     if (is_light(object)) return;
@@ -173,13 +174,13 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     const bool whole = !object.details->clipped_by.empty() || object.inverse;
     if (csg != nullptr && add_instance(object, own)) return;
-    // What a bounded union hides of its parts goes by other rules than what they hide by themselves (spec 3, 14; 5a,
-    // 12).
-    const bool kept = csg != nullptr && hides_parts(*csg) && !drops_bounds(object, outer_bounds_.nested);
-    if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !whole && !kept) {
+    const bool bounded = csg != nullptr && !drops_bounds(object, outer_bounds_.nested);
+    // POV-Ray keeps a bounded union whole, which only shows where parts are hidden (spec 3, 14; 5a, 11.1).
+    const bool kept = whole || (bounded && hides_parts(*csg));
+    if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !kept) {
         ++split_unions_;
         const OuterBounds outer = outer_bounds_;
-        if (!drops_bounds(object, outer.nested)) {
+        if (bounded) {
             must_meet(object, above.to_world, above.growth, outer_bounds_.guard);
             if (!outer.nested) outer_bounds_.box = placed_extent(object, above.to_world, above.growth);
             outer_bounds_.nested = true;

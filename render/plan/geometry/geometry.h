@@ -42,6 +42,7 @@ private:
             growth;  ///< of boxes turned into the world from the space of the node's parent, from its own
         scene::TexturePtr texture, interior_texture;
         std::shared_ptr<const scene::Interior> interior;
+        std::uint32_t interior_copy = 0;  ///< interior_copy()
         std::optional<bool> hollow;
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
         bool no_radiosity = false;
@@ -103,9 +104,9 @@ private:
     scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
     std::shared_ptr<const scene::Interior> moved(const std::shared_ptr<const scene::Interior>& interior,
                                                  const csg::Transform& to_world);
-    /// The interior of an object that stands there: each copy of an object has one of its own (spec 3, 15.6).
-    std::shared_ptr<const scene::Interior> of_copy(const std::shared_ptr<const scene::Interior>& interior,
-                                                   const csg::Transform& to_world);
+    /// Which copy of an interior is that of an object that stands there: each copy of an object has one of its own
+    /// (spec 3, 15.6).
+    std::uint32_t interior_copy(const scene::Interior& interior, const csg::Transform& to_world);
     std::uint8_t visible(const Inherited& own) const;
     void hand_down_photons(const scene::Object& object, Inherited& own);
     void aim_photons(const scene::Object& object, Inherited& own);
@@ -122,6 +123,7 @@ private:
         std::shared_ptr<const std::vector<scene::Object>> operands;  ///< keeps the address that it is known by
         std::shared_ptr<const csg::WorldData> world;                 ///< null: not made yet
         std::vector<SharedSurface> surfaces;                         ///< by the world's SurfaceId
+        std::uint32_t first_interior_copy = 0, interior_copies = 0;  ///< of its parts; each instance has as many
         bool fails = false;                                          ///< it cannot be shared
     };
     void make_shared_world(const scene::Object& object, Shared& shared);
@@ -175,7 +177,14 @@ private:
         csg::Transform by;
         std::shared_ptr<const scene::Interior> from, to;
     };
-    std::unordered_map<std::size_t, std::vector<MovedInterior>> moved_interiors_, interiors_of_copies_;
+    std::unordered_map<std::size_t, std::vector<MovedInterior>> moved_interiors_;
+    struct InteriorCopy {
+        csg::Transform at;
+        const scene::Interior* interior;
+        std::uint32_t number;
+    };
+    std::unordered_map<std::size_t, std::vector<InteriorCopy>> interior_copies_;  ///< of the statement at hand
+    std::uint32_t interior_copy_count_ = 0;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
     std::shared_ptr<PhotonPlan> photons_;  ///< null: the scene has none
     std::uint64_t split_unions_ = 0, empty_programs_ = 0, black_lights_ = 0, bounds_ = 0, guards_ = 0;

@@ -75,6 +75,8 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
     if (shared.fails) return false;
     object_ = add_object(object, own);
     TexturesOfInstance moved(own.to_world);
+    const std::uint32_t first_copy = interior_copy_count_;
+    interior_copy_count_ += shared.interior_copies;
     std::vector<csg::SurfaceId> surfaces;
     for (const SharedSurface& known : shared.surfaces) {
         Inherited here = own;
@@ -83,7 +85,10 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
         };
         if (known.own.texture) here.texture = in_world(known.own.texture);
         if (known.own.interior_texture) here.interior_texture = in_world(known.own.interior_texture);
-        if (known.own.interior) here.interior = of_copy(this->moved(known.own.interior, own.to_world), own.to_world);
+        if (known.own.interior) {
+            here.interior = this->moved(known.own.interior, own.to_world);
+            here.interior_copy = first_copy + known.own.interior_copy - shared.first_interior_copy;
+        }
         if (known.own.hollow) here.hollow = known.own.hollow;
         if (known.own.importance) here.importance = known.own.importance;
         here.double_illuminate |= known.own.double_illuminate;
@@ -108,7 +113,9 @@ void GeometryCompiler::make_shared_world(const scene::Object& object, Shared& sh
     sharing_ = &shared;
     scene::Object bare;
     bare.shape = object.shape;
+    shared.first_interior_copy = interior_copy_count_;
     add_top(bare, {});
+    shared.interior_copies = interior_copy_count_ - shared.first_interior_copy;
     sharing_ = nullptr;
     world_ = outside;
     outer_bounds_ = outer_bounds;
@@ -128,9 +135,10 @@ csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std:
     const auto same = std::find_if(known.begin(), known.end(), [&](const SharedSurface& other) {
         const Inherited &a = own, &b = other.own;
         return a.texture == b.texture && a.interior_texture == b.interior_texture && a.interior == b.interior &&
-               a.hollow == b.hollow && a.no_shadow == b.no_shadow && a.no_image == b.no_image &&
-               a.no_reflection == b.no_reflection && a.no_radiosity == b.no_radiosity && a.importance == b.importance &&
-               a.double_illuminate == b.double_illuminate && a.uv_mapping == b.uv_mapping && corners == other.corners;
+               a.interior_copy == b.interior_copy && a.hollow == b.hollow && a.no_shadow == b.no_shadow &&
+               a.no_image == b.no_image && a.no_reflection == b.no_reflection && a.no_radiosity == b.no_radiosity &&
+               a.importance == b.importance && a.double_illuminate == b.double_illuminate &&
+               a.uv_mapping == b.uv_mapping && corners == other.corners;
     });
     if (same != known.end()) return static_cast<csg::SurfaceId>(same - known.begin());
     known.push_back(made);

@@ -63,11 +63,11 @@ std::uint32_t GeometryCompiler::interior(const Inherited& own, const scene::Text
 {
     std::uint32_t index = kNone;
     if (own.interior) {
-        index = interiors_.interior(own.interior, texture.get());
+        index = interiors_.interior(*own.interior, own.interior_copy, texture.get());
     } else {
         const scene::Texture* key = carries_legacy_finish(texture) ? texture.get() : nullptr;
         const auto known = automatic_interiors_.find(key);
-        index = known != automatic_interiors_.end() ? known->second : interiors_.interior(nullptr, texture.get());
+        index = known != automatic_interiors_.end() ? known->second : interiors_.automatic(texture.get());
         if (known == automatic_interiors_.end()) automatic_interiors_.emplace(key, index);
     }
     if (own.hollow) out_.interiors[index].hollow = *own.hollow;
@@ -91,15 +91,13 @@ std::shared_ptr<const scene::Interior> GeometryCompiler::moved(const std::shared
     return copy;
 }
 
-std::shared_ptr<const scene::Interior> GeometryCompiler::of_copy(const std::shared_ptr<const scene::Interior>& interior,
-                                                                 const csg::Transform& to_world)
+std::uint32_t GeometryCompiler::interior_copy(const scene::Interior& interior, const csg::Transform& to_world)
 {
-    if (to_world.identity()) return interior;
-    std::vector<MovedInterior>& known = interiors_of_copies_[key_of(interior.get(), to_world)];
-    for (const MovedInterior& m : known)
-        if (m.from == interior && same(m.by, to_world)) return m.to;
-    known.push_back({to_world, interior, std::make_shared<scene::Interior>(*interior)});
-    return known.back().to;
+    std::vector<InteriorCopy>& known = interior_copies_[key_of(&interior, to_world)];
+    for (const InteriorCopy& copy : known)
+        if (copy.interior == &interior && same(copy.at, to_world)) return copy.number;
+    known.push_back({to_world, &interior, interior_copy_count_});
+    return interior_copy_count_++;
 }
 
 /// The texture in world space; equal for equal transformations, so that copies share it.

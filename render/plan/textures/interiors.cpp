@@ -27,27 +27,12 @@ Interior converted(const scene::Interior& from)
     return to;
 }
 
-}  // namespace
-
-std::uint32_t InteriorCompiler::interior(const std::shared_ptr<const scene::Interior>& description,
-                                         const scene::Texture* texture)
+/// The top finish overrides the interior, and its `refraction` does so even when not written (spec 3, 8.7).
+void take_legacy_finish(const scene::Texture* texture, Interior& to)
 {
-    auto index = static_cast<std::uint32_t>(out_.size());
-    const auto known = description ? known_.find(description.get()) : known_.end();
-    if (known != known_.end()) {
-        index = known->second;
-    } else {
-        out_.push_back(description ? converted(*description) : Interior{});
-        if (description) {
-            out_[index].media = media_.list(description->media);
-            known_.emplace(description.get(), index);
-        }
-    }
     const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
     if (layers && !layers->empty()) {
-        // The top finish overrides the interior, and its `refraction` does so even when not written (spec 3, 8.7).
         const scene::Finish& finish = *layers->back().finish;
-        Interior& to = out_[index];
         to.transmission = finish.legacy_refraction;
         if (finish.legacy_ior >= 0.0f) {
             to.ior = finish.legacy_ior == 0.0f ? 1.0f : finish.legacy_ior;
@@ -55,7 +40,28 @@ std::uint32_t InteriorCompiler::interior(const std::shared_ptr<const scene::Inte
         }
         if (finish.legacy_caustics >= 0.0f) to.caustics_power = finish.legacy_caustics;
     }
+}
+
+}  // namespace
+
+std::uint32_t InteriorCompiler::interior(const scene::Interior& description, std::uint32_t copy,
+                                         const scene::Texture* texture)
+{
+    if (copy >= known_.size()) known_.resize(copy + 1, kUnknown);
+    std::uint32_t& index = known_[copy];
+    if (index == kUnknown) {
+        index = static_cast<std::uint32_t>(out_.size());
+        out_.push_back(converted(description));
+        out_[index].media = media_.list(description.media);
+    }
+    take_legacy_finish(texture, out_[index]);
     return index;
+}
+
+std::uint32_t InteriorCompiler::automatic(const scene::Texture* texture)
+{
+    take_legacy_finish(texture, out_.emplace_back());
+    return static_cast<std::uint32_t>(out_.size() - 1);
 }
 
 }  // namespace plan

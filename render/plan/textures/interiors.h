@@ -5,23 +5,25 @@
 #include "render/scene/object.h"
 
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 namespace plan {
 
-/// Hands out one index per interior of the text: equal pointers share, a null pointer makes a new default interior.
+/// Hands out one index per copy of an interior of the text.
 class InteriorCompiler {
 public:
     InteriorCompiler(std::vector<Interior>& out, MediaCompiler& media) : out_(out), media_(media) {}
 
     /// `texture` is the object's own: its top finish may carry the legacy `ior` and `caustics` (spec 3, 8.7).
-    std::uint32_t interior(const std::shared_ptr<const scene::Interior>& description, const scene::Texture* texture);
+    std::uint32_t interior(const scene::Interior& description, std::uint32_t copy, const scene::Texture* texture);
+    /// A new one, of an object without an interior in the text.
+    std::uint32_t automatic(const scene::Texture* texture);
 
 private:
+    static constexpr std::uint32_t kUnknown = 0xffffffffu;
     std::vector<Interior>& out_;
     MediaCompiler& media_;
-    std::unordered_map<const scene::Interior*, std::uint32_t> known_;
+    std::vector<std::uint32_t> known_;  ///< by copy
 };
 
 }  // namespace plan
