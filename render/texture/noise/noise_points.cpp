@@ -84,6 +84,8 @@ inline Double octave_term(const Double& n, OctaveSum kind, int generator, const 
 constexpr int octaves_of(OctaveSum kind) { return kind == OctaveSum::Granite ? 6 : 10; }
 constexpr double first_scale(OctaveSum kind) { return kind == OctaveSum::Granite ? 4.0 : 1.0; }
 constexpr double last_factor(OctaveSum kind) { return kind == OctaveSum::Granite ? 1.0 : 0.5; }
+/// No octave adds more than this times its share.
+constexpr double greatest_term(OctaveSum kind) { return kind == OctaveSum::Granite ? 0.5 : 1.0; }
 
 void single_vector_points(const Points& p, unsigned live, Points& out)
 {
@@ -175,7 +177,8 @@ void scalar_turbulence_points(const Points& p, int octaves, double lambda, doubl
 
 namespace {
 
-/// Sums of octaves, of which no term is negative, so that a sum that is large enough need not be finished.
+/// Sums of octaves. No term is negative or above its bound, so that a sum need not be finished which is large enough,
+/// or so small that what is left can't raise it enough.
 class OctaveSums {
 public:
     OctaveSums(const Points& p, OctaveSum kind, int generator) : kind_(kind), generator_(generator)
@@ -194,21 +197,28 @@ public:
         });
     }
 
-    /// Tells the points whose value is `enough` by now, if vectors get fewer without them.
-    void drop(double enough, Values& out)
+    /// Tells the points whose value lies in a flat end whatever is added from the octave of 1 / factor on, if vectors
+    /// get fewer without them.
+    void drop(const FlatEnds& flat, double factor, Values& out)
     {
-        const Double limit(enough), share(last_factor(kind_));
-        std::uint64_t below = 0;
-        each(left_.size(),
-             [&](std::size_t i) { below |= std::uint64_t{csg::lanes::mask(get(sums_, i) * share < limit)} << i; });
-        if (left_.size() < kMostPoints) below &= (std::uint64_t{1} << left_.size()) - 1;
-        const auto count = static_cast<std::size_t>(std::popcount(below));
+        // The shares that are left are less than 2 / factor together; kRounding is above what the sums are off by.
+        constexpr double kRounding = 1e-12;
+        const Double high(flat.high),
+            low(flat.low - 2.0 / factor * greatest_term(kind_) * last_factor(kind_) - kRounding),
+            share(last_factor(kind_));
+        std::uint64_t open = 0;
+        each(left_.size(), [&](std::size_t i) {
+            const Double v = get(sums_, i) * share;
+            open |= std::uint64_t{csg::lanes::mask((v >= low) & (v < high))} << i;
+        });
+        if (left_.size() < kMostPoints) open &= (std::uint64_t{1} << left_.size()) - 1;
+        const auto count = static_cast<std::size_t>(std::popcount(open));
         const auto vectors = [](std::size_t points) { return (points + kLanes - 1) / kLanes; };
         if (vectors(count) == vectors(left_.size())) return;
         finish(out);
         std::size_t kept = 0;
-        for (; below != 0; below &= below - 1, ++kept) {
-            const auto i = static_cast<std::size_t>(std::countr_zero(below));
+        for (; open != 0; open &= open - 1, ++kept) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(open));
             left_.x[kept] = left_.x[i];
             left_.y[kept] = left_.y[i];
             left_.z[kept] = left_.z[i];
@@ -237,10 +247,10 @@ private:
 
 }  // namespace
 
-void octave_points(const Points& p, OctaveSum kind, int generator, double enough, Values& out)
+void octave_points(const Points& p, OctaveSum kind, int generator, const FlatEnds& flat, Values& out)
 {
     double factor = 1.0;
-    if (!(enough < last_factor(kind) * 2.0)) {
+    if (!(flat.high < last_factor(kind) * 2.0 || flat.low > 0.0)) {
         Values n;
         Points scaled;
         each(p.size(), [&](std::size_t i) { put(out, i, Double(0.0)); });
@@ -255,10 +265,10 @@ void octave_points(const Points& p, OctaveSum kind, int generator, double enough
         return;
     }
     OctaveSums sums(p, kind, generator);
-    for (int k = 0; k < octaves_of(kind) && !sums.empty(); ++k, factor *= 2.0) {
+    for (int k = 0; k < octaves_of(kind) && !sums.empty(); ++k) {
         sums.add(factor);
-        if (k == 1 || k == 2 || k == 4)
-            sums.drop(enough, out);  // the first is too small as a rule, the last add little
+        factor *= 2.0;
+        if (k >= 1 && k <= 4) sums.drop(flat, factor, out);  // the first is too small as a rule, the last add little
     }
     sums.finish(out);
 }

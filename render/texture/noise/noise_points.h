@@ -2,6 +2,8 @@
 
 #include "render/texture/points.h"
 
+#include <limits>
+
 /// Noise of many points at once and sums of octaves of it. The bits are those of noise.h for each point.
 namespace texture {
 
@@ -24,9 +26,14 @@ void scalar_turbulence_points(const Points& p, int octaves, double lambda, doubl
 /// One term of a pattern that sums octaves: factor * p in the i-th octave, and what its noise n adds.
 enum class OctaveSum { Granite, Wrinkles };
 
-/// The values of granite or wrinkles (spec 4, 5.3). Padded. Of a value that is `enough` or more, any number from there
-/// up to the value may be told.
-void octave_points(const Points& p, OctaveSum kind, int generator, double enough, Values& out);
+/// Ends of a map that are flat: values below `low` show its first entry, from `high` on its last one.
+struct FlatEnds {
+    double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+};
+
+/// The values of granite or wrinkles (spec 4, 5.3). Padded. Of a value that lies in a flat end any other from this end
+/// may be told.
+void octave_points(const Points& p, OctaveSum kind, int generator, const FlatEnds& flat, Values& out);
 
 /// The same of one point, its octaves side by side.
 double octaves_at(const glm::dvec3& p, OctaveSum kind, int generator);

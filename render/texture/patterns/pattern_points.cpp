@@ -12,7 +12,6 @@
 namespace texture {
 namespace {
 
-constexpr double kNothingEnough = std::numeric_limits<double>::infinity();  // all octaves are wanted
 
 void turbulence_values(const Pattern& pattern, const Points& p, Values& out)
 {
@@ -149,29 +148,34 @@ void grey_values(const TextureSet& set, const Pattern& pattern, const Points& p,
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = static_cast<double>(scene::grey(colors.at(i).rgb()));
 }
 
-/// From which value on a map of colours shows its last one.
-double flat_from(const float* keys, const scene::Color* colors, std::uint32_t entries)
+/// Where a map of colours shows its first or its last one.
+FlatEnds flat_ends(const float* keys, const scene::Color* colors, std::uint32_t entries)
 {
-    const scene::Color& last = colors[entries - 1];
-    const bool number = std::isfinite(last.red + last.green + last.blue + last.filter + last.transmit);
-    if (!number || !std::is_sorted(keys, keys + entries)) return kNothingEnough;
-    std::uint32_t first = entries - 1;
-    while (first > 0 && colors[first - 1] == last) --first;
-    return static_cast<double>(keys[first]);
+    const auto is_number = [](const scene::Color& c) {
+        return std::isfinite(c.red + c.green + c.blue + c.filter + c.transmit);
+    };
+    FlatEnds out;
+    if (!std::is_sorted(keys, keys + entries)) return out;
+    std::uint32_t low = 0, high = entries - 1;
+    while (low + 1 < entries && colors[low + 1] == colors[0]) ++low;
+    while (high > 0 && colors[high - 1] == colors[entries - 1]) --high;
+    if (is_number(colors[0])) out.low = static_cast<double>(keys[low]);
+    if (is_number(colors[entries - 1])) out.high = static_cast<double>(keys[high]);
+    return out;
 }
 
 /// The same for the values of a pattern before frequency and wave.
-double raw_flat_from(const TextureSet& set, const Pigment& pigment, const Pattern& pattern)
+FlatEnds raw_flat_ends(const TextureSet& set, const Pigment& pigment, const Pattern& pattern)
 {
     const bool sums_octaves = pattern.kind == PatternKind::Granite || pattern.kind == PatternKind::Wrinkles;
     const bool as_it_is = pattern.wave == scene::WaveForm::Ramp && pattern.frequency == 1.0 && pattern.phase == 0.0;
-    if (!sums_octaves || !as_it_is) return kNothingEnough;
-    return flat_from(set.keys.data() + pigment.first, set.colors.data() + pigment.first, pigment.count);
+    if (!sums_octaves || !as_it_is) return {};
+    return flat_ends(set.keys.data() + pigment.first, set.colors.data() + pigment.first, pigment.count);
 }
 
-/// Before frequency and wave. Of a value that is `enough` or more, any number from there up to the value may be told.
-void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, double enough,
-                Values& out)
+/// Before frequency and wave. Of a value in a flat end any other from there may be told.
+void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around,
+                const FlatEnds& flat, Values& out)
 {
     const int generator = pattern.noise_generator;
     switch (pattern.kind) {
@@ -181,16 +185,16 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
         noise_points(p, generator, out);
         for (std::size_t i = 0; i < p.size(); ++i) out[i] = out[i] * out[i] * out[i];
         return;
-    case PatternKind::Granite: return octave_points(p, OctaveSum::Granite, generator, enough, out);
-    case PatternKind::Wrinkles: return octave_points(p, OctaveSum::Wrinkles, generator, enough, out);
+    case PatternKind::Granite: return octave_points(p, OctaveSum::Granite, generator, flat, out);
+    case PatternKind::Wrinkles: return octave_points(p, OctaveSum::Wrinkles, generator, flat, out);
     case PatternKind::Agate:
         turbulence_values(pattern, p, out);
         agate_bands(pattern, p, out);
         return;
     case PatternKind::Marble:
-        if (!pattern.has_turbulence) break;
-        turbulence_values(pattern, p, out);
-        for (std::size_t i = 0; i < p.size(); ++i) out[i] = p.x[i] + pattern.turbulence.amount.x * out[i];
+        if (pattern.has_turbulence) turbulence_values(pattern, p, out);
+        for (std::size_t i = 0; i < p.size(); ++i)
+            out[i] = pattern.has_turbulence ? p.x[i] + pattern.turbulence.amount.x * out[i] : p.x[i];
         return;
     case PatternKind::Wood: return wood_values(pattern, p, out);
     case PatternKind::Spherical: return distance_values<From::Point>(p, out);
@@ -226,6 +230,7 @@ unsigned live_components(const Pattern& pattern)
     case PatternKind::Radial: return 5;
     case PatternKind::Mandel:
     case PatternKind::Julia: return 3;
+    case PatternKind::Marble: return pattern.has_turbulence ? kAllLive : 1u;
     default: return kAllLive;
     }
 }
@@ -309,7 +314,7 @@ void average_colors(const TextureSet& set, const Pigment& pigment, const Points&
 
 void pattern_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
 {
-    raw_values(set, pattern, p, around, kNothingEnough, out);
+    raw_values(set, pattern, p, around, {}, out);
     waved_points(pattern, p.size(), out);
 }
 
@@ -334,8 +339,7 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
     warp_points(set, pattern, q, color_map ? live_components(pattern) : kAllLive);
     if (pigment.kind == Pigment::Kind::Average) return average_colors(set, pigment, q, around, out);
     Values values;
-    const double enough = color_map ? raw_flat_from(set, pigment, pattern) : kNothingEnough;
-    raw_values(set, pattern, q, around, enough, values);
+    raw_values(set, pattern, q, around, color_map ? raw_flat_ends(set, pigment, pattern) : FlatEnds{}, values);
     if (color_map && all_equal(values, q.size()))  // as beside a ball of density
         return out.fill(mapped(set, blend_at(set, pigment.first, pigment.count, waved(pattern, values[0]))));
     waved_points(pattern, q.size(), values);

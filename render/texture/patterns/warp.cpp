@@ -201,8 +201,10 @@ void hold(Values& v, std::size_t count)
 
 void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsigned live)
 {
-    for (std::uint32_t i = 0; i < pattern.warp_count; ++i)
-        std::visit(ApplyToAll{p, kAllLive}, set.warps[pattern.first_warp + i]);
+    for (std::uint32_t i = 0; i < pattern.warp_count; ++i) {
+        const bool last = i + 1 == pattern.warp_count && !pattern.displaces;
+        std::visit(ApplyToAll{p, last ? live : kAllLive}, set.warps[pattern.first_warp + i]);
+    }
     if (pattern.displaces) ApplyToAll{p, live}(pattern.turbulence);
     hold(p.x, p.size());
     hold(p.y, p.size());

@@ -2,6 +2,7 @@
 
 #include "csg/packet/lane_equal.h"
 #include "csg/base/tolerance.h"
+#include "render/trace/media/media_scratch.h"
 
 #include <algorithm>
 #include <utility>
@@ -35,6 +36,8 @@ AreaLight::AreaLight(Context& context, const light::Light& light, const csg::Hit
     for (std::size_t k = 0; k < kRays; ++k) from_[k] = context.scene.tolerance.shadow_from(at.point(k), met.t[k]);
     for (std::size_t k = 0; k < kRays; ++k)
         color_.set(k, light.area_illumination ? light.color : scratch_.lit_colors[k]);
+    if (scratch_.traits.media || (light.atmosphere && context.scene.atmosphere.extinguishes))
+        later_ = &context.scratch.media().area_shadows;
 }
 
 void AreaLight::shadows(HitMask hits, TileColors& out)
@@ -215,6 +218,7 @@ void AreaLight::trace_samples()
         const HitMask mixed = deposited(filtered >> asked.first, asked.hits);
         if (mixed != 0) keep_filtered(asked, mixed);
     }
+    if (later_ != nullptr && !later_->empty()) dim_by_media();
     asked_count_ = 0;
     samples_ = 0;
 }
@@ -223,8 +227,20 @@ void AreaLight::keep_filtered(const Asked& asked, HitMask hits)
 {
     area_.mixed[asked.node] |= hits;
     if (area_.filtered.size() <= asked.node) area_.filtered.resize(area_.known.size());
-    for (std::size_t n = asked.first; n < asked.last(); ++n)
-        if (has(hits, hit_[n])) area_.filtered[asked.node].set(hit_[n], sample_color(n));
+    for (std::size_t n = asked.first; n < asked.last(); ++n) {
+        if (!has(hits, hit_[n])) continue;
+        node_[n] = asked.node;
+        area_.filtered[asked.node].set(hit_[n], sample_color(n));
+    }
+}
+
+/// What media leave of the samples whose stretches of media wait.
+void AreaLight::dim_by_media()
+{
+    later_->run(context_.scene, [this](std::size_t n, const glm::vec3& share) {
+        TileColors& filtered = area_.filtered[node_[n]];
+        filtered.set(hit_[n], filtered[hit_[n]] * share);
+    });
 }
 
 void AreaLight::keep_rests(const Asked& asked)
@@ -242,7 +258,7 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     const glm::dvec3 point = scratch_.hits.point(k);
     const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
     double unused = 0.0;
-    const ShadowAir air{light_.atmosphere, nullptr, 0, light_.atmosphere ? &rests_[k].from : &unused};
+    const ShadowAir air{light_.atmosphere, later_, ray, light_.atmosphere ? &rests_[k].from : &unused};
     const PhotonShadow& caught = scratch_.photon_shadow;
     if (too_many || scratch_.traits.restarts()) {
         const glm::vec3 passed = filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, air,

@@ -76,6 +76,7 @@ private:
     };
     [[gnu::noinline]] void keep_rests(const Asked& asked);
     [[gnu::noinline]] void keep_filtered(const Asked& asked, HitMask hits);
+    [[gnu::noinline]] void dim_by_media();
     glm::vec3 sample_color(std::size_t ray);
 
     Context& context_;
@@ -83,6 +84,7 @@ private:
     AreaScratch& area_;
     const light::Light& light_;
     const InteriorList* const* interiors_;
+    MediaShadows* later_ = nullptr;  ///< receives, by sample, stretches of media between the hits and the light
     std::optional<csg::Shaft> shaft_;
     bool by_hit_ = false;      ///< the rays of a hit are closer to each other than those to a node
     bool by_level_ = false;    ///< all nodes are asked for by levels of rectangles before any is summed up
@@ -91,6 +93,7 @@ private:
     std::size_t asked_count_ = 0;
     std::array<Asked, kRays> asked_;                        ///< they belong to
     alignas(64) std::array<std::uint32_t, kRays> hit_;      ///< of each sample
+    std::array<std::uint32_t, kRays> node_;                 ///< of each sample whose light is filtered
     alignas(64) std::array<std::uint64_t, kRays> purpose_;  ///< of its first random number, of lights with jitter
     alignas(64) TileLanes row_, column_;                    ///< of its node
     alignas(64) TileLanes from_;                            ///< where shadow rays of a hit begin

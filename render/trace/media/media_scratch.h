@@ -50,6 +50,7 @@ struct MediaScratch {
     MediaDensity density;
     csg::HitTile met;  ///< how far each point lies from its ray's origin
     MediaShadows shadows;
+    MediaShadows area_shadows;  ///< of the samples of an area light
 };
 
 }  // namespace trace
