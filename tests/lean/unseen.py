@@ -27,6 +27,7 @@ sphere { <1.2, 0.7, 0>, 0.7 pigment { rgb <0.8, 0.3, 0.2> } finish { phong 0.6 r
 #declare Carved = difference { box { <-1.8, 0, -0.6>, <-0.4, 1.2, 0.6> } sphere { <-1.1, 1.2, -0.6>, 0.5 } MORE pigment { rgb <0.3, 0.5, 0.7> } }
 object { Carved }
 """
+BALL = "sphere { <0, 0.8, -1.2>, 0.5 pigment { rgbf 1 } finish { reflection 0.1 } interior { ior 1.5 } }\n"
 # Kind: a statement at the end, or an operand of the carved box.
 THINGS = {
     "unused declarations": ("#declare Glass = texture { pigment { rgbf 0.9 } finish { reflection 0.1 } }\n"
@@ -52,10 +53,12 @@ THINGS = {
     "media out of sight": ("sphere { <0, 60, -90>, 1 hollow pigment { rgbt 1 } interior { media { emission 0.1 absorption 0.1 } } }", ""),
     "glass out of sight": ("sphere { <0, 60, -90>, 1 pigment { rgbf 1 } interior { ior 1.5 fade_distance 1 fade_power 2 } }", ""),
 }
+# The same in a scene with a ball of glass in its middle, whose rays ask what they are inside of.
+BESIDE_GLASS = ["media out of sight", "glass out of sight"]
 
 
-def scene(thing=("", "")):
-    return BASE.replace("MORE", thing[1]) + thing[0] + "\n"
+def scene(thing=("", ""), more=""):
+    return BASE.replace("MORE", thing[1]) + more + thing[0] + "\n"
 
 
 def run(whittle, text, folder, name, counted, more=()):
@@ -78,11 +81,14 @@ def main():
     whittle, wrong = sys.argv[1], []
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(2) as pool:
         folder = pathlib.Path(name)
-        base, least = run(whittle, scene(), folder, "nothing", True)
-        jobs = [(what, pool.submit(run, whittle, scene(thing), folder, what.replace(" ", "_"), True),
-                 pool.submit(run, whittle, scene(thing), folder, what.replace(" ", "_") + "_full", False, ["--no-lean"]))
-                for what, thing in THINGS.items()]
-        for what, lean, full in jobs:
+        things = [(what, thing, "") for what, thing in THINGS.items()]
+        things += [(f"{what} beside glass", THINGS[what], BALL) for what in BESIDE_GLASS]
+        plain = {more: run(whittle, scene(more=more), folder, "nothing", True) for more in ("", BALL)}
+        jobs = [(what, more, pool.submit(run, whittle, scene(thing, more), folder, what.replace(" ", "_"), True),
+                 pool.submit(run, whittle, scene(thing, more), folder, what.replace(" ", "_") + "_full", False, ["--no-lean"]))
+                for what, thing, more in things]
+        for what, more, lean, full in jobs:
+            base, least = plain[more]
             bytes_lean, count = lean.result()
             change = count / least - 1.0
             print(f"{what:36} {count / 1e6:8.2f} million {100 * change:+6.2f} %")

@@ -179,20 +179,20 @@ private:
             sink_.light(k, color);
             sink_.arrive(k, color);
         };
-        if (later == nullptr) {
-            for_each_hit(rays, [&](std::size_t ray) {
-                const std::size_t k = hit_of(ray);
-                tell(k, filtered(ray, k, {in_air}));
-            });
-            return;
-        }
-        std::array<glm::vec3, csg::kTileRays> colors;
+        HitMask waiting = 0;  // media have to be sampled on the way
+        std::size_t stretches = 0;
+        TileColors colors;
         for_each_hit(rays, [&](std::size_t ray) {
             const std::size_t k = hit_of(ray);
-            colors[k] = filtered(ray, k, {in_air, later, k});
+            const glm::vec3 color = filtered(ray, k, {in_air, later, k});
+            if (later == nullptr || later->empty() || later->size() == stretches) return tell(k, color);
+            stretches = later->size();
+            waiting |= HitMask{1} << k;
+            colors.set(k, color);
         });
-        later->run(scene, [&](std::size_t k, const glm::vec3& share) { colors[k] *= share; });
-        for_each_hit(rays, [&](std::size_t ray) { tell(hit_of(ray), colors[hit_of(ray)]); });
+        if (waiting == 0) return;
+        later->run(scene, [&](std::size_t k, const glm::vec3& share) { colors.set(k, colors[k] * share); });
+        for_each_hit(waiting, [&](std::size_t k) { tell(k, colors[k]); });
     }
 
     /// What surfaces leave of light that they focus.

@@ -166,10 +166,10 @@ Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double
 }
 
 /// Whether the way inside of something dims light.
-bool dims_inside(const plan::CompiledScene& scene, const InteriorList& interiors)
+bool dims_inside(const SceneTraits& traits, const InteriorList& interiors)
 {
     for (std::size_t i = 0; i < interiors.size(); ++i)
-        if (dims(scene.interiors[interiors[i]])) return true;
+        if (traits.dimming[interiors[i]] != 0) return true;
     return false;
 }
 
@@ -179,12 +179,8 @@ bool past_steady(const Context& context, const InteriorList& interiors, double t
                  const Hit* first, const Hit* last, double& before)
 {
     const SceneTraits& traits = context.scratch.shade.traits;
-    const bool within = traits.fades || traits.media;
-    if (within && dims_inside(context.scene, interiors)) return false;
-    if (!std::all_of(first, last, [&](const Hit& hit) {
-            const SurfaceTraits& surface = traits.surfaces[hit.surface];
-            return surface.steady_filter && !(within && surface.dims);
-        }))
+    if (dims_inside(traits, interiors)) return false;
+    if (!std::all_of(first, last, [&](const Hit& hit) { return traits.surfaces[hit.surface].filters_alone; }))
         return false;
     for (; first != last; ++first) {
         if (first->t - before <= tolerance) continue;

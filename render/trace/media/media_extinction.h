@@ -22,6 +22,7 @@ class MediaShadows {
 public:
     void clear() { stretches_.clear(), mix_count_ = 0, inside_known_ = false; }
     bool empty() const { return stretches_.empty(); }
+    std::size_t size() const { return stretches_.size(); }
     /// Until further notice rays start where this has been found; null: nothing has.
     void start_at(const MediaStarts* starts) { starts_ = starts; }
 

@@ -52,7 +52,7 @@ struct Scratch {
     /// Of media, for the scenes that have some.
     MediaScratch& media()
     {
-        if (!media_) media_ = std::make_unique<MediaScratch>();
+        if (!media_) media_ = std::make_unique_for_overwrite<MediaScratch>();  // not zeroed: it is large
         return *media_;
     }
     /// Of light below surfaces, likewise.

@@ -219,6 +219,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     all.resize(scene.surfaces.size());
     for (const light::Light& light : scene.lights.lights) traits.grouped |= light.group != 0;
     for (const plan::Interior& interior : scene.interiors) {
+        traits.dimming.push_back(dims(interior) ? 1 : 0);
         traits.fades |= interior.fade_distance != 0.0f;
         traits.media |= interior.media.extinguishes;
         traits.interior_media |= !interior.media.empty();
@@ -229,7 +230,6 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         const plan::Surface& surface = scene.surfaces[i];
         traits.grouped |= surface.light_group != 0;
         traits.filters |= !surface.opaque && !surface.no_shadow;
-        all[i].dims = surface.interior != plan::kNone && dims(scene.interiors[surface.interior]);
         const LookedAt looks = looked_at(scene, surface, texture_looks);
         all[i].looked_around = looks.uv || looks.around || every_detail;
         all[i].needs_uv = looks.uv || surface.uv_mapping || every_detail;
@@ -258,6 +258,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
         const bool plain = plain_filter(scene.textures, surface.texture, all[i].filter);
         all[i].steady_filter = plain && !focused;
+        const bool dimmed = surface.interior != plan::kNone && traits.dimming[surface.interior] != 0;
+        all[i].filters_alone = all[i].steady_filter && !dimmed;
         all[i].filters_together = !surface.opaque && !all[i].steady_filter && !traits.scalar_rows && all[i].batched &&
                                   surface.part_count == 0 && layers_filter(scene.textures, surface.texture) && !bent;
         traits.filters_together |= all[i].filters_together;

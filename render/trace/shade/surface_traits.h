@@ -25,7 +25,7 @@ struct SurfaceTraits {
     bool looked_around = false;  ///< something asks for more than the point (texture::Surroundings)
     bool batched = true;         ///< its places are found for a whole tile: nothing asks for more than point and normal
     bool steady_filter = false;  ///< light that passes is filtered alike everywhere and in every direction
-    bool dims = false;           ///< what is inside dims light on its way
+    bool filters_alone = false;  ///< steady_filter, and nothing inside dims light on its way
     bool filters_together = false;  ///< what it filters by patterns or focuses (`caustics`) is found for a whole tile
     SingleLayer outer, inner;       ///< as seen from outside, and where the raw normal faces along the ray
     PatternedLayers outer_patterned, inner_patterned;  ///< textures whose layers a tile looks up together
@@ -35,6 +35,7 @@ struct SurfaceTraits {
 struct SceneTraits {
     std::vector<SurfaceTraits> surfaces;      ///< by csg::SurfaceId
     std::vector<csg::SurfaceId> not_batched;  ///< whose SurfaceTraits::batched is false
+    std::vector<std::uint8_t> dimming;        ///< by interior: 1 where what is inside dims light
     bool sky_looks_around = false;            ///< a pigment of the sky asks for texture::Surroundings
     bool grouped = false;                     ///< some surface is not reached by all lights
     bool filters = false;                     ///< some surface lets a shadow ray through
