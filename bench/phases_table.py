@@ -7,6 +7,8 @@ MATCH = 0.99  # share of the pixels within 3/255
 def remark(row):
     """What a reader must know beside the numbers of a row."""
     parts = [f"POV-Ray with itself {row['own_agree']:.4f}"] if row["agree"] < MATCH and row["own_agree"] else []
+    if row.get("explained"):
+        parts.append("differs as docs/parity.md tells")
     if not row["matches"]:
         parts.append("WRONG PICTURE")
     if row["left_out"]:
