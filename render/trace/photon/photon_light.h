@@ -2,6 +2,7 @@
 
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/light/direct_batch.h"
+#include "render/trace/light/highlight_lanes.h"
 #include "render/trace/queue/segment_tile.h"
 
 #include <numbers>
@@ -73,9 +74,15 @@ private:
         const glm::dvec3 raw = scratch_.hits.normal(k);
         const Hit hit = tile_.hits.at(static_cast<int>(k));
         const HitPlace place = tile_.place(k, tile_.state(k), hit);
+        const bool shiny = context_.bounce == 0 && (finish.phong > 0.0f || finish.specular > 0.0f);
+        const bool in_lanes = shiny && !scalar;
         glm::vec3 sum(0);
-        for (const NearPhotons::Near& near : scratch_.near_photons.found) {
-            const PhotonRay& photon = map_.ray(near.photon);
+        const std::vector<NearPhotons::Near>& found = scratch_.near_photons.found;
+        alignas(64) std::array<double, csg::lanes::kDoubles> strengths;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const std::size_t lane = i % strengths.size();
+            if (in_lanes && lane == 0) find_strengths(met, i, strengths.data());
+            const PhotonRay& photon = map_.ray(found[i].photon);
             const glm::dvec3 back(photon.back);
             bool behind = false;
             if (!surface.double_illuminate && glm::dot(normal, back) < kNearlyZero) {
@@ -83,12 +90,33 @@ private:
                 behind = true;
             }
             const glm::vec3 color = photon.flux / static_cast<float>(std::clamp(glm::dot(raw, back), kFlattest, 1.0));
-            const double strength = behind || context_.bounce > 0 ? 0.0 : highlight(met, back);
+            const double strength = behind || !shiny ? 0.0 : in_lanes ? strengths[lane] : highlight(met, back);
             glm::vec3 gained = surface_light(met, back, color, behind, strength, 0.0);
             if (finish.irid > 0.0f) gained *= film_color(context_, place, finish, normal, back);
             sum += gained;
         }
         return sum;
+    }
+
+    /// Strengths of the highlights of photons from the first-th on, a vector of them; none behind the last.
+    void find_strengths(const LitLayer& met, std::size_t first, double* out) const
+    {
+        using csg::lanes::Double;
+        const auto all = [](const glm::dvec3& v) { return LaneVectors{Double(v.x), Double(v.y), Double(v.z)}; };
+        const auto amount = [](float f) { return Double(static_cast<double>(f)); };
+        const std::vector<NearPhotons::Near>& found = scratch_.near_photons.found;
+        constexpr std::size_t kLanes = csg::lanes::kDoubles;
+        alignas(64) double x[kLanes], y[kLanes], z[kLanes];
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const glm::dvec3 back(map_.ray(found[std::min(first + lane, found.size() - 1)].photon).back);
+            x[lane] = back.x, y[lane] = back.y, z[lane] = back.z;
+        }
+        const texture::Finish& f = met.finish;
+        highlight_strengths(all(met.direction), all(met.normal),
+                            {Double::load_aligned(x), Double::load_aligned(y), Double::load_aligned(z)},
+                            {amount(f.phong), amount(f.phong_size), amount(f.specular), amount(f.specular_exponent)},
+                            (1u << kLanes) - 1)
+            .store_aligned(out);
     }
 
     /// Of diffuse light alone.
