@@ -17,6 +17,13 @@ class LaneBoolean {
 public:
     LaneBoolean(const SolidStore& store, const Rays& rays) : store_(store), rays_(rays) {}
 
+    /// The rays are others from now on; places: theirs in the tile, as FetchedSpans knows them.
+    void rays_changed(const std::uint8_t* places)
+    {
+        measured_ = false;
+        places_ = places;
+    }
+
     /// The nearest crossing of the rays of the mask, or all of them; each_crossing() has them for the rays found.
     void ask(const Program& program, RayMask mask, bool nearest_only, Scratch& scratch)
     {
@@ -223,7 +230,7 @@ private:
         RayMask held = 0;
         each_ray(mask, [&](std::size_t ray) {
             if (rays_.limit[ray] < 0.0) return;
-            scratch.fetched.select(static_cast<int>(ray));
+            scratch.fetched.select(places_ != nullptr ? places_[ray] : static_cast<int>(ray));
             const SpanList spans = BooleanWalk(*program_, store_, rays_.ray(static_cast<int>(ray)), rays_.t_min[ray],
                                                rays_.limit[ray], scratch)
                                        .spans_of(leaf);
@@ -377,6 +384,7 @@ private:
     const Rays& rays_;
     const Program* program_ = nullptr;
     const BooleanForm* form_ = nullptr;
+    const std::uint8_t* places_ = nullptr;  ///< of the rays in the tile, or null: as they come
     bool measured_ = false;
     bool nearest_only_ = true;
     std::uint32_t pieces_ = 0;

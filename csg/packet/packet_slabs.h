@@ -62,7 +62,8 @@ private:
     {
         using lanes::FloatPart;
         const Slabs& ray = slabs_[k];
-        const float limit = rounded_up(rays_.limit[k]);
+        // No less than it: cheaper than rounding it up. (Below zero, as of rays that are done, no box is met.)
+        const float limit = static_cast<float>(rays_.limit[k]) * (1.0f + 2.4e-7f);
         std::uint32_t mask = 0;
         for (int part = 0; part < lanes::kFloatParts; ++part) {
             const int at = part * lanes::kFloatPart;

@@ -37,7 +37,7 @@ public:
     void ask(const WorldData& world, Rays& rays, Query& query) const
     {
         LaneFront<Rays> front(world.store, beam_, rays);
-        LaneBoolean<Rays> boolean(world.store, rays);
+        PackedBoolean<Rays> boolean(world.store, rays);
         TileLeaf<Rays, Query> leaf{world, &beam_, rays, query, world.shadow_kinds, front, boolean};
         for (std::size_t i = 0; i < endless_count_; ++i) leaf.item(endless_[i], rays.all());
         for (std::size_t i = 0; i < leaf_count_; ++i) {

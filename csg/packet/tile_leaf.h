@@ -1,10 +1,10 @@
 #pragma once
 
 #include "csg/packet/extrusion_sieve.h"
-#include "csg/packet/lane_boolean.h"
 #include "csg/packet/lane_front.h"
 #include "csg/packet/lane_torus.h"
 #include "csg/packet/mesh_rays.h"
+#include "csg/packet/packed_boolean.h"
 #include "csg/packet/tile_walk.h"
 #include "csg/world/world_item.h"
 
@@ -29,7 +29,7 @@ struct TileLeaf {
     Query& query;
     std::uint32_t kinds;
     LaneFront<Rays>& front;
-    LaneBoolean<Rays>& boolean;
+    PackedBoolean<Rays>& boolean;
 
     void operator()(ChildWord leaf, const glm::dvec3& lower, const glm::dvec3& upper, int first, int last) const
     {
@@ -138,8 +138,7 @@ private:
     {
         const WorldItem& item = world.items[index];
         boolean.ask(world.programs[item.program], mask, query.first_only(item), query.scratch());
-        each_ray(boolean.found,
-                 [&](std::size_t k) { boolean.each_crossing(k, [&](const Hit& hit) { query.hit(index, k, hit); }); });
+        boolean.each_crossing([&](std::size_t k, const Hit& hit) { query.hit(index, k, hit); });
         return boolean.undecided;
     }
 

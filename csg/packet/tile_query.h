@@ -317,7 +317,7 @@ inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Qu
     const Beam beam(rays, world.bvh.bounds);
     if (!beam.narrow()) return false;
     LaneFront<Rays> front(world.store, beam, rays);
-    LaneBoolean<Rays> boolean(world.store, rays);
+    PackedBoolean<Rays> boolean(world.store, rays);
     TileLeaf<Rays, Query> leaf{world, &beam, rays, query, kinds, front, boolean};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
     // Rays from an eye are those of neighbouring pixels; points that ask for a lamp may lie anywhere.
@@ -331,7 +331,7 @@ inline void ask_packet(const WorldData& world, Rays& rays, std::uint32_t kinds, 
 {
     const PacketSlabs<Rays> slabs(rays);
     LaneFront<Rays> front(world.store, slabs, rays);
-    LaneBoolean<Rays> boolean(world.store, rays);
+    PackedBoolean<Rays> boolean(world.store, rays);
     TileLeaf<Rays, Query> leaf{world, nullptr, rays, query, kinds, front, boolean};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
     PacketWalk(world.bvh, slabs, rays, kinds, leaf).run();

@@ -71,6 +71,7 @@ struct OwnOrigins {
     alignas(64) RayLanes ox, oy, oz;
     int places;
 
+    OwnOrigins() {}  ///< not filled in
     explicit OwnOrigins(const RayTile& tile) : places((tile.count + kRayGroup - 1) / kRayGroup * kRayGroup)
     {
         take_lanes(tile, tile.ox, ox, tile.ox[0]);
@@ -116,6 +117,8 @@ struct alignas(64) TileRays : Origins {
     int count, groups;
     mutable TurnedRays<Origins> turned;  ///< where one solid after the other stands in the same space
 
+    /// Not filled in.
+    TileRays() requires(!Origins::kShared) {}
     explicit TileRays(const RayTile& tile)
         : Origins(tile), count(tile.count), groups((tile.count + kRayGroup - 1) / kRayGroup)
     {

@@ -23,6 +23,9 @@ public:
         if constexpr (Origins::kShared) origin_ = lanes::into(frame, rays.origin);
     }
 
+    /// The rays are others from now on.
+    void forget() { frame_ = nullptr; }
+
     /// The rays from i on.
     template <class Rays>
     void find(int i, const Rays& rays)

@@ -35,17 +35,21 @@ struct OneObject {
     bool in_lanes() const { return !data.items.empty() && (data.items[0].boolean || data.items[0].simple); }
 };
 
-/// Rays past the object, close enough together for a beam; from one point or each from its own.
+/// Rays past the object, close enough together for a beam; from one point or each from its own. In some tiles most of
+/// them end before they are there, so that those that come to it lie scattered over the tile.
 RayTile tile_past(Rng& rng)
 {
     RayTile tile{};
     tile.count = kTileRays;
     tile.common_origin = rng.coin();
     const glm::dvec3 from = 4.0 * rng.direction() * (rng.below(4) == 0 ? 0.1 : 1.0), to = rng.point(0.7);
+    const bool scattered = rng.below(3) == 0;
     for (std::size_t k = 0; k < kTileRays; ++k) {
         const glm::dvec3 origin = tile.common_origin ? from : from + 0.05 * rng.point(1.0);
         tile.set(k, {origin, glm::normalize(to + 0.15 * rng.point(1.0) - origin)}, rng.coin() ? 1e-4 : 2.5,
-                 rng.below(3) == 0 ? rng.uniform(2.0, 6.0) : kInfinity);
+                 scattered && rng.below(4) != 0 ? 1e-3
+                 : rng.below(3) == 0            ? rng.uniform(2.0, 6.0)
+                                                : kInfinity);
     }
     return tile;
 }
