@@ -13,12 +13,23 @@ struct BlendPoints {
     Values share;
 };
 
+/// Whole numbers, as such.
+void store_places(const Double& v, std::int32_t* to)
+{
+#if defined(__AVX512F__)
+    _mm256_store_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(v));
+#elif defined(__AVX__)
+    _mm_store_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(v));
+#else
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_cvttpd_epi32(v));
+#endif
+}
+
 /// blend_at() for rising keys: as many lie below a value as there are steps up to its place.
 void blend_points(const float* keys, std::uint32_t entries, const Values& values, std::size_t count, BlendPoints& out)
 {
     const Double last_key(static_cast<double>(keys[entries - 1])), zero(0.0), one(1.0),
         last(static_cast<double>(entries - 1));
-    alignas(64) double lower[kLanes], upper[kLanes];
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Double v = Double::load_aligned(values.data() + i);
         Double below = zero, low = last_key, high = last_key;
@@ -35,12 +46,8 @@ void blend_points(const float* keys, std::uint32_t entries, const Values& values
         const auto beyond = v >= last_key, alone = beyond | (below == zero) | (high == v);
         xsimd::select(alone, zero, (v - low) / (high - low)).store_aligned(out.share.data() + i);
         const Double at = xsimd::select(beyond, last, below);
-        at.store_aligned(upper);
-        xsimd::select(alone, at, at - one).store_aligned(lower);
-        for (std::size_t k = 0; k < kLanes; ++k) {
-            out.lower[i + k] = static_cast<std::int32_t>(lower[k]);
-            out.upper[i + k] = static_cast<std::int32_t>(upper[k]);
-        }
+        store_places(at, out.upper.data() + i);
+        store_places(xsimd::select(alone, at, at - one), out.lower.data() + i);
     }
 }
 

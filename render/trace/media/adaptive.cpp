@@ -12,12 +12,6 @@ namespace {
 constexpr float kThird = 1.0f / 3.0f, kSixth = 1.0f / 6.0f;
 constexpr std::uint32_t kMiddles = 0x80000000u;  // numbers of samples in the middle of gaps begin here
 
-/// How far apart two contributions are.
-float apart(const glm::vec3& a, const glm::vec3& b)
-{
-    return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
-}
-
 }  // namespace
 
 int AdaptiveSums::gaps_of(const plan::Media& control) { return std::max(2, control.samples_least / 2 + 1); }
@@ -47,15 +41,15 @@ void AdaptiveSums::run()
     jobs_ = static_cast<std::size_t>(chunk_.count);
     gaps_ = static_cast<std::size_t>(gaps_of(*chunk_.control));
     dims_ = !chunk_.one_mix || chunk_.jobs[0].mix->extinguishes;
+    samples_.told_depth = dims_;
     place_even();
     sampler_.evaluate(0);
     place_middles();
     sampler_.evaluate(middles_);
     find_gaps();
-    scratch_.gaps.clear();
-    scratch_.divided.clear();
+    divided_ = 0;
     if (chunk_.control->aa_level > 1) find_divided();
-    if (!scratch_.gaps.empty()) {
+    if (divided_ != 0) {
         divide_all();
         fold();
     }
@@ -115,8 +109,8 @@ void AdaptiveSums::place_middles()
 void AdaptiveSums::find_gaps()
 {
     const std::size_t count = gaps_ * jobs_;
-    scratch_.light.resize(count);
-    scratch_.depth.resize(count);
+    scratch_.light.at_least(count);
+    scratch_.depth.at_least(count);
     const auto find = [&](const std::vector<float>& found, std::vector<float>& out) {
         const float *first = found.data(), *last = first + jobs_, *middle = first + middles_;
         float* to = out.data();
@@ -152,89 +146,112 @@ void AdaptiveSums::find_steps(std::size_t n, GapFlags& left, GapFlags& right) co
 /// Gaps whose samples differ so much that they are divided further.
 void AdaptiveSums::find_divided()
 {
-    scratch_.left.assign(gaps_ * jobs_, MediaGap::kNone);
-    scratch_.right.assign(gaps_ * jobs_, MediaGap::kNone);
+    MediaGaps& gaps = scratch_.gaps;
     for (std::size_t i = 0; i < jobs_; ++i) threshold_[i] = chunk_.jobs[i].mix->threshold;
-    const int level = chunk_.control->aa_level - 1;
+    gaps.clear();
+    gaps.reserve(gaps_ * jobs_);
     alignas(64) GapFlags left, right;
+    std::size_t count = 0;
     for (std::size_t n = 0; n < gaps_; ++n) {
         find_steps(n, left, right);
-        const auto number = 2u * static_cast<std::uint32_t>(n + 1 + gaps_);
-        for (std::size_t i = 0; i < jobs_; ++i) {
-            if ((left[i] | right[i]) == 0) continue;
-            const std::size_t g = n * jobs_ + i, last = g + jobs_, middle = g + middles_;
-            scratch_.divided.push_back(static_cast<std::uint32_t>(g));
-            const auto add = [&](std::size_t from, std::size_t to, std::uint32_t side) {
-                scratch_.gaps.push_back(
-                    {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), level - 1, number + side});
-                return static_cast<std::uint32_t>(scratch_.gaps.size() - 1);
-            };
-            if (left[i] != 0) scratch_.left[g] = add(g, middle, 0);
-            if (right[i] != 0) scratch_.right[g] = add(middle, last, 1);
+        for (std::size_t i = 0; i < jobs_; ++i) {  // which of them is no branch: nobody could guess it
+            gaps.first[count] = static_cast<std::uint32_t>(n * jobs_ + i);
+            gaps.number[count] = static_cast<std::uint32_t>(n + 1);
+            count += left[i] | right[i];
         }
     }
+    divided_ = gaps.count = count;
+    for (std::size_t g = 0; g < count; ++g) gaps.last[g] = gaps.first[g] + static_cast<std::uint32_t>(jobs_);
+}
+
+/// Means over the halves of gaps, and those halves that are divided again as gaps of their own, if any are.
+template <class Middle>
+void AdaptiveSums::halve(std::size_t begin, std::size_t end, bool again, Middle&& middle_of_gap)
+{
+    MediaGaps& gaps = scratch_.gaps;
+    gaps.reserve(2 * (end - begin));
+    std::uint32_t *const first = gaps.first.data(), *const last = gaps.last.data(), *const owner = gaps.owner.data();
+    const auto mean_of = [](const MediaColors& found) {
+        return [red = found.red.data(), green = found.green.data(), blue = found.blue.data()](std::uint32_t s) {
+            return MediaMean{red[s], green[s], blue[s], 0.0f};
+        };
+    };
+    const auto half = [](const MediaMean& side, const MediaMean& middle) {
+        return MediaMean{side.red * kThird + middle.red * kSixth, side.green * kThird + middle.green * kSixth,
+                         side.blue * kThird + middle.blue * kSixth, 0.0f};
+    };
+    const auto differ = [](const MediaMean& a, const MediaMean& b) {
+        return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
+    };
+    const auto light = mean_of(samples_.light), depth = mean_of(samples_.depth);
+    std::size_t made = gaps.count;
+    for (std::size_t g = begin; g < end; ++g) {
+        const std::uint32_t from = first[g], to = last[g], middle = middle_of_gap(g);
+        const MediaMean near = light(from), between = light(middle), far = light(to);
+        gaps.half_light[2 * g] = half(near, between);
+        gaps.half_light[2 * g + 1] = half(far, between);
+        if (!again) continue;
+        const float threshold = threshold_[samples_.job[from]];
+        first[made] = from, last[made] = middle, owner[made] = static_cast<std::uint32_t>(2 * g);
+        made += differ(near, between) > threshold ? 1u : 0u;
+        first[made] = middle, last[made] = to, owner[made] = static_cast<std::uint32_t>(2 * g + 1);
+        made += differ(between, far) > threshold ? 1u : 0u;
+    }
+    if (dims_)
+        for (std::size_t g = begin; g < end; ++g) {
+            const MediaMean between = depth(middle_of_gap(g));
+            gaps.half_depth[2 * g] = half(depth(first[g]), between);
+            gaps.half_depth[2 * g + 1] = half(depth(last[g]), between);
+        }
+    if (chunk_.control->jitter != 0.0)
+        for (std::size_t g = gaps.count; g < made; ++g)
+            gaps.number[g] = 2u * (gaps.number[owner[g] / 2] + static_cast<std::uint32_t>(gaps_)) + owner[g] % 2;
+    gaps.count = made;
 }
 
 /// Halves of halves, all of one depth together.
 void AdaptiveSums::divide_all()
 {
-    std::vector<MediaGap>& gaps = scratch_.gaps;
-    for (std::size_t first = 0; first < gaps.size();) {
-        const std::size_t end = gaps.size(), before = samples_.grow(end - first);
-        for (std::size_t g = first; g < end; ++g) {
-            MediaGap& gap = gaps[g];
-            const std::uint8_t job = samples_.job[gap.first];
-            const std::size_t at = before + (g - first);
-            gap.middle = static_cast<std::uint32_t>(at);
-            samples_.job[at] = job;
-            samples_.place[at] = middle_of(gap.first, gap.last, job, gap.number);
-        }
+    MediaGaps& gaps = scratch_.gaps;
+    int level = chunk_.control->aa_level - 1;
+    halve(0, divided_, true, [&](std::size_t g) { return gaps.first[g] + static_cast<std::uint32_t>(middles_); });
+    for (std::size_t begin = divided_; begin < gaps.count;) {
+        const std::size_t end = gaps.count, before = samples_.grow(end - begin);
+        for (std::size_t g = begin; g < end; ++g) samples_.job[before + (g - begin)] = samples_.job[gaps.first[g]];
+        const double* place = samples_.place.data();
+        double* middle = samples_.place.data() + before;
+        if (chunk_.control->jitter == 0.0)
+            for (std::size_t g = begin; g < end; ++g)
+                middle[g - begin] = 0.5 * (place[gaps.first[g]] + place[gaps.last[g]]);
+        else
+            for (std::size_t g = begin; g < end; ++g)
+                middle[g - begin] = middle_of(gaps.first[g], gaps.last[g], samples_.job[gaps.first[g]], gaps.number[g]);
         sampler_.evaluate(before);
-        for (std::size_t g = first; g < end; ++g) {
-            const MediaGap gap = gaps[g];
-            if (gap.level <= 0) continue;
-            const float threshold = threshold_[samples_.job[gap.first]];
-            const std::uint32_t number = 2u * (gap.number + static_cast<std::uint32_t>(gaps_));
-            const auto divide = [&](std::uint32_t MediaGap::*half, std::uint32_t from, std::uint32_t to,
-                                    std::uint32_t side) {
-                if (!(apart(samples_.light[from], samples_.light[to]) > threshold)) return;
-                gaps[g].*half = static_cast<std::uint32_t>(gaps.size());
-                gaps.push_back({from, to, gap.level - 1, number + side});
-            };
-            divide(&MediaGap::left, gap.first, gap.middle, 0);
-            divide(&MediaGap::right, gap.middle, gap.last, 1);
-        }
-        first = end;
+        halve(begin, end, --level > 0, [&](std::size_t g) { return static_cast<std::uint32_t>(before + (g - begin)); });
+        begin = end;
     }
 }
 
 /// What divided halves say, the last made first; then the gaps that they belong to.
 void AdaptiveSums::fold()
 {
-    std::vector<MediaGap>& gaps = scratch_.gaps;
-    const auto half = [&](std::uint32_t inner, std::uint32_t end, std::uint32_t middle, glm::vec3& light,
-                          glm::vec3& depth) {
-        if (inner != MediaGap::kNone) {
-            light += gaps[inner].light * 0.5f;
-            if (dims_) depth += gaps[inner].depth * 0.5f;
-        } else {
-            light += samples_.light[end] * kThird + samples_.light[middle] * kSixth;
-            if (dims_) depth += samples_.depth[end] * kThird + samples_.depth[middle] * kSixth;
+    const MediaGaps& gaps = scratch_.gaps;
+    const auto fold_all = [&](std::vector<MediaMean>& halves, MediaColors& out) {
+        const auto both = [&](std::size_t g) {
+            const MediaMean &a = halves[2 * g], &b = halves[2 * g + 1];
+            return MediaMean{0.0f + a.red + b.red, 0.0f + a.green + b.green, 0.0f + a.blue + b.blue, 0.0f};
+        };
+        for (std::size_t g = gaps.count; g-- > divided_;) {
+            const MediaMean sum = both(g);
+            halves[gaps.owner[g]] = {sum.red * 0.5f, sum.green * 0.5f, sum.blue * 0.5f, 0.0f};
+        }
+        for (std::size_t g = 0; g < divided_; ++g) {
+            const MediaMean sum = both(g);
+            out.set(gaps.first[g], {sum.red, sum.green, sum.blue});
         }
     };
-    for (std::size_t g = gaps.size(); g-- > 0;) {
-        MediaGap& gap = gaps[g];
-        half(gap.left, gap.first, gap.middle, gap.light, gap.depth);
-        half(gap.right, gap.last, gap.middle, gap.light, gap.depth);
-    }
-    for (const std::uint32_t g : scratch_.divided) {
-        glm::vec3 light(0), depth(0);
-        const auto middle = static_cast<std::uint32_t>(g + middles_);
-        half(scratch_.left[g], g, middle, light, depth);
-        half(scratch_.right[g], static_cast<std::uint32_t>(g + jobs_), middle, light, depth);
-        scratch_.light.set(g, light);
-        if (dims_) scratch_.depth.set(g, depth);
-    }
+    fold_all(scratch_.gaps.half_light, scratch_.light);
+    if (dims_) fold_all(scratch_.gaps.half_depth, scratch_.depth);
 }
 
 /// Gaps of each sub-interval one behind the other, in the medium of those before.

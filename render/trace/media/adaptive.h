@@ -6,23 +6,34 @@
 
 namespace trace {
 
-/// Half of a gap of method 3 that is divided again, at its middle.
-struct MediaGap {
-    std::uint32_t first, last;                  ///< samples
-    int level;                                  ///< it may be halved so often, not counting the first time
-    std::uint32_t number;                       ///< of its middle among those of the sub-interval
-    std::uint32_t middle = 0;                   ///< sample
-    std::uint32_t left = kNone, right = kNone;  ///< halves that are divided again: gaps made later
-    glm::vec3 light{0}, depth{0};
-    static constexpr std::uint32_t kNone = 0xffffffffu;
+/// A mean over half of a gap, its fourth number unused: one vector.
+struct alignas(16) MediaMean {
+    float red, green, blue, none;
+};
+
+/// Gaps of method 3 that are halved again, those of one depth behind each other; those between even samples come first.
+struct MediaGaps {
+    std::size_t count = 0;
+    std::vector<std::uint32_t> first, last;  ///< samples
+    std::vector<std::uint32_t> owner;        ///< the half that it tells more of: 2 times its gap, + 1 the farther one
+    std::vector<std::uint32_t> number;       ///< of its middle among those of the sub-interval; where that is drawn
+    std::vector<MediaMean> half_light, half_depth;  ///< two of each
+
+    void clear() { count = 0; }
+    /// Room for so many more and one; it stays, whatever count is.
+    void reserve(std::size_t more)
+    {
+        const std::size_t all = count + more + 1;
+        if (first.size() >= all) return;
+        first.resize(2 * all), last.resize(2 * all), owner.resize(2 * all), number.resize(2 * all);
+        half_light.resize(4 * all), half_depth.resize(4 * all);
+    }
 };
 
 /// What method 3 keeps per thread.
 struct AdaptiveScratch {
-    std::vector<MediaGap> gaps;
-    std::vector<std::uint32_t> left, right;  ///< by gap between even samples: its halves, or MediaGap::kNone
-    std::vector<std::uint32_t> divided;      ///< gaps that have such a half
-    MediaColors light, depth;                ///< by gap between even samples: means over it
+    MediaGaps gaps;
+    MediaColors light, depth;  ///< by gap between even samples: means over it
 };
 
 class MediaSampler;
@@ -49,6 +60,8 @@ private:
     void find_steps(std::size_t n, GapFlags& left, GapFlags& right) const;
     void find_divided();
     void divide_all();
+    template <class Middle>
+    void halve(std::size_t first, std::size_t end, bool again, Middle&& middle_of_gap);
     void fold();
     void sum();
     void sum_undimmed();
@@ -60,6 +73,7 @@ private:
     MediaSampler& sampler_;
     bool dims_ = true;                               ///< false: no medium takes light, and no depth is looked at
     std::size_t jobs_ = 0, gaps_ = 0, middles_ = 0;  ///< middles_: the first of those samples
+    std::size_t divided_ = 0;                        ///< gaps between even samples that are halved
     alignas(64) std::array<float, MediaChunk::kMost> threshold_;  ///< of the sub-intervals, if gaps may be divided
 };
 

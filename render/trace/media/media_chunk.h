@@ -21,34 +21,43 @@ struct MediaColors {
         green[i] = c.y;
         blue[i] = c.z;
     }
-    void resize(std::size_t count)
+    /// Room for so many; it stays.
+    void at_least(std::size_t count)
     {
+        if (red.size() >= count) return;
         red.resize(count);
         green.resize(count);
         blue.resize(count);
     }
 };
 
-/// Samples side by side: whose they are, where on their sub-interval (0 to 1), and what was found there.
+/// Samples side by side: whose they are, where on their sub-interval (0 to 1), and what was found there. Arrays are as
+/// long as they ever were: clearing new places would take longer than what is written there.
 struct MediaSamples {
+    std::size_t count = 0;
     std::vector<std::uint8_t> job;
     std::vector<double> place;
     MediaColors light, depth;  ///< e and o of spec 6, 2.6
+    bool told_depth = true;    ///< false: nobody looks at `depth`
 
-    std::size_t size() const { return job.size(); }
-    void clear() { job.clear(), place.clear(); }
+    std::size_t size() const { return count; }
+    void clear() { count = 0; }
     std::uint32_t add(std::uint32_t of, double at)
     {
-        job.push_back(static_cast<std::uint8_t>(of));
-        place.push_back(at);
-        return static_cast<std::uint32_t>(job.size() - 1);
+        const std::size_t i = grow(1);
+        job[i] = static_cast<std::uint8_t>(of);
+        place[i] = at;
+        return static_cast<std::uint32_t>(i);
     }
     /// Room for so many more, which are to be filled in; the first of them.
     std::size_t grow(std::size_t more)
     {
-        const std::size_t first = size();
-        job.resize(first + more);
-        place.resize(first + more);
+        const std::size_t first = count;
+        count += more;
+        if (job.size() < count) {
+            job.resize(count);
+            place.resize(count);
+        }
         return first;
     }
 };

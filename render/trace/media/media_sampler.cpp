@@ -40,8 +40,8 @@ void MediaSampler::evaluate(std::size_t first)
 {
     MediaSamples& samples = scratch_.samples;
     const std::size_t end = samples.size();
-    samples.light.resize(end);
-    samples.depth.resize(end);
+    samples.light.at_least(end);
+    samples.depth.at_least(end);
     for (; first < end; first += csg::kTileRays) batch(first, std::min<std::size_t>(csg::kTileRays, end - first));
 }
 
@@ -193,6 +193,7 @@ void MediaSampler::keep(std::size_t first, std::size_t count)
     scale(emission_.red, samples.light.red);
     scale(emission_.green, samples.light.green);
     scale(emission_.blue, samples.light.blue);
+    if (!samples.told_depth) return;
     scale(extinction_.red, samples.depth.red);
     scale(extinction_.green, samples.depth.green);
     scale(extinction_.blue, samples.depth.blue);

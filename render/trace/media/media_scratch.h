@@ -25,6 +25,8 @@ struct MediaPart {
     std::uint8_t job;  ///< in the chunk, or kEven
     double step;
     static constexpr std::uint8_t kEven = 0xff;  ///< alike everywhere: it needs no samples
+
+    MediaPart(std::uint8_t of, std::uint8_t in_chunk, double length) : segment(of), job(in_chunk), step(length) {}
 };
 
 /// Where a light reaches the segments of a tile.

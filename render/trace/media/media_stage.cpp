@@ -88,13 +88,13 @@ void MediaStage::find_lit(const MediaSegment& segment)
     for (std::size_t i = 0; i < context_.lights.lights.size(); ++i) {
         const light::Light& light = context_.lights.lights[i];
         LitSegments& lit = scratch_.lit[i];
-        MediaRange range;
+        MediaRange& range = scratch_.ranges.emplace_back();  // in place, as above
         const bool shines = light.in_media && (end != nullptr ? shines_on(light, *end) : light.group == 0);
         if (!shines || !lit_range(light, segment.ray, segment.length, range)) {
+            scratch_.ranges.pop_back();
             lit.from[at] = csg::kInfinity;
             continue;
         }
-        scratch_.ranges.push_back(range);
         lit.reached |= HitMask{1} << at;
         lit.from[at] = range.from;
         lit.to[at] = range.to;
@@ -128,13 +128,13 @@ void MediaStage::take_part(std::size_t number)
 {
     MediaSegment& segment = scratch_.segments[number];
     const MediaPiece& piece = scratch_.pieces[segment.piece];
-    MediaPart part{static_cast<std::uint8_t>(number), MediaPart::kEven, piece.step};
+    // In place: a copy would wait for what was just written.
+    MediaPart& part = scratch_.parts.emplace_back(static_cast<std::uint8_t>(number), MediaPart::kEven, piece.step);
     if (!is_even(*segment.mix, piece.lit)) {
         const MediaJob job{segment.mix, part.segment, segment.lane, piece.lit, segment.interval, segment.seed};
         const double from = piece.from + segment.part * piece.step;
         part.job = static_cast<std::uint8_t>(scratch_.chunk.add(job, segment.ray, from, piece.step));
     }
-    scratch_.parts.push_back(part);
     ++segment.interval;
     if (++segment.part == piece.count) {
         ++segment.piece;

@@ -37,6 +37,7 @@ void SampledSums::place_least()
     const bool even = control.method == plan::Media::Method::Even;
     const int least = control.samples_least;
     samples_.clear();
+    samples_.told_depth = true;
     for (std::uint32_t n = 0; n < static_cast<std::uint32_t>(least); ++n)
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(chunk_.count); ++i) {
             double place = even ? (n + 0.5) / least : chunk_.random(i, n);

@@ -98,12 +98,6 @@ void RayQueue::start(std::size_t camera_rays)
     colors.resize(camera_rays);
 }
 
-ColorSlot RayQueue::new_slot()
-{
-    colors.emplace_back();
-    return static_cast<ColorSlot>(colors.size() - 1);
-}
-
 ShadeNode& RayQueue::new_node(ShadeNode::Kind kind, ColorSlot out)
 {
     ShadeNode& node = nodes.emplace_back();

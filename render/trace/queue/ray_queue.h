@@ -75,7 +75,11 @@ public:
     /// Nothing waits but the colours of this many camera rays, in the first slots.
     void start(std::size_t camera_rays);
 
-    ColorSlot new_slot();
+    ColorSlot new_slot()
+    {
+        colors.emplace_back();
+        return static_cast<ColorSlot>(colors.size() - 1);
+    }
     /// The slot of a ray that was written where it waits; straight: as of queue_ray().
     ColorSlot keep(QueuedRay& ray, bool straight)
     {
