@@ -244,10 +244,8 @@ std::shared_ptr<const scene::ImageMap> read_material_map(SceneBuilder& build, Te
     MappingReader mapping{*image};
     s.open();
     image->source = read_picture(s);
-    for (;;) {
-        if (s.accept(Kind::Gamma)) image->source.gamma = scene::FileGamma{false, float_expr(s.in())};
-        else if (!mapping.read(s) && !read_use(s, *image, false) && !read_one(s, *image, kPlacement)) break;
-    }
+    while (read_gamma(s, image->source.gamma) || mapping.read(s) || read_use(s, *image, false) ||
+           read_one(s, *image, kPlacement)) {}
     if (s.next_kind() != Kind::Texture) s.in().fail_expected("'texture' and the material of the first colour");
     while (s.accept(Kind::Texture)) materials.push_back({static_cast<double>(materials.size()), read_texture(build)});
     s.close();

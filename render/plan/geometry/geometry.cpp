@@ -93,7 +93,7 @@ void GeometryCompiler::finish()
         const auto opaque = [&](std::uint32_t texture) {
             return texture == kNone || out_.textures.textures[texture].opaque;
         };
-        s.opaque = opaque(s.texture) && opaque(s.interior_texture) && opaque(s.corner_textures[0]) &&
+        s.opaque = opaque(s.texture) && (s.opaque_mesh || opaque(s.interior_texture)) && opaque(s.corner_textures[0]) &&
                    opaque(s.corner_textures[1]);
         for (std::uint32_t k = 0; k < s.part_count; ++k)
             s.opaque = s.opaque && opaque(out_.part_textures[s.first_part + k]);
@@ -214,7 +214,7 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& i
     csg::WorldData& world = *world_;
     const bool clipped = !clips_of(object).empty();
     if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh != nullptr && !clipped) {
-        const csg::PartId part = mesh_part(*mesh, own);
+        const csg::PartId part = mesh_part(*mesh, own, object.flags.uv_mapping);
         world.add_solid(part, object.inverse && mesh_is_solid(*mesh->data), object_, visible(own));
         add_guard(object, own);
         return;
@@ -253,7 +253,7 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape)) {
         made = csg_tree(*csg, own);
     } else if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
-        made = csg::Tree::leaf(mesh_part(*mesh, own));
+        made = csg::Tree::leaf(mesh_part(*mesh, own, object.flags.uv_mapping));
     } else {
         const csg::SurfaceId id = clipping_ ? csg::kNoSurface : shape_surface(object, own);
         made = csg::Tree::leaf(world_->store.add(solid(object, own), id));
@@ -305,7 +305,7 @@ csg::SurfaceId GeometryCompiler::shape_surface(const scene::Object& object, cons
     outside.interior_texture = nullptr;  // POV-Ray shows the parts on both sides (spec 5a, 5.11)
     std::vector<std::uint32_t> parts;
     for (const scene::TexturePtr& texture : *freeform->part_textures) {
-        if (texture) parts.push_back(textures_.texture(own.uv_mapping ? texture : moved(texture, own.to_world)));
+        if (texture) parts.push_back(textures_.texture(moved(texture, own.to_world)));
         else parts.push_back(textures_.texture(own.texture ? own.texture : default_texture_));
     }
     return surface(outside, {}, parts);

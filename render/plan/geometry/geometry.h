@@ -46,6 +46,7 @@ private:
         std::optional<bool> hollow;
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
         bool no_radiosity = false;
+        bool opaque_mesh = false;         ///< Surface::opaque_mesh
         std::optional<float> importance;  ///< Surface::importance; nothing: 1
         std::uint32_t light_group = 0;    ///< Surface::light_group
         bool global_lights = true;
@@ -98,7 +99,8 @@ private:
         std::vector<std::array<scene::TexturePtr, 3>> slots;
     };
     const SharedMesh& shared_mesh(const std::shared_ptr<const scene::MeshData>& mesh);
-    csg::PartId mesh_part(const scene::Mesh& mesh, const Inherited& own);
+    csg::PartId mesh_part(const scene::Mesh& mesh, const Inherited& own, bool textures_stay);
+    bool opaque_mesh(const std::vector<std::array<scene::TexturePtr, 3>>& slots, const Inherited& own);
     csg::SurfaceId mesh_surface(const std::array<scene::TexturePtr, 3>& corners, const Inherited& own);
     std::uint32_t interior(const Inherited& own, const scene::TexturePtr& texture);
     scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);

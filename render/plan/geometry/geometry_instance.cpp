@@ -65,9 +65,9 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
         !object.details->bounded_by.empty())
         return false;
     if (own.photon_density > 0.0) return false;  // each of its parts may be a target of its own
-    // A sphere that shows its own coordinates is stored otherwise.
-    if (own.uv_mapping || uses_uv(own.texture ? own.texture : default_texture_) || uses_uv(own.interior_texture))
-        return false;
+    // A sphere that shows its own coordinates is stored otherwise; whether an inner texture is asked in shadows of a
+    // mesh hangs on its other textures.
+    if (own.uv_mapping || uses_uv(own.texture ? own.texture : default_texture_) || own.interior_texture) return false;
     Shared& shared = shared_[{csg.operands.get(), static_cast<int>(csg.op)}];
     shared.operands = csg.operands;
     if (++shared.shown <= kFewest || shared.fails) return false;

@@ -45,25 +45,54 @@ const GeometryCompiler::SharedMesh& GeometryCompiler::shared_mesh(const std::sha
     return shared;
 }
 
-csg::PartId GeometryCompiler::mesh_part(const scene::Mesh& mesh, const Inherited& own)
+/// textures_stay: the mesh itself has uv_mapping; that of a union or its like around it comes too late (spec 5b, 3.5).
+csg::PartId GeometryCompiler::mesh_part(const scene::Mesh& mesh, const Inherited& own, bool textures_stay)
 {
     const SharedMesh& shared = shared_mesh(mesh.data);
     csg::Mesh made;
     made.shape = shared.shape;
     made.frame = own.to_world;
     if (mesh_is_solid(*mesh.data)) made.inside_vector = mesh.data->inside_vector;
-    for (const auto& corners : shared.slots) {
+    if (sharing_ != nullptr && own.uv_mapping && !textures_stay) sharing_->fails = true;  // copies move them on
+    const auto in_world = [&](const scene::TexturePtr& texture) {
+        return texture && !textures_stay && !clipping_ ? moved(texture, own.to_world) : texture;
+    };
+    std::vector<std::array<scene::TexturePtr, 3>> slots;
+    for (const auto& [first, second, third] : shared.slots)
+        slots.push_back({in_world(first), in_world(second), in_world(third)});
+    Inherited faces = own;
+    faces.opaque_mesh = opaque_mesh(slots, own);
+    for (const auto& corners : slots) {
         made.blends = made.blends || corners[0] != corners[1] || corners[0] != corners[2];
-        made.surfaces.push_back(clipping_ ? csg::kNoSurface : mesh_surface(corners, own));
+        made.surfaces.push_back(clipping_ ? csg::kNoSurface : mesh_surface(corners, faces));
     }
     return world_->store.add(made, made.surfaces.empty() ? csg::kNoSurface : made.surfaces.front());
+}
+
+/// Whether a mesh and all of its faces are opaque, so that its `interior_texture` lets no light through (spec 3, 13.2).
+bool GeometryCompiler::opaque_mesh(const std::vector<std::array<scene::TexturePtr, 3>>& slots, const Inherited& own)
+{
+    if (!own.interior_texture || clipping_) return false;  // nothing would change
+    if (sharing_ != nullptr) {                             // copies may have other textures
+        sharing_->fails = true;
+        return false;
+    }
+    const auto opaque = [&](const scene::TexturePtr& texture) {
+        const std::uint32_t known = textures_.texture(texture);
+        return known == kNone || out_.textures.textures[known].opaque;
+    };
+    if (!opaque(own.texture ? own.texture : default_texture_)) return false;
+    for (const auto& corners : slots)
+        for (const scene::TexturePtr& texture : corners)
+            if (texture && !opaque(texture)) return false;
+    return true;
 }
 
 csg::SurfaceId GeometryCompiler::mesh_surface(const std::array<scene::TexturePtr, 3>& corners, const Inherited& own)
 {
     std::array<Inherited, 3> of_corner{own, own, own};
     for (std::size_t k = 0; k < 3; ++k)
-        if (corners[k]) of_corner[k].texture = own.uv_mapping ? corners[k] : moved(corners[k], own.to_world);
+        if (corners[k]) of_corner[k].texture = corners[k];
     if (corners[0] == corners[1] && corners[0] == corners[2]) return surface(of_corner[0]);
     return surface(of_corner[0], {of_corner[1].texture, of_corner[2].texture});
 }

@@ -83,13 +83,10 @@ void shade_texture(Context& context, DirectBatch& batch, HitContext& hit, std::u
     const texture::Texture& texture = set.textures[index];
     if (texture.kind == texture::Texture::Kind::Layers) return shade_layers(context, batch, hit, texture, p, out);
     if (texture.kind == texture::Texture::Kind::Uv) {
-        // Transformations around a uv_mapping item do not reach it.
-        const std::size_t enclosing = hit.enclosing_count;
-        hit.enclosing_count = 0;
+        // Transformations around a uv_mapping item move its normals, not its points (spec 4, 13).
+        enclose(hit, index);
         const glm::dvec3 uv{hit.around.uv.x, hit.around.uv.y, 0.0};
-        shade_texture(context, batch, hit, set.children[texture.first], uv, out);
-        hit.enclosing_count = enclosing;
-        return;
+        return shade_texture(context, batch, hit, set.children[texture.first], uv, out);
     }
     const texture::Pattern& pattern = set.patterns[texture.pattern];
     const glm::dvec3 q = texture::warp_point(set, pattern, p);
