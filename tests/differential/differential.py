@@ -4,7 +4,7 @@
 usage: differential.py run [CLASS...] [--seeds A-B]     both programs render scenes of seeds A to B, 80x60; prints what differs
        differential.py print CLASS SEED                 the scene's text
        differential.py reduce SCENE.pov                 the shortest text found for which both still differ
-       differential.py record                           POV-Ray's pictures and texts of the seeds that ./check asks, 40x30
+       differential.py record [CLASS...]                POV-Ray's pictures and texts of the seeds that ./check asks, 40x30
        differential.py check [CLASS...]                 Whittle against what was recorded; needs no POV-Ray
 
 A picture agrees when at least 99 % of its pixels are within 3/255 in every channel; what a scene prints has to be the same
@@ -85,7 +85,8 @@ def main():
     shorter = commands.add_parser("reduce")
     shorter.add_argument("scene", type=pathlib.Path)
     shorter.add_argument("--jobs", type=int, default=4 * (os.cpu_count() or 1))
-    commands.add_parser("record")
+    made = commands.add_parser("record")
+    made.add_argument("classes", nargs="*", choices=[[], *scenes.CLASSES])
     again = commands.add_parser("check")
     again.add_argument("classes", nargs="*", choices=[[], *scenes.CLASSES])
     options = parser.parse_args()

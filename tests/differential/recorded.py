@@ -49,7 +49,7 @@ def record(options):
     if not found or not found.group(1).startswith(VERSION):
         sys.exit(f"{options.povray} is {found.group(1) if found else 'not POV-Ray'}; the references are made by {VERSION}")
     FOLDER.mkdir(exist_ok=True)
-    for kind in scenes.CLASSES:
+    for kind in options.classes or scenes.CLASSES:
         results = pictures(options.povray, kind, range(2 * SEEDS), 16, "povray")
         kept = [(seed, result) for seed, result in enumerate(results) if not result.error][:SEEDS]
         blank = [bytearray(3 * SIZE[0])] * SIZE[1]

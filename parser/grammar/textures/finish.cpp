@@ -1,6 +1,9 @@
 #include "parser/grammar/scene/effects.h"
 #include "parser/grammar/textures/old_words.h"
 #include "parser/grammar/core/rules.h"
+#include "render/scene/albedo.h"
+
+#include <utility>
 
 namespace parser {
 namespace {
@@ -8,6 +11,7 @@ namespace {
 struct FinishState : BlockState {
     using BlockState::BlockState;
     scene::Finish finish;
+    bool wrote_diffuse = false;
     glm::vec3 read_rgb() { return parser::rgb_expr(stream()).rgb(); }
     bool albedo() { return stream().accept(Kind::Albedo); }
     float number()
@@ -32,7 +36,8 @@ struct emission : item<Kind::Emission> {
 struct diffuse : item<Kind::Diffuse> {
     static void act(FinishState& s)
     {
-        s.finish.diffuse_albedo = s.albedo() || s.finish.diffuse_albedo;
+        s.finish.diffuse_albedo = s.albedo() || (s.wrote_diffuse && s.finish.diffuse_albedo);
+        s.wrote_diffuse = true;
         s.finish.diffuse = s.number();
         s.stream().accept_comma();
         s.finish.diffuse_back = s.number_or(0);
@@ -201,10 +206,22 @@ scene::Finish read_finish(SceneBuilder& build, const scene::Finish& before)
 {
     FinishState s(build);
     const scene::SourceRef source = build.stream().last();
+    float brilliance = 0;
     read_block<FinishItems>(build, s, "finish", [&] {
         const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Finish>>();
         s.finish = declared ? **declared : before;
+        // What earlier statements made of `albedo` stays, whatever sizes are written here (spec 3, 7.1).
+        brilliance = s.finish.brilliance;
+        if (std::exchange(s.finish.phong_albedo, false)) s.finish.phong *= scene::phong_of_albedo(s.finish.phong_size);
+        if (std::exchange(s.finish.specular_albedo, false))
+            s.finish.specular *= scene::specular_of_albedo(s.finish.roughness);
     });
+    // Where nothing changes it, it stays as written too: what radiosity gathers goes by that.
+    if (s.finish.diffuse_albedo && !s.wrote_diffuse && s.finish.brilliance != brilliance) {
+        s.finish.diffuse_albedo = false;
+        s.finish.diffuse *= scene::diffuse_of_albedo(brilliance);
+        s.finish.diffuse_back *= scene::diffuse_of_albedo(brilliance);
+    }
     s.finish.source = source;
     return s.finish;
 }

@@ -1,5 +1,6 @@
 #include "render/plan/compile_subsurface.h"
 #include "render/plan/textures/textures.h"
+#include "render/scene/albedo.h"
 
 #include <cmath>
 
@@ -20,19 +21,14 @@ std::uint32_t TextureCompiler::finish(const scene::Finish& from)
     to.phong = from.phong;
     to.phong_size = from.phong_size;
     to.specular = from.specular;
-    // A roughness of 0 makes a constant highlight in POV-Ray (spec 3, 7.7).
-    to.specular_exponent = from.roughness == 0.0f ? 0.0f : 1.0f / from.roughness;
+    to.specular_exponent = scene::specular_exponent(from.roughness);
     to.metallic = from.metallic;
-    // `albedo` amounts are shares of the light sent out over all directions (spec 3, 7.5 and 7.7).
     if (from.diffuse_albedo) {
-        to.diffuse *= (from.brilliance + 1.0f) / 2.0f;
-        to.diffuse_back *= (from.brilliance + 1.0f) / 2.0f;
+        to.diffuse *= scene::diffuse_of_albedo(from.brilliance);
+        to.diffuse_back *= scene::diffuse_of_albedo(from.brilliance);
     }
-    if (from.phong_albedo) to.phong *= (from.phong_size + 1.0f) / 2.0f;
-    if (from.specular_albedo) {
-        const auto n = static_cast<double>(to.specular_exponent);
-        to.specular *= static_cast<float>((n + 2.0) / (4.0 * (2.0 - std::pow(2.0, -n / 2.0))));
-    }
+    if (from.phong_albedo) to.phong *= scene::phong_of_albedo(from.phong_size);
+    if (from.specular_albedo) to.specular *= scene::specular_of_albedo(from.roughness);
     to.reflection_min = from.reflection.min;
     to.reflection_max = from.reflection.max;
     to.reflection_falloff = from.reflection.falloff;

@@ -1,13 +1,15 @@
 """The classes of random scenes: one file each, a function scene(rng) that returns the text."""
 import struct
 
+import picture_files
 import png
 from rng import Rng
-from scenes import cameras, copies, csg, finishes, groups, language, lights, media, modifiers, photons, places, radiosity, solids, standard, textures, versions
+from scenes import cameras, coats, copies, csg, finishes, groups, hollow, language, lights, media, meshes, modifiers, people, photons, pictures, places, radiosity, solids, standard, textures, versions
 
 CLASSES = {"lights": lights, "finishes": finishes, "cameras": cameras, "csg": csg, "textures": textures,
            "language": language, "versions": versions, "solids": solids, "media": media, "photons": photons, "places": places,
-           "standard": standard, "groups": groups, "copies": copies, "modifiers": modifiers}
+           "standard": standard, "groups": groups, "copies": copies, "modifiers": modifiers,
+           "meshes": meshes, "hollow": hollow, "people": people, "coats": coats, "pictures": pictures}
 NOISY = {"radiosity": radiosity}  # not the same twice in POV-Ray: judged apart, and never recorded
 
 
@@ -17,7 +19,8 @@ def text(kind, seed):
 
 
 def write_companions(folder):
-    """What scenes name: a picture of 12x8 pixels, every one another colour, and a density file of 6x5x4 samples."""
+    """What scenes name: a picture of 12x8 pixels, every one another colour, a density file of 6x5x4 samples, and pictures of other kinds."""
+    picture_files.write_all(folder)
     rows = [bytearray(v for x in range(12) for v in (21 * x, 31 * y, (37 * x * y + 90) % 256)) for y in range(8)]
     png.write(folder / "picture.png", 12, rows)
     volume = bytes((29 * x + 41 * y * z + 17 * x * y) % 256 for z in range(4) for y in range(5) for x in range(6))
