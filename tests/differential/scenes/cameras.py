@@ -1,6 +1,6 @@
 """All cameras with all their vectors, angles, transformations and bent rays, before a stage with things around it."""
 from rng import block, lines
-from scenes import common
+from words import common
 
 KINDS = ("perspective", "perspective", "", "orthographic", "orthographic", "fisheye", "ultra_wide_angle", "omnimax", "panoramic",
          "cylinder 1", "cylinder 2", "cylinder 3", "cylinder 4", "spherical", "mesh_camera")

@@ -1,6 +1,7 @@
 """Textures of many layers and maps of them, with mirrors, colours of thin films, metals, glass and normals in every layer."""
 from rng import block, lines
-from scenes import common, finishes, lights, patterns
+from scenes import finishes, lights
+from words import common, patterns
 
 
 def scene(r):

@@ -1,6 +1,7 @@
 """Glass and filled things that are declared once and placed often: nested, overlapping, in CSG, with interiors of their own or their parents'."""
 from rng import block, lines
-from scenes import common, lights
+from scenes import lights
+from words import common
 
 
 def scene(r):

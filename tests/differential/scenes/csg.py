@@ -1,6 +1,6 @@
 """Trees of union, intersection, difference and merge; bounds, clips, inverse, open; plain and of glass."""
 from rng import block, lines
-from scenes import common
+from words import common
 
 
 def scene(r):

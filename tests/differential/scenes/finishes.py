@@ -1,6 +1,6 @@
 """Finishes and interiors: every parameter of both, mirrors, glass, layers, inner textures, flags of objects."""
 from rng import block, lines
-from scenes import common
+from words import common
 
 
 def scene(r):

@@ -1,6 +1,7 @@
 """Light groups, also in one another and with the scene's lights, rainbows, and what both do with glass, mirrors and fog."""
 from rng import block, lines
-from scenes import common, lights
+from scenes import lights
+from words import common
 
 
 def scene(r):

@@ -1,6 +1,7 @@
 """Glass, media and fog in one another: containers that are hollow or not, nested, cut and merged, cameras and lights inside of them."""
 from rng import block, lines
-from scenes import common, lights, media, patterns
+from scenes import lights, media
+from words import common, patterns
 
 
 def scene(r):

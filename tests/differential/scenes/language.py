@@ -1,9 +1,9 @@
 """Programs in the scene language that print what they find: declarations, loops, macros, arrays, strings, functions, splines."""
 from rng import lines
-from scenes.common import HEADER
-from scenes.expressions import Names, condition, number, text, vector
-from scenes.patterns import NOISE
-from scenes.procedures import file, recursion, strings, vectors
+from words.common import HEADER
+from words.expressions import Names, condition, number, text, vector
+from words.patterns import NOISE
+from words.procedures import file, recursion, strings, vectors
 
 STAGE = """camera { location -5*z look_at 0 }
 light_source { -9*z, 1 }

@@ -1,6 +1,6 @@
 """All kinds of lights with all their parameters, and air: fogs, skies and background."""
 from rng import block, lines
-from scenes import common
+from words import common
 
 
 def scene(r):

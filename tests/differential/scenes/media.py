@@ -1,7 +1,8 @@
 """Media in objects and everywhere: densities, kinds of scattering, ways of sampling, what holds them, and the lights in them.
 Nothing that POV-Ray samples at random."""
 from rng import block, lines
-from scenes import common, lights, patterns
+from scenes import lights
+from words import common, patterns
 
 
 def scene(r):

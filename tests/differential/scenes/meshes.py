@@ -2,7 +2,8 @@
 import math
 
 from rng import block, lines
-from scenes import common, lights, patterns, solids
+from scenes import lights, solids
+from words import common, patterns
 
 NAMES = (("Bare", False), ("Painted", True))
 

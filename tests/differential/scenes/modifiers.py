@@ -1,6 +1,7 @@
 """Declared objects with every modifier, placed with others: what a copy keeps, what it adds and what it takes over."""
 from rng import block, lines
-from scenes import common, csg, lights
+from scenes import csg, lights
+from words import common
 
 
 def scene(r):

@@ -1,6 +1,7 @@
 """Scenes as people wrote them from 1995 to 2015: headers of several versions, old words, loops, macros, include files, layered skies, lights of all kinds."""
 from rng import block, lines
-from scenes import common, standard
+from scenes import standard
+from words import common
 
 COLORS = standard.COLORS
 

@@ -1,6 +1,6 @@
 """Photons: lights and targets of all kinds, their flags, settings, mirrors, glass and haze. One light and one target as a rule."""
 from rng import block, lines
-from scenes import common
+from words import common
 
 
 def scene(r):

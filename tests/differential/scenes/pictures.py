@@ -1,6 +1,6 @@
 """Picture files with palettes, alpha and grey: as colours, patterns, normals, materials, heights, in all projections and interpolations."""
 from rng import block, lines
-from scenes import common, patterns
+from words import common, patterns
 
 FILES = (("png", "picture.png"), ("png", "alpha.png"), ("png", "gray.png"), ("png", "gray_alpha.png"), ("png", "deep.png"), ("png", "palette.png"), ("png", "palette_alpha.png"), ("ppm", "colors.ppm"),
          ("pgm", "grays.pgm"), ("tga", "colors.tga"), ("tga", "alpha.tga"), ("gif", "palette.gif"))

@@ -1,6 +1,6 @@
 """Light that surfaces hand on to each other, with all its settings; what POV-Ray makes of it is never twice the same."""
 from rng import block, lines
-from scenes import common
+from words import common
 
 
 def scene(r):

@@ -2,8 +2,8 @@
 import math
 
 from rng import block, lines
-from scenes import common
-from scenes.patterns import NOISE
+from words import common
+from words.patterns import NOISE
 
 
 def scene(r):

@@ -1,6 +1,6 @@
 """What scenes take from the standard include files: their textures, materials, skies, shapes, transformations, functions."""
 from rng import block, lines
-from scenes import common
+from words import common
 
 LETTERS = "ABCDE"
 SKY_TEXTURES = ("Jade", "Red_Marble", "White_Marble", "Blood_Marble", "Blue_Agate", "Sapphire_Agate", "Brown_Agate", "Pink_Granite",

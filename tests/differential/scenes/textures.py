@@ -1,7 +1,7 @@
 """Patterns with their modifiers in pigments, normals and textures; maps of maps; warps; functions; pictures."""
 from rng import block, lines
-from scenes import common, patterns
-from scenes.patterns import interpolate
+from words import common, patterns
+from words.patterns import interpolate
 
 
 def scene(r):

@@ -1,6 +1,6 @@
 """Scenes as they were written for POV-Ray 1.0 to 3.5: what #version changes, and words that have had others since."""
 from rng import block, lines
-from scenes import common
+from words import common
 
 
 def scene(r):

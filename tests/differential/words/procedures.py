@@ -1,6 +1,6 @@
 """Pieces of programs: files written and read, texts built in loops, macros that call themselves, vectors of any size."""
 from rng import lines
-from scenes.expressions import number, text, vector
+from words.expressions import number, text, vector
 
 ONE = '"one item "'
 NEWLINE = '"\\n"'

@@ -1,0 +1,1 @@
+"""Words that the classes of scenes share: patterns, statements, expressions, procedures."""
