@@ -222,4 +222,18 @@ std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> it
     return *std::min_element(items.begin(), items.end());
 }
 
+void TestOrder::arrange(std::vector<std::uint32_t>& items) const
+{
+    if (root_ == kNone) return;
+    std::vector<std::uint32_t> arranged, waiting{root_};
+    while (!waiting.empty()) {
+        const Node& node = nodes_[waiting.back()];
+        waiting.pop_back();
+        if (node.item == kNone)
+            for (std::uint32_t k = node.child_count; k-- > 0;) waiting.push_back(children_[node.first_child + k]);
+        else if (std::find(items.begin(), items.end(), node.item) != items.end()) arranged.push_back(node.item);
+    }
+    items = std::move(arranged);
+}
+
 }  // namespace csg

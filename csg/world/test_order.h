@@ -31,6 +31,10 @@ public:
     /// Of these items (places in the list), which the ray all meets, the one that is asked first.
     std::uint32_t first(const Ray& ray, std::span<const std::uint32_t> items) const;
 
+    /// Puts items (places in the list) in the order in which all that hold a point are found (spec 5a, 11.5): that of
+    /// the hierarchy, from its root down.
+    void arrange(std::vector<std::uint32_t>& items) const;
+
 private:
     struct Node {
         Box box;

@@ -15,17 +15,25 @@ bool interiors_matter(const CompiledScene& scene)
                        [](const texture::Finish& f) { return f.fresnel; });
 }
 
+const ObjectInfo& object_of(const CompiledScene& scene, std::uint32_t item)
+{
+    return scene.objects[scene.geometry.items[item].object];
+}
+
 /// Items that hold some place where rays start, where it may depend on the place.
 void find_start_holders(CompiledScene& scene)
 {
     if (!interiors_matter(scene)) return;
     const csg::Aabb starts = camera_starts(scene.camera, scene.mesh_camera.get());
+    std::vector<std::uint32_t> holders;
     for (std::uint32_t i = 0; i < scene.geometry.items.size(); ++i) {
-        const ObjectInfo& object = scene.objects[scene.geometry.items[i].object];
+        const ObjectInfo& object = object_of(scene, i);
         if (object.interior == kNone || object.holds_starts.intersected(starts).empty()) continue;
-        if (scene.world().item_may_hold(i, starts))
-            scene.start_holders.push_back({i, object.interior, object.holds_starts});
+        if (scene.world().item_may_hold(i, starts)) holders.push_back(i);
     }
+    scene.world().in_test_order(holders);
+    for (const std::uint32_t i : holders)
+        scene.start_holders.push_back({i, object_of(scene, i).interior, object_of(scene, i).holds_starts});
 }
 
 }  // namespace
@@ -58,13 +66,15 @@ void find_camera_interiors(CompiledScene& scene)
 {
     if (starts_differ(scene.camera)) return find_start_holders(scene);
     const glm::dvec3& start = scene.camera.location;
+    std::vector<std::uint32_t> holders;
     for (std::uint32_t i = 0; i < scene.geometry.items.size(); ++i) {
-        const ObjectInfo& object = scene.objects[scene.geometry.items[i].object];
-        const std::uint32_t interior = object.interior;
-        if (interior == kNone || !within(object.holds_starts, start) || !scene.world().item_holds_start(i, start))
-            continue;
-        scene.camera_interiors.push_back(interior);  // as often as there are objects that share it
+        const ObjectInfo& object = object_of(scene, i);
+        if (object.interior != kNone && within(object.holds_starts, start) && scene.world().item_holds_start(i, start))
+            holders.push_back(i);
     }
+    scene.world().in_test_order(holders);
+    for (const std::uint32_t i : holders)  // as often as there are objects that share it
+        scene.camera_interiors.push_back(object_of(scene, i).interior);
 }
 
 }  // namespace plan
