@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/bits.h"
 #include "csg/packet/lane_boolean.h"
 
 /// A CSG object's boolean form against some rays of a tile. Compiled once per instruction set.
@@ -25,8 +26,8 @@ public:
         pack(mask);
         packed_.rays_changed(place_.data());
         packed_.ask(program, few_.all(), nearest_only, scratch);
-        found = spread(packed_.found, mask);
-        undecided = spread(packed_.undecided, mask);
+        found = deposited(packed_.found, mask);  // in the order of the packed rays
+        undecided = deposited(packed_.undecided, mask);
     }
 
     /// Calls f(ray, Hit) for the crossings of the rays that were found: one of each, or all in any order.
@@ -78,19 +79,6 @@ private:
         few_.inverse_a[i] = rays_.inverse_a[k];
         few_.t_min[i] = rays_.t_min[k];
         few_.limit[i] = rays_.limit[k];
-    }
-
-    /// From packed rays to those of the mask, whose order they have.
-    static RayMask spread(RayMask packed, RayMask mask)
-    {
-#if defined(__BMI2__)
-        return _pdep_u64(packed, mask);
-#else
-        RayMask out = 0;
-        for (; mask != 0; mask &= mask - 1, packed >>= 1)
-            if ((packed & 1) != 0) out |= mask & -mask;
-        return out;
-#endif
     }
 
     const Rays& rays_;

@@ -226,7 +226,7 @@ void TestOrder::arrange(std::vector<std::uint32_t>& items) const
 {
     if (root_ == kNone) return;
     std::vector<std::uint32_t> arranged, waiting{root_};
-    while (!waiting.empty()) {
+    while (arranged.size() < items.size() && !waiting.empty()) {
         const Node& node = nodes_[waiting.back()];
         waiting.pop_back();
         if (node.item == kNone)

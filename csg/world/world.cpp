@@ -290,12 +290,6 @@ const TestOrder& World::test_order() const
     });
 }
 
-void World::in_test_order(std::vector<std::uint32_t>& items) const
-{
-    std::sort(items.begin(), items.end());
-    if (items.size() > 1 && data_->test_order) test_order().arrange(items);
-}
-
 /// Of all that lies in the place of the nearest hit, what POV-Ray asks first.
 Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scratch& scratch, const Hit& nearest,
                         const Tie& tie) const

@@ -1,6 +1,8 @@
 #include "csg/world/world.h"
 #include "csg/world/world_item.h"
 
+#include <algorithm>
+
 // What a point is inside of: asked for the starts of rays.
 namespace csg {
 
@@ -53,6 +55,12 @@ bool World::item_may_hold(std::uint32_t index, const Aabb& box) const
     }
     return item.inverted || with_solid(data_->store, item.solid,
                                        [&](const auto& solid) { return !solid.bounds().intersected(box).empty(); });
+}
+
+void World::in_test_order(std::vector<std::uint32_t>& items) const
+{
+    std::sort(items.begin(), items.end());
+    if (items.size() > 1 && data_->test_order) test_order().arrange(items);
 }
 
 }  // namespace csg

@@ -185,7 +185,8 @@ private:
         for_each_hit(rays, [&](std::size_t ray) {
             const std::size_t k = hit_of(ray);
             const glm::vec3 color = filtered(ray, k, {in_air, later, k});
-            if (later == nullptr || later->empty() || later->size() == stretches) return tell(k, color);
+            const bool waits = later != nullptr && !later->empty() && later->size() != stretches;
+            if (!waits) return tell(k, color);
             stretches = later->size();
             waiting |= HitMask{1} << k;
             colors.set(k, color);

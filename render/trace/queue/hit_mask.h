@@ -1,12 +1,10 @@
 #pragma once
 
+#include "csg/base/bits.h"
 #include "csg/base/hit.h"
 
 #include <bit>
 #include <cstdint>
-#if defined(__BMI2__)
-#include <immintrin.h>
-#endif
 
 /// Some of a tile's hits.
 namespace trace {
@@ -39,18 +37,7 @@ inline void each_place(int count, F&& f)
 /// Hits so few that it is sooner done for each of them than for all places of the tile.
 inline bool few(HitMask hits) { return std::popcount(hits) <= 8; }
 
-/// The low bits of `bits`, in order, at the hits of the mask.
-inline HitMask deposited(HitMask bits, HitMask mask)
-{
-#if defined(__BMI2__)
-    return _pdep_u64(bits, mask);
-#else
-    HitMask out = 0;
-    for (; mask != 0; mask &= mask - 1, bits >>= 1)
-        if ((bits & 1) != 0) out |= mask & -mask;
-    return out;
-#endif
-}
+using csg::deposited;
 
 /// Hits 0 <= k < count.
 inline HitMask first_hits(int count) { return count < csg::kTileRays ? (HitMask{1} << count) - 1 : ~HitMask{0}; }

@@ -57,15 +57,10 @@ def dress(r):
     return lines(outer, r.some(.75, interior(r)), r.some(.5, r.pick("hollow", "hollow", "hollow on", "hollow off", "hollow no")), r.some(.1, inner) if outer else "")
 
 
-def solid(r, size):
-    """Plain ones without faces in one place."""
-    return common.solid(r, size)
-
-
 def body(r):
     if r.chance(.5):
-        return block(*solid(r, .9), dress(r))
-    parts = [block(*solid(r, .8), r.some(.5, dress(r)), f"translate {r.vec(-.5, .5)}") for _ in range(r.whole(2, 3))]
+        return block(*common.solid(r, .9), dress(r))
+    parts = [block(*common.solid(r, .8), r.some(.5, dress(r)), f"translate {r.vec(-.5, .5)}") for _ in range(r.whole(2, 3))]
     return block(r.pick("union", "merge", "merge", "difference", "intersection"), *parts, dress(r))
 
 
@@ -79,7 +74,7 @@ def holder(r):
     if kind == 2:
         return block(r.pick("union", "merge", "difference", "intersection"), block("object", "Filled", r.some(.4, r.pick("hollow", "hollow off"))),
                      block("object", "Clear", f"scale {r.num(.6, 1.2)} translate {r.vec(-.6, .6)}", r.some(.3, r.pick("hollow", "hollow off"))), r.some(.4, dress(r)), turn)
-    return block(*solid(r, r.real(.7, 1.4)), dress(r), common.place(r, 1), r.some(.06, "no_shadow"), r.some(.05, "inverse"))
+    return block(*common.solid(r, r.real(.7, 1.4)), dress(r), common.place(r, 1), r.some(.06, "no_shadow"), r.some(.05, "inverse"))
 
 
 def around(r):
