@@ -3,6 +3,7 @@
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
+#include "render/texture/point_lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +128,17 @@ struct Apply {
     }
 };
 
-using csg::lanes::Double;
+/// Within what cells can be numbered.
+inline Double held(const Double& v)
+{
+    const Double least(-kFarthest), most(kFarthest), from_below = xsimd::select(v < least, least, v);
+    return xsimd::select(most < from_below, most, from_below);
+}
+
+void hold(Values& v, std::size_t count)
+{
+    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) held(get(v, i)).store_aligned(v.data() + i);
+}
 
 /// A warp over many points.
 struct ApplyToAll {
@@ -146,14 +157,24 @@ struct ApplyToAll {
 
     void operator()(const Affine& t) const
     {
-        const auto& m = t.linear;
+        transform(t, [](const Double& v) { return v; });
+    }
+
+    /// The points moved, then f of each coordinate.
+    template <class F>
+    void transform(const Affine& t, F&& f) const
+    {
+        struct Row {
+            Double x, y, z, offset;
+            Row(const Affine& t, int k) : x(t.linear[0][k]), y(t.linear[1][k]), z(t.linear[2][k]), offset(t.offset[k])
+            {}
+        };
+        // Copies: the compiler can't know that points are not written over the matrix.
+        const Row rows[3] = {Row(t, 0), Row(t, 1), Row(t, 2)};
         for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
-            const Double x = Double::load_aligned(p.x.data() + i), y = Double::load_aligned(p.y.data() + i),
-                         z = Double::load_aligned(p.z.data() + i);
-            const auto row = [&](int k) {
-                return Double(m[0][k]) * x + Double(m[1][k]) * y + Double(m[2][k]) * z + Double(t.offset[k]);
-            };
-            const Double a = row(0), b = row(1), c = row(2);
+            const Double x = get(p.x, i), y = get(p.y, i), z = get(p.z, i);
+            const auto at = [&](const Row& row) { return f(row.x * x + row.y * y + row.z * z + row.offset); };
+            const Double a = at(rows[0]), b = at(rows[1]), c = at(rows[2]);
             a.store_aligned(p.x.data() + i);
             b.store_aligned(p.y.data() + i);
             c.store_aligned(p.z.data() + i);
@@ -188,22 +209,16 @@ struct ApplyToAll {
     }
 };
 
-void hold(Values& v, std::size_t count)
-{
-    const Double least(-kFarthest), most(kFarthest);
-    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) {
-        const Double a = Double::load_aligned(v.data() + i), b = xsimd::select(a < least, least, a);
-        xsimd::select(most < b, most, b).store_aligned(v.data() + i);
-    }
-}
-
 }  // namespace
 
 void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsigned live)
 {
     for (std::uint32_t i = 0; i < pattern.warp_count; ++i) {
         const bool last = i + 1 == pattern.warp_count && !pattern.displaces;
-        std::visit(ApplyToAll{p, last ? live : kAllLive}, set.warps[pattern.first_warp + i]);
+        const Warp& warp = set.warps[pattern.first_warp + i];
+        if (const auto* affine = last ? std::get_if<Affine>(&warp) : nullptr)
+            return ApplyToAll{p, live}.transform(*affine, held);
+        std::visit(ApplyToAll{p, last ? live : kAllLive}, warp);
     }
     if (pattern.displaces) ApplyToAll{p, live}(pattern.turbulence);
     hold(p.x, p.size());
