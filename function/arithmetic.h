@@ -11,8 +11,11 @@ namespace function {
 
 inline constexpr double kDegree = 0.01745329251994329576;
 
-/// Truncation through 32 bits: what does not fit becomes the least number.
-inline double truncated(double v) { return v > -2147483649.0 && v < 2147483648.0 ? std::trunc(v) : -2147483648.0; }
+/// Truncation through 32 bits: what does not fit becomes the least number, and no zero has a sign.
+inline double truncated(double v)
+{
+    return v > -2147483649.0 && v < 2147483648.0 ? std::trunc(v) + 0.0 : -2147483648.0;
+}
 
 template <Op op>
 inline double binary(double a, double b)
@@ -30,7 +33,7 @@ inline double binary(double a, double b)
     if constexpr (op == Op::NotEqual) return a == b ? 0.0 : 1.0;
     if constexpr (op == Op::And) return a != 0.0 && b != 0.0 ? 1.0 : 0.0;
     if constexpr (op == Op::Or) return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
-    if constexpr (op == Op::Min) return a < b ? a : b;
+    if constexpr (op == Op::Min) return a <= b ? a : b;
     if constexpr (op == Op::Max) return a < b ? b : a;
     if constexpr (op == Op::Atan2) return std::atan2(a, b);
     if constexpr (op == Op::IntDivide) return truncated(a / b);

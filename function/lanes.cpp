@@ -63,7 +63,7 @@ struct Rules<Eight> {
         else if constexpr (op == Op::GreaterEqual)
             return batchwise(a, b, [](Batch x, Batch y) { return Batch(1.0) - truth(x < y); });
         else if constexpr (op == Op::Min)
-            return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, x, y); });
+            return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x <= y, x, y); });
         else if constexpr (op == Op::Max)
             return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, y, x); });
         else return lanewise([&](std::size_t i) { return function::binary<op>(a.v[i], b.v[i]); });

@@ -88,6 +88,12 @@ TEST_CASE("what is no number stays silent and compares as POV-Ray's", "[function
     CHECK(std::isnan(value_of("sqrt(x)", {-1})));
     CHECK(value_of("min(x,1)", {nan}) == 1);
     CHECK(std::isnan(value_of("min(1,x)", {nan})));
+    const auto negative = [](const char* text, double x) { return std::signbit(value_of(text, {x})); };
+    CHECK(!negative("min(x,-x)", 0.0));  // of equals the first
+    CHECK(negative("min(-x,x)", 0.0));
+    CHECK(negative("ceil(x)", -0.4));
+    CHECK(!negative("int(x)", -0.4));  // through an integer
+    CHECK(!negative("div(x,1)", -0.4));
     CHECK(std::isnan(value_of("max(x,1)", {nan})));
     CHECK(value_of("max(1,x)", {nan}) == 1);
     CHECK(value_of("(x>1)+(x>=1)*2+(x!=1)*4+(x<1)*8+(x<=1)*16+(x=1)*32", {nan}) == 7);
