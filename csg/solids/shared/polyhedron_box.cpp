@@ -25,14 +25,14 @@ Aabb polyhedron_box(const std::vector<Plane>& planes, const Aabb& box)
     }
     Aabb hull;
     for (std::size_t a = 0; a < all.size(); ++a)
-        for (std::size_t b = a + 1; b < all.size(); ++b)
+        for (std::size_t b = a + 1; b < all.size(); ++b) {
+            // Of the line that two planes share: its direction, and what is the same for all planes that cut it.
+            const glm::dvec3 along = glm::cross(all[a].normal_out, all[b].normal_out),
+                             moment = all[b].offset * all[a].normal_out - all[a].offset * all[b].normal_out;
             for (std::size_t c = b + 1; c < all.size(); ++c) {
-                const glm::dvec3 &na = all[a].normal_out, &nb = all[b].normal_out, &nc = all[c].normal_out;
-                const double determinant = glm::dot(na, glm::cross(nb, nc));
+                const double determinant = glm::dot(along, all[c].normal_out);
                 if (std::abs(determinant) < 1e-12) continue;  // of unit normals: no one point in common
-                const glm::dvec3 vertex = (all[a].offset * glm::cross(nb, nc) + all[b].offset * glm::cross(nc, na) +
-                                           all[c].offset * glm::cross(na, nb)) /
-                                          determinant;
+                const glm::dvec3 vertex = (glm::cross(all[c].normal_out, moment) + all[c].offset * along) / determinant;
                 // Generous: a vertex too many only widens the box.
                 const double slack = (1e-9 + 1e-13 / std::abs(determinant)) * std::max(size, glm::length(vertex));
                 bool inside = true;
@@ -40,6 +40,7 @@ Aabb polyhedron_box(const std::vector<Plane>& planes, const Aabb& box)
                     inside = glm::dot(all[k].normal_out, vertex) - all[k].offset <= slack;
                 if (inside) hull.include(vertex);
             }
+        }
     if (hull.empty()) return box;  // empty or too thin to tell
     const double margin = 1e-8 * size;
     for (int i = 0; i < 3; ++i) {
