@@ -58,6 +58,9 @@ public:
     /// False: rays too far apart for one beam.
     bool narrow() const { return narrow_; }
 
+    /// Whether the rays are as near to each other as those of neighbouring pixels; only of a beam made of rays.
+    bool slim() const { return width_ < kSlim; }
+
     /// Which of eight finite boxes (BvhNode::bounds) reach into the beam no deeper than `limit`; `near` receives where
     /// at the earliest.
     std::uint32_t meet(const float (&bounds)[6][8], float limit, float* near) const
@@ -96,6 +99,7 @@ public:
 
 private:
     static constexpr int kAxis = 4;
+    static constexpr double kSlim = 0.3;
 
     /// Plane p: everything lies where dot(n, point) >= least.
     void set_plane(int p, const glm::dvec3& n, double least)
@@ -193,6 +197,7 @@ private:
         narrow_ = narrow_ && all_above(shallowest, 0.3);
         const glm::dvec2 least(lanes::lowest(least_x), lanes::lowest(least_y));
         const glm::dvec2 most(-lanes::lowest(-most_x), -lanes::lowest(-most_y));
+        width_ = glm::max(most.x - least.x, most.y - least.y);
         // Wider than any rounding of what is computed in double.
         constexpr double kMargin = 1e-7;
         normal_[0] = glm::normalize(side_ - (least.x - kMargin) * axis_);
@@ -203,6 +208,7 @@ private:
     }
 
     bool narrow_ = false;
+    double width_ = kInfinity;  ///< of its section one unit before the eye
     glm::dvec3 axis_, side_, up_, normal_[5];
     float normal_f_[5][3];
     float threshold_[5];  ///< what every ray's origin lies above, along each normal

@@ -320,8 +320,11 @@ inline bool ask_tile(const WorldData& world, Rays& rays, std::uint32_t kinds, Qu
     PackedBoolean<Rays> boolean(world.store, rays);
     TileLeaf<Rays, Query> leaf{world, &beam, rays, query, kinds, front, boolean};
     for (const std::uint32_t item : world.unbounded) leaf.item(item, rays.all());
-    // Rays from an eye are those of neighbouring pixels; points that ask for a lamp may lie anywhere.
-    TileWalk(world.bvh, beam, rays, kinds, leaf).run(Rays::kShared && !query.any_will_do());
+    // Rays from an eye are mostly those of neighbouring pixels; points that ask for a lamp may lie anywhere.
+    const Spread spread = !Rays::kShared || query.any_will_do() ? Spread::Scattered
+                          : beam.slim()                         ? Spread::Neighbours
+                                                                : Spread::FromOnePoint;
+    TileWalk(world.bvh, beam, rays, kinds, leaf).run(spread);
     return true;
 }
 

@@ -6,6 +6,10 @@
 /// A tile through the hierarchy. Compiled once per instruction set.
 namespace csg {
 
+/// How near to each other the rays of a tile run: the eight of each group go nearly the same way; all start in one
+/// point; neither.
+enum class Spread { Neighbours, FromOnePoint, Scattered };
+
 /// Walks for the whole tile at once, nearest box first, up to a budget of leaf blocks (a beam that sees hundreds of
 /// small things is slower than packets). From the stack as it stands each group of eight rays goes on alone then, if
 /// these are neighbours; otherwise each ray does, by PacketWalk. leaf(child, lower, upper, first group, last group)
@@ -17,16 +21,15 @@ public:
         : bvh_(bvh), beam_(beam), rays_(rays), kinds_(kinds), leaf_(leaf)
     {}
 
-    /// neighbours: the eight rays of each group go nearly the same way.
-    void run(bool neighbours)
+    void run(Spread spread)
     {
         if (bvh_.nodes.empty()) return;
         constexpr float kAnywhere = -std::numeric_limits<float>::infinity();
-        constexpr int kBlocksOfNeighbours = 32, kBlocks = 8;
+        constexpr int kBlocks[] = {32, 16, 8};
         stack_[0] = {ChildWord::node(0), 0, kAnywhere, kAnywhere};
-        const int left = walk(stack_, 1, 0, rays_.groups, neighbours ? kBlocksOfNeighbours : kBlocks);
+        const int left = walk(stack_, 1, 0, rays_.groups, kBlocks[static_cast<int>(spread)]);
         if (left == 0) return;
-        if (!neighbours) return each_its_own_way(left);
+        if (spread != Spread::Neighbours) return each_its_own_way(left);
         Entry own[kBvhStack];
         for (int g = 0; g < rays_.groups; ++g) {
             std::copy(stack_, stack_ + left, own);

@@ -55,6 +55,7 @@ Field::Field(const plan::CompiledScene& scene) : plan(scene.radiosity), eye(scen
         rules.push_back(BounceRules::of(settings(), bounce));
     samples.resize(rules.size());
     directions = radiosity::directions(settings().pool_size());
+    order = DirectionOrder(directions);
     black = black_surfaces(scene);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
+#include "render/trace/radiosity/direction_order.h"
 #include "render/trace/radiosity/pass_tile.h"
 #include "render/trace/radiosity/rules.h"
 #include "render/trace/radiosity/sample_grid.h"
@@ -19,6 +20,7 @@ struct Field {
     std::vector<BounceRules> rules;      ///< by bounce, as many as recursion_limit says
     std::vector<SampleGrid> samples;     ///< by bounce
     std::vector<glm::dvec3> directions;  ///< about +y
+    DirectionOrder order;                ///< of these
     std::vector<std::uint8_t> black;     ///< by csg::SurfaceId: to rays of the last bounce; empty: not known
 
     explicit Field(const plan::CompiledScene& scene);

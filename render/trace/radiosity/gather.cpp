@@ -2,6 +2,7 @@
 
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/radiosity/field.h"
+#include "render/trace/radiosity/sorted_rays.h"
 #include "render/trace/random.h"
 #include "render/trace/shade/shade.h"
 #include "render/trace/shade/shade_context.h"
@@ -33,8 +34,18 @@ public:
     void run(HitMask which)
     {
         scratch_.pending.clear();
+        bool bent = false;
         for_each_hit(which, [&](std::size_t i) {
             begin(i);
+            bent = bent || scratch_.gatherings[i].bent;
+        });
+        if (!bent && last_) {
+            for_each_hit(which, [&](std::size_t i) { alone(i); });
+            shade_waiting();
+            for_each_hit(which, [&](std::size_t i) { finish(i); });
+            return;
+        }
+        for_each_hit(which, [&](std::size_t i) {
             for (int ray = 0; ray < rules_.rays; ++ray)
                 scratch_.pending.push_back({direction(scratch_.gatherings[i], scratch_.requests[i]),
                                             static_cast<std::uint16_t>(ray), static_cast<std::uint8_t>(i)});
@@ -148,6 +159,84 @@ private:
         for (const std::uint32_t i : scratch_.before) scratch_.order[start[key(i)]++] = i;
     }
 
+    /// The rays of a request, without those of others: they start in one point and are sorted beforehand. For rays
+    /// that find no samples, whose order is of no account.
+    void alone(std::size_t i)
+    {
+        const Gathering& g = scratch_.gatherings[i];
+        const Request& of = scratch_.requests[i];
+        RayTile& rays = scratch_.rays;
+        rays.common_origin = true;
+        rays.ox.fill(of.point.x);
+        rays.oy.fill(of.point.y);
+        rays.oz.fill(of.point.z);
+        rays.t_min.fill(of.start);
+        rays.t_max.fill(csg::kInfinity);
+        scratch_.owner.fill(static_cast<std::uint8_t>(i));
+        SortedRays sorted(field_.order, g.next, static_cast<std::size_t>(rules_.rays), scratch_);
+        while (sorted.next(g)) trace_alone(i);
+    }
+
+    /// Traces the tile at hand, all of one request. Those that matter are shaded when there are enough of them.
+    void trace_alone(std::size_t i)
+    {
+        const RayTile& rays = scratch_.rays;
+        const auto count = static_cast<std::size_t>(rays.count);
+        context_.scratch.counts.gathered += static_cast<std::uint64_t>(count);
+        nested_.world.nearest(rays, bit(plan::RayKind::Gather), nested_.scratch.geometry, scratch_.hits);
+        Gathering& g = scratch_.gatherings[i];
+        g.rays += rays.count;
+        measure_all(g, count);
+        std::size_t shaded = 0, black_ones = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            if (black(k)) ++black_ones;
+            else if (matters(k)) scratch_.shaded[shaded++] = static_cast<std::uint8_t>(k);
+        }
+        g.quality += static_cast<double>(black_ones);
+        if (shaded == count) return shade(shaded);
+        for (std::size_t j = 0; j < shaded; ++j) wait(i, scratch_.shaded[j]);
+    }
+
+    /// measure() of the first rays of the tile.
+    void measure_all(Gathering& g, std::size_t count)
+    {
+        const std::array<double, kTileRays>& t = scratch_.hits.t;
+        for (std::size_t k = 0; k < count; ++k) scratch_.inverse[k] = 1.0 / t[k];  // 0 of rays that hit nothing
+        std::array<double, 4> sums{};  // so many that none waits for the one before
+        std::size_t k = 0;
+        for (; k + 4 <= count; k += 4)
+            for (std::size_t s = 0; s < 4; ++s) sums[s] += scratch_.inverse[k + s];
+        for (; k < count; ++k) sums[0] += scratch_.inverse[k];
+        g.inverse += (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        for (k = 0; k < count; ++k) {
+            if (!(t[k] < g.nearest)) continue;
+            g.nearest = t[k];
+            g.nearest_way = scratch_.rays.ray(static_cast<int>(k)).direction;
+        }
+    }
+
+    void wait(std::size_t i, std::size_t k)
+    {
+        const std::size_t j = scratch_.waiting++;
+        scratch_.shaded_rays.set(j, scratch_.rays.ray(static_cast<int>(k)), scratch_.rays.t_min[k], csg::kInfinity);
+        scratch_.shaded_hits.set(static_cast<int>(j), scratch_.hits.at(static_cast<int>(k)));
+        scratch_.waiting_owner[j] = static_cast<std::uint8_t>(i);
+        scratch_.waiting_share[j] = importance(k);
+        if (scratch_.waiting == kTileRays) shade_waiting();
+    }
+
+    void shade_waiting()
+    {
+        const std::size_t count = scratch_.waiting;
+        if (count == 0) return;
+        scratch_.shaded_rays.count = static_cast<int>(count);
+        nested_.scratch.shade.quality.fill(1.0f);
+        shade_tile(nested_, scratch_.shaded_rays, scratch_.shaded_hits, first_, nullptr, scratch_.colors.data());
+        for (std::size_t j = 0; j < count; ++j)
+            sum_up(scratch_.gatherings[scratch_.waiting_owner[j]], scratch_.waiting_share[j], j);
+        scratch_.waiting = 0;
+    }
+
     void trace_tiles()
     {
         for (std::size_t first = 0; first < scratch_.order.size(); first += kTileRays) {
@@ -180,9 +269,7 @@ private:
                 scratch_.gatherings[scratch_.owner[k]].quality += 1.0;
                 continue;
             }
-            const int last = rules_.rays - 1;
-            if (static_cast<double>(importance(k)) * last >= scratch_.number[k])
-                scratch_.shaded[shaded++] = static_cast<std::uint8_t>(k);
+            if (matters(k)) scratch_.shaded[shaded++] = static_cast<std::uint8_t>(k);
         }
         if (shaded > 0) shade(shaded);
     }
@@ -192,6 +279,12 @@ private:
     {
         const csg::SurfaceId surface = scratch_.hits.surface[k];
         return last_ && surface != csg::kNoSurface && field_.black[surface] != 0;
+    }
+
+    /// Of surfaces that weigh less only the first rays are shaded.
+    bool matters(std::size_t k) const
+    {
+        return static_cast<double>(importance(k)) * (rules_.rays - 1) >= scratch_.number[k];
     }
 
     float importance(std::size_t k) const
@@ -227,17 +320,17 @@ private:
         nested_.scratch.shade.quality.fill(1.0f);
         shade_tile(nested_, all ? scratch_.rays : scratch_.shaded_rays, all ? scratch_.hits : scratch_.shaded_hits,
                    first_, nullptr, scratch_.colors.data());
-        for (std::size_t j = 0; j < count; ++j) sum_up(scratch_.shaded[j], j);
+        for (std::size_t j = 0; j < count; ++j)
+            sum_up(scratch_.gatherings[scratch_.owner[scratch_.shaded[j]]], importance(scratch_.shaded[j]), j);
     }
 
-    void sum_up(std::size_t k, std::size_t shaded)
+    void sum_up(Gathering& g, float importance, std::size_t shaded)
     {
-        Gathering& g = scratch_.gatherings[scratch_.owner[k]];
         glm::dvec3 color(scratch_.colors[shaded].rgb());
         const double most = field_.settings().max_sample, largest = std::max({color.x, color.y, color.z});
         if (most > 0.0 && largest > most) color *= most / largest;
         auto quality = static_cast<double>(nested_.scratch.shade.quality[shaded]);
-        const auto share = static_cast<double>(importance(k));
+        const auto share = static_cast<double>(importance);
         if (share < 1.0) quality *= rules_.rays / (std::floor(share * (rules_.rays - 1)) + 1.0);
         g.sum += color * quality;
         g.quality += quality;

@@ -62,6 +62,11 @@ struct GatherScratch {
     std::array<std::uint8_t, csg::kTileRays> owner, shaded;  ///< by ray: request; by shaded ray: ray
     std::array<std::uint16_t, csg::kTileRays> number;        ///< by ray: which of the sample's
     std::array<scene::Color, csg::kTileRays> colors;
+    std::vector<std::uint64_t> taken;                        ///< by place in the order of directions, a bit each
+    alignas(64) std::array<double, csg::kTileRays> inverse;  ///< by ray: of how far off it hits
+    std::size_t waiting = 0;                                 ///< of the shaded rays, until there is a tile of them
+    std::array<std::uint8_t, csg::kTileRays> waiting_owner;  ///< by these: request
+    std::array<float, csg::kTileRays> waiting_share;         ///< by these: importance of what they hit
 };
 
 }  // namespace trace::radiosity

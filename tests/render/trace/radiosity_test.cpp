@@ -5,6 +5,7 @@
 #include "render/trace/radiosity/lookup.h"
 #include "render/trace/radiosity/pass_rays.h"
 #include "render/trace/radiosity/sample_file.h"
+#include "render/trace/radiosity/sorted_rays.h"
 #include "render/trace/render.h"
 #include "tests/parser/grammar_support.h"
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <random>
 #include <sstream>
 
@@ -164,6 +166,38 @@ TEST_CASE("directions are POV-Ray's", "[trace][radiosity]")
     CHECK(mean(usual, 40) == Approx(0.2331).margin(1e-4));
     CHECK(mean(own, 0) == Approx(0.2878).margin(1e-4));
     CHECK(mean(own, 40) == Approx(0.3287).margin(1e-4));
+}
+
+TEST_CASE("rays of a sample are sorted: each of its directions once, neighbours alike", "[trace][radiosity]")
+{
+    namespace radiosity = trace::radiosity;
+    const auto scratch = std::make_unique<radiosity::GatherScratch>();
+    radiosity::Gathering frame;
+    frame.x = {0, 0, 1}, frame.y = {1, 0, 0}, frame.z = {0, 1, 0};
+    for (const int size : {1599, 1600, 2000}) {
+        const std::vector<glm::dvec3> pool = radiosity::directions(size);
+        const radiosity::DirectionOrder order(pool);
+        for (const std::size_t count : {5, 64, 100, 400, 1599})
+            for (const std::size_t first : {std::size_t{0}, std::size_t{400}, pool.size() - 3}) {
+                radiosity::SortedRays sorted(order, first, count, *scratch);
+                std::vector<int> seen(count, 0);
+                double apart = 0;
+                for (glm::dvec3 last(0, 0, 0); sorted.next(frame);)
+                    for (int k = 0; k < scratch->rays.count; ++k) {
+                        const std::size_t number = scratch->number[static_cast<std::size_t>(k)];
+                        REQUIRE(number < count);
+                        ++seen[number];
+                        const glm::dvec3 way = scratch->rays.ray(k).direction, v = pool[(first + number) % pool.size()];
+                        REQUIRE(glm::distance(way, frame.x * v.x + frame.y * v.y + frame.z * v.z) < 1e-15);
+                        if (k > 0) apart += glm::distance(way, last);
+                        last = way;
+                    }
+                CHECK(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+                // So many directions are about sqrt(2 pi / count) from each other.
+                if (count >= 100)
+                    CHECK(apart / static_cast<double>(count) < 3.0 / std::sqrt(static_cast<double>(count)));
+            }
+    }
 }
 
 TEST_CASE("passes of a pretrace", "[trace][radiosity]")
