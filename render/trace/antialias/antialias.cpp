@@ -6,6 +6,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 namespace trace {
 namespace {
@@ -26,10 +28,35 @@ scene::Color divided(const scene::Color& sum, double by)
     return {part(sum.red), part(sum.green), part(sum.blue), part(sum.filter), part(sum.transmit)};
 }
 
+constexpr std::uint32_t kNoPlace = 0xffffffffu;
+
+/// Numbers of a grid's cells, row by row, such that neighbours in the list are neighbours in the picture: by the bits
+/// of row and column in turn.
+void order_cells(int columns, int rows, AntialiasScratch& scratch)
+{
+    if (scratch.ordered_columns == columns && scratch.ordered_rows == rows) return;
+    scratch.ordered_columns = columns;
+    scratch.ordered_rows = rows;
+    const auto spread = [](std::uint64_t v) {
+        v = (v | v << 16) & 0x0000ffff0000ffffu;
+        v = (v | v << 8) & 0x00ff00ff00ff00ffu;
+        v = (v | v << 4) & 0x0f0f0f0f0f0f0f0fu;
+        v = (v | v << 2) & 0x3333333333333333u;
+        return (v | v << 1) & 0x5555555555555555u;
+    };
+    const auto across = static_cast<std::uint32_t>(columns);
+    const auto key = [&](std::uint32_t cell) { return spread(cell / across) << 1 | spread(cell % across); };
+    scratch.order.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    std::iota(scratch.order.begin(), scratch.order.end(), 0u);
+    std::sort(scratch.order.begin(), scratch.order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+}
+
 /// Method 1: centre samples of the block and of the row above and the column left of it, then a scan in reading order
-/// that refines a pixel and its neighbour wherever the two differ. A pixel asks for what the scan has made of those on
-/// its left and above, and every row runs two pixels behind the one above it: what lies on one such slant is decided at
-/// once, and its samples fill tiles.
+/// that refines a pixel and its neighbour wherever the two differ. A pixel is compared with what the scan has made of
+/// those on its left and above. So that samples fill tiles, the scan goes on with the old colours of the pixels that it
+/// refines, all of them are traced, and it is made again with what is known now, until it asks for nothing new: then it
+/// has found what a scan that waits finds. About one of a hundred samples turns out not to have been needed.
 class Method1 {
 public:
     Method1(const plan::Antialiasing& settings, const ColorDistance& distance, const Block& block,
@@ -41,16 +68,24 @@ public:
     void run(scene::Color* out)
     {
         trace_centres();
-        for (int slant = 0; slant <= block_.width - 1 + 2 * (block_.height - 1); ++slant) {
-            for (int row = std::max(0, (slant - block_.width + 2) / 2); row < block_.height && 2 * row <= slant; ++row)
-                if (slant - 2 * row < block_.width) visit(slant - 2 * row, row);
-            refine();
-        }
+        compare_centres();
+        while (scan()) refine();
         for (int row = 0; row < block_.height; ++row)
-            for (int column = 0; column < block_.width; ++column) *out++ = scratch_.samples[index(column, row)].color;
+            for (int column = 0; column < block_.width; ++column) {
+                const std::size_t at = index(column, row);
+                if (scratch_.marked[at] != 0) scratch_.supersamples += samples_of_pixel();
+                *out++ = now(at).color;
+            }
     }
 
 private:
+    enum Differs : std::uint8_t { kLeft = 1, kUp = 2 };
+
+    std::size_t samples_of_pixel() const
+    {
+        return static_cast<std::size_t>(settings_.depth) * static_cast<std::size_t>(settings_.depth);
+    }
+
     /// -1 is the border on the left or above.
     std::size_t index(int column, int row) const
     {
@@ -61,49 +96,87 @@ private:
     {
         const SampleGrid grid{{block_.left - 1, block_.top - 1}, block_.width + 1, block_.height + 1};
         scratch_.colors.resize(grid.count());
-        scratch_.marked.assign(grid.count(), 0);
-        for (int column = -1; column < block_.width; ++column) scratch_.marked[index(column, -1)] = 1;
-        for (int row = 0; row < block_.height; ++row) scratch_.marked[index(-1, row)] = 1;
+        scratch_.places.assign(grid.count(), kNoPlace);
         tracer_.grid(grid, scratch_.colors.data());
         scratch_.samples.clear();
         distance_.encode(scratch_.colors, scratch_.samples);
+        order_cells(grid.columns, grid.rows, scratch_);
+    }
+
+    void compare_centres()
+    {
+        const EncodedColor* samples = scratch_.samples.data();
+        scratch_.differing.resize(scratch_.samples.size());
+        for (int row = 0; row < block_.height; ++row)
+            for (int column = 0; column < block_.width; ++column) {
+                const std::size_t here = index(column, row);
+                const bool left = distance_.differ(samples[here - 1], samples[here]),
+                           up = distance_.differ(samples[here - stride_], samples[here]);
+                scratch_.differing[here] = static_cast<std::uint8_t>((left ? kLeft : 0) | (up ? kUp : 0));
+            }
+    }
+
+    /// Whether it has asked for samples.
+    bool scan()
+    {
+        scratch_.marked.assign(scratch_.samples.size(), 0);
+        asked_ = false;
+        for (int row = 0; row < block_.height; ++row)
+            for (int column = 0; column < block_.width; ++column) {
+                visit(column, row);
+                if (asked_ && tracer_.in_order) refine();
+            }
+        return asked_;
+    }
+
+    /// Means of more samples follow the centres.
+    const EncodedColor& now(std::size_t pixel) const
+    {
+        const std::uint32_t place = scratch_.places[pixel];
+        return scratch_.samples[scratch_.marked[pixel] != 0 && place != kNoPlace ? place : pixel];
     }
 
     void visit(int column, int row)
     {
         const std::size_t here = index(column, row), left = here - 1, up = here - stride_;
-        const bool left_differs = distance_.differ(scratch_.samples[left], scratch_.samples[here]);
-        const bool up_differs = distance_.differ(scratch_.samples[up], scratch_.samples[here]);
-        if (left_differs) want(left);
-        if (up_differs) want(up);
+        const auto differs = [&](std::size_t other, Differs centre) {
+            return scratch_.marked[other] != 0 ? distance_.differ(now(other), scratch_.samples[here])
+                                               : (scratch_.differing[here] & centre) != 0;
+        };
+        const bool left_differs = differs(left, kLeft), up_differs = differs(up, kUp);
+        if (left_differs && column > 0) want(left);
+        if (up_differs && row > 0) want(up);
         if (left_differs || up_differs) want(here);
     }
 
     void want(std::size_t pixel)
     {
-        if (scratch_.marked[pixel] != 0) return;
         scratch_.marked[pixel] = 1;
-        scratch_.refined.push_back(pixel);
+        asked_ |= scratch_.places[pixel] == kNoPlace;
     }
 
     /// More samples for the pixels that were asked for.
     void refine()
     {
-        if (scratch_.refined.empty()) return;
         const int n = settings_.depth;
         scratch_.sub_positions.clear();
-        for (const std::size_t pixel : scratch_.refined) add_positions(pixel, n);
+        scratch_.refined.clear();
+        for (const std::uint32_t pixel : scratch_.order)
+            if (scratch_.marked[pixel] != 0 && scratch_.places[pixel] == kNoPlace) {
+                scratch_.refined.push_back(pixel);
+                add_positions(pixel, n);
+            }
         scratch_.sub_colors.resize(scratch_.sub_positions.size());
         tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
                     scratch_.sub_colors.data());
-        scratch_.supersamples += scratch_.sub_positions.size();
         const scene::Color* next = scratch_.sub_colors.data();
         for (const std::size_t pixel : scratch_.refined) {
             scene::Color sum = scratch_.samples[pixel].color;
-            for (int i = 0; i < n * n; ++i) add(sum, *next++);
-            scratch_.samples[pixel] = distance_.encoded(divided(sum, n * n + 1));
+            for (std::size_t i = 0; i < samples_of_pixel(); ++i) add(sum, *next++);
+            scratch_.places[pixel] = static_cast<std::uint32_t>(scratch_.samples.size());
+            scratch_.samples.push_back(distance_.encoded(divided(sum, n * n + 1)));
         }
-        scratch_.refined.clear();
+        asked_ = false;
     }
 
     void add_positions(std::size_t pixel, int n)
@@ -125,10 +198,12 @@ private:
     const SampleTracer& tracer_;
     AntialiasScratch& scratch_;
     std::size_t stride_;
+    bool asked_ = false;  ///< for samples that are not known
 };
 
 /// Method 2: a pixel is the mean of its corners, split in four while they differ. The squares of many pixels are looked
-/// at level by level, so that the samples of a level fill tiles.
+/// at level by level, so that the samples of a level fill tiles. Pixels that are divided alike share the samples
+/// between them.
 class Method2 {
 public:
     Method2(const plan::Antialiasing& settings, const ColorDistance& distance, const Block& block,
@@ -145,30 +220,31 @@ public:
         scratch_.samples.clear();
         distance_.encode(scratch_.colors, scratch_.samples);
         // As many pixels at a time as their squares, all of them divided, take a few megabytes.
-        constexpr int kSquares = 4096, kMostPixels = 64;
-        const int pixels = block_.width * block_.height,
-                  at_once = std::clamp(kSquares >> std::min(30, 2 * (settings_.depth - 1)), 1, kMostPixels);
-        for (int first = 0; first < pixels; first += at_once) {
-            run(first, std::min(first + at_once, pixels), corners.count());
-            for (int i = 0; i < std::min(at_once, pixels - first); ++i)
-                *out++ = scratch_.squares[static_cast<std::size_t>(i)].mean;
+        constexpr std::size_t kSquares = 16384, kMostPixels = 1024;
+        const std::size_t at_once = tracer_.in_order ? 1
+                                                     : std::clamp(kSquares >> std::min(30, 2 * (settings_.depth - 1)),
+                                                                  std::size_t{1}, kMostPixels);
+        order_cells(block_.width, block_.height, scratch_);
+        const std::span<const std::uint32_t> pixels(scratch_.order);
+        for (std::size_t first = 0; first < pixels.size(); first += at_once) {
+            const auto now = pixels.subspan(first, std::min(at_once, pixels.size() - first));
+            run(now, corners.count());
+            for (std::size_t i = 0; i < now.size(); ++i) out[now[i]] = scratch_.squares[i].mean;
         }
     }
 
 private:
-    /// Pixels first <= i < last of the block; `corners` samples are kept.
-    void run(int first, int last, std::size_t corners)
+    /// Pixels of the block by number; `corners` samples are kept.
+    void run(std::span<const std::uint32_t> pixels, std::size_t corners)
     {
-        const auto stride = static_cast<std::uint32_t>(block_.width) + 1;
+        const auto width = static_cast<std::uint32_t>(block_.width), stride = width + 1;
         scratch_.samples.resize(corners);
         scratch_.squares.clear();
-        for (int i = first; i < last; ++i) {
-            const int row = i / block_.width, column = i % block_.width;
-            const auto at = static_cast<std::uint32_t>(row) * stride + static_cast<std::uint32_t>(column);
-            scratch_.squares.push_back({{block_.left + column, block_.top + row},
+        for (const std::uint32_t i : pixels) {
+            const std::uint32_t row = i / width, column = i % width, at = row * stride + column;
+            scratch_.squares.push_back({{block_.left + static_cast<int>(column), block_.top + static_cast<int>(row)},
                                         0.5,
                                         {at, at + stride, at + 1, at + stride + 1},
-                                        static_cast<std::uint32_t>(i),
                                         0,
                                         {}});
         }
@@ -195,7 +271,6 @@ private:
     {
         scratch_.sub_positions.clear();
         scratch_.nominal_positions.clear();
-        scratch_.sub_pixels.clear();
         std::size_t room = 64;
         while (room < 16 * (end - begin)) room *= 2;  // five new samples a square, at most
         scratch_.places.assign(room, kNoPlace);
@@ -215,12 +290,12 @@ private:
         const AntialiasSquare square = scratch_.squares[i];
         const SamplePosition c = square.centre;
         const double half = square.half, q = half / 2;
-        const auto inner = [&](double x, double y) { return first_sample + place_of(square.pixel, {x, y}); };
+        const auto inner = [&](double x, double y) { return first_sample + place_of({x, y}); };
         const std::uint32_t left = inner(c.x - half, c.y), top = inner(c.x, c.y - half), right = inner(c.x + half, c.y),
                             bottom = inner(c.x, c.y + half), middle = inner(c.x, c.y);
         scratch_.squares[i].quarters = static_cast<std::uint32_t>(scratch_.squares.size());
         const auto add_quarter = [&](double x, double y, const std::array<std::uint32_t, 4>& corners) {
-            scratch_.squares.push_back({c + SamplePosition(x, y), q, corners, square.pixel, 0, {}});
+            scratch_.squares.push_back({c + SamplePosition(x, y), q, corners, 0, {}});
         };
         const auto& at = square.corners;
         add_quarter(-q, -q, {at[0], left, top, middle});
@@ -229,25 +304,24 @@ private:
         add_quarter(q, q, {middle, bottom, right, at[3]});
     }
 
-    /// Which of the samples asked for lies there: squares of a pixel share those of their edges.
-    std::uint32_t place_of(std::uint32_t pixel, const SamplePosition& nominal)
+    /// Which of the samples asked for lies there: squares share those of their edges.
+    std::uint32_t place_of(const SamplePosition& nominal)
     {
         // The low bits of such positions are empty, and a product's digits depend on those below alone.
         std::uint64_t hash = std::bit_cast<std::uint64_t>(nominal.x) * 0x9e3779b97f4a7c15u ^
                              std::bit_cast<std::uint64_t>(nominal.y);
-        hash = (hash ^ hash >> 32 ^ pixel) * 0xbf58476d1ce4e5b9u;
+        hash = (hash ^ hash >> 32) * 0xbf58476d1ce4e5b9u;
         const std::size_t mask = scratch_.places.size() - 1;
         for (std::size_t at = hash >> 32 & mask;; at = (at + 1) & mask) {
             std::uint32_t& place = scratch_.places[at];
             if (place == kNoPlace) {
                 place = static_cast<std::uint32_t>(scratch_.sub_positions.size());
                 scratch_.nominal_positions.push_back(nominal);
-                scratch_.sub_pixels.push_back(pixel);
                 scratch_.sub_positions.push_back(
                     settings_.jitter > 0 ? nominal + amplitude_ * jitter(nominal.x, nominal.y) : nominal);
                 return place;
             }
-            if (scratch_.sub_pixels[place] == pixel && scratch_.nominal_positions[place] == nominal) return place;
+            if (scratch_.nominal_positions[place] == nominal) return place;
         }
     }
 
@@ -260,7 +334,6 @@ private:
         return false;
     }
 
-    static constexpr std::uint32_t kNoPlace = 0xffffffffu;
     const plan::Antialiasing& settings_;
     const ColorDistance& distance_;
     const Block& block_;

@@ -28,6 +28,7 @@ struct SampleTracer {
     void (*trace_grid)(void* context, const SampleGrid& grid, scene::Color* out);
     void (*trace_few)(void* context, const SamplePosition* positions, int count, scene::Color* out);
     void* context;
+    bool in_order = false;  ///< no sample before the picture is known to need it: each takes the next random numbers
     void grid(const SampleGrid& g, scene::Color* out) const { trace_grid(context, g, out); }
     void few(const SamplePosition* positions, int count, scene::Color* out) const
     {
@@ -40,20 +41,22 @@ struct AntialiasSquare {
     SamplePosition centre{0};
     double half = 0.5;
     std::array<std::uint32_t, 4> corners{};  ///< samples: top left, bottom left, top right, bottom right
-    std::uint32_t pixel = 0;
-    std::uint32_t quarters = 0;  ///< the first of four squares; 0: not divided
+    std::uint32_t quarters = 0;              ///< the first of four squares; 0: not divided
     scene::Color mean{};
 };
 
 /// Working storage of one thread; reused from block to block.
 struct AntialiasScratch {
-    std::vector<scene::Color> colors;   ///< the block with a border of one pixel (method 1) or its corners (method 2)
-    std::vector<EncodedColor> samples;  ///< the same as differences see them, and those within pixels (method 2)
-    std::vector<std::uint8_t> marked;   ///< method 1: supersampled or never to be
-    std::vector<std::size_t> refined;   ///< method 1: pixels that get more samples now
+    std::vector<scene::Color> colors;     ///< the block with a border of one pixel (method 1) or its corners (method 2)
+    std::vector<EncodedColor> samples;    ///< the same as differences see them, then refined pixels or what lies within
+    std::vector<std::uint8_t> differing;  ///< method 1: from which neighbours, by centre samples
+    std::vector<std::uint8_t> marked;     ///< method 1: supersampled
+    std::vector<std::size_t> refined;     ///< method 1: pixels that get more samples now
     std::vector<AntialiasSquare> squares;
-    std::vector<std::uint32_t> places;      ///< method 2: samples asked for now, by a hash of their positions
-    std::vector<std::uint32_t> sub_pixels;  ///< of sub_positions
+    std::vector<std::uint32_t> places;  ///< method 1: of a pixel's refined colour in `samples`; method 2: samples asked
+                                        ///< for now, by a hash of their positions
+    std::vector<std::uint32_t> order;   ///< a block's cells, neighbours in the picture side by side
+    int ordered_columns = 0, ordered_rows = 0;                     ///< of this block
     std::vector<SamplePosition> sub_positions, nominal_positions;  ///< asked for now; before jitter
     std::vector<scene::Color> sub_colors;
     std::uint64_t supersamples = 0;  ///< samples beyond the first of each pixel, added up

@@ -56,7 +56,7 @@ public:
     /// False where Scratch's watch ended it: what waits of the block is not put in order any more.
     bool trace(const Block& block, scene::Color* out)
     {
-        const SampleTracer tracer{&grid, &few, this};
+        const SampleTracer tracer{&grid, &few, this, scene_.options.grain_stream};
         try {
             antialias(scene_.options.antialiasing, scene_.settings.assumed_gamma, block, tracer, antialias_, out);
         } catch (const csg::Cancelled&) {
@@ -109,28 +109,28 @@ public:
     }
 
 private:
+    /// In strips about as wide as a tile, down and up in turn: tiles are compact, and but for the last one full.
     static void grid(void* context, const SampleGrid& samples, scene::Color* out)
     {
         auto& self = *static_cast<BlockTracer*>(context);
-        const int side =
-            self.scene_.options.grain_stream ? 1 : kTileSide;  // ray by ray, as POV-Ray asks for random numbers
-        for (int top = 0; top < samples.rows; top += side)
-            for (int left = 0; left < samples.columns; left += side)
-                self.grid_tile(samples, left, left + side, top, top + side, out);
-    }
-
-    void grid_tile(const SampleGrid& samples, int left, int right, int top, int bottom, scene::Color* out)
-    {
-        right = std::min(right, samples.columns);
-        bottom = std::min(bottom, samples.rows);
-        begin_tile();
-        for (int row = top; row < bottom; ++row)
-            for (int column = left; column < right; ++column) {
-                const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(samples.columns) +
-                                       static_cast<std::size_t>(column);
-                add_sample(samples.first + SamplePosition(column, row), out + at);
+        const bool one_by_one = self.scene_.options.grain_stream;  // as POV-Ray asks for random numbers
+        const int strips = one_by_one ? 1 : std::max(1, (samples.columns + kTileSide / 2) / kTileSide),
+                  most = one_by_one ? 1 : kTileRays;
+        self.begin_tile();
+        for (int strip = 0; strip < strips; ++strip)
+            for (int n = 0; n < samples.rows; ++n) {
+                const int row = strip % 2 == 0 ? n : samples.rows - 1 - n;
+                for (int column = samples.columns * strip / strips; column < samples.columns * (strip + 1) / strips;
+                     ++column) {
+                    const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(samples.columns) +
+                                           static_cast<std::size_t>(column);
+                    self.add_sample(samples.first + SamplePosition(column, row), out + at);
+                    if (self.samples_ < most) continue;
+                    self.finish_tile();
+                    self.begin_tile();
+                }
             }
-        finish_tile();
+        if (self.samples_ > 0) self.finish_tile();
     }
 
     static void few(void* context, const SamplePosition* positions, int count, scene::Color* out)

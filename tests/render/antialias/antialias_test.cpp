@@ -50,11 +50,12 @@ plan::Antialiasing settings(int method, int depth, double jitter)
     return s;
 }
 
-std::vector<float> run(Formula& formula, const plan::Antialiasing& s, const Block& block)
+std::vector<float> run(Formula& formula, const plan::Antialiasing& s, const Block& block, bool in_order = false)
 {
     std::vector<scene::Color> out(static_cast<std::size_t>(block.width * block.height));
     trace::AntialiasScratch scratch;
-    trace::antialias(s, {}, block, {&Formula::trace_grid, &Formula::trace_few, &formula}, scratch, out.data());
+    trace::antialias(s, {}, block, {&Formula::trace_grid, &Formula::trace_few, &formula, in_order}, scratch,
+                     out.data());
     std::vector<float> grey;
     for (const scene::Color& c : out) grey.push_back(c.red);
     return grey;
@@ -64,6 +65,52 @@ std::vector<float> run(Formula& formula, const plan::Antialiasing& s, const Bloc
 Formula edge_at(double edge)
 {
     return {[edge](double x, double) { return x > edge ? 1.0f : 0.0f; }, {}};
+}
+
+/// Values that differ by about the threshold from cell to cell, cells of a third of a pixel.
+Formula grains(std::uint32_t seed)
+{
+    return {[seed](double x, double y) {
+                std::minstd_rand random(seed + 7919u * static_cast<std::uint32_t>(std::floor(3 * x) + 100) +
+                                        104729u * static_cast<std::uint32_t>(std::floor(3 * y) + 100));
+                random.discard(3);
+                return std::uniform_real_distribution<float>(0.2f, 0.5f)(random);
+            },
+            {}};
+}
+
+/// Method 1 as it is told: a pixel after the other, each compared with what has been made of those before it.
+std::vector<float> pixel_by_pixel(const Formula& formula, const plan::Antialiasing& s, const Block& block)
+{
+    const trace::ColorDistance distance(s, {});
+    std::map<std::pair<int, int>, float> now;
+    std::map<std::pair<int, int>, bool> refined;
+    const auto color = [](float v) { return scene::Color{v, v, v, 0, 0}; };
+    const auto refine = [&](int column, int row) {
+        if (column < block.left || row < block.top || std::exchange(refined[{column, row}], true)) return;
+        float sum = now[{column, row}];
+        for (int i = 0; i < s.depth * s.depth; ++i)
+            sum +=
+                formula.grey(column - 0.5 + (i % s.depth + 0.5) / s.depth, row - 0.5 + (i / s.depth + 0.5) / s.depth);
+        now[{column, row}] = static_cast<float>(static_cast<double>(sum) / (s.depth * s.depth + 1));
+    };
+    for (int row = block.top - 1; row < block.top + block.height; ++row)
+        for (int column = block.left - 1; column < block.left + block.width; ++column)
+            now[{column, row}] = formula.grey(column, row);
+    std::vector<float> out;
+    for (int row = block.top; row < block.top + block.height; ++row)
+        for (int column = block.left; column < block.left + block.width; ++column) {
+            const auto differs = [&](int c, int r) {
+                return distance.differ(color(now[{c, r}]), color(now[{column, row}]));
+            };
+            const bool left = differs(column - 1, row), up = differs(column, row - 1);
+            if (left) refine(column - 1, row);
+            if (up) refine(column, row - 1);
+            if (left || up) refine(column, row);
+        }
+    for (int row = block.top; row < block.top + block.height; ++row)
+        for (int column = block.left; column < block.left + block.width; ++column) out.push_back(now[{column, row}]);
+    return out;
 }
 
 }  // namespace
@@ -111,6 +158,32 @@ TEST_CASE("a pixel is refined at most once", "[render][antialias]")
     for (const auto& [position, count] : picture.asked) REQUIRE(count == 1);
     // 7 x 7 centres with the border, and 4 samples in each of the 36 pixels.
     CHECK(picture.asked.size() == 49 + 36 * 4);
+}
+
+TEST_CASE("method 1 finds what a scan finds that waits for each pixel", "[render][antialias]")
+{
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        INFO("seed " << seed);
+        const Block block{static_cast<int>(seed % 5), 3, 1 + static_cast<int>(seed % 23),
+                          1 + static_cast<int>(seed % 17)};
+        Formula together = grains(seed), in_order = grains(seed);
+        const auto expected = pixel_by_pixel(together, settings(1, 3, 0), block);
+        REQUIRE(run(together, settings(1, 3, 0), block) == expected);
+        REQUIRE(run(in_order, settings(1, 3, 0), block, true) == expected);
+        // In order nothing is asked for in vain, and together never less.
+        for (const auto& [position, count] : in_order.asked) REQUIRE(together.asked.count(position) == 1);
+    }
+}
+
+TEST_CASE("method 2 asks for every sample once, between pixels as well", "[render][antialias]")
+{
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        INFO("seed " << seed);
+        const Block block{2, 1, 1 + static_cast<int>(seed % 23), 1 + static_cast<int>(seed % 17)};
+        Formula together = grains(seed), one_by_one = grains(seed);
+        REQUIRE(run(together, settings(2, 3, 1), block) == run(one_by_one, settings(2, 3, 1), block, true));
+        for (const auto& [position, count] : together.asked) REQUIRE(count == 1);
+    }
 }
 
 TEST_CASE("method 2 takes corners, and splits where they differ", "[render][antialias]")
