@@ -65,7 +65,11 @@ public:
 
     double guarded_until(std::size_t k) const { return rays_.limit[k]; }
     static bool first_only(const WorldItem& item) { return item.all_opaque; }
-    static bool any_will_do() { return true; }
+    static constexpr bool any_will_do() { return true; }
+    void block_all(RayMask rays)
+    {
+        each_ray(rays, [this](std::size_t k) { block(k); });
+    }
     void hit(std::uint32_t index, std::size_t k, const Hit& found)
     {
         if (world_.items[index].all_opaque) block(k);

@@ -18,6 +18,7 @@ namespace csg {
 ///   query.record(item index, ray, told)  what a lone solid that answers many rays together has told of one;
 ///   query.first_only(item)             whether the nearest drawn end of it is enough
 ///   query.any_will_do()                and any other as well
+///   query.block_all(mask)              where any will do: rays that meet a solid that is opaque
 ///   query.hit(item index, ray, hit)    one crossing of a CSG object: the nearest, or each of them
 ///   query.each(item index, ray)        anything else, ray by ray
 ///   query.guarded_until(ray)           as `end` of passes()
@@ -194,7 +195,9 @@ private:
     {
         const Torus& solid = world.store.all<Torus>()[index_of(world.items[index].solid)];
         if (!detail::factors_serve(solid)) return false;
-        const TorusEnds ends(solid, rays, mask);
+        const TorusEnds ends(solid, rays, mask, query.any_will_do() && query.first_only(world.items[index]));
+        if constexpr (Query::any_will_do())
+            if (ends.sure != 0) query.block_all(ends.sure);
         for (int which = 0; which < 2; ++which)
             query.solid(index, ends.met[which], [&](int i) { return ends.piece(which, i); });
         for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));

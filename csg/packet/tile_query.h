@@ -69,7 +69,7 @@ public:
 
     static double guarded_until(std::size_t) { return kInfinity; }
     static bool first_only(const WorldItem&) { return true; }
-    static bool any_will_do() { return false; }
+    static constexpr bool any_will_do() { return false; }
     void hit(std::uint32_t index, std::size_t k, const Hit& found) { offer(index, k, found); }
     void record(std::uint32_t index, std::size_t k, const IntersectionList& told)
     {
@@ -267,7 +267,8 @@ public:
 
     double guarded_until(std::size_t k) const { return rays_.limit[k]; }
     static bool first_only(const WorldItem& item) { return item.all_opaque; }
-    static bool any_will_do() { return true; }
+    static constexpr bool any_will_do() { return true; }
+    void block_all(RayMask rays) { meet(rays, true); }
     void hit(std::uint32_t, std::size_t k, const Hit& found)
     {
         meet(RayMask{1} << k, world_.surface_opaque[found.surface] != 0);
