@@ -23,13 +23,14 @@ bool all_grey(HitMask hits, const TileColors& of)
 AreaLight::AreaLight(Context& context, const light::Light& light, const csg::HitTile& met,
                      const InteriorList* const* interiors)
     : context_(context), scratch_(context.scratch.shade), area_(context.scratch.shade.area), light_(light),
-      interiors_(interiors)
+      interiors_(interiors), same_places_(!light.jitter && !(light.circular && light.orient))
 {
     area_.known.clear();
     area_.lit.clear();
     area_.mixed.clear();
     area_.row.clear();
     area_.column.clear();
+    area_.at.clear();
     area_.place.assign(static_cast<std::size_t>(light.size1) * static_cast<std::size_t>(light.size2),
                        AreaScratch::kNone);
     const TileHits& at = scratch_.hits;
@@ -127,6 +128,7 @@ void AreaLight::want(int i, int j)
         area_.mixed.push_back(0);
         area_.row.push_back(i);
         area_.column.push_back(j);
+        if (same_places_) area_.at.push_back(node_place(i, j));
     }
     // What is asked for again is one of the corners asked for just before.
     constexpr std::ptrdiff_t kCorners = 16;
@@ -166,7 +168,12 @@ void AreaLight::ask(std::uint32_t node, HitMask hits)
         asked_[asked_count_++] = asked;
         for_each_hit(now, [&](std::size_t k) { hit_[samples_++] = static_cast<std::uint32_t>(k); });
         const double row = area_.row[node], column = area_.column[node];
-        for (std::size_t n = asked.first; n < samples_; ++n) row_[n] = row, column_[n] = column;
+        if (same_places_) {
+            const glm::dvec3 at = area_.at[node];
+            for (std::size_t n = asked.first; n < samples_; ++n) x_[n] = at.x, y_[n] = at.y, z_[n] = at.z;
+        } else {
+            for (std::size_t n = asked.first; n < samples_; ++n) row_[n] = row, column_[n] = column;
+        }
         if (light_.jitter) {
             const auto number = static_cast<std::int64_t>(row * static_cast<double>(light_.size2) + column);
             const std::uint64_t purpose = 2 * static_cast<std::uint64_t>(number) + kJitterPurpose;
@@ -181,7 +188,9 @@ void AreaLight::trace_samples()
     if (samples_ == 0) return;
     lanes_ = (samples_ + 7) & ~std::size_t{7};
     for (std::size_t n = samples_; n < lanes_; ++n) {
-        hit_[n] = hit_[0], row_[n] = row_[0], column_[n] = column_[0];
+        hit_[n] = hit_[0];
+        if (same_places_) x_[n] = x_[0], y_[n] = y_[0], z_[n] = z_[0];
+        else row_[n] = row_[0], column_[n] = column_[0];
         if (light_.jitter) purpose_[n] = purpose_[0];
     }
     make_rays();

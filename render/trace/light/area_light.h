@@ -65,6 +65,7 @@ private:
     void rectangle(int i1, int j1, int i2, int j2, int depth, HitMask hits, bool add, TileColors& out);
     void trace_samples();
     void make_rays();
+    glm::dvec3 node_place(int i, int j) const;
     void place_on_light();
     void jitter(TileLanes& row, TileLanes& column) const;
     void project();
@@ -87,6 +88,7 @@ private:
     MediaShadows* later_ = nullptr;  ///< receives, by sample, stretches of media between the hits and the light
     std::optional<csg::Shaft> shaft_;
     bool by_hit_ = false;      ///< the rays of a hit are closer to each other than those to a node
+    bool same_places_;         ///< of a node, whatever hit asks
     bool by_level_ = false;    ///< all nodes are asked for by levels of rectangles before any is summed up
     std::size_t samples_ = 0;  ///< waiting for their shadow rays
     std::size_t lanes_ = 0;    ///< as many, up to a multiple of 8: those behind the last are like the first

@@ -19,6 +19,19 @@ void AreaLight::jitter(TileLanes& row, TileLanes& column) const
     move(column, 1);
 }
 
+/// Where samples of a node lie on the light, for all hits and samples alike (same_places_).
+glm::dvec3 AreaLight::node_place(int i, int j) const
+{
+    const auto share = [](double at, int size) { return size > 1 ? at / (size - 1) - 0.5 : 0.0; };
+    double p = share(i, light_.size1), q = share(j, light_.size2), m = 1.0;
+    if (light_.circular) {
+        p += light::kCircleShift;
+        q += light::kCircleShift;
+        m = std::max(std::abs(p), std::abs(q)) / std::sqrt(p * p + q * q);
+    }
+    return p * m * light_.axis1 + q * m * light_.axis2;
+}
+
 /// Places of the samples on the light: light::node_offset, a sample a lane. Their rays have their origins.
 void AreaLight::place_on_light()
 {
@@ -73,7 +86,7 @@ void AreaLight::make_rays()
             rays.t_min[n] = from_[k];
         }
     }
-    place_on_light();
+    if (!same_places_) place_on_light();
     if (light_.kind == light::Light::Kind::Cylinder || light_.parallel) {
         for (std::size_t n = 0; n < lanes_; ++n) {
             const light::Illumination lit =

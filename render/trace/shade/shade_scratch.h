@@ -65,6 +65,7 @@ struct AreaScratch {
     std::vector<HitMask> mixed;        ///< of them, those that see it through something that filters light
     std::vector<TileColors> filtered;  ///< what reaches those; shorter than the others where nothing does
     std::vector<double> row, column;
+    std::vector<glm::dvec3> at;         ///< where it lies on the light, if that is the same for all hits
     std::vector<std::uint32_t> place;   ///< by i * size2 + j: the node, or kNone
     std::vector<std::uint32_t> wanted;  ///< nodes asked for next
     struct Rectangle {
