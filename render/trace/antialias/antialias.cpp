@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace trace {
 namespace {
@@ -50,6 +51,46 @@ void order_cells(int columns, int rows, AntialiasScratch& scratch)
     std::iota(scratch.order.begin(), scratch.order.end(), 0u);
     std::sort(scratch.order.begin(), scratch.order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+}
+
+/// A block's grid of samples, into scratch.colors: its first column and row may be known from the blocks beside it.
+void trace_block_grid(const SampleGrid& grid, const SampleTracer& tracer, AntialiasScratch& scratch)
+{
+    BlockEdges& edges = scratch.edges;
+    const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
+    std::vector<scene::Color>& colors = scratch.colors;
+    colors.resize(grid.count());
+    if (tracer.in_order) return tracer.grid(grid, colors.data());
+    const auto first = static_cast<std::size_t>(std::floor(grid.first.x + 1.0));  // a block's border is at -1
+    if (edges.below.size() < first + columns) edges.below.resize(first + columns);
+    const bool left = edges.right_colors.size() == rows && edges.right == grid.first;
+    // The block on the left has replaced what was known below of the first column.
+    const auto begin = edges.below.begin() + static_cast<std::ptrdiff_t>(first);
+    const bool top = std::all_of(begin + (left ? 1 : 0), begin + grid.columns,
+                                 [&](const BlockEdges::Below& at) { return at.row == grid.first.y; });
+    if (!left && !top) {
+        tracer.grid(grid, colors.data());
+    } else {
+        const std::size_t skipped_columns = left ? 1 : 0, skipped_rows = top ? 1 : 0;
+        const SampleGrid rest{grid.first + SamplePosition(skipped_columns, skipped_rows),
+                              grid.columns - static_cast<int>(skipped_columns),
+                              grid.rows - static_cast<int>(skipped_rows)};
+        scratch.sub_colors.resize(rest.count());
+        tracer.grid(rest, scratch.sub_colors.data());
+        const scene::Color* next = scratch.sub_colors.data();
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::size_t column = 0; column < columns; ++column) {
+                scene::Color& to = colors[row * columns + column];
+                if (left && column == 0) to = edges.right_colors[row];
+                else if (top && row == 0) to = edges.below[first + column].color;
+                else to = *next++;
+            }
+    }
+    edges.right = grid.first + SamplePosition(grid.columns - 1, 0);
+    edges.right_colors.resize(rows);
+    for (std::size_t row = 0; row < rows; ++row) edges.right_colors[row] = colors[(row + 1) * columns - 1];
+    for (std::size_t column = 0; column < columns; ++column)
+        edges.below[first + column] = {grid.first.y + (grid.rows - 1), colors[(rows - 1) * columns + column]};
 }
 
 /// Method 1: centre samples of the block and of the row above and the column left of it, then a scan in reading order
@@ -95,9 +136,8 @@ private:
     void trace_centres()
     {
         const SampleGrid grid{{block_.left - 1, block_.top - 1}, block_.width + 1, block_.height + 1};
-        scratch_.colors.resize(grid.count());
         scratch_.places.assign(grid.count(), kNoPlace);
-        tracer_.grid(grid, scratch_.colors.data());
+        trace_block_grid(grid, tracer_, scratch_);
         scratch_.samples.clear();
         distance_.encode(scratch_.colors, scratch_.samples);
         order_cells(grid.columns, grid.rows, scratch_);
@@ -215,8 +255,7 @@ public:
     void run(scene::Color* out)
     {
         const SampleGrid corners{{block_.left - 0.5, block_.top - 0.5}, block_.width + 1, block_.height + 1};
-        scratch_.colors.resize(corners.count());
-        tracer_.grid(corners, scratch_.colors.data());
+        trace_block_grid(corners, tracer_, scratch_);
         scratch_.samples.clear();
         distance_.encode(scratch_.colors, scratch_.samples);
         // As many pixels at a time as their squares, all of them divided, take a few megabytes.
@@ -245,6 +284,7 @@ private:
             scratch_.squares.push_back({{block_.left + static_cast<int>(column), block_.top + static_cast<int>(row)},
                                         0.5,
                                         {at, at + stride, at + 1, at + stride + 1},
+                                        i,
                                         0,
                                         {}});
         }
@@ -271,14 +311,17 @@ private:
     {
         scratch_.sub_positions.clear();
         scratch_.nominal_positions.clear();
+        scratch_.sub_pixels.clear();
+        scratch_.refined.clear();
+        for (std::size_t i = begin; i < end; ++i)
+            if (any_differ(scratch_.squares[i])) scratch_.refined.push_back(i);
+        if (scratch_.refined.empty()) return;
         std::size_t room = 64;
-        while (room < 16 * (end - begin)) room *= 2;  // five new samples a square, at most
+        while (room < 16 * scratch_.refined.size()) room *= 2;  // five new samples a square, at most
         scratch_.places.assign(room, kNoPlace);
         const auto first_sample = static_cast<std::uint32_t>(scratch_.samples.size());
-        for (std::size_t i = begin; i < end; ++i)
-            if (any_differ(scratch_.squares[i])) quarter(i, first_sample);
+        for (const std::size_t i : scratch_.refined) quarter(i, first_sample);
         scratch_.sub_colors.resize(scratch_.sub_positions.size());
-        if (scratch_.sub_positions.empty()) return;
         tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
                     scratch_.sub_colors.data());
         scratch_.supersamples += scratch_.sub_positions.size();
@@ -290,12 +333,12 @@ private:
         const AntialiasSquare square = scratch_.squares[i];
         const SamplePosition c = square.centre;
         const double half = square.half, q = half / 2;
-        const auto inner = [&](double x, double y) { return first_sample + place_of({x, y}); };
+        const auto inner = [&](double x, double y) { return first_sample + place_of(square.pixel, {x, y}); };
         const std::uint32_t left = inner(c.x - half, c.y), top = inner(c.x, c.y - half), right = inner(c.x + half, c.y),
                             bottom = inner(c.x, c.y + half), middle = inner(c.x, c.y);
         scratch_.squares[i].quarters = static_cast<std::uint32_t>(scratch_.squares.size());
         const auto add_quarter = [&](double x, double y, const std::array<std::uint32_t, 4>& corners) {
-            scratch_.squares.push_back({c + SamplePosition(x, y), q, corners, 0, {}});
+            scratch_.squares.push_back({c + SamplePosition(x, y), q, corners, square.pixel, 0, {}});
         };
         const auto& at = square.corners;
         add_quarter(-q, -q, {at[0], left, top, middle});
@@ -305,7 +348,7 @@ private:
     }
 
     /// Which of the samples asked for lies there: squares share those of their edges.
-    std::uint32_t place_of(const SamplePosition& nominal)
+    std::uint32_t place_of(std::uint32_t pixel, const SamplePosition& nominal)
     {
         // The low bits of such positions are empty, and a product's digits depend on those below alone.
         std::uint64_t hash = std::bit_cast<std::uint64_t>(nominal.x) * 0x9e3779b97f4a7c15u ^
@@ -317,16 +360,23 @@ private:
             if (place == kNoPlace) {
                 place = static_cast<std::uint32_t>(scratch_.sub_positions.size());
                 scratch_.nominal_positions.push_back(nominal);
+                scratch_.sub_pixels.push_back(pixel);
                 scratch_.sub_positions.push_back(
                     settings_.jitter > 0 ? nominal + amplitude_ * jitter(nominal.x, nominal.y) : nominal);
                 return place;
             }
-            if (scratch_.nominal_positions[place] == nominal) return place;
+            if (scratch_.nominal_positions[place] != nominal) continue;
+            // A pixel's squares ask one after the other.
+            if (std::exchange(scratch_.sub_pixels[place], pixel) != pixel) ++scratch_.supersamples;
+            return place;
         }
     }
 
     bool any_differ(const AntialiasSquare& square) const
     {
+        const auto& at = square.corners;
+        const auto& samples = scratch_.samples;
+        if (distance_.surely_alike({&samples[at[0]], &samples[at[1]], &samples[at[2]], &samples[at[3]]})) return false;
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = i + 1; j < 4; ++j)
                 if (distance_.differ(scratch_.samples[square.corners[i]], scratch_.samples[square.corners[j]]))

@@ -41,8 +41,20 @@ struct AntialiasSquare {
     SamplePosition centre{0};
     double half = 0.5;
     std::array<std::uint32_t, 4> corners{};  ///< samples: top left, bottom left, top right, bottom right
-    std::uint32_t quarters = 0;              ///< the first of four squares; 0: not divided
+    std::uint32_t pixel = 0;
+    std::uint32_t quarters = 0;  ///< the first of four squares; 0: not divided
     scene::Color mean{};
+};
+
+/// Samples that blocks have in common with those on their right and below, by the thread that traced them.
+struct BlockEdges {
+    SamplePosition right{0};                 ///< the uppermost of the last block's last column
+    std::vector<scene::Color> right_colors;  ///< from there down
+    struct Below {
+        double row = -1e9;
+        scene::Color color;
+    };
+    std::vector<Below> below;  ///< by column: of the last row that a block ended with
 };
 
 /// Working storage of one thread; reused from block to block.
@@ -51,15 +63,17 @@ struct AntialiasScratch {
     std::vector<EncodedColor> samples;    ///< the same as differences see them, then refined pixels or what lies within
     std::vector<std::uint8_t> differing;  ///< method 1: from which neighbours, by centre samples
     std::vector<std::uint8_t> marked;     ///< method 1: supersampled
-    std::vector<std::size_t> refined;     ///< method 1: pixels that get more samples now
+    std::vector<std::size_t> refined;     ///< pixels that get more samples now (method 1), squares to divide (method 2)
     std::vector<AntialiasSquare> squares;
     std::vector<std::uint32_t> places;  ///< method 1: of a pixel's refined colour in `samples`; method 2: samples asked
                                         ///< for now, by a hash of their positions
-    std::vector<std::uint32_t> order;   ///< a block's cells, neighbours in the picture side by side
-    int ordered_columns = 0, ordered_rows = 0;                     ///< of this block
+    std::vector<std::uint32_t> sub_pixels;      ///< method 2: that asked last for each of sub_positions
+    std::vector<std::uint32_t> order;           ///< a block's cells, neighbours in the picture side by side
+    int ordered_columns = 0, ordered_rows = 0;  ///< of this block
     std::vector<SamplePosition> sub_positions, nominal_positions;  ///< asked for now; before jitter
     std::vector<scene::Color> sub_colors;
-    std::uint64_t supersamples = 0;  ///< samples beyond the first of each pixel, added up
+    BlockEdges edges;
+    std::uint64_t supersamples = 0;  ///< samples beyond the first of each pixel, added up; shared ones count for each
 };
 
 /// Colours of the block's pixels, row by row, into `out` (width * height of them). `method` 0 takes one sample a pixel.

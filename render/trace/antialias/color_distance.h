@@ -3,6 +3,9 @@
 #include "render/plan/compiled_scene.h"
 #include "render/scene/color.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -30,6 +33,28 @@ public:
         if (!identity_ && std::abs(d - threshold_) <= kRoom * size(a, b))
             return static_cast<double>(distance(encoded(a.color), encoded(b.color))) >= threshold_;
         return d >= threshold_;
+    }
+    /// No two of these differ: not even the ranges of their components add up to the threshold. False: they may.
+    bool surely_alike(const std::array<const EncodedColor*, 4>& colors) const
+    {
+        constexpr double kRoundings = 1e-5;  // of the largest components: differ()'s room, and this sum's own
+        double apart = 0.0, size = 0.0;
+        const auto add = [&](auto&& component) {
+            float low = component(*colors[0]), high = low;
+            for (std::size_t i = 1; i < colors.size(); ++i) {
+                const float v = component(*colors[i]);
+                low = v < low ? v : low;
+                high = v > high ? v : high;
+                size += static_cast<double>(v - v);  // no number: nothing is sure
+            }
+            apart += static_cast<double>(high) - static_cast<double>(low);
+            size += static_cast<double>(std::max(std::abs(low), std::abs(high)));
+        };
+        add([](const EncodedColor& c) { return c.red; });
+        add([](const EncodedColor& c) { return c.green; });
+        add([](const EncodedColor& c) { return c.blue; });
+        add([](const EncodedColor& c) { return c.color.transmit; });
+        return apart + kRoundings * size < threshold_;
     }
     bool differ(const scene::Color& a, const scene::Color& b) const { return differ(encoded(a), encoded(b)); }
 

@@ -186,6 +186,37 @@ TEST_CASE("method 2 asks for every sample once, between pixels as well", "[rende
     }
 }
 
+TEST_CASE("a block takes what blocks beside it know, and nothing changes", "[render][antialias]")
+{
+    constexpr int kSide = 5, kAcross = 4, kDown = 3;
+    for (const int method : {1, 2})
+        for (std::uint32_t seed = 0; seed < 40; ++seed) {
+            INFO("method " << method << " seed " << seed);
+            Formula one_by_one = grains(seed), together = grains(seed);
+            trace::AntialiasScratch scratch;
+            for (int row = 0; row < kDown; ++row)
+                for (int column = 0; column < kAcross; ++column) {
+                    // The last blocks of rows and columns are cut off, and some blocks are another thread's.
+                    if ((seed >> (row + column) & 7) == 7) continue;
+                    const Block block{kSide * column, kSide * row, column + 1 < kAcross ? kSide : 2,
+                                      row + 1 < kDown ? kSide : 3};
+                    std::vector<scene::Color> out(static_cast<std::size_t>(block.width * block.height));
+                    trace::antialias(settings(method, 3, 1), {}, block,
+                                     {&Formula::trace_grid, &Formula::trace_few, &together}, scratch, out.data());
+                    std::vector<float> grey;
+                    for (const scene::Color& c : out) grey.push_back(c.red);
+                    REQUIRE(grey == run(one_by_one, settings(method, 3, 1), block));
+                }
+            if (seed != 0) continue;
+            // Where one thread has all blocks, no centre and no corner is traced twice.
+            const double shift = method == 1 ? 0.0 : 0.5;
+            for (const auto& [position, count] : together.asked)
+                if (position.first - shift == std::round(position.first - shift) &&
+                    position.second - shift == std::round(position.second - shift))
+                    CHECK(count == 1);
+        }
+}
+
 TEST_CASE("method 2 takes corners, and splits where they differ", "[render][antialias]")
 {
     Formula flat{[](double, double) { return 0.25f; }, {}};
