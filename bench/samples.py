@@ -4,9 +4,11 @@
 usage: bench/samples.py [SCENE...] [--runs 5] [--bar 1.3] [--whittle PROGRAM] [--povray PROGRAM]
 
 Renders each scene plain, with +A0.1 +AM1 and with +A0.1 +AM2 in turn, one thread, 320x240, and takes the least trace time of each over the
-plain picture's: by samples (camera rays), by rays of any kind, by samples where all pixels have more of them (+A0.0), and POV-Ray's own by
-samples of +A0.1 (one run). Those of +A0.1 lie where colours change, at outlines and in half-shadows, where each may cost more than one of the
-plain picture; those of +A0.0 lie where the plain picture's do, so that their ratio is what antialiasing itself costs.
+plain picture's: by samples, by camera rays, by rays of any kind, by samples where all pixels have more of them (+A0.0), and POV-Ray's own by
+samples of +A0.1 (one run). Samples are counted as POV-Ray counts its own, one a pixel and those that are added: what blocks trace beside
+that and what two pixels have in common changes the time alone, and the camera rays. Samples of +A0.1 lie where colours change, at outlines
+and in half-shadows, where each may cost more than one of the plain picture; those of +A0.0 lie where the plain picture's do, so that their
+ratio is what antialiasing itself costs.
 Without SCENE: the scenes of scenes/phases. Exit status 1 if the geometric mean of a method is above --bar by samples of +A0.1.
 """
 import argparse
@@ -20,22 +22,25 @@ import tempfile
 import speed
 
 METHODS = {"method 1": ["+AM1"], "method 2": ["+AM2"]}
-BY = ("sample", "ray", "all pixels", "POV-Ray's")
+WIDTH, HEIGHT = 320, 240
+BY = ("sample", "camera", "ray", "all pixels", "POV-Ray's")
 
 
 def render(program, scene, folder, more):
-    command = [program, f"+I{scene.name}", f"+O{folder / 'picture.png'}", "+W320", "+H240", "+WT1", "-D", *more]
+    size = [f"+W{WIDTH}", f"+H{HEIGHT}"]
+    command = [program, f"+I{scene.name}", f"+O{folder / 'picture.png'}", *size, "+WT1", "-D", *more]
     return speed.execute(command, scene.parent).said
 
 
 def whittle_seconds(program, scene, folder, switches):
-    """Of a camera ray, and of a ray of any kind."""
+    """Of a sample, of a camera ray, and of a ray of any kind."""
     told = folder / "told.json"
     render(program, scene, folder, ["--quiet", "--json", told, *switches])
     frame = json.loads(told.read_text())["frames"][0]
     counts, took = frame["counts"], frame["phases"]["trace_seconds"]
     rays = sum(counts[f"{kind}_rays"] for kind in ("camera", "shadow", "reflected", "refracted"))
-    return took / counts["camera_rays"], took / rays
+    samples = WIDTH * HEIGHT + counts["supersamples"]
+    return {"sample": took / samples, "camera": took / counts["camera_rays"], "ray": took / rays}
 
 
 def povray_seconds(program, scene, folder, switches):
@@ -54,13 +59,13 @@ def measured(options, scene, folder):
 
     for run in range(options.runs):
         for way, switches in {"plain": ["-A"], **{way: ["+A0.1", *more] for way, more in METHODS.items()}}.items():
-            by_sample, by_ray = whittle_seconds(options.whittle.resolve(), scene, folder, switches)
-            keep((way, "sample"), by_sample)
-            keep((way, "ray"), by_ray)
+            for what, took in whittle_seconds(options.whittle.resolve(), scene, folder, switches).items():
+                keep((way, what), took)
             if run == 0:
                 keep((way, "POV-Ray's"), povray_seconds(options.povray, scene, folder, switches))
         for way, more in METHODS.items():
-            keep((way, "all pixels"), whittle_seconds(options.whittle.resolve(), scene, folder, ["+A0.0", "+R2", *more])[0])
+            seconds = whittle_seconds(options.whittle.resolve(), scene, folder, ["+A0.0", "+R2", *more])
+            keep((way, "all pixels"), seconds["sample"])
     least["plain", "all pixels"] = least["plain", "sample"]
     return least
 
