@@ -32,8 +32,8 @@ scene::Color divided(const scene::Color& sum, double by)
 constexpr std::uint32_t kNoPlace = 0xffffffffu;
 
 /// Numbers of a grid's cells, row by row, such that neighbours in the list are neighbours in the picture: by the bits
-/// of row and column in turn.
-void order_cells(int columns, int rows, AntialiasScratch& scratch)
+/// of row and column in turn. in_order: as they are.
+void order_cells(int columns, int rows, bool in_order, AntialiasScratch& scratch)
 {
     if (scratch.ordered_columns == columns && scratch.ordered_rows == rows) return;
     scratch.ordered_columns = columns;
@@ -49,6 +49,7 @@ void order_cells(int columns, int rows, AntialiasScratch& scratch)
     const auto key = [&](std::uint32_t cell) { return spread(cell / across) << 1 | spread(cell % across); };
     scratch.order.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     std::iota(scratch.order.begin(), scratch.order.end(), 0u);
+    if (in_order) return;
     std::sort(scratch.order.begin(), scratch.order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
 }
@@ -140,7 +141,7 @@ private:
         trace_block_grid(grid, tracer_, scratch_);
         scratch_.samples.clear();
         distance_.encode(scratch_.colors, scratch_.samples);
-        order_cells(grid.columns, grid.rows, scratch_);
+        order_cells(grid.columns, grid.rows, tracer_.in_order, scratch_);
     }
 
     void compare_centres()
@@ -160,6 +161,7 @@ private:
     bool scan()
     {
         scratch_.marked.assign(scratch_.samples.size(), 0);
+        scratch_.refined.clear();
         asked_ = false;
         for (int row = 0; row < block_.height; ++row)
             for (int column = 0; column < block_.width; ++column) {
@@ -192,7 +194,9 @@ private:
     void want(std::size_t pixel)
     {
         scratch_.marked[pixel] = 1;
-        asked_ |= scratch_.places[pixel] == kNoPlace;
+        if (scratch_.places[pixel] != kNoPlace) return;
+        asked_ = true;
+        if (tracer_.in_order) scratch_.refined.push_back(pixel);
     }
 
     /// More samples for the pixels that were asked for.
@@ -200,12 +204,11 @@ private:
     {
         const int n = settings_.depth;
         scratch_.sub_positions.clear();
-        scratch_.refined.clear();
-        for (const std::uint32_t pixel : scratch_.order)
-            if (scratch_.marked[pixel] != 0 && scratch_.places[pixel] == kNoPlace) {
-                scratch_.refined.push_back(pixel);
-                add_positions(pixel, n);
-            }
+        if (!tracer_.in_order)
+            for (const std::uint32_t pixel : scratch_.order)
+                if (scratch_.marked[pixel] != 0 && scratch_.places[pixel] == kNoPlace)
+                    scratch_.refined.push_back(pixel);
+        for (const std::size_t pixel : scratch_.refined) add_positions(pixel, n);
         scratch_.sub_colors.resize(scratch_.sub_positions.size());
         tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
                     scratch_.sub_colors.data());
@@ -216,6 +219,7 @@ private:
             scratch_.places[pixel] = static_cast<std::uint32_t>(scratch_.samples.size());
             scratch_.samples.push_back(distance_.encoded(divided(sum, n * n + 1)));
         }
+        scratch_.refined.clear();
         asked_ = false;
     }
 
@@ -263,7 +267,7 @@ public:
         const std::size_t at_once = tracer_.in_order ? 1
                                                      : std::clamp(kSquares >> std::min(30, 2 * (settings_.depth - 1)),
                                                                   std::size_t{1}, kMostPixels);
-        order_cells(block_.width, block_.height, scratch_);
+        order_cells(block_.width, block_.height, tracer_.in_order, scratch_);
         const std::span<const std::uint32_t> pixels(scratch_.order);
         for (std::size_t first = 0; first < pixels.size(); first += at_once) {
             const auto now = pixels.subspan(first, std::min(at_once, pixels.size() - first));
