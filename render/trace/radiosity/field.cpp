@@ -1,6 +1,6 @@
 #include "render/trace/radiosity/field.h"
 
-#include "render/trace/radiosity/directions.h"
+#include "render/trace/radiosity/directions/directions.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
-#include "render/trace/radiosity/direction_order.h"
+#include "render/trace/radiosity/directions/direction_order.h"
 #include "render/trace/radiosity/pass_tile.h"
 #include "render/trace/radiosity/rules.h"
 #include "render/trace/radiosity/sample_grid.h"

@@ -1,7 +1,7 @@
 // Light that surfaces hand on to each other (spec 6, section 4): closed forms, POV-Ray's tables, the promise of bytes.
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/indirect/passes.h"
-#include "render/trace/radiosity/directions.h"
+#include "render/trace/radiosity/directions/directions.h"
 #include "render/trace/radiosity/lookup.h"
 #include "render/trace/radiosity/pass_rays.h"
 #include "render/trace/radiosity/sample_file.h"

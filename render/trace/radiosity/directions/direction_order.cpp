@@ -1,4 +1,4 @@
-#include "render/trace/radiosity/direction_order.h"
+#include "render/trace/radiosity/directions/direction_order.h"
 
 #include <algorithm>
 #include <cmath>
