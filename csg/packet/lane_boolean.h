@@ -32,7 +32,7 @@ public:
         pieces_ = 0;
         found = undecided = 0;
         if (!measured_) measure();
-        mask = meet_leaves(mask, scratch);
+        mask = meet_node(0, mask, scratch);
         each_vector(mask & ~undecided, [&](int i) {
             if (nearest_only) nearest(i);
             else all(i);
@@ -99,53 +99,51 @@ private:
     }
 
     Double slack(Double t, int i) const { return Double(kCoincidence) * (xsimd::abs(t) + load(reach_, i)); }
-    Double slack_of_range(Double t, int i) const
-    {
-        return xsimd::select(t < lanes::beyond(), slack(t, i), Double(0.0));
-    }
 
-    /// The pieces of all leaves. Returns the rays that are left: of an intersection those that meet every operand.
-    RayMask meet_leaves(RayMask mask, Scratch& scratch)
+    /// The pieces of a subtree's leaves. Returns the rays of which it may hold something within their ranges. Those
+    /// that miss an operand of an intersection see none of its ends, and are not asked the other operands.
+    RayMask meet_node(std::uint32_t n, RayMask mask, Scratch& scratch)
     {
-        const Op op = program_->nodes[0].op;
-        const bool all = op == Op::Intersection || op == Op::Clip;
-        for (const bool slow : {false, true}) {
-            for (std::uint32_t k = 0; k < form_->leaves.size() && mask != 0; ++k) {
-                if (is_slow(form_->leaves[k]) != slow) continue;
-                const RayMask met = meet_leaf(k, mask, scratch);
-                // An operand of its own, which nothing is drawn without.
-                if (all && !form_->leaves[k].inverted && is_operand(form_->leaves[k].node)) mask &= met;
-            }
+        const Node& node = program_->nodes[n];
+        if (node.op == Op::Leaf) {
+            const RayMask met = meet_leaf(form_->first_leaf[n], mask, scratch);
+            return form_->leaves[form_->first_leaf[n]].inverted ? mask : met & mask;
         }
-        return mask;
+        if (node.test_box && !node.inside_beyond) mask = near_box(node, mask);
+        const bool all = node.op == Op::Intersection || node.op == Op::Clip;
+        RayMask some = 0;
+        for (const bool slow : {false, true})
+            for (std::uint32_t k = n + 1; k < node.end && mask != 0; k = program_->nodes[k].end) {
+                if (is_slow(k) != slow) continue;
+                const RayMask met = meet_node(k, mask, scratch);
+                some |= met;
+                if (all) mask = met;
+            }
+        return all ? mask : some;
     }
 
-    bool is_slow(const BooleanLeaf& leaf) const
+    RayMask near_box(const Node& of, RayMask mask) const
     {
-        return !lanes::has_test(store_, leaf.solid) && kind_of(leaf.solid) != SolidKind::Quadric;
+        return rays_.meet({of.lower[0], of.lower[1], of.lower[2]}, {of.upper[0], of.upper[1], of.upper[2]}, mask);
     }
 
-    /// Whether a node is an operand of the whole object.
-    bool is_operand(std::uint32_t node) const
+    bool is_slow(std::uint32_t n) const
     {
-        for (std::uint32_t k = 1; k < program_->nodes[0].end; k = program_->nodes[k].end)
-            if (k == node) return true;
-        return false;
+        const PartId solid = program_->nodes[n].solid;
+        return solid == kNoPart || (!lanes::has_test(store_, solid) && kind_of(solid) != SolidKind::Quadric);
     }
 
-    /// Adds a leaf's pieces. Returns the rays that it holds something of within their ranges, perhaps more.
+    /// Adds a leaf's pieces. Returns the rays that it holds something of within their ranges, perhaps more, and perhaps
+    /// others of their vectors.
     RayMask meet_leaf(std::uint32_t k, RayMask mask, Scratch& scratch)
     {
         const BooleanLeaf& leaf = form_->leaves[k];
         const Node& node = program_->nodes[leaf.node];
-        if (node.test_box && node.inside_beyond == leaf.inverted) {
-            const auto corner = [](const std::array<float, 3>& c) { return glm::dvec3(c[0], c[1], c[2]); };
-            mask = rays_.meet(corner(node.lower), corner(node.upper), mask);
-        }
+        if (node.test_box && node.inside_beyond == leaf.inverted) mask = near_box(node, mask);
         if (mask == 0) return 0;
         if (kind_of(leaf.solid) == SolidKind::Quadric)
             return meet_quadric(k, store_.all<Quadric>()[index_of(leaf.solid)], mask);
-        if (!is_slow(leaf)) return meet_in_lanes(k, mask);
+        if (!is_slow(leaf.node)) return meet_in_lanes(k, mask);
         if (kind_of(leaf.solid) == SolidKind::Torus) {
             const Torus& torus = store_.all<Torus>()[index_of(leaf.solid)];
             if (detail::factors_serve(torus)) return meet_torus(k, torus, mask);
@@ -170,8 +168,8 @@ private:
         store(piece.face[0], i, own.entry_face);
         store(piece.face[1], i, own.exit_face);
         const Double t_min = load(rays_.t_min, i), limit = load(rays_.limit, i);
-        return bits(own.met & (own.exit >= t_min - slack(t_min, i)) & (own.entry <= limit + slack_of_range(limit, i)),
-                    i);
+        const Double room = xsimd::select(limit < lanes::beyond(), slack(limit, i), Double(0.0));
+        return bits(own.met & (own.exit >= t_min - slack(t_min, i)) & (own.entry <= limit + room), i);
     }
 
     RayMask meet_in_lanes(std::uint32_t k, RayMask mask)
@@ -268,10 +266,12 @@ private:
         Bool some(false);
         each_end(i, [&](std::uint32_t p, std::size_t side, Double at, Bool in_range) {
             const Double own(static_cast<double>(form_->leaves[piece_[p].leaf].rank));
-            const Bool nearer = in_range & ((at < t) | ((at == t) & (own >= rank)));
-            if (lanes::mask(nearer) == 0) return;
-            look(i, p, at);
-            tied = xsimd::select(nearer & shared_, xsimd::min(tied, at), tied);
+            // Ends of lower rank in the same place are looked at too: BooleanWalk has to decide all of them.
+            const Bool reached = in_range & (at <= t);
+            if (lanes::mask(reached) == 0) return;
+            look(i, form_->leaves[piece_[p].leaf], at);
+            tied = xsimd::select(reached & shared_, xsimd::min(tied, at), tied);
+            const Bool nearer = reached & ((at < t) | (own >= rank));
             const Bool seen = nearer & drawn(i, p, side) & seen_from(piece_[p].leaf, nearer);
             t = xsimd::select(seen, at, t);
             rank = xsimd::select(seen, own, rank);
@@ -290,7 +290,7 @@ private:
     {
         each_end(i, [&](std::uint32_t p, std::size_t side, Double at, Bool in_range) {
             if (lanes::mask(in_range) == 0) return;
-            look(i, p, at);
+            look(i, form_->leaves[piece_[p].leaf], at);
             undecided |= bits(in_range & shared_, i);
             const Bool seen = in_range & drawn(i, p, side) & seen_from(piece_[p].leaf, in_range);
             piece_[p].seen[side] |= bits(seen, i);
@@ -308,6 +308,7 @@ private:
             if (((piece_[p].rays >> i) & kVector) != 0) here_ |= std::uint64_t{1} << p;
         for (std::uint64_t left = here_; left != 0; left &= left - 1) {
             const auto p = static_cast<std::uint32_t>(bit(left));
+            if (!form_->leaves[piece_[p].leaf].drawn) continue;
             for (std::size_t side = 0; side < 2; ++side) {
                 const Double t = load(piece_[p].t[side], i);
                 f(p, side, t,
@@ -322,18 +323,19 @@ private:
         return load(piece_[p].face[side], i) != Double(static_cast<double>(kUndrawnFace));
     }
 
-    /// Which leaves hold the points at t, as BooleanWalk has it, and where more ends are in the same place than it
-    /// decides.
-    void look(int i, std::uint32_t own, Double t)
+    /// Which of the leaves that matter hold the points at t, as BooleanWalk has it, and where more ends are in the same
+    /// place than it decides.
+    void look(int i, const BooleanLeaf& own, Double t)
     {
         const Double room = slack(t, i);
-        const std::uint64_t below = form_->leaves[piece_[own].leaf].below;
-        for (std::uint32_t k = 0; k < form_->leaves.size(); ++k) holds_[k] = Bool(form_->leaves[k].inverted);
+        const std::uint64_t matters = own.matters();
+        for (std::uint64_t left = matters; left != 0; left &= left - 1)
+            holds_[bit(left)] = Bool(form_->leaves[bit(left)].inverted);
         shared_ = Bool(false);
         Bool beside(false);
         for (std::uint64_t left = here_; left != 0; left &= left - 1) {
             const Piece& piece = piece_[bit(left)];
-            if (piece.leaf == piece_[own].leaf) continue;
+            if ((matters >> piece.leaf & 1) == 0) continue;
             const BooleanLeaf& leaf = form_->leaves[piece.leaf];
             const Double in = load(piece.t[0], i), out = load(piece.t[1], i);
             const Bool at_in = (t >= in - room) & (t <= in + room), at_out = (t >= out - room) & (t <= out + room);
@@ -342,7 +344,7 @@ private:
             Bool& holds = holds_[piece.leaf];
             if (const Bool near = at_in | at_out; lanes::mask(near) != 0) {
                 shared_ = shared_ | (at_in & at_out) | (near & beside);
-                if ((below >> piece.leaf & 1) != 0) shared_ = shared_ | near;
+                if ((own.below >> piece.leaf & 1) != 0) shared_ = shared_ | near;
                 beside = beside | near;
                 inside = leaf.closed != leaf.inverted ? inside | near : inside & !near;
             }
@@ -354,7 +356,6 @@ private:
     Bool seen_from(std::uint32_t leaf, Bool asked) const
     {
         const BooleanLeaf& own = form_->leaves[leaf];
-        if (!own.drawn) return Bool(false);
         for (std::uint64_t left = own.inside; left != 0; left &= left - 1) asked = asked & holds_[bit(left)];
         for (std::uint64_t left = own.outside; left != 0; left &= left - 1) asked = asked & !holds_[bit(left)];
         for (std::uint32_t k = own.first; k < own.first + own.count && lanes::mask(asked) != 0; ++k) {

@@ -29,6 +29,9 @@ struct BooleanLeaf {
     std::uint64_t inside = 0, outside = 0;  ///< leaves that have to hold the point of a drawn end; that may not
     std::uint64_t below = 0;                ///< leaves of the subtrees among the conditions
     std::uint32_t first = 0, count = 0;     ///< of BooleanForm::conditions
+
+    /// The leaves on which it depends whether an end of this one is drawn: not those of other operands of a union.
+    std::uint64_t matters() const { return inside | outside | below; }
 };
 
 struct BooleanForm {

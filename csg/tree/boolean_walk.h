@@ -10,7 +10,7 @@ namespace csg {
 
 /// One ray through a tree: the ends of all leaves in order, and at each which leaves hold the point behind it. Of two
 /// ends in one place each is seen or not as SpanList::contains() has it of a leaf: by whether the other belongs to its
-/// solid. More ends in one place are left to the general evaluation.
+/// solid. More ends in one place that matter to one another are left to the general evaluation.
 class BooleanWalk {
 public:
     BooleanWalk(const Program& program, const SolidStore& store, const Ray& ray, double t_min, double t_max,
@@ -109,9 +109,10 @@ private:
         met = false;
         if (!leaf.drawn || end.face == kUndrawnFace) return true;
         const double room = slack(end.t);
+        const std::uint64_t matters = leaf.matters();
         std::uint32_t beside = count_;
         const auto look = [&](std::uint32_t k) {
-            if (ends_[k].leaf == end.leaf) return true;
+            if ((matters >> ends_[k].leaf & 1) == 0) return true;
             if (beside != count_) return false;
             beside = k;
             return true;
