@@ -3,8 +3,6 @@ from rng import block, lines
 from words import common
 from words.patterns import NOISE, modifiers, pattern
 
-OWN = "f_own"
-
 
 class Made:
     """What has been declared: names that are called with a place, with a pigment's colour, and with one number."""
@@ -24,7 +22,7 @@ def scene(r):
     return lines(*parts)
 
 
-def name_of(made, kind, listed):
+def name_of(made, listed):
     name = f"F{sum(len(names) for names in (made.places, made.colors, made.numbers, made.turns))}"
     listed.append(name)
     return name
@@ -32,12 +30,12 @@ def name_of(made, kind, listed):
 
 def formula_of(r, made):
     text = value(r, made, 3)
-    return f"#declare {name_of(made, 'f', made.places)} = function {{ {text} }}" if r.chance(.6) else \
-        f"#declare {name_of(made, 'f', made.places)} = function(x, y, z) {{ {text} }}"
+    parameters = "" if r.chance(.6) else "(x, y, z)"
+    return f"#declare {name_of(made, made.places)} = function{parameters} {{ {text} }}"
 
 
 def pattern_of(r, made):
-    return f"#declare {name_of(made, 'p', made.places)} = " + block("function", block("pattern", pattern_word(r), modifiers(r)))
+    return f"#declare {name_of(made, made.places)} = " + block("function", block("pattern", pattern_word(r), modifiers(r)))
 
 
 def pattern_word(r):
@@ -47,7 +45,7 @@ def pattern_word(r):
 
 
 def pigment_of(r, made):
-    return f"#declare {name_of(made, 'c', made.colors)} = " + block("function", block("pigment", f"{r.pick('bozo', 'granite', 'wood', 'agate', 'gradient y', 'leopard', 'crackle')}",
+    return f"#declare {name_of(made, made.colors)} = " + block("function", block("pigment", r.pick('bozo', 'granite', 'wood', 'agate', 'gradient y', 'leopard', 'crackle'),
                                                                                      r.some(.7, f"color_map {{ [0 rgbft {colour(r)}] [{r.num(.3, .7)} rgbf {colour(r)}] [1 rgb {r.vec(0, 1)}] }}"), modifiers(r)))
 
 
@@ -58,16 +56,16 @@ def colour(r):
 def spline_of(r, made):
     kind = r.pick("linear_spline", "quadratic_spline", "cubic_spline", "natural_spline")
     points = ", ".join(f"{-1 + .6 * i + r.real(0, .4):.3f}, {r.vec(-1, 1)}" for i in range(r.whole(3, 6)))
-    return f"#declare {name_of(made, 's', made.numbers)} = function {{ spline {{ {kind} {points} }} }}"
+    return f"#declare {name_of(made, made.numbers)} = function {{ spline {{ {kind} {points} }} }}"
 
 
 def transform_of(r, made):
-    return f"#declare {name_of(made, 't', made.turns)} = function {{ transform {{ {common.place(r)} }} }}"
+    return f"#declare {name_of(made, made.turns)} = function {{ transform {{ {common.place(r)} }} }}"
 
 
 def nested_of(r, made):
     inner = value(r, made, 2)
-    name = name_of(made, 'n', made.places)
+    name = name_of(made, made.places)
     return f"#declare {name}_in = function(a, b) {{ {r.pick('a*sin(b)', 'a*a - b', 'max(a, b)', 'select(a, b, a + b)', 'sqrt(a*a + b*b)', 'mod(abs(a), abs(b) + 1)')} }}\n" \
            f"#declare {name} = function {{ {name}_in({place(r)}, {inner}) }}"
 
