@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/bvh/bvh.h"
+#include "csg/packet/point_set.h"
 #include "csg/packet/tile_rays.h"
 #include "csg/bvh/traverse.h"
 #include "csg/world/world_data.h"
@@ -30,17 +31,13 @@ public:
     }
 
     /// Around all that lies between the points of two sets.
-    Beam(const glm::dvec3* from, std::size_t from_count, const glm::dvec3* to, std::size_t to_count, const Aabb& scene)
+    Beam(const PointSet& from, const PointSet& to, const Aabb& scene)
     {
-        const glm::dvec3 widest = find_axes(from, from_count, to, to_count, scene);
+        const glm::dvec3 widest = find_axes(from, to, scene);
         // As above; the points of a lamp are given more roughly than rays are.
         const double size = 1e-6 * (widest.x + widest.y + widest.z);
-        const auto foremost = [](const glm::dvec3* p, std::size_t n, const glm::dvec3& v) {
-            return *std::min_element(
-                p, p + n, [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(v, a) < glm::dot(v, b); });
-        };
-        const auto first_of = [&](const glm::dvec3& v) { return foremost(from, from_count, v); };
-        const auto last_of = [&](const glm::dvec3& v) { return foremost(to, to_count, v); };
+        const auto first_of = [&](const glm::dvec3& v) { return from.foremost(v); };
+        const auto last_of = [&](const glm::dvec3& v) { return to.foremost(v); };
         narrow_ = narrow_ && glm::dot(axis_, first_of(-axis_)) < glm::dot(axis_, last_of(axis_));
         const glm::dvec3 sides[kAxis] = {side_, -side_, up_, -up_};
         for (int p = 0; p < 5; ++p) {
@@ -113,23 +110,19 @@ private:
     }
 
     /// From the middle of one set to that of the other, and along the lamp's edge. The largest coordinates, by amount.
-    glm::dvec3 find_axes(const glm::dvec3* from, std::size_t from_count, const glm::dvec3* to, std::size_t to_count,
-                         const Aabb& scene)
+    glm::dvec3 find_axes(const PointSet& from, const PointSet& to, const Aabb& scene)
     {
-        glm::dvec3 begin(0.0), end(0.0), widest = glm::max(glm::abs(scene.lower), glm::abs(scene.upper));
-        for (std::size_t i = 0; i < from_count; ++i) begin += from[i], widest = glm::max(widest, glm::abs(from[i]));
-        for (std::size_t i = 0; i < to_count; ++i) end += to[i], widest = glm::max(widest, glm::abs(to[i]));
-        const glm::dvec3 way = end / static_cast<double>(to_count) - begin / static_cast<double>(from_count);
+        const glm::dvec3 way = to.middle() - from.middle();
         const double length = glm::length(way);
         narrow_ = length > 0.0;
         axis_ = narrow_ ? way / length : glm::dvec3(0, 0, 1);
-        glm::dvec3 u = to[0] - to[to_count - 1];
+        glm::dvec3 u = to.at(0) - to.last();
         u -= glm::dot(u, axis_) * axis_;
         if (glm::dot(u, u) < 1e-16 * length * length)
             u = glm::cross(axis_, std::abs(axis_.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
         side_ = glm::normalize(u);
         up_ = glm::cross(axis_, side_);
-        return widest;
+        return glm::max(glm::max(glm::abs(scene.lower), glm::abs(scene.upper)), glm::max(from.widest(), to.widest()));
     }
 
     /// dot(normal p, corner) for the corner farthest along the normal (rows 0) or the opposite one (rows 3).

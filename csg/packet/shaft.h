@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/packet/point_set.h"
 #include "csg/packet/tile_crossings.h"
 
 /// What may stand between the hits of a tile and a lamp of some size, found once for all rays from the ones to the
@@ -7,20 +8,12 @@
 /// instruction set.
 namespace csg {
 
-/// Points that rays begin or end at.
-struct PointSet {
-    std::array<glm::dvec3, kTileRays> at;
-    std::size_t count = 0;
-
-    void add(const glm::dvec3& p) { at[count++] = p; }
-};
-
 class Shaft {
 public:
     /// Between every point of `from` and every point of `to`. Rays begin at `from`; crossings nearer to it than `least`
     /// do not count.
     Shaft(const WorldData& world, const PointSet& from, const PointSet& to, double least)
-        : beam_(from.at.data(), from.count, to.at.data(), to.count, world.bvh.bounds)
+        : beam_(from, to, world.bvh.bounds)
     {
         if (world.faithful || !beam_.narrow()) return;
         serves_ = add_endless(world, from, to, least) && add_leaves(world);
@@ -72,19 +65,14 @@ private:
         if (item.solid == kNoPart || kind_of(item.solid) != SolidKind::Plane || item.guard != WorldItem::kNoGuard)
             return false;
         const Plane& plane = world.store.all<Plane>()[index_of(item.solid)];
-        const auto range = [&](const PointSet& set, double& low, double& high) {
-            low = kInfinity, high = -kInfinity;
-            for (std::size_t i = 0; i < set.count; ++i) {
-                const double side = glm::dot(plane.normal_out, set.at[i]) - plane.offset;
-                low = std::min(low, side), high = std::max(high, side);
-            }
+        const auto side = [&](const PointSet& set) {
+            const PointSet::Range range = set.along(plane.normal_out);
+            return PointSet::Range{range.low - plane.offset, range.high - plane.offset};
         };
-        double begin_low, begin_high, end_low, end_high;
-        range(from, begin_low, begin_high);
-        range(to, end_low, end_high);
-        double longest = 0.0;  // at most twice this: from any point to any
-        for (std::size_t i = 0; i < from.count; ++i) longest = std::max(longest, glm::length(from.at[i] - to.at[0]));
-        for (std::size_t i = 0; i < to.count; ++i) longest = std::max(longest, glm::length(from.at[0] - to.at[i]));
+        const auto [begin_low, begin_high] = side(from);
+        const auto [end_low, end_high] = side(to);
+        // At most twice this: from any point to any.
+        const double longest = std::max(from.farthest(to.at(0)), to.farthest(from.at(0)));
         // A ray that begins `below` under the plane and ends `above` over it crosses it at below / (below + above) of
         // its length.
         constexpr double kRoom = 0.1;

@@ -106,6 +106,8 @@ void AreaLight::find_shaft(HitMask hits)
         for (int c = 0; c < 4; ++c)
             to.add(light_.location + ((c & 1) != 0 ? p : -p) * light_.axis1 + ((c & 2) != 0 ? q : -q) * light_.axis2);
     }
+    from.pad();
+    to.pad();
     shaft_.emplace(context_.world.data(), from, to, least);
     if (!shaft_->serves()) shaft_.reset();
 }
