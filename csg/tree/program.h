@@ -22,6 +22,7 @@ struct Tree {
     std::vector<Tree> clips = {};  ///< clipped_by: surfaces and inside end where any of them does; no caps
     std::vector<Tree> bounds =
         {};  ///< bounded_by: only a ray that meets them all, or starts inside, is told of surfaces
+    std::uint8_t hidden_from = 0;  ///< the planner's: kinds of rays that go past this operand. build() takes no notice
 
     static Tree leaf(PartId part) { return {.solid = part}; }
 };

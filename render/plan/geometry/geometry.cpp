@@ -1,5 +1,7 @@
 #include "render/plan/geometry/geometry.h"
 
+#include "render/plan/geometry/hidden_operands.h"
+
 #include "csg/freeform/freeform.h"
 #include "render/plan/camera_starts.h"
 #include "render/plan/geometry/extent.h"
@@ -130,7 +132,7 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     if (object.texture) own.texture = in_world(object.texture);
     if (object.details->interior_texture) own.interior_texture = in_world(object.details->interior_texture);
     if (object.flags.hollow) own.hollow = object.flags.hollow;
-    own.no_shadow = above.no_shadow || object.flags.no_shadow;
+    own.no_shadow = above.no_shadow || shadowless(object);
     own.no_image = above.no_image || object.flags.no_image;
     own.no_reflection = above.no_reflection || object.flags.no_reflection;
     own.no_radiosity = above.no_radiosity || object.flags.no_radiosity;
@@ -227,13 +229,25 @@ void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& i
         return;
     }
     csg::Tree whole = tree(object, own);
+    const std::vector<std::uint8_t> views = views_of(whole);
+    if (views.size() == 1) return add_tree(std::move(whole), object, own, visible(own));
+    for (const std::uint8_t kinds : views) {
+        const auto seeing = static_cast<std::uint8_t>(kinds & visible(own));
+        std::optional<csg::Tree> seen = seen_by(whole, kinds);
+        if (seeing != 0 && seen) add_tree(std::move(*seen), object, own, seeing);
+    }
+}
+
+void GeometryCompiler::add_tree(csg::Tree whole, const scene::Object& object, const Inherited& own, std::uint8_t kinds)
+{
+    csg::WorldData& world = *world_;
     csg::Program program = csg::build(whole, world.store, &pruning_);
     if (program.nodes.empty() || (program.bounds.empty() && options_.lean.takes(LeanStep::EmptyObjects))) {
         ++empty_programs_;
         return;
     }
-    world.add_program(std::move(program), object_, visible(own));
-    if (clipped && sharing_ == nullptr) add_unclipped(std::move(whole));
+    world.add_program(std::move(program), object_, kinds);
+    if (!clips_of(object).empty() && sharing_ == nullptr) add_unclipped(std::move(whole));
     add_guard(object, own);
 }
 
@@ -275,6 +289,7 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
         if (is_light(operand)) continue;
         const bool cuts = !made.operands.empty() && takes_cut_texture(operand, csg.op == scene::CsgOp::Difference);
         Inherited mine = below(operand, cuts ? later : own);
+        mine.no_shadow = own.no_shadow;  // an operand's own flag has no effect (spec 3, 14)
         aim_photons(operand, mine);
         const auto* parts = std::get_if<scene::Csg>(&operand.shape);
         const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union &&
@@ -282,6 +297,7 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
         if (cutaway && made.operands.empty() && csg.op == scene::CsgOp::Difference && plain && !mine.texture)
             return cut_parts(csg, *parts, operand, own, mine);
         made.operands.push_back(bounded(tree(operand, mine), operand, mine));
+        made.operands.back().hidden_from = hidden_from(operand, csg.op);
         if (cutaway && made.operands.size() == 1) later.texture = cut_texture(operand, mine);
     }
     return made;

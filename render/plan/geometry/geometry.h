@@ -69,6 +69,8 @@ private:
     bool held(const scene::Object& object, const csg::Program& drawn, const csg::Program& bound);
     csg::Tree bounded(csg::Tree made, const scene::Object& operand, const Inherited& own);
     void add_alone(const scene::Object& object, const Inherited& own);
+    /// An item that these kinds of rays see.
+    void add_tree(csg::Tree whole, const scene::Object& object, const Inherited& own, std::uint8_t kinds);
     std::uint32_t add_object(const scene::Object& object, const Inherited& own);
     bool add_instance(const scene::Object& object, const Inherited& own);
     csg::Tree tree(const scene::Object& object, const Inherited& own);
