@@ -180,6 +180,8 @@ struct ObjectDetails {
     std::shared_ptr<const WrittenSolid> written;
     std::shared_ptr<const PhotonFlags> photons;  ///< null if not written
     std::optional<double> radiosity_importance;  ///< above 0 to 1. Nothing: the parent's, at last that of #default
+    /// Of a declared object with Flags::textured_late: its transformation when the top layer was given.
+    std::shared_ptr<const csg::Transform> textured_at;
 };
 
 /// One object. `transform` maps the shape into the parent's space; textures, clips and bounds stand in the

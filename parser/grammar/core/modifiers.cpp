@@ -26,10 +26,19 @@ struct ObjectState : BlockState {
         if (object.texture) object.texture = copy;
         else take_texture(copy);
     }
+    /// What has moved the top layer of the object's texture since that was given.
+    csg::Transform since_textured() const
+    {
+        if (!object.flags.textured_late) return *object.transform;
+        const std::shared_ptr<const csg::Transform>& declared = object.details->textured_at;
+        return *object.transform * (declared ? *declared : build.textured_at()).inverted();
+    }
     /// A texture, or a layer of it, that the object's transformations so far do not move.
     void take_texture(scene::TexturePtr texture)
     {
         object.flags.textured_late |= !object.transform->identity();
+        if (object.flags.textured_late) build.textured_at() = *object.transform;
+        if (object.details->textured_at) object.details.edit().textured_at.reset();
         object.texture = std::move(texture);
     }
 };
@@ -52,9 +61,9 @@ struct interior_texture : item<Kind::InteriorTexture> {
 struct pigment : item<Kind::Pigment> {
     static void act(ObjectState& s)
     {
-        const bool moved = s.object.texture && !s.object.flags.textured_late && !s.object.flags.uv_mapping;
+        const bool moved = s.object.texture && !s.object.flags.uv_mapping;
         s.change_top("pigment", [&](scene::Layer& top) {
-            if (moved) top.pigment.move_space(*s.object.transform);  // noted nowhere else, to spare time
+            if (moved) top.pigment.move_space(s.since_textured());  // noted nowhere else, to spare time
             top.pigment = read_pigment(s.build, top.pigment);
         });
     }

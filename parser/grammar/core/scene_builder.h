@@ -49,6 +49,8 @@ public:
 
     /// The texture that `#default` has made so far: one layer.
     const scene::TexturePtr& default_texture() const { return default_texture_; }
+    /// The transformation of the object that a texture was given last after it had moved.
+    csg::Transform& textured_at() { return textured_at_; }
     const scene::Layer& default_layer() const;
     void set_default_layer(scene::Layer layer);
 
@@ -129,6 +131,7 @@ private:
     TokenStream* stream_ = nullptr;
     TopLevel top_level_{*this};
     scene::TexturePtr default_texture_;
+    csg::Transform textured_at_;
     std::set<std::string> told_;
     std::shared_ptr<const scene::Object> solid_;  ///< the last that was found to have an inside
     std::map<std::string, std::shared_ptr<const image::Picture>> pictures_;

@@ -229,7 +229,11 @@ std::optional<Value> SceneBuilder::parse_declared_value(TokenStream& stream)
         stream.next();
         return entry.read(*this);
     }
-    if (auto object = read_object(*this)) return Value(std::make_shared<const scene::Object>(std::move(*object)));
+    if (auto object = read_object(*this)) {
+        if (object->flags.textured_late && !object->details->textured_at)
+            object->details.edit().textured_at = std::make_shared<const csg::Transform>(textured_at_);
+        return Value(std::make_shared<const scene::Object>(std::move(*object)));
+    }
     return std::nullopt;
 }
 
