@@ -129,7 +129,9 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     Inherited own = above;
     own.uv_mapping = object.flags.uv_mapping || (!object.texture && above.uv_mapping);
     const auto in_world = [&](const scene::TexturePtr& t) { return own.uv_mapping ? t : moved(t, above.to_world); };
+    if (object.details->interior) own.legacy_finish = nullptr;
     if (object.texture) own.texture = in_world(object.texture);
+    if (object.texture && carries_legacy_finish(own.texture)) own.legacy_finish = own.texture;
     if (object.details->interior_texture) own.interior_texture = in_world(object.details->interior_texture);
     if (object.flags.hollow) own.hollow = object.flags.hollow;
     own.no_shadow = above.no_shadow || shadowless(object);

@@ -19,6 +19,9 @@ bool mesh_is_solid(const scene::MeshData& mesh);
 /// 5a, 8.3).
 bool takes_cut_texture(const scene::Object& operand, bool subtracted);
 
+/// Whether an old finish keyword changes the interior of the object (spec 3, 8.7).
+bool carries_legacy_finish(const scene::TexturePtr& texture);
+
 /// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its
 /// parents (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays
 /// together.
@@ -43,6 +46,7 @@ private:
         scene::TexturePtr texture, interior_texture;
         std::shared_ptr<const scene::Interior> interior;
         std::uint32_t interior_copy = 0;  ///< interior_copy()
+        scene::TexturePtr legacy_finish;  ///< of the object that gave the interior, if an old finish keyword changes it
         std::optional<bool> hollow;
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
         bool no_radiosity = false;

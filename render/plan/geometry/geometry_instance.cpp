@@ -85,6 +85,8 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
         };
         if (known.own.texture) here.texture = in_world(known.own.texture);
         if (known.own.interior_texture) here.interior_texture = in_world(known.own.interior_texture);
+        if (known.own.interior) here.legacy_finish = nullptr;
+        if (known.own.legacy_finish) here.legacy_finish = in_world(known.own.legacy_finish);
         if (known.own.interior) {
             here.interior = this->moved(known.own.interior, own.to_world);
             here.interior_copy = first_copy + known.own.interior_copy - shared.first_interior_copy;
@@ -135,10 +137,10 @@ csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std:
     const auto same = std::find_if(known.begin(), known.end(), [&](const SharedSurface& other) {
         const Inherited &a = own, &b = other.own;
         return a.texture == b.texture && a.interior_texture == b.interior_texture && a.interior == b.interior &&
-               a.interior_copy == b.interior_copy && a.hollow == b.hollow && a.no_shadow == b.no_shadow &&
-               a.no_image == b.no_image && a.no_reflection == b.no_reflection && a.no_radiosity == b.no_radiosity &&
-               a.importance == b.importance && a.double_illuminate == b.double_illuminate &&
-               a.uv_mapping == b.uv_mapping && corners == other.corners;
+               a.legacy_finish == b.legacy_finish && a.interior_copy == b.interior_copy && a.hollow == b.hollow &&
+               a.no_shadow == b.no_shadow && a.no_image == b.no_image && a.no_reflection == b.no_reflection &&
+               a.no_radiosity == b.no_radiosity && a.importance == b.importance &&
+               a.double_illuminate == b.double_illuminate && a.uv_mapping == b.uv_mapping && corners == other.corners;
     });
     if (same != known.end()) return static_cast<csg::SurfaceId>(same - known.begin());
     known.push_back(made);

@@ -6,9 +6,7 @@
 
 /// What the surfaces of solids are drawn with: textures and interiors where they stand, shared by copies.
 namespace plan {
-namespace {
 
-/// Whether an old finish keyword changes the interior of the object (spec 3, 8.7).
 bool carries_legacy_finish(const scene::TexturePtr& texture)
 {
     const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
@@ -16,8 +14,6 @@ bool carries_legacy_finish(const scene::TexturePtr& texture)
     const scene::Finish& finish = *layers->back().finish;
     return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f;
 }
-
-}  // namespace
 
 csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
                                          const std::vector<std::uint32_t>& parts)
@@ -63,12 +59,14 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
 std::uint32_t GeometryCompiler::interior(const Inherited& own, const scene::TexturePtr& texture)
 {
     std::uint32_t index = kNone;
+    const bool carries = carries_legacy_finish(texture);
+    const scene::Texture* by = carries || !own.legacy_finish ? texture.get() : own.legacy_finish.get();
     if (own.interior) {
-        index = interiors_.interior(*own.interior, own.interior_copy, texture.get());
+        index = interiors_.interior(*own.interior, own.interior_copy, by);
     } else {
-        const scene::Texture* key = carries_legacy_finish(texture) ? texture.get() : nullptr;
+        const scene::Texture* key = carries || own.legacy_finish ? by : nullptr;
         const auto known = automatic_interiors_.find(key);
-        index = known != automatic_interiors_.end() ? known->second : interiors_.automatic(texture.get());
+        index = known != automatic_interiors_.end() ? known->second : interiors_.automatic(by);
         if (known == automatic_interiors_.end()) automatic_interiors_.emplace(key, index);
     }
     out_.interiors[index].hollow = own.hollow.value_or(false);  // the last one that shares it decides (spec 5a, 10.3)
