@@ -12,6 +12,8 @@ struct FinishState : BlockState {
     using BlockState::BlockState;
     scene::Finish finish;
     bool wrote_diffuse = false;
+    bool from_zero =
+        false;  ///< `fresnel` stands in this block of a reflection: without a second colour the first is the most
     glm::vec3 read_rgb() { return parser::rgb_expr(stream()).rgb(); }
     bool albedo() { return stream().accept(Kind::Albedo); }
     float number()
@@ -72,7 +74,11 @@ struct conserve_energy : item<Kind::ConserveEnergy> {
 };
 
 struct fresnel : item<Kind::Fresnel> {
-    static void act(FinishState& s) { s.finish.reflection.fresnel = static_cast<int>(s.number_or(1)) != 0; }
+    static void act(FinishState& s)
+    {
+        s.finish.reflection.fresnel = static_cast<int>(s.number_or(1)) != 0;
+        s.from_zero = s.finish.reflection.fresnel;
+    }
 };
 struct falloff : item<Kind::Falloff, a_number> {
     static void act(FinishState& s) { s.finish.reflection.falloff = s.pop_single(); }
@@ -92,7 +98,7 @@ struct reflection_metallic : item<Kind::Metallic> {
 };
 /// Words of Whittle's own: docs/extensions.md.
 struct schlick : item<Kind::WhittleSchlick> {
-    static void act(FinishState& s) { s.finish.reflection.fresnel = s.finish.reflection.schlick = true; }
+    static void act(FinishState& s) { s.finish.reflection.fresnel = s.finish.reflection.schlick = s.from_zero = true; }
 };
 struct gloss : item<Kind::WhittleGloss, a_number> {
     static void act(FinishState& s)
@@ -130,8 +136,9 @@ struct reflection : item<Kind::Reflection> {
         } else {
             r.min = r.max = glm::vec3(0);
         }
+        s.from_zero = false;
         while (ReflectionItems::match(s.build, s)) {}
-        if (r.fresnel && !range) r.min = glm::vec3(0);
+        if (s.from_zero && !range) r.min = glm::vec3(0);
         s.build.close_block("reflection", opened);
     }
 };
