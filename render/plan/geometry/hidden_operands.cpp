@@ -11,18 +11,36 @@ namespace {
 constexpr RayKind kKinds[] = {RayKind::Image,  RayKind::Reflection,     RayKind::Shadow,
                               RayKind::Photon, RayKind::MirroredPhoton, RayKind::Gather};
 
-/// Whether each kind sees each operand that is hidden from some, a bit for one after the other.
-void collect(const csg::Tree& tree, std::vector<std::uint8_t>& hidden)
+/// Kinds that go past an operand of this tree. What is inverted became an intersection, whose operands hide nothing,
+/// and what is inverted twice a merge. A union hides from no camera ray.
+std::uint8_t hidden(const csg::Tree& tree, const csg::Tree& operand, bool inverted)
 {
-    if (tree.hidden_from != 0) hidden.push_back(tree.hidden_from);
-    for (const csg::Tree& operand : tree.operands) collect(operand, hidden);
+    if (inverted != tree.inverse) return 0;
+    const bool is_union = tree.op == csg::Tree::Op::Union && !inverted;
+    return static_cast<std::uint8_t>(operand.hidden_from & (is_union ? ~bit(RayKind::Image) : ~0));
+}
+
+/// Whether the operand is inverted by all that hold it.
+bool inverts(const csg::Tree& tree, const csg::Tree& operand, bool inverted)
+{
+    const bool subtracted = tree.op == csg::Tree::Op::Difference && &operand != &tree.operands.front();
+    return (inverted != tree.inverse) != subtracted;
+}
+
+/// The kinds that each operand is hidden from which is hidden from some.
+void collect(const csg::Tree& tree, bool inverted, std::vector<std::uint8_t>& out)
+{
+    for (const csg::Tree& operand : tree.operands) {
+        if (const std::uint8_t from = hidden(tree, operand, inverted); from != 0) out.push_back(from);
+        collect(operand, inverts(tree, operand, inverted), out);
+    }
 }
 
 /// Whether some operand of it is hidden from the kind.
-bool hides(const csg::Tree& tree, std::uint8_t kind)
+bool hides(const csg::Tree& tree, std::uint8_t kind, bool inverted)
 {
-    return std::any_of(tree.operands.begin(), tree.operands.end(), [kind](const csg::Tree& operand) {
-        return (operand.hidden_from & kind) != 0 || hides(operand, kind);
+    return std::any_of(tree.operands.begin(), tree.operands.end(), [&](const csg::Tree& operand) {
+        return (hidden(tree, operand, inverted) & kind) != 0 || hides(operand, kind, inverts(tree, operand, inverted));
     });
 }
 
@@ -34,33 +52,56 @@ csg::Tree turned(const csg::Tree& whole, const csg::Tree& operand, csg::Tree as)
     return as;
 }
 
+std::optional<csg::Tree> seen(const csg::Tree& tree, std::uint8_t kind, bool inverted)
+{
+    const bool unites = tree.op == csg::Tree::Op::Union || tree.op == csg::Tree::Op::Merge;
+    const bool turned_union = !unites && inverted != tree.inverse;  // twice inverted operands show in full
+    if (turned_union || !hides(tree, kind, inverted)) return tree;
+    csg::Tree out = tree;
+    out.operands.clear();
+    if (!unites) out.op = csg::Tree::Op::Union;
+    for (const csg::Tree& operand : tree.operands) {
+        if ((hidden(tree, operand, inverted) & kind) != 0) continue;
+        std::optional<csg::Tree> one = seen(operand, kind, inverts(tree, operand, inverted));
+        if (!one) continue;
+        if (!unites) {
+            one = turned(tree, operand, std::move(*one));
+            for (const csg::Tree& other : tree.operands)
+                if (&other != &operand) one->clips.push_back(turned(tree, other, other));
+        }
+        out.operands.push_back(std::move(*one));
+    }
+    if (out.operands.empty()) return std::nullopt;
+    return out;
+}
+
 }  // namespace
 
 bool shadowless(const scene::Object& object)
 {
     if (object.flags.no_shadow) return true;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
-    if (csg == nullptr || csg->op != scene::CsgOp::Union) return false;
+    if (csg == nullptr || csg->op != scene::CsgOp::Union || object.inverse) return false;
     const std::vector<scene::Object>& all = *csg->operands;
     return !std::all_of(all.begin(), all.end(), scene::is_light) &&
            std::all_of(all.begin(), all.end(),
                        [](const scene::Object& one) { return scene::is_light(one) || shadowless(one); });
 }
 
-std::uint8_t hidden_from(const scene::Object& operand, scene::CsgOp in)
+std::uint8_t hidden_from(const HidingFlags& flags, scene::CsgOp in)
 {
     if (in != scene::CsgOp::Union && in != scene::CsgOp::Merge) return 0;
     unsigned kinds = 0;
-    if (operand.flags.no_image && in == scene::CsgOp::Merge) kinds |= bit(RayKind::Image);
-    if (operand.flags.no_reflection) kinds |= bit(RayKind::Reflection) | bit(RayKind::MirroredPhoton);
-    if (operand.flags.no_radiosity) kinds |= bit(RayKind::Gather);
+    if (flags.no_image) kinds |= bit(RayKind::Image);
+    if (flags.no_reflection) kinds |= bit(RayKind::Reflection) | bit(RayKind::MirroredPhoton);
+    if (flags.no_radiosity) kinds |= bit(RayKind::Gather);
     return static_cast<std::uint8_t>(kinds);
 }
 
 std::vector<std::uint8_t> views_of(const csg::Tree& tree)
 {
     std::vector<std::uint8_t> hidden;
-    collect(tree, hidden);
+    collect(tree, false, hidden);
     std::map<std::vector<bool>, unsigned> groups;
     for (const RayKind kind : kKinds) {
         std::vector<bool> sees;
@@ -72,29 +113,6 @@ std::vector<std::uint8_t> views_of(const csg::Tree& tree)
     return out;
 }
 
-std::optional<csg::Tree> seen_by(const csg::Tree& tree, std::uint8_t kind)
-{
-    if ((tree.hidden_from & kind) != 0) return std::nullopt;
-    if (!hides(tree, kind)) return tree;
-    csg::Tree seen = tree;
-    seen.operands.clear();
-    seen.op = csg::Tree::Op::Union;
-    const bool unites = tree.op == csg::Tree::Op::Union || tree.op == csg::Tree::Op::Merge;
-    if (unites) seen.op = tree.op;
-    else seen.inverse = false;
-    for (const csg::Tree& operand : tree.operands) {
-        std::optional<csg::Tree> one = seen_by(operand, kind);
-        if (!one) continue;
-        if (!unites) {
-            one = turned(tree, operand, std::move(*one));
-            one->inverse ^= tree.inverse;
-            for (const csg::Tree& other : tree.operands)
-                if (&other != &operand) one->clips.push_back(turned(tree, other, other));
-        }
-        seen.operands.push_back(std::move(*one));
-    }
-    if (seen.operands.empty()) return std::nullopt;
-    return seen;
-}
+std::optional<csg::Tree> seen_by(const csg::Tree& tree, std::uint8_t kind) { return seen(tree, kind, false); }
 
 }  // namespace plan

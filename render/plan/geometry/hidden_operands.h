@@ -10,12 +10,17 @@
 /// Operands of unions and merges that some kinds of rays go past, though they see the object (spec 3, 14; 5a, 10.2).
 namespace plan {
 
-/// A union without shadow has flags of its own, or nothing but operands without shadow.
+/// An object without shadow has a flag of its own or is a union, not inverted, of nothing but operands without shadow.
 bool shadowless(const scene::Object& object);
 
-/// Kinds of rays (bit(RayKind)) that go past an operand because of its own flags. Those of differences and
-/// intersections don't count, nor does `no_shadow`; `no_image` does in a merge alone.
-std::uint8_t hidden_from(const scene::Object& operand, scene::CsgOp in);
+/// Flags of an operand, those that it has from what holds it included.
+struct HidingFlags {
+    bool no_image, no_reflection, no_radiosity;
+};
+
+/// Kinds of rays (bit(RayKind)) that go past an operand of a merge because of its flags; none of one of a difference or
+/// intersection. `no_shadow` doesn't count.
+std::uint8_t hidden_from(const HidingFlags& flags, scene::CsgOp in);
 
 /// Kinds of rays that see the same of a tree, in groups that make up all kinds; one group where nothing is hidden.
 std::vector<std::uint8_t> views_of(const csg::Tree& tree);

@@ -30,7 +30,7 @@ def coat(r):
 
 
 def modifier(r):
-    return r.pick("no_shadow", "double_illuminate", "hollow", "hollow off", "inverse", csg.clip(r),
+    return r.pick("no_shadow", "no_image", "no_reflection", "double_illuminate", "hollow", "hollow off", "inverse", csg.clip(r),
                   f"bounded_by {{ sphere {{ 0, {r.num(2, 4)} }} }}", f"interior {{ ior {r.num(1, 1.5)} }}",
                   f"rotate {r.vec(-90, 90)}", f"scale {r.num(.5, 1.3)}", f"translate {r.vec(-.4, .4)}", f"scale {r.vec(.5, 1.3)}",
                   "bounded_by { clipped_by }")
