@@ -102,6 +102,7 @@ std::vector<std::uint8_t> views_of(const csg::Tree& tree)
 {
     std::vector<std::uint8_t> hidden;
     collect(tree, false, hidden);
+    if (hidden.empty()) return {0xff};  // as a rule
     std::map<std::vector<bool>, unsigned> groups;
     for (const RayKind kind : kKinds) {
         std::vector<bool> sees;
