@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 /// Points that rays begin or end at, in vector lanes. Compiled once per instruction set.
 namespace csg {
 
+/// At least one of them and at most a tile full, padded when all are there.
 class PointSet {
 public:
     void add(const glm::dvec3& p)

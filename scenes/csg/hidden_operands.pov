@@ -31,3 +31,8 @@ intersection { sphere { 0, 0.6 pigment { Clear } no_shadow } box { -0.5, 0.5 pig
 union { sphere { 0, 0.5 pigment { Red } no_shadow } cylinder { 0, <0, 0.9, 0>, 0.2 pigment { Blue } no_shadow } split_union off translate <0, -0.2, -2.4> }
 union { sphere { 0, 0.5 pigment { Red } no_shadow } cylinder { 0, <0, 0.9, 0>, 0.2 pigment { Blue } no_shadow }
   clipped_by { sphere { 0, 0.6 } } translate <2.4, -0.2, -2.4> }
+
+// Inverted: an intersection, which hides nothing; inverted twice: a merge, which does.
+intersection { sphere { 0, 0.6 pigment { rgb 0.9 } } merge { box { -1, <1, 0.1, 0.1> pigment { Red } no_image } sphere { <0, 0.4, -0.2>, 0.3 pigment { Blue } no_image } inverse } translate <-1.3, -0.1, -4> }
+difference { sphere { 0, 0.6 pigment { rgb 0.9 } } union { box { -1, <1, 0.1, 0.1> pigment { Red } no_image } sphere { <0, 0.4, -0.2>, 0.3 pigment { Blue } } inverse } translate <1.3, -0.1, -4> }
+union { sphere { 0, 0.3 pigment { Clear } no_shadow } inverse translate <0, -0.4, -4.5> }

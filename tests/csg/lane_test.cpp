@@ -1,9 +1,11 @@
 #include "csg/packet/lane_solids.h"
+#include "csg/packet/point_set.h"
 #include "csg/packet/tile_rays.h"
 #include "tests/csg/support.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <vector>
@@ -272,4 +274,34 @@ TEST_CASE("boxes that stand in one space and in others are met as each is alone"
             });
     }
     CHECK(met > 5000);
+}
+
+TEST_CASE("what a set of points tells in lanes is what a loop over them finds", "[csg][lanes]")
+{
+    for (std::uint32_t seed = 0; seed < 5000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        std::vector<glm::dvec3> points(1 + static_cast<std::size_t>(rng.below(kTileRays)));
+        PointSet set;
+        for (glm::dvec3& p : points) set.add(p = rng.point(100.0));
+        set.pad();
+        const glm::dvec3 v = rng.point(1.0), from = rng.point(100.0);
+        constexpr double kRounding = 1e-12;  // of sums of at most 64 numbers up to 100, in another order
+        glm::dvec3 sum(0.0), widest(0.0);
+        double low = kInfinity, high = -kInfinity, farthest = 0.0;
+        for (const glm::dvec3& p : points) {
+            sum += p;
+            widest = glm::max(widest, glm::abs(p));
+            low = std::min(low, glm::dot(v, p)), high = std::max(high, glm::dot(v, p));
+            farthest = std::max(farthest, glm::length(p - from));
+        }
+        REQUIRE(set.widest() == widest);
+        REQUIRE(set.along(v).low == Approx(low).margin(kRounding));
+        REQUIRE(set.along(v).high == Approx(high).margin(kRounding));
+        REQUIRE(glm::dot(v, set.foremost(v)) == Approx(low).margin(kRounding));
+        REQUIRE(std::find(points.begin(), points.end(), set.foremost(v)) != points.end());
+        REQUIRE(set.farthest(from) == Approx(farthest));
+        REQUIRE(glm::length(set.middle() - sum / static_cast<double>(points.size())) < kRounding);
+        REQUIRE(set.last() == points.back());
+    }
 }

@@ -160,6 +160,13 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     return own;
 }
 
+GeometryCompiler::Inherited GeometryCompiler::within(const scene::Object& operand, const Inherited& whole)
+{
+    Inherited own = below(operand, whole);
+    own.no_shadow = whole.no_shadow;
+    return own;
+}
+
 std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const csg::Transform& to_world)
 {
     if (sharing_ != nullptr) sharing_->fails = true;  // each copy has lights of its own
@@ -290,8 +297,7 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
     for (const scene::Object& operand : *csg.operands) {
         if (is_light(operand)) continue;
         const bool cuts = !made.operands.empty() && takes_cut_texture(operand, csg.op == scene::CsgOp::Difference);
-        Inherited mine = below(operand, cuts ? later : own);
-        mine.no_shadow = own.no_shadow;  // an operand's own flag has no effect (spec 3, 14)
+        Inherited mine = within(operand, cuts ? later : own);
         aim_photons(operand, mine);
         const auto* parts = std::get_if<scene::Csg>(&operand.shape);
         const bool plain = parts != nullptr && parts->op == scene::CsgOp::Union &&

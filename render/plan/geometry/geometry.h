@@ -59,6 +59,8 @@ private:
     };
 
     Inherited below(const scene::Object& object, const Inherited& above);
+    /// The same of an operand of what stays whole, whose own `no_shadow` has no effect (spec 3, 14).
+    Inherited within(const scene::Object& operand, const Inherited& whole);
     void add_top(const scene::Object& object, const Inherited& above);
     void add_guard(const scene::Object& object, const Inherited& own);
     csg::BoundingGuard clip_guard(const scene::Object& object, const Inherited& own, const csg::Transform& parent);

@@ -41,13 +41,13 @@ csg::Tree GeometryCompiler::cut_parts(const scene::Csg& csg, const scene::Csg& p
         for (const scene::Object& cutter : *csg.operands)
             if (&cutter != &whole && !is_light(cutter))
                 difference.operands.push_back(
-                    tree(cutter, below(cutter, takes_cut_texture(cutter, true) ? later : own)));
+                    tree(cutter, within(cutter, takes_cut_texture(cutter, true) ? later : own)));
         made.operands.push_back(std::move(difference));
     };
     std::vector<std::pair<csg::Tree, scene::TexturePtr>> known;
     for (const scene::Object& part : *parts.operands) {
         if (is_light(part)) continue;
-        const Inherited mine = below(part, of_whole);
+        const Inherited mine = within(part, of_whole);
         known.emplace_back(tree(part, mine), cut_texture(part, mine));
         cut(known.back().first, known.back().second);
     }
