@@ -47,7 +47,9 @@ using RayLanes = std::array<double, kTileRays>;  ///< a number a ray
 /// Copies a tile's numbers and fills the empty places of the last group.
 inline void take_lanes(const RayTile& tile, const RayLanes& from, RayLanes& to, double empty)
 {
-    std::copy_n(from.begin(), tile.count, to.begin());
+    constexpr int kWhole = kTileRays;
+    if (tile.count == kWhole) to = from;  // a copy of known size takes no call
+    else std::copy_n(from.begin(), tile.count, to.begin());
     std::fill(to.begin() + tile.count, to.begin() + (tile.count + kRayGroup - 1) / kRayGroup * kRayGroup, empty);
 }
 

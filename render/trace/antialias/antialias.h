@@ -59,19 +59,23 @@ struct BlockEdges {
 
 /// Working storage of one thread; reused from block to block.
 struct AntialiasScratch {
-    std::vector<scene::Color> colors;     ///< the block with a border of one pixel (method 1) or its corners (method 2)
-    std::vector<EncodedColor> samples;    ///< the same as differences see them, then refined pixels or what lies within
-    std::vector<std::uint8_t> differing;  ///< method 1: from which neighbours, by centre samples
-    std::vector<std::uint8_t> marked;     ///< method 1: supersampled
-    std::vector<std::size_t> refined;     ///< pixels that get more samples now (method 1), squares to divide (method 2)
+    std::vector<scene::Color> colors;   ///< the block with a border of one pixel (method 1) or its corners (method 2)
+    std::vector<EncodedColor> samples;  ///< the same as differences see them, then refined pixels or what lies within
+    EncodedRows rows;                   ///< `colors` as differences see them
+    std::vector<std::uint8_t>
+        differing;                     ///< method 1: from which neighbours, by centre samples; method 2: 1: corners may
+    std::vector<std::uint8_t> marked;  ///< method 1: supersampled
+    std::vector<std::size_t> refined;  ///< pixels that get more samples now (method 1), squares to divide (method 2)
     std::vector<AntialiasSquare> squares;
     std::vector<std::uint32_t> places;  ///< method 1: of a pixel's refined colour in `samples`; method 2: samples asked
                                         ///< for now, by a hash of their positions
     std::vector<std::uint32_t> sub_pixels;      ///< method 2: that asked last for each of sub_positions
     std::vector<std::uint32_t> order;           ///< a block's cells, neighbours in the picture side by side
+    std::vector<std::uint32_t> unsure;          ///< method 2: cells whose corners may differ, in that order
     int ordered_columns = 0, ordered_rows = 0;  ///< of this block
     std::vector<SamplePosition> sub_positions, nominal_positions;  ///< asked for now; before jitter
     std::vector<scene::Color> sub_colors;
+    std::vector<scene::Color> means;  ///< method 1: of the pixels that got more samples now
     BlockEdges edges;
     std::uint64_t supersamples = 0;  ///< samples beyond the first of each pixel, added up; shared ones count for each
 };

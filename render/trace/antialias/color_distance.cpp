@@ -1,6 +1,6 @@
 #include "render/trace/antialias/color_distance.h"
 
-#include "csg/roots/lane_power.h"
+#include "render/trace/antialias/float_power.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,11 @@ constexpr double kIdentityExponent = 0.01;
 
 constexpr double kSrgbKnee = 0.04045, kSrgbSlope = 12.92, kSrgbShift = 0.055, kSrgbScale = 1.055, kSrgbExponent = 2.4;
 
-// What powers in lanes know, with room.
-constexpr double kLeastExponent = 0.05, kMostExponent = 10.0, kLeastValue = 1e-30, kMostValue = 1e20;
+// What float_power() knows.
+constexpr double kMostExponent = 3.0;
+constexpr float kLeastValue = 1e-30f, kMostValue = 256.0f;
+
+FloatPart float_of(double value) { return FloatPart(static_cast<float>(value)); }
 
 }  // namespace
 
@@ -27,7 +30,7 @@ ColorDistance::ColorDistance(const plan::Antialiasing& settings, const scene::As
     const double working = gamma.kind == scene::AssumedGamma::Kind::Power ? gamma.exponent : 1.0;
     exponent_ = working / display;
     identity_ = !srgb_ && std::abs(exponent_ - 1.0) <= kIdentityExponent;
-    in_lanes_ = !identity_ && exponent_ >= kLeastExponent && exponent_ <= kMostExponent;
+    in_lanes_ = !identity_ && exponent_ > 0.0 && exponent_ <= kMostExponent;
 }
 
 float ColorDistance::encode(float value) const
@@ -38,52 +41,78 @@ float ColorDistance::encode(float value) const
     return static_cast<float>(std::pow(std::max(v, 0.0), exponent_));
 }
 
-void ColorDistance::encode_together(const scene::Color* colors, std::size_t count, EncodedColor* out) const
+/// Components where they are; the vector is as long as a whole number of registers.
+void ColorDistance::encode_row(std::vector<float>& values) const
 {
-    using csg::lanes::Double;
-    constexpr auto kLanes = static_cast<std::size_t>(csg::lanes::kDoubles);
-    const Double zero(0.0);
-    alignas(64) std::array<double, 3 * kAtOnce> values{};
-    for (std::size_t k = 0; k < count; ++k) {
-        values[3 * k] = static_cast<double>(colors[k].red);
-        values[3 * k + 1] = static_cast<double>(colors[k].green);
-        values[3 * k + 2] = static_cast<double>(colors[k].blue);
-    }
-    bool known = true;
-    for (std::size_t i = 0; i < 3 * count; i += kLanes) {
-        Double v = Double::load_aligned(values.data() + i);
+    const FloatPart zero(0.0f), one(1.0f), exponent(float_of(exponent_));
+    const auto within = [](const FloatPart& v) { return (v >= FloatPart(kLeastValue)) & (v <= FloatPart(kMostValue)); };
+    for (std::size_t i = 0; i < values.size(); i += kFloatPart) {
+        float* const at = values.data() + i;
+        FloatPart v = FloatPart::load_unaligned(at);
+        std::uint32_t unknown = 0;
         if (srgb_) {
-            const auto low = v <= Double(kSrgbKnee);
-            const Double c = xsimd::select(low, Double(1.0), (v + Double(kSrgbShift)) / Double(kSrgbScale));
-            known = known && csg::lanes::mask(!(c <= Double(kMostValue))) == 0;
-            v = xsimd::select(low, v / Double(kSrgbSlope), csg::lanes::power(c, Double(kSrgbExponent)));
+            const auto low = v <= float_of(kSrgbKnee);
+            const FloatPart c = xsimd::select(low, one, (v + float_of(kSrgbShift)) / float_of(kSrgbScale));
+            unknown = csg::lanes::mask(!within(c));
+            v = xsimd::select(low, v / float_of(kSrgbSlope), float_power(c, float_of(kSrgbExponent)));
         }
         const auto none = v <= zero;
-        const Double c = xsimd::select(none, Double(1.0), v);
-        known = known && csg::lanes::mask(!((c >= Double(kLeastValue)) & (c <= Double(kMostValue)))) == 0;
-        xsimd::select(none, zero, csg::lanes::power(c, Double(exponent_))).store_aligned(values.data() + i);
+        const FloatPart c = xsimd::select(none, one, v);
+        unknown |= csg::lanes::mask(!within(c));
+        if (unknown == 0) xsimd::select(none, zero, float_power(c, exponent)).store_unaligned(at);
+        else std::transform(at, at + kFloatPart, at, [this](float value) { return encode(value); });
     }
-    if (!known) {
-        for (std::size_t k = 0; k < count; ++k) out[k] = encoded(colors[k]);
-        return;
-    }
-    for (std::size_t k = 0; k < count; ++k)
-        out[k] = {colors[k], static_cast<float>(values[3 * k]), static_cast<float>(values[3 * k + 1]),
-                  static_cast<float>(values[3 * k + 2])};
 }
 
-void ColorDistance::encode(std::span<const scene::Color> colors, std::vector<EncodedColor>& out) const
+void ColorDistance::encode(std::span<const scene::Color> colors, std::vector<EncodedColor>& out,
+                           EncodedRows& rows) const
 {
+    // Apart from each other: what is written number by number can't be read as a register at once.
+    rows.resize((colors.size() + kFloatPart - 1) / kFloatPart * kFloatPart);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const scene::Color& c = colors[i];
+        rows.red[i] = c.red, rows.green[i] = c.green, rows.blue[i] = c.blue, rows.transmit[i] = c.transmit;
+    }
+    for (std::vector<float>* row : {&rows.red, &rows.green, &rows.blue})
+        if (in_lanes_) encode_row(*row);
+        else std::transform(row->begin(), row->end(), row->begin(), [this](float value) { return encode(value); });
     const std::size_t first = out.size();
     out.resize(first + colors.size());
     EncodedColor* to = out.data() + first;
-    for (std::size_t i = 0; i < colors.size(); i += kAtOnce) {
-        const std::size_t count = std::min(kAtOnce, colors.size() - i);
-        if (in_lanes_) encode_together(colors.data() + i, count, to + i);
-        else
-            std::transform(colors.data() + i, colors.data() + i + count, to + i,
-                           [&](const auto& c) { return encoded(c); });
+    for (std::size_t i = 0; i < colors.size(); ++i) to[i] = {colors[i], rows.red[i], rows.green[i], rows.blue[i]};
+}
+
+void ColorDistance::mark_unsure(const EncodedRows& rows, std::size_t from, std::size_t count,
+                                std::span<const std::size_t> offsets, std::uint8_t flag, std::uint8_t* out) const
+{
+    constexpr float kRoundings = 1e-5f;  // of the largest components: differ()'s room, and this sum's own
+    const std::array<const float*, 4> parts = {rows.red.data(), rows.green.data(), rows.blue.data(),
+                                               rows.transmit.data()};
+    const FloatPart threshold(static_cast<float>(threshold_));
+    const auto sure_at = [&](std::size_t i) {
+        FloatPart apart(0.0f), size(0.0f);
+        for (const float* part : parts) {
+            const auto at = [&](std::size_t offset) { return FloatPart::load_unaligned(part + from + i + offset); };
+            FloatPart low = at(offsets[0]), high = low;
+            for (const std::size_t offset : offsets) {
+                const FloatPart v = at(offset);
+                low = xsimd::min(low, v), high = xsimd::max(high, v);
+                size += v - v;  // no number: nothing is sure
+            }
+            apart += high - low;
+            size += xsimd::max(xsimd::abs(low), xsimd::abs(high));
+        }
+        return csg::lanes::mask(apart + FloatPart(kRoundings) * size < threshold);
+    };
+    constexpr std::uint32_t kAll = (1u << kFloatPart) - 1;
+    std::size_t i = 0;
+    for (; i + kFloatPart <= count; i += kFloatPart) {
+        const std::uint32_t sure = sure_at(i);
+        if (sure == kAll) continue;
+        for (std::size_t k = 0; k < kFloatPart; ++k)
+            if ((sure >> k & 1u) == 0) out[i + k] = static_cast<std::uint8_t>(out[i + k] | flag);
     }
+    for (; i < count; ++i) out[i] = static_cast<std::uint8_t>(out[i] | flag);
 }
 
 }  // namespace trace

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,13 +19,28 @@ struct EncodedColor {
     float red, green, blue;
 };
 
+/// The same of many colours, component by component: what is compared in lanes.
+struct EncodedRows {
+    std::vector<float> red, green, blue, transmit;
+
+    void resize(std::size_t count)
+    {
+        red.resize(count), green.resize(count), blue.resize(count), transmit.resize(count);
+    }
+};
+
 /// How different two colours look: spec 2, 8.1.
 class ColorDistance {
 public:
     ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma);
     EncodedColor encoded(const scene::Color& c) const { return {c, encode(c.red), encode(c.green), encode(c.blue)}; }
-    /// Appends the colours. Powers in lanes: the last digits are not encoded()'s, what differ() says of them is.
-    void encode(std::span<const scene::Color> colors, std::vector<EncodedColor>& out) const;
+    /// Appends the colours, and puts these alone into `rows`. Powers in lanes: the last digits are not encoded()'s,
+    /// what differ() says of them is.
+    void encode(std::span<const scene::Color> colors, std::vector<EncodedColor>& out, EncodedRows& rows) const;
+    /// Adds `flag` to out[i], i < count, where two of the colours `from` + i + offset may differ; the others surely
+    /// don't.
+    void mark_unsure(const EncodedRows& rows, std::size_t from, std::size_t count, std::span<const std::size_t> offsets,
+                     std::uint8_t flag, std::uint8_t* out) const;
     bool differ(const EncodedColor& a, const EncodedColor& b) const
     {
         if (a.color == b.color) return threshold_ <= 0;
@@ -71,10 +88,8 @@ private:
                                    std::abs(b.color.transmit));
     }
     float encode(float value) const;
-    /// The components of up to kAtOnce colours.
-    void encode_together(const scene::Color* colors, std::size_t count, EncodedColor* out) const;
+    void encode_row(std::vector<float>& values) const;
 
-    static constexpr std::size_t kAtOnce = 8;
     double exponent_;
     double threshold_;
     bool srgb_;

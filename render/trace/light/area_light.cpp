@@ -257,7 +257,7 @@ void AreaLight::dim_by_media()
 void AreaLight::keep_rests(const Asked& asked)
 {
     for (std::size_t n = asked.first; n < asked.last(); ++n)
-        rests_[hit_[n]] = {{x_[n], y_[n], z_[n]}, 0.0, distance_[n]};
+        rests_[hit_[n]] = {scratch_.rays.ray(static_cast<int>(n)).direction, 0.0, distance_[n]};
 }
 
 /// Of a sample whose shadow ray crosses what filters light.
@@ -265,7 +265,7 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
 {
     csg::CrossingTile& met = scratch_.crossings;
     const std::size_t k = hit_[ray];
-    const light::Illumination lit{{x_[ray], y_[ray], z_[ray]}, distance_[ray], color_[k]};
+    const light::Illumination lit{scratch_.rays.ray(static_cast<int>(ray)).direction, distance_[ray], color_[k]};
     const glm::dvec3 point = scratch_.hits.point(k);
     const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
     double unused = 0.0;

@@ -99,7 +99,7 @@ private:
     alignas(64) std::array<std::uint64_t, kRays> purpose_;  ///< of its first random number, of lights with jitter
     alignas(64) TileLanes row_, column_;                    ///< of its node
     alignas(64) TileLanes from_;                            ///< where shadow rays of a hit begin
-    alignas(64) TileLanes x_, y_, z_, distance_;  ///< of each sample: its offset on the light, then the direction to it
+    alignas(64) TileLanes x_, y_, z_, distance_;  ///< of each sample: its offset on the light, and how far it is
     TileColors color_;                            ///< before shadows
     HitMask bright_ = 0;                          ///< hits where all of it is a difference to refine
     bool grey_ = false;                        ///< its channels are alike, and nothing filters it: they are summed once

@@ -1,3 +1,4 @@
+#include "csg/base/lanes.h"
 #include "render/trace/light/area_light.h"
 #include "render/trace/random_lanes.h"
 
@@ -91,20 +92,25 @@ void AreaLight::make_rays()
         for (std::size_t n = 0; n < lanes_; ++n) {
             const light::Illumination lit =
                 light::toward(light_, {rays.ox[n], rays.oy[n], rays.oz[n]}, {x_[n], y_[n], z_[n]});
-            x_[n] = lit.direction.x, y_[n] = lit.direction.y, z_[n] = lit.direction.z;
+            rays.dx[n] = lit.direction.x, rays.dy[n] = lit.direction.y, rays.dz[n] = lit.direction.z;
             distance_[n] = lit.distance;
         }
     } else {
-        const glm::dvec3 l = light_.location;
-        for (std::size_t n = 0; n < lanes_; ++n) {
-            const double x = (l.x + x_[n]) - rays.ox[n], y = (l.y + y_[n]) - rays.oy[n], z = (l.z + z_[n]) - rays.oz[n];
-            distance_[n] = std::sqrt(x * x + y * y + z * z);
-            x_[n] = x / distance_[n], y_[n] = y / distance_[n], z_[n] = z / distance_[n];
+        for (std::size_t n = 0; n < lanes_; n += csg::lanes::kDoubles) {
+            using csg::lanes::Double;
+            const auto to = [n](double location, const TileLanes& offset, const auto& origin) {
+                return (Double(location) + Double::load_aligned(offset.data() + n)) -
+                       Double::load_aligned(origin.data() + n);
+            };
+            const Double x = to(light_.location.x, x_, rays.ox), y = to(light_.location.y, y_, rays.oy),
+                         z = to(light_.location.z, z_, rays.oz);
+            const Double distance = xsimd::sqrt(x * x + y * y + z * z), share = Double(1.0) / distance;
+            distance.store_aligned(distance_.data() + n);
+            (x * share).store_aligned(rays.dx.data() + n);
+            (y * share).store_aligned(rays.dy.data() + n);
+            (z * share).store_aligned(rays.dz.data() + n);
         }
     }
-    std::copy_n(x_.begin(), lanes_, rays.dx.begin());
-    std::copy_n(y_.begin(), lanes_, rays.dy.begin());
-    std::copy_n(z_.begin(), lanes_, rays.dz.begin());
     if (light_.projector) project();
     for (std::size_t n = 0; n < lanes_; ++n) rays.t_max[n] = distance_[n] - rays.t_min[n];
 }
