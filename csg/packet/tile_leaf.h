@@ -60,6 +60,7 @@ struct TileLeaf {
             return;
         }
         if (kind_of(item.solid) == SolidKind::Torus && !guarded && torus(index, mask)) return;
+        if (serves_instance(item, mask)) return within(index, mask);
         const bool mesh = serves_mesh(item, mask);
         if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many || mesh))
             mask = passing(item, mask);
@@ -125,6 +126,42 @@ private:
             if (!(met.t[i] < kInfinity)) continue;
             const Hit hit{met.t[i], mesh.surface(met.face[i]), item.solid, met.face[i], item.inverted};
             if (hit.found()) query.hit(index, near.place[i], hit);
+        }
+    }
+
+    bool serves_instance(const WorldItem& item, RayMask mask) const
+    {
+        constexpr int kFewest = 3;
+        return item.instance != Hit::kNoInstance && item.guard == WorldItem::kNoGuard && query.first_only(item) &&
+               std::popcount(mask) >= kFewest;
+    }
+
+    /// An instance of which the nearest hit of each ray is enough, or any: these rays together are a tile of its world.
+    [[gnu::noinline]] void within(std::uint32_t index, RayMask mask) const
+    {
+        RayTile asked;
+        std::array<std::uint8_t, kTileRays> place;
+        std::size_t count = 0;
+        each_ray(mask, [&](std::size_t k) {
+            if (rays.limit[k] < 0.0) return;
+            asked.set(count, rays.ray(static_cast<int>(k)), rays.t_min[k], rays.limit[k]);
+            place[count++] = static_cast<std::uint8_t>(k);
+        });
+        if (count == 0) return;
+        asked.count = static_cast<int>(count);
+        asked.common_origin = Rays::kShared;
+        if constexpr (Query::any_will_do()) {
+            std::array<Shadow, kTileRays> ending;
+            instance_shadow(world, world.items[index], asked, query.scratch(), ending.data());
+            RayMask blocked = 0;
+            for (std::size_t i = 0; i < count; ++i)
+                if (ending[i] == Shadow::Blocked) blocked |= RayMask{1} << place[i];
+            query.block_all(blocked);
+        } else {
+            HitTile met;
+            instance_nearest(world, world.items[index], asked, query.scratch(), met);
+            for (std::size_t i = 0; i < count; ++i)
+                if (met.surface[i] != kNoSurface) query.hit(index, place[i], met.at(static_cast<int>(i)));
         }
     }
 

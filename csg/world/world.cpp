@@ -7,6 +7,7 @@
 #include "csg/world/world_item.h"
 
 #include <algorithm>
+#include <array>
 
 namespace csg {
 namespace {
@@ -103,10 +104,20 @@ struct LocalRay {
     }
 };
 
-/// A hit of an instance's world as one of ours.
-Hit here(const WorldData& world, const WorldItem& item, const LocalRay& local, Hit hit, double t_min, double t_max)
+void turn_into(const Instance& one, RayTile& rays, std::array<double, kTileRays>& length)
 {
-    hit.t = glm::clamp(hit.t / local.length, t_min, t_max);
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const LocalRay local(one, rays.ray(i));
+        length[k] = local.length;
+        rays.set(k, local.ray, rays.t_min[k] * local.length, rays.t_max[k] * local.length);
+    }
+}
+
+/// A hit of an instance's world as one of ours. length: LocalRay's.
+Hit here(const WorldData& world, const WorldItem& item, double length, Hit hit, double t_min, double t_max)
+{
+    hit.t = glm::clamp(hit.t / length, t_min, t_max);
     hit.surface = world.instance_surfaces[world.instances[item.instance].first_surface + hit.surface];
     hit.instance = item.instance & Hit::kNoInstance;
     return hit;
@@ -162,7 +173,26 @@ Hit instance_nearest(const WorldData& world, const WorldItem& item, const Ray& r
     const Instance& one = world.instances[item.instance];
     const LocalRay local(one, ray);
     const Hit hit = World(*one.world).nearest(local.ray, t_min * local.length, t_max * local.length, 0xff, scratch);
-    return hit.found() ? here(world, item, local, hit, t_min, t_max) : hit;
+    return hit.found() ? here(world, item, local.length, hit, t_min, t_max) : hit;
+}
+
+void instance_nearest(const WorldData& world, const WorldItem& item, RayTile& rays, Scratch& scratch, HitTile& out)
+{
+    std::array<double, kTileRays> length;
+    const std::array<double, kTileRays> from = rays.t_min, to = rays.t_max;
+    turn_into(world.instances[item.instance], rays, length);
+    World(*world.instances[item.instance].world).nearest(rays, 0xff, scratch, out);
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (out.surface[k] != kNoSurface) out.set(i, here(world, item, length[k], out.at(i), from[k], to[k]));
+    }
+}
+
+void instance_shadow(const WorldData& world, const WorldItem& item, RayTile& rays, Scratch& scratch, Shadow* out)
+{
+    std::array<double, kTileRays> length;
+    turn_into(world.instances[item.instance], rays, length);
+    World(*world.instances[item.instance].world).shadow(rays, scratch, out);  // where all is opaque
 }
 
 void instance_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
@@ -172,7 +202,7 @@ void instance_crossings(const WorldData& world, const WorldItem& item, const Ray
     const LocalRay local(one, ray);
     const double from = t_min * local.length, to = t_max * local.length;
     const RaySlabs slabs(local.ray);
-    const auto keep = [&](const Hit& hit) { out.push_back(here(world, item, local, hit, t_min, t_max)); };
+    const auto keep = [&](const Hit& hit) { out.push_back(here(world, item, local.length, hit, t_min, t_max)); };
     const auto each = [&](std::uint32_t i) {
         item_crossings(*one.world, one.world->items[i], local.ray, from, to, scratch, &slabs, keep);
     };

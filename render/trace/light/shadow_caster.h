@@ -23,8 +23,9 @@ inline bool steady(const light::Light& light)
 }
 
 /// The points lie in ShadeScratch::hits, the light at hand as they see it in ShadeScratch::light and lit_colors.
-/// \tparam Tile  count(), hits.t: how far the rays came that found the points, interiors(k): what point k is inside of
-/// \tparam Sink  receives what arrives: light(hits): all of lit_colors; light(k, colour), and arrive(k, colour) for
+/// \tparam Tile  kInAir: its points lie on no surface, as a rule; count(), hits.t: how far the rays came that found the
+/// points, interiors(k): what point k is inside of \tparam Sink  receives what arrives: light(hits): all of lit_colors;
+/// light(k, colour), and arrive(k, colour) for
 ///               what light() is not told of; arrives(): the hits that want to hear of it
 template <class Tile, class Sink>
 class ShadowCaster {
@@ -48,7 +49,8 @@ public:
         // From the light, where they form a beam.
         const bool from_light = light.from_one_point() && !scratch_.traits.has_open_surface &&
                                 !asks_own_rays(light, asking) && !context_.scene.geometry.faithful &&
-                                (all & beyond(scratch_.light, kFarLight * least, tile_.count())) == 0;
+                                ((all & beyond(scratch_.light, kFarLight * least, tile_.count())) == 0 ||
+                                 (Tile::kInAir && stands_among(light, kFarLight * least)));
         answer(light, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
     }
 
@@ -74,6 +76,17 @@ public:
     }
 
 private:
+    /// All that has an end lies nearer to the light. Points of the air in the farthest distance are then seen from the
+    /// light with more digits than it from them: theirs would pass by every box with a room of a unit or so.
+    bool stands_among(const light::Light& light, double distance) const
+    {
+        const csg::Bvh& bvh = context_.world.data().bvh;
+        if (bvh.nodes.empty()) return true;
+        const glm::dvec3 far =
+            glm::max(glm::abs(bvh.bounds.lower - light.location), glm::abs(bvh.bounds.upper - light.location));
+        return glm::length(far) < distance;
+    }
+
     /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays). What is out of
     /// sight is told by all points of the tile on the axis on which the first of them is farthest from the light.
     bool asks_own_rays(const light::Light& light, HitMask asking) const

@@ -49,6 +49,7 @@ public:
     const TileLight& directions() const { return scratch_.light; }
 
     // What ShadowCaster asks of a tile.
+    static constexpr bool kInAir = true;
     const csg::HitTile& hits;
     int count() const { return count_; }
     const InteriorList& interiors(std::size_t k) const { return *around_[k]; }

@@ -11,6 +11,8 @@ namespace trace {
 /// Compiled once per instruction set.
 class SegmentTile {
 public:
+    static constexpr bool kInAir = false;  ///< for ShadowCaster
+
     /// queued: what the rays inherit; null for camera rays, which share `camera` but for its interiors where there are
     /// `starts`.
     SegmentTile(Context& context, const RayTile& traced, const HitTile& met, const RayState& camera,

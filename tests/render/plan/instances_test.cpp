@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <random>
 
 // Copies that share their parts beside the same copies compiled each for itself.
@@ -115,4 +116,51 @@ TEST_CASE("rays meet copies that share their parts where they meet copies that d
     CHECK(hits > 1000);
     CHECK(filtered > 20);
     CHECK(held > 100);
+}
+
+TEST_CASE("a tile meets copies that share their parts as its rays do alone", "[plan][instances]")
+{
+    const plan::CompiledScene shared = compiled(700, false);
+    const csg::World world = shared.world();
+    csg::Scratch scratch;
+    std::mt19937 random(6);
+    std::normal_distribution<double> any;
+    const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
+    int hits = 0, copies = 0, blocked = 0;
+    for (int tile = 0; tile < 300; ++tile) {
+        const bool common = tile % 2 == 0;
+        const glm::dvec3 aim = glm::dvec3(random() % 30u, random() % 24u, 0) * 1.5 - 20.0;
+        const glm::dvec3 origin = aim - 20.0 * glm::normalize(vector());
+        csg::RayTile rays;
+        rays.count = tile % 5 == 0 ? 7 : csg::kTileRays;
+        rays.common_origin = common;
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+            const glm::dvec3 from = common ? origin : origin + 0.3 * vector();
+            rays.set(k, {from, glm::normalize(aim + 0.4 * vector() - from)}, 1e-4, 60.0);
+        }
+        csg::HitTile met;
+        std::array<csg::Shadow, csg::kTileRays> ending;
+        world.nearest(rays, 1, scratch, met);
+        world.shadow(rays, scratch, ending.data());
+        for (int i = 0; i < rays.count; ++i) {
+            INFO("tile " << tile << ", ray " << i);
+            const auto k = static_cast<std::size_t>(i);
+            const csg::Hit alone = world.nearest(rays.ray(i), 1e-4, 60.0, 1, scratch), together = met.at(i);
+            REQUIRE(together.found() == alone.found());
+            REQUIRE(ending[k] == world.shadow(rays.ray(i), 1e-4, 60.0, scratch));
+            blocked += ending[k] == csg::Shadow::Blocked ? 1 : 0;
+            if (!alone.found()) continue;
+            ++hits;
+            copies += alone.instance != csg::Hit::kNoInstance ? 1 : 0;
+            REQUIRE(together.t == alone.t);
+            REQUIRE(together.surface == alone.surface);
+            REQUIRE(together.part == alone.part);
+            REQUIRE(together.face == alone.face);
+            REQUIRE(together.instance == alone.instance);
+            REQUIRE(together.inverted == alone.inverted);
+        }
+    }
+    CHECK(hits > 4000);
+    CHECK(copies > 1000);
+    CHECK(blocked > 1000);
 }
