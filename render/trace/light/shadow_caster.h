@@ -23,9 +23,9 @@ inline bool steady(const light::Light& light)
 }
 
 /// The points lie in ShadeScratch::hits, the light at hand as they see it in ShadeScratch::light and lit_colors.
-/// \tparam Tile  kInAir: its points lie on no surface, as a rule; count(), hits.t: how far the rays came that found the
-/// points, interiors(k): what point k is inside of \tparam Sink  receives what arrives: light(hits): all of lit_colors;
-/// light(k, colour), and arrive(k, colour) for
+/// \tparam Tile  count(), hits.t: how far the rays came that found the points, interiors(k): what point k is inside of;
+///               kInAir: the points lie on no surface, as a rule
+/// \tparam Sink  receives what arrives: light(hits): all of lit_colors; light(k, colour), and arrive(k, colour) for
 ///               what light() is not told of; arrives(): the hits that want to hear of it
 template <class Tile, class Sink>
 class ShadowCaster {
