@@ -4,10 +4,10 @@
 #include "csg/base/reach.h"
 #include "csg/packet/tile_crossings.h"
 #include "csg/bvh/traverse.h"
+#include "csg/world/instance_ray.h"
 #include "csg/world/world_item.h"
 
 #include <algorithm>
-#include <array>
 
 namespace csg {
 namespace {
@@ -92,37 +92,6 @@ Hit alone(const Hit& hit)
     return own;
 }
 
-/// A ray in an instance's space; directions there have unit length.
-struct LocalRay {
-    Ray ray;
-    double length;  ///< of what a length of 1 here is there
-
-    LocalRay(const Instance& one, const Ray& given)
-        : ray(local_ray(one.frame, given)), length(std::sqrt(glm::dot(ray.direction, ray.direction)))
-    {
-        ray.direction /= length;
-    }
-};
-
-void turn_into(const Instance& one, RayTile& rays, std::array<double, kTileRays>& length)
-{
-    for (int i = 0; i < rays.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const LocalRay local(one, rays.ray(i));
-        length[k] = local.length;
-        rays.set(k, local.ray, rays.t_min[k] * local.length, rays.t_max[k] * local.length);
-    }
-}
-
-/// A hit of an instance's world as one of ours. length: LocalRay's.
-Hit here(const WorldData& world, const WorldItem& item, double length, Hit hit, double t_min, double t_max)
-{
-    hit.t = glm::clamp(hit.t / length, t_min, t_max);
-    hit.surface = world.instance_surfaces[world.instances[item.instance].first_surface + hit.surface];
-    hit.instance = item.instance & Hit::kNoInstance;
-    return hit;
-}
-
 /// Offers `best` the spheres of blocks, and asks each(item) for all other items that the ray comes near.
 template <class Each>
 inline void walk_nearest(const WorldData& world, const Ray& ray, const RaySlabs& slabs, double t_min,
@@ -174,25 +143,6 @@ Hit instance_nearest(const WorldData& world, const WorldItem& item, const Ray& r
     const LocalRay local(one, ray);
     const Hit hit = World(*one.world).nearest(local.ray, t_min * local.length, t_max * local.length, 0xff, scratch);
     return hit.found() ? here(world, item, local.length, hit, t_min, t_max) : hit;
-}
-
-void instance_nearest(const WorldData& world, const WorldItem& item, RayTile& rays, Scratch& scratch, HitTile& out)
-{
-    std::array<double, kTileRays> length;
-    const std::array<double, kTileRays> from = rays.t_min, to = rays.t_max;
-    turn_into(world.instances[item.instance], rays, length);
-    World(*world.instances[item.instance].world).nearest(rays, 0xff, scratch, out);
-    for (int i = 0; i < rays.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        if (out.surface[k] != kNoSurface) out.set(i, here(world, item, length[k], out.at(i), from[k], to[k]));
-    }
-}
-
-void instance_shadow(const WorldData& world, const WorldItem& item, RayTile& rays, Scratch& scratch, Shadow* out)
-{
-    std::array<double, kTileRays> length;
-    turn_into(world.instances[item.instance], rays, length);
-    World(*world.instances[item.instance].world).shadow(rays, scratch, out);  // where all is opaque
 }
 
 void instance_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,

@@ -99,8 +99,8 @@ inline bool before_box(const WorldData& world, std::uint32_t item, const Ray& ra
            t < box_entry(world.guards[guard], ray, t_min);
 }
 
-/// The same two questions of an instance (world.cpp). Those of a tile turn its rays into the instance's space; the
-/// second is for instances whose surfaces are opaque, all of them.
+/// The same two questions of an instance (world.cpp). Those of a tile (world_tiles.cpp) turn its rays into the
+/// instance's space; the second is for instances whose surfaces are opaque, all of them.
 void instance_nearest(const WorldData& world, const WorldItem& item, RayTile& rays, Scratch& scratch, HitTile& out);
 void instance_shadow(const WorldData& world, const WorldItem& item, RayTile& rays, Scratch& scratch, Shadow* out);
 Hit instance_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,

@@ -4,6 +4,7 @@
 #include "csg/packet/shaft.h"
 #include "csg/packet/tile_clusters.h"
 #include "csg/packet/tile_crossings.h"
+#include "csg/world/instance_ray.h"
 
 #include <algorithm>
 
@@ -69,7 +70,36 @@ void crossings_of_cluster(const World& world, const WorldData& data, const RayTi
     }
 }
 
+void turn_into(const Instance& one, RayTile& rays, std::array<double, kTileRays>& length)
+{
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const LocalRay local(one, rays.ray(i));
+        length[k] = local.length;
+        rays.set(k, local.ray, rays.t_min[k] * local.length, rays.t_max[k] * local.length);
+    }
+}
+
 }  // namespace
+
+void instance_nearest(const WorldData& world, const WorldItem& item, RayTile& rays, Scratch& scratch, HitTile& out)
+{
+    std::array<double, kTileRays> length;
+    const std::array<double, kTileRays> from = rays.t_min, to = rays.t_max;
+    turn_into(world.instances[item.instance], rays, length);
+    World(*world.instances[item.instance].world).nearest(rays, 0xff, scratch, out);
+    for (int i = 0; i < rays.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (out.surface[k] != kNoSurface) out.set(i, here(world, item, length[k], out.at(i), from[k], to[k]));
+    }
+}
+
+void instance_shadow(const WorldData& world, const WorldItem& item, RayTile& rays, Scratch& scratch, Shadow* out)
+{
+    std::array<double, kTileRays> length;
+    turn_into(world.instances[item.instance], rays, length);
+    World(*world.instances[item.instance].world).shadow(rays, scratch, out);  // where all is opaque
+}
 
 void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
 {

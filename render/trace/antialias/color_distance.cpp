@@ -14,8 +14,8 @@ constexpr double kIdentityExponent = 0.01;
 
 constexpr double kSrgbKnee = 0.04045, kSrgbSlope = 12.92, kSrgbShift = 0.055, kSrgbScale = 1.055, kSrgbExponent = 2.4;
 
-// What float_power() knows.
-constexpr double kMostExponent = 3.0;
+// What float_power() knows. Of an exponent above 1 after sRGB's both errors would be more than differ() has room for.
+constexpr double kMostExponent = 3.0, kMostAfterSrgb = 1.0;
 constexpr float kLeastValue = 1e-30f, kMostValue = 256.0f;
 
 FloatPart float_of(double value) { return FloatPart(static_cast<float>(value)); }
@@ -30,7 +30,7 @@ ColorDistance::ColorDistance(const plan::Antialiasing& settings, const scene::As
     const double working = gamma.kind == scene::AssumedGamma::Kind::Power ? gamma.exponent : 1.0;
     exponent_ = working / display;
     identity_ = !srgb_ && std::abs(exponent_ - 1.0) <= kIdentityExponent;
-    in_lanes_ = !identity_ && exponent_ > 0.0 && exponent_ <= kMostExponent;
+    in_lanes_ = !identity_ && exponent_ > 0.0 && exponent_ <= (srgb_ ? kMostAfterSrgb : kMostExponent);
 }
 
 float ColorDistance::encode(float value) const

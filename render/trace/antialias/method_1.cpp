@@ -95,9 +95,10 @@ private:
             distance_.mark_unsure(scratch_.rows, first - 1, width, left, kLeft, flags);
             distance_.mark_unsure(scratch_.rows, first - stride_, width, up, kUp, flags);
             for (std::size_t i = next_set(flags, 0, width); i < width; i = next_set(flags, i + 1, width)) {
-                const EncodedColor& here = samples[first + i];
-                const bool from_left = (flags[i] & kLeft) != 0 && distance_.differ((&here)[-1], here),
-                           from_above = (flags[i] & kUp) != 0 && distance_.differ(samples[first + i - stride_], here);
+                const std::size_t here = first + i;
+                const bool from_left = (flags[i] & kLeft) != 0 && distance_.differ(samples[here - 1], samples[here]),
+                           from_above = (flags[i] & kUp) != 0 &&
+                                        distance_.differ(samples[here - stride_], samples[here]);
                 flags[i] = flags_of(from_left, from_above);
             }
         }
