@@ -23,8 +23,6 @@
 namespace trace {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kSide = 8;     // of the squares whose samples make tiles of rays
 constexpr int kWidest = 32;  // of those whose pixels are not all asked
 constexpr std::size_t kAtOnce = 16 * csg::kTileRays;
@@ -68,16 +66,15 @@ public:
         threads_ = threads;
         want_first();
         while (true) {
-            const Clock::time_point begun = Clock::now();
+            const double begun = seconds();
             const std::uint64_t before = taken_;
             arena.execute([&] { pass(); });
             ++passes_;
-            const double took = std::chrono::duration<double>(Clock::now() - begun).count();
+            const double ended = seconds(), took = ended - begun;
             if (took > 0.0) rate_ = static_cast<double>(taken_ - before) / took;
-            const Clock::time_point ended = Clock::now();
             out.error = judge();
             if (after_pass) after_pass(met(out.error));
-            afterwards_ = std::chrono::duration<double>(Clock::now() - ended).count();
+            afterwards_ = seconds() - ended;
             if (stopped_ || !want_more(out.error)) break;
         }
         if (fewest() < 2) out.error = std::numeric_limits<double>::quiet_NaN();
@@ -119,7 +116,12 @@ private:
         const auto [x, y] = place(at);
         return picture_.at(x, y);
     }
-    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    double now() const
+    {
+        if (goal_.clock) return goal_.clock();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+    double seconds() const { return now() - start_; }
     /// Where the time is over, whatever is still wanted. The first pass is taken whatever it costs: there has to be a
     /// picture.
     bool late() const { return ends_ && left() <= 0.0; }
@@ -349,7 +351,7 @@ private:
     std::vector<std::size_t> window_;    ///< its pixels
     std::vector<std::uint32_t> wanted_;  ///< samples of each pixel in the pass at hand
     std::vector<double> variances_;
-    const Clock::time_point start_ = Clock::now();
+    const double start_ = now();
     std::uint32_t before_ = 0;  ///< samples of a pixel when the run began
     std::uint64_t taken_ = 0;   ///< in the passes before
     std::uint32_t passes_ = 0;

@@ -11,9 +11,10 @@ class PathFeatures;
 struct SamplingGoal {
     std::uint32_t samples = 0;  ///< in each pixel, more than it has already; 0: as the error or the time asks
     double error = 0.0;         ///< of the picture, in shown levels (0 to 255), root mean square over colours; 0: none
-    double seconds = 0.0;       ///< from now on; 0: no matter. A sample a pixel is taken whatever it costs
-    std::uint32_t seed = 0;     ///< another one: other samples, independent of these
-    bool even = false;          ///< all pixels get as many, whatever their spread
+    double seconds = 0.0;       ///< from now on; 0: no matter. A first pass is taken whatever it costs
+    std::function<double()> clock;  ///< seconds since any moment, asked by all threads; empty: the steady clock's
+    std::uint32_t seed = 0;         ///< another one: other samples, independent of these
+    bool even = false;              ///< all pixels get as many, whatever their spread
 };
 
 /// Traces passes of samples until the goal is met: docs/error_and_time.md. The same samples for any number of threads
