@@ -18,9 +18,10 @@ enum class LeanStep : std::uint8_t {
     BlackMedia,    ///< media that neither glow nor dim
     Photons,       ///< photons without a target
     HitDetails,    ///< what no texture looks at about a hit
-    Interiors      ///< groups of lights, fading and media inside of objects, where there are none
+    Interiors,     ///< groups of lights, fading and media inside of objects, where there are none
+    ClearSurfaces  ///< shading surfaces that let all light through as it is
 };
-inline constexpr std::size_t kLeanSteps = 10;
+inline constexpr std::size_t kLeanSteps = 11;
 
 /// Which steps are taken: all as a rule.
 class LeanSteps {
@@ -52,6 +53,7 @@ constexpr std::string_view name_of(LeanStep step)
     case LeanStep::Photons: return "photons without a target";
     case LeanStep::HitDetails: return "directions and coordinates about hits";
     case LeanStep::Interiors: return "light groups, fading and media inside of objects";
+    case LeanStep::ClearSurfaces: return "the shading of surfaces that let all light through";
     }
     return {};
 }

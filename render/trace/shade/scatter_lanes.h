@@ -10,7 +10,8 @@
 #include "render/trace/queue/interface.h"
 
 /// scatter() for a tile's hits of one layer whose normals are not bent, in the same order of operations: what their
-/// rays share is worked out in vector lanes, then they are sent one by one. Compiled once per instruction set.
+/// rays share is worked out in vector lanes, then they are sent one by one. Where the layer is clear (SingleLayer) the
+/// ray goes on in place of the one before it: no node, no light. Compiled once per instruction set.
 namespace trace {
 
 class LaneScatter {
@@ -19,16 +20,29 @@ public:
         : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch)
     {}
 
-    /// Gets these hits ready; those that only scatter() knows about (white light that is dispersed,
-    /// iridescence) are not.
+    /// Hits of a clear layer around `own`: those that light passes unbent need nothing else. Which.
+    HitMask pass_through(HitMask hits, std::uint32_t own)
+    {
+        HitMask straight = 0;
+        for_each_hit(hits, [&](std::size_t k) {
+            const Crossing crossing = crossing_of(context_.scene.interiors, tile_.interiors(k), own);
+            way_[k] = crossing.way;
+            straight |= HitMask{unbent(crossing)} << k;
+        });
+        clear_ |= straight;
+        return straight;
+    }
+    /// Gets these hits ready, and those of pass_through(); those that only scatter() knows about (white light that is
+    /// dispersed, iridescence) are not.
     void prepare(HitMask hits)
     {
-        if (hits == 0) return;
-        find_mirrored(hits);
-        if (scratch_.traits.fresnel) find_fresnel(hits);
+        ready_ = clear_;
+        if ((hits | clear_) == 0) return;
+        find_mirrored(hits | clear_);
+        if (hits != 0 && scratch_.traits.fresnel) find_fresnel(hits);
         for_each_hit(hits, [this](std::size_t k) { look(k); });
         if (bent_ != 0) bend();
-        find_leaving(hits);
+        find_leaving(hits | clear_);
     }
     bool ready(std::size_t k) const { return has(ready_, k); }
 
@@ -36,6 +50,7 @@ public:
     void send(std::size_t k, ColorSlot out)
     {
         RayQueue& queue = scratch_.queue;
+        if (has(clear_, k)) return go_through(k, out);
         const auto index = static_cast<std::uint32_t>(queue.nodes.size());
         ShadeNode& node = queue.new_node(ShadeNode::Kind::Surface, out);
         node.filter = filter_[k];
@@ -136,7 +151,7 @@ private:
         const bool disperses = std::abs(crossing.dispersion - 1.0) >= kNearlyZero;
         if (disperses && !(state.wavelength > 0.0f)) {
             ready_ &= ~bit;
-        } else if (disperses || std::abs(crossing.ratio - 1.0) >= kNearlyZero) {
+        } else if (!unbent(crossing)) {
             bent_ |= bit;
             ratio_[k] = disperses ? scratch_.spectrum.ratio_at(crossing.ratio, crossing.dispersion, state.wavelength)
                                   : crossing.ratio;
@@ -186,12 +201,11 @@ private:
             in |= (ways >> 1) << k;
         });
         const HitMask own = csg::lanes::equal(tile_.hits.instance, Hit::kNoInstance);
-        const auto leaving = [&](HitMask along_normal) {
-            const HitMask inward = inward_of(along_normal);
-            return own & ((in & inward) | (out & ~inward));
-        };
-        mirrored_leaves_ = leaving(mirrored_along_);
-        through_leaves_ = leaving(through_along_);
+        const auto leaving = [&](HitMask inward) { return own & ((in & inward) | (out & ~inward)); };
+        mirrored_inward_ = inward_of(mirrored_along_);
+        through_inward_ = inward_of(through_along_);
+        mirrored_leaves_ = leaving(mirrored_inward_);
+        through_leaves_ = leaving(through_inward_);
     }
     /// Of rays whose directions lie along the normal that faces the viewer: those that go into the solid.
     HitMask inward_of(HitMask along_normal) const
@@ -224,7 +238,7 @@ private:
         QueuedRay& ray = queue.rays.emplace_back();
         const glm::dvec3 direction = bent ? glm::dvec3(bent_x_[k], bent_y_[k], bent_z_[k])
                                           : glm::dvec3(tile_.rays.dx[k], tile_.rays.dy[k], tile_.rays.dz[k]);
-        go_on(k, direction, weight, through_along_, through_leaves_, ray.state);
+        go_on(k, direction, weight, through_inward_, through_leaves_, ray.state);
         ray.state.kind = tile_.kind(k);
         ray.state.stretch = bent ? stretch_[k] : state.stretch;
         cross(context_.scene.interiors, list, own, way_[k], ray.state.interiors);
@@ -232,16 +246,39 @@ private:
         node.through = queue.keep(ray, !bent);
     }
 
+    /// The ray behind a clear surface, whose colour is what the ray before it waits for.
+    [[gnu::always_inline]] void go_through(std::size_t k, ColorSlot out)
+    {
+        RayQueue& queue = scratch_.queue;
+        const RayState& state = tile_.inherited(k);
+        const InteriorList& list = tile_.interiors(k);
+        ++context_.scratch.counts.refracted;
+        if (!worth_tracing(context_, tile_.level(k), state.weight)) {
+            queue.colors[out] = scene::Color();
+            return;
+        }
+        QueuedRay& ray = queue.rays.emplace_back();
+        ray.slot = out;
+        ray.level = tile_.level(k);
+        go_on(k, {tile_.rays.dx[k], tile_.rays.dy[k], tile_.rays.dz[k]}, state.weight, through_inward_, through_leaves_,
+              ray.state);
+        ray.state.kind = tile_.kind(k);
+        ray.state.stretch = state.stretch;
+        const std::uint32_t own = context_.scene.surfaces[tile_.hits.surface[k]].interior;
+        cross(context_.scene.interiors, list, own, way_[k], ray.state.interiors);
+        scratch_.cross(context_.scene.interiors[own]);
+    }
+
     [[gnu::always_inline]] void mirror_into(std::size_t k, float weight, RayState& out)
     {
-        go_on(k, {mirrored_x_[k], mirrored_y_[k], mirrored_z_[k]}, weight, mirrored_along_, mirrored_leaves_, out);
+        go_on(k, {mirrored_x_[k], mirrored_y_[k], mirrored_z_[k]}, weight, mirrored_inward_, mirrored_leaves_, out);
         out.kind = plan::RayKind::Reflection;
         out.stretch = 1.0;
         out.interiors = tile_.interiors(k);
     }
 
     /// What mirrored and transmitted rays have in common.
-    [[gnu::always_inline]] void go_on(std::size_t k, const glm::dvec3& direction, float weight, HitMask along_normal,
+    [[gnu::always_inline]] void go_on(std::size_t k, const glm::dvec3& direction, float weight, HitMask inward,
                                       HitMask leaves, RayState& out)
     {
         const RayState& state = tile_.inherited(k);
@@ -251,13 +288,17 @@ private:
         out.start = start_[k];
         if (!has(leaves, k))
             out.start = context_.world.start({point, direction}, tile_.hits.at(static_cast<int>(k)),
-                                             glm::dot(scratch_.hits.normal(k), direction),
-                                             has(inward_of(along_normal), k), out.start);
+                                             glm::dot(scratch_.hits.normal(k), direction), has(inward, k), out.start);
         out.weight = weight;
         out.level = tile_.level(k);
         out.root = tile_.root(k);
         out.scattered = state.scattered;
         out.wavelength = state.wavelength;
+    }
+
+    static bool unbent(const Crossing& crossing)
+    {
+        return !(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero);
     }
 
     template <class F>
@@ -275,11 +316,12 @@ private:
     ShadeScratch& scratch_;
     const SegmentTile& tile_;
     DirectBatch& batch_;
-    HitMask ready_ = 0;
+    HitMask ready_ = 0, clear_ = 0;
     HitMask fresnel_ = 0;           ///< those whose share_ is known
     HitMask through_ = 0;           ///< those that a ray behind the surface is asked of
     HitMask bent_ = 0, total_ = 0;  ///< of them, those whose rays change direction; are mirrored within
     HitMask mirrored_along_ = 0, through_along_ = 0;    ///< rays with a positive cosine with the normal
+    HitMask mirrored_inward_ = 0, through_inward_ = 0;  ///< rays that go into their own solid
     HitMask mirrored_leaves_ = 0, through_leaves_ = 0;  ///< rays that surely meet no more of their own solid
     // Not cleared.
     alignas(64) TileLanes cosine_, start_, mirrored_x_, mirrored_y_, mirrored_z_;

@@ -14,7 +14,8 @@ class SurfaceStage {
 public:
     /// dimmed: segments that ShadeScratch::air changes.
     SurfaceStage(Context& context, const SegmentTile& tile, DirectBatch& batch, HitMask dimmed)
-        : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch), dimmed_(dimmed)
+        : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch), dimmed_(dimmed),
+          together_(context, tile, batch)
     {}
 
     void run()
@@ -37,10 +38,9 @@ public:
         if (layered_) finish_layers();
         if (scratch_.mapped_count != 0) look_up_maps();
         batch_.bend();
-        LaneScatter together(context_, tile_, batch_);
-        if (context_.scene.textures.extensions.empty()) together.prepare(batch_.all() & ~batch_.all_alone());
+        if (context_.scene.textures.extensions.empty()) together_.prepare(batch_.all() & ~batch_.all_alone());
         for_each_hit(tile_.found() & ~batch_.all_alone(), [&](std::size_t k) {
-            if (together.ready(k)) together.send(k, slot(k));
+            if (together_.ready(k)) together_.send(k, slot(k));
             else go_on(k);
         });
     }
@@ -49,6 +49,8 @@ private:
     /// Hits on one side of a surface.
     void begin(HitMask group, csg::SurfaceId surface, const SingleLayer& single, const PatternedLayers& layers)
     {
+        if (goes_on_ && single.clear)
+            group &= ~together_.pass_through(group, context_.scene.surfaces[surface].interior);
         if (group == 0) return;
         if (lights_ && !scratch_.traits.scalar_rows && single.index != plan::kNone && (goes_on_ || !single.goes_on))
             begin_single(group, surface, single);
@@ -246,6 +248,7 @@ private:
     bool lights_ = false, goes_on_ = false;  ///< of this quality
     HitMask dimmed_;
     HitMask layered_ = 0;  ///< hits with prefetched pigments
+    LaneScatter together_;
 };
 
 }  // namespace trace

@@ -11,6 +11,8 @@ namespace trace {
 struct SingleLayer {
     std::uint32_t index = plan::kNone;
     bool goes_on = false;  ///< it may mirror light or let it through
+    /// It has no light of its own and lets all through as it is, but that its interior may bend it.
+    bool clear = false;
 };
 
 /// A texture of layers with patterns or bent normals, or a texture map.
