@@ -120,10 +120,14 @@ void add_stretch(DepthBatch& batch, const plan::Media& control, const ShadowStre
 }
 
 /// Of media that are alike everywhere.
-glm::vec3 even_share(const MediaMix& mix, double length)
+glm::vec3 even_extinction(const MediaMix& mix)
 {
     glm::vec3 extinction(0);
     for (std::size_t m = 0; m < mix.count; ++m) extinction += mix.members[m]->extinction;
+    return extinction;
+}
+glm::vec3 even_share(const glm::vec3& extinction, double length)
+{
     return media_exp(-extinction * static_cast<float>(length));
 }
 
@@ -133,7 +137,7 @@ glm::vec3 media_share(const plan::CompiledScene& scene, const MediaMix& mix, con
                       double to)
 {
     if (!mix.extinguishes) return glm::vec3(1);
-    if (!mix.patterned) return even_share(mix, to - from);
+    if (!mix.patterned) return even_share(even_extinction(mix), to - from);
     glm::vec3 depth(0);
     DepthBatch batch(scene, mix);
     add_stretch(batch, *mix.control, {ray, from, to, depth});
@@ -212,13 +216,20 @@ void MediaShadows::find_shares()
 glm::vec3 interior_media_share(const plan::CompiledScene& scene, const RayState& ray, double from, double to,
                                MediaShadows* later, std::size_t lane)
 {
+    // Neighbours are inside of the same, so the last answers come first.
+    if (later != nullptr && later->add_again(ray.interiors, ray.ray, from, to, lane)) return glm::vec3(1);
+    const glm::vec3* const even = later != nullptr ? later->even(ray.interiors) : nullptr;
+    if (even != nullptr) return even_share(*even, to - from);
     bool dims = false;
     for (std::size_t i = 0; i < ray.interiors.size(); ++i) dims |= scene.interiors[ray.interiors[i]].media.extinguishes;
     if (!dims || !ray.interiors.all_hollow(scene.interiors)) return glm::vec3(1);
-    if (later != nullptr && later->add_again(ray.interiors, ray.ray, from, to, lane)) return glm::vec3(1);
     MediaMix mix;
     mix.add(scene, ray.interiors);
-    if (later == nullptr || !mix.patterned) return media_share(scene, mix, ray.ray, from, to);
+    if (later == nullptr) return media_share(scene, mix, ray.ray, from, to);
+    if (!mix.patterned) {
+        later->keep_even(ray.interiors, even_extinction(mix));
+        return even_share(*later->even(ray.interiors), to - from);
+    }
     later->add(ray.interiors, mix, ray.ray, from, to, lane);
     return glm::vec3(1);
 }

@@ -20,7 +20,7 @@ struct MediaStarts {
 /// Stretches of shadow rays whose densities are looked up together, when all rays of a tile have been followed.
 class MediaShadows {
 public:
-    void clear() { stretches_.clear(), mix_count_ = 0, inside_known_ = false; }
+    void clear() { stretches_.clear(), mix_count_ = 0, inside_known_ = even_known_ = false; }
     bool empty() const { return stretches_.empty(); }
     std::size_t size() const { return stretches_.size(); }
     /// Until further notice rays start where this has been found; null: nothing has.
@@ -32,6 +32,18 @@ public:
     void add(const InteriorList& inside, const MediaMix& mix, const csg::Ray& ray, double from, double to,
              std::size_t lane);
     bool add_again(const InteriorList& inside, const csg::Ray& ray, double from, double to, std::size_t lane);
+
+    /// Extinction of media that are alike everywhere, if these were asked for last; null: they were not.
+    const glm::vec3* even(const InteriorList& inside) const
+    {
+        return even_known_ && even_inside_ == inside ? &even_extinction_ : nullptr;
+    }
+    void keep_even(const InteriorList& inside, const glm::vec3& extinction)
+    {
+        even_inside_ = inside;
+        even_extinction_ = extinction;
+        even_known_ = true;
+    }
 
     /// Calls give(lane, share) for every stretch, in any order.
     template <class Give>
@@ -63,8 +75,10 @@ private:
     std::size_t mix_count_ = 0;
     const MediaStarts* starts_ = nullptr;
     InteriorList inside_;  ///< of the last ones that were added with such a list
+    InteriorList even_inside_;
+    glm::vec3 even_extinction_{0};
     std::uint32_t inside_mix_ = 0;
-    bool inside_known_ = false;
+    bool inside_known_ = false, even_known_ = false;
 };
 
 /// The same for media of what a shadow ray is inside of; all light passes where it is inside of something solid.

@@ -1,4 +1,5 @@
 // Media against their integrals, and against what POV-Ray was seen to make of small scenes (spec 6, 1.2 and 2).
+#include "render/trace/media/media_exp.h"
 #include "render/trace/render.h"
 #include "tests/parser/grammar_support.h"
 #include "tests/support/csv_table.h"
@@ -48,6 +49,20 @@ std::string filled(const std::string& media, const std::string& more = "hollow")
 Approx near(double value, double margin = 2e-5) { return Approx(value).margin(margin).epsilon(0); }
 
 }  // namespace
+
+TEST_CASE("powers of e for media are the library's within 4e-13", "[media]")
+{
+    double worst = 0.0;
+    for (double v = -700.0; v <= 700.0; v += 0.000731)
+        worst = std::max(worst, std::abs(trace::media_exp(v) / std::exp(v) - 1.0));
+    CHECK(worst < 4e-13);
+    CHECK(trace::media_exp(0.0) == 1.0);
+    CHECK(trace::media_exp(-1e9) == trace::media_exp(-700.0));
+    CHECK(std::isnan(trace::media_exp(std::numeric_limits<double>::quiet_NaN())));
+    const glm::vec3 v(-0.25f, -3.5f, 1.75f), e = trace::media_exp(v);
+    for (int c = 0; c < 3; ++c)
+        CHECK(e[c] == static_cast<float>(trace::media_exp(static_cast<double>(v[c]))));  // side by side or alone
+}
 
 TEST_CASE("absorbing media dim by Beer's law", "[trace][media]")
 {
