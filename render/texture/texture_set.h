@@ -61,6 +61,11 @@ struct Finish {
     glm::vec3 translucency{0};
 
     bool lit() const { return diffuse != 0 || diffuse_back != 0 || phong != 0 || specular != 0 || subsurface; }
+    /// All light of lamps that it shows is dimmed by the layer's opacity.
+    bool dull() const
+    {
+        return diffuse_back == 0 && phong == 0 && specular == 0 && crand == 0 && irid == 0 && !own_light && !subsurface;
+    }
     bool reflects() const { return reflection_min != glm::vec3(0) || reflection_max != glm::vec3(0); }
 };
 

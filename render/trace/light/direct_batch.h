@@ -54,6 +54,7 @@ public:
         else alone_ |= hits;
         const texture::Layer& layer = set_.layers[single.index];
         if (set_.finishes[layer.finish].lit()) lit_ |= hits;
+        if (single.dull) dull_ |= hits;
         add_layer(0, hits, layer);
         for_each_hit(hits, [&](std::size_t k) { rows_[k] = 1; });
         if (set_.finishes[layer.finish].crand > 0.0f) for_each_hit(hits, [&](std::size_t k) { grains_[k] = 0; });
@@ -63,6 +64,7 @@ public:
     {
         for_each_hit(hits & goes_on_, [&](std::size_t k) { scratch_.top_pigments.set(k, c.at(k)); });
         color(scratch_.pages[0], hits, hits & goes_on_, c);
+        if ((hits & dull_) != 0) drop_clear(hits & dull_, c);
     }
 
     /// Hits of layers whose pigments are known, by depth where the hits of `asked` have one; they let nothing through
@@ -95,7 +97,7 @@ public:
         at.filter.set(k, row.filter);
         at.alpha[k] = row.alpha;
         if (!finish.lit()) return;
-        lit_ |= bit;
+        if (row.alpha != 0.0f || !scratch_.traits.clear_surfaces || !finish.dull()) lit_ |= bit;
         if (row.normal != row.raw_normal) {
             if (at.bent == 0) copy_normals(at);
             at.bent |= bit;
@@ -361,6 +363,14 @@ private:
         });
     }
 
+    /// No lamp is asked where a dull layer is wholly clear.
+    [[gnu::noinline]] void drop_clear(HitMask hits, const texture::ColorPoints& c)
+    {
+        for_each_hit(hits, [&](std::size_t k) {
+            if (texture::opacity(c.at(k), set_.legacy_opacity) == 0.0f) lit_ &= ~(HitMask{1} << k);
+        });
+    }
+
     /// The same hit by hit.
     void color_each(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
@@ -380,8 +390,8 @@ private:
     const texture::TextureSet& set_;
     ShadeScratch& scratch_;
     const bool bends_normals_;
-    HitMask holds_ = 0, goes_on_ = 0, alone_ = 0, bent_ = 0, two_sided_ = 0, scalar_ = 0, lit_ = 0, reached_ = 0,
-            dark_ = 0;
+    HitMask holds_ = 0, goes_on_ = 0, dull_ = 0, alone_ = 0, bent_ = 0, two_sided_ = 0, scalar_ = 0, lit_ = 0,
+            reached_ = 0, dark_ = 0;
     std::array<std::uint16_t, csg::kTileRays> rows_;
     std::array<std::uint32_t, csg::kTileRays> grains_;  ///< asked for so far, of hits whose only row has some
     std::size_t depths_ = 0, bends_ = 0;

@@ -122,12 +122,10 @@ SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool bent, 
 /// See SingleLayer::clear. interior: what the surface closes.
 bool lets_all_through(const TextureSet& set, const SingleLayer& single, const plan::Interior& interior)
 {
-    if (single.index == plan::kNone || !single.goes_on) return false;
     const texture::Layer& layer = set.layers[single.index];
     const texture::Pigment& pigment = set.pigments[layer.pigment];
     const texture::Finish& finish = set.finishes[layer.finish];
-    return pigment.kind == texture::Pigment::Kind::Solid && !finish.reflects() && finish.phong == 0.0f &&
-           finish.specular == 0.0f && finish.crand == 0.0f && !finish.subsurface &&
+    return pigment.kind == texture::Pigment::Kind::Solid && !finish.reflects() && finish.dull() &&
            texture::opacity(pigment.color, set.legacy_opacity) == 0.0f &&
            layer_filter(pigment.color, finish, glm::vec3(0)) == glm::vec3(1) && interior.transmission == 1.0f &&
            interior.fade_distance == 0.0f;
@@ -227,8 +225,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     TextureLooks texture_looks(scene.textures);
     const bool grain = grain_in_lanes(scene);
     const bool every_detail = !scene.options.lean.takes(plan::LeanStep::HitDetails);
-    const bool clear_surfaces = scene.options.lean.takes(plan::LeanStep::ClearSurfaces) &&
-                                !scene.options.grain_stream && scene.textures.extensions.empty();
+    traits.clear_surfaces = scene.options.lean.takes(plan::LeanStep::ClearSurfaces) && !scene.options.grain_stream &&
+                            scene.textures.extensions.empty();
     for (const std::uint32_t layer : scene.sky.layers) {
         const LookedAt looks = texture_looks.of_pigment(layer);
         traits.sky_looks_around |= looks.uv || looks.around || every_detail;
@@ -270,9 +268,12 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
                                ? all[i].outer
                                : single_layer(scene.textures, surface.interior_texture, inner_bent, grain);
         }
-        if (surface.interior != plan::kNone && clear_surfaces)
-            for (SingleLayer* single : {&all[i].outer, &all[i].inner})
-                single->clear = lets_all_through(scene.textures, *single, scene.interiors[surface.interior]);
+        for (SingleLayer* single : {&all[i].outer, &all[i].inner}) {
+            if (!traits.clear_surfaces || single->index == plan::kNone || !single->goes_on) continue;
+            single->dull = scene.textures.finishes[scene.textures.layers[single->index].finish].dull();
+            single->clear = surface.interior != plan::kNone &&
+                            lets_all_through(scene.textures, *single, scene.interiors[surface.interior]);
+        }
         const bool focused = surface.interior != plan::kNone &&
                              scene.interiors[surface.interior].caustics_power != 0.0f;
         if (surface.texture == plan::kNone) continue;

@@ -13,6 +13,7 @@ struct SingleLayer {
     bool goes_on = false;  ///< it may mirror light or let it through
     /// It has no light of its own and lets all through as it is, but that its interior may bend it.
     bool clear = false;
+    bool dull = false;  ///< it may let light through, and shows that of lamps by its opacity alone
 };
 
 /// A texture of layers with patterns or bent normals, or a texture map.
@@ -46,6 +47,7 @@ struct SceneTraits {
     bool media = false;                       ///< some interior holds media that dim light
     bool fresnel = false;                     ///< some finish mirrors by Fresnel's equations
     bool interior_media = false;              ///< some interior holds media of any kind
+    bool clear_surfaces = false;              ///< what is wholly clear may be left unlit (plan::LeanStep)
     bool scalar_rows = false;                 ///< Options::scalar_light
     bool even_fog = false;                    ///< the air has fog that is the same everywhere, and nothing else
     /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are
