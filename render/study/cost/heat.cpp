@@ -39,6 +39,9 @@ constexpr std::array<std::uint8_t, 5> glyph(char c)
     }
 }
 
+/// Of the thread, at least a nanosecond: its clock may stand still, or go back, while it changes processors.
+double since(double begun) { return std::max(thread_seconds() - begun, 1e-9); }
+
 /// Black, blue, red, yellow, white, at even steps.
 std::array<float, 3> false_color(float share)
 {
@@ -130,17 +133,17 @@ Heat measure_heat(const plan::CompiledScene& scene, const trace::RenderOptions& 
                 }
             double begun = thread_seconds(), alone = 0.0;
             if (!kernel.sample(*tracer, tile, colors.data())) return {};
-            const double together = thread_seconds() - begun;
+            const double together = since(begun);
             for (std::size_t k = 0; k < tile.size(); ++k) {
                 const double rays = ray_count(kernel.counts(*tracer));
                 begun = thread_seconds();
                 if (!kernel.sample(*tracer, {&tile[k], 1}, colors.data())) return {};
-                const double took = thread_seconds() - begun;
+                const double took = since(begun);
                 alone += took;
                 heat.ns[at[k]] = static_cast<float>(1e9 * took);
                 heat.rays[at[k]] = static_cast<float>(ray_count(kernel.counts(*tracer)) - rays);
             }
-            const auto share = static_cast<float>(alone > 0.0 ? together / alone : 0.0);
+            const auto share = static_cast<float>(together / alone);
             for (const std::size_t pixel : at) heat.ns[pixel] *= share;
         }
     return heat;
