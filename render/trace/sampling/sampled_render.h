@@ -3,6 +3,8 @@
 #include "render/trace/render.h"
 #include "render/trace/sampling/sampled_picture.h"
 
+#include <functional>
+
 namespace trace {
 
 class PathFeatures;

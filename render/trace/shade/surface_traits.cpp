@@ -1,7 +1,7 @@
 #include "render/trace/shade/surface_traits.h"
 
-#include "render/trace/air/even_fog.h"
 #include "render/texture/finish.h"
+#include "render/trace/air/even_fog.h"
 #include "render/trace/air/interior_fade.h"
 #include "render/trace/shade/looking_patterns.h"
 #include "render/trace/shade/pigment_batch.h"

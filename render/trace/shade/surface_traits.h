@@ -11,9 +11,8 @@ namespace trace {
 struct SingleLayer {
     std::uint32_t index = plan::kNone;
     bool goes_on = false;  ///< it may mirror light or let it through
-    /// It has no light of its own and lets all through as it is, but that its interior may bend it.
-    bool clear = false;
-    bool dull = false;  ///< it may let light through, and shows that of lamps by its opacity alone
+    bool clear = false;    ///< nothing shows of it, unless what is inside bends the light
+    bool dull = false;     ///< it may let light through, and shows that of lamps by its opacity alone
 };
 
 /// A texture of layers with patterns or bent normals, or a texture map.

@@ -20,15 +20,7 @@ struct Sampled {
     trace::RenderStatistics statistics;
 };
 
-/// A second is a thousand samples: what a time holds is then the same on any machine, whatever else runs there.
-constexpr double kSamplesPerSecond = 1000.0;
-std::function<double()> clock_of(const trace::SampledPicture& picture)
-{
-    return [&picture] { return static_cast<double>(picture.samples()) / kSamplesPerSecond; };
-}
-
-Sampled sampled(const std::string& text, trace::SamplingGoal goal, int threads = 0, trace::Isa isa = trace::Isa::Auto,
-                bool by_samples = false)
+void render_into(Sampled& out, const std::string& text, const trace::SamplingGoal& goal, int threads, trace::Isa isa)
 {
     plan::Options options;
     options.width = kWidth;
@@ -37,10 +29,28 @@ Sampled sampled(const std::string& text, trace::SamplingGoal goal, int threads =
     trace::RenderOptions render;
     render.threads = threads;
     render.isa = isa;
-    Sampled out;
-    if (by_samples) goal.clock = clock_of(out.picture);
     out.statistics = trace::render_sampled(plan::compile(parser::parse_text(kHead + text, "t.pov", {}).scene, options),
                                            render, goal, kLinear, out.picture);
+}
+
+Sampled sampled(const std::string& text, const trace::SamplingGoal& goal, int threads = 0,
+                trace::Isa isa = trace::Isa::Auto)
+{
+    Sampled out;
+    render_into(out, text, goal, threads, isa);
+    return out;
+}
+
+/// The picture of so many seconds by a clock that goes on by one with a thousand samples: what they hold is the same on
+/// any machine, whatever else runs there.
+constexpr double kSamplesPerSecond = 1000.0;
+Sampled sampled_in_time(const std::string& text, double seconds)
+{
+    Sampled out;
+    trace::SamplingGoal goal;
+    goal.seconds = seconds;
+    goal.clock = [&out] { return static_cast<double>(out.picture.samples()) / kSamplesPerSecond; };
+    render_into(out, text, goal, 1, trace::Isa::Auto);
     return out;
 }
 
@@ -230,13 +240,13 @@ TEST_CASE("a time that does not hold a sample of each pixel ends all the same, w
         "interior { ior 1 + I*.02 } } #end\n";
     const Sampled whole = sampled(text, samples(1), 1);
     CHECK(std::isnan(whole.statistics.error));  // one sample has no spread
-    trace::SamplingGoal goal;
-    goal.seconds = 0.3 * kWidth * kHeight / kSamplesPerSecond;
-    const Sampled found = sampled(text, goal, 1, trace::Isa::Auto, true);
-    INFO(found.statistics.seconds_trace << " of " << goal.seconds);
+    const double seconds = 0.3 * kWidth * kHeight / kSamplesPerSecond;
+    const Sampled found = sampled_in_time(text, seconds);
+    INFO(found.statistics.seconds_trace << " of " << seconds);
     CHECK(std::isnan(found.statistics.error));
-    CHECK(found.statistics.seconds_trace >= 0.9 * goal.seconds);
-    CHECK(found.statistics.seconds_trace <= 1.1 * goal.seconds);
+    CHECK(found.statistics.seconds_trace >= 0.9 * seconds);
+    CHECK(found.statistics.seconds_trace <= 1.1 * seconds);
+    CHECK(found.statistics.samples < 1u * kWidth * kHeight);
     image::Image picture;
     found.picture.show(picture);
     plan::Options window;
@@ -280,10 +290,9 @@ TEST_CASE("a time that does not hold another sample of each pixel is used all th
                              "light_source { <3,5,-3> rgb 1 }\n"
                              "plane { y,-1 pigment { checker rgb 1 rgb .2 } finish { reflection .3 } }\n"
                              "sphere { 0, 1 pigment { bozo scale .1 } finish { reflection .3 phong .5 } }\n";
-    trace::SamplingGoal goal;
-    goal.seconds = 1.7 * kWidth * kHeight / kSamplesPerSecond;
-    const Sampled found = sampled(text, goal, 1, trace::Isa::Auto, true);
-    INFO(found.statistics.seconds_trace << " of " << goal.seconds);
+    const double seconds = 1.7 * kWidth * kHeight / kSamplesPerSecond;
+    const Sampled found = sampled_in_time(text, seconds);
+    INFO(found.statistics.seconds_trace << " of " << seconds);
     const double each = static_cast<double>(found.statistics.samples) / (kWidth * kHeight);
     CHECK(each > 1.6);
     CHECK(each < 1.8);
