@@ -2,6 +2,7 @@
 
 #include "csg/solids/torus/torus.h"
 #include "csg/packet/tile_rays.h"
+#include "csg/packet/torus_looks.h"
 
 #include <algorithm>
 
@@ -59,11 +60,11 @@ public:
 private:
     using Double = lanes::Double;
     using Lanes = RayLanes;
-    static constexpr double kSure = 1e-6;  // of squares of lengths
 
     template <class Rays>
     void pack(const Torus& torus, const Rays& rays, RayMask mask, bool any_will_do)
     {
+        const TorusLooks looks(torus);
         each_vector(mask, [&](int i) {
             for (int which = 0; which < 2; ++which) {
                 lanes::beyond().store_aligned(entry_[which].data() + i);
@@ -71,21 +72,25 @@ private:
             }
             const lanes::Directions local = rays.directions(i).in(torus.frame);
             const auto from = lanes::into(torus.frame, rays.origins(i));
-            const Double d[3] = {local.x, local.y, local.z}, o[3] = {Double(from.x), Double(from.y), Double(from.z)};
+            const TorusRays own{
+                {Double(from.x), Double(from.y), Double(from.z)}, {local.x, local.y, local.z}, local.square()};
             constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
-            RayMask near = lanes::mask(detail::near_torus<LaneRays>(torus, o, d, local.square())) & (mask >> i) &
+            RayMask near = lanes::mask(detail::near_torus<LaneRays>(torus, own.o, own.d, own.square)) & (mask >> i) &
                            kVector;
-            if (near != 0) near &= ~lanes::mask(passes_by(torus, o, d));
             if (near != 0 && any_will_do) {
-                const RayMask through = near & lanes::mask(passes_through(torus, o, d, local.square(), rays, i));
-                sure |= through << i;
-                near &= ~through;
+                const auto [meets, misses] = looks.look(own, Double::load_aligned(rays.t_min.data() + i),
+                                                        Double::load_aligned(rays.limit.data() + i),
+                                                        static_cast<std::uint32_t>(near));
+                sure |= RayMask{meets} << i;
+                near &= ~(meets | misses);
+            } else if (near != 0) {
+                near &= ~lanes::mask(looks.passes_by(own));
             }
             if (near == 0) return;
             alignas(64) double part[6][lanes::kDoubles];
             for (int k = 0; k < 3; ++k) {
-                o[k].store_aligned(part[k]);
-                d[k].store_aligned(part[3 + k]);
+                own.o[k].store_aligned(part[k]);
+                own.d[k].store_aligned(part[3 + k]);
             }
             for (; near != 0; near &= near - 1) {
                 const int lane = std::countr_zero(near);
@@ -95,57 +100,6 @@ private:
         });
         for (int i = count_; i % lanes::kDoubles != 0; ++i)
             for (Lanes& part : packed_) part[static_cast<std::size_t>(i)] = part[0];
-    }
-
-    static Double length2(const Double (&v)[3]) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
-
-    /// Nearer than this places are known well enough for margins of kSure.
-    static Double far(const Torus& torus) { return Double(1e12 * torus.minor * torus.minor); }
-
-    /// Rays that surely miss it: between the planes that it touches above and below, they stay inside of its hole or
-    /// outside of it all. How far a ray is from the axis is convex along it.
-    static lanes::Bool passes_by(const Torus& torus, const Double (&o)[3], const Double (&d)[3])
-    {
-        const double hole = std::max(torus.major - torus.minor, 0.0), outer = torus.major + torus.minor;
-        const Double inverse = Double(1.0) / d[1], height(torus.minor * (1.0 + kSure));
-        const Double a = (Double(0.0) - height - o[1]) * inverse, b = (height - o[1]) * inverse;
-        const auto from_axis = [&](Double t) {
-            const Double x = o[0] + t * d[0], z = o[2] + t * d[2];
-            return x * x + z * z;
-        };
-        const Double at_a = from_axis(a), at_b = from_axis(b), through(hole * hole - kSure * outer * outer);
-        const Double foot = Double(0.0) - (o[0] * d[0] + o[2] * d[2]) / (d[0] * d[0] + d[2] * d[2]);
-        const Double nearest = from_axis(xsimd::max(xsimd::min(a, b), xsimd::min(xsimd::max(a, b), foot)));
-        return (length2(o) < far(torus)) &
-               (((at_a < through) & (at_b < through)) | (nearest > Double(outer * outer * (1.0 + kSure))));
-    }
-
-    /// Rays that are well inside between t_min and limit, and outside at limit: looked for where they cross the plane
-    /// of the ring, then where they come nearest to the point of the ring that is nearest to that place, and so on.
-    /// Some are not found.
-    template <class Rays>
-    static lanes::Bool passes_through(const Torus& torus, const Double (&o)[3], const Double (&d)[3], Double square,
-                                      const Rays& rays, int i)
-    {
-        constexpr int kLooks = 3;
-        const double outer = torus.major + torus.minor;
-        const Double t_min = Double::load_aligned(rays.t_min.data() + i),
-                     limit = Double::load_aligned(rays.limit.data() + i);
-        const auto at = [&](Double t, std::size_t k) { return o[k] + t * d[k]; };
-        const Double end[3] = {at(limit, 0), at(limit, 1), at(limit, 2)};
-        const lanes::Bool leaves = (length2(end) > Double(outer * outer * (1.0 + kSure))) &
-                                   (length2(end) < far(torus)) & (length2(o) < far(torus));
-        const Double tube(torus.minor * torus.minor * (1.0 - kSure)), major(torus.major);
-        lanes::Bool inside(false);
-        Double t = Double(0.0) - o[1] / d[1];
-        for (int look = 0;; ++look) {
-            const Double x = at(t, 0), y = at(t, 1), z = at(t, 2), rho = xsimd::sqrt(x * x + z * z),
-                         apart = rho - major;
-            inside = inside | ((apart * apart + y * y < tube) & (t > t_min) & (t < limit));
-            if (look + 1 == kLooks || lanes::mask(leaves & !inside) == 0) return leaves & inside;
-            const Double to_ring = major / rho;
-            t = ((to_ring * x - o[0]) * d[0] - o[1] * d[1] + (to_ring * z - o[2]) * d[2]) / square;
-        }
     }
 
     void solve(const Torus& torus, int at)
