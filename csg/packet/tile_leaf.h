@@ -4,7 +4,7 @@
 #include "csg/packet/lane_front.h"
 #include "csg/packet/lane_torus.h"
 #include "csg/packet/mesh_rays.h"
-#include "csg/packet/packed_boolean.h"
+#include "csg/packet/boolean/packed_boolean.h"
 #include "csg/packet/tile_walk.h"
 #include "csg/world/world_item.h"
 

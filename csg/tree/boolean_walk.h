@@ -110,24 +110,20 @@ private:
         if (!leaf.drawn || end.face == kUndrawnFace) return true;
         const double room = slack(end.t);
         const std::uint64_t matters = leaf.matters();
-        std::uint32_t beside = count_;
+        std::uint64_t state = state_, beside = 0;
         const auto look = [&](std::uint32_t k) {
-            if ((matters >> ends_[k].leaf & 1) == 0) return true;
-            if (beside != count_) return false;
-            beside = k;
+            const std::uint64_t bit = std::uint64_t{1} << ends_[k].leaf;
+            if ((matters & bit) == 0) return true;
+            if ((beside & bit) != 0) return false;
+            if ((leaf.below & bit) != 0 && (leaf.below & beside) != 0) return false;
+            beside |= bit;
+            state = form_.leaves[ends_[k].leaf].closed ? state | bit : state & ~bit;
             return true;
         };
         for (std::uint32_t k = i; k-- > 0 && same_place(end.t, ends_[k].t, room);)
             if (!look(k)) return false;
         for (std::uint32_t k = i + 1; k < count_ && same_place(end.t, ends_[k].t, room); ++k)
             if (!look(k)) return false;
-        std::uint64_t state = state_;
-        if (beside != count_) {
-            const std::uint32_t other = ends_[beside].leaf;
-            const std::uint64_t bit = std::uint64_t{1} << other;
-            if ((leaf.below & bit) != 0) return false;
-            state = form_.leaves[other].closed ? state | bit : state & ~bit;
-        }
         met = seen(leaf, state);
         return true;
     }
@@ -136,18 +132,18 @@ private:
     {
         if ((leaf.inside & ~state) != 0 || (leaf.outside & state) != 0) return false;
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
-            if (holds(form_.conditions[k].node) != form_.conditions[k].inside) return false;
+            if (holds(form_.conditions[k].node, state) != form_.conditions[k].inside) return false;
         return true;
     }
 
     /// Whether the point at hand is inside of the subtree at node i.
-    bool holds(std::uint32_t i) const
+    bool holds(std::uint32_t i, std::uint64_t state) const
     {
         const Node& node = program_.nodes[i];
-        if (node.op == Op::Leaf) return (state_ >> form_.first_leaf[i] & 1) != 0;
+        if (node.op == Op::Leaf) return (state >> form_.first_leaf[i] & 1) != 0;
         const bool all = node.op == Op::Intersection || node.op == Op::Clip;
         for (std::uint32_t k = i + 1; k < node.end; k = program_.nodes[k].end)
-            if (holds(k) != all) return !all;
+            if (holds(k, state) != all) return !all;
         return all;
     }
 

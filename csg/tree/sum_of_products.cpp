@@ -58,11 +58,12 @@ public:
 private:
     Shape shape(std::uint32_t i) const { return shape_of(store_, nodes_[i].solid); }
 
-    /// Whether the leaves can be intersected by interval: convex, or one alone.
+    /// Whether the leaves can be intersected by interval: convex, or one alone. None are all of space: where pruning
+    /// has left an operator without operands.
     bool fit_for_cut(const Group& group) const
     {
         if (group.size() == 1) return true;
-        return group.size() <= kMostInCut &&
+        return !group.empty() && group.size() <= kMostInCut &&
                std::all_of(group.begin(), group.end(), [&](std::uint32_t i) { return shape(i) == Shape::Convex; });
     }
 

@@ -19,7 +19,9 @@ struct OneObject {
     OneObject(std::uint32_t seed, bool glass, bool guarded)
     {
         Rng rng(seed);
-        const Tree tree = csg_test::tree_for_walk(rng, data.store, 1 + rng.below(3));
+        const int depth = 1 + rng.below(3);
+        const Tree tree = seed % 5 < 2 ? csg_test::tree_on_lattice(rng, data.store, depth)
+                                       : csg_test::tree_for_walk(rng, data.store, depth);
         Program program = build(tree, data.store);
         data.add_program(std::move(program), 0, 0xff);
         if (guarded) {
@@ -63,7 +65,7 @@ TEST_CASE("a tile asks a boolean form in lanes as its rays do alone", "[csg][boo
     const auto found = std::make_unique<HitTile>();
     const auto crossings = std::make_unique<CrossingTile>();
     std::vector<Hit> alone;
-    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         INFO("seed " << seed);
         const bool glass = seed % 2 != 0;
         const bool guarded = seed % 3 == 0;

@@ -36,4 +36,35 @@ inline csg::Tree tree_for_walk(Rng& rng, csg::SolidStore& store, int depth)
     return made;
 }
 
+/// Solids whose faces often lie in the same places as others': corners on a lattice, tubes around one axis.
+inline csg::Solid solid_on_lattice(Rng& rng)
+{
+    const glm::dvec3 corner(rng.below(3) - 1, rng.below(3) - 1, rng.below(3) - 1);
+    const double radius = 0.5 * (1 + rng.below(3));
+    switch (rng.below(5)) {
+    case 0: return csg::Box{corner, corner + glm::dvec3(1 + rng.below(2), 1 + rng.below(2), 1 + rng.below(2))};
+    case 1: return csg::Plane{glm::dvec3(0, rng.coin() ? 1 : -1, 0), static_cast<double>(rng.below(3) - 1)};
+    case 2: return csg::Sphere{{0, 0, 0}, radius};
+    default: {
+        const double end = 1 + rng.below(2);
+        return csg::Cylinder::make({-end, 0, 0}, {end, 0, 0}, radius, rng.below(3) == 0, {});
+    }
+    }
+}
+
+inline csg::Tree tree_on_lattice(Rng& rng, csg::SolidStore& store, int depth)
+{
+    csg::Tree made;
+    if (depth == 0 || rng.below(4) == 0) {
+        made.solid = store.add(solid_on_lattice(rng), 0);
+    } else {
+        made.op = static_cast<csg::Tree::Op>(1 + rng.below(4));
+        const int operands = 2 + rng.below(2);
+        for (int i = 0; i < operands; ++i) made.operands.push_back(tree_on_lattice(rng, store, depth - 1));
+    }
+    made.inverse = rng.below(8) == 0;
+    if (rng.below(3) == 0) made.clips.push_back(tree_on_lattice(rng, store, 0));
+    return made;
+}
+
 }  // namespace csg_test

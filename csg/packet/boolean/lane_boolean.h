@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/packet/boolean/lane_states.h"
 #include "csg/packet/lane_solids.h"
 #include "csg/packet/lane_torus.h"
 #include "csg/tree/program.h"
@@ -30,6 +31,7 @@ public:
         program_ = &program;
         form_ = &program.boolean;
         pieces_ = 0;
+        states_.start(program);
         found = undecided = 0;
         if (!measured_) measure();
         mask = meet_node(0, mask, scratch);
@@ -73,6 +75,7 @@ private:
         std::uint32_t leaf;
     };
 
+    static std::size_t bit(std::uint64_t mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
     static Double load(const Lanes& from, int i) { return Double::load_aligned(from.data() + i); }
     static void store(Lanes& to, int i, Double v) { v.store_aligned(to.data() + i); }
     static RayMask bits(Bool b, int i) { return static_cast<RayMask>(lanes::mask(b)) << i; }
@@ -109,7 +112,11 @@ private:
             const RayMask met = meet_leaf(form_->first_leaf[n], mask, scratch);
             return form_->leaves[form_->first_leaf[n]].inverted ? mask : met & mask;
         }
-        if (node.test_box && !node.inside_beyond) mask = near_box(node, mask);
+        if (node.test_box && !node.inside_beyond) {
+            const RayMask near = near_box(node, mask);
+            states_.leave_out(n, mask & ~near);
+            mask = near;
+        }
         const bool all = node.op == Op::Intersection || node.op == Op::Clip;
         RayMask some = 0;
         for (const bool slow : {false, true})
@@ -272,7 +279,7 @@ private:
             look(i, form_->leaves[piece_[p].leaf], at);
             tied = xsimd::select(reached & shared_, xsimd::min(tied, at), tied);
             const Bool nearer = reached & ((at < t) | (own >= rank));
-            const Bool seen = nearer & drawn(i, p, side) & seen_from(piece_[p].leaf, nearer);
+            const Bool seen = nearer & drawn(i, p, side) & states_.seen(form_->leaves[piece_[p].leaf], nearer);
             t = xsimd::select(seen, at, t);
             rank = xsimd::select(seen, own, rank);
             leaf = xsimd::select(seen, Double(static_cast<double>(piece_[p].leaf)), leaf);
@@ -292,7 +299,7 @@ private:
             if (lanes::mask(in_range) == 0) return;
             look(i, form_->leaves[piece_[p].leaf], at);
             undecided |= bits(in_range & shared_, i);
-            const Bool seen = in_range & drawn(i, p, side) & seen_from(piece_[p].leaf, in_range);
+            const Bool seen = in_range & drawn(i, p, side) & states_.seen(form_->leaves[piece_[p].leaf], in_range);
             piece_[p].seen[side] |= bits(seen, i);
             found |= bits(seen, i);
         });
@@ -329,10 +336,10 @@ private:
     {
         const Double room = slack(t, i);
         const std::uint64_t matters = own.matters();
-        for (std::uint64_t left = matters; left != 0; left &= left - 1)
-            holds_[bit(left)] = Bool(form_->leaves[bit(left)].inverted);
+        states_.begin(matters, i);
         shared_ = Bool(false);
-        Bool beside(false);
+        Bool below(false), of_leaf(false);  // an end of those, and of the leaf at hand, is in the same place
+        std::uint32_t of = kNoPart;
         for (std::uint64_t left = here_; left != 0; left &= left - 1) {
             const Piece& piece = piece_[bit(left)];
             if ((matters >> piece.leaf & 1) == 0) continue;
@@ -341,44 +348,20 @@ private:
             const Bool at_in = (t >= in - room) & (t <= in + room), at_out = (t >= out - room) & (t <= out + room);
             // A leaf's pieces lie apart. (The exclusive or of xsimd 8's masks is a plain or on AVX-512.)
             Bool inside = (in < t) & (t <= out);
-            Bool& holds = holds_[piece.leaf];
+            Bool& holds = states_[piece.leaf];
             if (const Bool near = at_in | at_out; lanes::mask(near) != 0) {
-                shared_ = shared_ | (at_in & at_out) | (near & beside);
-                if ((own.below >> piece.leaf & 1) != 0) shared_ = shared_ | near;
-                beside = beside | near;
+                shared_ = shared_ | (at_in & at_out);
+                if (piece.leaf != of) of = piece.leaf, of_leaf = Bool(false);
+                shared_ = shared_ | (near & of_leaf);
+                of_leaf = of_leaf | near;
+                if ((own.below >> piece.leaf & 1) != 0) {
+                    shared_ = shared_ | (near & below);
+                    below = below | near;
+                }
                 inside = leaf.closed != leaf.inverted ? inside | near : inside & !near;
             }
             holds = leaf.inverted ? holds & !inside : holds | inside;
         }
-    }
-
-    /// Of the rays asked, those for which what look() found lets an end of the leaf be seen.
-    Bool seen_from(std::uint32_t leaf, Bool asked) const
-    {
-        const BooleanLeaf& own = form_->leaves[leaf];
-        for (std::uint64_t left = own.inside; left != 0; left &= left - 1) asked = asked & holds_[bit(left)];
-        for (std::uint64_t left = own.outside; left != 0; left &= left - 1) asked = asked & !holds_[bit(left)];
-        for (std::uint32_t k = own.first; k < own.first + own.count && lanes::mask(asked) != 0; ++k) {
-            const BooleanCondition& condition = form_->conditions[k];
-            const Bool held = holds(condition.node);
-            asked = asked & (condition.inside ? held : !held);
-        }
-        return asked;
-    }
-    static std::size_t bit(std::uint64_t mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
-
-    /// Which points lie inside of the subtree at node i.
-    Bool holds(std::uint32_t i) const
-    {
-        const Node& node = program_->nodes[i];
-        if (node.op == Op::Leaf) return holds_[form_->first_leaf[i]];
-        const bool all = node.op == Op::Intersection || node.op == Op::Clip;
-        Bool out(all);
-        for (std::uint32_t k = i + 1; k < node.end; k = program_->nodes[k].end) {
-            const Bool one = holds(k);
-            out = all ? out & one : out | one;
-        }
-        return out;
     }
 
     const SolidStore& store_;
@@ -393,7 +376,7 @@ private:
     Bool shared_ = Bool(false);
     alignas(64) Lanes t_, leaf_, face_;  ///< the nearest, where found
     alignas(64) Lanes reach_;            ///< where measured
-    Bool holds_[BooleanForm::kMostLeaves];
+    LaneStates states_;                  ///< of the leaves, at the end at hand
     Piece piece_[BooleanForm::kMostPieces];
 };
 

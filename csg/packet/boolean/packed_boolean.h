@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/bits.h"
-#include "csg/packet/lane_boolean.h"
+#include "csg/packet/boolean/lane_boolean.h"
 
 /// A CSG object's boolean form against some rays of a tile. Compiled once per instruction set.
 namespace csg {
