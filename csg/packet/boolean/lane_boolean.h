@@ -11,8 +11,8 @@ namespace csg {
 
 /// The crossings of a boolean form for each ray, as BooleanWalk finds them: the pieces of all leaves, and for each end
 /// of a piece which of the other leaves hold it. Solids without a test in lanes are asked ray by ray; what is made of
-/// their pieces goes in lanes all the same. Where more than two ends share a place the ray is left to BooleanWalk, so
-/// the answers are the same.
+/// their pieces goes in lanes all the same. Where BooleanWalk does not decide about ends in one place neither does
+/// this, so the answers are the same.
 template <class Rays>
 class LaneBoolean {
 public:
