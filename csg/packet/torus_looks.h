@@ -31,7 +31,7 @@ class TorusLooks {
 public:
     explicit TorusLooks(const Torus& torus)
         : major_(torus.major), minor_(torus.minor), outer_(major_ + minor_), hole_(std::max(major_ - minor_, 0.0)),
-          far_(1e12 * minor_ * minor_)
+          most_share_(major_ / hole_), far_(1e12 * minor_ * minor_)
     {}
 
     /// Rays that surely miss it: between the planes that it touches above and below, they stay inside of its hole or
@@ -99,18 +99,20 @@ private:
 
     /// A place of the rays: f there, and the parabola bound + 2 slope (u - t) + bend (u - t)^2 below f(u).
     struct Place {
-        Double t, rho, flat, lift, f, bound, slope, bend, major;
+        Double t, pull, turn, flat, lift, f, bound, slope, bend;
 
-        Place(const TorusLooks& torus, const TorusRays& rays, Double level, Double where)
-            : t(where), major(torus.major_)
+        Place(const TorusLooks& torus, const TorusRays& rays, Double level, Double where) : t(where)
         {
-            const Double x = rays.at(t, 0), y = rays.at(t, 1), z = rays.at(t, 2);
-            rho = xsimd::sqrt(x * x + z * z);
+            const Double x = rays.at(t, 0), y = rays.at(t, 1), z = rays.at(t, 2), rho = xsimd::sqrt(x * x + z * z),
+                         inverse = Double(1.0) / rho, major(torus.major_), hole(torus.hole_);
             flat = x * rays.d[0] + z * rays.d[2];
             lift = y * rays.d[1];
+            pull = major * inverse;
+            turn = flat * inverse;
             const Double apart = rho - major;
             f = apart * apart + y * y - Double(torus.minor_ * torus.minor_);
-            const Double s = xsimd::max(rho, Double(torus.hole_)), share = major / s, gap = s - rho;
+            // s is rho, or the radius of the hole where that is more.
+            const Double share = xsimd::min(pull, Double(torus.most_share_)), gap = xsimd::max(hole - rho, Double(0.0));
             bound = f - share * gap * gap;
             slope = flat + lift - share * flat;
             bend = rays.square - share * level;
@@ -119,14 +121,15 @@ private:
         /// By a step of Newton's method for the least f, or a shorter one that surely lessens it.
         Double nearer(const TorusRays& rays, Double level) const
         {
-            const Double pull = major / rho, turn = flat / rho, curve = rays.square - pull * (level - turn * turn);
+            const Double curve = rays.square - pull * (level - turn * turn);
             return t -
                    (flat + lift - pull * flat) / xsimd::select(curve > Double(0.1) * rays.square, curve, rays.square);
         }
     };
 
     double major_, minor_, outer_, hole_;
-    double far_;  ///< nearer than its root, places are known well enough for kSure
+    double most_share_;  ///< major over the radius of the hole
+    double far_;         ///< nearer than its root, places are known well enough for kSure
 };
 
 }  // namespace csg
