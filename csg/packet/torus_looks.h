@@ -3,6 +3,8 @@
 #include "csg/packet/lane_interval.h"
 #include "csg/solids/torus/torus.h"
 
+#include <algorithm>
+
 /// What is known of rays and a torus from a few looks, before its quartic is solved. Compiled once per instruction set.
 namespace csg {
 
