@@ -4,7 +4,7 @@
 #include "csg/packet/tile_rays.h"
 #include "csg/packet/torus_looks.h"
 
-#include <algorithm>
+#include <bit>
 
 /// A torus against a tile of rays, in vector lanes. Compiled once per instruction set.
 namespace csg {
