@@ -72,11 +72,8 @@ public:
                                 level = rays.d[0] * rays.d[0] + rays.d[2] * rays.d[2];
         const Bool known = from2 < Double(far_),
                    leaves = known & (end2 > Double(outer_ * outer_ * (1.0 + kSure))) & (end2 < Double(far_));
-        const Double deep(-kSure * minor_ * minor_), clear(kSure * outer_ * outer_), wide(1e6 * outer_ * outer_);
+        const Double deep(-kSure * minor_ * minor_), clear(kSure * outer_ * outer_), wide(kWide * outer_ * outer_);
         Known out;
-        const auto meets = [&](const Place& at) {
-            out.meets |= asked & lanes::mask((at.f < deep) & (at.t > t_min) & (at.t < limit) & leaves);
-        };
         if ((asked & lanes::mask(from2 < Double(outer_ * outer_))) != 0) {
             const Place start(*this, rays, level, t_min);
             const Double above = start.bound - Double(kOwn) * (from2 + Double(outer_ * outer_));
@@ -85,7 +82,7 @@ public:
         Double t = zero - rays.o[1] / rays.d[1];
         for (int look = 1; (asked &= ~(out.meets | out.misses)) != 0; ++look) {
             const Place at(*this, rays, level, t);
-            meets(at);
+            out.meets |= asked & lanes::mask((at.f < deep) & (t > t_min) & (t < limit) & leaves);
             const Double above = at.bound - clear;
             out.misses |= asked & lanes::mask((at.bend > zero) & (above > zero) & (above < wide) &
                                               (at.slope * at.slope < at.bend * above) & known);
@@ -98,6 +95,7 @@ public:
 private:
     static constexpr double kSure = 1e-6;  ///< of squares of lengths
     static constexpr double kOwn = 1e-12;  ///< the same where a ray begins: the rounding of its place alone
+    static constexpr double kWide = 1e6;   ///< beyond it a parabola's discriminant is rounded by more than 1e-10
 
     /// A place of the rays: f there, and the parabola bound + 2 slope (u - t) + bend (u - t)^2 below f(u).
     struct Place {
@@ -123,9 +121,10 @@ private:
         /// By a step of Newton's method for the least f, or a shorter one that surely lessens it.
         Double nearer(const TorusRays& rays, Double level) const
         {
+            constexpr double kBent = 0.1;  // where f bends less, its step would leave the torus behind
             const Double curve = rays.square - pull * (level - turn * turn);
             return t -
-                   (flat + lift - pull * flat) / xsimd::select(curve > Double(0.1) * rays.square, curve, rays.square);
+                   (flat + lift - pull * flat) / xsimd::select(curve > Double(kBent) * rays.square, curve, rays.square);
         }
     };
 

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cmath>
 
 using namespace csg;
 using csg_test::Rng;
@@ -29,8 +30,10 @@ TEST_CASE("what looks say of rays and a torus is what its crossings say", "[csg]
                 double t[4];
                 const int n = torus.roots(rays[k], t);
                 if (rng.below(3) == 0 && n > 0) rays[k].origin = rays[k].at(t[rng.below(n)]);  // leaves the torus
+                const double farther = rng.below(4) == 0 ? std::pow(10.0, rng.uniform(0.0, 5.0)) : 0.0;
+                if (rng.coin()) rays[k].origin -= farther * rays[k].direction;
                 if (rng.below(3) == 0) rays[k].direction *= 3.0;
-                t_min[k] = 1e-3, limit[k] = rng.coin() ? rng.uniform(0.0, 8.0) : 100.0;
+                t_min[k] = 1e-3, limit[k] = rng.coin() ? rng.uniform(0.0, 8.0) : farther + 100.0;
                 for (int axis = 0; axis < 3; ++axis) {
                     o[axis][k] = rays[k].origin[axis];
                     d[axis][k] = rays[k].direction[axis];

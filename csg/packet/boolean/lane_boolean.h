@@ -350,9 +350,9 @@ private:
             Bool inside = (in < t) & (t <= out);
             Bool& holds = states_[piece.leaf];
             if (const Bool near = at_in | at_out; lanes::mask(near) != 0) {
-                shared_ = shared_ | (at_in & at_out);
-                if (piece.leaf != of) of = piece.leaf, of_leaf = Bool(false);
-                shared_ = shared_ | (near & of_leaf);
+                if (piece.leaf != of) of_leaf = Bool(false);
+                of = piece.leaf;
+                shared_ = shared_ | (at_in & at_out) | (near & of_leaf);
                 of_leaf = of_leaf | near;
                 if ((own.below >> piece.leaf & 1) != 0) {
                     shared_ = shared_ | (near & below);

@@ -2,6 +2,8 @@
 
 #include "tests/csg/support.h"
 
+#include <algorithm>
+
 /// Random CSG objects that have a boolean form, most of them.
 namespace csg_test {
 
@@ -20,22 +22,6 @@ inline csg::Solid solid_for_walk(Rng& rng)
     }
 }
 
-/// Operators of every kind, clips and inverses among them.
-inline csg::Tree tree_for_walk(Rng& rng, csg::SolidStore& store, int depth)
-{
-    csg::Tree made;
-    if (depth == 0 || rng.below(4) == 0) {
-        made.solid = store.add(solid_for_walk(rng), 0);
-    } else {
-        made.op = static_cast<csg::Tree::Op>(1 + rng.below(4));
-        const int operands = 2 + rng.below(3);
-        for (int i = 0; i < operands; ++i) made.operands.push_back(tree_for_walk(rng, store, depth - 1));
-    }
-    made.inverse = rng.below(6) == 0;
-    if (rng.below(3) == 0) made.clips.push_back(tree_for_walk(rng, store, depth == 0 ? 0 : 1));
-    return made;
-}
-
 /// Solids whose faces often lie in the same places as others': corners on a lattice, tubes around one axis.
 inline csg::Solid solid_on_lattice(Rng& rng)
 {
@@ -52,19 +38,38 @@ inline csg::Solid solid_on_lattice(Rng& rng)
     }
 }
 
-inline csg::Tree tree_on_lattice(Rng& rng, csg::SolidStore& store, int depth)
+/// What random trees are like: two operands or one of `more` more, one of `inverse` of them inverted, clips of so many
+/// levels.
+struct TreeHabit {
+    int more, inverse, clip_depth;
+};
+
+/// Operators of every kind, clips and inverses among them; solid(rng) makes the leaves.
+template <class F>
+csg::Tree random_tree(Rng& rng, csg::SolidStore& store, int depth, const TreeHabit& habit, const F& solid)
 {
     csg::Tree made;
     if (depth == 0 || rng.below(4) == 0) {
-        made.solid = store.add(solid_on_lattice(rng), 0);
+        made.solid = store.add(solid(rng), 0);
     } else {
         made.op = static_cast<csg::Tree::Op>(1 + rng.below(4));
-        const int operands = 2 + rng.below(2);
-        for (int i = 0; i < operands; ++i) made.operands.push_back(tree_on_lattice(rng, store, depth - 1));
+        const int operands = 2 + rng.below(habit.more);
+        for (int i = 0; i < operands; ++i) made.operands.push_back(random_tree(rng, store, depth - 1, habit, solid));
     }
-    made.inverse = rng.below(8) == 0;
-    if (rng.below(3) == 0) made.clips.push_back(tree_on_lattice(rng, store, 0));
+    made.inverse = rng.below(habit.inverse) == 0;
+    if (rng.below(3) == 0)
+        made.clips.push_back(random_tree(rng, store, std::min(depth, habit.clip_depth), habit, solid));
     return made;
+}
+
+inline csg::Tree tree_for_walk(Rng& rng, csg::SolidStore& store, int depth)
+{
+    return random_tree(rng, store, depth, {3, 6, 1}, solid_for_walk);
+}
+
+inline csg::Tree tree_on_lattice(Rng& rng, csg::SolidStore& store, int depth)
+{
+    return random_tree(rng, store, depth, {2, 8, 0}, solid_on_lattice);
 }
 
 }  // namespace csg_test
