@@ -5,6 +5,7 @@
 #include "csg/freeform/freeform.h"
 #include "render/plan/camera_starts.h"
 #include "render/plan/geometry/extent.h"
+#include "render/plan/geometry/light_stops.h"
 #include "render/plan/lights.h"
 #include "render/plan/compile_photons.h"
 #include "render/plan/geometry/solids.h"
@@ -38,8 +39,10 @@ csg::Tree::Op tree_op(scene::CsgOp op)
 }
 
 /// What surfaces that look alike have in common (csg::WorldData::surface_look).
-std::uint32_t look_of(const Surface& s)
+std::uint32_t look_of(const Surface& s, const texture::TextureSet& set)
 {
+    if (s.texture == kNone || set.textures[s.texture].kind != texture::Texture::Kind::Layers)
+        return csg::WorldData::kNoLook;
     const bool plain = s.opaque && !s.blends() && s.interior_texture == kNone && !s.double_illuminate &&
                        s.importance == 1.0f && !s.uv_mapping && s.light_group == 0 && s.global_lights && s.photons == 0;
     return plain ? s.texture : csg::WorldData::kNoLook;
@@ -90,18 +93,9 @@ void GeometryCompiler::finish()
     if (photons_ && !photons_->targets.empty()) out_.photons = photons_;
     if (photons_ && (!photons_->settings.load_file.empty() || !options_.lean.takes(LeanStep::Photons)))
         out_.photons = photons_;
-    out_.geometry.surface_opaque.clear();
-    for (Surface& s : out_.surfaces) {
-        const auto opaque = [&](std::uint32_t texture) {
-            return texture == kNone || out_.textures.textures[texture].opaque;
-        };
-        s.opaque = opaque(s.texture) && (s.opaque_mesh || opaque(s.interior_texture)) && opaque(s.corner_textures[0]) &&
-                   opaque(s.corner_textures[1]);
-        for (std::uint32_t k = 0; k < s.part_count; ++k)
-            s.opaque = s.opaque && opaque(out_.part_textures[s.first_part + k]);
-        out_.geometry.surface_opaque.push_back(s.opaque ? 1 : 0);
-        if (out_.geometry.test_order) out_.geometry.surface_look.push_back(look_of(s));
-    }
+    find_light_stops(out_);
+    if (out_.geometry.test_order)
+        for (const Surface& s : out_.surfaces) out_.geometry.surface_look.push_back(look_of(s, out_.textures));
     out_.geometry.drop_empty = options_.lean.takes(LeanStep::EmptyObjects);
     out_.geometry.finish();
     drop_unseen_lights();
