@@ -78,6 +78,8 @@ private:
         std::uint32_t chunk;
     };
     static constexpr std::size_t kMostLists = 64;
+    static constexpr float kSame = 1e-5f;     ///< of a sample's reach: the point is where the sample is
+    static constexpr float kBehind = -0.05f;  ///< so far behind a point may a sample lie
 
     /// The lists of one size of cells.
     void add_lists(const SampleGrid& grid, const SampleGrid::Level& level, List* lists, std::size_t& count) const
@@ -150,26 +152,42 @@ private:
 
     static Float load(const Floats& from, std::size_t at) { return Float::load_aligned(from.data() + at); }
 
+    /// False: weigh() would find that none of the points uses the sample, and need not take roots and quotients for it.
+    /// Too far, turned too much by itself, or too far behind (all with a margin for rounding).
+    static bool some_may_use(const Float& square, const Float& above, const Float& length_square, const Float& off,
+                             const Float& bound, float reach)
+    {
+        constexpr float kMargin = 1.001f;
+        const Float limit = bound * bound * Float(kMargin);
+        const auto near = square < limit * Float(reach * reach), alike = Float(4.0f) * off < limit,
+                   before = (above > Float(0.0f)) |
+                            (above * above < Float(kMargin * kBehind * kBehind) * square * length_square) |
+                            (square < Float(kMargin * kSame * kSame * reach * reach));
+        return csg::lanes::mask(near & alike & before) != 0;
+    }
+
     /// p: the sample's place where the points' are x_, y_ and z_.
     void weigh(const Sample& s, const glm::vec3& p)
     {
-        constexpr float kSame = 1e-5f, kLeast = 0.001f, kBehind = -0.05f;
+        constexpr float kLeast = 0.001f;
         const Float one(1.0f), zero(0.0f);
         const Float nx(s.normal.x), ny(s.normal.y), nz(s.normal.z), reach(s.reach);
         for (std::size_t at = 0; at < kLanes; at += Float::size) {
             const Float x = load(x_, at) - Float(p.x), y = load(y_, at) - Float(p.y), z = load(z_, at) - Float(p.z);
             const Float bound = load(here_, at), qx = load(nx_, at), qy = load(ny_, at), qz = load(nz_, at);
-            const Float d = xsimd::sqrt(x * x + y * y + z * z);
+            const Float mx = qx + nx, my = qy + ny, mz = qz + nz;
+            const Float square = x * x + y * y + z * z, above = mx * x + my * y + mz * z,
+                        length_square = mx * mx + my * my + mz * mz;
+            const Float off = xsimd::abs(one - (qx * nx + qy * ny + qz * nz));
+            if (!some_may_use(square, above, length_square, off, bound, s.reach)) continue;
+            const Float d = xsimd::sqrt(square);
             const auto apart = d > Float(kSame * s.reach);
             const Float over = one / xsimd::select(apart, d, one);
             const Float toward =
                 (Float(s.nearest_way.x) * x + Float(s.nearest_way.y) * y + Float(s.nearest_way.z) * z) * over;
             const Float r =
                 xsimd::select(apart & (toward > zero), toward * Float(s.nearest) + (one - toward) * reach, reach);
-            const Float mx = qx + nx, my = qy + ny, mz = qz + nz;
-            const Float front =
-                xsimd::select(apart, (mx * x + my * y + mz * z) * over / xsimd::sqrt(mx * mx + my * my + mz * mz), one);
-            const Float off = xsimd::abs(one - (qx * nx + qy * ny + qz * nz));
+            const Float front = xsimd::select(apart, above * over / xsimd::sqrt(length_square), one);
             const Float error = d / r + Float(2.0f) * xsimd::sqrt(off), e = error / bound, rest = one - e;
             Float w = rest;
             if (smooth_) w = xsimd::select(e < Float(0.5f), one - Float(2.0f) * e * e, Float(2.0f) * rest * rest);
