@@ -25,13 +25,16 @@ struct FreePassTracer {
 /// A part of the picture that passes go on with.
 struct PartState {
     bool open = true;
-    int rays = 0, asked = 0;  ///< of the pass at hand
+    std::vector<glm::dvec2> rays;  ///< of the pass at hand, as are the others
+    int asked = 0;
     double weight = 0;
 };
 
+/// Some of a part's rays. Without the rays themselves: tiles are sorted.
 struct PartTile {
-    PassTile tile;
     int part;
+    std::size_t first, count;
+    std::uint64_t seed;
 };
 
 class Passes {
@@ -55,8 +58,7 @@ public:
     bool run()
     {
         for (const Pass& pass : passes_) {
-            std::vector<PartTile> tiles = tiles_of(pass);
-            if (!run(pass, tiles)) return false;
+            if (!run(pass, tiles_of(pass))) return false;
             close(pass);
         }
         return true;
@@ -72,24 +74,28 @@ private:
         for (int part = 0; part < parts_.count(); ++part) {
             PartState& state = state_[static_cast<std::size_t>(part)];
             if (pass.pretrace && !state.open) continue;
-            const std::vector<glm::dvec2> rays = rays_of(pass, parts_, part);
-            state.rays = static_cast<int>(rays.size());
+            state.rays = rays_of(pass, parts_, part);
             state.asked = 0;
             state.weight = 0;
-            for (std::size_t first = 0; first < rays.size(); first += most) {
-                PartTile& to = out.emplace_back();
-                to.part = part;
-                to.tile.count = static_cast<int>(std::min(most, rays.size() - first));
-                to.tile.pretrace = pass.pretrace;
-                to.tile.seed = stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size() +
-                                       options_.radiosity_seed * kFar);
-                std::copy_n(rays.begin() + static_cast<std::ptrdiff_t>(first), to.tile.count, to.tile.at.begin());
-            }
+            for (std::size_t first = 0; first < state.rays.size(); first += most)
+                out.push_back({part, first, std::min(most, state.rays.size() - first),
+                               stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size() + 1 +
+                                       options_.radiosity_seed * kFar)});
         }
-        if (in_order(pass)) return out;
-        std::sort(out.begin(), out.end(),
-                  [](const PartTile& a, const PartTile& b) { return a.tile.seed < b.tile.seed; });
+        if (!in_order(pass))
+            std::sort(out.begin(), out.end(), [](const PartTile& a, const PartTile& b) { return a.seed < b.seed; });
         return out;
+    }
+
+    PassTile filled(const Pass& pass, const PartTile& from) const
+    {
+        PassTile tile;
+        const auto first = state_[static_cast<std::size_t>(from.part)].rays.begin();
+        std::copy_n(first + static_cast<std::ptrdiff_t>(from.first), from.count, tile.at.begin());
+        tile.count = static_cast<int>(from.count);
+        tile.seed = from.seed;
+        tile.pretrace = pass.pretrace;
+        return tile;
     }
 
     /// What the first few samples say is what all that follow are close enough to, so they are POV-Ray's: its parts one
@@ -102,20 +108,21 @@ private:
     }
 
     /// Tiles of a sub-pass do not see each other's samples: there are few of them as long as there are few samples.
-    bool run(const Pass& pass, std::vector<PartTile>& tiles)
+    bool run(const Pass& pass, const std::vector<PartTile>& tiles)
     {
         std::vector<std::size_t> directions(in_order(pass) ? field_.samples.size() : 0);
         const std::size_t most = in_order(pass) ? 1 : kMostAtOnce;
         std::vector<TileFindings> findings;
         for (std::size_t first = 0; first < tiles.size();) {
             const std::size_t count = std::min({std::max<std::size_t>(1, done_), most, tiles.size() - first});
-            if (in_order(pass)) tiles[first].tile.first = &directions;
             findings.resize(std::max(findings.size(), count));
             std::atomic<bool> stopped = false;
             arena_.execute([&] {
                 tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+                    PassTile tile = filled(pass, tiles[first + i]);
+                    if (in_order(pass)) tile.first = &directions;
                     if (stopped || (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) ||
-                        !kernel_.pretrace(*tracers_.local(), tiles[first + i].tile, findings[i]))
+                        !kernel_.pretrace(*tracers_.local(), tile, findings[i]))
                         stopped = true;
                 });
             });
@@ -139,11 +146,11 @@ private:
     /// Parts that need no finer passes (spec 6, 4.7).
     void close(const Pass& pass)
     {
-        constexpr int kTelling = 9;
+        constexpr std::size_t kTelling = 9;
         if (!pass.pretrace) return;
         const int enough = field_.settings().adaptive_count;
         for (PartState& state : state_)
-            if (state.open && state.rays >= kTelling)
+            if (state.open && state.rays.size() >= kTelling)
                 state.open = state.asked > 0 && (enough == 0 || state.weight < enough * state.asked);
     }
 
