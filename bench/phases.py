@@ -110,17 +110,13 @@ def whittle_run(options, scene, path, threads, picture):
     report = f"{picture}.json"
     command = [options.whittle, f"+I{path.name}", f"+O{picture}", *scene.options, *COMMON, f"+WT{threads}",
                f"--json={report}"]
-    run = speed.execute(command, path.parent, options.limit)
+    speed.execute(command, path.parent, options.limit)
     frame = json.loads(pathlib.Path(report).read_text())["frames"][0]
-    phases = frame["phases"]
-    parse, trace = phases["parse_seconds"] + phases["plan_seconds"], phases["trace_seconds"]
-    if options.clock == "cpu":
-        # The process was on a processor for this part of the time that it could have been.
-        busy = min(1.0, run.cpu / (max(run.wall - trace, 0.0) + threads * trace))
-        parse, trace = busy * parse, busy * threads * trace
+    seconds = "cpu_seconds" if options.clock == "cpu" else "seconds"
+    parse, plan, trace = (frame["phases"][f"{phase}_{seconds}"] for phase in ("parse", "plan", "trace"))
     left_out = sorted({message["text"].split(":")[0] for message in frame["messages"]
                        if message["severity"] == "warning" and "without it" in message["text"]})
-    return parse, trace, left_out
+    return parse + plan, trace, left_out
 
 
 class Scan:

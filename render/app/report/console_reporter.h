@@ -38,7 +38,7 @@ public:
 
     virtual void begin(const FrameFacts& facts) = 0;
     virtual void message(const scene::Message& message) = 0;
-    virtual void parsed(const parser::Result& result, double seconds) = 0;
+    virtual void parsed(const parser::Result& result, const StageTimes& times) = 0;
     virtual void rendering() = 0;
     virtual void pass(const std::string& name) = 0;  ///< one of several passes of a picture begins, at 0
     virtual void progress(double share) = 0;         ///< of the pass, in [0, 1]; from any thread

@@ -2,6 +2,8 @@
 
 #include "render/app/report/json_writer.h"
 
+#include <fmt/format.h>
+
 #include <sys/resource.h>
 
 namespace app {
@@ -22,22 +24,21 @@ void Journal::message(const scene::Message& message)
     speaker_.message(message);
 }
 
-void Journal::parsed(const parser::Result& result, double seconds)
+void Journal::parsed(const parser::Result& result, const StageTimes& times)
 {
     FrameRecord& frame = frames_.back();
     frame.parser = result.statistics;
     frame.files = result.scene.files;
     frame.files.insert(frame.files.end(), result.data_files.begin(), result.data_files.end());
     frame.objects = result.scene.objects.size();
-    frame.phases.emplace_back("parse", seconds);
-    speaker_.parsed(result, seconds);
+    frame.phases = times.stages();
+    speaker_.parsed(result, times);
 }
 
 void Journal::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
 {
     FrameRecord& frame = frames_.back();
-    frame.phases.clear();
-    for (const auto& [name, seconds] : times.stages()) frame.phases.emplace_back(name, seconds);
+    frame.phases = times.stages();
     frame.statistics = statistics;
     speaker_.rendered(times, statistics);
 }
@@ -128,7 +129,10 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     if (!frame.kept.state.empty()) json.key("state").text(frame.kept.state);
     if (!frame.kept.picture.empty()) json.key("partial").text(frame.kept.picture);
     json.key("phases").begin_object();
-    for (const auto& [name, seconds] : frame.phases) json.key(name + "_seconds").number(seconds);
+    for (const StageTimes::Stage& phase : frame.phases) {
+        json.key(fmt::format("{}_seconds", phase.name)).number(phase.seconds);
+        json.key(fmt::format("{}_cpu_seconds", phase.name)).number(phase.processor_seconds);
+    }
     json.end();
     json.key("counts").begin_object();
     const auto count = [&](const char* name, std::uint64_t value) {

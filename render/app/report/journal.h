@@ -18,7 +18,7 @@ public:
 
     void begin(const FrameFacts& facts) override;
     void message(const scene::Message& message) override;
-    void parsed(const parser::Result& result, double seconds) override;
+    void parsed(const parser::Result& result, const StageTimes& times) override;
     void rendering() override { speaker_.rendering(); }
     void pass(const std::string& name) override { speaker_.pass(name); }
     void progress(double share) override { speaker_.progress(share); }
@@ -47,7 +47,7 @@ private:
         std::vector<std::string> files;
         std::size_t objects = 0;
         std::vector<scene::Message> messages;
-        std::vector<std::pair<std::string, double>> phases;
+        std::vector<StageTimes::Stage> phases;
         std::optional<trace::RenderStatistics> statistics;
     };
     void put_frame(class JsonWriter& json, const FrameRecord& frame) const;

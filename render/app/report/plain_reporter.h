@@ -14,7 +14,7 @@ public:
 
     void begin(const FrameFacts& facts) override;
     void message(const scene::Message& message) override;
-    void parsed(const parser::Result&, double) override {}
+    void parsed(const parser::Result&, const StageTimes&) override {}
     void rendering() override { bar_.emplace(with_bar_); }
     void pass(const std::string& name) override { bar_.emplace(with_bar_, name); }
     void progress(double share) override { bar_->show(share); }

@@ -37,8 +37,8 @@ std::string duration(double seconds)
 double seconds_of(const StageTimes& times, std::string_view stage)
 {
     double sum = 0.0;
-    for (const auto& [name, seconds] : times.stages())
-        if (name == stage) sum += seconds;
+    for (const StageTimes::Stage& s : times.stages())
+        if (s.name == stage) sum += s.seconds;
     return sum;
 }
 
@@ -105,7 +105,7 @@ void PovrayReporter::message(const scene::Message& message)
     }
 }
 
-void PovrayReporter::parsed(const parser::Result& result, double seconds)
+void PovrayReporter::parsed(const parser::Result& result, const StageTimes& times)
 {
     parsing_ = false;
     const auto lights = std::count_if(result.scene.objects.begin(), result.scene.objects.end(), scene::is_light);
@@ -114,7 +114,8 @@ void PovrayReporter::parsed(const parser::Result& result, double seconds)
         titled("Parser Statistics") +
             fmt::format("Objects:           {:10}\nLight Sources:     {:10}\nTotal:             {:10}\n", all - lights,
                         lights, all) +
-            rule() + fmt::format("Parser Time\n  Parse Time:       {}\n", duration(seconds)) + rule());
+            rule() + fmt::format("Parser Time\n  Parse Time:       {}\n", duration(seconds_of(times, "parse"))) +
+            rule());
 }
 
 void PovrayReporter::rendering() { put(Stream::Lines, heading("Rendering")); }

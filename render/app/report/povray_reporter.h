@@ -15,7 +15,7 @@ public:
 
     void begin(const FrameFacts& facts) override;
     void message(const scene::Message& message) override;
-    void parsed(const parser::Result& result, double seconds) override;
+    void parsed(const parser::Result& result, const StageTimes& times) override;
     void rendering() override;
     void pass(const std::string& name) override;
     void progress(double share) override;

@@ -5,24 +5,43 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 
 namespace app {
+
+namespace {
+
+/// Of the process, all of its threads: POSIX's clock, finer than std::clock().
+double processor_seconds()
+{
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+StageTimes::StageTimes() : last_processor_(processor_seconds()) {}
 
 void StageTimes::finish(const char* stage)
 {
     const Clock::time_point now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
+    const double processor = processor_seconds(), seconds = std::chrono::duration<double>(now - last_).count();
     const auto known =
-        std::find_if(stages_.begin(), stages_.end(), [&](const auto& s) { return std::strcmp(s.first, stage) == 0; });
-    if (known != stages_.end()) known->second += seconds;  // a picture in strips is traced and written in turn
-    else stages_.emplace_back(stage, seconds);
+        std::find_if(stages_.begin(), stages_.end(), [&](const Stage& s) { return std::strcmp(s.name, stage) == 0; });
+    // A picture in strips is traced and written in turn.
+    Stage& of = known != stages_.end() ? *known : stages_.emplace_back(Stage{stage, 0.0, 0.0});
+    of.seconds += seconds;
+    of.processor_seconds += processor - last_processor_;
     last_ = now;
+    last_processor_ = processor;
 }
 
 std::string report_text(const StageTimes& times, const trace::RenderStatistics& statistics)
 {
     std::string text = "time ";
-    for (const auto& [stage, seconds] : times.stages()) text += fmt::format("  {} {:.3f} s", stage, seconds);
+    for (const StageTimes::Stage& stage : times.stages())
+        text += fmt::format("  {} {:.3f} s", stage.name, stage.seconds);
     const trace::RayCounts& rays = statistics.rays;
     text += fmt::format("\nrays   camera {}  shadow {}  reflected {}  refracted {}", rays.camera, rays.shadow,
                         rays.reflected, rays.refracted);

@@ -9,17 +9,24 @@
 
 namespace app {
 
-/// Wall-clock time per stage, in the order in which they ran.
+/// Time per stage, in the order in which they ran.
 class StageTimes {
 public:
-    /// Seconds since the last call (or the construction) go to `stage`.
+    struct Stage {
+        const char* name;
+        double seconds;            ///< by the clock on the wall
+        double processor_seconds;  ///< of all threads
+    };
+    StageTimes();
+    /// What has passed since the last call (or the construction) goes to `stage`.
     void finish(const char* stage);
-    const std::vector<std::pair<const char*, double>>& stages() const { return stages_; }
+    const std::vector<Stage>& stages() const { return stages_; }
 
 private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point last_ = Clock::now();
-    std::vector<std::pair<const char*, double>> stages_;
+    double last_processor_;
+    std::vector<Stage> stages_;
 };
 
 /// The last lines of a run: times, rays by kind, rays per second.

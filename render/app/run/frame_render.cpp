@@ -172,7 +172,7 @@ int render_frame(Run& run, const Frame& frame)
     LastResort last_resort(run.cancel, [&run] { run.reporter.cancelled({}); });  // until the picture file is in place
     parser::Result parsed = parse_scene(run, at_moment(run, frame, 0), path, options, queries);
     times.finish("parse");
-    run.reporter.parsed(parsed, times.stages().back().second);
+    run.reporter.parsed(parsed, times);
     if (settings.warnings_are_errors) refuse_warnings(parsed);
     if (settings.deps) print_dependencies(settings, parsed);
     const bool last = &frame == &run.list.frames.back();

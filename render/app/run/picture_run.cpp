@@ -218,7 +218,7 @@ bool PictureRun::trace_samples()
     goal.even = settings_.samples_error > 0.0;
     goal.error = goal.even ? settings_.samples_error : settings_.error;
     double before = 0.0;
-    for (const auto& [stage, seconds] : times_.stages()) before += seconds;
+    for (const StageTimes::Stage& stage : times_.stages()) before += stage.seconds;
     if (settings_.time > 0.0) {
         constexpr double kWriting = 8e-8;  // seconds a pixel, as a PNG takes
         const double writing = settings_.output_to_file ? kWriting * settings_.width * settings_.height : 0.0;

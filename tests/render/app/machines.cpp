@@ -59,6 +59,7 @@ TEST_CASE("--json tells options, phases, counts, memory, messages and the pictur
     CHECK(value_of(json, "line") == "2");
     CHECK(value_of(json, "text") == "\"from the part\"");
     CHECK(std::stod(value_of(json, "trace_seconds")) >= 0.0);
+    CHECK(std::stod(value_of(json, "trace_cpu_seconds")) > 0.0);
     CHECK(std::stoll(value_of(json, "peak_memory_bytes")) > 1'000'000);
 }
 
