@@ -33,10 +33,17 @@ public:
     /// own convention (closed or open) decides: that keeps coincident faces from speckling.
     bool contains(double t, double slack = 0.0) const
     {
+        return contains(t, slack, [](const Crossing& own) { return own.closed; });
+    }
+
+    /// The same where holds(end) tells of an end within the slack whether it belongs to the solid.
+    template <class Holds>
+    bool contains(double t, double slack, Holds&& holds) const
+    {
         for (const Span& span : *this) {
             if (t < span.in.t - slack) return false;
-            const bool begun = t > span.in.t + slack || span.in.closed;
-            const bool ended = t > span.out.t + slack || (t >= span.out.t - slack && !span.out.closed);
+            const bool begun = t > span.in.t + slack || holds(span.in);
+            const bool ended = t > span.out.t + slack || (t >= span.out.t - slack && !holds(span.out));
             if (begun && !ended) return true;
         }
         return false;

@@ -117,7 +117,7 @@ private:
             if ((beside & bit) != 0) return false;
             if ((leaf.below & bit) != 0 && (leaf.below & beside) != 0) return false;
             beside |= bit;
-            state = form_.leaves[ends_[k].leaf].closed ? state | bit : state & ~bit;
+            state = holds_end(store_, ray_, crossing(k), crossing(i)) ? state | bit : state & ~bit;
             return true;
         };
         for (std::uint32_t k = i; k-- > 0 && same_place(end.t, ends_[k].t, room);)
@@ -126,6 +126,13 @@ private:
             if (!look(k)) return false;
         met = seen(leaf, state);
         return true;
+    }
+
+    Crossing crossing(std::uint32_t k) const
+    {
+        const End& end = ends_[k];
+        const BooleanLeaf& leaf = form_.leaves[end.leaf];
+        return {.t = end.t, .part = leaf.solid, .face = end.face, .closed = leaf.closed};
     }
 
     bool seen(const BooleanLeaf& leaf, std::uint64_t state) const

@@ -3,6 +3,7 @@
 // Continues program.h: evaluation along one ray, inline because it is compiled once per instruction set.
 #include "csg/bvh/traverse.h"
 #include "csg/mesh/mesh_query.h"
+#include "csg/tree/face_held.h"
 #include "csg/tree/node_box.h"
 
 #include <algorithm>
@@ -85,11 +86,9 @@ private:
             if constexpr (std::is_same_v<T, Triangle>) {
                 out.clear();  // bounds nothing, inverted or not
             } else {
-                if constexpr (std::is_same_v<T, Freeform>) {
+                if constexpr (std::is_same_v<T, Freeform>)
                     if (solid.surface()) return out.clear();
-                }
-                // POV-Ray negates an inverted quadric's coefficients and its normal too: the normal stays (spec
-                // 5a, 2.5).
+                // POV-Ray negates an inverted quadric's coefficients and normal: the normal stays (spec 5a, 2.5).
                 const bool normal_flipped = node.inverted && !std::is_same_v<T, Quadric>;
                 const bool closed = holds_surface(solid, node.inverted);
                 if constexpr (std::is_same_v<T, Mesh>) {
@@ -343,7 +342,8 @@ private:
                 spans(own.node, own.spans);
                 own.known = true;
             }
-            if (own.spans.contains(all[c].t, slack(all[c].t)) == inside) ++left;
+            const auto holds = [&](const Crossing& end) { return holds_end(store_, ray_, end, all[c]); };
+            if (own.spans.contains(all[c].t, slack(all[c].t), holds) == inside) ++left;
             else all[c].t = std::numeric_limits<double>::quiet_NaN();
         }
         return left;

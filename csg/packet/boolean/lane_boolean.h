@@ -1,8 +1,10 @@
 #pragma once
 
+#include "csg/packet/boolean/lane_piece.h"
 #include "csg/packet/boolean/lane_states.h"
 #include "csg/packet/lane_solids.h"
 #include "csg/packet/lane_torus.h"
+#include "csg/tree/face_held.h"
 #include "csg/tree/program.h"
 #include "csg/packet/tile_rays.h"
 
@@ -67,13 +69,7 @@ private:
 
     static constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
 
-    /// What a leaf holds of each ray: one of its intervals.
-    struct alignas(64) Piece {
-        Lanes t[2], face[2];  ///< entry, exit; an entry beyond the exit where there is none
-        RayMask seen[2];      ///< the rays that see the end
-        RayMask rays;         ///< those of the vectors that are filled in
-        std::uint32_t leaf;
-    };
+    using Piece = LanePiece;
 
     static std::size_t bit(std::uint64_t mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
     static Double load(const Lanes& from, int i) { return Double::load_aligned(from.data() + i); }
@@ -276,7 +272,7 @@ private:
             // Ends of lower rank in the same place are looked at too: BooleanWalk has to decide all of them.
             const Bool reached = in_range & (at <= t);
             if (lanes::mask(reached) == 0) return;
-            look(i, form_->leaves[piece_[p].leaf], at);
+            look(i, piece_[p], side, at);
             tied = xsimd::select(reached & shared_, xsimd::min(tied, at), tied);
             const Bool nearer = reached & ((at < t) | (own >= rank));
             const Bool seen = nearer & drawn(i, p, side) & states_.seen(form_->leaves[piece_[p].leaf], nearer);
@@ -297,7 +293,7 @@ private:
     {
         each_end(i, [&](std::uint32_t p, std::size_t side, Double at, Bool in_range) {
             if (lanes::mask(in_range) == 0) return;
-            look(i, form_->leaves[piece_[p].leaf], at);
+            look(i, piece_[p], side, at);
             undecided |= bits(in_range & shared_, i);
             const Bool seen = in_range & drawn(i, p, side) & states_.seen(form_->leaves[piece_[p].leaf], in_range);
             piece_[p].seen[side] |= bits(seen, i);
@@ -332,9 +328,10 @@ private:
 
     /// Which of the leaves that matter hold the points at t, as BooleanWalk has it, and where more ends are in the same
     /// place than it decides.
-    void look(int i, const BooleanLeaf& own, Double t)
+    void look(int i, const Piece& end_of, std::size_t side, Double t)
     {
-        const Double room = slack(t, i);
+        const BooleanLeaf& own = form_->leaves[end_of.leaf];
+        const Double face = load(end_of.face[side], i), room = slack(t, i);
         const std::uint64_t matters = own.matters();
         states_.begin(matters, i);
         shared_ = Bool(false);
@@ -359,9 +356,28 @@ private:
                     below = below | near;
                 }
                 inside = leaf.closed != leaf.inverted ? inside | near : inside & !near;
+                const Bool alike = (t == (side == 0 ? in : out)) & (load(piece.face[side], i) == face);
+                if (kind_of(leaf.solid) == kind_of(own.solid) && lanes::mask(alike) != 0)
+                    inside = (inside & !alike) | (holds_face_of(i, piece, side, lanes::mask(alike)) & alike);
             }
             holds = leaf.inverted ? holds & !inside : holds | inside;
         }
+    }
+
+    /// Of the lanes asked for: whether the leaf, as it is without inversion, holds the end of a piece of it for a face
+    /// that is alike.
+    Bool holds_face_of(int i, const Piece& piece, std::size_t side, std::uint32_t asked) const
+    {
+        const BooleanLeaf& leaf = form_->leaves[piece.leaf];
+        std::uint32_t held = 0;
+        for (; asked != 0; asked &= asked - 1) {
+            const int lane = std::countr_zero(asked);
+            const auto k = static_cast<std::size_t>(i + lane);
+            if (holds_face(store_, leaf.solid, rays_.ray(i + lane), piece.t[side][k],
+                           static_cast<std::uint32_t>(piece.face[side][k]), leaf.closed != leaf.inverted))
+                held |= 1u << lane;
+        }
+        return lanes::lanes_of(held);
     }
 
     const SolidStore& store_;

@@ -122,8 +122,8 @@ scene::SkySphere read_sky_sphere(SceneBuilder& build)
 void read_background(SceneBuilder& build)
 {
     const auto opened = build.open_block("background");
-    if (!at_color(build.stream())) build.fail_unknown("the background's colour, as in rgb <0, 0, 1>");
-    build.description.background = parser::color_expr(build.stream());
+    build.description.background = {};  // black where no colour is given
+    if (at_color(build.stream())) build.description.background = parser::color_expr(build.stream());
     build.description.background_given = true;
     build.close_block("background", opened);
 }
