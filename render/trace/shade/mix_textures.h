@@ -31,4 +31,38 @@ void mix_textures(Context& context, const texture::Blend& blend, ColorSlot out, 
     shade(blend.lower, lower);
 }
 
+/// A node of weighted terms; their slots are asked for by slot_of() before each term's texture is gone through.
+struct WeightedNode {
+    RayQueue& queue;
+    std::uint32_t index, first;
+
+    WeightedNode(Context& context, ShadeNode::Kind kind, std::size_t count, ColorSlot out)
+        : queue(context.scratch.shade.queue), index(static_cast<std::uint32_t>(queue.nodes.size()))
+    {
+        ShadeNode& node = queue.new_node(kind, out);
+        node.count = static_cast<std::uint32_t>(count);
+        first = node.first = queue.new_terms(count);
+    }
+    ColorSlot slot_of(std::size_t term, float weight)
+    {
+        ShadeTerm& of = queue.terms[first + term];
+        of.factor = glm::vec3(weight);
+        return of.slot = queue.new_slot();
+    }
+};
+
+/// Calls shade(entry, slot) for every entry of an average of textures; their mean by weights goes to `out`.
+template <class Shade>
+void average_textures(Context& context, const texture::Texture& texture, ColorSlot out, Shade&& shade)
+{
+    WeightedNode node(context, ShadeNode::Kind::Mean, texture.count, out);
+    float weights = 0;
+    for (std::uint32_t i = 0; i < texture.count; ++i) {
+        const float w = context.scene.textures.keys[texture.first + i];
+        weights += w;
+        shade(texture.first + i, node.slot_of(i, w));
+    }
+    node.queue.nodes[node.index].weights = weights;
+}
+
 }  // namespace trace

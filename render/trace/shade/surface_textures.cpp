@@ -7,38 +7,12 @@ namespace trace {
 
 namespace {
 
-/// A node of weighted terms; their slots are asked for by slot_of() before each term's texture is gone through.
-struct WeightedNode {
-    RayQueue& queue;
-    std::uint32_t index, first;
-
-    WeightedNode(Context& context, ShadeNode::Kind kind, std::size_t count, ColorSlot out)
-        : queue(context.scratch.shade.queue), index(static_cast<std::uint32_t>(queue.nodes.size()))
-    {
-        ShadeNode& node = queue.new_node(kind, out);
-        node.count = static_cast<std::uint32_t>(count);
-        first = node.first = queue.new_terms(count);
-    }
-    ColorSlot slot_of(std::size_t term, float weight)
-    {
-        ShadeTerm& of = queue.terms[first + term];
-        of.factor = glm::vec3(weight);
-        return of.slot = queue.new_slot();
-    }
-};
-
 void average(Context& context, DirectBatch& batch, HitContext& hit, const texture::Texture& texture,
              const glm::dvec3& p, ColorSlot out)
 {
-    const auto& set = context.scene.textures;
-    WeightedNode node(context, ShadeNode::Kind::Mean, texture.count, out);
-    float weights = 0;
-    for (std::uint32_t i = 0; i < texture.count; ++i) {
-        const float w = set.keys[texture.first + i];
-        weights += w;
-        shade_texture(context, batch, hit, set.children[texture.first + i], p, node.slot_of(i, w));
-    }
-    node.queue.nodes[node.index].weights = weights;
+    average_textures(context, texture, out, [&](std::uint32_t entry, ColorSlot slot) {
+        shade_texture(context, batch, hit, context.scene.textures.children[entry], p, slot);
+    });
 }
 
 /// The textures of a face's three corners. What weighs less than adc_bailout is left out, the rest as it is (spec

@@ -136,9 +136,10 @@ PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, boo
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
-    if (texture.kind == texture::Texture::Kind::Map)
+    using Kind = texture::Texture::Kind;
+    if (texture.kind == Kind::Map || texture.kind == Kind::Average)
         return bent ? PatternedLayers{} : PatternedLayers{index, false, true};
-    if (texture.kind != texture::Texture::Kind::Layers || texture.count > kPrefetchedLayers) return {};
+    if (texture.kind != Kind::Layers || texture.count > kPrefetchedLayers) return {};
     bool patterned = false, all_alone = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
         const texture::Layer& layer = set.layers[i];

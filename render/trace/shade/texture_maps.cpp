@@ -57,8 +57,46 @@ std::uint32_t TextureMaps::look_up(const Context& context, std::uint32_t texture
     textures_.push_back({texture, hits});
     const Texture::Kind kind = context.scene.textures.textures[texture].kind;
     if (kind == Texture::Kind::Map) look_up_map(context, at, seen);
+    else if (kind == Texture::Kind::Average) look_up_average(context, at, seen);
     else if (kind == Texture::Kind::Layers) look_up_layers(context, at, seen);
     return static_cast<std::uint32_t>(at);
+}
+
+/// Room for a map and its entries; its points are warped into `q`.
+void TextureMaps::begin_map(const texture::TextureSet& set, std::size_t at, const Seen& seen, texture::Points& q)
+{
+    const Texture& texture = set.textures[textures_[at].texture];
+    if (maps_used_ == maps_.size()) maps_.emplace_back();
+    textures_[at].first = maps_used_++;
+    textures_[at].entries = entries_.size();
+    entries_.resize(entries_.size() + texture.count, texture::kNone);
+    q.take(seen.points);
+    warp_points(set, set.patterns[texture.pattern], q, texture::kAllLive);
+    maps_[textures_[at].first].points.take(q);
+}
+
+/// The normals that the map's textures bend, as they are within it, or null where they are not bent beforehand.
+const Texture* TextureMaps::bent_within(const Context& context, const Texture& map, const Seen& seen,
+                                        texture::Points& normals)
+{
+    const auto& set = context.scene.textures;
+    if (context.scene.settings.quality < 8 || seen.nested || !flat(set, map)) return nullptr;
+    normals.take(seen.normals);
+    texture::normals_into(set, set.patterns[map.pattern], map.no_bump_scale, normals);
+    return &map;
+}
+
+void TextureMaps::look_up_average(const Context& context, std::size_t at, const Seen& seen)
+{
+    const auto& set = context.scene.textures;
+    const Texture& texture = set.textures[textures_[at].texture];
+    texture::Points q, normals;
+    begin_map(set, at, seen, q);
+    const Seen within{q, seen.around, normals, bent_within(context, texture, seen, normals), true};
+    for (std::uint32_t i = 0; i < texture.count; ++i) {
+        const std::uint32_t place = look_up(context, set.children[texture.first + i], textures_[at].hits, within);
+        entries_[textures_[at].entries + i] = place;
+    }
 }
 
 void TextureMaps::look_up_map(const Context& context, std::size_t at, const Seen& seen)
@@ -67,15 +105,9 @@ void TextureMaps::look_up_map(const Context& context, std::size_t at, const Seen
     const Texture& texture = set.textures[textures_[at].texture];
     const texture::Pattern& pattern = set.patterns[texture.pattern];
     const HitMask hits = textures_[at].hits;
-    if (maps_used_ == maps_.size()) maps_.emplace_back();
-    textures_[at].first = maps_used_++;
-    textures_[at].entries = entries_.size();
-    entries_.resize(entries_.size() + texture.count, texture::kNone);
-
     texture::Points q, normals;
     texture::Values values;
-    q.take(seen.points);
-    warp_points(set, pattern, q, texture::kAllLive);
+    begin_map(set, at, seen, q);
     pattern_values(set, pattern, q, seen.around, values);
     std::array<HitMask, 2> ends{~HitMask{0}, 0};
     auto& blends = maps_[textures_[at].first].blends;
@@ -83,13 +115,7 @@ void TextureMaps::look_up_map(const Context& context, std::size_t at, const Seen
         blends[i] = texture::blend_at(set, texture.first, texture.count, values[i]);
         ends = {std::min<HitMask>(ends[0], blends[i].lower), std::max<HitMask>(ends[1], blends[i].upper)};
     }
-    maps_[textures_[at].first].points.take(q);
-    const bool bends = context.scene.settings.quality >= 8 && !seen.nested && flat(set, texture);
-    if (bends) {
-        normals.take(seen.normals);
-        texture::normals_into(set, pattern, texture.no_bump_scale, normals);
-    }
-    const Seen within{q, seen.around, normals, bends ? &texture : nullptr, true};
+    const Seen within{q, seen.around, normals, bent_within(context, texture, seen, normals), true};
     const HitMask all = first_hits(q.count);
     for (auto entry = static_cast<std::uint32_t>(ends[0]); entry <= ends[1]; ++entry) {
         const auto& found = maps_[textures_[at].first].blends;
@@ -173,13 +199,17 @@ void TextureMaps::shade(Context& context, DirectBatch& batch, HitContext& hit, s
         hit.prefetched = nullptr;
         return;
     }
-    if (texture.kind != Texture::Kind::Map) return shade_texture(context, batch, hit, place.texture, p, out);
+    const bool average = texture.kind == Texture::Kind::Average;
+    if (texture.kind != Texture::Kind::Map && !average)
+        return shade_texture(context, batch, hit, place.texture, p, out);
     enclose(hit, place.texture);
     const Map& map = maps_[place.first];
     const glm::dvec3 q = map.points.at(i);
-    mix_textures(context, map.blends[i], out, [&](std::uint32_t entry, ColorSlot slot) {
+    const auto shade_entry = [&](std::uint32_t entry, ColorSlot slot) {
         shade(context, batch, hit, entries_[place.entries + entry - texture.first], q, slot);
-    });
+    };
+    if (average) average_textures(context, texture, out, shade_entry);
+    else mix_textures(context, map.blends[i], out, shade_entry);
 }
 
 }  // namespace trace

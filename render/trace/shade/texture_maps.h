@@ -54,6 +54,10 @@ private:
     };
     struct Part;
 
+    void begin_map(const texture::TextureSet& set, std::size_t at, const Seen& seen, texture::Points& q);
+    static const texture::Texture* bent_within(const Context& context, const texture::Texture& map, const Seen& seen,
+                                               texture::Points& normals);
+    void look_up_average(const Context& context, std::size_t at, const Seen& seen);
     void look_up_map(const Context& context, std::size_t at, const Seen& seen);
     void look_up_layers(const Context& context, std::size_t at, const Seen& seen);
     std::uint32_t look_up(const Context& context, std::uint32_t texture, HitMask hits, const Seen& seen);
