@@ -1,5 +1,7 @@
 #include "render/plan/geometry/light_stops.h"
 
+#include "render/plan/textures/dark_texture.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -9,13 +11,21 @@ namespace {
 /// Of a texture: whether light comes through.
 enum class Light : std::uint8_t { Comes, Stops, Opaque };
 
-Light least_of(const CompiledScene& scene, const Surface& surface)
+/// By texture.
+std::vector<Light> light_through(const texture::TextureSet& set)
+{
+    std::vector<Light> out;
+    for (std::uint32_t i = 0; i < set.textures.size(); ++i)
+        out.push_back(set.textures[i].opaque ? Light::Opaque : dark_texture(set, i) ? Light::Stops : Light::Comes);
+    return out;
+}
+
+/// The least that any of the surface's textures stops.
+Light least_of(const CompiledScene& scene, const std::vector<Light>& through, const Surface& surface)
 {
     Light least = Light::Opaque;
     const auto add = [&](std::uint32_t texture) {
-        if (texture == kNone) return;
-        const texture::Texture& t = scene.textures.textures[texture];
-        least = std::min(least, t.opaque ? Light::Opaque : t.stops_light ? Light::Stops : Light::Comes);
+        if (texture != kNone) least = std::min(least, through[texture]);
     };
     add(surface.texture);
     if (!surface.opaque_mesh) add(surface.interior_texture);
@@ -71,7 +81,8 @@ private:
 void find_light_stops(CompiledScene& scene)
 {
     std::vector<Light> light;
-    for (const Surface& surface : scene.surfaces) light.push_back(least_of(scene, surface));
+    const std::vector<Light> through = light_through(scene.textures);
+    for (const Surface& surface : scene.surfaces) light.push_back(least_of(scene, through, surface));
     const auto is = [&](Light what) {
         return [&light, what](csg::SurfaceId s) { return s < light.size() && light[s] == what; };
     };

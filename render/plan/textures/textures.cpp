@@ -231,7 +231,6 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
     out.first = count_of(out_.layers.size());
     out.count = count_of(compiled.size());
     out_.layers.insert(out_.layers.end(), compiled.begin(), compiled.end());
-    out.stops_light = out.opaque;
     out.plain = out.count == 1 && out.opaque && compiled[0].normal == texture::kNone &&
                 !out_.finishes[compiled[0].finish].reflects();
     out_.textures.push_back(out);
@@ -253,7 +252,6 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
         out_.keys[out.first + i] = static_cast<float>(description.map[i].key);
         const std::uint32_t child = texture(description.map[i].value);
         out_.children[out.first + i] = child;
-        out.stops_light = out.stops_light && child != texture::kNone && out_.textures[child].stops_light;
     }
     if (out.pattern == texture::kNone) {
         note("pattern '" + description.pattern.name + "' of a texture (its first entry is shown)",
@@ -263,10 +261,7 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     const texture::PatternKind kind = out_.patterns[out.pattern].kind;
     if (kind == texture::PatternKind::Average) out.kind = Kind::Average;
     if (kind == texture::PatternKind::Uv) out.kind = Kind::Uv;
-    if (description.pattern.name == "material_map") {
-        out.kind = Kind::Material;
-        out.stops_light = false;  // nothing is there beside a picture that is shown once
-    }
+    if (description.pattern.name == "material_map") out.kind = Kind::Material;
     out_.textures.push_back(out);
     return count_of(out_.textures.size() - 1);
 }

@@ -75,7 +75,7 @@ void TextureMaps::begin_map(const texture::TextureSet& set, std::size_t at, cons
     maps_[textures_[at].first].points.take(q);
 }
 
-/// The normals that the map's textures bend, as they are within it, or null where they are not bent beforehand.
+/// The map, with the hits' normals as they are within it, if its textures' normals are bent for all hits together.
 const Texture* TextureMaps::bent_within(const Context& context, const Texture& map, const Seen& seen,
                                         texture::Points& normals)
 {

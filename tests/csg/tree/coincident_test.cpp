@@ -62,6 +62,40 @@ TEST_CASE("faces shared by two solids", "[csg][coincident]")
     }
 }
 
+TEST_CASE("boxes that share a face are asked about its points as rounded", "[csg][coincident]")
+{
+    using Op = Tree::Op;
+    int beyond = 0, upon = 0;
+    for (const double c : {0.25, 0.3, 0.7, -0.9, 10.1}) {
+        Object o;
+        const Box low{{-1, -1, c}, {1, 1, c + 2}}, inner{{-0.8, -0.8, c}, {0.8, 0.8, c + 1}};
+        const PartId a = o.store.add(low), b = o.store.add(inner);
+        const auto program = [&](Op op) { return build(pair(op, a, b), o.store); };
+        const Program merge = program(Op::Merge), both = program(Op::Intersection), less = program(Op::Difference);
+        for (std::uint32_t seed = 0; seed < 500; ++seed) {
+            INFO("c " << c << ", seed " << seed);
+            csg_test::Rng rng(seed);
+            const glm::dvec3 target(rng.uniform(-0.7, 0.7), rng.uniform(-0.7, 0.7), c);
+            const glm::dvec3 origin = target + glm::dvec3(rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(-9, -3));
+            const Ray ray{origin, glm::normalize(target - origin)};
+            const double t = (c - ray.origin.z) / ray.direction.z;
+            const glm::dvec3 p = ray.at(t);
+            REQUIRE(inner.contains(p) == low.contains(p));  // far from their other faces
+            const auto on_face = [&](const Program& of) {
+                const Crossing hit = nearest_visible(of, o.store, ray, 1e-4, kInfinity, o.scratch);
+                return hit.part != kNoPart && hit.t == t ? hit.part : kNoPart;
+            };
+            const bool held = inner.contains(p);
+            REQUIRE(on_face(merge) == (held ? kNoPart : b));
+            REQUIRE(on_face(both) == (held ? b : kNoPart));
+            REQUIRE(on_face(less) == (held ? b : a));
+            ++(held ? upon : beyond);
+        }
+    }
+    CHECK(beyond > 500);
+    CHECK(upon > 500);
+}
+
 TEST_CASE("which of several identical boxes is seen", "[csg][coincident]")
 {
     Object o;
