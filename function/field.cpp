@@ -3,6 +3,7 @@
 #include "function/evaluate.h"
 #include "function/internal/internal.h"
 #include "function/intervals/interval.h"
+#include "function/line/along_line.h"
 #include "function/lone_internal.h"
 
 #include <array>
@@ -15,7 +16,7 @@ constexpr std::size_t kCoordinates = 3;
 /// The host outlives every field: there is nothing to free.
 std::shared_ptr<const Host> lone_host() { return {std::shared_ptr<const Host>(), &no_host()}; }
 
-Evaluators current{evaluate, evaluate_all, evaluate_lanes, evaluate_intervals};
+Evaluators current{evaluate, evaluate_all, evaluate_lanes, evaluate_intervals, evaluate_along};
 
 void copy(const csg::Eight& from, double* to) { std::copy_n(from.v, kLanes, to); }
 
@@ -35,6 +36,13 @@ std::optional<csg::RoundedBox> rounded_box_of(const Function& f)
     return csg::RoundedBox{{a[4] - a[3], a[5] - a[3], a[6] - a[3]}, a[3]};
 }
 
+/// Along any line: degrees are what numbers along a line that is parallel to no plane of the axes have.
+bool is_polynomial_of_space(const Function& f)
+{
+    csg::FieldPolynomial found;
+    return evaluate_along(f, {glm::dvec3(0.3, -0.2, 0.1), glm::dvec3(1.0, 0.9, 0.8), glm::dvec3(0.0)}, found);
+}
+
 }  // namespace
 
 void use(const Evaluators& evaluators) { current = evaluators; }
@@ -42,7 +50,7 @@ const Evaluators& in_use() { return current; }
 
 FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> host)
     : function_(std::move(function)), host_(host ? std::move(host) : lone_host()), ranged_(narrows(*function_)),
-      rounded_box_(rounded_box_of(*function_))
+      polynomial_(ranged_ && is_polynomial_of_space(*function_)), rounded_box_(rounded_box_of(*function_))
 {}
 
 double FunctionField::value(const glm::dvec3& p) const
@@ -66,6 +74,11 @@ void FunctionField::ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) 
         copy(sides[i]->high, high[i]);
     }
     current.intervals(*function_, low, high, *host_, out.low.v, out.high.v);
+}
+
+bool FunctionField::along(const csg::FieldStretch& stretch, csg::FieldPolynomial& out) const
+{
+    return polynomial_ && current.along(*function_, stretch, out);
 }
 
 }  // namespace function

@@ -14,6 +14,7 @@ struct Evaluators {
     void (*lanes)(const Function& function, const double (*arguments)[8], const Host& host, double* out);
     void (*intervals)(const Function& function, const double (*low)[8], const double (*high)[8], const Host& host,
                       double* out_low, double* out_high);
+    bool (*along)(const Function& function, const csg::FieldStretch& stretch, csg::FieldPolynomial& out);
 };
 
 /// Fields use these from now on, in every thread: those of a kernel module know the processor better. All give the same
@@ -31,6 +32,8 @@ public:
     void values(const csg::EightPoints& p, csg::Eight& out) const override;
     void ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) const override;
     bool ranged() const override { return ranged_; }
+    bool along(const csg::FieldStretch& stretch, csg::FieldPolynomial& out) const override;
+    bool polynomial() const override { return polynomial_; }
     const csg::RoundedBox* rounded_box() const override { return rounded_box_ ? &*rounded_box_ : nullptr; }
 
     const FunctionPtr& function() const { return function_; }
@@ -38,7 +41,7 @@ public:
 private:
     FunctionPtr function_;
     std::shared_ptr<const Host> host_;
-    bool ranged_;
+    bool ranged_, polynomial_;
     std::optional<csg::RoundedBox> rounded_box_;
 };
 

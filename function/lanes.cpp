@@ -38,6 +38,21 @@ Batch truth(const Bool& b)
     return xsimd::select(b, Batch(1.0), Batch(0.0));
 }
 
+Eight modulo(const Eight& a, const Eight& b)
+{
+#ifdef __FMA__
+    Eight out;
+    unsigned good = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {  // the compiler makes vectors of it
+        bool known;
+        out.v[i] = fused_remainder(a.v[i], b.v[i], known);
+        good += known ? 1u : 0u;
+    }
+    if (good == kLanes) return out;
+#endif
+    return lanewise([&](std::size_t i) { return std::fmod(a.v[i], b.v[i]); });
+}
+
 }  // namespace
 
 template <>
@@ -66,6 +81,7 @@ struct Rules<Eight> {
             return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x <= y, x, y); });
         else if constexpr (op == Op::Max)
             return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, y, x); });
+        else if constexpr (op == Op::Modulo) return modulo(a, b);
         else return lanewise([&](std::size_t i) { return function::binary<op>(a.v[i], b.v[i]); });
     }
 
@@ -127,6 +143,8 @@ struct Rules<Eight> {
         // Weights are known where the parameters before the offset are constants.
         if (n == kRoundedBox) return rounded_box(a);
         if (n == kRidgedMultifractal && weights != nullptr && same(a[8])) return ridged(a, host, weights);
+        if (n == kHeteroMultifractal && same(a[3]) && same(a[4]) && same(a[5]) && same(a[7]) && same(a[8]))
+            return hetero(a, host);
         return lanewise([&](std::size_t lane) {
             double one[kMostParameters];
             for (std::uint32_t i = 0; i < count; ++i) one[i] = a[i].v[lane];
@@ -197,6 +215,36 @@ private:
                 sum.v[i] += signal.v[i] * weight;
             }
         }
+        return sum;
+    }
+
+    /// hetero_mf() of eight points: the same operations.
+    static Eight hetero(const Eight* a, const Host& host)
+    {
+        const int kind = generator(a[8].v[0]);
+        const double lacunarity = a[4].v[0], decay = std::pow(lacunarity, -a[3].v[0]),
+                     octaves = std::min(a[5].v[0], kMostOctaves), power = std::max(0.0, std::trunc(a[7].v[0]));
+        Eight p[3] = {a[0], a[1], a[2]}, noise, sum;
+        const auto ask = [&] { host.noises(p[0].v, p[1].v, p[2].v, kind, noise.v); };
+        const auto move = [&] {
+            for (Eight& c : p)
+                for (double& v : c.v) v *= lacunarity;
+        };
+        const auto value = [&](std::size_t i) { return 2.0 * noise.v[i] - 1.0 + a[6].v[i]; };
+        ask();
+        for (std::size_t i = 0; i < kLanes; ++i) sum.v[i] = value(i);
+        double weight = decay;
+        move();
+        for (double octave = 1.0; octave < octaves; octave += 1.0) {
+            ask();
+            for (std::size_t i = 0; i < kLanes; ++i) sum.v[i] += value(i) * weight * hetero_gain(sum.v[i], power);
+            move();
+            weight *= decay;
+        }
+        const double rest = octaves - std::floor(octaves);
+        if (rest == 0.0) return sum;
+        ask();
+        for (std::size_t i = 0; i < kLanes; ++i) sum.v[i] += rest * (value(i) * weight) * sum.v[i];
         return sum;
     }
 

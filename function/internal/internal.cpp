@@ -21,7 +21,10 @@ constexpr std::array<std::uint8_t, kInternals> kParameters = {
 
 std::uint32_t internal_parameters(std::uint32_t n) { return kParameters[n]; }
 
-bool internal_asks_noise(std::uint32_t n) { return n == 29 || n == 58 || n == 59 || n == 76 || n == 78; }
+bool internal_asks_noise(std::uint32_t n)
+{
+    return n == kHeteroMultifractal || n == 58 || n == 59 || n == 76 || n == 78;
+}
 
 double internal(std::uint32_t n, const double* a, const Host& host, const double* weights)
 {
@@ -39,7 +42,7 @@ double internal(std::uint32_t n, const double* a, const Host& host, const double
     case 26: return helix2(a);
     case 27:
     case 28: return hexagonal(n == 28, a);
-    case 29: return hetero_mf(a, host);
+    case kHeteroMultifractal: return hetero_mf(a, host);
     case 40: return mesh1(a);
     case 47: return std::atan2(std::sqrt(a[0] * a[0] + a[2] * a[2]), a[1]);
     case 51: return poly4(a);

@@ -20,6 +20,6 @@ double internal(std::uint32_t n, const double* a, const Host& host, const double
 std::vector<double> ridged_weights(double h, double lacunarity, double octaves);
 inline constexpr std::uint32_t kRoundedBox = 60;
 /// The numbers of functions that sum noise.
-inline constexpr std::uint32_t kRidgedMultifractal = 59, kNoise = 76, kNoiseOfGenerator = 78;
+inline constexpr std::uint32_t kHeteroMultifractal = 29, kRidgedMultifractal = 59, kNoise = 76, kNoiseOfGenerator = 78;
 
 }  // namespace function

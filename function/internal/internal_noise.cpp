@@ -22,7 +22,7 @@ double hetero_mf(const double* a, const Host& host)
     double sum = value(), weight = decay;
     p *= a[4];
     for (double i = 1.0; i < octaves; i += 1.0) {
-        sum += value() * weight * std::pow(sum, power);
+        sum += value() * weight * hetero_gain(sum, power);
         p *= a[4];
         weight *= decay;
     }

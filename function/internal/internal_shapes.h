@@ -2,6 +2,8 @@
 
 #include "function/program.h"
 
+#include <cmath>
+
 /// Internal functions that are no polynomials. a: x, y, z, then the parameters (spec 5b, 16).
 namespace function {
 
@@ -27,6 +29,12 @@ double torus(const double* a);
 
 inline constexpr double kMostOctaves = 1000.0;  ///< a scene that asks for 1e9 must not hang
 double hetero_mf(const double* a, const Host& host);
+/// What an octave of f_hetero_mf counts for more where the sum of those before is great: sum^power, power a whole
+/// number that is mostly 1 or 2.
+inline double hetero_gain(double sum, double power)
+{
+    return power == 1.0 ? sum : power == 2.0 ? sum * sum : std::pow(sum, power);
+}
 double ridge(const double* a, const Host& host);
 double ridged_mf(const double* a, const Host& host, const double* weights);
 /// Noise generator 1 to 3 as a parameter says: its lowest two bits, 0 counting as 1.

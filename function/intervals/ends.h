@@ -216,6 +216,25 @@ inline Ends whole_power(const Ends& a, double exponent)
             xsimd::select(positive, up.high, xsimd::select(negative, -down.low, between_high))};
 }
 
+/// The remainder of x / b, which has x's sign; b is finite and not 0. Where x may pass a whole number of times b, or is
+/// so near to one that rounding may have led past it, it may be any remainder.
+inline Ends modulo(const Ends& a, double b)
+{
+    constexpr double kMostTurns = 1e15;
+    const Batch size(std::abs(b)), zero(0.0);
+    const Ends far = absolute(a);
+    const Batch turns = xsimd::floor(far.low / size), room = far.high * Batch(kRelative);
+    const Batch low = far.low - turns * size, high = far.high - turns * size;
+    const auto negative = a.high < zero, one_sign = negative | (a.low > zero);
+    const auto same = one_sign & (low >= room) & (high <= size - room) & (turns < Batch(kMostTurns));
+    const auto itself = far.high < size;
+    const Batch below = xsimd::select(a.low < zero, -size, zero), above = xsimd::select(a.high > zero, size, zero);
+    const Ends turned = widened(xsimd::select(negative, -high, low) - room, xsimd::select(negative, -low, high) + room);
+    const auto known = (a.low == a.low) & (a.high == a.high);
+    return {xsimd::select(known, xsimd::select(itself, a.low, xsimd::select(same, turned.low, below)), -size),
+            xsimd::select(known, xsimd::select(itself, a.high, xsimd::select(same, turned.high, above)), size)};
+}
+
 /// Whether all lanes are one number, the same.
 inline bool is_constant(const Ends& a) { return xsimd::all((a.low == a.high) & (a.low == Batch(a.low.get(0)))); }
 

@@ -98,6 +98,16 @@ EightIntervals power(const EightIntervals& a, const EightIntervals& b)
     return batchwise(a, a, [&](const Ends& x, const Ends&) { return power(x, exponent); });
 }
 
+/// A constant divisor's in registers, others lane by lane.
+EightIntervals modulo(const EightIntervals& a, const EightIntervals& b)
+{
+    const double divisor = b.low[0];
+    bool constant = std::isnormal(divisor);
+    for (std::size_t i = 0; i < kLanes; ++i) constant = constant && b.low[i] == divisor && b.high[i] == divisor;
+    if (!constant) return each_lane([&](std::size_t i) { return interval_binary(Op::Modulo, a.lane(i), b.lane(i)); });
+    return batchwise(a, a, [&](const Ends& x, const Ends&) { return modulo(x, divisor); });
+}
+
 template <>
 struct Rules<EightIntervals> {
     static EightIntervals constant(double c) { return c; }
@@ -116,6 +126,7 @@ struct Rules<EightIntervals> {
         else if constexpr (op == Op::Max) return larger(a, b);
         else if constexpr (op == Op::Atan2) return arc_tangent(a, b);
         else if constexpr (op == Op::Power) return power(a, b);
+        else if constexpr (op == Op::Modulo) return modulo(a, b);
         else return each_lane([&](std::size_t i) { return interval_binary(op, a.lane(i), b.lane(i)); });
     }
 

@@ -2,6 +2,7 @@
 
 #include "function/evaluate.h"
 #include "function/intervals/interval.h"
+#include "function/line/along_line.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
@@ -108,7 +109,7 @@ function::Evaluators evaluators()
             [](const Function& called, const double(*a)[8], const Host& host, double* out) {
                 here(host, [&](const Host& own) { function::evaluate_lanes(called, a, own, out); });
             },
-            function::evaluate_intervals};  // which ask nothing of the scene
+            function::evaluate_intervals, function::evaluate_along};  // which ask nothing of the scene
 }
 
 }  // namespace texture

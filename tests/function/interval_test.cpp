@@ -166,6 +166,45 @@ TEST_CASE("eight intervals of angles are hardly wider than one", "[function]")
     }
 }
 
+TEST_CASE("eight remainders of a constant divisor hold every remainder and are as narrow as one's", "[function]")
+{
+    std::mt19937 random(19);
+    std::uniform_real_distribution<double> any(-3.0, 3.0), unit(0.0, 1.0);
+    for (const char* divisor : {"1", "0.5", "-0.3", "2.7", "0.1", "1e-3", "100"}) {
+        INFO(divisor);
+        const auto f = function_test::compiled(std::string("#declare F=function(x){mod(x,") + divisor + ")}", "F");
+        const double b = std::stod(divisor);
+        for (int round = 0; round < 300; ++round) {
+            double low[1][8], high[1][8], out_low[8], out_high[8];
+            for (std::size_t lane = 0; lane < 8; ++lane) {
+                low[0][lane] = round % 3 == 0 ? std::round(10.0 * any(random)) * b : any(random);
+                if (round % 5 == 0) low[0][lane] = std::nextafter(low[0][lane], any(random));
+                high[0][lane] = low[0][lane] + (round % 2 == 0 ? unit(random) * std::abs(b) : 1e-6);
+            }
+            function::evaluate_intervals(*f, low, high, function::no_host(), out_low, out_high);
+            for (std::size_t lane = 0; lane < 8; ++lane) {
+                const Interval box[] = {{low[0][lane], high[0][lane]}};
+                const Interval one = function::evaluate_interval(*f, box, function::no_host());
+                INFO(low[0][lane] << " to " << high[0][lane] << ": " << out_low[lane] << " to " << out_high[lane]);
+                const double room = 1e-14 * std::max(1.0, std::abs(b));
+                // But next to a whole number of divisors, where one interval is told by exact remainders.
+                const double turns = low[0][lane] / b, end = high[0][lane] / b;
+                if (std::abs(turns - std::round(turns)) > 1e-12 && std::abs(end - std::round(end)) > 1e-12) {
+                    REQUIRE(out_low[lane] >= one.low - room);
+                    REQUIRE(out_high[lane] <= one.high + room);
+                }
+                for (int k = 0; k < 20; ++k) {
+                    const double x = k == 0   ? low[0][lane]
+                                     : k == 1 ? high[0][lane]
+                                              : low[0][lane] + unit(random) * (high[0][lane] - low[0][lane]),
+                                 v = function::evaluate(*f, &x, function::no_host());
+                    REQUIRE((out_low[lane] <= v && v <= out_high[lane]));
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("eight powers of a constant exponent hold every power and are as narrow as one's", "[function]")
 {
     std::mt19937 random(17);

@@ -11,8 +11,6 @@ namespace csg {
 namespace {
 
 constexpr int kParts = 8;
-constexpr double kRoom = 4 * 0x1p-52;  // relative error of a point of the ray, generously
-
 /// Sides of the boxes between from + k step and from + (k + 1) step, with room for rounding.
 void sides(double origin, double direction, double from, double step, EightRanges& out)
 {
@@ -24,7 +22,7 @@ void sides(double origin, double direction, double from, double step, EightRange
             return Double(origin) + (Double(from) + part * Double(step)) * Double(direction);
         };
         const Double part = Double::load_aligned(kPart + k), a = place(part), b = place(part + Double(1.0)),
-                     room = Double(kRoom) * (size + xsimd::abs(a) + xsimd::abs(b));
+                     room = Double(kPointRoom) * (size + xsimd::abs(a) + xsimd::abs(b));
         (xsimd::min(b, a) - room).store_aligned(out.low.v + k);
         (xsimd::max(b, a) + room).store_aligned(out.high.v + k);
     }
@@ -81,8 +79,10 @@ bool IsosurfaceSearch::first(double from, double end, double sign, double& found
         // Eighths as fine as POV-Ray's last halves, or up to four times finer.
         const int levels = std::max(1, (halvings + 2) / 3);
         const Grid grid{from, (end - from) / std::ldexp(1.0, 3 * levels), 3 * levels - halvings};
-        if (box_ == nullptr) return eighths(grid, 0, levels, sign, found);
         const std::int64_t parts = std::int64_t{1} << (3 * levels);
+        if (terms_.field->polynomial())
+            if (const std::optional<bool> known = by_polynomial(grid, parts, sign, found)) return *known;
+        if (box_ == nullptr) return eighths(grid, 0, levels, sign, found);
         return sign > 0.0 ? comes_in(grid, parts, found) : goes_out(grid, parts, found);
     }
     if (terms_.evaluate && gradient_ > terms_.growth.x) gradient_ *= terms_.growth.z;

@@ -3,8 +3,11 @@
 #include "csg/freeform/field/isosurface.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace csg {
+
+inline constexpr double kPointRoom = 4 * 0x1p-52;  ///< relative error of a point of the ray, generously
 
 /// One ray through the field of an isosurface.
 class IsosurfaceSearch {
@@ -49,6 +52,12 @@ private:
         return grid.at(end == place || !(sign * value(grid.at(end)) < 0.0) ? place : end);
     }
     bool eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found);
+    /// eighths() of a polynomial field, which comes to the same place; nothing where its polynomial is not known. It is
+    /// between its ordinates, and these come close to it quickly.
+    std::optional<bool> by_polynomial(const Grid& grid, std::int64_t parts, double sign, double& found) const;
+    struct Ordinates;
+    bool halves(const Grid& grid, const Ordinates& of, std::int64_t first, std::int64_t width, double sign,
+                double& found) const;
     /// Those of the eight finest parts from `first` on whose bit is set in `open`.
     bool in_leaves(const Grid& grid, std::int64_t first, std::uint32_t open, double sign, double& found) const;
     bool bisect(const Sample& left, const Sample& right, double sign, double& found);

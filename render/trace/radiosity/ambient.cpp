@@ -50,6 +50,7 @@ private:
         constexpr double kFull = 0.25;  // what weighs less may be less exact
         const scene::RadiositySettings& settings = field_.settings();
         LookupGroup group(smooth());
+        if (only_whether()) group.stop_at(least_quarters());
         for (std::size_t i = first; i < last; ++i) {
             Lookup& to = scratch_.lookups[i] = {};
             to.bound = settings.error_bound * (pretrace_ ? settings.low_error_factor : 1.0);
@@ -65,10 +66,18 @@ private:
     bool enough(std::size_t i) const { return enough(scratch_.lookups[i].weight); }
     bool enough(double weight) const
     {
-        if (weight > 0.0 && (context_.filling == nullptr || (!pretrace_ && !field_.settings().always_sample)))
-            return true;
+        if (weight > 0.0 && any_will_do()) return true;
         return 4.0 * weight >= rules_.required;
     }
+    bool any_will_do() const { return context_.filling == nullptr || (!pretrace_ && !field_.settings().always_sample); }
+    /// What comes of the lookups but enough() is not used: passes look at no colour of what the camera sees, and not at
+    /// weights unless those tell when a part is done.
+    bool only_whether() const
+    {
+        return context_.filling != nullptr && context_.bounce == 0 &&
+               (!pretrace_ || field_.settings().adaptive_count == 0);
+    }
+    double least_quarters() const { return any_will_do() ? 0.0 : rules_.required; }
 
     /// Samples for some of the requests, which then serve the others too; what is still open.
     HitMask make_samples(HitMask open)

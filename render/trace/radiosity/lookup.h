@@ -17,8 +17,16 @@ class LookupGroup {
 public:
     static constexpr std::size_t kLanes = 8;
 
-    /// smooth: weights fade smoothly, as in the picture for what the camera sees.
+    /// \param smooth  weights fade smoothly, as in the picture for what the camera sees
     explicit LookupGroup(bool smooth) : smooth_(smooth) {}
+
+    /// Points that have more than no weight, and as many quarters of it, read on no further: for whoever asks only
+    /// whether they have.
+    void stop_at(double quarters)
+    {
+        stops_ = true;
+        quarters_ = static_cast<float>(quarters);
+    }
 
     /// bound: of the error.
     void add(const glm::dvec3& point, const glm::dvec3& normal, double bound)
@@ -114,10 +122,24 @@ private:
         for (std::size_t i = 0; i < found; ++i) read(grid, lists[i]);
     }
 
+    /// The points that have what stop_at() said.
+    std::uint32_t stopped() const
+    {
+        if (!stops_) return 0;
+        std::uint32_t out = 0;
+        for (std::size_t at = 0; at < kLanes; at += Float::size) {
+            const Float w = load(weight_, at);
+            out |= csg::lanes::mask((w > Float(0.0f)) & !(Float(4.0f) * w < Float(quarters_))) << at;
+        }
+        return out;
+    }
+
     void read(const SampleGrid& grid, const List& list)
     {
+        const std::uint32_t reading = list.same & ~stopped();
+        if (reading == 0) return;
         for (std::size_t k = 0; k < kLanes; ++k) {
-            const bool in = (list.same >> k & 1u) != 0;
+            const bool in = (reading >> k & 1u) != 0;
             const glm::vec3 v(in ? point_[k] - list.from : glm::dvec3(0));
             x_[k] = v.x, y_[k] = v.y, z_[k] = v.z;
             here_[k] = in ? bound_[k] : 0.0f;
@@ -135,6 +157,7 @@ private:
                 const auto i = static_cast<std::size_t>(std::countr_zero(close));
                 weigh(grid.samples()[chunk.number[i]], {chunk.x[i], chunk.y[i], chunk.z[i]});
             }
+            if ((reading & ~stopped()) == 0) return;
         }
     }
 
@@ -202,7 +225,8 @@ private:
         }
     }
 
-    bool smooth_;
+    bool smooth_, stops_ = false;
+    float quarters_ = 0.0f;
     std::size_t count_ = 0;
     std::array<glm::dvec3, kLanes> point_{};
     alignas(64) Floats nx_{}, ny_{}, nz_{}, bound_{};
