@@ -18,15 +18,18 @@ struct Isosurface::Start {
     bool inside = false, wall = false;  ///< wall: it is drawn where the ray comes in
 };
 
-Isosurface::Start Isosurface::start(const IsosurfaceSearch& search, double entry) const
+Isosurface::Start Isosurface::start(IsosurfaceSearch& search, const Interval& way) const
 {
     const double accuracy = search.accuracy(), near = 4.0 * accuracy * terms_.max_gradient, beyond = 5.0 * accuracy;
-    Start out{.t = std::max(entry, 0.0)};
-    const double here = search.value(out.t);
+    Start out{.t = std::max(way.entry, 0.0)};
     if (out.t > accuracy) {
-        out.inside = here < 0.0;
+        if (way.exit - out.t < accuracy) return out;  // nothing is told of so short a way
+        out.inside = search.inside(out.t, way.exit);
         out.wall = out.inside && !terms_.open;
-    } else if (terms_.open ? std::abs(here) < near : here < near) {
+        return out;
+    }
+    const double here = search.value(out.t);
+    if (terms_.open ? std::abs(here) < near : here < near) {
         out.t = beyond;
         out.inside = search.value(out.t) < 0.0;
     } else {
@@ -41,7 +44,7 @@ void Isosurface::intersect(const Ray& ray, IntersectionList& out) const
     if (!terms_.container.interval(ray, way) || way.exit < std::max(out.from, 0.0) || way.entry > out.to) return;
     IsosurfaceSearch search(terms_, ray, way, out.to);
     const double accuracy = search.accuracy();
-    const Start begin = start(search, way.entry);
+    const Start begin = start(search, way);
     if (way.exit - begin.t < accuracy) return;
     int left = terms_.max_trace - (begin.wall ? 1 : 0);
     bool inside = begin.inside;

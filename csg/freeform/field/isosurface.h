@@ -56,7 +56,7 @@ private:
     static constexpr std::uint32_t kField = 7;  ///< face of the field's own crossings; below it the container's
     class Walk;
     struct Start;
-    Start start(const IsosurfaceSearch& search, double entry) const;
+    Start start(IsosurfaceSearch& search, const Interval& way) const;
 
     IsosurfaceTerms terms_;
 };

@@ -6,35 +6,32 @@
 
 namespace csg {
 
-/// Of sign * (field - threshold) over a part of the ray: no value lies outside of them all by more than `margin`, and
-/// as little beside what value() answers.
-struct IsosurfaceSearch::Ordinates {
-    std::array<double, FieldPolynomial::kMost + 1> b;
-    int degree;
-    double margin;
+bool IsosurfaceSearch::Ordinates::above() const
+{
+    return std::all_of(b.begin(), b.begin() + degree + 1, [&](double v) { return v > margin; });
+}
 
-    bool above() const
-    {
-        return std::all_of(b.begin(), b.begin() + degree + 1, [&](double v) { return v > margin; });
-    }
-    /// What they are over both halves (de Casteljau).
-    void part(Ordinates& left, Ordinates& right) const
-    {
-        left.degree = right.degree = degree;
-        left.margin = right.margin = margin;
-        right.b = b;
-        for (int k = 0; k <= degree; ++k) {
-            left.b[static_cast<std::size_t>(k)] = right.b[0];
-            for (int i = 0; i < degree - k; ++i) {
-                const auto at = static_cast<std::size_t>(i);
-                right.b[at] = 0.5 * (right.b[at] + right.b[at + 1]);
-            }
+void IsosurfaceSearch::Ordinates::turn()
+{
+    for (int i = 0; i <= degree; ++i) b[static_cast<std::size_t>(i)] = -b[static_cast<std::size_t>(i)];
+}
+
+/// De Casteljau's.
+void IsosurfaceSearch::Ordinates::part(Ordinates& left, Ordinates& right) const
+{
+    left.degree = right.degree = degree;
+    left.margin = right.margin = margin;
+    right.b = b;
+    for (int k = 0; k <= degree; ++k) {
+        left.b[static_cast<std::size_t>(k)] = right.b[0];
+        for (int i = 0; i < degree - k; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            right.b[at] = 0.5 * (right.b[at] + right.b[at + 1]);
         }
     }
-};
+}
 
-std::optional<bool> IsosurfaceSearch::by_polynomial(const Grid& grid, std::int64_t parts, double sign,
-                                                    double& found) const
+bool IsosurfaceSearch::find_ordinates(const Grid& grid, std::int64_t parts, Ordinates& out) const
 {
     const double end = grid.at(parts);
     FieldStretch stretch;
@@ -43,20 +40,19 @@ std::optional<bool> IsosurfaceSearch::by_polynomial(const Grid& grid, std::int64
     const glm::dvec3 last = ray_.origin + end * ray_.direction;
     stretch.room = kPointRoom * (glm::abs(ray_.origin) + glm::abs(stretch.from) + glm::abs(last));
     FieldPolynomial along;
-    if (!terms_.field->along(stretch, along) || !(std::abs(terms_.threshold) < along.limit)) return {};
+    if (!terms_.field->along(stretch, along) || !(std::abs(terms_.threshold) < along.limit)) return false;
 
     // Each of some 40 halvings may round every ordinate once.
     constexpr double kHalving = 1e-13;
-    Ordinates all;
-    all.degree = along.degree;
-    all.margin = 4.0 * along.error + kHalving * (along.size + std::abs(terms_.threshold));
-    if (!(all.margin < kInfinity)) return {};
+    out.degree = along.degree;
+    out.margin = 4.0 * along.error + kHalving * (along.size + std::abs(terms_.threshold));
+    if (!(out.margin < kInfinity)) return false;
     const auto n = static_cast<std::size_t>(along.degree);
-    for (std::size_t i = 0; i <= n; ++i) all.b[i] = sign * along.c[i] / detail::choose(n, i);
+    for (std::size_t i = 0; i <= n; ++i) out.b[i] = along.c[i] / detail::choose(n, i);
     for (std::size_t k = 1; k <= n; ++k)
-        for (std::size_t i = n; i >= k; --i) all.b[i] += all.b[i - 1];
-    for (std::size_t i = 0; i <= n; ++i) all.b[i] -= sign * terms_.threshold;
-    return halves(grid, all, 0, parts, sign, found);
+        for (std::size_t i = n; i >= k; --i) out.b[i] += out.b[i - 1];
+    for (std::size_t i = 0; i <= n; ++i) out.b[i] -= terms_.threshold;
+    return true;
 }
 
 bool IsosurfaceSearch::halves(const Grid& grid, const Ordinates& of, std::int64_t first, std::int64_t width,

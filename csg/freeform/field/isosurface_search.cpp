@@ -71,22 +71,53 @@ void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const
     for (double& v : f.v) v = sign * (v - terms_.threshold);
 }
 
+/// Eighths as fine as POV-Ray's last halves, or up to four times finer.
+IsosurfaceSearch::Grid IsosurfaceSearch::grid_between(double from, double end, int& levels) const
+{
+    int halvings = 0;
+    for (double length = end - from; length >= accuracy_; length *= 0.5) ++halvings;
+    levels = std::max(1, (halvings + 2) / 3);
+    return {from, (end - from) / std::ldexp(1.0, 3 * levels), 3 * levels - halvings};
+}
+
+bool IsosurfaceSearch::inside(double from, double end)
+{
+    if (!by_ranges() || box_ != nullptr) return value(from) < 0.0;
+    int levels;
+    const Grid grid = grid_between(from, end, levels);
+    asked_.from = from;
+    asked_.end = end;
+    double low, high;
+    if (terms_.field->polynomial() && find_ordinates(grid, std::int64_t{1} << (3 * levels), asked_.ordinates)) {
+        asked_.polynomial = true;
+        low = asked_.ordinates.b[0] - asked_.ordinates.margin;
+        high = asked_.ordinates.b[0] + asked_.ordinates.margin;
+    } else {
+        ranges_of(grid, 0, levels, asked_.ranges);
+        low = asked_.ranges.low.v[0] - terms_.threshold;
+        high = asked_.ranges.high.v[0] - terms_.threshold;
+    }
+    return high < 0.0 || (!(low > 0.0) && value(from) < 0.0);
+}
+
 bool IsosurfaceSearch::first(double from, double end, double sign, double& found)
 {
-    if (terms_.field->ranged() && !terms_.trusting) {
-        int halvings = 0;
-        for (double length = end - from; length >= accuracy_; length *= 0.5) ++halvings;
-        // Eighths as fine as POV-Ray's last halves, or up to four times finer.
-        const int levels = std::max(1, (halvings + 2) / 3);
-        const Grid grid{from, (end - from) / std::ldexp(1.0, 3 * levels), 3 * levels - halvings};
-        const std::int64_t parts = std::int64_t{1} << (3 * levels);
-        if (terms_.field->polynomial())
-            if (const std::optional<bool> known = by_polynomial(grid, parts, sign, found)) return *known;
-        if (box_ == nullptr) return eighths(grid, 0, levels, sign, found);
-        return sign > 0.0 ? comes_in(grid, parts, found) : goes_out(grid, parts, found);
+    if (!by_ranges()) {
+        if (terms_.evaluate && gradient_ > terms_.growth.x) gradient_ *= terms_.growth.z;
+        return bisect({from, sign * value(from)}, {end, sign * value(end)}, sign, found);
     }
-    if (terms_.evaluate && gradient_ > terms_.growth.x) gradient_ *= terms_.growth.z;
-    return bisect({from, sign * value(from)}, {end, sign * value(end)}, sign, found);
+    int levels;
+    const Grid grid = grid_between(from, end, levels);
+    const std::int64_t parts = std::int64_t{1} << (3 * levels);
+    if (box_ != nullptr) return sign > 0.0 ? comes_in(grid, parts, found) : goes_out(grid, parts, found);
+    const bool asked = asked_.from == from && asked_.end == end;
+    if (asked && !asked_.polynomial) return eighths(asked_.ranges, grid, 0, levels, sign, found);
+    Ordinates& ordinates = asked_.ordinates;
+    if (!asked && !(terms_.field->polynomial() && find_ordinates(grid, parts, ordinates)))
+        return eighths(grid, 0, levels, sign, found);
+    if (sign < 0.0) ordinates.turn();
+    asked_.end = -1.0;  // used up
+    return halves(grid, ordinates, 0, parts, sign, found);
 }
 
 /// By secants from before: beyond two places a convex field lies above the line through them, so that nothing is
@@ -133,16 +164,28 @@ bool IsosurfaceSearch::goes_out(const Grid& grid, std::int64_t parts, double& fo
     return true;
 }
 
-bool IsosurfaceSearch::eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found)
+void IsosurfaceSearch::ranges_of(const Grid& grid, std::int64_t first, int level, EightRanges& f) const
 {
-    const std::int64_t width = std::int64_t{1} << (3 * (level - 1));
-    const double from = grid.at(first), step = grid.step * static_cast<double>(width);
+    const double from = grid.at(first), step = grid.step * static_cast<double>(std::int64_t{1} << (3 * (level - 1)));
     EightBoxes boxes;
     sides(ray_.origin.x, ray_.direction.x, from, step, boxes.x);
     sides(ray_.origin.y, ray_.direction.y, from, step, boxes.y);
     sides(ray_.origin.z, ray_.direction.z, from, step, boxes.z);
-    EightRanges f;
     terms_.field->ranges(boxes, f);
+}
+
+bool IsosurfaceSearch::eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found) const
+{
+    EightRanges f;
+    ranges_of(grid, first, level, f);
+    return eighths(f, grid, first, level, sign, found);
+}
+
+bool IsosurfaceSearch::eighths(const EightRanges& f, const Grid& grid, std::int64_t first, int level, double sign,
+                               double& found) const
+{
+    const std::int64_t width = std::int64_t{1} << (3 * (level - 1));
+    const double from = grid.at(first), step = grid.step * static_cast<double>(width);
     const auto clear = [&](int k) {
         return (sign > 0.0 ? f.low.v[k] - terms_.threshold : terms_.threshold - f.high.v[k]) > 0.0;
     };

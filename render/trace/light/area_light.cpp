@@ -2,6 +2,7 @@
 
 #include "csg/packet/lane_equal.h"
 #include "csg/base/tolerance.h"
+#include "render/trace/light/focused_light.h"
 #include "render/trace/media/media_scratch.h"
 
 #include <algorithm>
@@ -222,6 +223,7 @@ void AreaLight::trace_samples()
                                  static_cast<std::uint8_t>(as));
     };
     const HitMask lit = seen & (near | ~ends(Shadow::Blocked)), filtered = seen & ~near & ends(Shadow::Filtered);
+    if (filtered != 0 && scratch_.traits.filters_together && !scratch_.traits.restarts()) focus(filtered);
     for (std::size_t i = 0; i < asked_count_; ++i) {
         const Asked& asked = asked_[i];
         area_.lit[asked.node] |= deposited(lit >> asked.first, asked.hits);
@@ -232,6 +234,20 @@ void AreaLight::trace_samples()
     if (later_ != nullptr && !later_->empty()) dim_by_media();
     asked_count_ = 0;
     samples_ = 0;
+}
+
+/// What surfaces with patterns or caustics leave of these samples.
+void AreaLight::focus(HitMask samples)
+{
+    if (scratch_.focused == nullptr) scratch_.focused = std::make_unique<FocusScratch>();
+    FocusedLight focused(context_);
+    const csg::CrossingTile& met = scratch_.crossings;
+    for_each_hit(samples, [&](std::size_t n) {
+        if (met.count[n] == csg::CrossingTile::kTooMany) return;
+        const glm::dvec3 direction = scratch_.rays.ray(static_cast<int>(n)).direction;
+        focused.add(n, {scratch_.hits.point(hit_[n]), direction}, met.hits[n].data(), met.count[n]);
+    });
+    focused.run();
 }
 
 void AreaLight::keep_filtered(const Asked& asked, HitMask hits)
@@ -279,7 +295,8 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     }
     if (caught.stops(k, met.hits[ray].data(), met.count[ray])) return glm::vec3(0);
     return shadow_transmittance(context_, point, from_[k], *interiors_[k], lit, false, met.hits[ray].data(),
-                                met.count[ray], air);
+                                met.count[ray], air,
+                                scratch_.traits.filters_together ? scratch_.focused->filters[ray].data() : nullptr);
 }
 
 }  // namespace trace

@@ -74,7 +74,9 @@ private:
                 look(group, seen);
                 texture::ColorPoints colors;
                 texture::pigment_colors(set, layer.pigment, seen.points, seen.around, colors);
+                const bool ends = pigment.kind == texture::Pigment::Kind::Image;
                 for (std::size_t n = 0; n < count; ++n) {
+                    if (ends && texture::pigment_missing(set, layer.pigment, seen.points.at(n), seen.nothing)) continue;
                     const scene::Color c = colors.at(n);
                     light[n] *= c.filter * c.rgb() + c.transmit;
                 }

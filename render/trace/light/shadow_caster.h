@@ -184,7 +184,7 @@ private:
         if (rays == 0) return;
         focused_ = false;
         if (scratch_.traits.restarts()) restart(rays, hit_of);
-        else if (scratch_.traits.filters_together && !scratch_.rays.common_origin) focus(rays, hit_of);
+        else if (scratch_.traits.filters_together) focus(rays, hit_of);
         const plan::CompiledScene& scene = context_.scene;
         const bool media = scratch_.traits.media || (in_air && scene.atmosphere.extinguishes);
         MediaShadows* later = media ? &context_.scratch.media().shadows : nullptr;
@@ -209,17 +209,19 @@ private:
         for_each_hit(waiting, [&](std::size_t k) { tell(k, colors[k]); });
     }
 
-    /// What surfaces leave of light that they focus.
+    /// What surfaces with patterns or caustics leave of light. Crossings of rays from the light are turned round.
     template <class HitOf>
     [[gnu::noinline]] void focus(HitMask rays, const HitOf& hit_of)
     {
         if (scratch_.focused == nullptr) scratch_.focused = std::make_unique<FocusScratch>();
         focused_ = true;
         FocusedLight focused(context_);
-        const csg::CrossingTile& met = scratch_.crossings;
+        csg::CrossingTile& met = scratch_.crossings;
         for_each_hit(rays & ~equal(met.ending, Shadow::Clear), [&](std::size_t ray) {
             if (met.count[ray] == csg::CrossingTile::kTooMany) return;
             const std::size_t k = hit_of(ray);
+            if (scratch_.rays.common_origin)
+                turn_round(met.hits[ray].data(), met.count[ray], scratch_.light.distance[k]);
             focused.add(ray, {scratch_.hits.point(k), scratch_.light.direction(k)}, met.hits[ray].data(),
                         met.count[ray]);
         });
@@ -266,8 +268,8 @@ private:
         }
         if (caught.stops(k, scratch_.crossings.hits[ray].data(), count)) return glm::vec3(0);
         return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
-                                    lit, scratch_.rays.common_origin, scratch_.crossings.hits[ray].data(), count, air,
-                                    focused_ ? scratch_.focused->filters[ray].data() : nullptr);
+                                    lit, scratch_.rays.common_origin && !focused_, scratch_.crossings.hits[ray].data(),
+                                    count, air, focused_ ? scratch_.focused->filters[ray].data() : nullptr);
     }
 
     Context& context_;

@@ -230,21 +230,25 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     return color;
 }
 
+void turn_all_round(Hit* crossings, std::size_t count, double distance)
+{
+    Hit* const end = crossings + count;
+    std::reverse(crossings, end);
+    // Those at one place keep the order that they have for every ray.
+    for (Hit* same = crossings; same != end;) {
+        Hit* next = std::find_if(same, end, [t = same->t](const Hit& h) { return h.t != t; });
+        std::reverse(same, next);
+        same = next;
+    }
+    for (Hit* h = crossings; h != end; ++h) h->t = distance - h->t;
+}
+
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
                                Hit* crossings, std::size_t count, const ShadowAir& air, const glm::vec3* focused)
 {
     Hit* const end = crossings + count;
-    if (from_light) {
-        std::reverse(crossings, end);
-        // Those at one place keep the order that they have for every ray.
-        for (Hit* same = crossings; same != end;) {
-            Hit* next = std::find_if(same, end, [t = same->t](const Hit& h) { return h.t != t; });
-            std::reverse(same, next);
-            same = next;
-        }
-        for (Hit* h = crossings; h != end; ++h) h->t = lit.distance - h->t;
-    }
+    if (from_light) turn_round(crossings, count, lit.distance);
     glm::vec3 color = lit.color;
     double before = 0.0;
     if (!air.atmosphere && past_steady(context, interiors, tolerance, color, crossings, end, before)) {

@@ -166,9 +166,17 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
                          const light::Illumination& lit, glm::vec3 color, const ShadowAir& air = {},
                          const Hit* first = nullptr, RestartedRay* known = nullptr);
 
-/// The same of lit.color where the crossings of surfaces that let light through are known, nearest first from the point
-/// or from the light; they are turned round in place. focused: what surfaces leave of light that they focus, by
-/// crossing, where they are nearest first from the point and that is known.
+/// Crossings of a ray from a light, nearest first, as a ray to it over this distance has them: more than one.
+void turn_all_round(Hit* crossings, std::size_t count, double distance);
+inline void turn_round(Hit* crossings, std::size_t count, double distance)
+{
+    if (count > 1) return turn_all_round(crossings, count, distance);
+    if (count == 1) crossings->t = distance - crossings->t;
+}
+
+/// The same as filtered_light() of lit.color where the crossings of surfaces that let light through are known, nearest
+/// first from the point or from the light; these are turned round in place. focused: what surfaces leave of light that
+/// they focus, by crossing, where they are nearest first from the point and that is known.
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
                                Hit* crossings, std::size_t count, const ShadowAir& air = {},

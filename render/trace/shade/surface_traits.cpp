@@ -111,17 +111,14 @@ PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, boo
     return patterned ? PatternedLayers{index, all_alone} : PatternedLayers{};
 }
 
-/// Layers, whose pigments are all somewhere.
+/// Layers that ask for no place on their object.
 bool layers_filter(const TextureSet& set, std::uint32_t index)
 {
     const texture::Texture& texture = set.textures[index];
     if (texture.kind != texture::Texture::Kind::Layers) return false;
-    return std::none_of(set.layers.begin() + texture.first, set.layers.begin() + texture.first + texture.count,
-                        [&](const texture::Layer& layer) {
-                            using Kind = texture::Pigment::Kind;
-                            const Kind kind = set.pigments[layer.pigment].kind;
-                            return kind == Kind::Image || kind == Kind::Uv;
-                        });
+    return std::none_of(
+        set.layers.begin() + texture.first, set.layers.begin() + texture.first + texture.count,
+        [&](const texture::Layer& layer) { return set.pigments[layer.pigment].kind == texture::Pigment::Kind::Uv; });
 }
 
 /// Whether shadow rays have to meet a part from the point itself.
