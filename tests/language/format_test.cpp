@@ -173,8 +173,13 @@ TEST_CASE("random texts are laid out or refused, and only once", "[format]")
                                  "!",       "&",     "?",       ":",      "A",   "1",      ".5",   "1e",  "x",     ".",
                                  "\"a b\"", "\n",    "\n",      "// c\n", " ",   "  ",     "case", "for", "while", "\t",
                                  "5.",      "macro", "/* k */", "@",      "$",   "switch", "B2",   "\r\n"};
+#ifdef __SANITIZE_ADDRESS__
+    constexpr int kRounds = 1000;
+#else
+    constexpr int kRounds = 4000;
+#endif
     std::mt19937 rng(22);
-    for (int round = 0; round < 4000; ++round) {
+    for (int round = 0; round < kRounds; ++round) {
         std::string text;
         for (std::size_t n = rng() % 60; n-- > 0;) text += words[rng() % std::size(words)];
         INFO("round " << round << ": " << text);

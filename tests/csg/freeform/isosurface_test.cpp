@@ -179,7 +179,7 @@ TEST_CASE("a ball has one span however far the ray begins", "[csg][isosurface]")
         const Isosurface surface(terms);
         Rng rng(5);
         int shallow = 0;
-        const int rays = csg_test::share(20000);
+        const int rays = csg_test::share(4000);
         for (int i = 0; i < rays; ++i) {
             // Passes just below the surface.
             const glm::dvec3 way = rng.direction(), side = glm::normalize(glm::cross(way, rng.direction()));
