@@ -192,9 +192,9 @@ TEST_CASE("an isosurface of a polynomial has the crossings that its ranges find"
         INFO(body);
         count += check_surface(declared(body), random, 40, uniform(random, -0.5, 0.5));
     }
-    for (const char* body :
-         {"x*x+y*y+z*z-1", "pow(x*x+y*y+z*z-1,2)", "pow(x*x+y*y+z*z-1,2)-1e-6", "x*y*z", "x*x*x-y", "1e8*(x*x+y*y-0.5)",
-          "1e-8*(x*x+y*y-0.5)", "pow(x,4)-5*x*x+pow(y,4)-5*y*y+pow(z,4)-5*z*z+11.8"}) {
+    for (const char* body : {"x*x+y*y+z*z-1", "pow(x*x+y*y+z*z-1,2)", "pow(x*x+y*y+z*z-1,2)-1e-6", "x*y*z", "x*x*x-y",
+                             "0*x", "pow(x,7)", "pow(x*y,3)", "1e8*(x*x+y*y-0.5)", "1e-8*(x*x+y*y-0.5)",
+                             "pow(x,4)-5*x*x+pow(y,4)-5*y*y+pow(z,4)-5*z*z+11.8"}) {
         INFO(body);
         count += check_surface(declared(body), random, 200, 0.0);
     }

@@ -56,10 +56,11 @@ bool IsosurfaceSearch::find_ordinates(const Grid& grid, std::int64_t parts, Ordi
 }
 
 bool IsosurfaceSearch::halves(const Grid& grid, const Ordinates& of, std::int64_t first, std::int64_t width,
-                              double sign, double& found) const
+                              double sign, double& found, int& leaves) const
 {
-    if (grid.at(first) > to_ || of.above()) return false;
+    if (leaves == 0 || grid.at(first) > to_ || of.above()) return false;
     if (width == 1) {
+        --leaves;
         if (!(sign * value(grid.at(first + 1)) < 0.0)) return false;
         found = told(grid, first + 1, sign);
         return true;
@@ -67,7 +68,8 @@ bool IsosurfaceSearch::halves(const Grid& grid, const Ordinates& of, std::int64_
     Ordinates left, right;
     of.part(left, right);
     const std::int64_t half = width / 2;
-    return halves(grid, left, first, half, sign, found) || halves(grid, right, first + half, half, sign, found);
+    return halves(grid, left, first, half, sign, found, leaves) ||
+           halves(grid, right, first + half, half, sign, found, leaves);
 }
 
 }  // namespace csg

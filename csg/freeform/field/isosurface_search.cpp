@@ -11,6 +11,7 @@ namespace csg {
 namespace {
 
 constexpr int kParts = 8;
+
 /// Sides of the boxes between from + k step and from + (k + 1) step, with room for rounding.
 void sides(double origin, double direction, double from, double step, EightRanges& out)
 {
@@ -117,7 +118,10 @@ bool IsosurfaceSearch::first(double from, double end, double sign, double& found
         return eighths(grid, 0, levels, sign, found);
     if (sign < 0.0) ordinates.turn();
     asked_.end = -1.0;  // used up
-    return halves(grid, ordinates, 0, parts, sign, found);
+    // Where a field is flat, ordinates say less than ranges: their error is a share of the greatest of its terms.
+    int leaves = 200;
+    if (halves(grid, ordinates, 0, parts, sign, found, leaves)) return true;
+    return leaves == 0 && eighths(grid, 0, levels, sign, found);
 }
 
 /// By secants from before: beyond two places a convex field lies above the line through them, so that nothing is

@@ -74,9 +74,10 @@ private:
                  double& found) const;
     /// What first() knows of a polynomial field over the grid; false: it is not known to be one there.
     bool find_ordinates(const Grid& grid, std::int64_t parts, Ordinates& out) const;
-    /// eighths() of a polynomial field, which comes to the same place.
+    /// eighths() of a polynomial field, which comes to the same place. `leaves`: how many may be asked for their
+    /// values; none are left where it gave up.
     bool halves(const Grid& grid, const Ordinates& of, std::int64_t first, std::int64_t width, double sign,
-                double& found) const;
+                double& found, int& leaves) const;
     /// Those of the eight finest parts from `first` on whose bit is set in `open`.
     bool in_leaves(const Grid& grid, std::int64_t first, std::uint32_t open, double sign, double& found) const;
     bool bisect(const Sample& left, const Sample& right, double sign, double& found);
