@@ -84,6 +84,18 @@ TEST_CASE("octaves of f_ridged_mf with constant parameters", "[function]")
     }
 }
 
+TEST_CASE("f_hetero_mf with constant parameters in lanes", "[function]")
+{
+    std::mt19937 random(12);
+    for (const char* parameters : {"1,2,5,0.5,2,2", "0.4,2.1,6.5,0.9,1,3", "0.1,3,7,0.7,0,1", "1,2,1,1,3,2",
+                                   "-0.5,0.5,0.3,1,2.7,0", "0.5,2,3.25,-0.2,-1,2", "0.5,y,3,1,1,2", "0.5,2,3,z,1,2"}) {
+        INFO(parameters);
+        const auto f = function_test::compiled(
+            std::string("#declare H=function{internal(29)} #declare F=function{H(x,y,z,") + parameters + ")}", "F");
+        for (int round = 0; round < 50; ++round) check_lanes(*f, random, 4.0);
+    }
+}
+
 TEST_CASE("noise of eight points is that of each", "[function]")
 {
     std::mt19937 random(10);
