@@ -220,6 +220,24 @@ TEST_CASE("a point finds what loose cells give it, with weights by the formula",
                 CHECK(found.weight == Approx(weight).epsilon(1e-3).margin(3e-3));
                 CHECK(found.sum.x == Approx(red).epsilon(1e-3).margin(3e-3));
             }
+            // Whoever asks only whether there is enough is told the same.
+            for (const double quarters : {0.0, 1.0, 5.0}) {
+                LookupGroup brief(smooth);
+                brief.stop_at(quarters);
+                for (const auto& [point, normal] : asked) brief.add(point, normal, 1.5);
+                brief.ask(grid);
+                for (std::size_t k = 0; k < asked.size(); ++k) {
+                    Lookup whole, part;
+                    group.add_to(k, whole);
+                    brief.add_to(k, part);
+                    const auto enough = [&](const Lookup& found) {
+                        return found.weight > 0.0 && 4.0 * found.weight >= quarters;
+                    };
+                    CHECK(enough(part) == enough(whole));
+                    CHECK(part.weight <= whole.weight);
+                    if (!enough(whole)) CHECK((part.weight == whole.weight && part.sum == whole.sum));
+                }
+            }
         }
     }
 }
