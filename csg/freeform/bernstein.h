@@ -97,6 +97,22 @@ inline std::array<double, n + m - 1> product(const std::array<T, n>& a, const st
     return all;
 }
 
+/// The ordinates of a polynomial from its coefficients, the lowest first.
+template <std::size_t count>
+inline std::array<double, count> ordinates_of(const double* powers)
+{
+    static constexpr auto kWays = [] {
+        std::array<double, count> ways{};
+        for (std::size_t i = 0; i < count; ++i) ways[i] = detail::choose(count - 1, i);
+        return ways;
+    }();
+    std::array<double, count> b;
+    for (std::size_t i = 0; i < count; ++i) b[i] = powers[i] / kWays[i];
+    for (std::size_t k = 1; k < count; ++k)
+        for (std::size_t i = count - 1; i >= k; --i) b[i] += b[i - 1];
+    return b;
+}
+
 /// The derivative.
 template <std::size_t n>
 inline std::array<double, n - 1> derivative(const std::array<double, n>& b)

@@ -12,7 +12,8 @@ constexpr double kOnSphere = 1e-10;  // a crossing as near to the sphere has the
 
 }  // namespace
 
-/// Where POV-Ray begins to look, and on which side (spec 5b, 13.1, its steps 2 to 4).
+/// Where POV-Ray begins to look, and on which side; the search has looked from there to the end of the way (spec
+/// 5b, 13.1, its steps 2 to 4).
 struct Isosurface::Start {
     double t = 0.0;
     bool inside = false, wall = false;  ///< wall: it is drawn where the ray comes in
@@ -23,8 +24,8 @@ Isosurface::Start Isosurface::start(IsosurfaceSearch& search, const Interval& wa
     const double accuracy = search.accuracy(), near = 4.0 * accuracy * terms_.max_gradient, beyond = 5.0 * accuracy;
     Start out{.t = std::max(way.entry, 0.0)};
     if (out.t > accuracy) {
-        if (way.exit - out.t < accuracy) return out;  // nothing is told of so short a way
-        out.inside = search.inside(out.t, way.exit);
+        search.look(out.t, way.exit);
+        out.inside = search.starts_inside();
         out.wall = out.inside && !terms_.open;
         return out;
     }
@@ -35,6 +36,7 @@ Isosurface::Start Isosurface::start(IsosurfaceSearch& search, const Interval& wa
     } else {
         out.inside = here < 0.0;
     }
+    search.look(out.t, way.exit);
     return out;
 }
 
@@ -52,12 +54,15 @@ void Isosurface::intersect(const Ray& ray, IntersectionList& out) const
     // The wall is drawn where a ray goes out only if it began inside.
     const bool wall = !terms_.open && std::max(way.entry, 0.0) <= accuracy && search.value(way.exit) < 0.0;
     double t = 0.0, from = begin.t;
-    while (way.exit - from >= accuracy && search.first(from, way.exit, inside ? -1.0 : 1.0, t)) {
+    while (way.exit - from >= accuracy && search.first(inside ? -1.0 : 1.0, t)) {
         const std::uint32_t face = left > 0 ? kField : kUndrawnFace;
         if (!(inside ? out.leave(t, face) : out.enter(t, face))) return;
         inside = !inside;
         from = t + 5.0 * accuracy;
-        if (--left > 0 || !out.first_only) continue;
+        if (--left > 0 || !out.first_only) {
+            search.look(from, way.exit);
+            continue;
+        }
         if (wall) out.touch(way.exit, way.exit_face);
         return;
     }

@@ -25,10 +25,10 @@ struct IsosurfaceTerms {
 
 class IsosurfaceSearch;
 
-/// Where field <= threshold inside of a container. The first crossing is found by the field's ranges: nothing thicker
-/// than the accuracy is missed, whatever max_gradient says; without ranges by POV-Ray's bisection, which trusts
-/// max_gradient. Either way a crossing is told where POV-Ray's bisection ends, up to the accuracy behind the field's
-/// own: textures and what a scene places by trace() depend on it.
+/// Where field <= threshold inside of a container. The first crossing is found by the field's ranges, or by
+/// its polynomial along the ray: nothing thicker than the accuracy is missed, whatever max_gradient says; without
+/// ranges by POV-Ray's bisection, which trusts max_gradient. Either way a crossing is told where POV-Ray's bisection
+/// ends, up to the accuracy behind the field's own: textures and what a scene places by trace() depend on it.
 class Isosurface {
 public:
     explicit Isosurface(IsosurfaceTerms terms) : terms_(std::move(terms)) {}

@@ -3,73 +3,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace csg {
 
-bool IsosurfaceSearch::Ordinates::above() const
+bool IsosurfaceSearch::find_polynomial()
 {
-    return std::all_of(b.begin(), b.begin() + degree + 1, [&](double v) { return v > margin; });
-}
-
-void IsosurfaceSearch::Ordinates::turn()
-{
-    for (int i = 0; i <= degree; ++i) b[static_cast<std::size_t>(i)] = -b[static_cast<std::size_t>(i)];
-}
-
-/// De Casteljau's.
-void IsosurfaceSearch::Ordinates::part(Ordinates& left, Ordinates& right) const
-{
-    left.degree = right.degree = degree;
-    left.margin = right.margin = margin;
-    right.b = b;
-    for (int k = 0; k <= degree; ++k) {
-        left.b[static_cast<std::size_t>(k)] = right.b[0];
-        for (int i = 0; i < degree - k; ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            right.b[at] = 0.5 * (right.b[at] + right.b[at + 1]);
-        }
-    }
-}
-
-bool IsosurfaceSearch::find_ordinates(const Grid& grid, std::int64_t parts, Ordinates& out) const
-{
-    const double end = grid.at(parts);
     FieldStretch stretch;
-    stretch.from = ray_.origin + grid.from * ray_.direction;
-    stretch.way = (end - grid.from) * ray_.direction;
-    const glm::dvec3 last = ray_.origin + end * ray_.direction;
+    stretch.from = ray_.origin + known_.from * ray_.direction;
+    stretch.way = (known_.end - known_.from) * ray_.direction;
+    const glm::dvec3 last = ray_.origin + known_.end * ray_.direction;
     stretch.room = kPointRoom * (glm::abs(ray_.origin) + glm::abs(stretch.from) + glm::abs(last));
-    FieldPolynomial along;
+    FieldPolynomial& along = known_.along;
     if (!terms_.field->along(stretch, along) || !(std::abs(terms_.threshold) < along.limit)) return false;
-
-    // Each of some 40 halvings may round every ordinate once.
+    // The polynomial's error twice and the values' own; each of some 40 halvings may round every ordinate once.
     constexpr double kHalving = 1e-13;
-    out.degree = along.degree;
-    out.margin = 4.0 * along.error + kHalving * (along.size + std::abs(terms_.threshold));
-    if (!(out.margin < kInfinity)) return false;
-    const auto n = static_cast<std::size_t>(along.degree);
-    for (std::size_t i = 0; i <= n; ++i) out.b[i] = along.c[i] / detail::choose(n, i);
-    for (std::size_t k = 1; k <= n; ++k)
-        for (std::size_t i = n; i >= k; --i) out.b[i] += out.b[i - 1];
-    for (std::size_t i = 0; i <= n; ++i) out.b[i] -= terms_.threshold;
-    return true;
+    known_.margin = 4.0 * along.error + kHalving * (along.size + std::abs(terms_.threshold));
+    along.c[0] -= terms_.threshold;
+    return known_.margin < kInfinity;
 }
 
-bool IsosurfaceSearch::halves(const Grid& grid, const Ordinates& of, std::int64_t first, std::int64_t width,
-                              double sign, double& found, int& leaves) const
+struct IsosurfaceSearch::Halving {
+    double sign;
+    int leaves;  ///< how many more may be asked for their values
+    double found;
+};
+
+bool IsosurfaceSearch::by_polynomial(double sign, double& found) const
 {
-    if (leaves == 0 || grid.at(first) > to_ || of.above()) return false;
+    // Where a field is flat, ordinates say less than ranges: their error is a share of the greatest of its terms.
+    constexpr int kMostLeaves = 200;
+    Halving search{sign, kMostLeaves, 0.0};
+    std::array<double, FieldPolynomial::kMost + 1> c;
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = sign * known_.along.c[i];
+    const auto degree = static_cast<std::size_t>(known_.along.degree);
+    bool met = false;
+    const auto try_degree = [&]<std::size_t n>() {
+        if (degree == n) met = halves(ordinates_of<n + 1>(c.data()), 0, known_.parts(), search);
+    };
+    [&]<std::size_t... n>(std::index_sequence<n...>) { (try_degree.template operator()<n>(), ...); }
+    (std::make_index_sequence<FieldPolynomial::kMost + 1>());
+    found = search.found;
+    return met || (search.leaves == 0 && eighths(known_.grid, 0, known_.levels, sign, found));
+}
+
+template <std::size_t count>
+bool IsosurfaceSearch::halves(const std::array<double, count>& b, std::int64_t first, std::int64_t width,
+                              Halving& search) const
+{
+    if (search.leaves == 0 || known_.grid.at(first) > to_) return false;
+    if (std::all_of(b.begin(), b.end(), [&](double v) { return v > known_.margin; })) return false;
     if (width == 1) {
-        --leaves;
-        if (!(sign * value(grid.at(first + 1)) < 0.0)) return false;
-        found = told(grid, first + 1, sign);
+        --search.leaves;
+        if (!(search.sign * value(known_.grid.at(first + 1)) < 0.0)) return false;
+        search.found = told(known_.grid, first + 1, search.sign);
         return true;
     }
-    Ordinates left, right;
-    of.part(left, right);
+    std::array<double, count> left, right;
+    halve(b, left, right);
     const std::int64_t half = width / 2;
-    return halves(grid, left, first, half, sign, found, leaves) ||
-           halves(grid, right, first + half, half, sign, found, leaves);
+    return halves(left, first, half, search) || halves(right, first + half, half, search);
 }
 
 }  // namespace csg

@@ -72,56 +72,44 @@ void IsosurfaceSearch::sample(const Eight& t, double sign, Eight& f) const
     for (double& v : f.v) v = sign * (v - terms_.threshold);
 }
 
-/// Eighths as fine as POV-Ray's last halves, or up to four times finer.
-IsosurfaceSearch::Grid IsosurfaceSearch::grid_between(double from, double end, int& levels) const
+void IsosurfaceSearch::look(double from, double end)
 {
+    known_.from = from;
+    known_.end = end;
+    if (!by_ranges()) return;
     int halvings = 0;
     for (double length = end - from; length >= accuracy_; length *= 0.5) ++halvings;
-    levels = std::max(1, (halvings + 2) / 3);
-    return {from, (end - from) / std::ldexp(1.0, 3 * levels), 3 * levels - halvings};
+    // Eighths as fine as POV-Ray's last halves, or up to four times finer.
+    known_.levels = std::max(1, (halvings + 2) / 3);
+    known_.grid = {from, (end - from) / std::ldexp(1.0, 3 * known_.levels), 3 * known_.levels - halvings};
+    if (box_ != nullptr) return;
+    known_.polynomial = terms_.field->polynomial() && find_polynomial();
+    if (!known_.polynomial) ranges_of(known_.grid, 0, known_.levels, known_.ranges);
 }
 
-bool IsosurfaceSearch::inside(double from, double end)
+bool IsosurfaceSearch::starts_inside() const
 {
-    if (!by_ranges() || box_ != nullptr) return value(from) < 0.0;
-    int levels;
-    const Grid grid = grid_between(from, end, levels);
-    asked_.from = from;
-    asked_.end = end;
-    double low, high;
-    if (terms_.field->polynomial() && find_ordinates(grid, std::int64_t{1} << (3 * levels), asked_.ordinates)) {
-        asked_.polynomial = true;
-        low = asked_.ordinates.b[0] - asked_.ordinates.margin;
-        high = asked_.ordinates.b[0] + asked_.ordinates.margin;
-    } else {
-        ranges_of(grid, 0, levels, asked_.ranges);
-        low = asked_.ranges.low.v[0] - terms_.threshold;
-        high = asked_.ranges.high.v[0] - terms_.threshold;
+    if (by_ranges() && box_ == nullptr) {
+        const bool polynomial = known_.polynomial;
+        const double low = polynomial ? known_.along.c[0] - known_.margin : known_.ranges.low.v[0] - terms_.threshold,
+                     high = polynomial ? known_.along.c[0] + known_.margin : known_.ranges.high.v[0] - terms_.threshold;
+        if (low > 0.0) return false;
+        if (high < 0.0) return true;
     }
-    return high < 0.0 || (!(low > 0.0) && value(from) < 0.0);
+    return value(known_.from) < 0.0;
 }
 
-bool IsosurfaceSearch::first(double from, double end, double sign, double& found)
+bool IsosurfaceSearch::first(double sign, double& found)
 {
+    const double from = known_.from, end = known_.end;
     if (!by_ranges()) {
         if (terms_.evaluate && gradient_ > terms_.growth.x) gradient_ *= terms_.growth.z;
         return bisect({from, sign * value(from)}, {end, sign * value(end)}, sign, found);
     }
-    int levels;
-    const Grid grid = grid_between(from, end, levels);
-    const std::int64_t parts = std::int64_t{1} << (3 * levels);
-    if (box_ != nullptr) return sign > 0.0 ? comes_in(grid, parts, found) : goes_out(grid, parts, found);
-    const bool asked = asked_.from == from && asked_.end == end;
-    if (asked && !asked_.polynomial) return eighths(asked_.ranges, grid, 0, levels, sign, found);
-    Ordinates& ordinates = asked_.ordinates;
-    if (!asked && !(terms_.field->polynomial() && find_ordinates(grid, parts, ordinates)))
-        return eighths(grid, 0, levels, sign, found);
-    if (sign < 0.0) ordinates.turn();
-    asked_.end = -1.0;  // used up
-    // Where a field is flat, ordinates say less than ranges: their error is a share of the greatest of its terms.
-    int leaves = 200;
-    if (halves(grid, ordinates, 0, parts, sign, found, leaves)) return true;
-    return leaves == 0 && eighths(grid, 0, levels, sign, found);
+    if (box_ != nullptr)
+        return sign > 0.0 ? comes_in(known_.grid, known_.parts(), found) : goes_out(known_.grid, known_.parts(), found);
+    if (known_.polynomial) return by_polynomial(sign, found);
+    return eighths(known_.ranges, known_.grid, 0, known_.levels, sign, found);
 }
 
 /// By secants from before: beyond two places a convex field lies above the line through them, so that nothing is

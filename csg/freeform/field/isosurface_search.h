@@ -28,13 +28,14 @@ public:
         return (box_ != nullptr ? (*box_)(p) : terms_.field->value(p)) - terms_.threshold;
     }
 
-    /// value(from) < 0. What is found out for that first() need not find out again, if it is asked for the same stretch
-    /// next.
-    bool inside(double from, double end);
-
-    /// Where sign * value first falls below 0 between `from` and `end`, as POV-Ray tells it: the farther end of the
-    /// interval, shorter than the accuracy, that halving leads to.
-    bool first(double from, double end, double sign, double& found);
+    /// Takes a stretch of the way; the two below are asked about the last one. What its ranges or its polynomial say is
+    /// found out here.
+    void look(double from, double end);
+    /// value(from) < 0.
+    bool starts_inside() const;
+    /// Where sign * value first falls below 0, as POV-Ray tells it: the farther end of the interval, shorter than the
+    /// accuracy, that halving leads to.
+    bool first(double sign, double& found);
 
 private:
     struct Sample {
@@ -46,16 +47,17 @@ private:
         int finer;
         double at(std::int64_t i) const { return from + step * static_cast<double>(i); }
     };
-    /// Bernstein's of the field above the threshold along a part of the ray: no value lies outside of them all by more
-    /// than `margin`, nor does what value() answers.
-    struct Ordinates {
-        std::array<double, FieldPolynomial::kMost + 1> b;
-        int degree;
-        double margin;
+    /// What is known of a stretch before the field is asked at any point of it.
+    struct Stretch {
+        double from = 0.0, end = 0.0;
+        Grid grid{};
+        int levels = 0;           ///< eighths of eighths that the grid has
+        bool polynomial = false;  ///< known by that, not by ranges
+        EightRanges ranges;
+        FieldPolynomial along;
+        double margin;  ///< of ordinates of `along`: no value of the field lies beyond them by more
 
-        bool above() const;
-        void turn();                                         ///< changes all signs
-        void part(Ordinates& left, Ordinates& right) const;  ///< over both halves
+        std::int64_t parts() const { return std::int64_t{1} << (3 * levels); }
     };
     /// Of a field that is convex along the ray: the place on the grid of so many parts that eighths() comes to.
     bool comes_in(const Grid& grid, std::int64_t parts, double& found) const;
@@ -67,17 +69,17 @@ private:
         return grid.at(end == place || !(sign * value(grid.at(end)) < 0.0) ? place : end);
     }
     bool by_ranges() const { return terms_.field->ranged() && !terms_.trusting; }
-    Grid grid_between(double from, double end, int& levels) const;
     void ranges_of(const Grid& grid, std::int64_t first, int level, EightRanges& f) const;
     bool eighths(const Grid& grid, std::int64_t first, int level, double sign, double& found) const;
     bool eighths(const EightRanges& f, const Grid& grid, std::int64_t first, int level, double sign,
                  double& found) const;
-    /// What first() knows of a polynomial field over the grid; false: it is not known to be one there.
-    bool find_ordinates(const Grid& grid, std::int64_t parts, Ordinates& out) const;
-    /// eighths() of a polynomial field, which comes to the same place. `leaves`: how many may be asked for their
-    /// values; none are left where it gave up.
-    bool halves(const Grid& grid, const Ordinates& of, std::int64_t first, std::int64_t width, double sign,
-                double& found, int& leaves) const;
+    bool find_polynomial();
+    /// eighths() of a polynomial field, which comes to the same place.
+    bool by_polynomial(double sign, double& found) const;
+    struct Halving;
+    /// b: ordinates of sign * (field - threshold) over the parts [first, first + width) of the grid.
+    template <std::size_t count>
+    bool halves(const std::array<double, count>& b, std::int64_t first, std::int64_t width, Halving& search) const;
     /// Those of the eight finest parts from `first` on whose bit is set in `open`.
     bool in_leaves(const Grid& grid, std::int64_t first, std::uint32_t open, double sign, double& found) const;
     bool bisect(const Sample& left, const Sample& right, double sign, double& found);
@@ -90,12 +92,7 @@ private:
     const RoundedBox* box_;  ///< what the field is, or null
     double to_, speed_, gradient_, accuracy_;
     bool far_;  ///< the ray begins so far off that its points need near_point()
-    struct {
-        double from = 0.0, end = -1.0;
-        bool polynomial = false;  ///< known by its ordinates, not by ranges of eighths
-        EightRanges ranges;
-        Ordinates ordinates;
-    } asked_;  ///< by inside(): of a stretch; before that nothing
+    Stretch known_;
 };
 
 }  // namespace csg

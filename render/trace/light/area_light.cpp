@@ -2,7 +2,7 @@
 
 #include "csg/packet/lane_equal.h"
 #include "csg/base/tolerance.h"
-#include "render/trace/light/focused_light.h"
+#include "render/trace/light/surface_filters.h"
 #include "render/trace/media/media_scratch.h"
 
 #include <algorithm>
@@ -223,7 +223,7 @@ void AreaLight::trace_samples()
                                  static_cast<std::uint8_t>(as));
     };
     const HitMask lit = seen & (near | ~ends(Shadow::Blocked)), filtered = seen & ~near & ends(Shadow::Filtered);
-    if (filtered != 0 && scratch_.traits.filters_together && !scratch_.traits.restarts()) focus(filtered);
+    if (filtered != 0 && scratch_.traits.filters_together && !scratch_.traits.restarts()) find_filters(filtered);
     for (std::size_t i = 0; i < asked_count_; ++i) {
         const Asked& asked = asked_[i];
         area_.lit[asked.node] |= deposited(lit >> asked.first, asked.hits);
@@ -237,17 +237,16 @@ void AreaLight::trace_samples()
 }
 
 /// What surfaces with patterns or caustics leave of these samples.
-void AreaLight::focus(HitMask samples)
+void AreaLight::find_filters(HitMask samples)
 {
-    if (scratch_.focused == nullptr) scratch_.focused = std::make_unique<FocusScratch>();
-    FocusedLight focused(context_);
+    SurfaceFilters filters(context_);
     const csg::CrossingTile& met = scratch_.crossings;
     for_each_hit(samples, [&](std::size_t n) {
         if (met.count[n] == csg::CrossingTile::kTooMany) return;
         const glm::dvec3 direction = scratch_.rays.ray(static_cast<int>(n)).direction;
-        focused.add(n, {scratch_.hits.point(hit_[n]), direction}, met.hits[n].data(), met.count[n]);
+        filters.add(n, {scratch_.hits.point(hit_[n]), direction}, met.hits[n].data(), met.count[n]);
     });
-    focused.run();
+    filters.run();
 }
 
 void AreaLight::keep_filtered(const Asked& asked, HitMask hits)
@@ -296,7 +295,7 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     if (caught.stops(k, met.hits[ray].data(), met.count[ray])) return glm::vec3(0);
     return shadow_transmittance(context_, point, from_[k], *interiors_[k], lit, false, met.hits[ray].data(),
                                 met.count[ray], air,
-                                scratch_.traits.filters_together ? scratch_.focused->filters[ray].data() : nullptr);
+                                scratch_.traits.filters_together ? scratch_.filters->filters[ray].data() : nullptr);
 }
 
 }  // namespace trace

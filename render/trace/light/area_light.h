@@ -76,7 +76,7 @@ private:
         std::size_t last() const { return first + static_cast<std::size_t>(std::popcount(hits)); }
     };
     [[gnu::noinline]] void keep_rests(const Asked& asked);
-    [[gnu::noinline]] void focus(HitMask samples);
+    [[gnu::noinline]] void find_filters(HitMask samples);
     [[gnu::noinline]] void keep_filtered(const Asked& asked, HitMask hits);
     [[gnu::noinline]] void dim_by_media();
     glm::vec3 sample_color(std::size_t ray);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/light/area_light.h"
-#include "render/trace/light/focused_light.h"
+#include "render/trace/light/surface_filters.h"
 #include "render/trace/light/restarted_rays.h"
 #include "render/trace/light/shadow_rays.h"
 
@@ -182,9 +182,9 @@ private:
     void pass_filtered(HitMask rays, bool in_air, const HitOf& hit_of)
     {
         if (rays == 0) return;
-        focused_ = false;
+        filters_known_ = false;
         if (scratch_.traits.restarts()) restart(rays, hit_of);
-        else if (scratch_.traits.filters_together) focus(rays, hit_of);
+        else if (scratch_.traits.filters_together) find_filters(rays, hit_of);
         const plan::CompiledScene& scene = context_.scene;
         const bool media = scratch_.traits.media || (in_air && scene.atmosphere.extinguishes);
         MediaShadows* later = media ? &context_.scratch.media().shadows : nullptr;
@@ -211,21 +211,20 @@ private:
 
     /// What surfaces with patterns or caustics leave of light. Crossings of rays from the light are turned round.
     template <class HitOf>
-    [[gnu::noinline]] void focus(HitMask rays, const HitOf& hit_of)
+    [[gnu::noinline]] void find_filters(HitMask rays, const HitOf& hit_of)
     {
-        if (scratch_.focused == nullptr) scratch_.focused = std::make_unique<FocusScratch>();
-        focused_ = true;
-        FocusedLight focused(context_);
+        filters_known_ = true;
+        SurfaceFilters filters(context_);
         csg::CrossingTile& met = scratch_.crossings;
         for_each_hit(rays & ~equal(met.ending, Shadow::Clear), [&](std::size_t ray) {
             if (met.count[ray] == csg::CrossingTile::kTooMany) return;
             const std::size_t k = hit_of(ray);
             if (scratch_.rays.common_origin)
                 turn_round(met.hits[ray].data(), met.count[ray], scratch_.light.distance[k]);
-            focused.add(ray, {scratch_.hits.point(k), scratch_.light.direction(k)}, met.hits[ray].data(),
+            filters.add(ray, {scratch_.hits.point(k), scratch_.light.direction(k)}, met.hits[ray].data(),
                         met.count[ray]);
         });
-        focused.run();
+        filters.run();
     }
 
     /// The crossings of rays that begin anew behind each of them.
@@ -268,15 +267,16 @@ private:
         }
         if (caught.stops(k, scratch_.crossings.hits[ray].data(), count)) return glm::vec3(0);
         return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
-                                    lit, scratch_.rays.common_origin && !focused_, scratch_.crossings.hits[ray].data(),
-                                    count, air, focused_ ? scratch_.focused->filters[ray].data() : nullptr);
+                                    lit, scratch_.rays.common_origin && !filters_known_,
+                                    scratch_.crossings.hits[ray].data(), count, air,
+                                    filters_known_ ? scratch_.filters->filters[ray].data() : nullptr);
     }
 
     Context& context_;
     ShadeScratch& scratch_;
     const Tile& tile_;
     Sink& sink_;
-    bool focused_ = false;  ///< FocusScratch::filters are those of the light at hand
+    bool filters_known_ = false;  ///< FilterScratch::filters are those of the light at hand
 };
 
 }  // namespace trace

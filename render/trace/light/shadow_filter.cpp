@@ -112,9 +112,9 @@ struct ShadowState : RayState {
 };
 
 /// Light past crossings at their distances from the point, nearest first: color. before: the distance of the last one;
-/// focused: as shadow_transmittance() has it.
+/// filters: as shadow_transmittance() has it.
 void past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3& color, const Hit* first,
-                    const Hit* last, double& before, const ShadowAir& air, const glm::vec3* focused = nullptr)
+                    const Hit* last, double& before, const ShadowAir& air, const glm::vec3* filters = nullptr)
 {
     const SceneTraits& traits = context.scratch.shade.traits;
     for (const Hit* const begin = first; first != last; ++first) {
@@ -125,8 +125,8 @@ void past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3
             color *= interior_media_share(context.scene, ray, before, crossing.t, air.later, air.lane);
         const SurfaceTraits& surface = traits.surfaces[crossing.surface];
         color *= surface.steady_filter ? surface.filter
-                 : surface.filters_together && focused != nullptr
-                     ? focused[first - begin]
+                 : surface.filters_together && filters != nullptr
+                     ? filters[first - begin]
                      : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
         if (traits.fades || traits.media || air.atmosphere) {
             const std::uint32_t interior = context.scene.surfaces[crossing.surface].interior;
@@ -245,7 +245,7 @@ void turn_all_round(Hit* crossings, std::size_t count, double distance)
 
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
-                               Hit* crossings, std::size_t count, const ShadowAir& air, const glm::vec3* focused)
+                               Hit* crossings, std::size_t count, const ShadowAir& air, const glm::vec3* filters)
 {
     Hit* const end = crossings + count;
     if (from_light) turn_round(crossings, count, lit.distance);
@@ -256,7 +256,7 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
         return color;
     }
     ShadowState ray(point, lit.direction, tolerance, interiors);
-    past_crossings(context, ray, tolerance, color, crossings, end, before, air, focused);
+    past_crossings(context, ray, tolerance, color, crossings, end, before, air, filters);
     if (air.last_crossing != nullptr) *air.last_crossing = before;
     else if (air.atmosphere) color *= atmosphere_share(context, ray, before, lit.distance, true, air);
     return color;

@@ -175,12 +175,12 @@ inline void turn_round(Hit* crossings, std::size_t count, double distance)
 }
 
 /// The same as filtered_light() of lit.color where the crossings of surfaces that let light through are known, nearest
-/// first from the point or from the light; these are turned round in place. focused: what surfaces leave of light that
-/// they focus, by crossing, where they are nearest first from the point and that is known.
+/// first from the point or from the light; these are turned round in place. filters: what surfaces leave of it,
+/// by crossing, where they are nearest first from the point and that is known (light/surface_filters.h).
 glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double tolerance,
                                const InteriorList& interiors, const light::Illumination& lit, bool from_light,
                                Hit* crossings, std::size_t count, const ShadowAir& air = {},
-                               const glm::vec3* focused = nullptr);
+                               const glm::vec3* filters = nullptr);
 
 /// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
 glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);

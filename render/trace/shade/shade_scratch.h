@@ -96,8 +96,9 @@ struct RestartedScratch {
     csg::HitTile hits;
 };
 
-/// Crossings of shadow rays with surfaces that focus light, and what they leave of it (light/focused_light.h).
-struct FocusScratch {
+/// Crossings of shadow rays with surfaces of patterns or `caustics`, and what they leave of light
+/// (light/surface_filters.h).
+struct FilterScratch {
     struct Place {
         std::uint8_t ray, crossing;
     };
@@ -150,7 +151,7 @@ struct ShadeScratch {
     std::array<float, csg::kTileRays> quality;     ///< of rays that gather: how far they were followed (spec 6, 4.3)
     csg::CrossingTile crossings;                   ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
-    std::unique_ptr<FocusScratch> focused;          ///< of the light at hand, in scenes that need it
+    std::unique_ptr<FilterScratch> filters;         ///< of the light at hand, in scenes that need it
     std::unique_ptr<RestartedScratch> restarted;    ///< of the light at hand, in scenes that need it
     PhotonShadow photon_shadow;                     ///< of the light at hand
     NearPhotons near_photons, wide_photons;         ///< around the hit at hand

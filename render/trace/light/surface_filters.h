@@ -12,10 +12,10 @@
 /// bits of surface_filter() (spec 3, 13.2). Compiled once per instruction set.
 namespace trace {
 
-class FocusedLight {
+class SurfaceFilters {
 public:
-    explicit FocusedLight(Context& context)
-        : context_(context), traits_(context.scratch.shade.traits), kept_(*context.scratch.shade.focused)
+    explicit SurfaceFilters(Context& context)
+        : context_(context), traits_(context.scratch.shade.traits), kept_(scratch(context))
     {
         kept_.rays.count = 0;
         kept_.rays.common_origin = false;
@@ -34,7 +34,7 @@ public:
         }
     }
 
-    /// Works out what has been added, into FocusScratch::filters.
+    /// Works out what has been added, into FilterScratch::filters.
     void run()
     {
         const HitMask all = first_hits(kept_.rays.count);
@@ -51,6 +51,13 @@ public:
     }
 
 private:
+    static FilterScratch& scratch(Context& context)
+    {
+        std::unique_ptr<FilterScratch>& kept = context.scratch.shade.filters;
+        if (kept == nullptr) kept = std::make_unique<FilterScratch>();
+        return *kept;
+    }
+
     /// Layer by layer, as surface_filter() has them. Nothing looks around: places are found for a whole tile, and no
     /// pattern depends on directions.
     void filter(csg::SurfaceId id, HitMask group)
@@ -125,7 +132,7 @@ private:
 
     Context& context_;
     const SceneTraits& traits_;
-    FocusScratch& kept_;
+    FilterScratch& kept_;
 };
 
 }  // namespace trace
