@@ -24,6 +24,7 @@ struct Image {
     bool premultiplied = false;  ///< colours of a pigment are divided by their alpha
     enum class Value : std::uint8_t { Grey, Red, Transmit } value = Value::Grey;  ///< what image_pattern shows
     bool opaque = true;                   ///< no texel lets light through, and the picture covers everything
+    bool clear_in_file = false;           ///< not opaque by its file and by `transmit` of its palette
     std::uint32_t width = 0, height = 0;  ///< texels, not 0
     glm::dvec2 repeat{1.0}, offset{0.0};  ///< in pictures
     float filter = 0;                     ///< of every texel without a palette

@@ -79,7 +79,7 @@ bool GeometryCompiler::opaque_mesh(const std::vector<std::array<scene::TexturePt
     }
     const auto opaque = [&](const scene::TexturePtr& texture) {
         const std::uint32_t known = textures_.texture(texture);
-        return known == kNone || out_.textures.textures[known].opaque;
+        return known == kNone || out_.textures.textures[known].stops_light;
     };
     if (!opaque(own.texture ? own.texture : default_texture_)) return false;
     for (const auto& corners : slots)

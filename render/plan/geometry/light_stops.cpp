@@ -16,7 +16,7 @@ std::vector<Light> light_through(const texture::TextureSet& set)
 {
     std::vector<Light> out;
     for (std::uint32_t i = 0; i < set.textures.size(); ++i)
-        out.push_back(set.textures[i].opaque ? Light::Opaque : dark_texture(set, i) ? Light::Stops : Light::Comes);
+        out.push_back(set.textures[i].stops_light ? Light::Opaque : dark_texture(set, i) ? Light::Stops : Light::Comes);
     return out;
 }
 

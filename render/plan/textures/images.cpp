@@ -136,7 +136,9 @@ texture::Image compile_image(const scene::Description& scene, const scene::Image
     out.height = static_cast<std::uint32_t>(picture.height);
     if (!picture.palette.empty()) take_palette(picture, levels, out);
     else take_texels(picture, levels, ends_with_any(source.path, {".png"}), out);
+    out.clear_in_file = written.once || lets_light_through(out);
     apply_transparency(written, out);
+    for (const scene::Color& color : out.palette) out.clear_in_file = out.clear_in_file || color.transmit != 0.0f;
     out.opaque = !lets_light_through(out);
     out.premultiplied = picture.premultiplied;
     take_settings(written, out);

@@ -218,6 +218,7 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
     texture::Texture out;
     std::vector<texture::Layer> compiled;
     out.opaque = false;
+    out.stops_light = false;
     out.lit = false;
     for (const scene::Layer& from : description) {
         texture::Layer to;
@@ -225,6 +226,8 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
         if (from.normal && quality_ >= 8) to.normal = normal(*from.normal, false);
         to.finish = finish(*from.finish);
         out.opaque = out.opaque || pigment_opaque(to.pigment);
+        const bool clear = lets_light_through(from.pigment);  // to be asked of each layer
+        out.stops_light = out.stops_light || out.opaque || !clear;
         out.lit = out.lit || out_.finishes[to.finish].lit();
         compiled.push_back(to);
     }
@@ -242,7 +245,7 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     using Kind = texture::Texture::Kind;
     texture::Texture out;
     out.kind = Kind::Map;
-    out.opaque = false;  // never classified opaque (spec 3, 13.2)
+    out.opaque = out.stops_light = false;  // never classified opaque (spec 3, 13.2)
     out.no_bump_scale = description.no_bump_scale;
     out.pattern = pattern(description.pattern);
     out.count = count_of(description.map.size());

@@ -40,6 +40,11 @@ private:
     std::uint32_t reserve_map(std::size_t count);
     void note(const std::string& what, const scene::SourceRef& source);
     bool pigment_opaque(std::uint32_t index) const;
+    /// By POV-Ray's judgement (shadow_opacity.cpp), which changes from one question to the next.
+    bool lets_light_through(const scene::Pigment& pigment);
+    bool entry_lets_light_through(const scene::Pigment& entry);
+    /// Of an image_map, else nothing.
+    const texture::Image* picture_of(const scene::PatternedPigment& pigment);
 
     const scene::Description& scene_;
     int quality_;
@@ -49,7 +54,8 @@ private:
     std::unordered_map<const scene::Texture*, std::uint32_t> known_;
     std::unordered_map<function::FunctionPtr, std::uint32_t> known_functions_;
     std::unordered_map<std::shared_ptr<const void>, std::uint32_t> known_data_;
-    std::vector<scene::TexturePtr> alive_;  ///< keeps the keys of known_ from being reused
+    std::unordered_map<const scene::Pigment*, bool> judged_;  ///< entries of maps: whether they let light through
+    std::vector<scene::TexturePtr> alive_;  ///< keeps the keys of known_ and judged_ from being reused
 };
 
 /// alpha_output: the picture is written with an alpha channel (+UA).
