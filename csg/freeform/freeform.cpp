@@ -3,6 +3,7 @@
 #include "csg/base/hit.h"
 #include "csg/solids/freeform.h"
 
+#include <array>
 #include <type_traits>
 
 namespace csg {
@@ -153,6 +154,22 @@ glm::dvec3 Freeform::normal(const glm::dvec3& p, std::uint32_t face) const
             if constexpr (requires { kind.world_gradient(frame, p, face); })
                 return unit_or_x(kind.world_gradient(frame, frame.inverse_point(p), face));
             else return unit_or_x(frame.normal(kind.gradient(frame.inverse_point(p), face)));
+        },
+        shape->kind);
+}
+
+void Freeform::normals(std::span<const glm::dvec3> points, std::span<const std::uint32_t> faces, glm::dvec3* out) const
+{
+    std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.gradients(points, faces, out); }) {
+                std::array<glm::dvec3, kTileRays> local;
+                for (std::size_t i = 0; i < points.size(); ++i) local[i] = frame.inverse_point(points[i]);
+                kind.gradients({local.data(), points.size()}, faces, out);
+                for (std::size_t i = 0; i < points.size(); ++i) out[i] = unit_or_x(frame.normal(out[i]));
+            } else {
+                for (std::size_t i = 0; i < points.size(); ++i) out[i] = normal(points[i], faces[i]);
+            }
         },
         shape->kind);
 }

@@ -4,6 +4,7 @@
 #include "csg/world/world.h"
 #include "csg/world/world_data.h"
 
+#include <array>
 #include <bit>
 
 namespace csg {
@@ -13,6 +14,22 @@ namespace {
 void part_normals(const SolidStore& store, PartId part, const HitTile& hits, RayMask which, PlaceTile& out)
 {
     with_solid(store, part, [&](const auto& solid) {
+        if constexpr (requires(glm::dvec3 * n) { solid.normals({}, {}, n); }) {
+            std::array<glm::dvec3, kTileRays> points, normals;
+            std::array<std::uint32_t, kTileRays> faces;
+            std::size_t count = 0;
+            each_ray(which, [&](std::size_t k) {
+                points[count] = out.point(k);
+                faces[count++] = hits.face[k];
+            });
+            solid.normals({points.data(), count}, {faces.data(), count}, normals.data());
+            count = 0;
+            each_ray(which, [&](std::size_t k) {
+                const glm::dvec3& n = normals[count++];
+                out.set_normal(k, hits.inverted[k] != 0 ? -n : n);
+            });
+            return;
+        }
         each_ray(which, [&](std::size_t k) {
             const glm::dvec3 n = solid.normal(out.point(k), hits.face[k]);
             out.set_normal(k, hits.inverted[k] != 0 ? -n : n);

@@ -4,6 +4,7 @@
 #include "csg/solids/common.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace csg {
@@ -52,6 +53,8 @@ struct Freeform {
     bool contains(const glm::dvec3& p) const;
     bool contains_inverted(const glm::dvec3& p) const;
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const;
+    /// Those of many points, at most kTileRays, to the bit.
+    void normals(std::span<const glm::dvec3> points, std::span<const std::uint32_t> faces, glm::dvec3* out) const;
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
     /// Appends the shares of the shape's parts at world point p; nothing for a shape that has none.
     void shares(const glm::dvec3& p, std::vector<Share>& out) const;

@@ -3,6 +3,7 @@
 #include "csg/freeform/field/isosurface_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace csg {
 namespace {
@@ -69,17 +70,59 @@ void Isosurface::intersect(const Ray& ray, IntersectionList& out) const
     if (inside) out.leave(way.exit, wall ? way.exit_face : kUndrawnFace);
 }
 
-glm::dvec3 Isosurface::gradient(const glm::dvec3& p, std::uint32_t face) const
+std::optional<glm::dvec3> Isosurface::wall_gradient(const glm::dvec3& p, std::uint32_t face) const
 {
     const Container& c = terms_.container;
     if (face < kField) return c.normal(p, face);
     if (c.is_sphere && std::abs(std::sqrt(glm::dot(p - c.center, p - c.center)) - c.radius) < kOnSphere)
         return p - c.center;
-    const glm::dvec3 size = c.bounds().upper - c.bounds().lower;
-    const double step = std::max(terms_.accuracy, kLeastStep * glm::max(glm::max(size.x, size.y), size.z)),
-                 here = terms_.field->value(p);
+    return {};
+}
+
+double Isosurface::difference_step() const
+{
+    const glm::dvec3 size = terms_.container.bounds().upper - terms_.container.bounds().lower;
+    return std::max(terms_.accuracy, kLeastStep * glm::max(glm::max(size.x, size.y), size.z));
+}
+
+glm::dvec3 Isosurface::gradient(const glm::dvec3& p, std::uint32_t face) const
+{
+    if (const auto wall = wall_gradient(p, face)) return *wall;
+    const double step = difference_step(), here = terms_.field->value(p);
     return {terms_.field->value({p.x + step, p.y, p.z}) - here, terms_.field->value({p.x, p.y + step, p.z}) - here,
             terms_.field->value({p.x, p.y, p.z + step}) - here};
+}
+
+void Isosurface::gradients(std::span<const glm::dvec3> points, std::span<const std::uint32_t> faces,
+                           glm::dvec3* out) const
+{
+    constexpr std::size_t kNone = ~std::size_t{0};
+    const double step = difference_step();
+    std::size_t waiting = kNone;
+    EightPoints places;
+    const auto place = [&](std::size_t first, const glm::dvec3& p) {  // the point and three beside it
+        for (std::size_t i = 0; i < 4; ++i) {
+            places.x.v[first + i] = i == 1 ? p.x + step : p.x;
+            places.y.v[first + i] = i == 2 ? p.y + step : p.y;
+            places.z.v[first + i] = i == 3 ? p.z + step : p.z;
+        }
+    };
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (const auto wall = wall_gradient(points[k], faces[k])) {
+            out[k] = *wall;
+        } else if (waiting == kNone) {
+            waiting = k;
+        } else {
+            place(0, points[waiting]);
+            place(4, points[k]);
+            Eight f;
+            terms_.field->values(places, f);
+            out[waiting] = glm::dvec3(f.v[1], f.v[2], f.v[3]) - f.v[0];
+            out[k] = glm::dvec3(f.v[5], f.v[6], f.v[7]) - f.v[4];
+            waiting = kNone;
+        }
+    }
+    if (waiting != kNone) out[waiting] = gradient(points[waiting], faces[waiting]);
 }
 
 }  // namespace csg

@@ -5,6 +5,7 @@
 #include "csg/freeform/intersection_list.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace csg {
@@ -44,6 +45,8 @@ public:
     }
     /// By forward differences over the accuracy, as POV-Ray's: they smooth what is finer.
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
+    /// Those of many points, to the bit: the field is asked for two of them at a time.
+    void gradients(std::span<const glm::dvec3> points, std::span<const std::uint32_t> faces, glm::dvec3* out) const;
     Aabb bounds() const { return terms_.container.bounds(); }
 
     const IsosurfaceTerms& terms() const { return terms_; }
@@ -56,6 +59,9 @@ private:
     static constexpr std::uint32_t kField = 7;  ///< face of the field's own crossings; below it the container's
     class Walk;
     struct Start;
+    /// Of points that the field draws; else nothing.
+    std::optional<glm::dvec3> wall_gradient(const glm::dvec3& p, std::uint32_t face) const;
+    double difference_step() const;
     Start start(IsosurfaceSearch& search, const Interval& way) const;
 
     IsosurfaceTerms terms_;

@@ -2,6 +2,7 @@
 
 #include "csg/freeform/field/julia_functions.h"
 #include "csg/freeform/field/julia_march.h"
+#include "csg/roots/lane_power.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,8 @@ Julia::March Julia::look_quaternion(const glm::dvec3& p) const
     for (int k = 0; k < terms_.iterations; ++k) {
         const double size = julia::norm(q);
         scale *= square ? 2.0 : 3.0;
-        if (!(size <= escape_)) return {false, std::log(size) / (scale * std::sqrt(sizes))};
+        if (!(size <= escape_))
+            return {false, (size < kMostSize ? lanes::logarithm(size) : size) / (scale * std::sqrt(sizes))};
         sizes *= size;
         q = (square ? julia::square(q) : julia::cube(q)) + terms_.constant;
     }

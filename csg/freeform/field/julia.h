@@ -86,7 +86,8 @@ private:
     Orbit follow(glm::dvec4 q) const;
 
     JuliaTerms terms_;
-    glm::dvec3 tilt_;  ///< the fourth coordinate is offset - dot(tilt, p)
+    glm::dvec3 tilt_;                           ///< the fourth coordinate is offset - dot(tilt, p)
+    static constexpr double kMostSize = 1e300;  ///< squares of sizes above it have no logarithm that tells anything
     double offset_, radius_, escape_, step_;
 };
 

@@ -3,6 +3,7 @@
 #include "csg/base/lanes.h"
 #include "csg/freeform/field/julia.h"
 #include "csg/freeform/field/julia_march.h"
+#include "csg/roots/lane_power.h"
 
 #include <array>
 #include <bit>
@@ -159,17 +160,13 @@ private:
             // not worked out.
             const Double least(set_.step_), over = scale_at[v] * xsimd::sqrt(sizes[v]);
             Double most = xsimd::min(tangent<0>(size_at[v]), tangent<1>(size_at[v]));
-            Mask asking = part(left, v) & ~lanes::mask(most * Double(1.0 + 1e-9) < least * over);
+            const Mask asking = part(left, v) & ~lanes::mask(most * Double(1.0 + 1e-9) < least * over);
             Double step = least;
             if (asking != 0) {
-                alignas(64) std::array<double, kWide> logarithm;
-                size_at[v].store_aligned(logarithm.data());
-                const Bool which = lanes::lanes_of(asking);
-                for (; asking != 0; asking &= asking - 1) {
-                    double& one_of = logarithm[static_cast<std::size_t>(std::countr_zero(asking))];
-                    one_of = std::log(one_of);
-                }
-                step = xsimd::select(which, Double::load_aligned(logarithm.data()) / over, least);
+                // Sizes that are no numbers stay what they are, as in look_quaternion().
+                const Double logarithm =
+                    xsimd::select(size_at[v] < Double(kMostSize), lanes::logarithm(size_at[v]), size_at[v]);
+                step = xsimd::select(lanes::lanes_of(asking), logarithm / over, least);
             }
             store(steps_, v, step);
         }

@@ -193,6 +193,22 @@ TEST_CASE("a ball has one span however far the ray begins", "[csg][isosurface]")
     }
 }
 
+TEST_CASE("gradients of many points are those of each", "[csg][isosurface]")
+{
+    const Isosurface surface(shell(0.3, true));
+    Rng rng(11);
+    for (const std::size_t count : {1, 2, 5, 64}) {
+        std::vector<glm::dvec3> points, found(count);
+        std::vector<std::uint32_t> faces;
+        for (std::size_t i = 0; i < count; ++i) {
+            points.push_back(rng.direction() * rng.uniform(0.5, 1.3));
+            faces.push_back(i % 3 == 1 ? 2u : 7u);  // a wall of the container, the field
+        }
+        surface.gradients(points, faces, found.data());
+        for (std::size_t i = 0; i < count; ++i) CHECK(found[i] == surface.gradient(points[i], faces[i]));
+    }
+}
+
 TEST_CASE("an accuracy below the numbers' own leaves a normal", "[csg][isosurface]")
 {
     IsosurfaceTerms terms = shell(0.01, true);
