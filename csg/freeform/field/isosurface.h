@@ -59,7 +59,7 @@ private:
     static constexpr std::uint32_t kField = 7;  ///< face of the field's own crossings; below it the container's
     class Walk;
     struct Start;
-    /// Of points that the field draws; else nothing.
+    /// Of a point that the container draws; of the field's nothing.
     std::optional<glm::dvec3> wall_gradient(const glm::dvec3& p, std::uint32_t face) const;
     double difference_step() const;
     Start start(IsosurfaceSearch& search, const Interval& way) const;

@@ -85,9 +85,11 @@ private:
     struct Orbit;
     Orbit follow(glm::dvec4 q) const;
 
+    /// Squares of sizes from here on, and what is no number, stand for their logarithms.
+    static constexpr double kMostSize = 1e300;
+
     JuliaTerms terms_;
-    glm::dvec3 tilt_;                           ///< the fourth coordinate is offset - dot(tilt, p)
-    static constexpr double kMostSize = 1e300;  ///< squares of sizes above it have no logarithm that tells anything
+    glm::dvec3 tilt_;  ///< the fourth coordinate is offset - dot(tilt, p)
     double offset_, radius_, escape_, step_;
 };
 

@@ -163,7 +163,6 @@ private:
             const Mask asking = part(left, v) & ~lanes::mask(most * Double(1.0 + 1e-9) < least * over);
             Double step = least;
             if (asking != 0) {
-                // Sizes that are no numbers stay what they are, as in look_quaternion().
                 const Double logarithm =
                     xsimd::select(size_at[v] < Double(kMostSize), lanes::logarithm(size_at[v]), size_at[v]);
                 step = xsimd::select(lanes::lanes_of(asking), logarithm / over, least);

@@ -4,19 +4,34 @@
 #include <algorithm>
 #include <cmath>
 
-/// Which pigments POV-Ray takes to be opaque to rays of shadow (spec 3, 13.2). It asks when an object is complete,
-/// before a picture in a map of pigments has been given its `filter` and `transmit all`, and remembers what it found of
-/// each entry. Copies of a declared pigment share the entries of its map, so that the first object that wears one has a
-/// black shadow and the others have not.
+/// Which pigments are opaque, and which POV-Ray takes to be that to rays of shadow (spec 3, 13.2). It asks when an
+/// object is complete, before a picture in a map of pigments has been given its `filter` and `transmit all`, and
+/// remembers what it found of each entry. Copies of a declared pigment share the entries of its map, so that the first
+/// object that wears one has a black shadow and the others have not.
 namespace plan {
 namespace {
 
+constexpr float kNearlyZero = 1e-10f;  // filter and transmit below it are none (spec 3, 13.2)
+
 bool is_clear(const scene::Color& color)
 {
-    return std::abs(color.filter) > 1e-10f || std::abs(color.transmit) > 1e-10f;
+    return std::abs(color.filter) > kNearlyZero || std::abs(color.transmit) > kNearlyZero;
 }
 
 }  // namespace
+
+bool TextureCompiler::pigment_opaque(std::uint32_t index) const
+{
+    const texture::Pigment& pigment = out_.pigments[index];
+    if (pigment.kind == texture::Pigment::Kind::Solid) return !is_clear(pigment.color);
+    if (pigment.kind == texture::Pigment::Kind::Image) return out_.images[out_.patterns[pigment.pattern].data].opaque;
+    for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
+        const bool opaque = pigment.kind == texture::Pigment::Kind::ColorMap ? !is_clear(out_.colors[i])
+                                                                             : pigment_opaque(out_.children[i]);
+        if (!opaque) return false;
+    }
+    return true;
+}
 
 bool TextureCompiler::lets_light_through(const scene::Pigment& pigment)
 {

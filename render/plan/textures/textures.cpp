@@ -7,15 +7,11 @@
 #include "render/texture/noise/noise.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace plan {
 namespace {
 
-constexpr float kNearlyZero = 1e-10f;  // filter and transmit below it are none (spec 3, 13.2)
-constexpr int kLegacyVersion = 370;    // formulas of before hold below it
-
-bool clear(const scene::Color& c) { return std::abs(c.filter) > kNearlyZero || std::abs(c.transmit) > kNearlyZero; }
+constexpr int kLegacyVersion = 370;  // formulas of before hold below it
 
 std::uint32_t count_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
@@ -159,19 +155,6 @@ std::uint32_t TextureCompiler::color_map(const scene::ColorMap& description)
     return first;
 }
 
-bool TextureCompiler::pigment_opaque(std::uint32_t index) const
-{
-    const texture::Pigment& pigment = out_.pigments[index];
-    if (pigment.kind == texture::Pigment::Kind::Solid) return !clear(pigment.color);
-    if (pigment.kind == texture::Pigment::Kind::Image) return out_.images[out_.patterns[pigment.pattern].data].opaque;
-    for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
-        const bool opaque = pigment.kind == texture::Pigment::Kind::ColorMap ? !clear(out_.colors[i])
-                                                                             : pigment_opaque(out_.children[i]);
-        if (!opaque) return false;
-    }
-    return true;
-}
-
 std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_bump_scale)
 {
     using Map = texture::Normal::Map;
@@ -226,7 +209,7 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
         if (from.normal && quality_ >= 8) to.normal = normal(*from.normal, false);
         to.finish = finish(*from.finish);
         out.opaque = out.opaque || pigment_opaque(to.pigment);
-        const bool clear = lets_light_through(from.pigment);  // to be asked of each layer
+        const bool clear = lets_light_through(from.pigment);  // asked of each layer: it remembers what it finds
         out.stops_light = out.stops_light || out.opaque || !clear;
         out.lit = out.lit || out_.finishes[to.finish].lit();
         compiled.push_back(to);
