@@ -42,18 +42,18 @@ private:
     void meet(std::size_t at)
     {
         const std::size_t count = std::min(kWide, batch_.count - at);
-        const Double zero(0.0), infinite(kInfinity), low(solid_.low), high(solid_.high);
+        const Double zero(0.0), infinite(kInfinity), bottom(solid_.low), top(solid_.high);
         const Double z = load(origin_[2], at), dz = load(way_[2], at);
         // slab()
         const Bool level = dz == zero, forward = dz > zero;
-        const Double to_low = (low - z) / dz, to_high = (high - z) / dz;
-        const Double entry = xsimd::select(level, Double(-kInfinity), xsimd::select(forward, to_low, to_high)),
-                     exit = xsimd::select(level, infinite, xsimd::select(forward, to_high, to_low));
+        const Double to_bottom = (bottom - z) / dz, to_top = (top - z) / dz;
+        const Double entry = xsimd::select(level, Double(-kInfinity), xsimd::select(forward, to_bottom, to_top)),
+                     exit = xsimd::select(level, infinite, xsimd::select(forward, to_top, to_bottom));
         const Double from = load(from_, at), to = load(to_, at);
         const Double nearest = xsimd::select(entry < from, from, entry), farthest = xsimd::select(to < exit, to, exit);
         const Place start{load(origin_[0], at), load(origin_[1], at)}, along{load(way_[0], at), load(way_[1], at)};
         Mask asked = ((1u << count) - 1u) & ~lanes::mask(nearest > farthest) &
-                     lanes::mask((level & (z >= low) & (z <= high)) | ((!level) & (entry <= exit)));
+                     lanes::mask((level & (z >= bottom) & (z <= top)) | ((!level) & (entry <= exit)));
         Mask alone = asked & lanes::mask((along.x == zero) & (along.y == zero));
         asked &= ~(alone | missing(start, along, nearest, farthest));
         if (asked != 0) alone |= meet_walls(at, asked, start, along, nearest, farthest, entry, exit);
@@ -67,9 +67,9 @@ private:
                          most = glm::max(glm::abs(lower), glm::abs(upper));
         const Double room = Double(1e-10) *
                             (xsimd::abs(from.x) + Double(most.x) + (xsimd::abs(from.y) + Double(most.y)));
-        const auto axis = [&](const Double& at, const Double& slope, double low, double high) {
-            const Double inverse = Double(1.0) / slope, a = (Double(low) - room - at) * inverse,
-                         b = (Double(high) + room - at) * inverse, first = xsimd::select(b < a, b, a),
+        const auto axis = [&](const Double& at, const Double& slope, double least, double greatest) {
+            const Double inverse = Double(1.0) / slope, a = (Double(least) - room - at) * inverse,
+                         b = (Double(greatest) + room - at) * inverse, first = xsimd::select(b < a, b, a),
                          last = xsimd::select(a < b, b, a);
             nearest = xsimd::select(nearest < first, first, nearest);
             farthest = xsimd::select(last < farthest, last, farthest);

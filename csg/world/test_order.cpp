@@ -12,7 +12,7 @@ namespace {
 constexpr double kInfiniteVolume = 2e10;
 constexpr float kInfiniteKey = -1e7f;  // of nodes that are asked first
 constexpr float kLeastExit = 1e-4f;
-constexpr std::size_t kFewest = 4;  // nodes that are not divided
+constexpr std::size_t kFewestNodes = 4;  // nodes that are not divided
 constexpr float kCostOfNode = 3.0f;
 // Divisions that each part one box from many others take the square of their number: after as many boxes looked at as
 // would be if each were one of 200 halves the order is given up, and the object declared first is the first.
@@ -150,7 +150,7 @@ std::size_t TestOrder::divided(std::span<Placed> nodes, std::vector<float>& area
     for (Placed& node : nodes) node.middle = node.box.lower[axis] + node.box.upper()[axis];
     std::stable_sort(nodes.begin(), nodes.end(), [](const Placed& a, const Placed& b) { return a.middle < b.middle; });
     const std::size_t count = nodes.size();
-    if (count <= kFewest) return 0;
+    if (count <= kFewestNodes) return 0;
     Box behind = nodes[count - 1].box;
     for (std::size_t k = count; k-- > 0;) {
         behind = around(behind, nodes[k].box);

@@ -103,7 +103,7 @@ TEST_CASE("numbers of lists are rounded as the library rounds them", "[parser][m
             for (std::uint64_t left = random() % (most + 1); left > 0; --left)
                 number += static_cast<char>('0' + random() % 10);
         };
-        digits(i % 25);
+        digits(static_cast<std::uint64_t>(i % 25));
         if (random() % 2 != 0) number += '.';
         digits(12);
         if (number.empty() || number == ".") continue;

@@ -55,6 +55,8 @@ Blob::Blob(double threshold, const std::vector<Component>& components)
 }
 
 struct Blob::Later {
+    explicit Later(std::function<Blob()> of) : make(std::move(of)) {}
+
     std::function<Blob()> make;
     std::once_flag once;
     std::shared_ptr<const FreeformShape> shape = nullptr;

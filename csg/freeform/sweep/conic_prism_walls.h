@@ -9,7 +9,8 @@ template <class Walls>
 inline void ConicPrism::tell(const Course& course, const Walls& walls, bool inside, IntersectionList& out) const
 {
     static_assert(kLow == 0 && kHigh == 1, "slab() counts its faces so");
-    const auto& [shift, within] = course;
+    const double shift = course.shift;
+    const auto& within = course.within;
     const std::uint32_t first = end_face(within.entry_face), last = end_face(within.exit_face);
     double in = -kInfinity;
     std::uint32_t in_face = kUndrawnFace;

@@ -63,7 +63,7 @@ inline char* fixed_text(char* end, double value, int precision)
     for (int i = 1; i < precision; i += 2) put_two();
     if (precision % 2 != 0) put();
     if (precision > 0) *--at = '.';
-    for (; digits >= 100;) put_two();
+    while (digits >= 100) put_two();
     if (digits >= 10) put_two();
     else put();
     if (bits >> 63 != 0) *--at = '-';

@@ -243,9 +243,9 @@ void Session::render(Cause cause, const View& view)
                     .dump(-1, ' ', false, json::error_handler_t::replace),
                 generation_);
     std::vector<parser::SceneConstant> constants = parser::constants_of(scene_);
-    for (const auto& [name, value] : settings_.declared_numbers)
-        if (std::none_of(constants.begin(), constants.end(), [&](const auto& c) { return c.name == name; }))
-            constants.push_back({name, value});
+    for (const auto& declared : settings_.declared_numbers)
+        if (std::none_of(constants.begin(), constants.end(), [&](const auto& c) { return c.name == declared.first; }))
+            constants.push_back({declared.first, declared.second});
     const double clock = static_cast<double>(settings.clock.value_or(0.0f));
     board_.push(Board::Kind::Controls, controls_event(view, clock, constants, camera_text(camera)), generation_);
 

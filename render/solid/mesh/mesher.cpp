@@ -71,7 +71,7 @@ private:
     /// Sides of the corners: by lines along z.
     void find_sides()
     {
-        const auto [nx, ny, nz] = lattice_.cubes;
+        const int nx = lattice_.cubes[0], ny = lattice_.cubes[1], nz = lattice_.cubes[2];
         tbb::parallel_for(0, ny + 1, [&](int y) {
             std::vector<Chord> chords;
             for (int x = 0; x <= nx; ++x) {
@@ -92,7 +92,7 @@ private:
         constexpr std::array<std::array<int, 3>, 7> kDirections{
             {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}};
         std::vector<EdgeCut> cuts;
-        const auto [nx, ny, nz] = lattice_.cubes;
+        const int nx = lattice_.cubes[0], ny = lattice_.cubes[1], nz = lattice_.cubes[2];
         for (const auto& d : kDirections) {
             tbb::enumerable_thread_specific<std::vector<EdgeCut>> found;
             tbb::parallel_for(0, nz + 1, [&](int z) {

@@ -38,7 +38,7 @@ public:
         std::size_t kept = 0;
         for (std::size_t k = 0; k < count_; k += kWide) {
             std::uint32_t stay = below(k, farthest);
-            std::uint32_t as_far = mask(k, [&](const Float& d2) { return d2 == Float(farthest); });
+            std::uint32_t as_far = mask(k, [far = Float(farthest)](const Float& d2) { return d2 == far; });
             for (; as_far != 0 && alike > 0; as_far &= as_far - 1, --alike) stay |= as_far & (~as_far + 1u);
             kept += pack(stay, distance2_ + k, number_ + k, distance2_ + kept, number_ + kept);
         }

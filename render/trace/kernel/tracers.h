@@ -15,7 +15,7 @@ public:
     struct Worker {
         struct Free {
             const KernelTable* kernel;
-            void operator()(BlockTracer* tracer) const { kernel->free(tracer); }
+            void operator()(BlockTracer* done) const { kernel->free(done); }
         };
         std::unique_ptr<BlockTracer, Free> tracer;
         std::vector<scene::Color> colors;

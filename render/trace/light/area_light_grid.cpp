@@ -143,19 +143,19 @@ void AreaLight::refine(HitMask hits)
     area_.level.assign(1, {0, 0, light_.size1 - 1, light_.size2 - 1, 0, hits});
     while (!area_.level.empty()) {
         area_.next_level.clear();
-        for (const auto& [i1, j1, i2, j2, depth, all] : area_.level) {
-            const HitMask some = with_corners(i1, j1, i2, j2, all, [&, all = all](const auto& corners) {
-                return divided(i1, j1, i2, j2, depth, all, corners);
+        for (const auto& now : area_.level) {  // bindings would not reach into the lambda: clang 14 refuses
+            const HitMask some = with_corners(now.i1, now.j1, now.i2, now.j2, now.hits, [&](const auto& corners) {
+                return divided(now.i1, now.j1, now.i2, now.j2, now.depth, now.hits, corners);
             });
             if (some == 0) continue;
-            const Quarters quarters(i1, j1, i2, j2);
-            if (depth >= light_.adaptive) {
+            const Quarters quarters(now.i1, now.j1, now.i2, now.j2);
+            if (now.depth >= light_.adaptive) {
                 for (const auto& q : quarters.of) want_corners(q);
                 ask_nodes(some);
             }
             for (const auto& q : quarters.of)
                 if (q[2] - q[0] > 1 || q[3] - q[1] > 1)
-                    area_.next_level.push_back({q[0], q[1], q[2], q[3], depth + 1, some});
+                    area_.next_level.push_back({q[0], q[1], q[2], q[3], now.depth + 1, some});
         }
         trace_samples();
         std::swap(area_.level, area_.next_level);

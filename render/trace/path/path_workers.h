@@ -16,7 +16,7 @@ public:
     struct Worker {
         struct Free {
             const KernelTable* kernel;
-            void operator()(PathTracer* tracer) const { kernel->free_paths(tracer); }
+            void operator()(PathTracer* done) const { kernel->free_paths(done); }
         };
         std::unique_ptr<PathTracer, Free> tracer;
         std::vector<PathSample> samples;

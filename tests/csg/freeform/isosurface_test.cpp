@@ -197,7 +197,7 @@ TEST_CASE("gradients of many points are those of each", "[csg][isosurface]")
 {
     const Isosurface surface(shell(0.3, true));
     Rng rng(11);
-    for (const std::size_t count : {1, 2, 5, 64}) {
+    for (const std::size_t count : {1u, 2u, 5u, 64u}) {
         std::vector<glm::dvec3> points, found(count);
         std::vector<std::uint32_t> faces;
         for (std::size_t i = 0; i < count; ++i) {

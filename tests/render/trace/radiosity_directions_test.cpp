@@ -35,7 +35,7 @@ TEST_CASE("rays of a sample are sorted: each of its directions once, neighbours 
     for (const int size : {1599, 1600, 2000}) {
         const std::vector<glm::dvec3> pool = radiosity::directions(size);
         const radiosity::DirectionOrder order(pool);
-        for (const std::size_t count : {5, 64, 100, 400, 1599})
+        for (const std::size_t count : {5u, 64u, 100u, 400u, 1599u})
             for (const std::size_t first : {std::size_t{0}, std::size_t{400}, pool.size() - 3}) {
                 radiosity::SortedRays sorted(order, first, count, *scratch);
                 std::vector<int> seen(count, 0);
