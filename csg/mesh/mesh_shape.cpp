@@ -1,5 +1,6 @@
 #include "csg/mesh/mesh_shape.h"
 
+#include "csg/base/single_precision.h"
 #include "csg/mesh/mesh_edges.h"
 #include "csg/solids/common.h"
 
@@ -16,8 +17,6 @@ Corners corners(const MeshInput& input, const MeshInput::Face& face)
     for (std::size_t k = 0; k < 3; ++k) c[k] = glm::vec3(input.vertices[face.vertex[k]]);
     return c;
 }
-
-glm::dvec3 single(const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)); }
 
 bool has_area(const Corners& c)
 {

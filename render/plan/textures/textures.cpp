@@ -1,5 +1,6 @@
 #include "render/plan/textures/textures.h"
 
+#include "csg/base/single_precision.h"
 #include "function/build/link.h"
 #include "render/plan/textures/pattern_kinds.h"
 #include "render/scene/function.h"
@@ -160,8 +161,8 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
     using Map = texture::Normal::Map;
     texture::Normal out;
     out.no_bump_scale = description.no_bump_scale || no_bump_scale;
-    out.amount = static_cast<double>(static_cast<float>(description.amount));
-    out.accuracy = static_cast<double>(static_cast<float>(description.accuracy));
+    out.amount = csg::single(description.amount);
+    out.accuracy = csg::single(description.accuracy);
     out.pattern = pattern(description.pattern);
     if (out.pattern == texture::kNone) {
         if (!description.pattern.name.empty())

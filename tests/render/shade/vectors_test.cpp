@@ -1,3 +1,4 @@
+#include "csg/base/single_precision.h"
 #include "render/plan/textures/pattern_kinds.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/noise/noise.h"
@@ -112,8 +113,8 @@ TEST_CASE("normals agree with the measured ones", "[texture][normal]")
         set.patterns.push_back(compiled(statement.pattern, set));
         texture::Normal normal;
         normal.pattern = 0;
-        normal.amount = static_cast<double>(static_cast<float>(statement.amount));
-        normal.accuracy = static_cast<double>(static_cast<float>(statement.accuracy));
+        normal.amount = csg::single(statement.amount);
+        normal.accuracy = csg::single(statement.accuracy);
         set.normals.push_back(normal);
         texture::Surroundings around;
         const glm::dvec3 n = texture::perturb(set, 0, {0, 0, -1}, point(m), around);
