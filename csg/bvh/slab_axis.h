@@ -3,6 +3,7 @@
 #include "csg/base/lanes.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace csg {
 
@@ -12,7 +13,7 @@ inline double slab_reciprocal(double d) { return std::abs(d) < 1e-30 ? std::copy
 /// A ray and the two sides of boxes across one axis, in single precision: boxes are only a sieve, and a ray that meets
 /// one is never said to miss it. Compiled once per instruction set.
 struct SlabAxis {
-    int near_row, far_row;  ///< of BvhNode::bounds
+    std::int32_t near_row, far_row;  ///< of BvhNode::bounds
     float near_origin, far_origin, near_inverse, far_inverse;
 
     /// \param inverse of the direction, finite

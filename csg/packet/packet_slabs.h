@@ -16,15 +16,11 @@ class PacketSlabs {
 public:
     explicit PacketSlabs(const Rays& rays) : rays_(rays)
     {
+        take(0, rays.dx, rays.inverse_x);
+        take(1, rays.dy, rays.inverse_y);
+        take(2, rays.dz, rays.inverse_z);
         const auto count = static_cast<std::size_t>(rays.count);
-        const RayLanes* const direction[3] = {&rays.dx, &rays.dy, &rays.dz};
-        const RayLanes* const inverse[3] = {&rays.inverse_x, &rays.inverse_y, &rays.inverse_z};
-        for (int axis = 0; axis < 3; ++axis)
-            for (std::size_t k = 0; k < count; ++k) {
-                slabs_[k].axes[axis] =
-                    SlabAxis(axis, rays.origin_of(k)[axis], (*inverse[axis])[k], std::signbit((*direction[axis])[k]));
-            }
-        for (std::size_t k = 0; k < count; ++k) slabs_[k].begin = rounded_down(rays.t_min[k]);
+        for (std::size_t k = 0; k < count; ++k) begin_[k] = rounded_down(rays.t_min[k]);
     }
 
     /// The rays of a mask that meet each of eight boxes (BvhNode::bounds); `near`: where the first of them does.
@@ -52,23 +48,45 @@ public:
     }
 
 private:
-    struct Slabs {
-        SlabAxis axes[3];
-        float begin;
+    /// SlabAxis of every ray, each number in an array of its own: these loops go in lanes.
+    struct Axis {
+        alignas(64) std::array<float, kTileRays> near_origin, far_origin, near_inverse, far_inverse;
+        alignas(64) std::array<std::int32_t, kTileRays> near_row, far_row;
+
+        SlabAxis of(std::size_t k) const
+        {
+            SlabAxis out;
+            out.near_row = near_row[k], out.far_row = far_row[k];
+            out.near_origin = near_origin[k], out.far_origin = far_origin[k];
+            out.near_inverse = near_inverse[k], out.far_inverse = far_inverse[k];
+            return out;
+        }
     };
+
+    void take(int axis, const RayLanes& direction, const RayLanes& inverse)
+    {
+        Axis& to = axes_[axis];
+        const auto count = static_cast<std::size_t>(rays_.count);
+        for (std::size_t k = 0; k < count; ++k) {
+            const SlabAxis at(axis, rays_.origin_of(k)[axis], inverse[k], std::signbit(direction[k]));
+            to.near_row[k] = at.near_row, to.far_row[k] = at.far_row;
+            to.near_origin[k] = at.near_origin, to.far_origin[k] = at.far_origin;
+            to.near_inverse[k] = at.near_inverse, to.far_inverse[k] = at.far_inverse;
+        }
+    }
 
     /// The boxes that ray k meets; `nearest` comes down to where it does.
     std::uint32_t add(const float (&bounds)[6][8], std::size_t k, lanes::FloatPart (&nearest)[lanes::kFloatParts]) const
     {
         using lanes::FloatPart;
-        const Slabs& ray = slabs_[k];
+        const SlabAxis axes[3] = {axes_[0].of(k), axes_[1].of(k), axes_[2].of(k)};
         // No less than it: cheaper than rounding it up. (Below zero, as of rays that are done, no box is met.)
         const float limit = static_cast<float>(rays_.limit[k]) * (1.0f + 2.4e-7f);
         std::uint32_t mask = 0;
         for (int part = 0; part < lanes::kFloatParts; ++part) {
             const int at = part * lanes::kFloatPart;
-            FloatPart first(ray.begin), last(limit);
-            for (const SlabAxis& axis : ray.axes) axis.cut(bounds, at, first, last);
+            FloatPart first(begin_[k]), last(limit);
+            for (const SlabAxis& axis : axes) axis.cut(bounds, at, first, last);
             const auto meets = first <= last;
             nearest[part] = xsimd::select(meets, xsimd::min(nearest[part], first), nearest[part]);
             mask |= lanes::mask(meets) << at;
@@ -88,7 +106,8 @@ private:
     }
 
     const Rays& rays_;
-    std::array<Slabs, kTileRays> slabs_;
+    Axis axes_[3];
+    alignas(64) std::array<float, kTileRays> begin_;
 };
 
 }  // namespace csg

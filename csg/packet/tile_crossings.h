@@ -54,10 +54,12 @@ public:
     {
         const WorldItem& item = world_.items[index];
         const SurfaceId surface = world_.store.surface(item.solid);
+        const bool opaque = world_.surface_opaque[surface] != 0;
         each_vector(mask, [&](int i) {
             const lanes::Intervals in = at(i);
             if (lanes::mask(in.met) == 0) return;
             const SeenEnds seen(rays_, i, in);
+            if (opaque) return block_all(RayMask{lanes::mask(seen.entry | seen.exit)} << i);
             offer(lanes::mask(seen.entry), in.entry, in.entry_face, i, surface, item);
             offer(lanes::mask(seen.exit), in.exit, in.exit_face, i, surface, item);
         });

@@ -191,18 +191,21 @@ void World::shadow_crossings(const RayTile& rays, Scratch& scratch, CrossingTile
         crossings_of_cluster(*this, *data_, rays, scratch, out);
         return;
     }
+    out.count.fill(0);
     RayTile part;
     CrossingTile found;
     std::uint8_t place[kTileRays];
     for (int c = 0; c < clusters.size(); ++c) {
         clusters.part(rays, c, part, place);
         crossings_of_cluster(*this, *data_, part, scratch, found);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(part.count); ++i) {
-            out.ending[place[i]] = found.ending[i];
+        for (int i = 0; i < part.count; ++i) out.ending[place[i]] = found.ending[static_cast<std::size_t>(i)];
+        const auto* const endings = reinterpret_cast<const std::uint8_t*>(found.ending.data());
+        const RayMask all = part.count < kTileRays ? (RayMask{1} << part.count) - 1 : ~RayMask{0};
+        each_ray(all & lanes::equal(endings, static_cast<std::uint8_t>(Shadow::Filtered)), [&](std::size_t i) {
             out.count[place[i]] = found.count[i];
-            if (found.ending[i] == Shadow::Filtered && found.count[i] <= CrossingTile::kMost)
+            if (found.count[i] <= CrossingTile::kMost)
                 std::copy_n(found.hits[i].begin(), found.count[i], out.hits[place[i]].begin());
-        }
+        });
     }
 }
 

@@ -39,7 +39,7 @@ def machine():
     """Compiler, C library and processor, a line each: the library chooses its functions by the processor."""
     first = lambda *command: subprocess.run(command, capture_output=True, text=True).stdout.split("\n")[0]
     model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
-    return f"{first('c++', '--version')}\n{first('ldd', '--version')}\n{model[1] if model else 'unknown'}\n"
+    return f"{first('clang++-14', '--version')}\n{first('ldd', '--version')}\n{model[1] if model else 'unknown'}\n"
 
 
 def main():

@@ -46,12 +46,13 @@ public:
         sink_.light(asking & near);
         asking &= ~near;
         if (asking == 0) return;
+        const bool opaque = stays_opaque(light);
         // From the light, where they form a beam.
         const bool from_light = light.from_one_point() && !scratch_.traits.has_open_surface &&
-                                !asks_own_rays(light, asking) && !context_.scene.geometry.faithful &&
+                                (opaque || !asks_own_rays(light, asking)) && !context_.scene.geometry.faithful &&
                                 ((all & beyond(scratch_.light, kFarLight * least, tile_.count())) == 0 ||
                                  (Tile::kInAir && stands_among(light, kFarLight * least)));
-        answer(light, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr));
+        answer(light, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr), opaque);
     }
 
     /// The same of an area light, for all points at once: what reaches them, in `seen`.
@@ -87,27 +88,28 @@ private:
         return glm::length(far) < distance;
     }
 
-    /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays). What is out of
-    /// sight is told by all points of the tile on the axis on which the first of them is farthest from the light.
+    /// Light and points lie on one side of all that does not stop light.
+    bool stays_opaque(const light::Light& light) const
+    {
+        const SceneTraits& traits = scratch_.traits;
+        if (traits.clear_axis == SceneTraits::kNoAxis || !light.from_one_point()) return false;
+        const TileLanes& points = traits.clear_axis == 0   ? scratch_.hits.x
+                                  : traits.clear_axis == 1 ? scratch_.hits.y
+                                                           : scratch_.hits.z;
+        const double at = light.location[traits.clear_axis];
+        if (traits.clear_upper < at) return least_of(points, at) > traits.clear_upper;
+        return traits.clear_lower > at && most_of(points, at) < traits.clear_lower;
+    }
+
+    /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays).
     bool asks_own_rays(const light::Light& light, HitMask asking) const
     {
         const std::vector<csg::Aabb>& boxes = scratch_.traits.own_rays;
         if (boxes.empty()) return false;
         const std::array<const TileLanes*, 3> lanes{&scratch_.hits.x, &scratch_.hits.y, &scratch_.hits.z};
         const glm::dvec3& from = light.location;
-        glm::length_t farthest = 0;
-        double distance = -std::numeric_limits<double>::infinity();
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            const double apart = std::max(boxes[0].lower[axis] - from[axis], from[axis] - boxes[0].upper[axis]);
-            if (apart > distance) distance = apart, farthest = axis;
-        }
-        const Interval all = span<false>(*lanes[static_cast<std::size_t>(farthest)], from[farthest], asking);
-        if (std::none_of(boxes.begin(), boxes.end(), [&](const csg::Aabb& box) {
-                return box.lower[farthest] <= all.high && box.upper[farthest] >= all.low;
-            }))
-            return false;
-        const std::array<Interval, 3> at{span<true>(*lanes[0], from.x, asking), span<true>(*lanes[1], from.y, asking),
-                                         span<true>(*lanes[2], from.z, asking)};
+        const std::array<Interval, 3> at{span(*lanes[0], from.x, asking), span(*lanes[1], from.y, asking),
+                                         span(*lanes[2], from.z, asking)};
         const glm::dvec3 low(at[0].low, at[1].low, at[2].low), high(at[0].high, at[1].high, at[2].high);
         return std::any_of(boxes.begin(), boxes.end(), [&](const csg::Aabb& box) {
             return glm::all(glm::lessThanEqual(box.lower, high)) && glm::all(glm::greaterThanEqual(box.upper, low));
@@ -117,29 +119,42 @@ private:
     struct Interval {
         double low, high;
     };
-    /// The least and the most of a coordinate of the light and the points, those that ask or all of whole lanes.
-    template <bool kAsking>
+    /// The least or the most of a coordinate of the light and all points of whole lanes.
+    double least_of(const TileLanes& of, double light) const
+    {
+        using csg::lanes::Double;
+        return csg::lanes::lowest(folded(of, light, [](Double a, Double b) { return xsimd::min(a, b); }));
+    }
+    double most_of(const TileLanes& of, double light) const
+    {
+        using csg::lanes::Double;
+        return -csg::lanes::lowest(-folded(of, light, [](Double a, Double b) { return xsimd::max(a, b); }));
+    }
+    template <class Fold>
+    csg::lanes::Double folded(const TileLanes& of, double light, Fold&& fold) const
+    {
+        using csg::lanes::Double;
+        Double out(light);
+        // In this order what is no number is not taken.
+        const auto take = [&](int i) { out = fold(Double::load_aligned(of.data() + i), out); };
+        if (tile_.count() == csg::kTileRays)  // a loop of known length, which takes half of the instructions
+            for (int i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) take(i);
+        else
+            for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) take(i);
+        return out;
+    }
+    /// The least and the most of a coordinate of the light and the points that ask.
     Interval span(const TileLanes& of, double light, HitMask asking) const
     {
         using csg::lanes::Double;
         Double least(light), most(light);
-        int i = 0;
-        // In this order what is no number is not taken.
-        for (; !kAsking && i + csg::lanes::kDoubles <= tile_.count(); i += csg::lanes::kDoubles) {
-            const Double at = Double::load_aligned(of.data() + i);
-            least = xsimd::min(at, least);
-            most = xsimd::max(at, most);
-        }
-        for (; i < tile_.count(); i += csg::lanes::kDoubles) {
+        for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
             const auto lanes = csg::lanes::lanes_of(static_cast<std::uint32_t>(asking >> i));
             const Double at = Double::load_aligned(of.data() + i);
             least = xsimd::select(lanes, xsimd::min(least, at), least);
             most = xsimd::select(lanes, xsimd::max(most, at), most);
         }
-        alignas(64) std::array<double, csg::lanes::kDoubles> lows, highs;
-        least.store_aligned(lows.data());
-        most.store_aligned(highs.data());
-        return {*std::min_element(lows.begin(), lows.end()), *std::max_element(highs.begin(), highs.end())};
+        return {csg::lanes::lowest(least), -csg::lanes::lowest(-most)};
     }
 
     /// The points that see a light through its projector, where their shadow rays end then; the others are dark.
@@ -155,14 +170,18 @@ private:
         return seen;
     }
 
-    /// What the shadow rays tell. `in_order`: ray i is point i's.
-    void answer(const light::Light& light, bool in_order)
+    /// What the shadow rays tell. `in_order`: ray i is point i's; `opaque`: they come near nothing that is not.
+    void answer(const light::Light& light, bool in_order, bool opaque)
     {
         const RayTile& beam = scratch_.rays;
         csg::CrossingTile& met = scratch_.crossings;
         context_.scratch.counts.shadow += static_cast<std::uint64_t>(beam.count);
-        if (scratch_.traits.filters) context_.world.shadow_crossings(beam, context_.scratch.geometry, met);
-        else context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
+        if (scratch_.traits.filters && !opaque) {
+            context_.world.shadow_crossings(beam, context_.scratch.geometry, met);
+        } else {
+            context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
+            met.count.fill(0);
+        }
         const auto hit_of = [&](std::size_t ray) { return in_order ? ray : scratch_.lane[ray]; };
         const HitMask rays = first_hits(beam.count), blocked = rays & equal(met.ending, Shadow::Blocked);
         const HitMask clear = light.atmosphere ? 0 : rays & equal(met.ending, Shadow::Clear);  // fog dims all of them

@@ -32,7 +32,7 @@ public:
     void add(const glm::dvec3& point, const glm::dvec3& normal, double bound)
     {
         const std::size_t k = count_++;
-        point_[k] = point;
+        px_[k] = point.x, py_[k] = point.y, pz_[k] = point.z;
         nx_[k] = static_cast<float>(normal.x);
         ny_[k] = static_cast<float>(normal.y);
         nz_[k] = static_cast<float>(normal.z);
@@ -60,8 +60,7 @@ public:
     void ask(const Sample& sample)
     {
         for (std::size_t k = 0; k < kLanes; ++k) {
-            const glm::vec3 v(point_[k] - sample.point);
-            x_[k] = v.x, y_[k] = v.y, z_[k] = v.z;
+            count_from(sample.point, k);
             here_[k] = k < count_ ? bound_[k] : 0.0f;
         }
         weigh(sample, glm::vec3(0));
@@ -76,6 +75,8 @@ public:
 private:
     using Floats = std::array<float, kLanes>;
     using Float = csg::lanes::FloatPart;
+    using Doubles = std::array<double, kLanes>;
+    using Double = csg::lanes::Double;
 
     /// A list of samples that some points read. They lie anywhere in memory: it is asked for what is needed of several
     /// of them before any is looked at.
@@ -92,20 +93,26 @@ private:
     /// The lists of one size of cells.
     void add_lists(const SampleGrid& grid, const SampleGrid::Level& level, List* lists, std::size_t& count) const
     {
-        std::array<glm::dvec3, kLanes> corner;
-        std::array<std::uint64_t, kLanes> key;
-        for (std::size_t k = 0; k < count_; ++k) {
-            corner[k] = grid.corner(point_[k], level);
-            key[k] = grid.key(corner[k], level);
+        alignas(64) Doubles x, y, z;
+        for (std::size_t at = 0; at < kLanes; at += Double::size) {
+            const auto corner = [&](const Doubles& of, Doubles& to) {
+                corner_of(load(of, at), level).store_aligned(to.data() + at);
+            };
+            corner(px_, x), corner(py_, y), corner(pz_, z);
         }
         std::uint32_t left = (1u << count_) - 1u;
         while (left != 0) {
             const auto first = static_cast<std::size_t>(std::countr_zero(left));
+            const Double fx(x[first]), fy(y[first]), fz(z[first]);
             std::uint32_t same = 0;
-            for (std::size_t k = first; k < count_; ++k) same |= key[k] == key[first] ? 1u << k : 0u;
+            for (std::size_t at = 0; at < kLanes; at += Double::size)
+                same |= csg::lanes::mask((load(x, at) == fx) & (load(y, at) == fy) & (load(z, at) == fz)) << at;
+            same &= left;
             left &= ~same;
-            lists[count++] = {key[first], corner[first] * level.size - CellPlace::kOrigin, same, SampleGrid::kNone};
-            grid.fetch_list(key[first]);
+            const glm::dvec3 corner(x[first], y[first], z[first]);
+            const std::uint64_t key = grid.key(corner, level);
+            lists[count++] = {key, corner * level.size - CellPlace::kOrigin, same, SampleGrid::kNone};
+            grid.fetch_list(key);
         }
     }
 
@@ -139,41 +146,74 @@ private:
         const std::uint32_t reading = list.same & ~stopped();
         if (reading == 0) return;
         for (std::size_t k = 0; k < kLanes; ++k) {
-            const bool in = (reading >> k & 1u) != 0;
-            const glm::vec3 v(in ? point_[k] - list.from : glm::dvec3(0));
-            x_[k] = v.x, y_[k] = v.y, z_[k] = v.z;
-            here_[k] = in ? bound_[k] : 0.0f;
+            count_from(list.from, k);
+            here_[k] = (reading >> k & 1u) != 0 ? bound_[k] : 0.0f;
         }
         for (std::uint32_t at = list.chunk; at != SampleGrid::kNone; at = grid.chunk(at).next) {
             const SampleGrid::Chunk& chunk = grid.chunk(at);
             if (chunk.next != SampleGrid::kNone) grid.fetch_chunk(chunk.next);
-            std::uint32_t close = 0;
-            for (std::size_t i = 0; i < chunk.count; ++i) {
-                if (!near(chunk, i)) continue;
-                close |= 1u << i;
-                grid.fetch_sample(chunk.number[i]);
-            }
-            for (; close != 0; close &= close - 1) {
-                const auto i = static_cast<std::size_t>(std::countr_zero(close));
+            const std::uint32_t close = static_cast<std::uint32_t>(std::popcount(reading)) < chunk.count
+                                            ? close_to_any(chunk, reading)
+                                            : close_to_some(chunk);
+            for (std::uint32_t left = close; left != 0; left &= left - 1)
+                grid.fetch_sample(chunk.number[static_cast<std::size_t>(std::countr_zero(left))]);
+            for (std::uint32_t left = close; left != 0; left &= left - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(left));
                 weigh(grid.samples()[chunk.number[i]], {chunk.x[i], chunk.y[i], chunk.z[i]});
             }
             if ((reading & ~stopped()) == 0) return;
         }
     }
 
-    /// Whether some point may be near enough to a sample of the list.
-    bool near(const SampleGrid::Chunk& chunk, std::size_t i) const
+    /// One coordinate of the corner of the list that a point reads.
+    static Double corner_of(const Double& p, const SampleGrid::Level& level)
     {
-        std::uint32_t any = 0;
-        for (std::size_t at = 0; at < kLanes; at += Float::size) {
-            const Float x = load(x_, at) - Float(chunk.x[i]), y = load(y_, at) - Float(chunk.y[i]),
-                        z = load(z_, at) - Float(chunk.z[i]), far = load(here_, at) * Float(chunk.reach[i]);
-            any |= csg::lanes::mask(x * x + y * y + z * z < far * far);
+        const Double cell = (p + Double(CellPlace::kOrigin)) * Double(level.inverse) - Double(0.5);
+        return xsimd::floor(xsimd::min(xsimd::max(cell, Double(-2.0)), Double(2e9)));
+    }
+
+    /// Point k from here.
+    void count_from(const glm::dvec3& from, std::size_t k)
+    {
+        x_[k] = static_cast<float>(px_[k] - from.x);
+        y_[k] = static_cast<float>(py_[k] - from.y);
+        z_[k] = static_cast<float>(pz_[k] - from.z);
+    }
+
+    /// Samples of the chunk that some point may be near enough to: the points together, sample after sample.
+    std::uint32_t close_to_some(const SampleGrid::Chunk& chunk) const
+    {
+        std::uint32_t close = 0;
+        for (std::size_t i = 0; i < chunk.count; ++i) {
+            std::uint32_t any = 0;
+            for (std::size_t at = 0; at < kLanes; at += Float::size) {
+                const Float x = load(x_, at) - Float(chunk.x[i]), y = load(y_, at) - Float(chunk.y[i]),
+                            z = load(z_, at) - Float(chunk.z[i]), far = load(here_, at) * Float(chunk.reach[i]);
+                any |= csg::lanes::mask(x * x + y * y + z * z < far * far);
+            }
+            close |= any != 0 ? 1u << i : 0u;
         }
-        return any != 0;
+        return close;
+    }
+
+    /// The same, the samples together, point after point: where fewer points than samples are at hand.
+    std::uint32_t close_to_any(const SampleGrid::Chunk& chunk, std::uint32_t points) const
+    {
+        static_assert(SampleGrid::kInChunk == kLanes);
+        std::uint32_t close = 0;
+        for (; points != 0; points &= points - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(points));
+            for (std::size_t at = 0; at < kLanes; at += Float::size) {
+                const Float x = Float(x_[k]) - load(chunk.x, at), y = Float(y_[k]) - load(chunk.y, at),
+                            z = Float(z_[k]) - load(chunk.z, at), far = Float(here_[k]) * load(chunk.reach, at);
+                close |= csg::lanes::mask(x * x + y * y + z * z < far * far) << at;
+            }
+        }
+        return close;
     }
 
     static Float load(const Floats& from, std::size_t at) { return Float::load_aligned(from.data() + at); }
+    static Double load(const Doubles& from, std::size_t at) { return Double::load_aligned(from.data() + at); }
 
     /// False: weigh() would find that none of the points uses the sample, and need not take roots and quotients for it.
     /// Too far, turned too much by itself, or too far behind (all with a margin for rounding).
@@ -228,7 +268,7 @@ private:
     bool smooth_, stops_ = false;
     float quarters_ = 0.0f;
     std::size_t count_ = 0;
-    std::array<glm::dvec3, kLanes> point_{};
+    alignas(64) Doubles px_{}, py_{}, pz_{};
     alignas(64) Floats nx_{}, ny_{}, nz_{}, bound_{};
     alignas(64) Floats x_{}, y_{}, z_{};  ///< of the points, from what the samples at hand are counted from
     alignas(64) Floats here_{};           ///< bounds of those that the samples at hand are for, 0 for the others

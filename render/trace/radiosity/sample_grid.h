@@ -83,11 +83,7 @@ public:
     const std::vector<Sample>& samples() const { return samples_; }
 
     const std::vector<Level>& levels() const { return levels_; }
-    /// The list that a point reads: cells `corner` and the next of each axis reach over it.
-    static glm::dvec3 corner(const glm::dvec3& p, const Level& level)
-    {
-        return glm::floor(glm::clamp((p + CellPlace::kOrigin) * level.inverse - 0.5, -2.0, 2e9));
-    }
+    /// Of the list that a point reads: cells `corner` and the next of each axis reach over it.
     static std::uint64_t key(const glm::dvec3& corner, const Level& level)
     {
         return key_of(level.number, {static_cast<std::int32_t>(corner.x), static_cast<std::int32_t>(corner.y),
