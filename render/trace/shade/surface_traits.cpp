@@ -171,6 +171,7 @@ std::vector<csg::Aabb> boxes_of_own_rays(const plan::CompiledScene& scene, const
 
 void find_clear(const plan::CompiledScene& scene, SceneTraits& traits)
 {
+    if (!traits.filters && traits.own_rays.empty()) return;  // shadow rays ask for no more anyhow
     csg::Aabb clear;
     for (const csg::Aabb& box : traits.own_rays) clear.include(box);
     for (const csg::WorldItem& item : scene.geometry.items)
