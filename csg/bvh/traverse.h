@@ -23,7 +23,7 @@ public:
     }
 
     /// Which of eight boxes (BvhNode::bounds) the ray meets in [t_min, t_max]; `near` receives where.
-    std::uint32_t meet(const float (&bounds)[6][8], float t_min, float t_max, float* near) const
+    std::uint32_t intersect(const float (&bounds)[6][8], float t_min, float t_max, float* near) const
     {
         using lanes::FloatPart;
         std::uint32_t mask = 0;
@@ -65,7 +65,7 @@ inline void traverse(const Bvh& bvh, const RaySlabs& slabs, double t_min, double
         } else {
             const BvhNode& node = bvh.nodes[current.index()];
             alignas(32) float near[8];
-            std::uint32_t mask = slabs.meet(node.bounds, begin, limit, near);
+            std::uint32_t mask = slabs.intersect(node.bounds, begin, limit, near);
             int best = -1;
             for (; mask != 0; mask &= mask - 1) {
                 const int i = std::countr_zero(mask);

@@ -60,7 +60,7 @@ public:
 
     /// Which of eight finite boxes (BvhNode::bounds) reach into the beam no deeper than `limit`; `near` receives where
     /// at the earliest.
-    std::uint32_t meet(const float (&bounds)[6][8], float limit, float* near) const
+    std::uint32_t intersect(const float (&bounds)[6][8], float limit, float* near) const
     {
         using lanes::FloatPart;
         std::uint32_t mask = 0;
@@ -76,7 +76,7 @@ public:
     }
 
     /// Which spheres of a block reach into the beam.
-    std::uint32_t meet(const SphereBlock& block) const
+    std::uint32_t intersect(const SphereBlock& block) const
     {
         using lanes::Double;
         std::uint32_t mask = 0;

@@ -41,7 +41,7 @@ public:
     /// next question.
     void ask(const SumOfProducts& form, RayMask mask)
     {
-        mask = meet(form, mask);
+        mask = intersect(form, mask);
         each_vector(mask, [&](int i) { nearest(i); });
         undecided &= mask;
         found &= mask & ~undecided;
@@ -64,7 +64,7 @@ public:
     /// All crossings of a form that is simple(): each_crossing() has them for the rays found.
     void ask_all(const SumOfProducts& form, RayMask mask)
     {
-        mask = meet(form, mask);
+        mask = intersect(form, mask);
         undecided &= mask;
         found = mask & ~undecided;
     }
@@ -145,7 +145,7 @@ private:
     }
 
     /// Leaves and cuts. Returns the rays that are left; none of them when there are too many cuts.
-    RayMask meet(const SumOfProducts& form, RayMask mask)
+    RayMask intersect(const SumOfProducts& form, RayMask mask)
     {
         found = undecided = 0;
         find_reach();
@@ -229,7 +229,7 @@ private:
         const float limit = rounded_up(rays_.farthest(0, rays_.groups));
         for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
             alignas(32) float near[8];
-            std::uint32_t met = beam_->meet(form.cut_boxes[first / 8].bounds, limit, near);
+            std::uint32_t met = beam_->intersect(form.cut_boxes[first / 8].bounds, limit, near);
             for (; met != 0; met &= met - 1) {
                 const std::uint32_t k = first + static_cast<std::uint32_t>(std::countr_zero(met));
                 if (k >= term.cut_last) break;
@@ -247,7 +247,7 @@ private:
         for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
             alignas(32) float near[8];
             std::array<RayMask, 8> rays;
-            std::uint32_t met = slabs_->meet(form.cut_boxes[first / 8].bounds, mask, rays, near);
+            std::uint32_t met = slabs_->intersect(form.cut_boxes[first / 8].bounds, mask, rays, near);
             for (; met != 0; met &= met - 1) {
                 const auto place = static_cast<std::uint32_t>(std::countr_zero(met));
                 if (first + place >= term.cut_last) break;
@@ -264,7 +264,7 @@ private:
         const auto corner = [&](std::size_t row) {
             return glm::dvec3(bounds[row][k % 8], bounds[row + 1][k % 8], bounds[row + 2][k % 8]);
         };
-        const RayMask near = rays_.meet(corner(0), corner(3), mask);
+        const RayMask near = rays_.intersect(corner(0), corner(3), mask);
         if (near != 0) meet_cut_of(form, k, near);
     }
 

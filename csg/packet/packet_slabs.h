@@ -25,7 +25,7 @@ public:
 
     /// The rays of a mask that meet each of eight boxes (BvhNode::bounds); `near`: where the first of them does.
     /// Returns the boxes that any ray meets.
-    std::uint32_t meet(const float (&bounds)[6][8], RayMask asked, std::array<RayMask, 8>& rays, float* near) const
+    std::uint32_t intersect(const float (&bounds)[6][8], RayMask asked, std::array<RayMask, 8>& rays, float* near) const
     {
         lanes::FloatPart nearest[lanes::kFloatParts];
         for (lanes::FloatPart& n : nearest) n = lanes::FloatPart(std::numeric_limits<float>::infinity());

@@ -63,7 +63,7 @@ private:
         alignas(32) float near[8];
         std::array<RayMask, 8> rays;
         const int bottom = top;
-        for (std::uint32_t mask = slabs_.meet(node.bounds, asked, rays, near); mask != 0; mask &= mask - 1) {
+        for (std::uint32_t mask = slabs_.intersect(node.bounds, asked, rays, near); mask != 0; mask &= mask - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(mask));
             if ((node.kinds[i] & kinds_) == 0) continue;
             if constexpr (requires { leaf_.fetch(node.child[i]); }) leaf_.fetch(node.child[i]);

@@ -91,7 +91,7 @@ private:
         while (top > 0) {
             const BvhNode& node = world.bvh.nodes[stack[--top]];
             alignas(32) float near[8];
-            for (std::uint32_t mask = beam_.meet(node.bounds, 0.0f, near); mask != 0; mask &= mask - 1) {
+            for (std::uint32_t mask = beam_.intersect(node.bounds, 0.0f, near); mask != 0; mask &= mask - 1) {
                 const int i = std::countr_zero(mask);
                 if ((node.kinds[i] & world.shadow_kinds) == 0) continue;
                 if (!node.child[i].is_leaf()) {

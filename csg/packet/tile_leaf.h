@@ -38,7 +38,7 @@ struct TileLeaf {
             spheres(world.spheres[leaf.index()], first, last);
             return;
         }
-        const RayMask mask = rays.meet(lower, upper, rays_of_groups(first, last));
+        const RayMask mask = rays.intersect(lower, upper, rays_of_groups(first, last));
         if (mask != 0) items(leaf, mask);
     }
 
@@ -204,7 +204,7 @@ private:
             const Freeform& solid = world.store.all<Freeform>()[index_of(node.solid)];
             if (!solid.intersects_many()) continue;
             const auto corner = [](const std::array<float, 3>& c) { return glm::dvec3(c[0], c[1], c[2]); };
-            const RayMask asked = node.test_box ? rays.meet(corner(node.lower), corner(node.upper), mask) : mask;
+            const RayMask asked = node.test_box ? rays.intersect(corner(node.lower), corner(node.upper), mask) : mask;
             if ((asked & (asked - 1)) != 0) known.add(&solid, told_of(solid, asked, false));
         }
         if (serves_ends(world.items[index], mask)) mask = by_ends(index, mask);
@@ -255,7 +255,7 @@ private:
     }
     void spheres_in_beam(const SphereBlock& block, RayMask asked) const
     {
-        for (std::uint32_t mask = beam->meet(block); mask != 0; mask &= mask - 1) {
+        for (std::uint32_t mask = beam->intersect(block); mask != 0; mask &= mask - 1) {
             const int k = std::countr_zero(mask);
             if ((world.items[block.item[k]].visible & kinds) == 0) continue;
             const glm::dvec3 center(block.x[k], block.y[k], block.z[k]);

@@ -246,11 +246,11 @@ public:
         const double limit = rays_.limit[k];
         if (item.all_opaque) {
             if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr, limit).found())
-                meet(RayMask{1} << i, true);
+                note_hit(RayMask{1} << i, true);
             return;
         }
         item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr,
-                       [&](const Hit& hit) { meet(RayMask{1} << i, world_.surface_opaque[hit.surface] != 0); });
+                       [&](const Hit& hit) { note_hit(RayMask{1} << i, world_.surface_opaque[hit.surface] != 0); });
     }
 
     template <class At>
@@ -261,23 +261,23 @@ public:
             const lanes::Intervals in = at(i);
             if (lanes::mask(in.met) == 0) return;
             const SeenEnds seen(rays_, i, in);
-            meet(static_cast<RayMask>(lanes::mask(seen.entry | seen.exit)) << i, opaque);
+            note_hit(static_cast<RayMask>(lanes::mask(seen.entry | seen.exit)) << i, opaque);
         });
     }
 
     double guarded_until(std::size_t k) const { return rays_.limit[k]; }
     static bool first_only(const WorldItem& item) { return item.all_opaque; }
     static constexpr bool any_will_do() { return true; }
-    void block_all(RayMask rays) { meet(rays, true); }
+    void block_all(RayMask rays) { note_hit(rays, true); }
     void hit(std::uint32_t, std::size_t k, const Hit& found)
     {
-        meet(RayMask{1} << k, world_.surface_opaque[found.surface] != 0);
+        note_hit(RayMask{1} << k, world_.surface_opaque[found.surface] != 0);
     }
     void record(std::uint32_t index, std::size_t k, const IntersectionList& told)
     {
         bool met = false;
         drawn_ends(told, rays_.t_min[k], rays_.limit[k], [&](double, std::uint32_t) { met = true; });
-        if (met) meet(RayMask{1} << k, world_.surface_opaque[world_.store.surface(world_.items[index].solid)] != 0);
+        if (met) note_hit(RayMask{1} << k, world_.surface_opaque[world_.store.surface(world_.items[index].solid)] != 0);
     }
 
     Scratch& scratch() const { return scratch_; }
@@ -288,7 +288,7 @@ public:
     {
         front.ask(form, mask);
     }
-    void program(std::uint32_t, const LaneFront<Rays>& front) { meet(front.found, true); }
+    void program(std::uint32_t, const LaneFront<Rays>& front) { note_hit(front.found, true); }
 
     Shadow answer(int i) const
     {
@@ -297,7 +297,7 @@ public:
     }
 
 private:
-    void meet(RayMask rays, bool opaque)
+    void note_hit(RayMask rays, bool opaque)
     {
         (opaque ? blocked_ : filtered_) |= rays;
         for (; opaque && rays != 0; rays &= rays - 1)

@@ -164,7 +164,7 @@ struct alignas(64) TileRays : Origins {
     }
 
     /// Which of the rays meet the box between t_min and limit.
-    RayMask meet(const glm::dvec3& lower, const glm::dvec3& upper, RayMask asked) const
+    RayMask intersect(const glm::dvec3& lower, const glm::dvec3& upper, RayMask asked) const
     {
         using lanes::Double;
         // The box is rounded outward to single precision; this covers the roundings of the slabs in double.

@@ -78,12 +78,12 @@ private:
         const BvhNode& node = bvh_.nodes[index];
         alignas(32) float near[8];
         const int bottom = top;
-        for (std::uint32_t mask = beam_.meet(node.bounds, limit, near); mask != 0; mask &= mask - 1) {
+        for (std::uint32_t mask = beam_.intersect(node.bounds, limit, near); mask != 0; mask &= mask - 1) {
             const auto i = static_cast<std::uint32_t>(std::countr_zero(mask));
             if ((node.kinds[i] & kinds_) == 0) continue;
             const Entry made{node.child[i], index * 8 + i, near[i], asked_at(node, i, near[i])};
             if (packet >= 0 &&
-                rays_.meet(corner(made.slot, 0), corner(made.slot, 3), rays_of_groups(packet, packet + 1)) == 0)
+                rays_.intersect(corner(made.slot, 0), corner(made.slot, 3), rays_of_groups(packet, packet + 1)) == 0)
                 continue;
             int at = top++;
             for (; at > bottom && stack[at - 1].order < made.order; --at) stack[at] = stack[at - 1];

@@ -21,7 +21,7 @@ public:
             from_[k] = batch_.records[k].from;
             to_[k] = batch_.records[k].to;
         }
-        for (std::size_t at = 0; at < batch_.count; at += kWide) meet(at);
+        for (std::size_t at = 0; at < batch_.count; at += kWide) intersect(at);
     }
 
     void run_one_by_one()
@@ -39,7 +39,7 @@ private:
 
     static Double load(const Numbers& of, std::size_t at) { return Double::load_aligned(of.data() + at); }
 
-    void meet(std::size_t at)
+    void intersect(std::size_t at)
     {
         const std::size_t count = std::min(kWide, batch_.count - at);
         const Double zero(0.0), infinite(kInfinity), bottom(solid_.low), top(solid_.high);

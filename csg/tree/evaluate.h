@@ -73,7 +73,7 @@ private:
         const float begin = rounded_down(t_min_), end = rounded_up(t_max_);
         for (std::uint32_t s = node.first_sieve; s < node.last_sieve; ++s) {
             alignas(32) float near[8];
-            for (std::uint32_t met = slabs_->meet(sieves_[s].bounds, begin, end, near); met != 0; met &= met - 1)
+            for (std::uint32_t met = slabs_->intersect(sieves_[s].bounds, begin, end, near); met != 0; met &= met - 1)
                 if (!f(sieves_[s].node[std::countr_zero(met)])) return;
         }
     }

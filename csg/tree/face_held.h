@@ -22,15 +22,15 @@ inline bool alike(const Crossing& a, const Crossing& b)
 inline bool holds_face(const SolidStore& store, PartId part, const Ray& ray, double t, std::uint32_t face, bool closed)
 {
     const auto axis = static_cast<glm::length_t>(face / 2);
-    const auto beside = [&](double at, const auto& box) {
+    const auto held = [&](double at, const auto& box) {
         return (face % 2 == 0 ? at >= box.lower[axis] : at <= box.upper[axis]) == closed;
     };
     if (face == kUndrawnFace) return closed;
     if (kind_of(part) == SolidKind::Box)
-        return beside(ray.origin[axis] + t * ray.direction[axis], store.all<Box>()[index_of(part)]);
+        return held(ray.origin[axis] + t * ray.direction[axis], store.all<Box>()[index_of(part)]);
     if (kind_of(part) != SolidKind::OrientedBox) return closed;
     const OrientedBox& box = store.all<OrientedBox>()[index_of(part)];
-    return beside(box.frame.inverse_point(ray.at(t))[axis], box);
+    return held(box.frame.inverse_point(ray.at(t))[axis], box);
 }
 
 /// Whether the end of a span belongs to it, asked for another end in its place.

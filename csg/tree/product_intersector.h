@@ -55,7 +55,7 @@ protected:
             const float begin = rounded_down(t_min_);
             for (std::size_t block = 0; block < form_.term_boxes.size(); ++block) {
                 alignas(32) float near[8];
-                std::uint32_t mask = slabs.meet(form_.term_boxes[block].bounds, begin, rounded_up(t_max_), near);
+                std::uint32_t mask = slabs.intersect(form_.term_boxes[block].bounds, begin, rounded_up(t_max_), near);
                 for (; mask != 0; mask &= mask - 1) {
                     const int k = std::countr_zero(mask);
                     if (static_cast<double>(near[k]) > t_max_) continue;
@@ -126,7 +126,7 @@ protected:
             const float begin = rounded_down(low_), limit = rounded_up(high_);
             for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
                 alignas(32) float near[8];
-                std::uint32_t mask = slabs.meet(form_.cut_boxes[first / 8].bounds, begin, limit, near);
+                std::uint32_t mask = slabs.intersect(form_.cut_boxes[first / 8].bounds, begin, limit, near);
                 for (; mask != 0; mask &= mask - 1) {
                     const int k = std::countr_zero(mask);
                     candidates_[waiting_++] = {near[k], first + static_cast<std::uint32_t>(k)};

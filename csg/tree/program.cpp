@@ -124,7 +124,7 @@ void join(Draft& draft, Draft operand)
 /// How often a tree was turned inside out, its parents' turns counted.
 struct Turns {
     bool inverted = false, ever = false;
-    Turns turned(bool again) const { return again ? Turns{!inverted, true} : *this; }
+    Turns flipped(bool again) const { return again ? Turns{!inverted, true} : *this; }
 };
 
 Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& pruning);
@@ -142,7 +142,7 @@ Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& 
     else made.op = inverted ? Op::Merge : Op::Intersection;
     for (std::size_t i = 0; i < tree.operands.size(); ++i) {
         const bool subtracted = tree.op == Tree::Op::Difference && i > 0;
-        join(made, draft_of(tree.operands[i], turns.turned(subtracted), store, pruning));
+        join(made, draft_of(tree.operands[i], turns.flipped(subtracted), store, pruning));
     }
     enclose(made, store);
     drop_useless(made, pruning);
@@ -167,7 +167,7 @@ Draft under(Op op, Draft shape, const std::vector<Tree>& others, const SolidStor
 Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& pruning)
 {
     Draft clipped =
-        under(Op::Clip, shape_of(tree, turns.turned(tree.inverse), store, pruning), tree.clips, store, pruning);
+        under(Op::Clip, shape_of(tree, turns.flipped(tree.inverse), store, pruning), tree.clips, store, pruning);
     return under(Op::Guard, std::move(clipped), tree.bounds, store, pruning);
 }
 

@@ -47,7 +47,7 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
     scratch.cancel.look();
     Shadow found = Shadow::Clear;
     const RaySlabs slabs(ray);
-    const auto meet = [&](const Hit& hit) {
+    const auto take = [&](const Hit& hit) {
         if (world.faithful && !reach_of(world, hit).holds(hit.t)) return;
         if (world.surface_opaque[hit.surface] != 0) {
             found = Shadow::Blocked;
@@ -63,14 +63,14 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
             if (item_nearest(world, item, ray, t_min, t_max, scratch, &slabs, t_max).found()) found = Shadow::Blocked;
             return;
         }
-        item_crossings(world, item, ray, t_min, t_max, scratch, &slabs, meet);
+        item_crossings(world, item, ray, t_min, t_max, scratch, &slabs, take);
     };
     const auto sphere = [&](std::uint32_t i, double near, double far) {
         const WorldItem& item = world.items[i];
         if ((item.visible & world.shadow_kinds) == 0) return;
         const SurfaceId surface = world.store.surface(item.solid);
-        if (near >= t_min && near <= t_max) meet({near, surface, item.solid, 0, false});
-        if (far >= t_min && far <= t_max) meet({far, surface, item.solid, 0, false});
+        if (near >= t_min && near <= t_max) take({near, surface, item.solid, 0, false});
+        if (far >= t_min && far <= t_max) take({far, surface, item.solid, 0, false});
     };
     for (const std::uint32_t i : world.unbounded) {
         each(i);

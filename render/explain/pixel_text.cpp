@@ -114,7 +114,7 @@ private:
             if (layer.glow != glm::vec3(0)) line(depth + 1, "ambient and emission " + told(layer.glow));
             for (const LightShare& light : layer.lights) of_light(light, depth + 1);
         }
-        for (const Onward& onward : share.onward) {
+        for (const SecondaryRay& onward : share.onward) {
             line(depth, fmt::format("{} {} of{}", onward.how, told(onward.factor),
                                     onward.ray ? ":" : " nothing, cut off: " + onward.cut));
             if (onward.ray) ray(*onward.ray, depth + 1);

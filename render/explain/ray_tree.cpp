@@ -151,17 +151,17 @@ void RayTree::shade(RayNode& node, const Way& way, const csg::Hit& hit)
     for (const TextureShare& share : node.textures) {
         glm::vec3 sum(0);
         for (const LayerShare& layer : share.layers) sum += layer.sum;
-        for (const Onward& onward : share.onward)
+        for (const SecondaryRay& onward : share.onward)
             if (onward.ray) sum += onward.factor * onward.ray->color;
         node.color += share.weight * sum;
     }
 }
 
 /// \param used levels in use before it
-Onward RayTree::go_on(const Way& way, int used, const char* how, const glm::vec3& factor)
+SecondaryRay RayTree::go_on(const Way& way, int used, const char* how, const glm::vec3& factor)
 {
     const float weight = way.weight;
-    Onward out;
+    SecondaryRay out;
     out.how = how;
     out.factor = factor;
     const plan::Settings& settings = scene_.settings;
@@ -251,7 +251,7 @@ void RayTree::let_through(const Met& met, const glm::vec3& filter, const glm::dv
         }
     }
     if (static_cast<double>(residual) <= scene_.settings.adc_bailout) {
-        Onward cut;
+        SecondaryRay cut;
         cut.how = how;
         cut.factor = factor;
         cut.cut = fmt::format("what is let through, {:.4g}, is below adc_bailout {:.4g}", residual,

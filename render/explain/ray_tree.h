@@ -37,7 +37,7 @@ struct LayerShare {
 struct RayNode;
 
 /// A ray that goes on from a hit.
-struct Onward {
+struct SecondaryRay {
     std::string how;  ///< "reflected", "refracted", "passes on", "reflected within"
     glm::vec3 factor{1};
     std::unique_ptr<RayNode> ray;  ///< null: it was cut off
@@ -49,7 +49,7 @@ struct TextureShare {
     float weight = 1;
     std::string of;  ///< what it is a share of; empty: all
     std::vector<LayerShare> layers;
-    std::vector<Onward> onward;
+    std::vector<SecondaryRay> onward;
 };
 
 struct RayNode {
@@ -97,7 +97,7 @@ private:
     glm::vec3 unshadowed(const csg::Ray& ray, double from, double to, std::vector<std::uint32_t> inside,
                          std::string& why);
     glm::vec3 surface_passes(std::uint32_t texture, const glm::dvec3& p, const texture::Surroundings& around) const;
-    Onward go_on(const Way& way, int used, const char* how, const glm::vec3& factor);
+    SecondaryRay go_on(const Way& way, int used, const char* how, const glm::vec3& factor);
     void mirror(const Met& met, const texture::Finish& finish, const scene::Color& pigment, const glm::dvec3& normal,
                 float residual, TextureShare& into);
     glm::vec3 mirrored_share(const Met& met, const texture::Finish& finish, const scene::Color& pigment,

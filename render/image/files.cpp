@@ -115,7 +115,7 @@ void Files::write(const std::string& path, const Raster& raster, FileType type, 
     try {
         const FileShape shape{raster.width, raster.height, raster.channels, raster.bits, file_curve, kSoftware};
         const std::unique_ptr<RowSink> sink =
-            integer_sink(*loader_, type, replacement.beside(), shape, jpeg_quality, false);
+            integer_sink(*loader_, type, replacement.temporary(), shape, jpeg_quality, false);
         for (int row = 0; row < raster.height; ++row) sink->put(raster.at(0, row));
         sink->finish();
     } catch (const FileError& error) {
@@ -139,7 +139,7 @@ void Files::write_channels(const std::string& path, const Channels& channels) co
         request.channel_names = names.data();
         request.attributes = attributes.data();
         const FileShape shape{channels.width, channels.height, static_cast<int>(names.size()), 32, {}, kSoftware};
-        IoWriter writer(loader_->get(), replacement.beside(), shape, request);
+        IoWriter writer(loader_->get(), replacement.temporary(), shape, request);
         const std::size_t row = names.size() * static_cast<std::size_t>(channels.width);
         for (std::size_t at = 0; at < channels.values.size(); at += row) writer.put_levels(&channels.values[at]);
         writer.finish();

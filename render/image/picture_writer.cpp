@@ -14,17 +14,17 @@
 namespace image {
 
 Replacement::Replacement(const std::string& path)
-    : path_(path), beside_(path + "." + std::to_string(getpid()) + ".part")
+    : path_(path), temporary_(path + "." + std::to_string(getpid()) + ".part")
 {}
 
 Replacement::~Replacement()
 {
-    if (!placed_) std::remove(beside_.c_str());
+    if (!placed_) std::remove(temporary_.c_str());
 }
 
 void Replacement::put_in_place()
 {
-    if (std::rename(beside_.c_str(), path_.c_str()) != 0)
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
         throw FileError("cannot write '" + path_ + "': " + std::strerror(errno));
     placed_ = true;
 }
@@ -56,7 +56,7 @@ PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int widt
         request.format = type.format;
         request.linear_light = true;
         named([&] {
-            auto writer = std::make_unique<IoWriter>(module, replacement_.beside(), shape, request);
+            auto writer = std::make_unique<IoWriter>(module, replacement_.temporary(), shape, request);
             levels_ = writer.get();
             sink_ = std::move(writer);
         });
@@ -70,7 +70,7 @@ PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int widt
     row_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(shape.channels));
     named([&] {
         sink_ =
-            integer_sink(loader, settings.type, replacement_.beside(), shape, settings.jpeg_quality, settings.quick);
+            integer_sink(loader, settings.type, replacement_.temporary(), shape, settings.jpeg_quality, settings.quick);
     });
     if (bottom_up_) from_below_.reserve(row_.size() * static_cast<std::size_t>(height));
 }

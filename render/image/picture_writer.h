@@ -19,11 +19,11 @@ public:
     Replacement& operator=(const Replacement&) = delete;
     ~Replacement();
     const std::string& path() const { return path_; }
-    const std::string& beside() const { return beside_; }
+    const std::string& temporary() const { return temporary_; }
     void put_in_place();
 
 private:
-    std::string path_, beside_;
+    std::string path_, temporary_;
     bool placed_ = false;
 };
 
@@ -35,8 +35,8 @@ public:
     ~PictureWriter();
     /// The row to come, from the top: BMP is rounded from the bottom up, the others from the top down.
     int next_row() const { return bottom_up_ ? height_ - 1 - taken_ : taken_; }
-    int taken() const { return taken_; }                                  ///< rows so far
-    const std::string& growing() const { return replacement_.beside(); }  ///< the file, while it is not finished
+    int taken() const { return taken_; }                                     ///< rows so far
+    const std::string& growing() const { return replacement_.temporary(); }  ///< the file, while it is not finished
     /// \param pixels of next_row(), 4 * width, as Image has them
     void put(const float* pixels);
     void finish();

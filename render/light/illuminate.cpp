@@ -85,8 +85,7 @@ Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::
 
 glm::vec3 color_at(const Light& light, const Illumination& seen, const glm::dvec3& point)
 {
-    const bool steady = light.kind == Light::Kind::Point && !(light.fade_power > 0.0);
-    return steady ? light.color : light.color * static_cast<float>(attenuation(light, seen, point));
+    return steady_color(light) ? light.color : light.color * static_cast<float>(attenuation(light, seen, point));
 }
 
 AreaAxes oriented_axes(const Light& light, const glm::dvec3& point)
@@ -98,15 +97,20 @@ AreaAxes oriented_axes(const Light& light, const glm::dvec3& point)
     return {a, b, size};
 }
 
-glm::dvec3 node_offset(const Light& light, const glm::dvec3& point, double i, double j)
+NodeShares node_shares(const Light& light, double i, double j)
 {
     const auto share = [](double k, int size) { return size > 1 ? k / (size - 1) - 0.5 : 0.0; };
     double p = share(i, light.size1), q = share(j, light.size2);
-    if (!light.circular) return p * light.axis1 + q * light.axis2;
+    if (!light.circular) return {p, q, 1.0};
     p += kCircleShift;
     q += kCircleShift;
-    const double m = std::max(std::abs(p), std::abs(q)) / std::sqrt(p * p + q * q);
-    if (!light.orient) return (p * m) * light.axis1 + (q * m) * light.axis2;
+    return {p, q, std::max(std::abs(p), std::abs(q)) / std::sqrt(p * p + q * q)};
+}
+
+glm::dvec3 node_offset(const Light& light, const glm::dvec3& point, double i, double j)
+{
+    const auto [p, q, m] = node_shares(light, i, j);
+    if (!light.circular || !light.orient) return (p * m) * light.axis1 + (q * m) * light.axis2;
     const AreaAxes axes = oriented_axes(light, point);
     return (axes.size * p * m) * axes.a + (axes.size * q * m) * axes.b;
 }

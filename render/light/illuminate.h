@@ -17,6 +17,9 @@ struct Illumination {
 /// `offset`: of a sample of an area light from its centre.
 Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::dvec3& offset = glm::dvec3(0));
 
+/// Neither cone nor distance dims the light.
+inline bool steady_color(const Light& light) { return light.kind == Light::Kind::Point && !(light.fade_power > 0.0); }
+
 /// What a light that is seen so has of its colour at the point: after cone and distance attenuation.
 glm::vec3 color_at(const Light& light, const Illumination& seen, const glm::dvec3& point);
 
@@ -33,6 +36,13 @@ AreaAxes oriented_axes(const Light& light, const glm::dvec3& point);
 
 inline constexpr double kCircleShift =
     0.001;  ///< of a circular light's nodes: really part of POV-Ray's positions (spec 3, 12.5)
+
+/// Where node (i, j) of an area light lies, as shares p and q of its edges from the middle, before it is drawn in by m,
+/// where the light is circular.
+struct NodeShares {
+    double p, q, m;
+};
+NodeShares node_shares(const Light& light, double i, double j);
 
 /// Offset of the node (i, j) of an area light; i and j may be moved by jitter (spec 3, 12.5).
 glm::dvec3 node_offset(const Light& light, const glm::dvec3& point, double i, double j);

@@ -195,7 +195,7 @@ void Blob::find_near(std::span<const Part> rays, std::vector<std::uint32_t>& out
         std::uint32_t any = 0;
         for (std::uint32_t left = at.rays; left != 0; left &= left - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(left));
-            const std::uint32_t children = slabs[k]->meet(node.bounds, begin[k], limit[k], unused);
+            const std::uint32_t children = slabs[k]->intersect(node.bounds, begin[k], limit[k], unused);
             any |= children;
             for (std::uint32_t c = children; c != 0; c &= c - 1)
                 met[static_cast<std::size_t>(std::countr_zero(c))] |= 1u << k;

@@ -26,7 +26,7 @@ public:
             from_[k] = out_[k].from;
             to_[k] = out_[k].to;
         }
-        for (std::size_t at = 0; at < rays_.size(); at += kWide) meet(at);
+        for (std::size_t at = 0; at < rays_.size(); at += kWide) intersect(at);
     }
 
 private:
@@ -62,7 +62,7 @@ private:
     static Double negated(const Double& v) { return v ^ Double(-0.0); }
     static Double widened(const Double& end, double sign) { return end + Double(sign * kWider) * xsimd::abs(end); }
 
-    void meet(std::size_t at)
+    void intersect(std::size_t at)
     {
         const std::size_t count = std::min(kWide, rays_.size() - at);
         const Double px = load(origin_[0], at), py = load(origin_[1], at), pz = load(origin_[2], at);

@@ -127,7 +127,7 @@ private:
 
     RayMask near_box(const Node& of, RayMask mask) const
     {
-        return rays_.meet({of.lower[0], of.lower[1], of.lower[2]}, {of.upper[0], of.upper[1], of.upper[2]}, mask);
+        return rays_.intersect({of.lower[0], of.lower[1], of.lower[2]}, {of.upper[0], of.upper[1], of.upper[2]}, mask);
     }
 
     bool is_slow(std::uint32_t n) const

@@ -129,7 +129,7 @@ inline bool outline_crossings(const OutlineShape& shape, OutlineLine& line, F&& 
     const OutlineLanes lanes(line);
     const std::vector<OutlineShape::Block>& blocks = shape.blocks();
     bool odd = false;
-    const auto meet = [&](std::size_t b) {
+    const auto cross = [&](std::size_t b) {
         const OutlineShape::Block& block = blocks[b];
         const int most = static_cast<int>(
             std::min(OutlineShape::Block::kPieces, shape.pieces().size() - b * OutlineShape::Block::kPieces));
@@ -155,7 +155,7 @@ inline bool outline_crossings(const OutlineShape& shape, OutlineLine& line, F&& 
         }
     };
     if (shape.boxes().empty()) {
-        for (std::size_t b = 0; b < blocks.size(); ++b) meet(b);
+        for (std::size_t b = 0; b < blocks.size(); ++b) cross(b);
         return odd;
     }
     for (std::size_t b = 0; b < blocks.size(); b += OutlineShape::Block::kPieces) {
@@ -168,7 +168,7 @@ inline bool outline_crossings(const OutlineShape& shape, OutlineLine& line, F&& 
         }
         const std::size_t held = std::min(OutlineShape::Block::kPieces, blocks.size() - b);
         for (std::uint32_t left = ~off & ((1u << held) - 1); left != 0; left &= left - 1)
-            meet(b + static_cast<std::size_t>(std::countr_zero(left)));
+            cross(b + static_cast<std::size_t>(std::countr_zero(left)));
     }
     return odd;
 }

@@ -33,7 +33,7 @@ public:
     {
         const Sizes sizes{{xsimd::abs(side.x), xsimd::abs(side.y)}, {xsimd::abs(along.x), xsimd::abs(along.y)}};
         Mask odd = 0;
-        const auto meet = [&](std::size_t b, Mask near) {
+        const auto cross = [&](std::size_t b, Mask near) {
             const std::size_t first = b * OutlineShape::Block::kPieces,
                               last = std::min(first + OutlineShape::Block::kPieces, shape.pieces().size());
             for (std::size_t i = first; i < last; ++i)
@@ -50,7 +50,7 @@ public:
                 outside(boxes, k, sizes, before, behind);
                 near &= ~(off(boxes, k, sizes) | behind);
             }
-            if (near != 0) meet(b, near);
+            if (near != 0) cross(b, near);
         }
         return odd;
     }

@@ -284,14 +284,14 @@ struct warp : item<Kind::Warp> {
     }
 };
 
-using Wave = scene::WaveForm;
+using scene::WaveForm;
 using Modifiers =
-    table<ModifierState, turbulence, octaves, omega, lambda, frequency, phase, wave_form<Kind::RampWave, Wave::Ramp>,
-          wave_form<Kind::SineWave, Wave::Sine>, wave_form<Kind::TriangleWave, Wave::Triangle>,
-          wave_form<Kind::ScallopWave, Wave::Scallop>, wave_form<Kind::CubicWave, Wave::Cubic>, poly_wave,
-          noise_generator, agate_turb, brick_size, mortar, control0, control1, form, metric, offset, solid, size,
-          coords, exponent, side<Kind::Exterior, 2, 3>, side<Kind::Interior, 4, 4>, number_of_sides, number_of_tiles,
-          pavement_pattern, interpolate, warp>;
+    table<ModifierState, turbulence, octaves, omega, lambda, frequency, phase,
+          wave_form<Kind::RampWave, WaveForm::Ramp>, wave_form<Kind::SineWave, WaveForm::Sine>,
+          wave_form<Kind::TriangleWave, WaveForm::Triangle>, wave_form<Kind::ScallopWave, WaveForm::Scallop>,
+          wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator, agate_turb, brick_size, mortar,
+          control0, control1, form, metric, offset, solid, size, coords, exponent, side<Kind::Exterior, 2, 3>,
+          side<Kind::Interior, 4, 4>, number_of_sides, number_of_tiles, pavement_pattern, interpolate, warp>;
 
 }  // namespace
 

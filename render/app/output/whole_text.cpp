@@ -23,14 +23,14 @@ void check_place(const std::string& path)
         throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
     // Of root, and of file systems that are full or of the system's own, access() knows less than trying does.
     const image::Replacement trial(path);
-    if (!std::ofstream(trial.beside(), std::ios::binary).put('\n').flush())
+    if (!std::ofstream(trial.temporary(), std::ios::binary).put('\n').flush())
         throw OptionError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
 }
 
 void put_bytes(const std::string& path, const std::string& bytes)
 {
     image::Replacement file(path);
-    std::ofstream out(file.beside(), std::ios::binary);
+    std::ofstream out(file.temporary(), std::ios::binary);
     out << bytes;
     if (!out.flush()) throw image::FileError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
     out.close();

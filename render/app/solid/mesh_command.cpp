@@ -109,7 +109,7 @@ private:
         const auto module = image::find_module(solid::kThreeMfModule);
         if (!module) throw std::runtime_error(image::missing_module(solid::kThreeMfModule));
         image::Replacement file(request_.out);
-        solid::write_three_mf(module->string(), file.beside(), parts_);
+        solid::write_three_mf(module->string(), file.temporary(), parts_);
         file.put_in_place();
     }
 

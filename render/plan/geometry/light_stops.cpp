@@ -66,7 +66,7 @@ public:
         if (boxes_.size() < kMost) boxes_.push_back(box);
         else boxes_.front().include(box);
     }
-    bool meet(const csg::Aabb& box) const
+    bool intersects(const csg::Aabb& box) const
     {
         return std::any_of(boxes_.begin(), boxes_.end(),
                            [&](const csg::Aabb& clear) { return !clear.intersected(box).empty(); });
@@ -100,7 +100,7 @@ void find_light_stops(CompiledScene& scene)
         each_box([&](csg::SurfaceId s) { return comes(s) && !scene.surfaces[s].no_shadow; },
                  [&](const csg::WorldItem&, const csg::Aabb& box) { clear.add(box); });
         each_box(stops, [&](const csg::WorldItem& item, const csg::Aabb& box) {
-            if (!clear.meet(box)) return;
+            if (!clear.intersects(box)) return;
             each_surface(world, item, [&](csg::SurfaceId s) {
                 if (stops(s)) light[s] = Light::Comes;
             });

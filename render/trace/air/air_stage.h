@@ -21,6 +21,9 @@ inline bool has_air(const Context& context)
 }
 
 class AirStage {
+    static constexpr double kUnseen =
+        0x1p-26;  ///< so much of its distance, fog lets pass all that single precision tells
+
 public:
     AirStage(Context& context, const SegmentTile& tile) : context_(context), tile_(tile) {}
 
@@ -42,7 +45,7 @@ private:
         const std::vector<plan::Interior>& interiors = context_.scene.interiors;
         const auto hollow = [&](std::size_t k) { return tile_.interiors(k).all_hollow(interiors); };
         asked &= first_hits(tile_.count());
-        if (asked == 0) return 0;
+        if (asked == 0 || tile_.all_open()) return asked;
         if (tile_.alike()) return hollow(0) ? asked : 0;
         HitMask all = 0;
         for_each_hit(asked, [&](std::size_t k) { all |= static_cast<HitMask>(hollow(k)) << k; });
@@ -78,8 +81,10 @@ private:
         for (const texture::Fog& fog : context_.scene.fogs) {
             const glm::vec3 tint = (1.0f - fog.color.filter) + fog.color.filter * fog.color.rgb();
             const Double whole(0x1.ffffffp-1);  // from here on it is 1 in single precision
+            const Double close(tint == glm::vec3(1) ? kUnseen * fog.distance : -1.0);
             HitMask seen = 0;
             for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
+                if (csg::lanes::mask(!(Double::load_aligned(length.data() + i) <= close)) == 0) continue;
                 const Double a = fog_transmission(fog, Double::load_aligned(length.data() + i));
                 a.store_aligned(passes.data() + i);
                 seen |= HitMask{csg::lanes::mask(!(a >= whole))} << i;

@@ -334,7 +334,7 @@ private:
             bool within;
         };
         const auto nearer = [](const Near& a, const Near& b) { return a.distance2 < b.distance2; };
-        const auto meet = [&](std::size_t photon) {
+        const auto take = [&](std::size_t photon) {
             const double d2 = from_.squared(photon);
             if (!(d2 < bound_)) return;
             const Near here{static_cast<float>(d2), static_cast<std::uint32_t>(photon)};
@@ -362,7 +362,7 @@ private:
             const Waiting below{at.first, middle, Waiting::Whole, false},
                 above{middle + 1, at.end, Waiting::Whole, false};
             if (at.part == Waiting::Whole && at.end - at.first == 1) {  // half of all: nothing lies below it
-                if (off * off < bound_) meet(middle);
+                if (off * off < bound_) take(middle);
             } else if (at.part == Waiting::Whole) {
                 waiting[count++] = {at.first, at.end, Waiting::Node, off * off < bound_};
                 waiting[count++] = {at.first, at.end, Waiting::Far, false};
@@ -370,7 +370,7 @@ private:
             } else if (at.part == Waiting::Far) {
                 if (off * off < bound_) waiting[count++] = off > 0.0 ? above : below;
             } else if (at.within) {
-                meet(middle);
+                take(middle);
             }
         }
         out.found.resize(count_);

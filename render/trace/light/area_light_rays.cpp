@@ -23,13 +23,7 @@ void AreaLight::jitter(TileLanes& row, TileLanes& column) const
 /// Where samples of a node lie on the light, for all hits and samples alike (same_places_).
 glm::dvec3 AreaLight::node_place(int i, int j) const
 {
-    const auto share = [](double at, int size) { return size > 1 ? at / (size - 1) - 0.5 : 0.0; };
-    double p = share(i, light_.size1), q = share(j, light_.size2), m = 1.0;
-    if (light_.circular) {
-        p += light::kCircleShift;
-        q += light::kCircleShift;
-        m = std::max(std::abs(p), std::abs(q)) / std::sqrt(p * p + q * q);
-    }
+    const auto [p, q, m] = light::node_shares(light_, i, j);
     return p * m * light_.axis1 + q * m * light_.axis2;
 }
 

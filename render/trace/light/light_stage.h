@@ -4,8 +4,11 @@
 #include "render/trace/light/dimmed_lanes.h"
 #include "render/trace/light/direct_batch.h"
 #include "render/trace/queue/segment_tile.h"
+#include "render/trace/light/node_lanes.h"
 #include "render/trace/light/shade_light.h"
 #include "render/trace/light/shadow_caster.h"
+
+#include <optional>
 
 /// The lights over a tile's rows. Compiled once per instruction set.
 namespace trace {
@@ -80,20 +83,32 @@ private:
         HitMask reached = 0;
         for_each_hit(asking, [&](std::size_t k) { reached |= dark(seen[k]) ? 0 : HitMask{1} << k; });
         if (reached == 0) return;
+        std::optional<NodeLanes> lanes;
+        if (NodeLanes::serve(light)) lanes.emplace(light, reached, scratch_, tile_.count());
         batch_.begin_group();
         for (int j = 0; j < light.size2; ++j)
             for (int i = 0; i < light.size1; ++i) {
-                for_each_hit(reached, [&](std::size_t k) {
-                    const glm::dvec3 point = scratch_.hits.point(k);
-                    const light::Illumination lit =
-                        light::illuminate(light, point, light::node_offset(light, point, i, j));
-                    scratch_.light.set(k, lit);
-                    batch_.begin_light(k, node_color(light, lit, seen[k]));
-                });
+                if (lanes) {
+                    lanes->ask(i, j, seen);
+                    for_each_hit(reached, [&](std::size_t k) { batch_.begin_light(k, scratch_.reaching[k]); });
+                } else {
+                    ask_node(light, i, j, reached, seen);
+                }
                 batch_.light(reached & facing());
                 batch_.add(light, tile_.rays);
             }
         batch_.end_group();
+    }
+
+    /// What NodeLanes does, hit by hit.
+    void ask_node(const light::Light& light, int i, int j, HitMask hits, const TileColors& seen)
+    {
+        for_each_hit(hits, [&](std::size_t k) {
+            const glm::dvec3 point = scratch_.hits.point(k);
+            const light::Illumination lit = light::illuminate(light, point, light::node_offset(light, point, i, j));
+            scratch_.light.set(k, lit);
+            batch_.begin_light(k, node_color(light, lit, seen[k]));
+        });
     }
 
     /// Rows that lanes don't know, when all lights have been asked.

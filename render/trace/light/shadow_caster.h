@@ -46,7 +46,7 @@ public:
         sink_.light(asking & near);
         asking &= ~near;
         if (asking == 0) return;
-        const bool opaque = stays_opaque(light);
+        const bool opaque = light.from_one_point() && on_one_side(scratch_.traits.clear_slab, light);
         // From the light, where they form a beam.
         const bool from_light = light.from_one_point() && !scratch_.traits.has_open_surface &&
                                 (opaque || !asks_own_rays(light, asking)) && !context_.scene.geometry.faithful &&
@@ -88,24 +88,21 @@ private:
         return glm::length(far) < distance;
     }
 
-    /// Light and points lie on one side of all that does not stop light.
-    bool stays_opaque(const light::Light& light) const
+    /// The light at one point and all others lie on one side of what a slab holds.
+    bool on_one_side(const Slab& slab, const light::Light& light) const
     {
-        const SceneTraits& traits = scratch_.traits;
-        if (traits.clear_axis == SceneTraits::kNoAxis || !light.from_one_point()) return false;
-        const TileLanes& points = traits.clear_axis == 0   ? scratch_.hits.x
-                                  : traits.clear_axis == 1 ? scratch_.hits.y
-                                                           : scratch_.hits.z;
-        const double at = light.location[traits.clear_axis];
-        if (traits.clear_upper < at) return least_of(points, at) > traits.clear_upper;
-        return traits.clear_lower > at && most_of(points, at) < traits.clear_lower;
+        if (slab.axis == Slab::kNoAxis) return false;
+        const TileLanes& points = slab.axis == 0 ? scratch_.hits.x : slab.axis == 1 ? scratch_.hits.y : scratch_.hits.z;
+        const double at = light.location[slab.axis];
+        if (slab.upper < at) return least_of(points, at) > slab.upper;
+        return slab.lower > at && most_of(points, at) < slab.lower;
     }
 
     /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays).
     bool asks_own_rays(const light::Light& light, HitMask asking) const
     {
         const std::vector<csg::Aabb>& boxes = scratch_.traits.own_rays;
-        if (boxes.empty()) return false;
+        if (boxes.empty() || on_one_side(scratch_.traits.own_rays_slab, light)) return false;
         const std::array<const TileLanes*, 3> lanes{&scratch_.hits.x, &scratch_.hits.y, &scratch_.hits.z};
         const glm::dvec3& from = light.location;
         const std::array<Interval, 3> at{span(*lanes[0], from.x, asking), span(*lanes[1], from.y, asking),

@@ -168,7 +168,7 @@ private:
         if (missed != 0) add_sky(tile, missed);
         lamps_.begin();
         sources_.begin();
-        for_each_hit(tile.found(), [&](std::size_t k) { meet(tile, k); });
+        for_each_hit(tile.found(), [&](std::size_t k) { take_hit(tile, k); });
         const auto give = [&](std::size_t k, const glm::vec3& light) { walks_[k].radiance += light; };
         lamps_.run(give);
         sources_.run(give);
@@ -206,7 +206,7 @@ private:
     }
 
     /// What the surface gives off, what a lamp adds to it, and how the path goes on.
-    void meet(const SegmentTile& tile, std::size_t k)
+    void take_hit(const SegmentTile& tile, std::size_t k)
     {
         path::Walk& walk = walks_[k];
         const RayState& state = tile.state(k);

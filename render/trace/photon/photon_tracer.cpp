@@ -144,12 +144,12 @@ private:
         world_.nearest(rays_, bits(tracing_[0]), scratch_.geometry, met_);
         for (std::size_t i = 0; i < count; ++i) {
             const Hit hit = met_.at(static_cast<int>(i));
-            if (hit.found()) meet(tracing_[i], hit);
+            if (hit.found()) take_hit(tracing_[i], hit);
         }
     }
 
     /// The photon has met a surface.
-    void meet(Flying& photon, const Hit& hit)
+    void take_hit(Flying& photon, const Hit& hit)
     {
         const plan::Surface& surface = scene_.surfaces[hit.surface];
         const plan::PhotonSurface& rules = plan_.surfaces[surface.photons];

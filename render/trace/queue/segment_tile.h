@@ -48,14 +48,12 @@ public:
     /// No segment is inside of anything that has an interior.
     bool all_outside() const
     {
-        std::size_t inside = 0;
-        const auto many = static_cast<std::size_t>(rays.count);
-        if (queued_ != nullptr)
-            for (std::size_t k = 0; k < many; ++k) inside |= queued_[k].state.interiors.size();
-        else if (starts_ != nullptr)
-            for (std::size_t k = 0; k < many; ++k) inside |= starts_[k].size();
-        else inside = camera_.interiors.size();
-        return inside == 0;
+        return none([](const InteriorList& list) { return list.size(); });
+    }
+    /// Nor has any forgotten that it is inside of something solid: fog shows along all of them.
+    bool all_open() const
+    {
+        return none([](const InteriorList& list) { return list.something(); });
     }
     csg::Ray ray(std::size_t k) const
     {
@@ -122,6 +120,20 @@ public:
 
 private:
     static constexpr std::size_t kFewSurfaces = 4;  // looked for in lanes
+
+    /// No list of interiors has anything of what is asked for: told without a branch for each.
+    template <class Ask>
+    bool none(const Ask& ask) const
+    {
+        const auto many = static_cast<std::size_t>(rays.count);
+        decltype(ask(camera_.interiors)) any = 0;
+        if (queued_ != nullptr)
+            for (std::size_t k = 0; k < many; ++k) any |= ask(queued_[k].state.interiors);
+        else if (starts_ != nullptr)
+            for (std::size_t k = 0; k < many; ++k) any |= ask(starts_[k]);
+        else any = ask(camera_.interiors);
+        return any == 0;
+    }
 
     /// Points and normals that face the viewer.
     void find_places()

@@ -250,13 +250,16 @@ private:
                 (Float(s.nearest_way.x) * x + Float(s.nearest_way.y) * y + Float(s.nearest_way.z) * z) * over;
             const Float r =
                 xsimd::select(apart & (toward > zero), toward * Float(s.nearest) + (one - toward) * reach, reach);
-            const Float front = xsimd::select(apart, above * over / xsimd::sqrt(length_square), one);
             const Float error = d / r + Float(2.0f) * xsimd::sqrt(off), e = error / bound, rest = one - e;
             Float w = rest;
             if (smooth_) w = xsimd::select(e < Float(0.5f), one - Float(2.0f) * e * e, Float(2.0f) * rest * rest);
-            w = xsimd::select(front <= zero, w * (one + Float(20.0f) * front), w);
-            const auto used = (d < reach * bound) & (d < r * bound) & (error < bound) & (front > Float(kBehind)) &
-                              (w > Float(kLeast));
+            auto used = (d < reach * bound) & (d < r * bound) & (error < bound);
+            if (csg::lanes::mask(used & apart & (above <= zero)) != 0) {  // elsewhere the sample is in front
+                const Float front = xsimd::select(apart, above * over / xsimd::sqrt(length_square), one);
+                w = xsimd::select(front <= zero, w * (one + Float(20.0f) * front), w);
+                used = used & (front > Float(kBehind));
+            }
+            used = used & (w > Float(kLeast));
             w = xsimd::select(used, w * Float(s.quality), zero);
             (load(weight_, at) + w).store_aligned(weight_.data() + at);
             (load(red_, at) + w * Float(s.color.x)).store_aligned(red_.data() + at);

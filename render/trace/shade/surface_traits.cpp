@@ -169,25 +169,32 @@ std::vector<csg::Aabb> boxes_of_own_rays(const plan::CompiledScene& scene, const
     return boxes;
 }
 
-void find_clear(const plan::CompiledScene& scene, SceneTraits& traits)
+Slab slab_around(const csg::Aabb& box, const std::vector<light::Light>& lights)
+{
+    Slab out;
+    if (box.empty()) return out;
+    double farthest = 0.0;
+    for (const light::Light& light : lights)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double at = light.location[axis], apart = std::max(box.lower[axis] - at, at - box.upper[axis]);
+            if (!(apart > farthest)) continue;
+            constexpr double kRoom = 1e-9;  // for the rounding of where rays are, of the coordinate
+            farthest = apart;
+            out = {axis, box.lower[axis] - kRoom * std::abs(box.lower[axis]),
+                   box.upper[axis] + kRoom * std::abs(box.upper[axis])};
+        }
+    return out;
+}
+
+void find_slabs(const plan::CompiledScene& scene, SceneTraits& traits)
 {
     if (!traits.filters && traits.own_rays.empty()) return;  // shadow rays ask for no more anyhow
     csg::Aabb clear;
     for (const csg::Aabb& box : traits.own_rays) clear.include(box);
+    traits.own_rays_slab = slab_around(clear, scene.lights.lights);
     for (const csg::WorldItem& item : scene.geometry.items)
         if (!item.all_opaque) clear.include(csg::drawn_bounds(scene.geometry, item));
-    if (clear.empty()) return;
-    double farthest = 0.0;
-    for (const light::Light& light : scene.lights.lights)
-        for (int axis = 0; axis < 3; ++axis) {
-            const double at = light.location[axis], apart = std::max(clear.lower[axis] - at, at - clear.upper[axis]);
-            if (!(apart > farthest)) continue;
-            constexpr double kRoom = 1e-9;  // for the rounding of where rays are, of the coordinate
-            farthest = apart;
-            traits.clear_axis = axis;
-            traits.clear_lower = clear.lower[axis] - kRoom * std::abs(clear.lower[axis]);
-            traits.clear_upper = clear.upper[axis] + kRoom * std::abs(clear.upper[axis]);
-        }
+    traits.clear_slab = slab_around(clear, scene.lights.lights);
 }
 
 }  // namespace
@@ -265,7 +272,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         traits.filters_together |= all[i].filters_together;
     }
     traits.own_rays = boxes_of_own_rays(scene, traits);
-    find_clear(scene, traits);
+    find_slabs(scene, traits);
     if (!scene.options.lean.takes(plan::LeanStep::Interiors)) traits.grouped = traits.fades = traits.media = true;
     return traits;
 }

@@ -34,6 +34,14 @@ struct SurfaceTraits {
     glm::vec3 filter{1};                               ///< steady_filter: by this (spec 3, 13.2)
 };
 
+/// What lies between two planes across an axis, the one on which it is farthest from some light. Shadow rays do not
+/// come there from most points, which is told sooner than by boxes.
+struct Slab {
+    static constexpr int kNoAxis = -1;  ///< there is none
+    int axis = kNoAxis;
+    double lower = 0.0, upper = 0.0;
+};
+
 struct SceneTraits {
     std::vector<SurfaceTraits> surfaces;      ///< by csg::SurfaceId
     std::vector<csg::SurfaceId> not_batched;  ///< whose SurfaceTraits::batched is false
@@ -53,12 +61,9 @@ struct SceneTraits {
     /// met, to the last bit where a pattern has edges, and solids that depend on the way (csg::Freeform::one_way).
     /// Elsewhere they may come from the light as a beam.
     std::vector<csg::Aabb> own_rays;
-    /// These and all else that does not stop light lie between two planes across an axis, on which they are farthest
-    /// from some light: shadow rays do not come there from most points, which is told sooner than by them.
-    int clear_axis = kNoAxis;
-    double clear_lower = 0.0, clear_upper = 0.0;
-    static constexpr int kNoAxis = -1;  ///< there is none
-    bool has_open_surface = false;      ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
+    /// What holds all of these, and what holds all else that does not stop light too.
+    Slab own_rays_slab, clear_slab;
+    bool has_open_surface = false;  ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
 
     /// Whether it matters where a ray began that goes on behind a crossing: such solids tell a ray only so many.
     bool restarts() const { return has_open_surface && filters; }

@@ -34,10 +34,13 @@ public:
     {
         std::string out = "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
                           "camera { location <0,2,-6> look_at 0 }\n";
-        out += "light_source { <-5,6,-5> rgb <1,.9,.6> " +
-               one_of({"", "spotlight radius 20 falloff 30 point_at 0", "fade_power 2 fade_distance 9",
-                       "area_light x, z, 3, 3 adaptive 0", "area_light x, y, 3, 3 area_illumination on"}) +
-               " }\n";
+        out +=
+            "light_source { <-5,6,-5> rgb <1,.9,.6> " +
+            one_of({"", "spotlight radius 20 falloff 30 point_at 0", "fade_power 2 fade_distance 9",
+                    "area_light x, z, 3, 3 adaptive 0", "area_light x, y, 3, 3 area_illumination on",
+                    "spotlight radius 20 falloff 30 tightness 3 point_at 0 area_light x, z, 2, 3 area_illumination on",
+                    "fade_power 1.5 fade_distance 4 area_light x, y, 4, 3 circular orient area_illumination on"}) +
+            " }\n";
         out += "light_source { <4,5,-2> rgb .6 " +
                one_of({"", "shadowless", "parallel point_at 0", "cylinder radius 3 falloff 4 point_at 0"}) + " }\n";
         out += "plane { y,-1 " + texture() + "}\n";
