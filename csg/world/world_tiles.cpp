@@ -101,7 +101,8 @@ void instance_shadow(const WorldData& world, const WorldItem& item, RayTile& ray
     World(*world.instances[item.instance].world).shadow(rays, scratch, out);  // where all is opaque
 }
 
-void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
+// Never a part of what calls it: tests/lean count instructions by its name.
+[[gnu::noinline]] void World::nearest(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch, HitTile& out) const
 {
     scratch.cancel.look();
     const auto ask = [&](auto&& lanes, bool beam) {

@@ -70,8 +70,9 @@ void shade_queued(Context& context, const RayState& camera)
 
 }  // namespace
 
-void shade_tile(Context& context, const RayTile& rays, const HitTile& hits, const RayState& first,
-                const InteriorList* starts, scene::Color* out)
+// Never a part of what calls it: tests/lean count instructions by its name.
+[[gnu::noinline]] void shade_tile(Context& context, const RayTile& rays, const HitTile& hits, const RayState& first,
+                                  const InteriorList* starts, scene::Color* out)
 {
     ShadeScratch& scratch = context.scratch.shade;
     if (scratch.traits.surfaces.empty()) scratch.traits = scene_traits(context.scene);
