@@ -194,7 +194,7 @@ glm::vec3 RayTree::mirrored_share(const Met& met, const texture::Finish& finish,
 void RayTree::mirror(const Met& met, const texture::Finish& finish, const scene::Color& pigment,
                      const glm::dvec3& normal, float residual, TextureShare& into)
 {
-    if (scene_.settings.quality < 8) return;
+    if (!scene_.settings.quality.reflection) return;
     const glm::dvec3& d = met.way.ray.direction;
     const glm::vec3 share = mirrored_share(met, finish, pigment, normal);
     if (most_of(glm::abs(share)) == 0.0f) return;
@@ -219,7 +219,7 @@ void RayTree::mirror(const Met& met, const texture::Finish& finish, const scene:
 void RayTree::let_through(const Met& met, const glm::vec3& filter, const glm::dvec3& normal, TextureShare& into)
 {
     const float residual = std::min(1.0f, std::abs(scene::grey(filter)));
-    if (residual <= 0.0f || met.surface.interior == plan::kNone || scene_.settings.quality < 6) return;
+    if (residual <= 0.0f || met.surface.interior == plan::kNone || !scene_.settings.quality.transmission) return;
     const plan::Interior& interior = scene_.interiors[met.surface.interior];
     Way way = met.way;
     const bool inside = std::find(way.interiors.begin(), way.interiors.end(), met.surface.interior) !=

@@ -63,7 +63,7 @@ void RayTree::add_texture(const Met& met, std::uint32_t index, glm::dvec3 p, flo
 glm::dvec3 RayTree::layer_normal(const Met& met, std::uint32_t normal, const glm::dvec3& p,
                                  const std::vector<std::uint32_t>& around) const
 {
-    if (normal == texture::kNone || scene_.settings.quality < 8) return met.node.normal;
+    if (normal == texture::kNone || !scene_.settings.quality.normals) return met.node.normal;
     const auto& set = scene_.textures;
     glm::dvec3 n = met.node.normal;
     for (const std::uint32_t index : around) {
@@ -115,7 +115,7 @@ void RayTree::add_layers(const Met& met, const texture::Texture& texture, const 
         row.sum *= above;
         mirrors.push_back({&finish, row.pigment, row.normal, residual});
         above *= row.pigment.filter * row.pigment.rgb() + row.pigment.transmit;
-        if (finish.conserve_energy && scene_.settings.quality >= 2)
+        if (finish.conserve_energy && scene_.settings.quality.lights)
             above *= glm::min(glm::vec3(1), 1.0f - mirrored_share(met, finish, row.pigment, row.normal));
         residual = std::min(1.0f, std::abs(scene::grey(above)));
         out.layers.push_back(std::move(row));
@@ -167,13 +167,13 @@ glm::vec3 RayTree::past_shadows(const Met& met, const light::Light& light, std::
 {
     const glm::dvec3& point = met.node.point;
     const light::Illumination lit = light::illuminate(light, point);
-    if (light.shadowless || scene_.settings.quality < 4) return lit.color;
+    if (light.shadowless || !scene_.settings.quality.shadows) return lit.color;
     const double from = scene_.tolerance.shadow_from(point, met.hit.t);
     const auto share = [&](const light::Illumination& seen, std::string& reason) {
         const double to = seen.distance - from;
         return to <= from ? glm::vec3(1) : unshadowed({point, seen.direction}, from, to, met.way.interiors, reason);
     };
-    if (!light.area || scene_.settings.quality < 5) return lit.color * share(lit, why);
+    if (!light.area || !scene_.settings.quality.area_lights) return lit.color * share(lit, why);
     glm::vec3 sum(0);
     int dim = 0;
     std::string first;

@@ -27,7 +27,7 @@ Settings settings(const scene::Description& description, const Options& options)
 /// Null where the scene asks for none, or the quality has none (spec 6, 1.5). After the lights.
 std::shared_ptr<const Radiosity> radiosity(const scene::Description& description, const CompiledScene& scene)
 {
-    if (!description.has_radiosity(scene.options.quality)) return nullptr;
+    if (!has_radiosity(description.global, scene.options.quality)) return nullptr;
     auto out = std::make_shared<Radiosity>();
     out->settings = *description.global.radiosity;
     out->importance = static_cast<float>(description.default_importance);
@@ -54,7 +54,7 @@ csg::Tolerance tolerance(const CompiledScene& scene)
 /// Lights ask for what dims them in the air only where something does.
 void clear_air(CompiledScene& out)
 {
-    const bool fog_shows = out.options.quality >= 9;
+    const bool fog_shows = out.options.quality.effects;
     const bool dims = (!out.fogs.empty() && fog_shows) || out.atmosphere.extinguishes;
     const bool asks = dims || (!out.options.lean.takes(LeanStep::ClearAir) && (out.fogs.empty() || fog_shows));
     std::uint64_t clear = 0;

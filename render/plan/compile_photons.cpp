@@ -4,11 +4,10 @@
 
 namespace plan {
 
-std::shared_ptr<PhotonPlan> compile_photons(const scene::Description& description, int quality)
+std::shared_ptr<PhotonPlan> compile_photons(const scene::Description& description, const Quality& quality)
 {
-    constexpr int kLeastQuality = 9;
     const scene::GlobalSettings& global = description.global;
-    if (!global.photons || !global.photons->active() || quality < kLeastQuality) return nullptr;
+    if (!global.photons || !global.photons->active() || !quality.effects) return nullptr;
     auto plan = std::make_shared<PhotonPlan>();
     plan->settings = *global.photons;
     plan->max_trace_level = plan->settings.max_trace_level.value_or(global.max_trace_level);

@@ -8,7 +8,6 @@
 namespace plan {
 namespace {
 
-constexpr int kSubsurfaceQuality = 9;
 
 /// Digits of n in a base, mirrored at the radix point.
 double radical_inverse(std::uint32_t n, std::uint32_t base)
@@ -58,12 +57,12 @@ AlbedoTable::AlbedoTable(double internal)
     }
 }
 
-bool has_subsurface(const scene::GlobalSettings& global, int quality)
+bool has_subsurface(const scene::GlobalSettings& global, const Quality& quality)
 {
-    return global.subsurface.has_value() && quality >= kSubsurfaceQuality;
+    return global.subsurface.has_value() && quality.effects;
 }
 
-std::shared_ptr<const SubsurfacePlan> compile_subsurface(const scene::Description& description, int quality,
+std::shared_ptr<const SubsurfacePlan> compile_subsurface(const scene::Description& description, const Quality& quality,
                                                          const std::vector<Interior>& interiors)
 {
     const scene::GlobalSettings& global = description.global;

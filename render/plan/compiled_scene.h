@@ -11,6 +11,7 @@
 #include "render/plan/photons.h"
 #include "render/plan/subsurface.h"
 #include "render/plan/surface.h"
+#include "render/plan/quality.h"
 #include "render/scene/description.h"
 #include "render/texture/sky.h"
 #include "render/texture/texture_set.h"
@@ -34,7 +35,7 @@ struct Antialiasing {
 /// What the command line says about the picture.
 struct Options {
     int width = 320, height = 240;
-    int quality = 9;     ///< +Q, 0 to 11 (spec 3, 16)
+    Quality quality;     ///< +Q
     bool alpha = false;  ///< +UA: the background is transparent
     Antialiasing antialiasing;
     int start_row = 0, start_column = 0;  ///< from 0
@@ -86,7 +87,7 @@ struct Settings {
     int max_trace_level = 5;
     double adc_bailout = 1.0 / 255.0;
     glm::vec3 ambient_light{1};
-    int quality = 9;
+    Quality quality;
     bool alpha = false;
     scene::AssumedGamma assumed_gamma;
 };

@@ -60,7 +60,7 @@ struct ProjectingObject final : light::Projector {
 
 }  // namespace
 
-light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, int quality)
+light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, const Quality& quality)
 {
     constexpr double kDegree = std::numbers::pi / 180.0;
     light::Light out;
@@ -93,7 +93,7 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     out.tightness = description.tightness;
     out.fade_distance = description.fade_distance;
     out.fade_power = description.fade_power;
-    out.area = description.area && quality >= 5;
+    out.area = description.area && quality.area_lights;
     out.area_illumination = out.area && description.area_illumination;
     out.circular = description.circular || description.orient;
     out.orient = description.orient;

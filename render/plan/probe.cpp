@@ -71,13 +71,13 @@ glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, doubl
 
 FunctionProbe::FunctionProbe(const function::FunctionPtr& called, const scene::Description& so_far)
 {
-    constexpr int kFullQuality = 9, kWaves = 10;
+    constexpr int kWaves = 10;
     scene::Description description;
     description.global = so_far.global;
     description.effective_version = so_far.effective_version;
     description.global.number_of_waves = kWaves;
     std::vector<scene::Unsupported> notes;
-    TextureCompiler compiler(description, kFullQuality, set_, notes);
+    TextureCompiler compiler(description, Quality(), set_, notes);  // of all that a picture may have
     if (compiler.function(called) == kNone)
         throw std::runtime_error(notes.empty() ? "this function cannot be evaluated"
                                                : notes.front().what + " is not available yet");

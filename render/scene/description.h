@@ -129,8 +129,6 @@ struct Description {
         if (at.line == 0 || source.file >= files.size()) return {};
         return {files[source.file], at};
     }
-    /// Whether surfaces light each other at a quality (+Q; spec 6, 1.5).
-    bool has_radiosity(int quality) const { return global.radiosity.has_value() && quality >= 9; }
 };
 
 /// The description as text, one fact a line, defaults included: --dump=scene. The same description gives the same text.

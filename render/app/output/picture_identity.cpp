@@ -18,7 +18,7 @@ std::uint64_t picture_identity(const parser::Options& o, const plan::Options& p,
     for (const auto& [name, value] : o.declared_numbers) text += fmt::format("{}={}\n", name, value);
     for (const auto& [name, value] : o.declared_strings) text += fmt::format("{}=\"{}\"\n", name, value);
     const plan::Antialiasing& aa = p.antialiasing;
-    text += fmt::format("{} {} {} {} {} {} {} {} {} {} {}\n", p.quality, p.alpha, p.start_row, p.start_column,
+    text += fmt::format("{} {} {} {} {} {} {} {} {} {} {}\n", p.quality.code(), p.alpha, p.start_row, p.start_column,
                         p.end_row, p.end_column, p.block_size, p.split_unions, aa.method, aa.depth, p.faithful);
     text += fmt::format("{} {} {}\n", aa.threshold, aa.jitter, aa.gamma);
     std::uint64_t hash = hash_of(text.data(), text.size());

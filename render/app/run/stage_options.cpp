@@ -41,7 +41,7 @@ plan::Options plan_options(const Settings& settings)
     plan::Options options;
     options.width = settings.width;
     options.height = settings.height;
-    options.quality = settings.quality;
+    options.quality = plan::Quality::of(settings.quality);
     options.alpha = settings.alpha && image::stores_alpha(settings.file_type);
     plan::Antialiasing& aa = options.antialiasing;
     aa.method = settings.antialias ? settings.sampling_method : 0;

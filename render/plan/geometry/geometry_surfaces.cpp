@@ -38,7 +38,7 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
     s.no_image = own.no_image;
     s.no_reflection = own.no_reflection;
     s.double_illuminate = own.double_illuminate;
-    if (description_.has_radiosity(options_.quality)) s.importance = own.importance.value_or(1.0f);
+    if (has_radiosity(description_.global, options_.quality)) s.importance = own.importance.value_or(1.0f);
     s.uv_mapping = own.uv_mapping;
     s.opaque_mesh = own.opaque_mesh;
     s.light_group = own.light_group;

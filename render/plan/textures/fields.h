@@ -23,7 +23,7 @@ private:
     std::shared_ptr<const csg::Field> linked(const std::shared_ptr<const csg::Field>& field);
 
     const scene::Description& scene_;
-    int quality_;
+    Quality quality_;
     bool faithful_;
     std::vector<scene::Unsupported>& notes_;
     std::unordered_map<std::shared_ptr<const csg::FreeformShape>, std::shared_ptr<const csg::FreeformShape>> known_;

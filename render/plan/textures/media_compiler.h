@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/plan/quality.h"
 #include "render/plan/textures/media.h"
 #include "render/plan/textures/textures.h"
 
@@ -19,9 +20,9 @@ struct MediaSet {
 /// out.
 class MediaCompiler {
 public:
-    /// quality: +Q; below 9 nothing fills space (spec 3, 16). drop_black: what neither glows nor dims is left out.
-    MediaCompiler(TextureCompiler& textures, int quality, bool drop_black, MediaSet& out)
-        : textures_(textures), drawn_(quality >= kDrawn), drop_black_(drop_black), out_(out)
+    /// quality: without effects nothing fills space. drop_black: what neither glows nor dims is left out.
+    MediaCompiler(TextureCompiler& textures, const Quality& quality, bool drop_black, MediaSet& out)
+        : textures_(textures), drawn_(quality.effects), drop_black_(drop_black), out_(out)
     {}
 
     MediaList list(const std::vector<std::shared_ptr<const scene::Media>>& media);
@@ -29,7 +30,6 @@ public:
     std::uint64_t dropped() const { return dropped_; }
 
 private:
-    static constexpr int kDrawn = 9;
     std::uint32_t medium(const std::shared_ptr<const scene::Media>& media);
 
     TextureCompiler& textures_;

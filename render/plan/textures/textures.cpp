@@ -18,10 +18,11 @@ std::uint32_t count_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
 }  // namespace
 
-TextureCompiler::TextureCompiler(const scene::Description& scene, int quality, texture::TextureSet& out,
+TextureCompiler::TextureCompiler(const scene::Description& scene, const Quality& quality, texture::TextureSet& out,
                                  std::vector<scene::Unsupported>& notes)
     : scene_(scene), quality_(quality),
-      ambient_(scene.effective_version < kLegacyVersion || !scene.has_radiosity(quality)), out_(out), notes_(notes)
+      ambient_(scene.effective_version < kLegacyVersion || !has_radiosity(scene.global, quality)), out_(out),
+      notes_(notes)
 {
     const scene::GlobalSettings& global = scene.global;
     out_.noise_generator = global.noise_generator;
@@ -93,7 +94,7 @@ std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)
 {
     // A quick colour with a component of exactly -1 counts as not given (spec 3, 16).
     const auto& quick = description.quick_color;
-    if (quick && quality_ <= 5 && quick->red != -1.0f && quick->green != -1.0f && quick->blue != -1.0f) {
+    if (quick && !quality_.patterns && quick->red != -1.0f && quick->green != -1.0f && quick->blue != -1.0f) {
         out_.pigments.push_back({texture::Pigment::Kind::Solid, *quick});
     } else if (const auto* color = std::get_if<scene::Color>(&description.kind)) {
         out_.pigments.push_back({texture::Pigment::Kind::Solid, *color});
@@ -207,7 +208,7 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
     for (const scene::Layer& from : description) {
         texture::Layer to;
         to.pigment = pigment(from.pigment);
-        if (from.normal && quality_ >= 8) to.normal = normal(*from.normal, false);
+        if (from.normal && quality_.normals) to.normal = normal(*from.normal, false);
         to.finish = finish(*from.finish);
         out.opaque = out.opaque || pigment_opaque(to.pigment);
         const bool clear = lets_light_through(from.pigment);  // asked of each layer: it remembers what it finds

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/plan/quality.h"
 #include "render/scene/description.h"
 #include "render/texture/sky.h"
 #include "render/texture/texture_set.h"
@@ -12,8 +13,8 @@ namespace plan {
 /// Turns descriptions of textures into the flat set, each shared description once.
 class TextureCompiler {
 public:
-    /// quality: +Q, 0 to 9 (quick colours up to 5, normals from 8). `notes` receives what is not rendered yet.
-    TextureCompiler(const scene::Description& scene, int quality, texture::TextureSet& out,
+    /// quality: of it patterns and normals count. `notes` receives what is not rendered yet.
+    TextureCompiler(const scene::Description& scene, const Quality& quality, texture::TextureSet& out,
                     std::vector<scene::Unsupported>& notes);
 
     /// Index into TextureSet::textures, or texture::kNone for a null pointer.
@@ -47,7 +48,7 @@ private:
     const texture::Image* picture_of(const scene::PatternedPigment& pigment);
 
     const scene::Description& scene_;
-    int quality_;
+    Quality quality_;
     bool ambient_;  ///< finishes have theirs: radiosity takes its place since 3.7 (spec 6, 4.2)
     texture::TextureSet& out_;
     std::vector<scene::Unsupported>& notes_;

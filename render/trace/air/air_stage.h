@@ -15,7 +15,7 @@ namespace trace {
 inline bool has_air(const Context& context)
 {
     const plan::CompiledScene& scene = context.scene;
-    if (scene.settings.quality < 9 || (scene.fogs.empty() && scene.rainbows.empty() && scene.media.media.empty()))
+    if (!scene.settings.quality.effects || (scene.fogs.empty() && scene.rainbows.empty() && scene.media.media.empty()))
         return false;
     return context.bounce == 0 ? context.filling == nullptr : scene.radiosity->settings.media;
 }

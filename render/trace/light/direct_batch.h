@@ -21,7 +21,7 @@ public:
     /// count: hits and misses of the tile.
     DirectBatch(Context& context, int count)
         : context_(context), count_(count), set_(context.scene.textures), scratch_(context.scratch.shade),
-          bends_normals_(context.scene.settings.quality >= 8)
+          bends_normals_(context.scene.settings.quality.normals)
     {
         rows_.fill(0);
         scratch_.closing.clear();

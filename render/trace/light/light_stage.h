@@ -17,7 +17,7 @@ class LightStage {
 public:
     LightStage(Context& context, const SegmentTile& tile, DirectBatch& batch)
         : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch),
-          shadows_(context.scene.settings.quality >= 4)
+          shadows_(context.scene.settings.quality.shadows)
     {}
 
     void run()

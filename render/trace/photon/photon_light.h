@@ -20,7 +20,7 @@ public:
     /// Adds to RowPage::gained.
     void run()
     {
-        if (map_.empty() || context_.scene.settings.quality < 9) return;
+        if (map_.empty() || !context_.scene.settings.quality.effects) return;
         const plan::CompiledScene& scene = context_.scene;
         scratch_.near_photons.forget();  // pictures do not depend on the order of tiles
         scratch_.wide_photons.forget();

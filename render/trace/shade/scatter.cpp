@@ -289,9 +289,9 @@ std::uint32_t scatter(Context& context, const HitPlace& hit, const LayerStack& s
     ShadeNode& node = queue.new_node(ShadeNode::Kind::Surface, out);
     node.filter = stack.filter;
     node.residual = stack.residual;
-    if (stack.residual > static_cast<float>(context.adc_bailout) && settings.quality >= 6)
+    if (stack.residual > static_cast<float>(context.adc_bailout) && settings.quality.transmission)
         transmit(context, hit, stack, index);
-    if (settings.quality < 8) return index;
+    if (!settings.quality.reflection) return index;
     if (!context.scene.textures.extensions.empty() &&
         std::any_of(stack.mirrors.begin(), stack.mirrors.end(),
                     [&](const Mirror& mirror) { return is_rough(context, mirror); })) [[unlikely]] {

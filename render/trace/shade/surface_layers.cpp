@@ -14,7 +14,7 @@ namespace {
 [[gnu::always_inline]] inline glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal,
                                                       std::uint32_t layer, const glm::dvec3& p)
 {
-    if (normal == texture::kNone || context.scene.settings.quality < 8) return hit.normal;
+    if (normal == texture::kNone || !context.scene.settings.quality.normals) return hit.normal;
     if (hit.prefetched != nullptr && hit.prefetched->bent) return hit.prefetched->normal(layer);
     const auto& set = context.scene.textures;
     glm::dvec3 n = hit.normal;
@@ -49,7 +49,7 @@ scene::Color pigment_of(const Context& context, const HitContext& hit, const tex
     if (stack.mirrors.empty()) stack.top_normal = normal;
     const scene::Color c = pigment_of(context, hit, texture, index, p);
     Mirror& mirror = stack.mirrors.emplace_back();
-    if (context.scene.settings.quality < 2) {
+    if (!context.scene.settings.quality.lights) {
         mirror = {glm::vec3(0), normal, 0.0f, &finish};
     } else {
         find_mirror(context, hit, finish, c, normal, stack.residual, mirror);
@@ -74,7 +74,7 @@ void shade_layers(Context& context, DirectBatch& batch, HitContext& hit, const t
     glm::vec3 plain_color(0);  // of a quality without lights: the lowest layer that shows
     for (std::uint32_t i = texture.count; i-- > 0 && stack.residual > bailout;) {
         const scene::Color c = add_layer(context, &batch, hit, texture, i, p, stack);
-        if (settings.quality < 2) plain_color = c.rgb();
+        if (!settings.quality.lights) plain_color = c.rgb();
     }
     const std::uint32_t node = scatter(context, hit, stack, out);
     context.scratch.shade.queue.nodes[node].own = plain_color;

@@ -21,8 +21,8 @@ public:
     void run()
     {
         const plan::Settings& settings = context_.scene.settings;
-        lights_ = settings.quality >= 2;
-        goes_on_ = settings.quality >= 8 && context_.adc_bailout < 1.0;
+        lights_ = settings.quality.lights;
+        goes_on_ = settings.quality.reflection && context_.adc_bailout < 1.0;
         scratch_.pigments.clear();
         scratch_.layered_count = scratch_.mapped_count = 0;
         for (HitMask left = tile_.found(); left != 0;) {
@@ -129,7 +129,7 @@ private:
             const HitMask hidden = group.alone ? group.hits & ~open : 0;
             const texture::Texture& texture = set.textures[group.texture];
             if (hidden != 0) batch_.begin(hidden, texture);
-            if (context_.scene.settings.quality >= 8) bend(group.hits & ~hidden, texture);
+            if (context_.scene.settings.quality.normals) bend(group.hits & ~hidden, texture);
         }
     }
 

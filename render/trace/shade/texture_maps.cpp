@@ -80,7 +80,7 @@ const Texture* TextureMaps::bent_within(const Context& context, const Texture& m
                                         texture::Points& normals)
 {
     const auto& set = context.scene.textures;
-    if (context.scene.settings.quality < 8 || seen.nested || !flat(set, map)) return nullptr;
+    if (!context.scene.settings.quality.normals || seen.nested || !flat(set, map)) return nullptr;
     normals.take(seen.normals);
     texture::normals_into(set, set.patterns[map.pattern], map.no_bump_scale, normals);
     return &map;

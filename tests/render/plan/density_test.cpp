@@ -39,7 +39,7 @@ struct Compiled {
         const scene::Description scene =
             parser::parse_text("#version 3.7; sphere { 0, 1 pigment { " + pigment + " } }", "test.pov", options).scene;
         std::vector<scene::Unsupported> notes;
-        plan::TextureCompiler compiler(scene, 9, set, notes);
+        plan::TextureCompiler compiler(scene, plan::Quality(), set, notes);
         pattern = set.pigments
                       .at(compiler.pigment(
                           std::get<std::vector<scene::Layer>>(scene.objects.at(0).texture->kind).at(0).pigment))

@@ -63,7 +63,7 @@ TEST_CASE("pictures answer as POV-Ray's do", "[plan][image]")
             parsed(value ? answer.statement + " color_map { [0 rgb 0] [1 rgb 1] }" : answer.statement, kHead);
         texture::TextureSet set;
         std::vector<scene::Unsupported> notes;
-        plan::TextureCompiler compiler(scene, 9, set, notes);
+        plan::TextureCompiler compiler(scene, plan::Quality(), set, notes);
         const std::uint32_t pigment = compiler.pigment(pigment_of(scene));
         CHECK(notes.empty());
         const scene::Color c = texture::pigment_color(set, pigment, answer.at, {});
@@ -84,8 +84,9 @@ TEST_CASE("levels of pictures are decoded by the version of the scene", "[plan][
         const scene::Description scene = parsed("image_map { png \"vrgb.png\" " + options + " }", head);
         texture::TextureSet set;
         std::vector<scene::Unsupported> notes;
-        return texture::pigment_color(set, plan::TextureCompiler(scene, 9, set, notes).pigment(pigment_of(scene)),
-                                      {0.1, 0.9, 0}, {})
+        return texture::pigment_color(
+                   set, plan::TextureCompiler(scene, plan::Quality(), set, notes).pigment(pigment_of(scene)),
+                   {0.1, 0.9, 0}, {})
             .blue;
     };
     const float stored = 200.0f / 255.0f;
@@ -102,7 +103,7 @@ TEST_CASE("a picture that is not there leaves its layer out", "[plan][image]")
     const scene::Description scene = parsed("image_map { png \"vrgb.png\" once }", kHead);
     texture::TextureSet set;
     std::vector<scene::Unsupported> notes;
-    const std::uint32_t pigment = plan::TextureCompiler(scene, 9, set, notes).pigment(pigment_of(scene));
+    const std::uint32_t pigment = plan::TextureCompiler(scene, plan::Quality(), set, notes).pigment(pigment_of(scene));
     CHECK(texture::pigment_missing(set, pigment, {1.5, 0.5, 0}, {}));
     CHECK_FALSE(texture::pigment_missing(set, pigment, {0.5, 0.5, 0}, {}));
     CHECK(texture::pigment_color(set, pigment, {1.5, 0.5, 0}, {}) == scene::Color{1, 1, 1, 0, 1});

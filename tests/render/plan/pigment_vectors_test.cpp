@@ -52,7 +52,7 @@ template <class Make>
 std::uint32_t compiled(const scene::Description& scene, texture::TextureSet& set, Make&& make)
 {
     std::vector<scene::Unsupported> notes;
-    plan::TextureCompiler compiler(scene, 9, set, notes);
+    plan::TextureCompiler compiler(scene, plan::Quality(), set, notes);
     const std::uint32_t index = make(compiler);
     CHECK(notes.empty());
     return index;

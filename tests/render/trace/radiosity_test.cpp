@@ -84,7 +84,7 @@ TEST_CASE("ambient gives way to radiosity since version 3.7", "[trace][radiosity
     CHECK(middle_red(plane("3.7", "ambient 0 emission 0.3")) == Approx(0.2f));
     for (const char* version : {"3.1", "3.5", "3.6"}) CHECK(middle_red(plane(version, "ambient 0.3")) == Approx(0.2f));
     plan::Options rough = sized(16, 12);
-    rough.quality = 8;  // without radiosity
+    rough.quality = plan::Quality::of(8);  // without radiosity
     image::Image out = picture_of(plane("3.7", "ambient 0.3"), rough);
     CHECK(out.at(8, 6)[0] == Approx(0.15f));
 }
