@@ -21,8 +21,8 @@ inline bool has_air(const Context& context)
 }
 
 class AirStage {
-    static constexpr double kUnseen =
-        0x1p-26;  ///< so much of its distance, fog lets pass all that single precision tells
+    /// Over this part of its distance fog takes less than single precision tells.
+    static constexpr double kUnseen = 0x1p-26;
 
 public:
     AirStage(Context& context, const SegmentTile& tile) : context_(context), tile_(tile) {}
