@@ -3,8 +3,8 @@
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/light/dimmed_lanes.h"
 #include "render/trace/light/direct_batch.h"
-#include "render/trace/queue/segment_tile.h"
 #include "render/trace/light/node_lanes.h"
+#include "render/trace/queue/segment_tile.h"
 #include "render/trace/light/shade_light.h"
 #include "render/trace/light/shadow_caster.h"
 

@@ -30,49 +30,38 @@ public:
     /// \param seen  what shadows leave of the whole light
     void ask(int i, int j, const TileColors& seen)
     {
+        const glm::dvec3& middle = light_.location;
         if (turns()) {
             const light::NodeShares at = light::node_shares(light_, i, j);
             const Double p(size_ * at.p * at.m), q(size_ * at.q * at.m);
-            toward([&](std::size_t k) {
-                return Vector{p * load(a_.x, k) + q * load(b_.x, k), p * load(a_.y, k) + q * load(b_.y, k),
-                              p * load(a_.z, k) + q * load(b_.z, k)};
+            const auto along = [&](double from, const TileLanes& a, const TileLanes& b, int k) {
+                return Double(from) + (p * load(a, k) + q * load(b, k));
+            };
+            toward([&](int k) {
+                return LanePoints{along(middle.x, a_.x, b_.x, k), along(middle.y, a_.y, b_.y, k),
+                                  along(middle.z, a_.z, b_.z, k)};
             });
         } else {
-            const glm::dvec3 offset = light::node_offset(light_, glm::dvec3(0), i, j);
-            toward([&](std::size_t) { return Vector{Double(offset.x), Double(offset.y), Double(offset.z)}; });
+            const glm::dvec3 at = middle + light::node_offset(light_, glm::dvec3(0), i, j);
+            toward([&](int) { return LanePoints{Double(at.x), Double(at.y), Double(at.z)}; });
         }
         color(seen);
     }
 
 private:
     using Double = csg::lanes::Double;
-    struct Vector {
-        Double x, y, z;
-    };
     struct alignas(64) Vectors {
         alignas(64) TileLanes x{}, y{}, z{};
         void set(std::size_t k, const glm::dvec3& v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
     };
 
     bool turns() const { return light_.circular && light_.orient; }
-    static Double load(const TileLanes& lanes, std::size_t k) { return Double::load_aligned(lanes.data() + k); }
+    static Double load(const TileLanes& lanes, int k) { return Double::load_aligned(lanes.data() + k); }
 
-    template <class Offset>
-    void toward(const Offset& offset)
+    template <class At>
+    void toward(const At& at)
     {
-        const glm::dvec3& at = light_.location;
-        TileLight& out = scratch_.light;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(count_); k += csg::lanes::kDoubles) {
-            const Vector from = offset(k);
-            const Double x = (Double(at.x) + from.x) - load(scratch_.hits.x, k),
-                         y = (Double(at.y) + from.y) - load(scratch_.hits.y, k),
-                         z = (Double(at.z) + from.z) - load(scratch_.hits.z, k);
-            const Double distance = xsimd::sqrt(x * x + y * y + z * z);
-            distance.store_aligned(out.distance.data() + k);
-            (x / distance).store_aligned(out.x.data() + k);
-            (y / distance).store_aligned(out.y.data() + k);
-            (z / distance).store_aligned(out.z.data() + k);
-        }
+        toward_places(at, scratch_.hits, count_, scratch_.light);
     }
 
     void color(const TileColors& seen)

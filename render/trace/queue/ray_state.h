@@ -54,7 +54,7 @@ public:
     }
     std::size_t size() const { return head_.count; }
     /// 0 where there is nothing around and nothing forgotten: all_hollow() without a look at any interior.
-    std::uint32_t something() const { return head_.count | head_.clouded; }
+    std::uint32_t closed() const { return head_.count | head_.clouded; }
     std::uint32_t last() const { return items_[head_.count - 1]; }
     std::uint32_t operator[](std::size_t i) const { return items_[i]; }
 

@@ -53,7 +53,7 @@ public:
     /// Nor has any forgotten that it is inside of something solid: fog shows along all of them.
     bool all_open() const
     {
-        return none([](const InteriorList& list) { return list.something(); });
+        return none([](const InteriorList& list) { return list.closed(); });
     }
     csg::Ray ray(std::size_t k) const
     {

@@ -29,21 +29,36 @@ struct alignas(64) TileLight {
     }
 };
 
-/// light::toward for a light at one point, hits 0 <= i < count.
-inline void toward_point(const light::Light& light, const TileHits& hits, int count, TileLight& out)
+/// A place for each lane.
+struct LanePoints {
+    csg::lanes::Double x, y, z;
+};
+
+/// light::toward for light that comes from at(i) to the hits from i on in lanes, 0 <= i < count.
+template <class At>
+inline void toward_places(const At& at, const TileHits& hits, int count, TileLight& out)
 {
     using csg::lanes::Double;
-    const glm::dvec3 at = light.location + glm::dvec3(0);
-    const Double ax(at.x), ay(at.y), az(at.z);
     for (int i = 0; i < count; i += csg::lanes::kDoubles) {
-        const Double x = ax - Double::load_aligned(hits.x.data() + i), y = ay - Double::load_aligned(hits.y.data() + i),
-                     z = az - Double::load_aligned(hits.z.data() + i);
+        const LanePoints from = at(i);
+        const Double x = from.x - Double::load_aligned(hits.x.data() + i),
+                     y = from.y - Double::load_aligned(hits.y.data() + i),
+                     z = from.z - Double::load_aligned(hits.z.data() + i);
         const Double distance = xsimd::sqrt(x * x + y * y + z * z);
         distance.store_aligned(out.distance.data() + i);
         (x / distance).store_aligned(out.x.data() + i);
         (y / distance).store_aligned(out.y.data() + i);
         (z / distance).store_aligned(out.z.data() + i);
     }
+}
+
+/// The same of a light at one point.
+inline void toward_point(const light::Light& light, const TileHits& hits, int count, TileLight& out)
+{
+    using csg::lanes::Double;
+    const glm::dvec3 at = light.location + glm::dvec3(0);
+    const LanePoints place{Double(at.x), Double(at.y), Double(at.z)};
+    toward_places([&](int) { return place; }, hits, count, out);
 }
 
 }  // namespace trace
