@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +13,13 @@
 namespace parser {
 
 class SceneQueries;  // parser/queries.h
+
+/// A macro, a loop or a file that is being read.
+struct ReadingPlace {
+    std::string what;   ///< "macro", "loop" or "file"
+    std::string name;   ///< of the macro, "#while", path of the file
+    std::string place;  ///< "path:line:column" of its body or its directive
+};
 
 /// What the command line tells the parser.
 struct Options {
@@ -38,6 +46,8 @@ struct Options {
                                                                 ///< absolute path without "." and ".."
     bool tell_values = false;                                   ///< fills Result::values
     const std::atomic<bool>* cancel = nullptr;  ///< looked at now and then: when set, reading ends with Cancelled
+    /// Called about five times a second while a text is read, from the fifth second on.
+    std::function<void(const ReadingPlace& where, double seconds)> still_reading;
 };
 
 /// Thrown when Options::cancel asks for it.
@@ -50,11 +60,8 @@ using scene::Severity;
 /// with a mistake.
 using scene::Error;
 
-/// A macro, a loop or a file that time went to.
-struct ReadingCost {
-    std::string what;                         ///< "macro", "loop" or "file"
-    std::string name;                         ///< of the macro, "#while", path of the file
-    std::string place;                        ///< "path:line:column" of its body or its directive
+/// A place that time went to.
+struct ReadingCost : ReadingPlace {
     double seconds = 0.0, own_seconds = 0.0;  ///< with what it calls, and without
 };
 

@@ -25,6 +25,31 @@ void TokenStream::spend_time(std::span<const ReadingProfile::Place> inner)
     }
     open_places_.insert(open_places_.end(), inner.begin(), inner.end());
     profile_.spend(open_places_);
+    constexpr double kFirst = 5.0, kPeriod = 0.2;  // seconds
+    if (!options_.still_reading || profile_.total() < std::max(kFirst, told_reading_ + kPeriod)) return;
+    told_reading_ = profile_.total();
+    options_.still_reading(described(open_places_.back()), told_reading_);
+}
+
+ReadingPlace TokenStream::described(const ReadingProfile::Place& place) const
+{
+    const SourceFile& source = *files_[place.file];
+    if (place.what == ReadingProfile::What::File) return {"file", source.path, source.path};
+    ReadingPlace out;
+    std::uint32_t first = place.token;
+    if (place.what == ReadingProfile::What::Loop) {
+        out.what = "loop";
+        out.name = fmt::format("#{}", spelling(source.tokens[first + 1].kind));
+    } else {
+        out.what = "macro";
+        out.name = names_.word(place.token);
+        first = 0;
+        for (const auto& macro : macros_)
+            if (macro->file == place.file && macro->name == place.token) first = macro->begin;
+    }
+    const scene::LineAndColumn at = source.locate(source.tokens[first].offset);
+    out.place = fmt::format("{}:{}:{}", source.path, at.line, at.column);
+    return out;
 }
 
 std::vector<ReadingCost> TokenStream::reading_costs(std::size_t most)
@@ -32,30 +57,10 @@ std::vector<ReadingCost> TokenStream::reading_costs(std::size_t most)
     spend_time();
     std::vector<ReadingCost> told;
     for (const ReadingProfile::Cost& cost : profile_.costs(most)) {
-        const ReadingProfile::Place& place = cost.place;
-        const SourceFile& source = *files_[place.file];
         ReadingCost& out = told.emplace_back();
+        static_cast<ReadingPlace&>(out) = described(cost.place);
         out.seconds = cost.seconds;
         out.own_seconds = cost.own_seconds;
-        out.place = source.path;
-        if (place.what == ReadingProfile::What::File) {
-            out.what = "file";
-            out.name = source.path;
-            continue;
-        }
-        std::uint32_t first = place.token;
-        if (place.what == ReadingProfile::What::Loop) {
-            out.what = "loop";
-            out.name = fmt::format("#{}", spelling(source.tokens[first + 1].kind));
-        } else {
-            out.what = "macro";
-            out.name = names_.word(place.token);
-            first = 0;
-            for (const auto& macro : macros_)
-                if (macro->file == place.file && macro->name == place.token) first = macro->begin;
-        }
-        const scene::LineAndColumn at = source.locate(source.tokens[first].offset);
-        out.place = fmt::format("{}:{}:{}", source.path, at.line, at.column);
     }
     return told;
 }

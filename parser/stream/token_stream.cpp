@@ -351,17 +351,25 @@ void TokenStream::fail_expected_at(const Token& found, std::string_view what, st
                                            text, nearest.best()));
         fail(place(found), fmt::format("expected {}, found '{}', which is not declared", what, text));
     }
-    fail(place(found), fmt::format("expected {}, found '{}'{}", what, text, more));
+    const std::string hint = hint_at(found);
+    fail(place(found), fmt::format("expected {}, found '{}'{}", what, text, hint.empty() ? std::string(more) : hint));
 }
 
-void TokenStream::fail_undeclared(const Token& token)
+void TokenStream::fail_undeclared(const Token& token, std::string_view block, std::span<const Kind> items)
 {
     const std::string& word = names_.word(token.name);
     NearestName nearest(word);
+    for (const Kind item : items) nearest.offer(spelling(item));
     for (std::uint32_t name = 0; name < names_.size(); ++name)
         if (names_.kind(name) != Kind::Identifier || symbols_.find(name)) nearest.offer(names_.word(name));
-    if (nearest.best().empty()) fail(place(token), fmt::format("'{}' is not declared", word));
-    fail(place(token), fmt::format("'{}' is not declared; did you mean '{}'?", word, nearest.best()));
+    if (!nearest.best().empty())
+        fail(place(token), fmt::format("'{}' is not declared; did you mean '{}'?", word, nearest.best()));
+    if (block.empty()) fail(place(token), fmt::format("'{}' is not declared", word));
+    std::vector<std::string_view> words;
+    for (const Kind item : items) words.push_back(spelling(item));
+    std::sort(words.begin(), words.end());
+    fail(place(token), fmt::format("'{}' is no item of '{}', and it is not declared{}{}", word, block,
+                                   words.empty() ? "" : "; the items are ", fmt::join(words, ", ")));
 }
 
 void TokenStream::report(Message message)

@@ -91,7 +91,10 @@ public:
     /// Once for a text at a place: what stands in a loop or a file that is read again says nothing new.
     void warn(const scene::SourceRef& at, std::string_view text);
     /// For a name that means nothing where it stands: "'shpere' is not declared; did you mean 'sphere'?"
-    [[noreturn]] void fail_undeclared(const Token& token);
+    /// `block`: in which an item was expected; `items`: all of its words, where they are known.
+    [[noreturn]] void fail_undeclared(const Token& token, std::string_view block = {}, std::span<const Kind> items = {});
+    /// "; did you mean '45*y'?" where numbers stand as no vector can be written; else nothing.
+    std::string hint_at(const Token& found) const;
 
     // ---- names and values ------------------------------------------------------------------------------------
     Symbols& symbols() { return symbols_; }
@@ -247,6 +250,7 @@ private:
     void allow_more(const Token& next);
     /// inner: what is open in a block at work. token_profile.cpp
     void spend_time(std::span<const ReadingProfile::Place> inner = {});
+    ReadingPlace described(const ReadingProfile::Place& place) const;
     const Token* innermost_loop() const;
     void leave_cursor();
     bool is_macro(const Token& token) const;
@@ -391,6 +395,7 @@ private:
     Statistics statistics_;
     ReadingProfile profile_;
     std::vector<ReadingProfile::Place> open_places_;  ///< of spend_time()
+    double told_reading_ = 0.0;                       ///< seconds of reading when Options::still_reading was last called
     std::vector<std::string> data_files_;
     KeptFiles kept_files_;
 };

@@ -112,7 +112,12 @@ public:
 private:
     static constexpr std::size_t kBlock = 128, kFewBlocks = 16, kHugePage = std::size_t{2} << 20;
     struct Free {
-        void operator()(void* memory) const { std::free(memory); }
+        bool page = false;
+        void operator()(void* memory) const
+        {
+            if (page) ::operator delete(memory, std::align_val_t{kHugePage});
+            else ::operator delete(memory);
+        }
     };
     /// The first blocks by themselves, later ones many at a time where one page of the system is enough for all.
     void add_block()
@@ -120,9 +125,9 @@ private:
         constexpr std::size_t kBytes = kBlock * sizeof(Object), kMany = kHugePage / kBytes;
         if (free_ == 0) {
             const bool many = blocks_.size() >= kFewBlocks;
-            void* const memory = many ? std::aligned_alloc(kHugePage, kHugePage) : std::malloc(kBytes);
-            if (!memory) throw std::bad_alloc();
-            memory_.emplace_back(memory);
+            void* const memory =
+                many ? ::operator new(kHugePage, std::align_val_t{kHugePage}) : ::operator new(kBytes);
+            memory_.emplace_back(memory, Free{many});
             if (many && huge_pages_) huge_pages_ = take_huge_page(memory);
             next_ = static_cast<Object*>(memory);
             free_ = many ? kMany : 1;

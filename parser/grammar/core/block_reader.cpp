@@ -12,7 +12,10 @@ BlockReader::BlockReader(SceneBuilder& build)
 
 void BlockReader::open() { opened_ = build_.open_block(keyword_); }
 
-void BlockReader::close() { build_.close_block(keyword_, opened_); }
+void BlockReader::close(const std::vector<Kind>& items)
+{
+    build_.close_block(keyword_, opened_, [&] { return items; });
+}
 
 void fail_range(TokenStream& in, const scene::SourceRef& at, Kind keyword, const Range& range)
 {

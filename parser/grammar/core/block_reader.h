@@ -27,7 +27,7 @@ public:
     [[noreturn]] void fail(std::string_view text) { in().fail(in().last(), text); }
     /// `{`; close() at `}`.
     void open();
-    void close();
+    void close(const std::vector<Kind>& items = {});
 
 private:
     SceneBuilder& build_;
@@ -164,7 +164,8 @@ void read_fields(BlockReader& s, Struct& to, const Fields& fields)
 {
     s.open();
     while (read_one(s, to, fields)) {}
-    s.close();
+    if (s.next_kind() == Kind::RightBrace) return s.close();
+    s.close(std::apply([](const auto&... one) { return std::vector<Kind>{one.keyword...}; }, fields));
 }
 
 }  // namespace parser

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 /// Forms shared by the grammar's families. A block is a table of items, found by their keyword; an item is one rule
 /// that commits after its keyword and one function, `act`, that moves what was read into the block's state.
@@ -80,6 +81,8 @@ struct table {
         TokenInput input(build.stream());
         return reader(input, state);
     }
+    /// The keywords of all items, for messages.
+    static std::vector<Kind> words() { return {Items::keyword...}; }
 
 private:
     static constexpr std::array<bool, kKindCount> keywords()
@@ -109,6 +112,13 @@ struct joined {
     {
         return First::match(build, state) || Second::match(build, state);
     }
+    static std::vector<Kind> words()
+    {
+        std::vector<Kind> all = First::words();
+        const std::vector<Kind> more = Second::words();
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
 };
 
 /// Reads one rule that must match.
@@ -119,6 +129,14 @@ void read_rule(SceneBuilder& build, State& state)
     pegtl::parse<must<Rule>, action, control>(input, state);
 }
 
+/// The keywords of a block's items; none where a block reads them without a table.
+template <class Items>
+std::vector<Kind> words_of()
+{
+    if constexpr (requires { Items::words(); }) return Items::words();
+    else return {};
+}
+
 /// `{` items `}` with `head` run after the brace; the keyword has been taken. `what` names the block in messages.
 template <class Items, class State, class Head>
 void read_block(SceneBuilder& build, State& state, const char* what, Head&& head)
@@ -127,7 +145,7 @@ void read_block(SceneBuilder& build, State& state, const char* what, Head&& head
     const scene::SourceRef opened = build.open_block(what);
     head();
     while (Items::match(build, state)) {}
-    build.close_block(what, opened);
+    build.close_block(what, opened, words_of<Items>);
 }
 template <class Items, class State>
 void read_block(SceneBuilder& build, State& state, const char* what)

@@ -93,10 +93,12 @@ scene::Description SceneBuilder::take()
 
 void SceneBuilder::fail_open(std::string_view what) { stream_->fail_expected(fmt::format("'{{' after {}", what)); }
 
-void SceneBuilder::fail_close(std::string_view what, const scene::SourceRef& opened)
+void SceneBuilder::fail_close(std::string_view what, const scene::SourceRef& opened, const std::vector<Kind>& items)
 {
-    if (stream_->peek().kind == Kind::EndOfText)
+    const Token token = stream_->peek();
+    if (token.kind == Kind::EndOfText)
         stream_->fail(opened, fmt::format("this block of '{}' is not closed: the text ends before its '}}'", what));
+    if (token.kind == Kind::Identifier && !stream_->value_of(token)) stream_->fail_undeclared(token, what, items);
     fail_unknown(fmt::format("an item of '{}' or '}}'", what).c_str(),
                  stream_->where_opened(fmt::format("'{}'", what), opened));
 }

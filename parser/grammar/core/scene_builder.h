@@ -73,7 +73,13 @@ public:
     }
     void close_block(std::string_view what, const scene::SourceRef& opened)
     {
-        if (!stream_->accept(Kind::RightBrace)) fail_close(what, opened);
+        close_block(what, opened, [] { return std::vector<Kind>(); });
+    }
+    /// \param items gives the words of the block's items, for messages
+    template <class Items>
+    void close_block(std::string_view what, const scene::SourceRef& opened, const Items& items)
+    {
+        if (!stream_->accept(Kind::RightBrace)) fail_close(what, opened, items());
         stream_->block_closed();
     }
     /// The next token belongs to nothing known here.
@@ -114,7 +120,8 @@ private:
     /// Notes the default texture of the moment.
     void keep_default(scene::Object& object);
     [[noreturn]] void fail_open(std::string_view what);
-    [[noreturn]] void fail_close(std::string_view what, const scene::SourceRef& opened);
+    [[noreturn]] void fail_close(std::string_view what, const scene::SourceRef& opened,
+                                 const std::vector<Kind>& items);
     /// One statement of the scene; false at the end of the text.
     bool read_statement();
     bool is_unsupported(const std::shared_ptr<const scene::Object>& object, const char* question);

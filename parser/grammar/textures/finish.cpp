@@ -139,7 +139,7 @@ struct reflection : item<Kind::Reflection> {
         s.from_zero = false;
         while (ReflectionItems::match(s.build, s)) {}
         if (s.from_zero && !range) r.min = glm::vec3(0);
-        s.build.close_block("reflection", opened);
+        s.build.close_block("reflection", opened, [] { return ReflectionItems::words(); });
     }
 };
 struct polished : item<Kind::WhittlePolished, a_number> {

@@ -138,7 +138,8 @@ void TokenStream::set_version(std::uint32_t hash)
     constexpr double kLatest = 380.0, kPatched = 371.0;
     if (!(version <= kLatest)) fail(at, "this scene asks for a later version of the language than 3.8");
     if (version >= kPatched && version < kLatest) warn(at, "this version has the words of 3.8, but it is not 3.8");
-    if (version == kLatest && !(hash == 0 && cursors_.size() == 1) && language_.version < static_cast<int>(kLatest))
+    if (version == kLatest && hash == 0 && cursors_.size() == 1) language_.begins_with_380 = true;
+    if (version == kLatest && !language_.begins_with_380 && language_.version < static_cast<int>(kLatest))
         fail(at, "#version 3.8 must be the first statement of a scene");
     language_.version = static_cast<int>(std::max(version, 0.0));
     language_.version_set = true;

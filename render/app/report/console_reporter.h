@@ -38,6 +38,8 @@ public:
 
     virtual void begin(const FrameFacts& facts) = 0;
     virtual void message(const scene::Message& message) = 0;
+    /// From the fifth second of reading on, some times a second.
+    virtual void still_reading(const parser::ReadingPlace& where, double seconds) = 0;
     virtual void parsed(const parser::Result& result, const StageTimes& times) = 0;
     virtual void rendering() = 0;
     virtual void pass(const std::string& name) = 0;  ///< one of several passes of a picture begins, at 0

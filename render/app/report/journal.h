@@ -19,6 +19,10 @@ public:
     void begin(const FrameFacts& facts) override;
     void message(const scene::Message& message) override;
     void parsed(const parser::Result& result, const StageTimes& times) override;
+    void still_reading(const parser::ReadingPlace& where, double seconds) override
+    {
+        speaker_.still_reading(where, seconds);
+    }
     void rendering() override { speaker_.rendering(); }
     void pass(const std::string& name) override { speaker_.pass(name); }
     void progress(double share) override { speaker_.progress(share); }

@@ -13,9 +13,17 @@ void PlainReporter::begin(const FrameFacts& facts)
             fmt::format("frame {} of {}, clock {:g}\n", facts.frame.number, facts.list.last_frame, facts.frame.clock));
 }
 
+void PlainReporter::still_reading(const parser::ReadingPlace& where, double seconds)
+{
+    if (!bar_) bar_.emplace(with_bar_);
+    const std::string what = where.what == "file" ? where.name : fmt::format("{} {}, {}", where.what, where.name, where.place);
+    bar_->say(fmt::format("reading, {:.0f} s: in {}", seconds, what));
+}
+
 void PlainReporter::message(const scene::Message& message)
 {
     using scene::Severity;
+    if (bar_) bar_->clear();
     const std::string text = message_text(message);
     if (message.severity == Severity::Debug) return put(Stream::Debug, text);
     const Stream stream = message.severity == Severity::Error ? Stream::Fatal : Stream::Warning;

@@ -14,7 +14,8 @@ public:
 
     void begin(const FrameFacts& facts) override;
     void message(const scene::Message& message) override;
-    void parsed(const parser::Result&, const StageTimes&) override {}
+    void still_reading(const parser::ReadingPlace& where, double seconds) override;
+    void parsed(const parser::Result&, const StageTimes&) override { bar_.reset(); }
     void rendering() override { bar_.emplace(with_bar_); }
     void pass(const std::string& name) override { bar_.emplace(with_bar_, name); }
     void progress(double share) override { bar_->show(share); }

@@ -15,6 +15,7 @@ public:
 
     void begin(const FrameFacts& facts) override;
     void message(const scene::Message& message) override;
+    void still_reading(const parser::ReadingPlace&, double) override {}  // POV-Ray has no such line
     void parsed(const parser::Result& result, const StageTimes& times) override;
     void rendering() override;
     void pass(const std::string& name) override;

@@ -1,6 +1,7 @@
 #include "render/app/report/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -40,12 +41,26 @@ void Progress::show(double share)
     const int filled = std::clamp(static_cast<int>(share * kWidth), 0, kWidth);
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(kWidth - filled), '.');
+    put(fmt::format("[{}] {:3.0f} %  {:.1f} s{}{}{}", bar, share * 100.0, seconds, left(share, seconds),
+                    pass_.empty() ? "" : "  ", pass_));
+}
+
+void Progress::say(std::string_view text)
+{
+    if (!shown_) return;
+    // A line that wraps could not be taken away again.
+    winsize window{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 1;
+    const std::size_t columns = known ? window.ws_col - 1u : 79u;
+    put(std::string(text.substr(0, columns)));
+}
+
+void Progress::put(const std::string& line)
+{
     const std::lock_guard lock(writing_);
-    const std::string text = fmt::format("\r[{}] {:3.0f} %  {:.1f} s{}{}{}", bar, share * 100.0, seconds,
-                                         left(share, seconds), pass_.empty() ? "" : "  ", pass_);
-    const std::size_t longest = std::max(width_, text.size());
-    fmt::print(stderr, "{:{}}", text, longest);  // over what a longer line before it left
-    width_ = text.size();
+    const std::size_t longest = std::max(width_, line.size());
+    fmt::print(stderr, "\r{:{}}", line, longest);  // over what a longer line before it left
+    width_ = line.size();
     std::fflush(stderr);
     on_screen_ = true;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace app {
 
@@ -18,9 +19,11 @@ public:
     ~Progress() { clear(); }
 
     void show(double share);  ///< [0, 1]
+    void say(std::string_view text);  ///< a line in the place of the bar
     void clear();             ///< takes the bar away, so that messages start on a clean line
 
 private:
+    void put(const std::string& line);
     using Clock = std::chrono::steady_clock;
     const bool shown_;
     const std::string pass_;

@@ -90,6 +90,9 @@ parser::Result parse_scene(Run& run, const Frame& frame, const std::string& path
     options = parser_options(settings, run.list, frame);
     options.queries = &queries;
     options.cancel = &run.cancel.requested;
+    options.still_reading = [&run](const parser::ReadingPlace& where, double seconds) {
+        run.reporter.still_reading(where, seconds);
+    };
     if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
     const std::string scene = run.input ? "stdin" : find_scene(settings);
     run.reporter.begin({settings, run.list, frame, scene, settings.output_to_file ? path : "", window_of(settings)});

@@ -23,6 +23,9 @@ std::size_t rows_of_blocks_in(double memory, const trace::Blocks& blocks, int wi
 /// \param path of the picture; empty: standard output
 void check_fits(const Settings& settings, const std::string& path);
 
+/// Throws what `new` throws where the system refuses memory: its message has this size, what is used and what is allowed.
+[[noreturn]] void refuse_memory(std::size_t bytes);
+
 /// Whether the folder of `path` has room for the picture and a state of all its blocks.
 bool has_room_for_state(const Settings& settings, const std::string& path);
 

@@ -10,14 +10,15 @@
 namespace {
 
 /// Standard error of the program where that is a terminal.
-std::string shown_on_terminal(const support::TemporaryFolder& folder, const std::vector<std::string>& words)
+std::string shown_on_terminal(const support::TemporaryFolder& folder, const std::vector<std::string>& words,
+                              const std::string& program = WHITTLE_PROGRAM)
 {
     const int master = posix_openpt(O_RDWR | O_NOCTTY);
     REQUIRE(master >= 0);
     REQUIRE((grantpt(master) == 0 && unlockpt(master) == 0));
     const int slave = open(ptsname(master), O_RDWR | O_NOCTTY);
     REQUIRE(slave >= 0);
-    support::RunningProgram(folder.path(), WHITTLE_PROGRAM, words, "", slave).wait();
+    support::RunningProgram(folder.path(), program, words, "", slave).wait();
     fcntl(master, F_SETFL, O_NONBLOCK);
     std::string text;
     char block[4096];
@@ -43,4 +44,20 @@ TEST_CASE("source lines are shown as they are on a terminal of UTF-8 alone", "[p
     }
     support::ScopedVariable locale("LC_ALL", "C");
     CHECK_THAT(shown_on_terminal(folder, {"u.pov", "--check"}), Catch::Contains("\"gr??\" shpere"));
+}
+
+TEST_CASE("reading that takes long tells on a terminal which loop or macro it is in", "[program]")
+{
+    const support::TemporaryFolder folder;
+    support::write_text(folder / "w.pov", "#version 3.7;\n#while (1)\n#end\n");
+    support::write_text(folder / "m.pov", "#version 3.7;\n#macro Long()\n #while (1) #declare A = concat(\"a\", \"b\"); "
+                                          "#end\n#end\nLong()\n");
+    const auto shown = [&](const char* scene) {
+        return shown_on_terminal(folder, {"6", WHITTLE_PROGRAM, scene}, "/usr/bin/timeout");
+    };
+    CHECK_THAT(shown("w.pov"), Catch::Contains("\rreading, 5 s: in loop #while, w.pov:2:1"));
+    CHECK_THAT(shown("m.pov"), Catch::Contains("s: in loop #while, m.pov:3:2"));
+    const support::Outcome piped =
+        support::run_program(folder.path(), "/usr/bin/timeout", {"6", WHITTLE_PROGRAM, "w.pov"});
+    CHECK(piped.err.find("reading,") == std::string::npos);
 }
