@@ -42,8 +42,8 @@ std::string TokenStream::hint_at(const Token& found) const
     const SourceFile& source = *files_[found.file];
     const std::vector<Token>& tokens = source.tokens;
     const auto before = [](const Token& a, std::uint32_t offset) { return a.offset < offset; };
-    const auto at = static_cast<std::size_t>(
-        std::lower_bound(tokens.begin(), tokens.end(), found.offset, before) - tokens.begin());
+    const auto at =
+        static_cast<std::size_t>(std::lower_bound(tokens.begin(), tokens.end(), found.offset, before) - tokens.begin());
     if (at == 0 || at >= tokens.size()) return {};
 
     if (is_axis(found.kind) && tokens[at - 1].kind == Kind::Number)

@@ -215,3 +215,32 @@ TEST_CASE("a message quotes a long file, whose text is not kept, unless it has c
     const std::string changed = whole_error("#fopen F \"" + (folder / "long.inc") + "\" write #fclose F\n");
     CHECK_THAT(changed, Catch::Contains("long.inc:") && !Catch::Contains("cone"));
 }
+
+TEST_CASE("a word that is no item of its block is told with the items", "[parser][messages]")
+{
+    const auto error = [](const std::string& text) { return errors_of(text).at(0).text; };
+    CHECK(error("sphere { 0, 1 finish { shiny .5 } }") ==
+          "'shiny' is no item of 'finish', and it is not declared; the items are ambient, brilliance, caustics, "
+          "conserve_energy, crand, diffuse, emission, ior, irid, metallic, phong, phong_size, reflection, "
+          "reflection_exponent, refraction, roughness, specular, subsurface, whittle_cool_warm, whittle_ink, "
+          "whittle_polished");
+    CHECK(error("sphere { 0, 1 finish { reflection { 1 mirrored } } }") ==
+          "'mirrored' is no item of 'reflection', and it is not declared; the items are exponent, falloff, fresnel, "
+          "metallic, whittle_gloss, whittle_schlick");
+    CHECK(error("sphere { 0, 1 finish { difuse .5 } }") == "'difuse' is not declared; did you mean 'diffuse'?");
+    CHECK(error("sphere { 0, 1 glowing }") == "'glowing' is no item of 'sphere', and it is not declared");
+}
+
+TEST_CASE("numbers that should be a vector are told with the vector", "[parser][messages]")
+{
+    const auto error = [](const std::string& text) { return errors_of(text).at(0).text; };
+    CHECK_THAT(error("box { 0, 1 rotate 45 y }"), Catch::EndsWith("found 'y'; did you mean '45*y'?"));
+    CHECK_THAT(error("box { 0, 1 translate 1.50 x pigment { rgb 1 } }"), Catch::EndsWith("; did you mean '1.50*x'?"));
+    CHECK_THAT(error("box { 0, 1 pigment { rgb 1 1 0 } }"), Catch::EndsWith("; did you mean 'rgb <1, 1, 0>'?"));
+    CHECK_THAT(error("background { rgb 0.1, .2, 1 }"), Catch::EndsWith("; did you mean 'rgb <0.1, .2, 1>'?"));
+    CHECK_THAT(error("box { 0, 1 pigment { granite color_map { [0 rgbt 1 1 0 .5] } } }"),
+               Catch::EndsWith("; did you mean 'rgbt <1, 1, 0, .5>'?"));
+    CHECK_THAT(error("box { 0, 1 translate 0 -1 2 3 }"), Catch::EndsWith("; did you mean 'translate <0, -1, 2>'?"));
+    CHECK_THAT(error("box { 0, 1 scale 2 3 4 }"), Catch::EndsWith("; did you mean 'scale <2, 3, 4>'?"));
+    CHECK_THAT(error("#declare T = transform { rotate 45 z }"), Catch::EndsWith("; did you mean '45*z'?"));
+}

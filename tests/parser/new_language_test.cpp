@@ -32,6 +32,9 @@ TEST_CASE("#version 3.8 stands first", "[parser][language]")
     CHECK(said("#debug str(version,0,2)") == "3.80");
     CHECK(parser_test::error_of("sphere\n#version 3.8;")
               .find("test.pov:2:2: error: #version 3.8 must be the first statement") == 0);
+    // An include comes back at its end to the version that it found.
+    CHECK(said("#declare Before = version; #version 3.5; #debug str(version,0,2) #version Before; #debug "
+               "str(version,0,2)") == "3.503.80");
     CHECK(parser_test::error_of("#version 3.9;").find("later version of the language than 3.8") != std::string::npos);
 }
 

@@ -120,8 +120,7 @@ private:
     /// Notes the default texture of the moment.
     void keep_default(scene::Object& object);
     [[noreturn]] void fail_open(std::string_view what);
-    [[noreturn]] void fail_close(std::string_view what, const scene::SourceRef& opened,
-                                 const std::vector<Kind>& items);
+    [[noreturn]] void fail_close(std::string_view what, const scene::SourceRef& opened, const std::vector<Kind>& items);
     /// One statement of the scene; false at the end of the text.
     bool read_statement();
     bool is_unsupported(const std::shared_ptr<const scene::Object>& object, const char* question);

@@ -16,7 +16,8 @@ void PlainReporter::begin(const FrameFacts& facts)
 void PlainReporter::still_reading(const parser::ReadingPlace& where, double seconds)
 {
     if (!bar_) bar_.emplace(with_bar_);
-    const std::string what = where.what == "file" ? where.name : fmt::format("{} {}, {}", where.what, where.name, where.place);
+    const std::string what = where.what == "file" ? where.name
+                                                  : fmt::format("{} {}, {}", where.what, where.name, where.place);
     bar_->say(fmt::format("reading, {:.0f} s: in {}", seconds, what));
 }
 

@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <new>
 
-// Memory that the system refuses is told with its size: the standard's std::bad_alloc says its own name. Nothing here may
-// allocate.
+// Memory that the system refuses is told with its size: the standard's std::bad_alloc says its own name. Nothing here
+// may allocate.
 namespace app {
 namespace {
 
@@ -34,13 +34,14 @@ public:
         rlimit limit{};
         const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
         if (limited)
-            std::snprintf(text_.data(), text_.size(),
-                          "memory is refused: %.1f MB more are needed, and %.1f MB of the %.1f MB that this process may "
-                          "have are in use (ulimit -v)",
-                          needed, used, static_cast<double>(limit.rlim_cur) / kMega);
+            std::snprintf(
+                text_.data(), text_.size(),
+                "memory is refused: %.1f MB more are needed, and %.1f MB of the %.1f MB that this process may "
+                "have are in use (ulimit -v)",
+                needed, used, static_cast<double>(limit.rlim_cur) / kMega);
         else
-            std::snprintf(text_.data(), text_.size(),
-                          "memory is refused: %.1f MB more are needed, %.1f MB are in use", needed, used);
+            std::snprintf(text_.data(), text_.size(), "memory is refused: %.1f MB more are needed, %.1f MB are in use",
+                          needed, used);
     }
     const char* what() const noexcept override { return text_.data(); }
 

@@ -50,8 +50,9 @@ TEST_CASE("reading that takes long tells on a terminal which loop or macro it is
 {
     const support::TemporaryFolder folder;
     support::write_text(folder / "w.pov", "#version 3.7;\n#while (1)\n#end\n");
-    support::write_text(folder / "m.pov", "#version 3.7;\n#macro Long()\n #while (1) #declare A = concat(\"a\", \"b\"); "
-                                          "#end\n#end\nLong()\n");
+    support::write_text(folder / "m.pov",
+                        "#version 3.7;\n#macro Long()\n #while (1) #declare A = concat(\"a\", \"b\"); "
+                        "#end\n#end\nLong()\n");
     const auto shown = [&](const char* scene) {
         return shown_on_terminal(folder, {"6", WHITTLE_PROGRAM, scene}, "/usr/bin/timeout");
     };
