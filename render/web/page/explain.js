@@ -4,12 +4,19 @@ async function pick(x, y) {
   cross.style.display = "block";
   cross.style.left = x + "px";
   cross.style.top = y + "px";
+  [byId("pixel-x").value, byId("pixel-y").value] = [x, y];
+  byId("pixel").closest("details").open = true;
   byId("pixel").textContent = `${x}, ${y}: asking`;
   const answer = await fetch(`pixel?x=${x}&y=${y}`);
   state.picked = answer.ok ? await answer.json() : null;
   if (!answer.ok) return void (byId("pixel").textContent = await answer.text());
   byId("pixel").replaceChildren(told(state.picked));
+  byId("asked-pixel").scrollIntoView({ block: "nearest" });
 }
+byId("asked-pixel").onsubmit = event => {
+  event.preventDefault();
+  pick(+byId("pixel-x").value, +byId("pixel-y").value);
+};
 const element = (tag, text, kind) => {
   const made = document.createElement(tag);
   if (text !== undefined) made.textContent = text;
@@ -20,6 +27,7 @@ function told(pixel) {
   const all = element("div"), swatch = element("span", "", "swatch");
   swatch.style.background = `rgb(${pixel.shown.join(",")})`;
   const head = element("p");
+  head.role = "status";
   head.append(swatch, `${pixel.x}, ${pixel.y}: ${pixel.shown.join(" ")} of 255`);
   const text = element("pre");
   // Places in the text can be clicked on.
@@ -27,9 +35,10 @@ function told(pixel) {
   all.append(head, text);
   return all;
 }
-function placeOf(text) {
-  const place = element("span", text, "place");
-  place.title = "copies it";
-  place.onclick = () => copy(text);
+function placeOf(text, copied = text) {
+  const place = element("button", text, "place");
+  place.type = "button";
+  place.title = "copies " + copied;
+  place.onclick = () => copy(copied);
   return place;
 }
