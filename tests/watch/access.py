@@ -26,7 +26,7 @@ LOOKS = [(width, scheme) for width in (1280, 390) for scheme in ("dark", "light"
 
 OPEN = "document.querySelectorAll('details').forEach(d => { d.open = true; }); true"
 FOCUSABLE = "[...document.querySelectorAll('button, select, input, summary, [tabindex]')].filter(e => e.checkVisibility() && !e.disabled)"
-NAMED = {"button", "textbox", "spinbutton", "slider", "combobox", "image", "application", "group", "progressbar", "main", "complementary", "region",
+NAMED = {"button", "textbox", "spinbutton", "slider", "combobox", "image", "application", "progressbar", "main", "complementary", "region",
          "table", "DisclosureTriangle", "heading"}
 
 # Contrast of texts (4.5), of the borders of controls and of the lamp (3), as computed styles have them.

@@ -23,13 +23,21 @@ const element = (tag, text, kind) => {
   if (kind) made.className = kind;
   return made;
 };
+// Lines that are not broken: they are scrolled, by keys too.
+function wide(label, text) {
+  const made = element("pre", text, "wide");
+  made.tabIndex = 0;
+  made.role = "group";
+  made.ariaLabel = label;
+  return made;
+}
 function told(pixel) {
   const all = element("div"), swatch = element("span", "", "swatch");
   swatch.style.background = `rgb(${pixel.shown.join(",")})`;
   const head = element("p");
   head.role = "status";
   head.append(swatch, `${pixel.x}, ${pixel.y}: ${pixel.shown.join(" ")} of 255`);
-  const text = element("pre");
+  const text = wide("what it is made of");
   // Places in the text can be clicked on.
   for (const part of pixel.text.split(/(\S+:\d+:\d+)/)) text.append(/^\S+:\d+:\d+$/.test(part) ? placeOf(part) : part);
   all.append(head, text);

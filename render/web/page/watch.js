@@ -85,13 +85,7 @@ function messageBox(message) {
   const box = element("div", undefined, "message " + message.severity), head = element("div");
   head.append(placed(message.place), " ", element("b", message.severity), ": " + message.text);
   box.append(head);
-  if (message.quote !== undefined) {
-    const quote = element("pre", message.quote + "\n" + message.indent + "^");
-    quote.tabIndex = 0;  // long ones are scrolled
-    quote.role = "group";
-    quote.ariaLabel = "the line";
-    box.append(quote);
-  }
+  if (message.quote !== undefined) box.append(wide("the line", message.quote + "\n" + message.indent + "^"));
   for (const related of message.related) {
     const line = element("div", undefined, "dim");
     line.append(placed(related.place), " " + related.text);
