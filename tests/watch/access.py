@@ -166,7 +166,7 @@ def check_keys(seen):
     assert page.ask("[state.picked.x, state.picked.y, ...state.picked.shown]") == [70, 55, *seen.pixel(70, 55)[:3]]
     page.ask("document.querySelector('#pixel .place').focus()")
     page.key("Enter")
-    assert page.ask("byId('note').textContent").startswith("copied scene.pov:"), page.ask("byId('note').textContent")
+    assert page.ask("byId('note').textContent").startswith(f"copied {seen.watched.scene}:"), page.ask("byId('note').textContent")
 
 
 def main():

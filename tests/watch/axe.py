@@ -13,8 +13,11 @@ from access import LOOKS, TALL, states
 from watched import NO_BROWSER, asked
 
 AUDITS = "devtools://devtools/bundled/third_party/lighthouse/lighthouse-dt-bundle.js"
-RUN = """axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] }).then(r => {
+# The contrast of lines that are scrolled out of sight it leaves undecided: `access.py` has that of all texts.
+RUN = """axe.run(document, { elementRef: true, runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] }).then(r => {
   const told = (kind, list) => list.map(v => `${kind} ${v.id}, ${v.help}: ` + v.nodes.map(n => n.html.slice(0, 120)).join(' | '));
+  for (const v of r.incomplete) if (v.id === 'color-contrast') v.nodes = v.nodes.filter(n => !n.element.closest('.wide'));
+  r.incomplete = r.incomplete.filter(v => v.nodes.length);
   return { version: r.testEngine.version, held: r.passes.map(v => v.id), found: [...told('broken:', r.violations), ...told('undecided:', r.incomplete)] };
 })"""
 # Rules that have to have found something to judge: a run that sees nothing would prove nothing.

@@ -114,7 +114,7 @@ def check_pixels(seen):
     # By the wheel: smooth on the way, whole multiples next to them and from 4 on.
     kinds, x, y = [], *seen.on_screen(4, 4)
     while scale() < 7:
-        before = scale()
+        before = page.ask("view.wished")
         page.mouse("mouseWheel", x, y, button="none", deltaX=0, deltaY=-20)
         page.wait(f"view.wished > {before}")
         page.ask("new Promise(done => requestAnimationFrame(() => done(true)))")

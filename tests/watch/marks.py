@@ -51,7 +51,7 @@ def check_first(program, shots):
         seen = Seen(page, watched, shots, "state.wrong")
         text = page.ask("byId('empty').innerText")
         assert text.startswith("No picture yet: the text has an error\n"), text
-        assert "scene.pov:2:14" in text and "pigmnt" in text and "\n" + " " * 13 + "^" in text, text
+        assert "scene.pov:2:15" in text and "pigmnt" in text and "\n" + " " * 14 + "^" in text, text
         field, said = seen.box("#stage"), seen.box("#empty")
         assert field[0] < said[0] < said[2] < field[2] and field[1] < said[1] < said[3] < field[3], (field, said)
         assert page.ask("[byId('file').textContent, document.title, picture.ariaLabel].join()") == "scene.pov,scene.pov - whittle,no picture yet"

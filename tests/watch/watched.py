@@ -1,5 +1,6 @@
 """A scene that `whittle watch` looks at in a folder of its own, and the page that a browser shows of it."""
 import argparse
+import base64
 import os
 import shutil
 import subprocess
@@ -113,9 +114,14 @@ class Seen:
           const image = await createImageBitmap(new Blob([bytes], {{ type: 'image/png' }}), {{ colorSpaceConversion: 'none' }});
           const canvas = new OffscreenCanvas(w, h).getContext('2d');
           canvas.drawImage(image, -x, -y);
-          return Array.from(canvas.getImageData(0, 0, w, h).data);
+          const data = canvas.getImageData(0, 0, w, h).data;
+          let text = '';
+          for (let i = 0; i < data.length; i += 4) text += String.fromCharCode(data[i], data[i + 1], data[i + 2]);
+          return btoa(text);
         }})()""")
-        return [[tuple(data[4 * (x + y * box[2]):][:3]) for x in range(box[2])] for y in range(box[3])]
+        samples = iter(base64.b64decode(data))
+        colours = list(zip(samples, samples, samples))
+        return [colours[y * box[2]:][:box[2]] for y in range(box[3])]
 
     def box(self, selector):
         """left, top, right, bottom of an element in the window."""

@@ -39,12 +39,14 @@ function told(pixel) {
   head.append(swatch, `${pixel.x}, ${pixel.y}: ${pixel.shown.join(" ")} of 255`);
   const text = wide("what it is made of");
   // Places in the text can be clicked on.
-  for (const part of pixel.text.split(/(\S+:\d+:\d+)/)) text.append(/^\S+:\d+:\d+$/.test(part) ? placeOf(part) : part);
+  for (const part of pixel.text.split(/(\S+:\d+:\d+)/)) text.append(/^\S+:\d+:\d+$/.test(part) ? placeOf(part, part) : part);
   all.append(head, text);
   return all;
 }
-function placeOf(text, copied = text) {
-  const place = element("button", text, "place");
+// A place that a click copies; files beside the scene or below it are shown without its folder.
+function placeOf(text, copied) {
+  const folder = byId("folder").textContent;
+  const place = element("button", text.startsWith(folder) ? text.slice(folder.length) : text, "place");
   place.type = "button";
   place.title = "copies " + copied;
   place.onclick = () => copy(copied);

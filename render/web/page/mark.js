@@ -12,7 +12,6 @@ function covered(block) {
 function isShown(g) {
   if (!state.scenes[g] || shown.scene?.g === g) return;
   shown.scene = state.scenes[g];
-  picture.ariaLabel = "picture of " + nameOf(state.text.file);
   mark();
 }
 
@@ -38,6 +37,7 @@ function showMark() {
   byId("edge").className = kind;
   const age = byId("edge").hidden ? "" : `of ${clock(shown.scene.text)}: ${why}`;
   if (byId("age").textContent !== age) byId("age").textContent = age;
+  if (shown.scene && state.text) picture.ariaLabel = "picture of " + nameOf(state.text.file);
   byId("empty").replaceChildren(...(shown.scene ? [] : nothing(kind, why)));
   document.body.classList.toggle("bare", !shown.scene && kind === "wrong");
 }

@@ -77,9 +77,7 @@ on("compared", told => {
 
 function placed(place) {
   if (!place) return "";
-  const folder = byId("folder").textContent;
-  const name = place.file.startsWith(folder) ? place.file.slice(folder.length) : place.file;
-  return placeOf(name + (place.line ? `:${place.line}:${place.column}` : ""), place.file + (place.line ? `:${place.line}` : ""));
+  return placeOf(place.file + (place.line ? `:${place.line}:${place.column}` : ""), place.file + (place.line ? `:${place.line}` : ""));
 }
 function messageBox(message) {
   const box = element("div", undefined, "message " + message.severity), head = element("div");
