@@ -134,6 +134,26 @@ class Browser:
             self.mouse("mouseMoved", x + (to_x - x) * k / 4, y + (to_y - y) * k / 4, buttons=1, modifiers=modifiers)
         self.mouse("mouseReleased", to_x, to_y, modifiers=modifiers)
 
+    KEYS = {"Tab": 9, "Enter": 13, " ": 32, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40}
+
+    def key(self, name, modifiers=0):
+        """A key of that name (KeyboardEvent.key), pressed and released; modifiers: 8 is shift."""
+        text = {"Enter": "\r"}.get(name, name if len(name) == 1 else "")
+        code = self.KEYS.get(name, ord(name[0]) if len(name) == 1 else 0)
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=name, text=text, windowsVirtualKeyCode=code, modifiers=modifiers)
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=name, windowsVirtualKeyCode=code, modifiers=modifiers)
+
+    def size(self, width, height):
+        """Of the window's inside, in CSS pixels, each one pixel of the screen."""
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.wait(f"innerWidth === {width} && innerHeight === {height}")
+        self.ask("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")  # laid out and drawn
+
+    def scheme(self, name):
+        """What the reader prefers: light or dark."""
+        self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": name}])
+        self.wait(f"matchMedia('(prefers-color-scheme: {name})').matches")
+
     def screenshot(self, path):
         with open(path, "wb") as out:
             out.write(base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"]))

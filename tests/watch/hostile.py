@@ -140,7 +140,7 @@ def attack(server, rng, count):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("whittle")
-    parser.add_argument("--requests", type=int, default=10000)
+    parser.add_argument("--requests", type=int, default=500)
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     rng = random.Random(arguments.seed)

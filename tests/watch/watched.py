@@ -1,5 +1,6 @@
 """A scene that `whittle watch` looks at in a folder of its own, and the page that a browser shows of it."""
 import argparse
+import base64
 import os
 import shutil
 import subprocess
@@ -77,10 +78,10 @@ class Watched:
 class Seen:
     """What the page shows."""
 
-    def __init__(self, page, watched, shots=None):
+    def __init__(self, page, watched, shots=None, ready="state.doneGeneration > 0"):
         self.page, self.watched, self.shots = page, watched, shots
         page.open(watched.address)
-        page.wait("state.doneGeneration > 0", 60)
+        page.wait(ready, 60)
 
     def shot(self, name):
         if self.shots:
@@ -104,6 +105,27 @@ class Seen:
         """Where a pixel of the picture is in the window."""
         box = self.page.ask("(() => { const b = stage.getBoundingClientRect(); return [b.left, b.top, view.x, view.y, view.scale]; })()")
         return box[0] + box[2] + (x + 0.5) * box[4], box[1] + box[3] + (y + 0.5) * box[4]
+
+    def screen(self, box):
+        """Red, green and blue of the window's pixels in a box of left, top, width, height, by rows."""
+        shot = self.page.call("Page.captureScreenshot", format="png")["data"]
+        data = self.page.ask(f"""(async () => {{
+          const bytes = Uint8Array.from(atob('{shot}'), c => c.charCodeAt(0)), [x, y, w, h] = {list(box)};
+          const image = await createImageBitmap(new Blob([bytes], {{ type: 'image/png' }}), {{ colorSpaceConversion: 'none' }});
+          const canvas = new OffscreenCanvas(w, h).getContext('2d');
+          canvas.drawImage(image, -x, -y);
+          const data = canvas.getImageData(0, 0, w, h).data;
+          let text = '';
+          for (let i = 0; i < data.length; i += 4) text += String.fromCharCode(data[i], data[i + 1], data[i + 2]);
+          return btoa(text);
+        }})()""")
+        samples = iter(base64.b64decode(data))
+        colours = list(zip(samples, samples, samples))
+        return [colours[y * box[2]:][:box[2]] for y in range(box[3])]
+
+    def box(self, selector):
+        """left, top, right, bottom of an element in the window."""
+        return self.page.ask(f"(() => {{ const b = document.querySelector('{selector}').getBoundingClientRect(); return [b.left, b.top, b.right, b.bottom]; }})()")
 
     def choose(self, control, value, event="change"):
         """As a hand sets a control of the page."""

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostAtOnce = 262144;  // bytes a read: a client that is slow holds no more
 constexpr auto kWait = std::chrono::seconds(1);
-constexpr std::array kEventNames = {"scene", "controls", "messages", "block", "progress", "done", "compared"};
+constexpr std::array kEventNames = {"text", "scene", "controls", "messages", "block", "progress", "done", "compared"};
 
 }  // namespace
 
@@ -32,11 +32,15 @@ void Board::push(Kind kind, const std::string& json, int generation, int pass)
     auto text = std::make_shared<const std::string>(
         fmt::format("event: {}\ndata: {}\n\n", kEventNames[static_cast<std::size_t>(kind)], json));
     const std::lock_guard lock(mutex_);
-    if (kind != Kind::Block) drop([&](const Entry& e) { return e.kind == kind; });
-    else if (generation < shown_) return;
-    else if (generation > shown_) {
+    if (kind != Kind::Block) {
+        drop([&](const Entry& e) { return e.kind == kind && (kind != Kind::Scene || e.generation != shown_); });
+    } else if (generation < shown_) {
+        return;
+    } else if (generation > shown_) {
         shown_ = generation;  // until its first block is there, the picture before stays
-        drop([&](const Entry& e) { return e.kind == Kind::Block; });
+        drop([&](const Entry& e) {
+            return e.kind == Kind::Block || (e.kind == Kind::Scene && e.generation < generation);
+        });
     }
     bytes_ += text->size();
     entries_.emplace(++last_, Entry{kind, generation, pass, std::move(text)});

@@ -12,8 +12,8 @@ namespace app {
 /// What pages are told, as server-sent events, kept as long as a page that opens now needs it. Any thread may use it.
 class Board {
 public:
-    /// Of each the last one counts, but for blocks, which add up to a picture.
-    enum class Kind { Scene, Controls, Messages, Block, Progress, Done, Compared };
+    /// Of each the last one counts, but for blocks, which add up to a picture, and the scene that these are of.
+    enum class Kind { Text, Scene, Controls, Messages, Block, Progress, Done, Compared };
 
     /// \param json of one line \param pass of a block, larger ones finer
     void push(Kind kind, const std::string& json, int generation = 0, int pass = 0);

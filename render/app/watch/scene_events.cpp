@@ -34,6 +34,16 @@ std::string messages_event(int generation, bool wrong, const std::vector<scene::
     return line_of_json({{"g", generation}, {"wrong", wrong}, {"messages", std::move(all)}});
 }
 
+std::string text_event(int generation, const std::string& file, std::int64_t read_at)
+{
+    return line_of_json({{"g", generation}, {"file", file}, {"at", read_at}});
+}
+
+std::string scene_event(int generation, int width, int height, std::int64_t text)
+{
+    return line_of_json({{"g", generation}, {"width", width}, {"height", height}, {"text", text}});
+}
+
 std::string done_event(int generation, double total, const PassTimes& times, const trace::RayCounts* rays)
 {
     json out{{"g", generation}, {"total", total}, {"times", json::array()}};

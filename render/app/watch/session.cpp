@@ -32,6 +32,12 @@ double seconds_from(JobClock::time_point start)
     return std::chrono::duration<double>(JobClock::now() - start).count();
 }
 
+std::int64_t milliseconds_now()
+{
+    using std::chrono::milliseconds, std::chrono::system_clock;
+    return std::chrono::duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
 std::vector<scene::Message> messages_of_error(const std::exception& error)
 {
     if (const auto* told = dynamic_cast<const scene::Error*>(&error)) return told->messages();
@@ -103,7 +109,7 @@ Session::Session(const Settings& settings, const std::string& reference, const s
       thread_([this] { run(); }), saves_([this] { ask(Cause::Save); })
 {
     saves_.follow({scene_}, false);
-    ask(Cause::Start);
+    ask(Cause::Save);
 }
 
 Session::~Session()
@@ -123,8 +129,7 @@ void Session::ask(Cause cause)
 {
     {
         const std::lock_guard lock(mutex_);
-        // A save that waits stays one: its text has to be read.
-        if (waiting_ != Cause::Save && waiting_ != Cause::Start) waiting_ = cause;
+        if (waiting_ != Cause::Save) waiting_ = cause;  // a save that waits stays one: its text has to be read
         cancel_ = true;
     }
     asked_.notify_all();
@@ -133,26 +138,25 @@ void Session::ask(Cause cause)
 void Session::run()
 {
     for (;;) {
-        Cause cause = Cause::Start;
         View view;
         {
             std::unique_lock lock(mutex_);
             asked_.wait(lock, [this] { return ending_ || waiting_.has_value(); });
             if (ending_) return;
-            cause = *waiting_;
+            if (*waiting_ == Cause::Save) unread_ = true;
             waiting_.reset();
             view = view_;
             cancel_ = false;
         }
-        make(cause, view);
+        make(view);
     }
 }
 
-void Session::make(Cause cause, const View& view)
+void Session::make(const View& view)
 {
     ++generation_;
     try {
-        render(cause, view);
+        render(view);
     } catch (const parser::Cancelled&) {
         return;
     } catch (const csg::Cancelled&) {
@@ -174,11 +178,20 @@ Settings Session::settings_for(const View& view) const
     return settings;
 }
 
-Session::Parsed Session::read(const Settings& settings)
+void Session::read(const View& view, const Settings& settings)
 {
+    if (unread_ || wrong_) {  // else it is the same text with other values
+        read_at_ = milliseconds_now();
+        board_.push(Board::Kind::Text, text_event(generation_, scene_, read_at_));
+    }
     const SceneReading reading(settings, cancel_);
     told_.clear();
-    return std::make_shared<const parser::Result>(parser::parse_file(scene_, reading.options, gather, &told_));
+    parsed_ = std::make_shared<const parser::Result>(parser::parse_file(scene_, reading.options, gather, &told_));
+    read_with_ = view;
+    wrong_ = unread_ = false;
+    files_ = parsed_->scene.files;
+    files_.insert(files_.end(), parsed_->data_files.begin(), parsed_->data_files.end());
+    follow(false, told_);
 }
 
 /// What the next save may be of.
@@ -194,19 +207,14 @@ void Session::follow(bool wrong, const std::vector<scene::Message>& messages)
     saves_.follow(files, wrong);
 }
 
-void Session::render(Cause cause, const View& view)
+void Session::render(const View& view)
 {
     const auto start = JobClock::now();
     const Settings settings = settings_for(view);
     PassTimes times;
-    if (cause != Cause::View || !parsed_ || wrong_ || !view.same_text(read_with_)) {
-        parsed_ = read(settings);
-        read_with_ = view;
-        wrong_ = false;
+    if (unread_ || wrong_ || !view.same_text(read_with_)) {
+        read(view, settings);
         times.emplace_back("parse", seconds_from(start));
-        files_ = parsed_->scene.files;
-        files_.insert(files_.end(), parsed_->data_files.begin(), parsed_->data_files.end());
-        follow(false, told_);
     }
     board_.push(Board::Kind::Messages, messages_event(generation_, false, told_), generation_);
     const auto planning = JobClock::now();
@@ -233,15 +241,7 @@ void Session::render(Cause cause, const View& view)
     }
     times.emplace_back("plan", seconds_from(planning));
     if (cancel_) return;
-    const char* cause_name = cause == Cause::View ? "view" : cause == Cause::Save ? "save" : "start";
-    board_.push(Board::Kind::Scene,
-                json{{"g", generation_},
-                     {"width", settings.width},
-                     {"height", settings.height},
-                     {"file", scene_},
-                     {"cause", cause_name}}
-                    .dump(-1, ' ', false, json::error_handler_t::replace),
-                generation_);
+    board_.push(Board::Kind::Scene, scene_event(generation_, settings.width, settings.height, read_at_), generation_);
     std::vector<parser::SceneConstant> constants = parser::constants_of(scene_);
     for (const auto& declared : settings_.declared_numbers)
         if (std::none_of(constants.begin(), constants.end(), [&](const auto& c) { return c.name == declared.first; }))

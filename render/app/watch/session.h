@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -28,7 +29,7 @@ public:
     bool events(std::uint64_t& position, std::string& out) override { return board_.read(position, out); }
 
 private:
-    enum class Cause { Start, Save, View };
+    enum class Cause { Save, View };
     using Parsed = std::shared_ptr<const parser::Result>;
     /// What the picture was made from that pages show.
     struct Looked {
@@ -38,9 +39,9 @@ private:
 
     void ask(Cause cause);
     void run();
-    void make(Cause cause, const View& view);
-    void render(Cause cause, const View& view);
-    Parsed read(const Settings& settings);
+    void make(const View& view);
+    void render(const View& view);
+    void read(const View& view, const Settings& settings);
     void follow(bool wrong, const std::vector<scene::Message>& messages);
     Settings settings_for(const View& view) const;
     web::Reply change(const std::string& body);
@@ -67,6 +68,8 @@ private:
     Parsed parsed_;   ///< of the text as it was last right
     View read_with_;  ///< its clock and constants
     bool wrong_ = false;
+    bool unread_ = true;              ///< a save came since, or its reading was cancelled
+    std::int64_t read_at_ = 0;        ///< when the text was last begun to be read, milliseconds since 1970
     std::vector<std::string> files_;  ///< that were read last
     std::vector<scene::Message> told_;
 

@@ -21,7 +21,9 @@ function slider(name, value, change, reset) {
   row.className = "value";
   row.dataset.name = name;
   const label = document.createElement("label"), range = document.createElement("input"), number = document.createElement("input");
-  label.textContent = name;
+  label.textContent = label.title = name;
+  label.htmlFor = range.id = "value-" + name;
+  number.ariaLabel = name + " as a number";
   range.type = "range";
   number.type = "number";
   range.step = number.step = "any";
@@ -38,8 +40,10 @@ function slider(name, value, change, reset) {
   range.oninput = () => set(+range.value);
   number.onchange = () => set(+number.value);
   const back = document.createElement("button");
-  back.textContent = "×";
+  back.className = "sign";
+  back.dataset.sign = "×";
   back.title = "as the scene has it";
+  back.ariaLabel = name + " as the scene has it";
   back.onclick = reset;
   row.append(label, range, number, back);
   return row;
@@ -49,11 +53,11 @@ let shownValues = "";
 function showControls(told) {
   byId("camera").textContent = told.camera;
   orbit = told.orbit;
-  // Rows that are being moved stay.
+  // Rows stay as long as their names do, and a value that is being moved or typed.
   const all = JSON.stringify(told.constants.map(c => c.name));
   if (all !== shownValues) {
     shownValues = all;
-    const rows = [slider("clock", told.clock, clock => ask({ clock }), () => { ask({ clock: null }); shownValues = ""; })];
+    const rows = [slider("clock", told.clock, clock => ask({ clock }), () => ask({ clock: null }))];
     for (const constant of told.constants) {
       if (constant.set) declared[constant.name] = constant.value;
       rows.push(slider(constant.name, constant.value, value => {
@@ -61,7 +65,6 @@ function showControls(told) {
         ask({ declared: { ...declared } });
       }, () => {
         delete declared[constant.name];
-        shownValues = "";
         ask({ declared: { ...declared } });
       }));
     }
@@ -71,7 +74,7 @@ function showControls(told) {
   const values = { clock: told.clock };
   for (const constant of told.constants) values[constant.name] = constant.value;
   for (const row of byId("values").children)
-    if (!row.contains(document.activeElement)) for (const input of row.querySelectorAll("input")) input.value = values[row.dataset.name];
+    if (!row.querySelector("input:focus")) for (const input of row.querySelectorAll("input")) input.value = values[row.dataset.name];
 }
 
 // Camera.
@@ -97,6 +100,7 @@ byId("copy-camera").onclick = () => copy(byId("camera").textContent);
 
 async function copy(text) {
   state.copied = text;
+  note("copied " + text.split("\n")[0].replace(/\{$/, "").trim());
   try {
     await navigator.clipboard.writeText(text);
   } catch {
