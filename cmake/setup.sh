@@ -4,27 +4,41 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
+
+# choice 'a b | *c d | e': the packages of the first alternative whose first one is installed, else those of the one with a star.
+choice() {
+    local alternatives alternative names starred=
+    IFS='|' read -r -a alternatives <<<"$1"
+    for alternative in "${alternatives[@]}"; do
+        read -r -a names <<<"${alternative/'*'/}"
+        if installed "${names[0]}"; then echo "${names[*]}"; return; fi
+        [[ $alternative != *'*'* ]] || starred=${names[*]}
+    done
+    echo "$starred"
+}
+
 # The names in packages.txt; with `to_run` those of the tests' part are left out.
 packages() {
-    local part=()
+    local part=() line
     [[ $1 == to_run ]] && part=(-e '/^# To test/,/^$/d')
-    sed "${part[@]}" -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packages.txt"
+    sed "${part[@]}" -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packages.txt" | while read -r line; do
+        if [[ $line == *'|'* ]]; then choice "$line"; else echo "$line"; fi
+    done
 }
 
 # Those of them that are not installed, on one line.
 missing_packages() {
     local name names=()
-    for name in $(packages "$1"); do
-        [[ $(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null) == installed ]] || names+=("$name")
-    done
+    for name in $(packages "$1"); do installed "$name" || names+=("$name"); done
     echo "${names[*]}"
 }
 
 # install_packages to_run|to_check: a browser and an editor are for the tests alone.
 install_packages() {
     local stamp=$root/build/packages.$1 missing
-    cmp -s "$root/packages.txt" "$stamp" && return
-    command -v dpkg-query >/dev/null || { echo "this needs Debian 12 packages: $(packages "$1" | tr '\n' ' ')" >&2; exit 1; }
+    cat "$root/packages.txt" /etc/os-release 2>/dev/null | cmp -s - "$stamp" && return
+    command -v dpkg-query >/dev/null || { echo "this needs packages of Debian 12 or 13: $(packages "$1" | tr '\n' ' ')" >&2; exit 1; }
     missing=$(missing_packages "$1")
     if [[ -n $missing ]]; then
         if [[ $(id -u) != 0 ]]; then
@@ -37,11 +51,11 @@ install_packages() {
         DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2
     fi
     mkdir -p "$root/build"
-    cp "$root/packages.txt" "$stamp"
+    cat "$root/packages.txt" /etc/os-release >"$stamp"
 }
 
 # build PRESET TARGET...: configures when packages came since the last time (Ninja itself does when a CMake file changed)
-# and builds; quiet when there is nothing to do.
+# and builds; quiet when there is nothing to do. Afresh, for the compiler and what was found may have gone with an older Debian.
 build() {
     local preset=$1 folder=$root/build/$1 stamp configure=
     shift
@@ -49,6 +63,6 @@ build() {
     for stamp in "$root"/build/packages.*; do
         [[ $stamp -nt $folder/build.ninja ]] && configure=yes
     done
-    [[ -z $configure ]] || (cd "$root" && cmake --preset "$preset") >&2
+    [[ -z $configure ]] || (cd "$root" && cmake --preset "$preset" --fresh) >&2
     ninja -C "$folder" --quiet "$@" >&2
 }

@@ -8,11 +8,16 @@ endif()
 
 set(WHITTLE_PROFILE "")
 set(profile_text ${CMAKE_CURRENT_LIST_DIR}/profile/kernels.proftext)
-find_program(WHITTLE_PROFDATA llvm-profdata-14)
-if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT WHITTLE_PROFDATA)
-  message(WARNING "llvm-profdata-14 (Debian package llvm-14) is missing: kernels are compiled without their profile")
+if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  # Linker and reader of profiles are those of the compiler's version: older ones do not know what it writes.
+  string(REGEX MATCH "^[0-9]+" clang ${CMAKE_CXX_COMPILER_VERSION})
+  set(WHITTLE_LLD -fuse-ld=lld-${clang})
+  find_program(WHITTLE_PROFDATA llvm-profdata-${clang})
+  if(NOT WHITTLE_PROFDATA)
+    message(WARNING "llvm-profdata-${clang} (Debian package llvm-${clang}) is missing: kernels are compiled without their profile")
+  endif()
 endif()
-if(CMAKE_BUILD_TYPE STREQUAL Release AND CMAKE_CXX_COMPILER_ID STREQUAL Clang AND WHITTLE_PROFDATA AND NOT WHITTLE_TRAIN)
+if(CMAKE_BUILD_TYPE STREQUAL Release AND WHITTLE_PROFDATA AND NOT WHITTLE_TRAIN)
   # Named by what it holds, so that another one compiles the kernels anew.
   file(SHA256 ${profile_text} profile_hash)
   string(SUBSTRING ${profile_hash} 0 12 profile_hash)
@@ -35,13 +40,14 @@ function(whole_program target)
   if(WHITTLE_TRAIN)
     # Counts kept in registers through loops would take clang an hour in one source.
     target_compile_options(${target} PRIVATE -fprofile-generate ${counted} "SHELL:-mllvm -do-counter-promotion=false")
-    target_link_options(${target} PRIVATE -fprofile-generate -fuse-ld=lld)
+    target_link_options(${target} PRIVATE -fprofile-generate ${WHITTLE_LLD})
     return()
   endif()
   target_compile_options(${target} PRIVATE -flto)
-  target_link_options(${target} PRIVATE -flto -fuse-ld=lld LINKER:--lto-O3,-mllvm,-inline-threshold=600)
+  target_link_options(${target} PRIVATE -flto ${WHITTLE_LLD} LINKER:--lto-O3,-mllvm,-inline-threshold=600)
   if(WHITTLE_PROFILE)
-    # A function that has changed since it was counted is compiled as if it never had been.
+    # A function that has changed since it was counted is compiled as if it never had been; so is one that another clang
+    # than that of train.py sees otherwise.
     target_compile_options(${target} PRIVATE -fprofile-use=${WHITTLE_PROFILE} ${counted} -Wno-profile-instr-unprofiled
                            -Wno-profile-instr-out-of-date -Wno-backend-plugin)
   endif()

@@ -22,6 +22,31 @@ inline constexpr int kFloatParts = 2;
 #endif
 inline constexpr int kFloatPart = static_cast<int>(FloatPart::size);
 
+// xsimd 8, Debian 12's, has other names for these two than later ones.
+#if XSIMD_VERSION_MAJOR == 8
+template <class To, class From>
+inline To same_bits(const From& v)
+{
+    return xsimd::bitwise_cast<To>(v);
+}
+template <class Batch>
+inline auto sum(const Batch& v)
+{
+    return xsimd::hadd(v);
+}
+#else
+template <class To, class From>
+inline To same_bits(const From& v)
+{
+    return xsimd::bitwise_cast<typename To::value_type>(v);
+}
+template <class Batch>
+inline auto sum(const Batch& v)
+{
+    return xsimd::reduce_add(v);
+}
+#endif
+
 // xsimd 8 has no mask of a batch_bool; one overload a register type.
 inline std::uint32_t bits(__m128 r) { return static_cast<std::uint32_t>(_mm_movemask_ps(r)); }
 inline std::uint32_t bits(__m128d r) { return static_cast<std::uint32_t>(_mm_movemask_pd(r)); }

@@ -155,8 +155,7 @@ private:
         }
         // The empty places at the end repeat the first ray.
         const double empty = rays.groups * kRayGroup - rays.count;
-        const glm::dvec3 sum = glm::dvec3(xsimd::hadd(x), xsimd::hadd(y), xsimd::hadd(z)) -
-                               empty * rays.ray(0).direction;
+        const glm::dvec3 sum = glm::dvec3(lanes::sum(x), lanes::sum(y), lanes::sum(z)) - empty * rays.ray(0).direction;
         const double length = glm::length(sum);
         narrow_ = length > 0.5 * rays.count;
         axis_ = narrow_ ? sum / length : glm::dvec3(0, 0, 1);

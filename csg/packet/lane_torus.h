@@ -22,12 +22,12 @@ struct LaneRays {
     static Number cube_root_seed(Number v)
     {
         using Bits = xsimd::batch<std::uint64_t>;
-        Bits third = xsimd::bitwise_cast<Bits>(v) >> 2;
+        Bits third = lanes::same_bits<Bits>(v) >> 2;
         third += third >> 2;
         third += third >> 4;
         third += third >> 8;
         third += third >> 16;
-        return xsimd::bitwise_cast<Number>(third + Bits(std::uint64_t{0x2a9f7893782da1ce}));
+        return lanes::same_bits<Number>(third + Bits(std::uint64_t{0x2a9f7893782da1ce}));
     }
 };
 

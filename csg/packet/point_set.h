@@ -36,7 +36,7 @@ public:
             x += px, y += py, z += pz;
             empty += lanes::kDoubles;
         });
-        const glm::dvec3 sum(xsimd::hadd(x), xsimd::hadd(y), xsimd::hadd(z));
+        const glm::dvec3 sum(lanes::sum(x), lanes::sum(y), lanes::sum(z));
         return (sum - empty * last()) / static_cast<double>(count_);
     }
 

@@ -17,8 +17,8 @@ using Words = xsimd::batch<std::uint64_t>;
 
 inline std::uint64_t words_of(double v) { return std::bit_cast<std::uint64_t>(v); }
 inline double number_of(std::uint64_t v) { return std::bit_cast<double>(v); }
-inline Words words_of(const Double& v) { return xsimd::bitwise_cast<Words>(v); }
-inline Double number_of(const Words& v) { return xsimd::bitwise_cast<Double>(v); }
+inline Words words_of(const Double& v) { return same_bits<Words>(v); }
+inline Double number_of(const Words& v) { return same_bits<Double>(v); }
 
 inline double choose(bool which, double a, double b) { return which ? a : b; }
 inline Double choose(const Double::batch_bool_type& which, const Double& a, const Double& b)

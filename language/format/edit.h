@@ -2,6 +2,7 @@
 
 #include "language/format/format.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace language::format {

@@ -24,8 +24,16 @@ CASE = re.compile(r'''^golden_case\((?P<name>\S+) SIZE (?P<width>\d+)x(?P<height
 MARGIN = 50  # hundred-thousandths: what a bound leaves free below its measurement, 0.05 % of the pixels
 
 
-def measure(whittle, case, folder):
-    """Agreement of one case with its reference in hundred-thousandths, rounded down; ValueError tells why there is none."""
+def cases_in(text):
+    """The golden_case lines of a CMakeLists.txt, by name."""
+    cases = {found["name"]: found.groupdict() | {"line": found[0]} for found in CASE.finditer(text)}
+    if len(cases) != len(re.findall(r"^golden_case\(", text, re.M)):
+        sys.exit("a golden_case line of CMakeLists.txt is not understood, or a name stands there twice")
+    return cases
+
+
+def render(whittle, case, folder):
+    """Renders one case as its test does and returns the picture's path; ValueError tells why there is none."""
     scene = ROOT / "scenes" / f"{case['name']}.pov"
     picture = folder / (case["name"].replace("/", "_") + ".png")
     command = [*shlex.split(whittle), f"+I{scene.name}", f"+O{picture}", f"+W{case['width']}", f"+H{case['height']}", "-A",
@@ -33,6 +41,12 @@ def measure(whittle, case, folder):
     done = subprocess.run(command, cwd=scene.parent, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
         raise ValueError(f"{case['name']}: exit status {done.returncode}\n{done.stdout}")
+    return picture
+
+
+def measure(whittle, case, folder):
+    """Agreement of one case with its reference in hundred-thousandths, rounded down; ValueError tells why there is none."""
+    picture = render(whittle, case, folder)
     reference = ROOT / "reference_images" / f"{case['name']}.png"
     compared = subprocess.run([shlex.split(whittle)[0], "compare", reference, picture, "--tolerance", "3"], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True).stdout
@@ -57,9 +71,7 @@ def main():
     options = parser.parse_args()
     list_file = HERE / "CMakeLists.txt"
     text = list_file.read_text()
-    cases = {found["name"]: found.groupdict() | {"line": found[0]} for found in CASE.finditer(text)}
-    if len(cases) != len(re.findall(r"^golden_case\(", text, re.M)):
-        sys.exit("a golden_case line of CMakeLists.txt is not understood, or a name stands there twice")
+    cases = cases_in(text)
     unknown = set(options.names) - set(cases)
     if unknown:
         sys.exit("no golden_case for " + ", ".join(sorted(unknown)))

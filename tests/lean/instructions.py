@@ -6,8 +6,9 @@ usage: instructions.py WHITTLE [--record]
 Counts by callgrind (Debian package valgrind), which has no noise and knows no AVX-512: the instructions of the v3 kernel between a tile's rays
 and its colours, one thread, 96x72 pixels. counts.csv beside this file holds what every scene took when it was recorded; a scene may take 0.5 %
 more. A scene that takes less than four fifths is told too: functions that are counted by name may have gone into others, and a gain like that is
-worth a new record. --record writes the file anew: for a change that is worth more than it costs, which its commit has to say. Exit status 77 (skipped) without
-valgrind, on a processor without AVX2, or where compiler, C library or processor are others than machine.txt says: they decide the counts too.
+worth a new record. --record writes the file anew: for a change that is worth more than it costs, which its commit has to say. Exit status 77
+(skipped) without valgrind, on a processor without AVX2, or where compiler, C library or processor are others than machine.txt says: they decide
+the counts too, so that nothing would be compared but them.
 """
 import csv
 import pathlib
@@ -36,11 +37,12 @@ def instructions(whittle, scene, folder):
     return int(found[1])
 
 
-def machine():
-    """Compiler, C library and processor, a line each: the library chooses its functions by the processor."""
+def machine(whittle):
+    """The program's compiler, the C library and the processor, a line each: the library chooses its functions by the processor."""
+    compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)", (pathlib.Path(whittle).parent / "CMakeCache.txt").read_text(), re.M)[1]
     first = lambda *command: subprocess.run(command, capture_output=True, text=True).stdout.split("\n")[0]
     model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
-    return f"{first('clang++-14', '--version')}\n{first('ldd', '--version')}\n{model[1] if model else 'unknown'}\n"
+    return f"{first(compiler, '--version')}\n{first('ldd', '--version')}\n{model[1] if model else 'unknown'}\n"
 
 
 def main():
@@ -49,10 +51,11 @@ def main():
         sys.exit(77)
     record = "--record" in sys.argv[2:]
     known = HERE / "machine.txt"
-    if not record and machine() != known.read_text():
-        print(f"counted elsewhere:\n{known.read_text()}here:\n{machine()}")
-        sys.exit(77)
     whittle = sys.argv[1]
+    here = machine(whittle)
+    if not record and here != known.read_text():
+        print(f"counts.csv holds for\n{known.read_text()}alone, and this is\n{here}Nothing is compared.")
+        sys.exit(77)
     with COUNTS.open() as file:
         recorded = {row["scene"]: int(row["instructions"]) for row in csv.DictReader(file)}
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(2) as pool:
@@ -66,7 +69,7 @@ def main():
         if count < LEAST * recorded[scene]:
             under.append(scene)
     if record:
-        known.write_text(machine())
+        known.write_text(here)
         COUNTS.write_text("scene,instructions\n" + "".join(f"{scene},{count}\n" for scene, count in counts.items()))
     elif over:
         sys.exit(f"more than {100.0 * MARGIN:g} % above counts.csv: {', '.join(over)}")

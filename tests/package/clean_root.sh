@@ -1,18 +1,15 @@
 #!/usr/bin/env bash
-# clean_root.sh [FOLDER]: builds the package, installs it in a minimal Debian 12 made in FOLDER (a temporary one if none is given), renders there,
-# and removes it again. As root; needs debootstrap and dpkg-dev.
+# clean_root.sh [FOLDER]: builds the package, installs it in a minimal Debian of this machine's release made in FOLDER (a temporary one if
+# none is given), renders there, and removes it again. As root; needs debootstrap and dpkg-dev.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 package=$("$root/cmake/package.sh")
-place=${1:-$(mktemp -d)}
-trap '[[ $# -gt 0 ]] || rm -rf "$place"' EXIT
-mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.sources 2>/dev/null | sed -nE 's/^(URIs:|deb( \[[^]]*\])?) *([^ ]+).*/\3/p' | head -1 || true)
-[[ -e $place/usr/bin/apt-get ]] || debootstrap --variant=minbase bookworm "$place" "$mirror" >&2
-cp /etc/apt/apt.conf.d/* "$place/etc/apt/apt.conf.d/" 2>/dev/null || true
-cp /etc/resolv.conf "$place/etc/" 2>/dev/null || true
+source "$root/tests/package/bare_root.sh"
+folder=${1:-$(mktemp -d)}
+trap '[[ $# -gt 0 ]] || rm -rf --one-file-system "$folder"' EXIT
+bare_root "$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)" "$folder"
 cp "$package" "$place/root/whittle.deb"
 cp "$root/scenes/first_light.pov" "$place/root/"
-inside() { chroot "$place" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C DEBIAN_FRONTEND=noninteractive "$@"; }
 expect() { "$@" || { echo "failed: $*" >&2; exit 1; }; }
 inside apt-get install -q -y --no-install-recommends /root/whittle.deb >&2
 for file in bin/whittle bin/povray-whittle bin/povray share/man/man1/whittle.1 share/bash-completion/completions/whittle \

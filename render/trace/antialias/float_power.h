@@ -15,9 +15,9 @@ inline FloatPart float_power(const FloatPart& c, const FloatPart& n)
 {
     using Integers = xsimd::as_integer_t<FloatPart>;
     constexpr std::int32_t kOne = 0x3f800000, kRoot = 0x3f3504f3;  // 1 and the root of 1/2
-    const Integers bits = xsimd::bitwise_cast<Integers>(c), steps = (bits + Integers(kOne - kRoot)) >> 23;
+    const Integers bits = csg::lanes::same_bits<Integers>(c), steps = (bits + Integers(kOne - kRoot)) >> 23;
     const FloatPart e = xsimd::to_float(steps - Integers(127));
-    const FloatPart m = xsimd::bitwise_cast<FloatPart>(bits - ((steps - Integers(127)) << 23));
+    const FloatPart m = csg::lanes::same_bits<FloatPart>(bits - ((steps - Integers(127)) << 23));
     // log2 m = 2 artanh((m - 1) / (m + 1)) / ln 2 by its series: m lies between the roots of 1/2 and 2.
     const FloatPart f = (m - FloatPart(1.0f)) / (m + FloatPart(1.0f)), s = f * f;
     const FloatPart odd =
@@ -33,8 +33,8 @@ inline FloatPart float_power(const FloatPart& c, const FloatPart& n)
                           r * (FloatPart(0.693147181f) + r * (FloatPart(0.240226507f) + r * FloatPart(0.0555041087f)));
     const FloatPart high = FloatPart(0.00961812911f) + r * (FloatPart(0.00133335581f) + r * FloatPart(0.000154035304f));
     const FloatPart squared = r * r, power = low + squared * squared * high;
-    return xsimd::bitwise_cast<FloatPart>(xsimd::bitwise_cast<Integers>(power) +
-                                          (xsimd::bitwise_cast<Integers>(shifted) << 23));
+    return csg::lanes::same_bits<FloatPart>(csg::lanes::same_bits<Integers>(power) +
+                                            (csg::lanes::same_bits<Integers>(shifted) << 23));
 }
 
 }  // namespace trace

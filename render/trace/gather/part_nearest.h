@@ -95,7 +95,7 @@ private:
             even += ones(k);
             odd += ones(k + Float::size);
         }
-        return static_cast<std::size_t>(xsimd::hadd(even + odd));
+        return static_cast<std::size_t>(csg::lanes::sum(even + odd));
     }
 
     struct Ranked {

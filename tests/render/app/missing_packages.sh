@@ -18,6 +18,7 @@ stand_in id 'echo 1000'
 # shellcheck disable=SC2016
 for tool in apt-get sudo cmake ninja; do stand_in "$tool" 'echo "${0##*/} $*" >>"${0%/*}/../called"'; done
 
+# A compiler that is there is what counts: nothing is asked for another.
 for script in run check; do
     lacking=libglm-dev
     [[ $script == check ]] && lacking+=" catch2"  # what only the tests need does not keep a picture waiting
@@ -31,8 +32,22 @@ for script in run check; do
     fi
 done
 
+# Of the compilers the newest clang that is there, with what belongs to it; g++ where there is none; the system's clang where there is
+# neither, and its own is as good as one of the names with a number.
+compilers() {
+    # shellcheck disable=SC2016
+    stand_in dpkg-query 'for there in '"$1"'; do [ "$3" = "$there" ] && { printf installed; exit; }; done; exit 1'
+    (PATH="$place/tools:$PATH"; source "$place/copy/cmake/setup.sh"; packages to_run | head -1)
+}
+expect() { [[ $(compilers "$1") == "$2" ]] || { echo "with '$1' installed: $(compilers "$1"), not $2"; exit 1; }; }
+expect "clang-14 g++" "clang-14 lld-14 llvm-14"
+expect "clang-14 clang clang-19 g++" "clang-19 lld-19 llvm-19"
+expect "g++ clang" "clang lld llvm"
+expect "g++ lld-14" "g++"
+expect "" "clang lld llvm"
+
 # With all packages there, the same scripts go on to configure and build.
 stand_in dpkg-query 'printf installed'
 PATH="$place/tools:$PATH" "$place/copy/run" >/dev/null 2>&1 || true  # the stand-ins build no program to start
-grep -q '^cmake --preset release' "$place/called" && grep -q '^ninja ' "$place/called"
-cmp -s "$place/copy/packages.txt" "$place/copy/build/packages.to_run"
+grep -q '^cmake --preset release --fresh' "$place/called" && grep -q '^ninja ' "$place/called"
+cat "$place/copy/packages.txt" /etc/os-release | cmp -s - "$place/copy/build/packages.to_run"

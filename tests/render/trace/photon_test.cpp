@@ -16,7 +16,7 @@
 #include <numbers>
 #include <random>
 
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 
