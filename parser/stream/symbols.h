@@ -30,6 +30,8 @@ public:
         return name < slots_.size() && !slots_[name].empty() ? &slots_[name].back().cell : nullptr;
     }
     bool in_current_scope(std::uint32_t name) const;
+    /// Of the binding in force.
+    std::uint32_t scope_of(std::uint32_t name) const { return slots_[name].back().scope; }
     Cell find_global(std::uint32_t name) const;
 
     /// `#declare`: the nearest symbol, else a new global one. The new one is unset.

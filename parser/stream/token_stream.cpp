@@ -137,7 +137,10 @@ void TokenStream::fetch()
             if (!ahead_raw_) return;
             // Fetched where directives are not executed: now they are.
             ahead_raw_ = false;
-            if (ahead_->kind != Kind::Hash && !is_macro(*ahead_)) return;
+            if (ahead_->kind != Kind::Hash && !is_macro(*ahead_)) {
+                if (!deprecated_.empty() && ahead_->kind == Kind::Identifier) warn_deprecated(*ahead_);
+                return;
+            }
             has_ahead_ = false;
             --cursors_.back().position;
         }
@@ -382,6 +385,20 @@ void TokenStream::warn(const scene::SourceRef& at, std::string_view text)
 {
     if (!warned_.insert(message_text(message(Severity::Warning, at, text))).second) return;
     report(located(Severity::Warning, at, text));
+}
+
+void TokenStream::warn_when_closed(const scene::SourceRef& at, std::string text)
+{
+    of_open_blocks_.push_back({open_blocks_.size(), at, std::move(text)});
+}
+
+void TokenStream::tell_of_closed_blocks()
+{
+    while (!of_open_blocks_.empty() && of_open_blocks_.back().depth > open_blocks_.size()) {
+        const BlockWarning told = std::move(of_open_blocks_.back());
+        of_open_blocks_.pop_back();
+        warn(told.at, told.text);
+    }
 }
 
 /// #warning: each time, but what it is and how it was reached only once.

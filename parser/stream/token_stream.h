@@ -90,6 +90,8 @@ public:
     [[noreturn]] void fail_expected(std::string_view what, std::string_view more = "");
     /// Once for a text at a place: what stands in a loop or a file that is read again says nothing new.
     void warn(const scene::SourceRef& at, std::string_view text);
+    /// The same of the block that is read, told once it is closed: a mistake in it would be the cause.
+    void warn_when_closed(const scene::SourceRef& at, std::string text);
     /// For a name that means nothing where it stands: "'shpere' is not declared; did you mean 'sphere'?"
     /// `block`: in which an item was expected; `items`: all of its words, where they are known.
     [[noreturn]] void fail_undeclared(const Token& token, std::string_view block = {}, std::span<const Kind> items = {});
@@ -189,6 +191,7 @@ public:
     void block_closed()
     {
         if (!open_blocks_.empty()) open_blocks_.pop_back();
+        if (!of_open_blocks_.empty()) tell_of_closed_blocks();
     }
     /// "; the '{' of 'sphere' stands in line 3", or nothing if that is the line that peek() shows.
     std::string where_opened(std::string_view what, const scene::SourceRef& brace);
@@ -289,6 +292,12 @@ private:
     // macros.cpp
     void define_macro(std::uint32_t hash);
     void call_macro(const Token& name, const Macro& macro);
+    Cell argument(std::uint32_t scope, bool is_last);
+    void end_of_argument(const Cell& given);
+    static bool may_go_on(const Value& value);
+    bool element_ahead() const;
+    Cell taken_instead(const Token& first, const Value& named);
+    void check_uncalled(const Value& value);
     bool left_out();
     void enter_macro(const Token& name, const Macro& macro, std::size_t first_argument);
 
@@ -327,6 +336,7 @@ private:
     std::shared_ptr<Dictionary> read_dictionary();
     std::shared_ptr<Array> read_array();
     void read_elements(Array& array, std::size_t dimension, std::size_t& at);
+    Value read_element(bool is_last);
 
     // files.cpp
     void include();
@@ -347,6 +357,7 @@ private:
     scene::Message located(Severity severity, const scene::SourceRef& at, std::string_view text) const;
     void warn_as_written(const scene::SourceRef& at, const std::string& text);
     void report(scene::Message message);
+    void tell_of_closed_blocks();
 
     // data_files.cpp
     void open_data_file();
@@ -387,6 +398,12 @@ private:
     LanguageState language_;
     std::uint32_t declaring_ = kNoIndex, statement_ = kNoIndex;  ///< a statement: its first token in the main text
     std::vector<scene::SourceRef> open_blocks_;                  ///< of the statement
+    struct BlockWarning {
+        std::size_t depth;  ///< of the block
+        scene::SourceRef at;
+        std::string text;
+    };
+    std::vector<BlockWarning> of_open_blocks_;
     std::unordered_map<std::uint32_t, Deprecation> deprecated_;
     std::vector<std::uint32_t> random_streams_;
     RandomUndo random_undo_{random_streams_};

@@ -127,9 +127,12 @@ private:
             static constexpr std::array kGiven = {"A", "B", "L[1]", "I", "L", "S", "V", "Q[1][1]"};
             std::string text = "M" + std::to_string(which) + "(";
             for (int i = 0; i < 2; ++i)
-                text += std::string(i ? "," : "") + (choice(2)   ? std::string(kGiven[choice(kGiven.size())])
-                                                     : choice(5) ? number(1)
-                                                                 : string(1));
+                text += std::string(i == 0      ? ""
+                                    : choice(6) ? ","
+                                                : " ") +
+                        (choice(2)   ? std::string(kGiven[choice(kGiven.size())])
+                         : choice(5) ? number(1)
+                                     : string(1));
             return text + ")\n";
         }
         case 22: return "Ball\n";

@@ -57,12 +57,15 @@ TEST_CASE("what POV-Ray accepts and rejects, and what it prints", "[parser][lang
     const std::string prologue = "#version 3.7; global_settings{assumed_gamma 1} sphere{0,1}\n";
     const std::vector<Case> all = cases();
     CHECK(all.size() > 800);
-    for (const Case& one : all) {
-        INFO(one.text);
+    for (std::size_t i = 0; i < 2 * all.size(); ++i) {
+        const Case& one = all[i / 2];
+        parser::Options options;
+        options.blocks = i % 2 == 0;
+        INFO(one.text << (options.blocks ? "" : " read word by word"));
         std::string debug, error;
         try {
             const parser::Result result =
-                parser::parse_text((one.raw ? "" : prologue) + trimmed(one.text), "t.pov", {});
+                parser::parse_text((one.raw ? "" : prologue) + trimmed(one.text), "t.pov", options);
             for (const parser::Message& message : result.messages)
                 if (message.severity == parser::Severity::Debug) debug += message.text;
         } catch (const parser::Error& failed) {

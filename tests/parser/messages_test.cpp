@@ -52,6 +52,25 @@ std::vector<std::string> warnings(const std::string& path)
     return all;
 }
 
+/// First lines of all that is told of a text.
+std::vector<std::string> told_of(const std::string& text, bool blocks = true)
+{
+    std::vector<std::string> all;
+    parser::Options options;
+    options.blocks = blocks;
+    const auto listen = [](void* to, const parser::Message& message) {
+        if (message.severity != parser::Severity::Debug)
+            static_cast<std::vector<std::string>*>(to)->push_back(message_text(message));
+    };
+    try {
+        parser::parse_text(kBegin + "\n" + text, "t.pov", options, listen, &all);
+    } catch (const parser::Error& error) {
+        for (const scene::Message& message : error.messages()) all.push_back(message_text(message));
+    }
+    for (std::string& one : all) one.resize(std::min(one.size(), one.find('\n')));
+    return all;
+}
+
 }  // namespace
 
 TEST_CASE("a missing include names the folders and the nearest file", "[parser][messages]")
@@ -184,6 +203,53 @@ TEST_CASE("each statement that is wrong has a message of its own", "[parser][mes
     REQUIRE(errors.size() == 2);
     CHECK(errors[0].place.at.line == 2);
     CHECK(errors[1].place.at.line == 4);
+}
+
+TEST_CASE("a mistake in a block is told alone, without what it makes of the block", "[parser][messages]")
+{
+    for (const char* text :
+         {"difference { sphere { 0, 1 } shpere { 0, 2 } }", "union { sphere { 0, 1 } , }",
+          "intersection { union { box { 0, 1 } box { 1, 2 } 7 } }", "merge { colour x }",
+          "object { difference { plane { y, 0 } translate } }", "polygon { 3, <0, 0>, <1, 0>, <1, 1>, <0, 1> }",
+          "prism { linear_sweep 0, 1, 3, <0, 0>, <1, 0>, <1, 1>, <0, 0> }"}) {
+        INFO(text);
+        const std::vector<std::string> told = told_of(text);
+        REQUIRE(told.size() == 1);
+        CHECK_THAT(told[0], Catch::StartsWith("t.pov:2:") && Catch::Contains(": error: "));
+    }
+    CHECK(told_of("union { union { sphere { 0, 1 } } translate x }\nsphere { 0 }") ==
+          std::vector<std::string>{"t.pov:2:9: warning: union should have at least two objects",
+                                   "t.pov:2:1: warning: union should have at least two objects",
+                                   "t.pov:3:12: error: expected the radius (a number), found '}'"});
+}
+
+TEST_CASE("a name that is taken in place of the one before it is told once a place", "[parser][messages]")
+{
+    const std::string begin = "#declare P = 1; #declare Q = 2; #declare L = array[2] { 3, 4 } sphere { 0, 1 }\n"
+                              "#macro M(A, B) #local S = A + B; #end #macro Sum(A, B) (A + B) #end\n"
+                              "#declare F = function(x) { x } #declare G = function(x) { x }\n";
+    const std::string warning = ": warning: 'Q' is taken in place of 'P', as in POV-Ray, because no comma stands "
+                                "between them; write 'P, Q'";
+    for (const bool blocks : {true, false}) {
+        INFO(blocks);
+        CHECK(told_of(begin + "#for (I, 1, 9)\n M(P Q)\n M(Q, P) M(P 5) M(P, Q) #end", blocks) ==
+              std::vector<std::string>{"t.pov:6:4" + warning});
+        CHECK(told_of(begin + "#for (I, 1, 9)\n #declare S = Sum(P Q); #end", blocks) ==
+              std::vector<std::string>{"t.pov:6:19" + warning});
+        CHECK(told_of(begin + "M(L[0] P) #declare K = array[2] { F G }", blocks) ==
+              std::vector<std::string>{"t.pov:5:3: warning: 'P' is taken in place of 'L[...]', as in POV-Ray, because "
+                                       "no comma stands between them; write 'L[...], P'",
+                                       "t.pov:5:35: warning: 'G' is taken in place of 'F', as in POV-Ray, because no "
+                                       "comma stands between them; write 'F, G'"});
+        CHECK(
+            told_of(begin + "M(P P) M(P L[0]) M(P+0 Q) M((P) Q) M(5 Q) #declare K = array[2] { F F }", blocks).empty());
+        CHECK(told_of(begin + "M(P #if (1) #end, Q)", blocks) ==
+              std::vector<std::string>{"t.pov:5:5: error: expected ',' or ')' after the argument, found a directive: a "
+                                       "comma before it or parentheses around the argument help"});
+        CHECK(told_of(begin + "M(P Sum(P, Q))", blocks) ==
+              std::vector<std::string>{"t.pov:5:5: error: expected ',' or ')' after the argument, found a macro's "
+                                       "name: a comma before it or parentheses around the argument help"});
+    }
 }
 
 TEST_CASE("what stands nowhere or is a whole file is told without a line", "[parser][messages]")

@@ -159,7 +159,7 @@ void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object)
             } else build.set_aside(std::move(operand));
         }
         if (operands.written < 2 && build.version() >= 150)
-            in.warn(source, std::string(name) + " should have at least two objects");
+            in.warn_when_closed(source, std::string(name) + " should have at least two objects");
         object.shape =
             scene::Csg{op_of(keyword), operands.objects.take(), true, false, false, false, operands.all_inside, {}};
     }

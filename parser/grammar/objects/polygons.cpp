@@ -40,7 +40,8 @@ bool read_parameters(SolidReader& s, scene::Polygon& polygon)
     const int count = read_count(s);
     if (count < 3) s.fail("a polygon needs at least three points");
     polygon.points = read_points<glm::dvec3>(s, count);
-    if (!closed_outline(polygon.points)) s.in().warn(s.source(), "this polygon is not closed: it is closed now");
+    if (!closed_outline(polygon.points))
+        s.in().warn_when_closed(s.source(), "this polygon is not closed: it is closed now");
     s.object().shape = scene::Freeform{csg::make_freeform<csg::Polygon>(closed_loops(polygon.points))};
     return true;
 }

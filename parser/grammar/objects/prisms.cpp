@@ -71,7 +71,7 @@ void check_outlines(SolidReader& s, Curve curve, const Points& p)
             std::size_t last = first + 1;
             while (last < p.size() && !same(p[first], p[last])) ++last;
             if (last >= p.size() && first + 1 < p.size())
-                s.in().warn(s.source(), "the outline of this prism is not closed: it is closed now");
+                s.in().warn_when_closed(s.source(), "the outline of this prism is not closed: it is closed now");
             first = last + 1;
         }
     } else if (curve != Curve::Bezier) {
@@ -134,7 +134,7 @@ bool read_parameters(SolidReader& s, scene::Prism& prism)
     read_open_and_sturm(s, &prism.open);
     Pieces pieces = outline_of(prism);
     if (prism.curve == Curve::Bezier && pieces.empty())
-        s.in().warn(s.source(), "an outline of this prism is not closed: it is not drawn");
+        s.in().warn_when_closed(s.source(), "an outline of this prism is not closed: it is not drawn");
     make_shape(prism, std::move(pieces), s.object());
     return true;
 }

@@ -155,7 +155,7 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
                      ahead_->kind == Kind::Hash
                          ? "a directive cannot stand before an element of an array"
                          : "a macro call cannot be an element of an array: parentheses around it make it one");
-            Value value = read_value();
+            Value value = read_element(i + 1 == array.sizes[dimension] && !array.growing);
             if (array.growing) grow(array);
             if (array.kind == 0) array.kind = kind_of(value);
             if (array.kind != kind_of(value) && !array.mixed)
@@ -166,6 +166,18 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
         accept_comma();
     }
     expect_closing(fmt::format("'}}' after {} elements", array.sizes[dimension]), "the array", opened);
+}
+
+/// A function or spline that is named and not called: no comma behind it counts as with a macro's arguments.
+Value TokenStream::read_element(bool is_last)
+{
+    const Token& first = peek();
+    Value value = read_value();
+    const bool named = may_go_on(value) && !value.get_if<Tuple>() && last_->kind != Kind::RightBrace;
+    if (!named || is_last) return value;
+    check_uncalled(value);
+    const Cell next = taken_instead(first, value);
+    return next ? deep_copy(*next) : value;
 }
 
 /// `dictionary { .Key: value, ["Key"]: value }` or the word alone.

@@ -68,7 +68,7 @@ void TokenStream::declare(bool local)
     raw_operators_ = false;
     declaring_ = outer;
     if (deprecation && !target.known) deprecated_[target.name.name] = std::move(*deprecation);
-    const bool numeric = value.get_if<Tuple>() != nullptr;
+    const bool numeric = may_go_on(value) && last_->kind != Kind::RightBrace;  // else a function's or spline's own text
     store(target, std::move(value), local, scope);
     end_declaration(numeric);
 }
@@ -158,8 +158,12 @@ Value TokenStream::read_identifier_value(Cell* by_reference)
     next();
     if (is_container(*cell)) cell = subscripted(cell, name, false);
     if (cell->get_if<function::FunctionPtr>() || cell->get_if<SplinePtr>()) {
-        if (peek_operator().kind != Kind::LeftParen) return *cell;
         const Value copy = *cell;  // reading may change what the name stands for
+        if (peek_operator().kind != Kind::LeftParen) {
+            if (!by_reference) return copy;
+            *by_reference = copy.get_if<SplinePtr>() ? std::move(cell) : make_cell(copy);
+            return {};
+        }
         if (const auto* called = copy.get_if<function::FunctionPtr>())
             return continue_sum(*this, call_function(*this, *called, name, 1), 1);
         return continue_sum(*this, call_spline(*this, **copy.get_if<SplinePtr>(), name), 1);

@@ -1,3 +1,4 @@
+#include "parser/stream/functions/function.h"
 #include "parser/stream/limits.h"
 #include "parser/stream/token_stream.h"
 
@@ -42,32 +43,97 @@ void TokenStream::define_macro(std::uint32_t hash)
 void TokenStream::call_macro(const Token& name, const Macro& macro)
 {
     const auto guard = nest();
-    const bool raw = std::exchange(raw_operators_, false);
-    const std::size_t first = arguments_.size();
+    const bool raw = std::exchange(raw_operators_, true);
+    const std::uint32_t scope = symbols_.depth();
+    const std::size_t first = arguments_.size(), count = macro.parameters.size();
     last_ = &name;
     if (!accept(Kind::LeftParen)) fail_expected(fmt::format("'(' after the name of macro {}", word(name)));
-    for (std::size_t i = 0; i < macro.parameters.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         if (macro.optional[i] && left_out()) {
             arguments_.emplace_back();
-            accept_comma();
-            continue;
-        }
-        if (Cell simple = argument_compiled()) {
+        } else if (Cell simple = argument_compiled()) {
             arguments_.push_back(std::move(simple));
-            accept_comma();
-            continue;
+        } else {
+            if (peek().kind == Kind::RightParen)
+                fail_expected(fmt::format("argument '{}' of macro {}", names_.word(macro.parameters[i]), word(name)));
+            arguments_.push_back(argument(scope, i + 1 == count));
         }
-        if (peek().kind == Kind::RightParen)
-            fail_expected(fmt::format("argument '{}' of macro {}", names_.word(macro.parameters[i]), word(name)));
-        Cell cell;
-        Value value = read_value(&cell);
-        if (!cell) cell = make_cell(std::move(value));
-        arguments_.push_back(std::move(cell));
-        accept_comma();
+        end_of_argument(arguments_.back());
     }
     if (!accept(Kind::RightParen)) fail_expected(fmt::format("')' after the arguments of macro {}", word(name)));
     raw_operators_ = raw;
     enter_macro(name, macro, first);
+}
+
+/// `scope`: of the call.
+Cell TokenStream::argument(std::uint32_t scope, bool is_last)
+{
+    const Token& first = peek();
+    Cell cell;
+    Value value = read_value(&cell);
+    if (!cell) return make_cell(std::move(value));
+    if (is_last || !may_go_on(*cell)) return cell;
+    check_uncalled(*cell);
+    if (element_ahead()) return make_cell(deep_copy(*cell));
+    const Cell next = taken_instead(first, *cell);
+    if (!next) return cell;
+    const bool goes_away = symbols_.scope_of(ahead_->name) > scope;
+    if (goes_away || cell->get_if<function::FunctionPtr>()) return make_cell(deep_copy(goes_away ? *cell : *next));
+    return next;
+}
+
+/// Where an operator might have stood no directive is executed: POV-Ray takes none there, and no call of a macro.
+void TokenStream::end_of_argument(const Cell& given)
+{
+    const bool plain = !has_ahead_ && fetch_plain();
+    if (!plain && given && may_go_on(*given) && (peek_raw().kind == Kind::Hash || is_macro(*ahead_)))
+        fail(place(*ahead_), fmt::format("expected ',' or ')' after the argument, found {}: a comma before it or "
+                                         "parentheses around the argument help",
+                                         ahead_->kind == Kind::Hash ? "a directive" : "a macro's name"));
+    accept_comma();
+}
+
+/// An operator or parentheses might follow it where it is named.
+bool TokenStream::may_go_on(const Value& value)
+{
+    return value.get_if<Tuple>() || value.get_if<function::FunctionPtr>() || value.get_if<SplinePtr>();
+}
+
+/// The name ahead has subscripts.
+bool TokenStream::element_ahead() const
+{
+    if (!has_ahead_ || ahead_->kind != Kind::Identifier) return false;
+    const Value* const value = value_of(*ahead_);
+    const Cursor& cursor = cursors_.back();
+    if (!value || !is_container(*value) || cursor.position >= cursor.end) return false;
+    const Kind behind = cursor.tokens[cursor.position].kind;
+    return behind == Kind::LeftSquare || (behind == Kind::Period && value->get_if<std::shared_ptr<Dictionary>>());
+}
+
+/// A number, function or spline was named by itself: a name that stands right behind it is what POV-Ray takes instead
+/// (docs/povray/01-language.md, 8.4). Null: none stands there.
+Cell TokenStream::taken_instead(const Token& first, const Value& named)
+{
+    if (!has_ahead_ || ahead_->kind != Kind::Identifier || element_ahead() || is_macro(*ahead_)) return nullptr;
+    Cell next = symbols_.find_cell(ahead_->name);
+    const bool same = next.get() == &named || (last_ == &first && first.name == ahead_->name);
+    if (next && !same) {
+        const std::string text = word(first) + (last_->kind == Kind::RightSquare ? "[...]" : "");
+        warn(place(first), fmt::format("'{}' is taken in place of '{}', as in POV-Ray, because no comma stands between "
+                                       "them; write '{}, {}'",
+                                       word(*ahead_), text, text, word(*ahead_)));
+    }
+    return next;
+}
+
+/// Behind a function or spline that is named and not called.
+void TokenStream::check_uncalled(const Value& value)
+{
+    if (value.get_if<Tuple>()) return;
+    const Kind behind = peek_operator().kind;
+    if (behind == Kind::Plus || behind == Kind::Minus || behind == Kind::Star || behind == Kind::Slash ||
+        element_ahead())
+        fail_expected(fmt::format("a comma, or '(' and what {} is called with", type_name(value)));
 }
 
 /// Nothing stands here, or a name that means nothing: an optional parameter stays undeclared.

@@ -10,6 +10,13 @@ namespace {
 enum Site : std::uint32_t { kUnseen, kSeen, kNever, kFirst };  // from kFirst on: a list's index
 constexpr int kMostLists = 4;                                  // for one place; types may take turns
 
+/// A name that stands before it is not all of an expression, unless it is a number before '('.
+bool goes_on(Kind kind)
+{
+    return kind == Kind::Plus || kind == Kind::Minus || kind == Kind::Star || kind == Kind::Slash ||
+           kind == Kind::Period || kind == Kind::LeftParen;
+}
+
 }  // namespace
 
 bool TokenStream::find_compiled(CompiledKey key, Tuple& out)
@@ -126,8 +133,11 @@ Cell TokenStream::argument_compiled()
         ++cursor.position;
         return cell;
     }
-    // `A[I]` alone is the element itself: what the macro does to its parameter happens to the array.
-    if (tokens[at].kind == Kind::Identifier && behind == Kind::LeftSquare) return nullptr;
+    // A name or `A[I]` alone is the variable itself: what the macro does to its parameter happens to that.
+    if (tokens[at].kind == Kind::Identifier && !goes_on(behind)) return nullptr;
+    const bool maybe_called = tokens[at].kind == Kind::Identifier && behind == Kind::LeftParen;
+    const Value* const called = maybe_called ? value_of(tokens[at]) : nullptr;
+    if (called && called->get_if<Tuple>()) return nullptr;
     Tuple value;
     if (!run_compiled_here(1, false, value)) return nullptr;
     return make_cell(value.stored());

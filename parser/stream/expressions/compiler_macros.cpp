@@ -2,6 +2,7 @@
 #include "parser/stream/language_state.h"
 
 #include <algorithm>
+#include <utility>
 
 /// Macros that give a value where they are called.
 namespace parser {
@@ -84,14 +85,13 @@ int Compiler::macro_call(const std::shared_ptr<const Macro>& macro, int requeste
     call.raw = brackets_ == 0;
     call.alone = alone_ == call.token;
     if (text_depth_ != 0 || ++nesting_ > kDeepestNesting || !take(Kind::LeftParen)) return -1;
-    const int base = depth_;
-    ++brackets_;
+    const int base = depth_, brackets = std::exchange(brackets_, 0);
     nesting_ += 2;  // call_macro and read_value are guards, too
     for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
         if (kind() == Kind::RightParen || !macro_argument(call.arguments.emplace_back())) return -1;
         take(Kind::Comma);
     }
-    --brackets_;
+    brackets_ = brackets;
     nesting_ -= 3;
     if (!take(Kind::RightParen) || kind() == Kind::LeftSquare || kind() == Kind::LeftParen) return -1;
     call.after = at_;

@@ -4,13 +4,13 @@ import struct
 import picture_files
 import png
 from rng import Rng
-from scenes import cameras, coats, copies, csg, finishes, functions, groups, halves, hollow, language, lights, media, meshes, modifiers, people, photons, pictures, places, radiosity, solids, standard, textures, versions
+from scenes import cameras, coats, commas, copies, csg, finishes, functions, groups, halves, hollow, language, lights, media, meshes, modifiers, people, photons, pictures, places, radiosity, solids, standard, textures, versions
 
 CLASSES = {"lights": lights, "finishes": finishes, "cameras": cameras, "csg": csg, "textures": textures,
            "language": language, "versions": versions, "solids": solids, "media": media, "photons": photons, "places": places,
            "standard": standard, "groups": groups, "copies": copies, "modifiers": modifiers,
            "meshes": meshes, "hollow": hollow, "people": people, "coats": coats, "pictures": pictures,
-           "functions": functions, "halves": halves}
+           "functions": functions, "halves": halves, "commas": commas}
 NOISY = {"radiosity": radiosity}  # not the same twice in POV-Ray: judged apart, and never recorded
 
 
