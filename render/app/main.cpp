@@ -8,6 +8,7 @@
 #include "render/app/options/ini_file.h"
 #include "render/app/options/sub_commands.h"
 #include "render/app/report/console_reporter.h"
+#include "render/app/run/memory.h"
 #include "render/app/pixel/pixel_command.h"
 #include "render/app/run/render_command.h"
 #include "render/app/solid/info_command.h"
@@ -172,9 +173,9 @@ int main(int count, char** values)
     try {
         status = run(arguments, settings, remains);
     } catch (const std::exception& error) {
-        app::journal_option_error(settings, error.what());
-        app::tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")),
-                               error.what());
+        const std::string text = app::text_of(error);
+        app::journal_option_error(settings, text);
+        app::tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")), text);
     }
     status = with_output(status, is_compare(arguments) ? app::kNotCompared : app::kError);
     std::fflush(nullptr);

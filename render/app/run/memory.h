@@ -5,6 +5,7 @@
 #include "render/trace/blocks.h"
 
 #include <cstddef>
+#include <exception>
 #include <string>
 
 namespace app {
@@ -25,6 +26,8 @@ void check_fits(const Settings& settings, const std::string& path);
 
 /// Throws what `new` throws where the system refuses memory: its message has this size, what is used and what is allowed.
 [[noreturn]] void refuse_memory(std::size_t bytes);
+/// What an exception says, of refused memory that too.
+std::string text_of(const std::exception& error);
 
 /// Whether the folder of `path` has room for the picture and a state of all its blocks.
 bool has_room_for_state(const Settings& settings, const std::string& path);

@@ -25,33 +25,48 @@ double address_space()
     return count > 0 ? std::strtod(text.data(), nullptr) * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.0;
 }
 
+using Text = std::array<char, 200>;
+
+/// \param bytes that were asked for; 0: unknown
+void write_refusal(Text& text, std::size_t bytes)
+{
+    constexpr double kMega = 1e6, kKilo = 1e3;
+    std::array<char, 40> needed{};
+    const auto asked = static_cast<double>(bytes);
+    if (asked >= kMega) std::snprintf(needed.data(), needed.size(), ": %.1f MB more are needed", asked / kMega);
+    else if (asked >= kKilo) std::snprintf(needed.data(), needed.size(), ": %.1f kB more are needed", asked / kKilo);
+    else if (bytes > 0) std::snprintf(needed.data(), needed.size(), ": %zu bytes more are needed", bytes);
+    rlimit limit{};
+    const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    const double used = address_space() / kMega;
+    if (limited)
+        std::snprintf(text.data(), text.size(),
+                      "memory is refused%s; %.1f MB of the %.1f MB that this process may have (ulimit -v) are in use",
+                      needed.data(), used, static_cast<double>(limit.rlim_cur) / kMega);
+    else std::snprintf(text.data(), text.size(), "memory is refused%s; %.1f MB are in use", needed.data(), used);
+}
+
 class RefusedMemory final : public std::bad_alloc {
 public:
-    explicit RefusedMemory(std::size_t bytes)
-    {
-        constexpr double kMega = 1e6;
-        const double needed = static_cast<double>(bytes) / kMega, used = address_space() / kMega;
-        rlimit limit{};
-        const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-        if (limited)
-            std::snprintf(
-                text_.data(), text_.size(),
-                "memory is refused: %.1f MB more are needed, and %.1f MB of the %.1f MB that this process may "
-                "have are in use (ulimit -v)",
-                needed, used, static_cast<double>(limit.rlim_cur) / kMega);
-        else
-            std::snprintf(text_.data(), text_.size(), "memory is refused: %.1f MB more are needed, %.1f MB are in use",
-                          needed, used);
-    }
+    explicit RefusedMemory(std::size_t bytes) { write_refusal(text_, bytes); }
     const char* what() const noexcept override { return text_.data(); }
 
 private:
-    std::array<char, 200> text_{};
+    Text text_{};
 };
 
 }  // namespace
 
 void refuse_memory(std::size_t bytes) { throw RefusedMemory(bytes); }
+
+std::string text_of(const std::exception& error)
+{
+    const bool refused = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    if (!refused || dynamic_cast<const RefusedMemory*>(&error) != nullptr) return error.what();
+    Text text{};
+    write_refusal(text, 0);  // a library's own, which does not tell how much
+    return text.data();
+}
 
 }  // namespace app
 

@@ -2,6 +2,7 @@
 
 #include "render/app/options/effective_ini.h"
 #include "render/app/run/frame_render.h"
+#include "render/app/run/memory.h"
 #include "render/app/report/journal.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/shell_commands.h"
@@ -41,7 +42,7 @@ int render_frames(Run& run, ShellCommands& commands, const Frame*& at)
 std::vector<scene::Message> messages_of(const std::exception& error)
 {
     if (const auto* told = dynamic_cast<const scene::Error*>(&error)) return told->messages();
-    return {{scene::Severity::Error, error.what(), {}, {}, {}, {}}};
+    return {{scene::Severity::Error, text_of(error), {}, {}, {}, {}}};
 }
 
 int fail(const std::vector<scene::Message>& errors, ConsoleReporter& reporter, ShellCommands& commands, const Frame* at)

@@ -169,3 +169,20 @@ TEST_CASE("compare explains itself, shows alpha where it differs and draws in th
     CHECK_THAT(other.err,
                Catch::Contains("--out wants a name that ends in .png, .ppm, .tga, .jpg or .bmp, found 'd.exr'"));
 }
+
+TEST_CASE("memory that is refused is told with what is needed and what is allowed", "[program]")
+{
+    const support::TemporaryFolder folder;
+    support::write_text(folder / "s.pov", kPlainScene);
+    const auto limited = [&](const std::string& kilobytes) {
+        return support::run_program(
+            folder.path(), "/bin/sh",
+            {"-c", "ulimit -v " + kilobytes + " && exec " WHITTLE_PROGRAM " s.pov +W640 +H480"});
+    };
+    const support::Ended refused = limited("40000");
+    CHECK(refused.status == 1);
+    CHECK_THAT(refused.err,
+               Catch::Matches("whittle: error: memory is refused: [0-9.]+ (bytes|kB|MB) more are needed; [0-9.]+ MB "
+                              "of the 41.0 MB that this process may have \\(ulimit -v\\) are in use\n"));
+    CHECK(limited("400000").status == 0);
+}

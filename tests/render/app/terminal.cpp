@@ -58,7 +58,7 @@ TEST_CASE("reading that takes long tells on a terminal which loop or macro it is
     };
     CHECK_THAT(shown("w.pov"), Catch::Contains("\rreading, 5 s: in loop #while, w.pov:2:1"));
     CHECK_THAT(shown("m.pov"), Catch::Contains("s: in loop #while, m.pov:3:2"));
-    const support::Outcome piped =
+    const support::Ended piped =
         support::run_program(folder.path(), "/usr/bin/timeout", {"6", WHITTLE_PROGRAM, "w.pov"});
     CHECK(piped.err.find("reading,") == std::string::npos);
 }
