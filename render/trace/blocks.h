@@ -1,15 +1,11 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
+#include "render/trace/tile/block.h"
 
 #include <cstddef>
 
 namespace trace {
-
-/// A block of pixels: columns [left, left + width), rows [top, top + height).
-struct Block {
-    int left = 0, top = 0, width = 0, height = 0;
-};
 
 /// The blocks of a picture, tiling the render window from its top left corner, row by row (spec 2, section 9).
 class Blocks {

@@ -1,6 +1,6 @@
 #include "render/trace/render.h"
 
-#include "render/trace/kernel/tracers.h"
+#include "render/trace/tracers.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>

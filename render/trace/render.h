@@ -3,7 +3,7 @@
 #include "render/image/image.h"
 #include "render/plan/compiled_scene.h"
 #include "render/trace/blocks.h"
-#include "render/trace/queue/scratch.h"
+#include "render/trace/tile/ray_counts.h"
 
 #include <atomic>
 #include <functional>

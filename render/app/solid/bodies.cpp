@@ -9,7 +9,7 @@
 #include "render/app/run/stage_options.h"
 #include "render/layers/object_names.h"
 #include "render/trace/kernel/kernel.h"
-#include "render/trace/kernel/kernel_module.h"
+#include "render/trace/kernel_module.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "render/trace/air/even_fog.h"
-#include "render/trace/air/uneven_fog.h"
+#include "render/trace/air/rainbow.h"
+#include "render/trace/extinction/even_fog.h"
+#include "render/trace/extinction/uneven_fog.h"
 #include "render/trace/media/media_stage.h"
-#include "render/trace/queue/segment_tile.h"
+#include "render/trace/context/segment_tile.h"
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
-#include "render/trace/random.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/tile/nearly_zero.h"
+#include "render/trace/air/rainbow.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/queue/segment_tile.h"
+#include "render/trace/context/segment_tile.h"
 
 namespace trace {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/antialias/color_distance.h"
-#include "render/trace/blocks.h"
+#include "render/trace/tile/block.h"
 
 #include <glm/glm.hpp>
 

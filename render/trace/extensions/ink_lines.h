@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/context/context.h"
 
 /// Ink lines: docs/extensions.md. Compiled once per instruction set.
 namespace trace {

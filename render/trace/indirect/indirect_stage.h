@@ -1,9 +1,9 @@
 #pragma once
 
-#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/gather/indirect_light.h"
 #include "render/trace/light/direct_batch.h"
-#include "render/trace/photon/photon_light.h"
-#include "render/trace/queue/segment_tile.h"
+#include "render/trace/indirect/photon_light.h"
+#include "render/trace/context/segment_tile.h"
 #include "render/trace/radiosity/radiosity_stage.h"
 #include "render/trace/subsurface/subsurface_stage.h"
 

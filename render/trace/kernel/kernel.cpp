@@ -3,12 +3,12 @@
 #include "render/texture/function_host.h"
 #include "render/trace/camera/camera_rays.h"
 #include "render/trace/camera/focal_blur.h"
-#include "render/trace/geometry.h"
-#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/tile/geometry.h"
+#include "render/trace/gather/indirect_light.h"
 #include "render/trace/photon/photon_tracer.h"
-#include "render/trace/shade/shade.h"
-#include "render/trace/shade/shade_context.h"
-#include "render/trace/shade/start_interiors.h"
+#include "render/trace/context/shade_tile.h"
+#include "render/trace/context/context.h"
+#include "render/trace/interior/start_interiors.h"
 
 #include <algorithm>
 #include <limits>

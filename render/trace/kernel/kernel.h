@@ -5,8 +5,8 @@
 #include "render/scene/color.h"
 #include "render/trace/antialias/antialias.h"
 #include "render/trace/path/path_tracer.h"
-#include "render/trace/queue/scratch.h"
-#include "render/trace/radiosity/pass_tile.h"
+#include "render/trace/tile/ray_counts.h"
+#include "render/trace/radiosity/samples/pass_tile.h"
 
 #include <atomic>
 #include <span>

@@ -3,7 +3,8 @@
 #include "csg/packet/lane_equal.h"
 #include "csg/base/tolerance.h"
 #include "render/trace/light/surface_filters.h"
-#include "render/trace/media/media_scratch.h"
+#include "render/trace/extinction/shadow_media.h"
+#include "render/trace/light/shadow_filter.h"
 
 #include <algorithm>
 #include <utility>
@@ -39,7 +40,7 @@ AreaLight::AreaLight(Context& context, const light::Light& light, const csg::Hit
     for (std::size_t k = 0; k < kRays; ++k)
         color_.set(k, light.area_illumination ? light.color : scratch_.lit_colors[k]);
     if (scratch_.traits.media || (light.atmosphere && context.scene.atmosphere.extinguishes))
-        later_ = &context.scratch.media().area_shadows;
+        later_ = &context.scratch.shadow_media().area_shadows;
 }
 
 void AreaLight::shadows(HitMask hits, TileColors& out)

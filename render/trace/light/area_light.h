@@ -1,9 +1,9 @@
 #pragma once
 
 #include "csg/packet/shaft.h"
-#include "render/trace/queue/row_page.h"
-#include "render/trace/queue/hit_mask.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/tile/row_page.h"
+#include "render/trace/tile/hit_mask.h"
+#include "render/trace/context/context.h"
 
 #include <array>
 #include <bit>
@@ -12,6 +12,8 @@
 
 /// Shadows of an area light on the hits of a tile. Compiled once per instruction set.
 namespace trace {
+
+class MediaShadows;
 
 /// POV-Ray divides the grid of nodes in four wherever those at its corners differ (spec 3, 12.6). The division is the
 /// same for all hits: it is walked once, with the hits as lanes, and every rectangle is divided for those of them that

@@ -1,7 +1,7 @@
 #include "render/trace/light/area_light.h"
 
 #include "csg/packet/lane_equal.h"
-#include "render/trace/queue/float_mask.h"
+#include "render/trace/tile/float_mask.h"
 
 #include <cmath>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/trace/queue/hit_mask.h"
-#include "render/trace/shade/shade_lanes.h"
+#include "render/trace/tile/hit_mask.h"
+#include "render/trace/tile/tile_lanes.h"
 
 #include <cmath>
 

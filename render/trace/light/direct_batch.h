@@ -1,11 +1,13 @@
 #pragma once
 
 #include "render/texture/evaluate_points.h"
-#include "render/trace/shade/bent_normals.h"
-#include "render/trace/queue/lane_masks.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/light/bent_normals.h"
+#include "render/trace/tile/lane_masks.h"
+#include "render/trace/context/context.h"
+#include "render/trace/light/direct_light.h"
 #include "render/trace/light/row_light.h"
 #include "render/trace/light/shade_light.h"
+#include "render/trace/tile/nearly_zero.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "render/texture/finish.h"
-#include "render/trace/queue/hit_mask.h"
-#include "render/trace/shade/shade_lanes.h"
+#include "render/trace/tile/row_page.h"
 
 #include <cstdint>
 
@@ -50,26 +49,6 @@ inline csg::lanes::Double power(const csg::lanes::Double& c, const csg::lanes::D
 {
     return exponential(xsimd::max(n * logarithm(c), csg::lanes::Double(-700.0)));
 }
-
-/// What highlights need of the finish of each hit.
-struct alignas(64) SpecularLobe {
-    alignas(64) TileLanes phong, phong_size, specular, exponent;
-
-    void set(std::size_t k, const texture::Finish& f)
-    {
-        phong[k] = static_cast<double>(f.phong);
-        phong_size[k] = static_cast<double>(f.phong_size);
-        specular[k] = static_cast<double>(f.specular);
-        exponent[k] = static_cast<double>(f.specular_exponent);
-    }
-    void fill(const texture::Finish& f)
-    {
-        phong.fill(static_cast<double>(f.phong));
-        phong_size.fill(static_cast<double>(f.phong_size));
-        specular.fill(static_cast<double>(f.specular));
-        exponent.fill(static_cast<double>(f.specular_exponent));
-    }
-};
 
 /// Vectors of three components, one in each lane.
 struct LaneVectors {

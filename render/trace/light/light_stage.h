@@ -1,12 +1,15 @@
 #pragma once
 
-#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/gather/indirect_light.h"
 #include "render/trace/light/dimmed_lanes.h"
 #include "render/trace/light/direct_batch.h"
 #include "render/trace/light/node_lanes.h"
-#include "render/trace/queue/segment_tile.h"
+#include "render/trace/context/segment_tile.h"
 #include "render/trace/light/shade_light.h"
 #include "render/trace/light/shadow_caster.h"
+#include "render/trace/tile/nearly_zero.h"
+#include "render/trace/traits/shines_on.h"
+#include "render/trace/traits/photon_shadow.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 
 #include "render/trace/light/dimmed_lanes.h"
 #include "render/trace/light/shade_light.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/context/context.h"
 
 namespace trace {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/context/context.h"
 
 /// What shadow rays of a tile cross where solids tell one ray only so much (SceneTraits::restarts): behind each
 /// crossing a new ray begins, as in POV-Ray. All of them take a step together, so that costly solids answer them

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "csg/roots/lane_power.h"
-#include "render/trace/queue/lane_masks.h"
-#include "render/trace/random.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/tile/lane_masks.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/context/context.h"
+#include "render/trace/light/highlight_lanes.h"
+#include "render/trace/tile/nearly_zero.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,9 @@
-#include "render/trace/random.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/texture/finish.h"
+#include "render/texture/noise/noise.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/light/direct_light.h"
+#include "render/trace/tile/nearly_zero.h"
+#include "render/trace/traits/shines_on.h"
 #include "render/trace/light/shade_light.h"
 
 #include <algorithm>
@@ -123,6 +127,19 @@ glm::vec3 direct_light(Context& context, const ScalarRow& row)
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (reaches(row, lights[i], row.samples[i])) sum += of_light(context, row, lights[i], row.samples[i]);
     return sum;
+}
+
+glm::vec3 film_color(const Context& context, const HitPlace& hit, const texture::Finish& finish,
+                     const glm::dvec3& normal, const glm::dvec3& l)
+{
+    const auto& set = context.scene.textures;
+    auto h = static_cast<double>(finish.irid_thickness);
+    if (finish.irid_turbulence != 0.0f) {
+        const double b = texture::scalar_turbulence(hit.point, 5, 2.0, 0.5, set.noise_generator);
+        h *= 1.0 + static_cast<double>(finish.irid_turbulence) * (2.0 * b - 1.0);
+    }
+    const double cos_view = std::abs(glm::dot(normal, hit.state.ray.direction));
+    return texture::film(finish, h, std::abs(glm::dot(normal, l)), cos_view, set.irid_wavelength);
 }
 
 }  // namespace trace

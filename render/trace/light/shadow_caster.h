@@ -2,7 +2,9 @@
 
 #include "render/trace/light/area_light.h"
 #include "render/trace/light/surface_filters.h"
+#include "render/trace/extinction/shadow_media.h"
 #include "render/trace/light/restarted_rays.h"
+#include "render/trace/light/shadow_filter.h"
 #include "render/trace/light/shadow_rays.h"
 
 #include <algorithm>
@@ -203,7 +205,7 @@ private:
         else if (scratch_.traits.filters_together) find_filters(rays, hit_of);
         const plan::CompiledScene& scene = context_.scene;
         const bool media = scratch_.traits.media || (in_air && scene.atmosphere.extinguishes);
-        MediaShadows* later = media ? &context_.scratch.media().shadows : nullptr;
+        MediaShadows* later = media ? &context_.scratch.shadow_media().shadows : nullptr;
         const auto tell = [&](std::size_t k, const glm::vec3& color) {
             sink_.light(k, color);
             sink_.arrive(k, color);

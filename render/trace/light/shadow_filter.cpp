@@ -1,9 +1,11 @@
 #include "render/texture/evaluate.h"
 #include "render/trace/light/restarted_rays.h"
-#include "render/trace/media/media_extinction.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/extinction/media_extinction.h"
+#include "render/trace/extinction/uneven_fog.h"
+#include "render/trace/interior/interior_fade.h"
+#include "render/trace/tile/nearly_zero.h"
+#include "render/trace/light/shadow_filter.h"
 
-#include "render/trace/air/interior_fade.h"
 #include <algorithm>
 #include <cmath>
 

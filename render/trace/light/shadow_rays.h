@@ -1,32 +1,13 @@
 #pragma once
 
 #include "csg/base/tolerance.h"
-#include "render/trace/shade/shade_scratch.h"
+#include "render/trace/context/shade_scratch.h"
 
 #include <algorithm>
 #include <bit>
 
 /// Steps of TileShader over all hits of a tile. Compiled once per instruction set.
 namespace trace {
-
-/// Turns normals that face along their rays; which.
-inline HitMask turn_to_viewer(const csg::RayTile& rays, TileHits& places)
-{
-    using csg::lanes::Double;
-    HitMask turned = 0;
-    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
-        const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
-        const Double x = get(places.nx), y = get(places.ny), z = get(places.nz);
-        const auto away = x * get(rays.dx) + y * get(rays.dy) + z * get(rays.dz) > Double(0.0);
-        const HitMask bits = csg::lanes::mask(away);
-        if (bits == 0) continue;
-        turned |= bits << i;
-        xsimd::select(away, -x, x).store_aligned(places.nx.data() + i);
-        xsimd::select(away, -y, y).store_aligned(places.ny.data() + i);
-        xsimd::select(away, -z, z).store_aligned(places.nz.data() + i);
-    }
-    return turned;
-}
 
 /// Where the shadow rays of a tile's first `count` hits begin and end, as Tolerance::shadow_from has it (`least`: its
 /// `shadow`); hits too near to the light for one.

@@ -2,7 +2,7 @@
 
 #include "render/texture/evaluate_points.h"
 #include "render/trace/light/shadow_rays.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/context/context.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #include "render/trace/media/adaptive.h"
 
-#include "render/trace/media/media_exp.h"
+#include "render/trace/extinction/media_exp.h"
 #include "render/trace/media/media_sampler.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "render/trace/media/media_chunk.h"
 
-#include "render/trace/random.h"
+#include "render/trace/tile/random.h"
 
 namespace trace {
 

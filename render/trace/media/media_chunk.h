@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/trace/media/media_density.h"
-#include "render/trace/media/media_mix.h"
-#include "render/trace/queue/row_page.h"
+#include "render/trace/extinction/media_density.h"
+#include "render/trace/extinction/media_mix.h"
+#include "render/trace/tile/row_page.h"
 
 #include <array>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "render/texture/points.h"
-#include "render/trace/media/media_mix.h"
-#include "render/trace/queue/hit_mask.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/extinction/media_mix.h"
+#include "render/trace/tile/hit_mask.h"
+#include "render/trace/context/context.h"
 
 namespace trace {
 

@@ -1,9 +1,10 @@
 #include "render/trace/media/media_sampler.h"
 
-#include "render/trace/media/media_exp.h"
+#include "render/trace/extinction/media_exp.h"
 #include "render/trace/media/media_photons.h"
 #include "render/trace/media/point_lights.h"
-#include "render/trace/queue/lane_masks.h"
+#include "render/trace/tile/lane_masks.h"
+#include "render/trace/extinction/shadow_media.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,7 +149,7 @@ void MediaSampler::add_lamps(HitMask lit)
         starts.mixes[k] = job(k).mix;
         segments |= HitMask{1} << job(k).segment;
     });
-    MediaShadows& shadows = own.scratch.media().shadows;
+    MediaShadows& shadows = own.scratch.shadow_media().shadows;
     shadows.start_at(&starts);
     PointLights points(own, scratch_.met, around, scratch_.points, lit);
     for (std::size_t i = 0; i < lights.size(); ++i) {

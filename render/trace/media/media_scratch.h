@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/media/adaptive.h"
-#include "render/trace/media/media_extinction.h"
+#include "render/trace/extinction/media_extinction.h"
 #include "render/trace/media/pieces.h"
 
 namespace trace {
@@ -51,8 +51,6 @@ struct MediaScratch {
     texture::Points points;
     MediaDensity density;
     csg::HitTile met;  ///< how far each point lies from its ray's origin
-    MediaShadows shadows;
-    MediaShadows area_shadows;  ///< of the samples of an area light
 };
 
 }  // namespace trace

@@ -1,9 +1,11 @@
 #include "render/trace/media/media_stage.h"
 
-#include "render/trace/media/media_exp.h"
+#include "render/trace/extinction/media_exp.h"
 #include "render/trace/media/media_photons.h"
 #include "render/trace/media/sampled_sums.h"
-#include "render/trace/random.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/traits/shines_on.h"
+#include "render/trace/media/media_scratch.h"
 
 
 namespace trace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/air/even_fog.h"
+#include "render/trace/extinction/even_fog.h"
 #include "render/trace/media/media_sampler.h"
 
 /// Media over the segments of a tile (spec 6, 2). Compiled once per instruction set.

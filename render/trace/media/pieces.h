@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/media/lit_ranges.h"
-#include "render/trace/media/media_mix.h"
+#include "render/trace/extinction/media_mix.h"
 
 #include <vector>
 

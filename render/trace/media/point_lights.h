@@ -2,9 +2,10 @@
 
 #include "render/trace/light/dimmed_lanes.h"
 #include "render/trace/light/shadow_caster.h"
-#include "render/trace/shade/shade_lanes.h"
+#include "render/trace/tile/tile_lanes.h"
 #include "render/trace/media/media_photons.h"
 #include "render/trace/media/media_scratch.h"
+#include "render/trace/tile/nearly_zero.h"
 
 namespace trace {
 

@@ -4,7 +4,7 @@
 #include "render/trace/camera/focal_blur.h"
 #include "render/trace/path/path_tracer.h"
 #include "render/trace/path/walk.h"
-#include "render/trace/shade/start_interiors.h"
+#include "render/trace/interior/start_interiors.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/trace/random.h"
-#include "render/trace/sampling/sobol.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/tile/sobol.h"
 
 /// The random numbers of one path: dimension after dimension of a Sobol sequence that is scrambled anew for each pair.
 namespace trace::path {

@@ -1,6 +1,7 @@
 #include "render/trace/path/lamp_faces.h"
 
 #include "render/light/illuminate.h"
+#include "render/trace/tile/nearly_zero.h"
 
 #include <algorithm>
 #include <cmath>

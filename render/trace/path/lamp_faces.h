@@ -1,7 +1,8 @@
 #pragma once
 
 #include "render/trace/path/directions.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/context/context.h"
+#include "render/trace/traits/shines_on.h"
 
 /// Area lights as faces that paths meet behind mirrors and bodies that bend light: caustics. Compiled once per
 /// instruction set.

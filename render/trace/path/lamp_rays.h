@@ -2,6 +2,7 @@
 
 #include "render/trace/path/lamp_faces.h"
 #include "render/trace/path/lamps.h"
+#include "render/trace/light/shadow_filter.h"
 
 #include <algorithm>
 

@@ -1,6 +1,8 @@
 #include "render/trace/path/lamps.h"
 
 #include "render/trace/path/directions.h"
+#include "render/trace/tile/nearly_zero.h"
+#include "render/trace/traits/shines_on.h"
 
 namespace trace::path {
 namespace {

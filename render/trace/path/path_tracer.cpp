@@ -1,12 +1,13 @@
 #include "render/trace/path/path_tracer.h"
 
-#include "render/trace/air/interior_fade.h"
+#include "render/trace/interior/interior_fade.h"
 #include "render/trace/air/air_stage.h"
 #include "render/trace/path/camera_start.h"
 #include "render/trace/path/lamp_rays.h"
 #include "render/trace/path/source_rays.h"
 #include "render/trace/path/surface.h"
 #include "render/trace/air/sky.h"
+#include "render/trace/tile/nearly_zero.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
-#include "render/trace/queue/scratch.h"
+#include "render/scene/color.h"
+#include "render/trace/tile/ray_counts.h"
 
 #include <atomic>
 #include <memory>

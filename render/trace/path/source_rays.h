@@ -3,6 +3,7 @@
 #include "render/trace/path/sources.h"
 #include "render/trace/path/surface.h"
 #include "render/trace/air/sky.h"
+#include "render/trace/tile/nearly_zero.h"
 
 namespace trace::path {
 

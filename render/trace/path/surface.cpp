@@ -2,7 +2,8 @@
 
 #include "render/texture/evaluate.h"
 #include "render/trace/path/fresnel.h"
-#include "render/trace/queue/interface.h"
+#include "render/trace/interior/interface.h"
+#include "render/trace/tile/nearly_zero.h"
 
 #include <algorithm>
 #include <cmath>

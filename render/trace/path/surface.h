@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/path/bsdf.h"
-#include "render/trace/shade/refraction.h"
+#include "render/trace/scatter/refraction.h"
 
 /// From a hit's textures to what it makes of light. Compiled once per instruction set.
 namespace trace::path {

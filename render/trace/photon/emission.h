@@ -2,7 +2,7 @@
 
 #include "render/light/light_set.h"
 #include "render/plan/photons.h"
-#include "render/trace/photon/random_tables.h"
+#include "render/trace/gather/random_tables.h"
 
 #include <cstdint>
 #include <vector>

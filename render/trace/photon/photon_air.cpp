@@ -1,6 +1,7 @@
 #include "render/trace/photon/photon_air.h"
 
-#include "render/trace/media/media_extinction.h"
+#include "render/trace/extinction/media_extinction.h"
+#include "render/trace/traits/shines_on.h"
 
 #include <algorithm>
 #include <cmath>

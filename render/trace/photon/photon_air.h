@@ -2,7 +2,8 @@
 
 #include "render/trace/media/media_scratch.h"
 #include "render/trace/photon/photon_tracer.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/context/context.h"
+#include "render/trace/tile/nearly_zero.h"
 
 namespace trace {
 

@@ -1,10 +1,15 @@
 #include "render/trace/photon/photon_tracer.h"
 
-#include "render/trace/air/interior_fade.h"
+#include "render/trace/interior/interior_fade.h"
 #include "render/texture/plain_textures.h"
 #include "render/trace/extensions/rough_mirror.h"
 #include "render/trace/photon/photon_air.h"
-#include "render/trace/shade/refraction.h"
+#include "render/trace/scatter/refraction.h"
+#include "render/trace/tile/nearly_zero.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/tile/sobol.h"
+#include "render/trace/scatter/scatter.h"
+#include "render/trace/surface/shade_surface.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "render/plan/compiled_scene.h"
 #include "render/trace/photon/emission.h"
-#include "render/trace/photon/photon.h"
+#include "render/trace/gather/photon.h"
 
 #include <atomic>
 #include <memory>

@@ -1,6 +1,7 @@
 #include "render/trace/queue/ray_queue.h"
 
-#include "render/trace/shade/shade_context.h"
+#include "render/texture/evaluate.h"
+#include "render/trace/tile/air.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,12 +139,14 @@ void RayQueue::fold()
     }
 }
 
-ColorSlot queue_ray(Context& context, std::vector<QueuedRay>& queue, const RayState& state, bool straight)
+glm::vec3 raised(const scene::Color& c, float exponent)
 {
-    if (!worth_tracing(context, state.level, state.weight)) return kNoSlot;
-    const ColorSlot slot = context.scratch.shade.queue.new_slot();
-    queue.emplace_back(state, slot, straight ? state.level : state.level + 1);
-    return slot;
+    if (exponent == 1.0f) return c.rgb();
+    const auto one = [e = static_cast<double>(exponent)](float v) {
+        const double r = std::pow(static_cast<double>(v), e);
+        return r == r ? static_cast<float>(r) : 0.0f;  // fractional powers of negative colours count as 0
+    };
+    return {one(c.red), one(c.green), one(c.blue)};
 }
 
 }  // namespace trace

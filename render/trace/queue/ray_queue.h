@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/scene/color.h"
-#include "render/trace/queue/ray_state.h"
+#include "render/trace/tile/ray_state.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,8 +10,6 @@
 /// hits leaves rays and nodes here, the rays are traced a tile at a time, and when the last of them is through its
 /// nodes are folded into the colours that the rays before them wait for (DESIGN: docs/shading.md).
 namespace trace {
-
-struct Context;
 
 /// Where a colour lies in RayQueue::colors.
 using ColorSlot = std::uint32_t;
@@ -46,7 +44,7 @@ struct ShadeNode {
         Sum,       ///< by weights: corners of a mesh's face, parts of a blob
         Mean,      ///< the same over the sum of the weights: an average
         Spectrum,  ///< rays of single wavelengths (spec 3, 8.5)
-        Air  ///< what the air on the way of the ray makes of it (air/air.h): share, glow and clear are `filter`, `own`,
+        Air  ///< what the air on the way of the ray makes of it (tile/air.h): share, glow and clear are `filter`, `own`,
              ///< `residual`
     };
     Kind kind = Kind::Surface;
@@ -144,8 +142,7 @@ std::size_t RayQueue::take(std::size_t most, QueuedRay* out, F&& alike)
     return taken;
 }
 
-/// A ray that goes on from a hit: in `queue`, if it is worth tracing. The slot of its colour.
-/// \param straight  it is not bent and uses no level (spec 3, section 2)
-ColorSlot queue_ray(Context& context, std::vector<QueuedRay>& queue, const RayState& state, bool straight);
+/// A mirrored colour as the finish wants it (spec 3, section 6).
+glm::vec3 raised(const scene::Color& c, float exponent);
 
 }  // namespace trace

@@ -1,9 +1,9 @@
 #include "render/trace/radiosity/ambient.h"
 
-#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/gather/indirect_light.h"
 #include "render/trace/radiosity/gather.h"
 #include "render/trace/radiosity/lookup.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/context/context.h"
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ class AmbientFinder {
 public:
     explicit AmbientFinder(Context& context)
         : context_(context), field_(*context.indirect->radiosity), bounce_(static_cast<std::size_t>(context.bounce)),
-          rules_(field_.rules[bounce_]), scratch_(*context.scratch.gather),
+          rules_(field_.rules[bounce_]), scratch_(context.scratch.gather()),
           pretrace_(context.filling != nullptr && context.filling->pretrace)
     {}
 

@@ -1,11 +1,12 @@
 #include "render/trace/radiosity/gather.h"
 
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/radiosity/field.h"
+#include "render/trace/gather/indirect_light.h"
+#include "render/trace/radiosity/samples/field.h"
 #include "render/trace/radiosity/sorted_rays.h"
-#include "render/trace/random.h"
-#include "render/trace/shade/shade.h"
-#include "render/trace/shade/shade_context.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/context/shade_tile.h"
+#include "render/trace/tile/nearly_zero.h"
+#include "render/trace/context/context.h"
 
 #include <algorithm>
 #include <bit>
@@ -21,7 +22,7 @@ class Gatherer {
 public:
     explicit Gatherer(Context& context)
         : context_(context), field_(*context.indirect->radiosity),
-          rules_(field_.rules[static_cast<std::size_t>(context.bounce)]), scratch_(*context.scratch.gather),
+          rules_(field_.rules[static_cast<std::size_t>(context.bounce)]), scratch_(context.scratch.gather()),
           nested_(context.gathering(rules_)),
           last_(nested_.bounce >= field_.settings().recursion_limit && !field_.black.empty())
     {

@@ -2,7 +2,7 @@
 
 #include "csg/base/hit.h"
 #include "render/scene/color.h"
-#include "render/trace/radiosity/sample.h"
+#include "render/trace/radiosity/samples/sample.h"
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "csg/base/lanes.h"
 #include "render/trace/radiosity/gather_scratch.h"
-#include "render/trace/radiosity/sample_grid.h"
+#include "render/trace/radiosity/samples/sample_grid.h"
 
 #include <array>
 #include <bit>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/light/direct_batch.h"
-#include "render/trace/queue/segment_tile.h"
+#include "render/trace/context/segment_tile.h"
 #include "render/trace/radiosity/ambient.h"
 
 /// Light that surfaces hand on to each other, over a tile's rows (spec 6, 4.2). Compiled once per instruction set.
@@ -16,7 +16,6 @@ public:
     void run()
     {
         if (batch_.lit() == 0) return;
-        if (!context_.scratch.gather) context_.scratch.gather = std::make_unique<radiosity::GatherScratch>();
         light_side(batch_.lit(), &texture::Finish::gathered, 1.0);
         if (batch_.two_sided() != 0)
             light_side(batch_.lit() & batch_.two_sided(), &texture::Finish::gathered_back, -1.0);
@@ -26,7 +25,7 @@ private:
     /// Of surfaces seen from one side, what arrives at it or, with `facing` -1, behind it.
     void light_side(HitMask hits, float texture::Finish::*diffuse, double facing)
     {
-        radiosity::GatherScratch& gather = *context_.scratch.gather;
+        radiosity::GatherScratch& gather = context_.scratch.gather();
         std::size_t count = 0;
         HitMask asking = 0;
         for_each_hit(hits, [&](std::size_t k) {

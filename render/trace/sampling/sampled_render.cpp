@@ -1,12 +1,12 @@
 #include "render/trace/sampling/sampled_render.h"
 
-#include "render/trace/kernel/tracers.h"
-#include "render/trace/path/denoise.h"
-#include "render/trace/path/path_workers.h"
-#include "render/trace/random.h"
+#include "render/trace/tracers.h"
+#include "render/trace/sampling/denoise.h"
+#include "render/trace/sampling/path_workers.h"
+#include "render/trace/tile/random.h"
 #include "render/trace/sampling/path_spread.h"
 #include "render/trace/sampling/sharing.h"
-#include "render/trace/sampling/sobol.h"
+#include "render/trace/tile/sobol.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>

@@ -1,10 +1,10 @@
-#include "render/trace/shade/shade.h"
+#include "render/trace/context/shade_tile.h"
 
 #include "render/trace/air/air_stage.h"
 #include "render/trace/indirect/indirect_stage.h"
 #include "render/trace/light/light_stage.h"
 #include "render/trace/air/sky.h"
-#include "render/trace/shade/surface_stage.h"
+#include "render/trace/surface/surface_stage.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "csg/packet/tile_rays.h"
-#include "render/trace/queue/hit_mask.h"
-#include "render/trace/random.h"
-#include "render/trace/shade/shade_lanes.h"
+#include "render/trace/tile/hit_mask.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/tile/tile_lanes.h"
 #include "render/trace/subsurface/subsurface_scratch.h"
+#include "render/trace/tile/nearly_zero.h"
 
 #include <array>
 

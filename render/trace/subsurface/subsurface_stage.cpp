@@ -1,11 +1,14 @@
 #include "render/trace/subsurface/subsurface_stage.h"
 
-#include "render/trace/indirect/indirect_light.h"
+#include "render/trace/gather/indirect_light.h"
 #include "render/trace/media/point_lights.h"
 #include "render/trace/radiosity/ambient.h"
-#include "render/trace/random.h"
-#include "render/trace/shade/shade.h"
+#include "render/trace/tile/random.h"
+#include "render/trace/context/shade_tile.h"
 #include "render/trace/subsurface/entry_lanes.h"
+#include "render/trace/tile/nearly_zero.h"
+#include "render/trace/traits/shines_on.h"
+#include "render/trace/traits/photon_shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,8 +165,7 @@ private:
     /// Light of surroundings that goes in where a ray has met the object (spec 6, 5.5).
     void add_ambient(HitMask same)
     {
-        if (!own_.scratch.gather) own_.scratch.gather = std::make_unique<radiosity::GatherScratch>();
-        radiosity::GatherScratch& gather = *own_.scratch.gather;
+        radiosity::GatherScratch& gather = own_.scratch.gather();
         std::size_t count = 0;
         each_sent(same, [&](const SubsurfaceSite& site, HitMask which) {
             for_each_hit(which, [&](std::size_t k) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/light/direct_batch.h"
-#include "render/trace/queue/segment_tile.h"
+#include "render/trace/context/segment_tile.h"
 
 namespace trace {
 

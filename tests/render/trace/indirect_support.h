@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
+#include "render/trace/gather/indirect_light.h"
+#include "render/trace/passes/passes.h"
 #include "render/trace/render.h"
 #include "tests/parser/grammar_support.h"
 

@@ -1,7 +1,7 @@
 // The path tracer against closed forms and the Whitted picture: docs/path_tracing.md.
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
-#include "render/trace/path/denoise.h"
+#include "render/trace/gather/indirect_light.h"
+#include "render/trace/passes/passes.h"
+#include "render/trace/sampling/denoise.h"
 #include "render/trace/path/fresnel.h"
 #include "tests/render/trace/path_support.h"
 

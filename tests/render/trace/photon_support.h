@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/photon/photon.h"
+#include "render/trace/gather/photon.h"
 
 #include <cmath>
 #include <random>

@@ -1,9 +1,9 @@
 // Light that surfaces hand on to each other (spec 6, section 4): closed forms, POV-Ray's tables, the promise of bytes.
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
+#include "render/trace/gather/indirect_light.h"
+#include "render/trace/passes/passes.h"
 #include "render/trace/radiosity/lookup.h"
-#include "render/trace/radiosity/pass_rays.h"
-#include "render/trace/radiosity/sample_file.h"
+#include "render/trace/passes/pass_rays.h"
+#include "render/trace/passes/sample_file.h"
 #include "render/trace/render.h"
 #include "tests/parser/grammar_support.h"
 
