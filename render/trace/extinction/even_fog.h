@@ -7,8 +7,8 @@ namespace trace {
 
 inline constexpr double kSkyDistance = 2e10;  ///< length of a ray that meets nothing, for fog and media
 
-/// Share of light that a fog that is the same everywhere lets pass over a length, no longer than to the sky (spec 2, section 16). T is double or
-/// lanes::Double.
+/// Share of light that a fog that is the same everywhere lets pass over a length, no longer than to the sky (spec 2,
+/// section 16). T is double or lanes::Double.
 template <class T>
 inline T fog_transmission(const texture::Fog& fog, const T& length)
 {

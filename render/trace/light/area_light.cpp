@@ -24,7 +24,7 @@ bool all_grey(HitMask hits, const TileColors& of)
 
 AreaLight::AreaLight(Context& context, const light::Light& light, const csg::HitTile& met,
                      const InteriorList* const* interiors)
-    : context_(context), scratch_(context.scratch.shade), area_(context.scratch.shade.area), light_(light),
+    : context_(context), scratch_(context.scratch.shade), area_(context.scratch.shade.area()), light_(light),
       interiors_(interiors), same_places_(!light.jitter && !(light.circular && light.orient))
 {
     area_.known.clear();
@@ -296,7 +296,7 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     if (caught.stops(k, met.hits[ray].data(), met.count[ray])) return glm::vec3(0);
     return shadow_transmittance(context_, point, from_[k], *interiors_[k], lit, false, met.hits[ray].data(),
                                 met.count[ray], air,
-                                scratch_.traits.filters_together ? scratch_.filters->filters[ray].data() : nullptr);
+                                scratch_.traits.filters_together ? scratch_.filters().filters[ray].data() : nullptr);
 }
 
 }  // namespace trace

@@ -15,6 +15,24 @@ namespace trace {
 
 class MediaShadows;
 
+/// The nodes of the area light at hand, for all hits of a tile at once; reused from light to light.
+struct AreaScratch {
+    std::vector<HitMask> known;        ///< by node that some hit asked for, as below: hits that have been told
+    std::vector<HitMask> lit;          ///< of them, those that see it, through nothing
+    std::vector<HitMask> mixed;        ///< of them, those that see it through something that filters light
+    std::vector<TileColors> filtered;  ///< what reaches those; shorter than the others where nothing does
+    std::vector<double> row, column;
+    std::vector<glm::dvec3> at;         ///< where it lies on the light, if that is the same for all hits
+    std::vector<std::uint32_t> place;   ///< by i * size2 + j: the node, or kNone
+    std::vector<std::uint32_t> wanted;  ///< nodes asked for next
+    struct Rectangle {
+        int i1, j1, i2, j2, depth;  ///< corners; how often it was divided before
+        HitMask hits;               ///< that ask for it
+    };
+    std::vector<Rectangle> level, next_level;
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+};
+
 /// POV-Ray divides the grid of nodes in four wherever those at its corners differ (spec 3, 12.6). The division is the
 /// same for all hits: it is walked once, with the hits as lanes, and every rectangle is divided for those of them that
 /// ask for it. The nodes of all four quarters are asked for together, as full tiles of shadow rays. The sums are those

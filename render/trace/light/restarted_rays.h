@@ -7,12 +7,24 @@
 /// together. Compiled once per instruction set.
 namespace trace {
 
+/// What a shadow ray crosses that begins anew behind each crossing.
+struct RestartedRay {
+    std::vector<csg::Hit> crossings;  ///< by distance from where it began
+    csg::Shadow ending = csg::Shadow::Clear;
+};
+
+struct RestartedScratch {
+    std::array<RestartedRay, csg::kTileRays> rays;
+    csg::RayTile tile;
+    csg::HitTile hits;
+};
+
 class RestartedRays {
 public:
     /// No picture has so many crossings; a solid that is met again at every step would.
     static constexpr std::size_t kMost = 10000;
 
-    explicit RestartedRays(const Context& context) : context_(context), kept_(*context.scratch.shade.restarted) {}
+    explicit RestartedRays(const Context& context) : context_(context), kept_(context.scratch.shade.restarted()) {}
 
     /// first: what the ray meets first; null: that is not known.
     void add(std::size_t k, const csg::Ray& ray, double tolerance, double end, const Hit* first)

@@ -249,7 +249,6 @@ private:
     template <class HitOf>
     [[gnu::noinline]] void restart(HitMask rays, const HitOf& hit_of)
     {
-        if (scratch_.restarted == nullptr) scratch_.restarted = std::make_unique<RestartedScratch>();
         RestartedRays restarted(context_);
         const csg::CrossingTile& met = scratch_.crossings;
         for_each_hit(rays & ~equal(met.ending, Shadow::Clear), [&](std::size_t ray) {
@@ -279,7 +278,7 @@ private:
         if (too_many || (scratch_.traits.restarts() && !clear)) {
             const glm::vec3 passed = filtered_light(
                 context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k), lit, lit.color, air,
-                nullptr, scratch_.traits.restarts() ? &scratch_.restarted->rays[k] : nullptr);
+                nullptr, scratch_.traits.restarts() ? &scratch_.restarted().rays[k] : nullptr);
             const auto& crossings = context_.scratch.crossings;
             return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
         }
@@ -287,7 +286,7 @@ private:
         return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
                                     lit, scratch_.rays.common_origin && !filters_known_,
                                     scratch_.crossings.hits[ray].data(), count, air,
-                                    filters_known_ ? scratch_.filters->filters[ray].data() : nullptr);
+                                    filters_known_ ? scratch_.filters().filters[ray].data() : nullptr);
     }
 
     Context& context_;

@@ -6,6 +6,7 @@
 namespace trace {
 
 class MediaShadows;
+struct RestartedRay;
 
 /// What fills the space that a shadow ray crosses.
 struct ShadowAir {

@@ -12,10 +12,23 @@
 /// bits of surface_filter() (spec 3, 13.2). Compiled once per instruction set.
 namespace trace {
 
+/// Crossings of shadow rays with surfaces of patterns or `caustics`, and what they leave of light.
+struct FilterScratch {
+    struct Place {
+        std::uint8_t ray, crossing;
+    };
+    csg::RayTile rays;
+    csg::HitTile hits;
+    TileHits places;
+    std::array<Place, csg::kTileRays> place;
+    /// By shadow ray and crossing, where SurfaceTraits::filters_together.
+    std::array<std::array<glm::vec3, csg::CrossingTile::kMost>, csg::kTileRays> filters;
+};
+
 class SurfaceFilters {
 public:
     explicit SurfaceFilters(Context& context)
-        : context_(context), traits_(context.scratch.shade.traits), kept_(scratch(context))
+        : context_(context), traits_(context.scratch.shade.traits), kept_(context.scratch.shade.filters())
     {
         kept_.rays.count = 0;
         kept_.rays.common_origin = false;
@@ -51,13 +64,6 @@ public:
     }
 
 private:
-    static FilterScratch& scratch(Context& context)
-    {
-        std::unique_ptr<FilterScratch>& kept = context.scratch.shade.filters;
-        if (kept == nullptr) kept = std::make_unique<FilterScratch>();
-        return *kept;
-    }
-
     /// Layer by layer, as surface_filter() has them. Nothing looks around: places are found for a whole tile, and no
     /// pattern depends on directions.
     void filter(csg::SurfaceId id, HitMask group)

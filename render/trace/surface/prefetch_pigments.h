@@ -2,6 +2,7 @@
 
 #include "csg/packet/lane_equal.h"
 #include "render/trace/context/shade_scratch.h"
+#include "render/trace/surface/surface_scratch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,29 +30,30 @@ inline HitMask pass_layer(const texture::ColorPoints& c, TileColors& filter, flo
 /// all layers of.
 inline HitMask prefetch_pigments(ShadeScratch& scratch, const texture::TextureSet& set, float bailout)
 {
+    SurfaceScratch& own = scratch.surface();
     std::uint32_t most = 0;
     HitMask open = 0;
-    for (std::size_t g = 0; g < scratch.layered_count; ++g) {
-        open |= scratch.layered[g].hits;
-        most = std::max(most, set.textures[scratch.layered[g].texture].count);
+    for (std::size_t g = 0; g < own.layered_count; ++g) {
+        open |= own.layered[g].hits;
+        most = std::max(most, set.textures[own.layered[g].texture].count);
     }
     TileColors filter;
     filter.fill(1.0f);
     scratch.asked.fill(0);
     for (std::uint32_t depth = 0; depth < most; ++depth) {
         HitMask asked = 0;
-        for (std::size_t g = 0; g < scratch.layered_count; ++g) {
-            const LayeredGroup& group = scratch.layered[g];
+        for (std::size_t g = 0; g < own.layered_count; ++g) {
+            const LayeredGroup& group = own.layered[g];
             const texture::Texture& texture = set.textures[group.texture];
             const HitMask hits = group.hits & open;
             if (texture.count <= depth || hits == 0) continue;
             asked |= hits;
-            scratch.pigments.ask(hits, set.layers[texture.first + texture.count - 1 - depth].pigment, scratch.points,
-                                 scratch.around);
+            own.pigments.ask(hits, set.layers[texture.first + texture.count - 1 - depth].pigment, scratch.points,
+                             scratch.around);
         }
         if (asked == 0) break;
         texture::ColorPoints& colors = scratch.prefetched[depth].colors;
-        scratch.pigments.run(set, [&](HitMask hits, const texture::ColorPoints& found) {
+        own.pigments.run(set, [&](HitMask hits, const texture::ColorPoints& found) {
             if (hits == asked) colors = found;
             else for_each_hit(hits, [&](std::size_t k) { colors.set(k, found.at(k)); });
         });

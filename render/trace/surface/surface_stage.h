@@ -17,8 +17,8 @@ class SurfaceStage {
 public:
     /// dimmed: segments that ShadeScratch::air changes.
     SurfaceStage(Context& context, const SegmentTile& tile, DirectBatch& batch, HitMask dimmed)
-        : context_(context), scratch_(context.scratch.shade), tile_(tile), batch_(batch), dimmed_(dimmed),
-          together_(context, tile, batch)
+        : context_(context), scratch_(context.scratch.shade), own_(scratch_.surface()), tile_(tile), batch_(batch),
+          dimmed_(dimmed), together_(context, tile, batch)
     {}
 
     void run()
@@ -26,8 +26,8 @@ public:
         const plan::Settings& settings = context_.scene.settings;
         lights_ = settings.quality.lights;
         goes_on_ = settings.quality.reflection && context_.adc_bailout < 1.0;
-        scratch_.pigments.clear();
-        scratch_.layered_count = scratch_.mapped_count = 0;
+        own_.pigments.clear();
+        own_.layered_count = own_.mapped_count = 0;
         for (HitMask left = tile_.found(); left != 0;) {
             const csg::SurfaceId surface = tile_.hits.surface[first_hit(left)];
             const HitMask group = left & csg::lanes::equal(tile_.hits.surface, surface);
@@ -36,10 +36,10 @@ public:
             begin(group & tile_.from_inside(), surface, traits.inner, traits.inner_patterned);
             left &= ~group;
         }
-        scratch_.pigments.run(context_.scene.textures,
-                              [this](HitMask hits, const texture::ColorPoints& colors) { batch_.color(hits, colors); });
+        own_.pigments.run(context_.scene.textures,
+                          [this](HitMask hits, const texture::ColorPoints& colors) { batch_.color(hits, colors); });
         if (layered_) finish_layers();
-        if (scratch_.mapped_count != 0) look_up_maps();
+        if (own_.mapped_count != 0) look_up_maps();
         batch_.bend();
         if (context_.scene.textures.extensions.empty()) together_.prepare(batch_.all() & ~batch_.all_alone());
         for_each_hit(tile_.found() & ~batch_.all_alone(), [&](std::size_t k) {
@@ -70,13 +70,13 @@ private:
         const texture::Pigment& pigment = set.pigments[index];
         const bool solid = pigment.kind == texture::Pigment::Kind::Solid;
         if (solid) {
-            if (few(group)) for_each_hit(group, [&](std::size_t k) { scratch_.solid.set(k, pigment.color); });
-            else scratch_.solid.fill(pigment.color);
-            batch_.color(group, scratch_.solid);
+            if (few(group)) for_each_hit(group, [&](std::size_t k) { own_.solid.set(k, pigment.color); });
+            else own_.solid.fill(pigment.color);
+            batch_.color(group, own_.solid);
         }
         if (solid && !batch_.bent(first_hit(group))) return;
         surround(group, surface);
-        if (!solid) scratch_.pigments.ask(group, index, scratch_.points, scratch_.around);
+        if (!solid) own_.pigments.ask(group, index, scratch_.points, scratch_.around);
     }
 
     void begin_layers(HitMask group, csg::SurfaceId surface, const PatternedLayers& of)
@@ -84,22 +84,22 @@ private:
         layered_ |= group;
         surround(group, surface);
         const bool alone = of.alone && lights_ && !scratch_.traits.scalar_rows;
-        if (scratch_.layered_count != 0) {  // both sides of a surface share their vectors
-            LayeredGroup& last = scratch_.layered[scratch_.layered_count - 1];
+        if (own_.layered_count != 0) {  // both sides of a surface share their vectors
+            LayeredGroup& last = own_.layered[own_.layered_count - 1];
             if (last.texture == of.texture && last.alone == alone) {
                 last.hits |= group;
                 return;
             }
         }
-        scratch_.layered[scratch_.layered_count++] = {group, of.texture, alone};
+        own_.layered[own_.layered_count++] = {group, of.texture, alone};
     }
 
     void begin_map(HitMask group, csg::SurfaceId surface, std::uint32_t texture)
     {
         surround(group, surface);
-        if (scratch_.mapped_count != 0 && scratch_.mapped[scratch_.mapped_count - 1].texture == texture)
-            scratch_.mapped[scratch_.mapped_count - 1].hits |= group;
-        else scratch_.mapped[scratch_.mapped_count++] = {group, texture, 0};
+        if (own_.mapped_count != 0 && own_.mapped[own_.mapped_count - 1].texture == texture)
+            own_.mapped[own_.mapped_count - 1].hits |= group;
+        else own_.mapped[own_.mapped_count++] = {group, texture, 0};
     }
 
     /// The hits as patterns see them.
@@ -127,8 +127,8 @@ private:
         const auto& set = context_.scene.textures;
         const auto bailout = static_cast<float>(context_.adc_bailout);
         const HitMask open = prefetch_pigments(scratch_, set, bailout);
-        for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
-            const LayeredGroup& group = scratch_.layered[g];
+        for (std::size_t g = 0; g < own_.layered_count; ++g) {
+            const LayeredGroup& group = own_.layered[g];
             const HitMask hidden = group.alone ? group.hits & ~open : 0;
             const texture::Texture& texture = set.textures[group.texture];
             if (hidden != 0) batch_.begin(hidden, texture);
@@ -138,9 +138,9 @@ private:
 
     void look_up_maps()
     {
-        scratch_.maps().clear();
-        for (std::size_t g = 0; g < scratch_.mapped_count; ++g) {
-            MappedGroup& group = scratch_.mapped[g];
+        own_.maps.clear();
+        for (std::size_t g = 0; g < own_.mapped_count; ++g) {
+            MappedGroup& group = own_.mapped[g];
             texture::Points points, normals;
             texture::Around around;
             for_each_hit(group.hits, [&](std::size_t k) {
@@ -150,7 +150,7 @@ private:
             });
             points.pad();
             normals.pad();
-            group.place = scratch_.maps().look_up(context_, group.texture, group.hits, points, around, normals);
+            group.place = own_.maps.look_up(context_, group.texture, group.hits, points, around, normals);
         }
     }
 
@@ -189,10 +189,10 @@ private:
         HitContext hit = tile_.context(k, state, met);
         const HitDetails& details = tile_.details(k);
         hit.surround(details.point, details.uv);
-        for (std::size_t g = 0; g < scratch_.mapped_count; ++g) {
-            const MappedGroup& group = scratch_.mapped[g];
+        for (std::size_t g = 0; g < own_.mapped_count; ++g) {
+            const MappedGroup& group = own_.mapped[g];
             if (has(group.hits, k))
-                return scratch_.maps().shade(context_, batch_, hit, group.place, scratch_.points.at(k), out);
+                return own_.maps.shade(context_, batch_, hit, group.place, scratch_.points.at(k), out);
         }
         PrefetchedPigments prefetched;
         if (find_prefetched(k, prefetched) && prefetched.texture == texture) hit.prefetched = &prefetched;
@@ -235,8 +235,8 @@ private:
     bool find_prefetched(std::size_t k, PrefetchedPigments& out) const
     {
         if (!has(layered_, k)) return false;
-        for (std::size_t g = 0; g < scratch_.layered_count; ++g) {
-            const LayeredGroup& group = scratch_.layered[g];
+        for (std::size_t g = 0; g < own_.layered_count; ++g) {
+            const LayeredGroup& group = own_.layered[g];
             if (has(group.hits, k))
                 out = {group.texture, context_.scene.textures.textures[group.texture].count, scratch_.prefetched.data(),
                        k};
@@ -246,6 +246,7 @@ private:
 
     Context& context_;
     ShadeScratch& scratch_;
+    SurfaceScratch& own_;
     const SegmentTile& tile_;
     DirectBatch& batch_;
     bool lights_ = false, goes_on_ = false;  ///< of this quality

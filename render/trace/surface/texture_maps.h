@@ -2,7 +2,7 @@
 
 #include "render/texture/evaluate_points.h"
 #include "render/trace/tile/hit_mask.h"
-#include "render/trace/tile/pigment_batch.h"
+#include "render/trace/tile/layer_points.h"
 
 #include <bit>
 #include <vector>

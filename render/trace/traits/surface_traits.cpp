@@ -4,7 +4,7 @@
 #include "render/texture/finish.h"
 #include "render/trace/interior/interior_fade.h"
 #include "render/trace/traits/looking_patterns.h"
-#include "render/trace/tile/pigment_batch.h"
+#include "render/trace/tile/layer_points.h"
 #include "render/trace/traits/layer_filter.h"
 
 #include <algorithm>
