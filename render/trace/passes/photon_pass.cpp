@@ -1,6 +1,7 @@
 #include "render/trace/passes/photon_pass.h"
 
 #include "render/trace/kernel_module.h"
+#include "render/trace/passes/photon_aim.h"
 #include "render/trace/passes/photon_file.h"
 #include "render/trace/photon/photon_tracer.h"
 

@@ -9,10 +9,6 @@
 #include <span>
 #include <vector>
 
-namespace plan {
-struct CompiledScene;
-}
-
 /// Light that paths may meet, and which next-event estimation aims at: bodies that glow, and the sky. Built once for a
 /// picture, read by all threads.
 namespace trace::path {
@@ -91,7 +87,5 @@ struct Sources {
     static constexpr std::uint32_t kNone = 0xffffffffu;
     std::uint32_t find(csg::PartId part) const;
 };
-
-Sources find_sources(const plan::CompiledScene& scene);
 
 }  // namespace trace::path

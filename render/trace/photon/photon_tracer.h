@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
+#include "render/trace/gather/random_tables.h"
 #include "render/trace/photon/emission.h"
 #include "render/trace/gather/photon.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/lanes.h"
-#include "render/trace/radiosity/directions/direction_order.h"
+#include "render/trace/radiosity/samples/direction_order.h"
 #include "render/trace/radiosity/gather_scratch.h"
 
 #include <algorithm>

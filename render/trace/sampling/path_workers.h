@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/trace/kernel_module.h"
-#include "render/trace/path/sources.h"
+#include "render/trace/sampling/find_sources.h"
 
 #include <tbb/enumerable_thread_specific.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
-#include "render/trace/radiosity/directions/direction_order.h"
+#include "render/trace/radiosity/samples/direction_order.h"
 #include "render/trace/radiosity/samples/pass_tile.h"
 #include "render/trace/radiosity/samples/rules.h"
 #include "render/trace/radiosity/samples/sample_grid.h"

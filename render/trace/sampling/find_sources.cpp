@@ -1,7 +1,7 @@
-#include "render/plan/compiled_scene.h"
+#include "render/trace/sampling/find_sources.h"
+
 #include "render/texture/evaluate.h"
 #include "render/texture/finish.h"
-#include "render/trace/path/sources.h"
 
 #include <tbb/parallel_for.h>
 

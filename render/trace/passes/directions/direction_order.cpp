@@ -1,4 +1,4 @@
-#include "render/trace/radiosity/directions/direction_order.h"
+#include "render/trace/radiosity/samples/direction_order.h"
 
 #include <algorithm>
 #include <cmath>

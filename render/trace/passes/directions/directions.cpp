@@ -1,4 +1,4 @@
-#include "render/trace/radiosity/directions/directions.h"
+#include "render/trace/passes/directions/directions.h"
 
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace trace::radiosity {
 namespace {
 
 constexpr std::array<std::array<std::uint8_t, 3>, 1599> kLegacy{{
-#include "render/trace/radiosity/directions/legacy_directions.inc"
+#include "render/trace/passes/directions/legacy_directions.inc"
 }};
 
 /// The digits of n mirrored at the point.

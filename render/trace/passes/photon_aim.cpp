@@ -1,4 +1,4 @@
-#include "render/trace/photon/emission.h"
+#include "render/trace/passes/photon_aim.h"
 
 #include "render/light/illuminate.h"
 

@@ -1,6 +1,6 @@
 #include "render/trace/radiosity/samples/field.h"
 
-#include "render/trace/radiosity/directions/directions.h"
+#include "render/trace/passes/directions/directions.h"
 
 #include <algorithm>
 
