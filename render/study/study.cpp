@@ -1,9 +1,9 @@
 #include "render/study/study.h"
 
 #include "render/image/compare/flip.h"
-#include "render/trace/gather/indirect_light.h"
-#include "render/trace/passes/passes.h"
-#include "render/trace/sampling/denoise.h"
+#include "render/kernel/gather/indirect_light.h"
+#include "render/picture/passes/passes.h"
+#include "render/picture/sampling/denoise.h"
 
 #include <algorithm>
 #include <chrono>
