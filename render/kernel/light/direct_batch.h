@@ -3,11 +3,9 @@
 #include "render/texture/evaluate_points.h"
 #include "render/kernel/light/bent_normals.h"
 #include "render/kernel/tile/lane_masks.h"
-#include "render/kernel/context/context.h"
 #include "render/kernel/light/direct_light.h"
 #include "render/kernel/light/row_light.h"
 #include "render/kernel/light/shade_light.h"
-#include "render/kernel/tile/nearly_zero.h"
 
 #include <algorithm>
 #include <cmath>

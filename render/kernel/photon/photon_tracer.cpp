@@ -8,7 +8,6 @@
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/kernel/tile/random.h"
 #include "render/kernel/tile/sobol.h"
-#include "render/kernel/scatter/scatter.h"
 #include "render/kernel/surface/shade_surface.h"
 
 #include <algorithm>
