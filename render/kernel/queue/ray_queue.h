@@ -45,7 +45,7 @@ struct ShadeNode {
         Mean,      ///< the same over the sum of the weights: an average
         Spectrum,  ///< rays of single wavelengths (spec 3, 8.5)
         Air        ///< what the air on the way of the ray makes of it (tile/air.h): share, glow and clear are `filter`,
-             ///< `own`, `residual`
+                   ///< `own`, `residual`
     };
     Kind kind = Kind::Surface;
     bool total = false;  ///< Surface: `through` is the mirrored ray of a total reflection
