@@ -1,7 +1,7 @@
 #include "render/explain/pixel.h"
 
-#include "render/trace/camera/camera_rays.h"
-#include "render/trace/indirect/indirect_light.h"
+#include "render/kernel/camera/camera_rays.h"
+#include "render/kernel/gather/indirect_light.h"
 
 namespace explain {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/explain/ray_tree.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 namespace explain {
 

@@ -1,6 +1,6 @@
 #include "render/explain/tree_parts.h"
 
-#include "render/trace/air/interior_fade.h"
+#include "render/kernel/interior/interior_fade.h"
 #include "render/texture/finish.h"
 
 #include <fmt/format.h>

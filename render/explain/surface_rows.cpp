@@ -1,8 +1,8 @@
 #include "render/explain/tree_parts.h"
 
-#include "render/trace/air/interior_fade.h"
+#include "render/kernel/interior/interior_fade.h"
 #include "render/texture/finish.h"
-#include "render/trace/light/shade_light.h"
+#include "render/kernel/light/shade_light.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 
 #include "render/layers/cryptomatte.h"
 #include "render/study/cost/heat.h"
-#include "render/trace/kernel/kernel_module.h"
-#include "render/trace/path/path_workers.h"
-#include "render/trace/random.h"
-#include "render/trace/sampling/sobol.h"
+#include "render/picture/kernel_module.h"
+#include "render/picture/sampling/path_workers.h"
+#include "render/kernel/tile/random.h"
+#include "render/kernel/tile/sobol.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>

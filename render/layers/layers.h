@@ -2,7 +2,7 @@
 
 #include "render/image/files.h"
 #include "render/plan/compiled_scene.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
-#include "render/trace/sampling/sampled_render.h"
+#include "render/picture/sampling/sampled_render.h"
 
 #include <functional>
 #include <string>

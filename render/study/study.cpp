@@ -1,9 +1,9 @@
 #include "render/study/study.h"
 
 #include "render/image/compare/flip.h"
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
-#include "render/trace/path/denoise.h"
+#include "render/kernel/gather/indirect_light.h"
+#include "render/picture/passes/passes.h"
+#include "render/picture/sampling/denoise.h"
 
 #include <algorithm>
 #include <chrono>

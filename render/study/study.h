@@ -2,7 +2,7 @@
 
 #include "render/image/levels/transfer_curve.h"
 #include "render/study/ladder.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 #include <optional>
 

@@ -26,6 +26,9 @@ struct Fog {
     glm::dvec3 up{0, 1, 0};
 };
 
+/// It is the same everywhere.
+inline bool even(const Fog& fog) { return !fog.ground && !fog.turbulent; }
+
 /// One rainbow (spec 2, section 17); angles in radians, colours from the inner edge to the outer in TextureSet::keys
 /// and colors.
 struct Rainbow {

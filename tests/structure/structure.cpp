@@ -35,23 +35,26 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"render/light", {"csg", "function", "render/scene", "render/texture"}},
     {"render/plan", {"csg", "function", "render/scene", "render/texture", "render/light", "render/image"}},
     {"render/lint", {"csg", "parser", "parser/lexer", "parser/stream", "render/scene", "render/plan"}},
-    {"render/trace",
-     {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image"}},
+    {"render/kernel", {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan"}},
+    {"render/picture",
+     {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
+      "render/kernel"}},
     {"render/study",
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
-      "render/trace"}},
-    {"render/layers", {"csg", "render/scene", "render/plan", "render/image", "render/trace", "render/study"}},
+      "render/kernel", "render/picture"}},
+    {"render/layers",
+     {"csg", "render/scene", "render/plan", "render/image", "render/kernel", "render/picture", "render/study"}},
     {"render/solid", {"csg", "function", "render/scene", "render/plan"}},
     {"render/explain",
      {"csg", "function", "render/scene", "render/texture", "render/light", "render/plan", "render/image",
-      "render/trace"}},
+      "render/kernel", "render/picture"}},
     {"render/web", {}},  // a module: it knows of no scene
     // What people call by name: it puts the stages together, and finds a scene's constants among its tokens.
     // clang-format off: one a line
     {"render/app",
      {"csg", "function", "language/format", "language/names", "language/places", "parser", "parser/lexer",
-      "render/scene", "render/image", "render/plan", "render/trace", "render/explain", "render/layers", "render/lint",
-      "render/solid", "render/study", "render/web"}},
+      "render/scene", "render/image", "render/plan", "render/kernel", "render/picture", "render/explain",
+      "render/layers", "render/lint", "render/solid", "render/study", "render/web"}},
     // clang-format on
 };
 
@@ -149,7 +152,7 @@ TEST_CASE("an include that points upward is found", "[structure]")
     CHECK(objection({"csg/solids/solid.cpp", 1, "render/plan/surface.h", true}) == "csg may not depend on render/plan");
     CHECK(objection({"parser/lexer/lexer.cpp", 1, "parser/grammar/grammar.h", true}) ==
           "parser/lexer may not depend on parser/grammar");
-    CHECK(objection({"render/trace/render.cpp", 1, "OpenImageIO/imageio.h", false}) ==
+    CHECK(objection({"render/picture/render.cpp", 1, "OpenImageIO/imageio.h", false}) ==
           "OpenImageIO/ belongs to render/image");
     CHECK(objection({"render/app/main.cpp", 1, "help.h", true}) == "our headers are named by their path from the root");
     CHECK_FALSE(objection({"parser/grammar/grammar.cpp", 1, "render/scene/object.h", true}));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/image/files.h"
-#include "render/trace/blocks.h"
+#include "render/picture/blocks.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 #include <chrono>
 #include <string>

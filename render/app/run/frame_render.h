@@ -4,7 +4,7 @@
 #include "render/app/report/console_reporter.h"
 #include "render/app/run/render_command.h"
 #include "render/image/files.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "render/app/run/frames.h"
 #include "render/image/files.h"
-#include "render/trace/blocks.h"
+#include "render/picture/blocks.h"
 
 #include <cstddef>
 #include <exception>

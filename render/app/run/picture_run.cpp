@@ -10,10 +10,10 @@
 #include "render/app/output/state_file.h"
 #include "render/image/picture_writer.h"
 #include "render/plan/sampling/path_scene.h"
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
-#include "render/trace/path/denoise.h"
-#include "render/trace/sampling/sampled_render.h"
+#include "render/kernel/gather/indirect_light.h"
+#include "render/picture/passes/passes.h"
+#include "render/picture/sampling/denoise.h"
+#include "render/picture/sampling/sampled_render.h"
 
 #include <fmt/format.h>
 

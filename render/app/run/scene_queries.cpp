@@ -2,8 +2,8 @@
 
 #include "function/field.h"
 #include "parser/parse.h"
-#include "render/trace/kernel/kernel.h"
-#include "render/trace/kernel/kernel_module.h"
+#include "render/kernel/kernel.h"
+#include "render/picture/kernel_module.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

@@ -3,7 +3,7 @@
 #include "parser/queries.h"
 #include "render/plan/geometry/extent.h"
 #include "render/plan/probe.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 #include <atomic>
 #include <unordered_map>

@@ -8,8 +8,8 @@
 #include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
 #include "render/layers/object_names.h"
-#include "render/trace/kernel/kernel.h"
-#include "render/trace/kernel/kernel_module.h"
+#include "render/kernel/kernel.h"
+#include "render/picture/kernel_module.h"
 
 #include <fmt/format.h>
 

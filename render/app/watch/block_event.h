@@ -2,7 +2,7 @@
 
 #include "render/image/image.h"
 #include "render/image/levels/quantise.h"
-#include "render/trace/blocks.h"
+#include "render/picture/blocks.h"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 #include "render/app/watch/board.h"
 #include "render/image/levels/quantise.h"
 #include "render/plan/compiled_scene.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 #include <utility>
 #include <vector>

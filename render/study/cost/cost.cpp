@@ -1,8 +1,8 @@
 #include "render/study/cost/cost.h"
 
 #include "render/study/cost/sampled_run.h"
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
+#include "render/kernel/gather/indirect_light.h"
+#include "render/picture/passes/passes.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 #include <string>
 #include <vector>

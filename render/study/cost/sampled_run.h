@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/kernel/kernel_module.h"
+#include "render/picture/kernel_module.h"
 
 #include <memory>
 #include <vector>

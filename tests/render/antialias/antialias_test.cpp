@@ -1,7 +1,7 @@
-#include "render/trace/antialias/antialias.h"
+#include "render/kernel/antialias/antialias.h"
 
-#include "render/trace/antialias/float_power.h"
-#include "render/trace/antialias/jitter.h"
+#include "render/kernel/antialias/float_power.h"
+#include "render/kernel/antialias/jitter.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 #include "parser/parse.h"
-#include "render/trace/camera/camera_rays.h"
+#include "render/kernel/camera/camera_rays.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "render/trace/camera/focal_blur.h"
+#include "render/kernel/camera/focal_blur.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "render/trace/camera/mesh_camera_ray.h"
+#include "render/kernel/camera/mesh_camera_ray.h"
 
 #include <catch2/catch.hpp>
 

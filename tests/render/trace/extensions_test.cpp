@@ -1,6 +1,6 @@
 // Finishes and lights beyond POV-Ray's words, by closed forms and laws: docs/extensions.md.
 #include "render/texture/finish.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 #include "tests/parser/grammar_support.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "render/trace/light/highlight_lanes.h"
+#include "render/kernel/light/highlight_lanes.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
-#include "render/trace/render.h"
+#include "render/kernel/gather/indirect_light.h"
+#include "render/picture/passes/passes.h"
+#include "render/picture/render.h"
 #include "tests/parser/grammar_support.h"
 
 #include <string>

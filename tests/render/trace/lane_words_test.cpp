@@ -1,7 +1,7 @@
 #include "render/texture/fresnel.h"
-#include "render/trace/queue/float_mask.h"
-#include "render/trace/random_lanes.h"
-#include "render/trace/shade/dispersion.h"
+#include "render/kernel/tile/float_mask.h"
+#include "render/kernel/tile/random_lanes.h"
+#include "render/kernel/interior/dispersion.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // Rows of light go through the lights in vector lanes or by themselves: one formula, the same picture.
 #include "render/light/illuminate.h"
-#include "render/trace/light/dimmed_lanes.h"
-#include "render/trace/render.h"
+#include "render/kernel/light/dimmed_lanes.h"
+#include "render/picture/render.h"
 #include "tests/parser/grammar_support.h"
 
 #include <catch2/catch.hpp>

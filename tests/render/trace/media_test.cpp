@@ -1,6 +1,6 @@
 // Media against their integrals, and against what POV-Ray was seen to make of small scenes (spec 6, 1.2 and 2).
-#include "render/trace/media/media_exp.h"
-#include "render/trace/render.h"
+#include "render/kernel/extinction/media_exp.h"
+#include "render/picture/render.h"
 #include "tests/parser/grammar_support.h"
 #include "tests/support/csv_table.h"
 

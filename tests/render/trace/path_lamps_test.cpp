@@ -1,5 +1,5 @@
 // Lamps and emitters that paths meet or aim at, against closed forms: docs/path_tracing.md.
-#include "render/trace/path/fresnel.h"
+#include "render/kernel/path/fresnel.h"
 #include "tests/render/trace/path_support.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // What the spread of paths says of their error where few of them bring most of the light: docs/error_and_time.md.
-#include "render/trace/sampling/path_spread.h"
-#include "render/trace/sampling/sharing.h"
+#include "render/picture/sampling/path_spread.h"
+#include "render/picture/sampling/sharing.h"
 
 #include <catch2/catch.hpp>
 

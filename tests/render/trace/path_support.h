@@ -1,7 +1,7 @@
 // What tests of the path tracer have in common: small pictures of many samples.
 #pragma once
 
-#include "render/trace/sampling/sampled_render.h"
+#include "render/picture/sampling/sampled_render.h"
 #include "tests/parser/grammar_support.h"
 
 #include <algorithm>

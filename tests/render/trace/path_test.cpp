@@ -1,8 +1,8 @@
 // The path tracer against closed forms and the Whitted picture: docs/path_tracing.md.
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
-#include "render/trace/path/denoise.h"
-#include "render/trace/path/fresnel.h"
+#include "render/kernel/gather/indirect_light.h"
+#include "render/picture/passes/passes.h"
+#include "render/picture/sampling/denoise.h"
+#include "render/kernel/path/fresnel.h"
 #include "tests/render/trace/path_support.h"
 
 #include <catch2/catch.hpp>

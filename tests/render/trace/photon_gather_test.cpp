@@ -1,6 +1,6 @@
 // Photons that a tile of points gathers: what one point would find alone.
-#include "render/trace/gather/part_nearest.h"
-#include "render/trace/photon/photon_map.h"
+#include "render/kernel/gather/part_nearest.h"
+#include "render/kernel/gather/photon_map.h"
 #include "tests/render/trace/photon_support.h"
 
 #include <catch2/catch.hpp>

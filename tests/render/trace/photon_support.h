@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/photon/photon.h"
+#include "render/kernel/gather/photon.h"
 
 #include <cmath>
 #include <random>

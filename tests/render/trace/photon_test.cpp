@@ -1,7 +1,7 @@
 // Photons: POV-Ray's random numbers and records, the tree, the search against a dumber one, and light whose amount is
 // known.
-#include "render/trace/photon/photon_file.h"
-#include "render/trace/gather/photon_search.h"
+#include "render/picture/passes/photon_file.h"
+#include "render/kernel/gather/photon_search.h"
 #include "tests/render/trace/indirect_support.h"
 #include "tests/render/trace/photon_support.h"
 

@@ -1,6 +1,6 @@
 // Where rays of radiosity's samples go (spec 6, 4.4), and in which order they are traced.
-#include "render/trace/radiosity/directions/directions.h"
-#include "render/trace/radiosity/sorted_rays.h"
+#include "render/picture/passes/directions/directions.h"
+#include "render/kernel/radiosity/sorted_rays.h"
 
 #include <catch2/catch.hpp>
 

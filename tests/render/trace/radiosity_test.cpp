@@ -1,10 +1,10 @@
 // Light that surfaces hand on to each other (spec 6, section 4): closed forms, POV-Ray's tables, the promise of bytes.
-#include "render/trace/indirect/indirect_light.h"
-#include "render/trace/indirect/passes.h"
-#include "render/trace/radiosity/lookup.h"
-#include "render/trace/radiosity/pass_rays.h"
-#include "render/trace/radiosity/sample_file.h"
-#include "render/trace/render.h"
+#include "render/kernel/gather/indirect_light.h"
+#include "render/picture/passes/passes.h"
+#include "render/kernel/radiosity/lookup.h"
+#include "render/picture/passes/pass_rays.h"
+#include "render/picture/passes/sample_file.h"
+#include "render/picture/render.h"
 #include "tests/parser/grammar_support.h"
 
 #include <catch2/catch.hpp>

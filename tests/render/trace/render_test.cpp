@@ -1,4 +1,4 @@
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // Pictures of many samples: docs/error_and_time.md.
-#include "render/trace/sampling/sampled_render.h"
-#include "render/trace/sampling/sobol.h"
+#include "render/picture/sampling/sampled_render.h"
+#include "render/kernel/tile/sobol.h"
 #include "tests/parser/grammar_support.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // Light below surfaces: the dipole against its own sum over a plane, and a half-space against known numbers.
-#include "render/trace/subsurface/scattering.h"
+#include "render/kernel/subsurface/scattering.h"
 #include "tests/render/trace/indirect_support.h"
 
 #include <catch2/catch.hpp>

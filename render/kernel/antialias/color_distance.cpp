@@ -1,0 +1,118 @@
+#include "render/kernel/antialias/color_distance.h"
+
+#include "render/kernel/antialias/float_power.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trace {
+namespace {
+
+/// Exponents this close to 1 count as 1, and then negative values are kept (spec 2, 8.1).
+constexpr double kIdentityExponent = 0.01;
+
+constexpr double kSrgbKnee = 0.04045, kSrgbSlope = 12.92, kSrgbShift = 0.055, kSrgbScale = 1.055, kSrgbExponent = 2.4;
+
+// What float_power() knows. Of an exponent above 1 after sRGB's both errors would be more than differ() has room for.
+constexpr double kMostExponent = 3.0, kMostAfterSrgb = 1.0;
+constexpr float kLeastValue = 1e-30f, kMostValue = 256.0f;
+
+FloatPart float_of(double value) { return FloatPart(static_cast<float>(value)); }
+
+}  // namespace
+
+ColorDistance::ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma)
+    : threshold_(static_cast<double>(static_cast<float>(settings.threshold))),
+      srgb_(gamma.kind == scene::AssumedGamma::Kind::Srgb)
+{
+    const double display = settings.gamma > 0 ? settings.gamma : 1.0;
+    const double working = gamma.kind == scene::AssumedGamma::Kind::Power ? gamma.exponent : 1.0;
+    exponent_ = working / display;
+    identity_ = !srgb_ && std::abs(exponent_ - 1.0) <= kIdentityExponent;
+    in_lanes_ = !identity_ && exponent_ > 0.0 && exponent_ <= (srgb_ ? kMostAfterSrgb : kMostExponent);
+}
+
+float ColorDistance::encode(float value) const
+{
+    if (identity_) return value;
+    double v = static_cast<double>(value);
+    if (srgb_) v = v <= kSrgbKnee ? v / kSrgbSlope : std::pow((v + kSrgbShift) / kSrgbScale, kSrgbExponent);
+    return static_cast<float>(std::pow(std::max(v, 0.0), exponent_));
+}
+
+/// Components where they are; the vector is as long as a whole number of registers.
+void ColorDistance::encode_row(std::vector<float>& values) const
+{
+    const FloatPart zero(0.0f), one(1.0f), exponent(float_of(exponent_));
+    const auto within = [](const FloatPart& v) { return (v >= FloatPart(kLeastValue)) & (v <= FloatPart(kMostValue)); };
+    for (std::size_t i = 0; i < values.size(); i += kFloatPart) {
+        float* const at = values.data() + i;
+        FloatPart v = FloatPart::load_unaligned(at);
+        std::uint32_t unknown = 0;
+        if (srgb_) {
+            const auto low = v <= float_of(kSrgbKnee);
+            const FloatPart c = xsimd::select(low, one, (v + float_of(kSrgbShift)) / float_of(kSrgbScale));
+            unknown = csg::lanes::mask(!within(c));
+            v = xsimd::select(low, v / float_of(kSrgbSlope), float_power(c, float_of(kSrgbExponent)));
+        }
+        const auto none = v <= zero;
+        const FloatPart c = xsimd::select(none, one, v);
+        unknown |= csg::lanes::mask(!within(c));
+        if (unknown == 0) xsimd::select(none, zero, float_power(c, exponent)).store_unaligned(at);
+        else std::transform(at, at + kFloatPart, at, [this](float value) { return encode(value); });
+    }
+}
+
+void ColorDistance::encode(std::span<const scene::Color> colors, std::vector<EncodedColor>& out,
+                           EncodedRows& rows) const
+{
+    // Apart from each other: what is written number by number can't be read as a register at once.
+    rows.resize((colors.size() + kFloatPart - 1) / kFloatPart * kFloatPart);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const scene::Color& c = colors[i];
+        rows.red[i] = c.red, rows.green[i] = c.green, rows.blue[i] = c.blue, rows.transmit[i] = c.transmit;
+    }
+    for (std::vector<float>* row : {&rows.red, &rows.green, &rows.blue})
+        if (in_lanes_) encode_row(*row);
+        else std::transform(row->begin(), row->end(), row->begin(), [this](float value) { return encode(value); });
+    const std::size_t first = out.size();
+    out.resize(first + colors.size());
+    EncodedColor* to = out.data() + first;
+    for (std::size_t i = 0; i < colors.size(); ++i) to[i] = {colors[i], rows.red[i], rows.green[i], rows.blue[i]};
+}
+
+void ColorDistance::mark_unsure(const EncodedRows& rows, std::size_t from, std::size_t count,
+                                std::span<const std::size_t> offsets, std::uint8_t flag, std::uint8_t* out) const
+{
+    constexpr float kRoundings = 1e-5f;  // of the largest components: differ()'s room, and this sum's own
+    const std::array<const float*, 4> parts = {rows.red.data(), rows.green.data(), rows.blue.data(),
+                                               rows.transmit.data()};
+    const FloatPart threshold(static_cast<float>(threshold_));
+    const auto sure_at = [&](std::size_t i) {
+        FloatPart apart(0.0f), size(0.0f);
+        for (const float* part : parts) {
+            const auto at = [&](std::size_t offset) { return FloatPart::load_unaligned(part + from + i + offset); };
+            FloatPart low = at(offsets[0]), high = low;
+            for (const std::size_t offset : offsets) {
+                const FloatPart v = at(offset);
+                low = xsimd::min(low, v), high = xsimd::max(high, v);
+                size += v - v;  // no number: nothing is sure
+            }
+            apart += high - low;
+            size += xsimd::max(xsimd::abs(low), xsimd::abs(high));
+        }
+        return csg::lanes::mask(apart + FloatPart(kRoundings) * size < threshold);
+    };
+    constexpr std::uint32_t kAll = (1u << kFloatPart) - 1;
+    std::size_t i = 0;
+    for (; i + kFloatPart <= count; i += kFloatPart) {
+        const std::uint32_t sure = sure_at(i);
+        if (sure == kAll) continue;
+        for (std::size_t k = 0; k < kFloatPart; ++k)
+            if ((sure >> k & 1u) == 0) out[i + k] = static_cast<std::uint8_t>(out[i + k] | flag);
+    }
+    for (; i < count; ++i) out[i] = static_cast<std::uint8_t>(out[i] | flag);
+}
+
+}  // namespace trace

@@ -1,0 +1,225 @@
+#include "render/kernel/camera/camera_rays.h"
+
+#include "csg/base/lanes.h"
+#include "render/plan/camera_starts.h"
+#include "render/texture/evaluate.h"
+#include "render/kernel/camera/mesh_camera_ray.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace trace {
+namespace {
+
+using Kind = scene::Camera::Kind;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDefaultAngleDeg = 90.0;
+constexpr double kDefaultSphericalAngleDeg = 360.0;
+/// Aspect ratio above which an omnimax picture is cropped at the sides instead of squeezed (spec 2, 4.6).
+constexpr double kOmnimaxAspect = 1.283458;
+
+double radians(double degrees) { return degrees * (kPi / 180.0); }
+
+/// A zero vector stays zero: a camera without an extent gives rays along its axis, not NaN.
+glm::dvec3 unit(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0 ? v / length : v;
+}
+
+/// Rotation by `angle` about the unit vector `axis`, in POV-Ray's left-handed sense (as vaxis_rotate).
+glm::dvec3 rotated(const glm::dvec3& v, const glm::dvec3& axis, double angle)
+{
+    const double c = std::cos(angle), s = std::sin(angle);
+    return v * c + glm::cross(axis, v) * s + axis * (glm::dot(axis, v) * (1 - c));
+}
+
+/// The polar angle of a place in a round picture as a normal of the camera sees it, in [-pi/2, 3/2 pi): POV-Ray goes on
+/// from the left half into the lower left quarter, and breaks off below the centre.
+double polar_angle(double a, double b)
+{
+    const double phi = std::atan2(b, a);
+    return a < 0.0 && b < 0.0 ? phi + 2.0 * kPi : phi;
+}
+
+}  // namespace
+
+CameraRays::CameraRays(const scene::Camera& camera, int width, int height, const Extras& extras)
+    : camera_(camera), extras_(extras), width_(width), height_(height), unit_direction_(unit(camera.direction)),
+      unit_right_(unit(camera.right)), unit_up_(unit(camera.up)), length_right_(glm::length(camera.right)),
+      length_up_(glm::length(camera.up)), common_origin_(!plan::starts_differ(camera))
+{
+    const bool spherical = camera.kind == Kind::Spherical;
+    const double fallback = spherical ? kDefaultSphericalAngleDeg : kDefaultAngleDeg;
+    const double angle = camera.angle_deg != 0 ? camera.angle_deg : fallback;
+    angle_ = radians(angle);
+    angle2_ = radians(camera.angle2_deg != 0 ? camera.angle2_deg : angle / 2);
+}
+
+bool CameraRays::ray(double px, double py, csg::Ray& out, int k) const
+{
+    glm::dvec2 place;
+    if (!project(px, py, k, out, place)) return false;
+    const double length = glm::length(out.direction);
+    if (!(length > 0)) return false;
+    out.direction /= length;
+    if (extras_.normal == texture::kNone) return true;
+    texture::Surroundings around;
+    out.direction = glm::normalize(
+        texture::perturb(*extras_.textures, extras_.normal, out.direction, {place.x, place.y, 0.0}, around));
+    return out.direction == out.direction;
+}
+
+void CameraRays::fetch(double px, double py, int k) const
+{
+    if (camera_.kind == Kind::Mesh && extras_.mesh)
+        fetch_mesh_camera_ray(*extras_.mesh, px, py, static_cast<int>(width_), static_cast<int>(height_), k);
+}
+
+bool CameraRays::unscaled_ray(double px, double py, csg::Ray& out) const
+{
+    glm::dvec2 place;
+    return project(px, py, 0, out, place);
+}
+
+bool CameraRays::project(double px, double py, int k, csg::Ray& out, glm::dvec2& place) const
+{
+    const double u = (px + 0.5) / width_ - 0.5;
+    const double v = (height_ - 0.5 - py) / height_ - 0.5;
+    out.origin = camera_.location;
+    place = {u, v};
+    bool found = true;
+    switch (camera_.kind) {
+    case Kind::Perspective: out.direction = camera_.direction + u * camera_.right + v * camera_.up; break;
+    case Kind::Orthographic:
+        out.origin += u * camera_.right + v * camera_.up;
+        out.direction = camera_.direction;
+        break;
+    case Kind::Fisheye: found = fisheye(u, v, out, place); break;
+    case Kind::UltraWideAngle: {
+        const double alpha = u * angle_, beta = v * angle_ * length_up_ / length_right_;
+        place = {alpha, beta};
+        out.direction = std::sin(alpha) * unit_right_ + std::sin(beta) * unit_up_ +
+                        std::cos(alpha) * std::cos(beta) * unit_direction_;
+        break;
+    }
+    case Kind::Omnimax: found = omnimax(u, v, out, place); break;
+    case Kind::Panoramic: panoramic(px, v, out, place); break;
+    case Kind::Cylinder: cylinder(u, v, out, place); break;
+    case Kind::Spherical: spherical(u, v, out, place); break;
+    case Kind::Mesh:
+        place = {0, 0};
+        found = extras_.mesh &&
+                mesh_camera_ray(*extras_.mesh, px, py, static_cast<int>(width_), static_cast<int>(height_), k, out);
+        break;
+    }
+    return found;
+}
+
+bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& rays) const
+{
+    using csg::lanes::Double;
+    const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
+    std::uint32_t long_enough = ~0u;
+    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+        const Double u = (Double::load_aligned(px + i) + Double(0.5)) / Double(width_) - Double(0.5);
+        const Double v = (Double(height_ - 0.5) - Double::load_aligned(py + i)) / Double(height_) - Double(0.5);
+        const Double x = Double(d.x) + u * Double(r.x) + v * Double(up.x);
+        const Double y = Double(d.y) + u * Double(r.y) + v * Double(up.y);
+        const Double z = Double(d.z) + u * Double(r.z) + v * Double(up.z);
+        const Double length = xsimd::sqrt(x * x + y * y + z * z);
+        long_enough &= csg::lanes::mask(length > Double(0.0));
+        (x / length).store_aligned(rays.dx.data() + i);
+        (y / length).store_aligned(rays.dy.data() + i);
+        (z / length).store_aligned(rays.dz.data() + i);
+    }
+    constexpr std::uint32_t kAll = (1u << csg::lanes::kDoubles) - 1u;
+    return (long_enough & kAll) == kAll;
+}
+
+void CameraRays::unscaled_perspective(const double* px, const double* py, int count, double* dx, double* dy,
+                                      double* dz) const
+{
+    using csg::lanes::Double;
+    const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
+    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+        const Double u = (Double::load_aligned(px + i) + Double(0.5)) / Double(width_) - Double(0.5);
+        const Double v = (Double(height_ - 0.5) - Double::load_aligned(py + i)) / Double(height_) - Double(0.5);
+        (Double(d.x) + u * Double(r.x) + v * Double(up.x)).store_aligned(dx + i);
+        (Double(d.y) + u * Double(r.y) + v * Double(up.y)).store_aligned(dy + i);
+        (Double(d.z) + u * Double(r.z) + v * Double(up.z)).store_aligned(dz + i);
+    }
+}
+
+glm::dvec3 CameraRays::polar(double theta, double a, double b) const
+{
+    const double phi = std::atan2(b, a);
+    return std::sin(theta) * std::cos(phi) * unit_right_ + std::sin(theta) * std::sin(phi) * unit_up_ +
+           std::cos(theta) * unit_direction_;
+}
+
+bool CameraRays::fisheye(double u, double v, csg::Ray& out, glm::dvec2& place) const
+{
+    const double a = 2 * u * length_right_, b = 2 * v * length_up_, rho = std::hypot(a, b);
+    if (rho > 1) return false;
+    place = {polar_angle(a, b), rho * angle_ / 2};
+    out.direction = polar(place.y, a, b);
+    return true;
+}
+
+bool CameraRays::omnimax(double u, double v, csg::Ray& out, glm::dvec2& place) const
+{
+    const double q = length_right_ / length_up_;
+    double a = 2 * u, b = 2 * v;
+    if (q > kOmnimaxAspect) {
+        a *= q / kOmnimaxAspect;
+        b = (b - 1) / kOmnimaxAspect + 1;
+    } else if (q > 1) {
+        b = (b - 1) / q + 1;
+    } else {
+        b /= q;
+    }
+    const double rho = std::hypot(a, b);
+    if (rho > 1) return false;
+    const double rho2 = rho * rho;
+    const double theta = rho * (1.411269 + rho2 * (-0.09439 + rho2 * 0.25674));
+    place = {polar_angle(a, b), theta};
+    // More than 45 degrees below the horizon there is only the projection booth.
+    if (std::sin(std::atan2(b, a)) * std::sin(theta) < std::tan(radians(135)) * std::cos(theta)) return false;
+    out.direction = polar(theta, a, b);
+    return true;
+}
+
+void CameraRays::panoramic(double px, double v, csg::Ray& out, glm::dvec2& place) const
+{
+    constexpr double kVertical = 1e-10;  // closer to straight up than this counts as straight up
+    constexpr double kVerticalTangent = 2e10;
+    const double a = (1 - (px + 0.5) / width_) * kPi, b = v * kPi;
+    place = {a, b};
+    const double rise = std::abs(kPi / 2 - std::abs(b)) < kVertical ? std::copysign(kVerticalTangent, b) : std::tan(b);
+    out.direction = std::cos(a) * camera_.right + rise * camera_.up + std::sin(a) * camera_.direction;
+}
+
+void CameraRays::cylinder(double u, double v, csg::Ray& out, glm::dvec2& place) const
+{
+    const double across = u * angle_, along = v * angle_;
+    if (camera_.cylinder_type == 1 || camera_.cylinder_type == 3) {
+        place = {across, v * length_up_};
+        out.direction = std::sin(across) * unit_right_ + std::cos(across) * unit_direction_;
+        (camera_.cylinder_type == 1 ? out.direction : out.origin) += v * length_up_ * unit_up_;
+    } else {
+        place = {u * length_right_, along};
+        out.direction = std::sin(along) * unit_up_ + std::cos(along) * unit_direction_;
+        (camera_.cylinder_type == 2 ? out.direction : out.origin) += u * length_right_ * unit_right_;
+    }
+}
+
+void CameraRays::spherical(double u, double v, csg::Ray& out, glm::dvec2& place) const
+{
+    place = {u * angle_, v * angle2_};
+    const glm::dvec3 tilted = rotated(unit_direction_, unit_right_, -v * angle2_);
+    out.direction = rotated(tilted, unit_up_, u * angle_);
+}
+
+}  // namespace trace

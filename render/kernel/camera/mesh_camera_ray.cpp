@@ -1,0 +1,90 @@
+#include "render/kernel/camera/mesh_camera_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trace {
+
+using plan::MeshCamera;
+using Method = MeshCamera::Method;
+
+namespace {
+
+constexpr double kUvEdge = 1e-9;  // of a triangle: no place between two of them belongs to neither
+
+/// Shares of the corners at a point of the plane; one below 0 outside.
+glm::dvec3 shares(const std::array<glm::dvec2, 3>& c, const glm::dvec2& p)
+{
+    const glm::dvec2 a = c[1] - c[0], b = c[2] - c[0], q = p - c[0];
+    const double area = a.x * b.y - a.y * b.x;
+    const double second = (q.x * b.y - q.y * b.x) / area, third = (a.x * q.y - a.y * q.x) / area;
+    return {1.0 - second - third, second, third};
+}
+
+bool ray_by_uv(const MeshCamera& camera, const glm::dvec2& at, csg::Ray& out)
+{
+    const std::size_t cell = static_cast<std::size_t>(MeshCamera::cell_of(at.y)) * MeshCamera::kCells +
+                             static_cast<std::size_t>(MeshCamera::cell_of(at.x));
+    for (std::uint32_t i = camera.cell_first[cell]; i < camera.cell_first[cell + 1]; ++i) {
+        const MeshCamera::Corners& face = camera.corners[camera.cell_faces[i]];
+        const glm::dvec3 w = shares(face.uv, at);
+        if (!(w.x >= -kUvEdge && w.y >= -kUvEdge && w.z >= -kUvEdge)) continue;
+        out.origin = w.x * face.rays[0].origin + w.y * face.rays[1].origin + w.z * face.rays[2].origin;
+        out.direction =
+            glm::normalize(w.x * face.rays[0].direction + w.y * face.rays[1].direction + w.z * face.rays[2].direction);
+        return true;
+    }
+    return false;
+}
+
+/// Where a sample lies among the faces.
+glm::dvec2 place_of(double px, double py, int width, int height)
+{
+    // Half a pixel above the sample: the first two rows of a picture show the same faces, as POV-Ray's do.
+    return {std::clamp(px + 0.5, 0.0, width - 1.0), std::clamp(py - 0.5, 0.0, height - 1.0)};
+}
+
+/// The ray of the face that a sample shows; null: there is none. Not for method ByUv.
+const MeshCamera::Ray* face_of(const MeshCamera& camera, double x, double y, int width, int k)
+{
+    const double column = std::floor(x), row = std::floor(y);
+    double face = row * width + column;
+    MeshCamera::Range range{0, static_cast<std::uint32_t>(camera.faces.size())};
+    if (camera.method == Method::MeshPerRay) {
+        range = camera.meshes[static_cast<std::size_t>(k)];
+    } else if (camera.method == Method::AllInOne) {
+        face += static_cast<double>(k) * range.count;
+    } else {
+        const double wide = static_cast<double>(width) / static_cast<double>(camera.meshes.size());
+        const auto which = std::min(static_cast<std::size_t>(x / wide), camera.meshes.size() - 1);
+        range = camera.meshes[which];
+        face = row * std::floor(wide) + column;
+    }
+    if (!(face < range.count)) return nullptr;
+    return camera.faces.data() + (range.first + static_cast<std::uint32_t>(face));
+}
+
+}  // namespace
+
+bool mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, int height, int k, csg::Ray& out)
+{
+    const glm::dvec2 at = place_of(px, py, width, height);
+    if (camera.method == Method::ByUv)
+        return ray_by_uv(camera, {(at.x - 0.5) / width, 1.0 - (at.y + 0.5) / height}, out);
+    const MeshCamera::Ray* from = face_of(camera, at.x, at.y, width, k);
+    if (from == nullptr) return false;
+    out = {from->origin, from->direction};
+    return true;
+}
+
+void fetch_mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, int height, int k)
+{
+    if (camera.method == Method::ByUv) return;
+    const glm::dvec2 at = place_of(px, py, width, height);
+    const MeshCamera::Ray* from = face_of(camera, at.x, at.y, width, k);
+    if (from == nullptr) return;
+    __builtin_prefetch(from);
+    __builtin_prefetch(&from->direction.z);
+}
+
+}  // namespace trace

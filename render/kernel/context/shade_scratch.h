@@ -1,0 +1,109 @@
+#pragma once
+
+#include "csg/base/hit.h"
+#include "render/light/illuminate.h"
+#include "render/kernel/tile/row_page.h"
+#include "render/kernel/tile/air.h"
+#include "render/kernel/gather/near_photons.h"
+#include "render/kernel/traits/photon_shadow.h"
+#include "render/kernel/interior/dispersion.h"
+#include "render/kernel/tile/layer_points.h"
+#include "render/kernel/tile/tile_lanes.h"
+#include "render/kernel/traits/surface_traits.h"
+#include "render/kernel/context/kept.h"
+#include "render/kernel/queue/ray_queue.h"
+
+#include <array>
+#include <vector>
+
+namespace trace {
+
+struct AreaScratch;
+struct FilterScratch;
+struct RestartedScratch;
+struct SurfaceScratch;
+
+/// One light at one hit, for the rows that go through the lights one by one (spec 3, 13.4).
+struct LightSample {
+    light::Illumination lit;
+    glm::vec3 arriving;  ///< its colour past what shadows it
+};
+
+/// A node that waits for the light of rows `first` to `last` of a hit.
+struct ClosingNode {
+    std::uint32_t node;
+    std::uint8_t hit;
+    std::uint16_t first, last;
+};
+
+/// Rows whose normals are still to be bent.
+struct Bend {
+    HitMask hits;
+    std::uint32_t normal;
+    std::uint8_t depth;
+};
+
+/// Where the shadow rays of a tile's hits to the light at hand begin and end.
+struct alignas(64) ShadowEnds {
+    alignas(64) TileLanes from, to;
+};
+
+/// A layer's mirror, remembered until all layers have been gone through.
+struct Mirror {
+    glm::vec3 reflectivity;
+    glm::dvec3 normal;
+    float weight;
+    const texture::Finish* finish;
+};
+
+/// What shading keeps per thread; grows to what the scene needs and stays.
+struct ShadeScratch {
+    SceneTraits traits;                              ///< filled by the first tile
+    std::vector<LightSample> samples;                ///< by hit and light, of hits with such rows
+    std::vector<Mirror> mirrors;                     ///< of the layers of the texture at hand
+    std::vector<csg::Share> shares;                  ///< of a blob's components
+    TileColors area_colors;                          ///< of the area light at hand, past what shadows it
+    csg::RayTile rays;                               ///< shadow rays of a tile
+    RayQueue queue;                                  ///< rays that go on from the tile's hits
+    std::array<QueuedRay, csg::kTileRays> segments;  ///< those being traced
+    csg::RayTile segment_rays;                       ///< the same as a tile
+    SpectrumPowers spectrum;                         ///< of light that has been dispersed
+    csg::HitTile segment_hits;
+    std::array<Air, csg::kTileRays> air;  ///< by segment, where there is some (AirStage)
+    bool in_media = false;                ///< a ray of the queue may have been inside of media of an interior
+    TileHits hits;                        ///< of a tile
+    TileLight light;                      ///< the one at hand
+    ShadowEnds shadow_ends;               ///< the same
+    std::array<glm::vec3, csg::kTileRays> lit_colors;  ///< of the light at hand, before shadows
+    TileColors reaching;                               ///< colours of the light at hand where it reaches hits
+    std::vector<RowPage> pages;                        ///< rows that go through the lights together
+    std::vector<ClosingNode> closing;                  ///< of the tile at hand
+    texture::ColorPoints top_pigments;                 ///< of hits of one layer that rays go on from
+    TileColors sums;                                   ///< of all rows, when the lights are through
+    std::array<Bend, csg::kTileRays * kPrefetchedLayers> bends;
+    texture::Points points;  ///< of pattern space, by hit
+    std::array<texture::Surroundings, csg::kTileRays> around;
+    std::array<LayerPoints, kPrefetchedLayers> prefetched;  ///< by depth: pigments of layers of textures, and normals
+                                                            ///< where rays go on from them
+    std::array<HitMask, kPrefetchedLayers> asked;           ///< by depth: where they are
+    std::array<float, csg::kTileRays> quality;  ///< of rays that gather: how far they were followed (spec 6, 4.3)
+    csg::CrossingTile crossings;                ///< of the shadow rays; only how they end where nothing filters
+    std::array<csg::HitDetails, csg::kTileRays> details;
+    PhotonShadow photon_shadow;                     ///< of the light at hand
+    NearPhotons near_photons, wide_photons;         ///< around the hit at hand
+    std::array<std::uint8_t, csg::kTileRays> lane;  ///< of each shadow ray: which hit it belongs to
+
+    // What one stage keeps for itself.
+    Kept<SurfaceScratch, false> surface;
+    Kept<AreaScratch> area;
+    Kept<FilterScratch> filters;
+    Kept<RestartedScratch> restarted;
+
+    /// A ray goes into what has this interior, or out of it.
+    void cross(const plan::Interior& interior)
+    {
+        if (traits.interior_media) in_media |= !interior.media.empty();
+    }
+};
+
+}  // namespace trace

@@ -1,0 +1,400 @@
+#pragma once
+
+#include "render/texture/evaluate_points.h"
+#include "render/kernel/light/bent_normals.h"
+#include "render/kernel/tile/lane_masks.h"
+#include "render/kernel/light/direct_light.h"
+#include "render/kernel/light/row_light.h"
+#include "render/kernel/light/shade_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// Rows of light of a tile's hits: layers of their textures. All rows go through a light together, a hit a lane; row d
+/// of every hit lies on page d. What lanes don't know (grain, iridescence, light from behind) goes through the lights
+/// one by one when they have all been asked. The operations are those of surface_light() in the same order. Compiled
+/// once per instruction set.
+namespace trace {
+
+class DirectBatch {
+public:
+    /// count: hits and misses of the tile.
+    DirectBatch(Context& context, int count)
+        : context_(context), count_(count), set_(context.scene.textures), scratch_(context.scratch.shade),
+          bends_normals_(context.scene.settings.quality.normals)
+    {
+        rows_.fill(0);
+        scratch_.closing.clear();
+    }
+
+    bool holds(std::size_t k) const { return has(holds_, k); }
+    /// Its colour is that of its rows: no ray goes on from it and no texture is mixed.
+    bool alone(std::size_t k) const { return has(alone_, k); }
+    HitMask all_alone() const { return alone_; }
+    bool bent(std::size_t k) const { return has(bent_, k); }
+    HitMask all() const { return holds_; }
+    HitMask all_bent() const { return bent_; }
+    /// Those that light changes.
+    HitMask lit() const { return lit_; }
+    /// Those that are lit from any side.
+    HitMask two_sided() const { return two_sided_; }
+    /// Those that wait for LightSamples.
+    HitMask scalar() const { return scalar_; }
+    /// Rows of hit k so far.
+    std::uint32_t rows(std::size_t k) const { return rows_[k]; }
+
+    const texture::Finish& top_finish(std::size_t k) const { return *scratch_.pages[0].finish[k]; }
+    scene::Color top_pigment(std::size_t k) const { return scratch_.top_pigments.at(k); }
+
+    /// Hits of one layer; their pigments come by color().
+    void begin(HitMask hits, const SingleLayer& single)
+    {
+        hold(hits);
+        if (single.goes_on) goes_on_ |= hits;
+        else alone_ |= hits;
+        const texture::Layer& layer = set_.layers[single.index];
+        if (set_.finishes[layer.finish].lit()) lit_ |= hits;
+        if (single.dull) dull_ |= hits;
+        add_layer(0, hits, layer);
+        for_each_hit(hits, [&](std::size_t k) { rows_[k] = 1; });
+        if (set_.finishes[layer.finish].crand > 0.0f) for_each_hit(hits, [&](std::size_t k) { grains_[k] = 0; });
+    }
+
+    void color(HitMask hits, const texture::ColorPoints& c)
+    {
+        for_each_hit(hits & goes_on_, [&](std::size_t k) { scratch_.top_pigments.set(k, c.at(k)); });
+        color(scratch_.pages[0], hits, hits & goes_on_, c);
+        if ((hits & dull_) != 0) drop_clear(hits & dull_, c);
+    }
+
+    /// Hits of layers whose pigments are known, by depth where the hits of `asked` have one; they let nothing through
+    /// to what is behind.
+    void begin(HitMask hits, const texture::Texture& texture)
+    {
+        hold(hits);
+        alone_ |= hits;
+        lit_ |= hits;
+        for (std::uint32_t depth = 0; depth < texture.count; ++depth) {
+            const HitMask here = hits & scratch_.asked[depth];
+            if (here == 0) return;
+            RowPage& at = add_layer(depth, here, set_.layers[texture.first + texture.count - 1 - depth]);
+            color(at, here, texture.plain ? 0 : here, scratch_.prefetched[depth].colors);
+            for_each_hit(here, [&](std::size_t k) { rows_[k] = static_cast<std::uint16_t>(depth + 1); });
+        }
+    }
+
+    void add_row(std::size_t k, const LitRow& row)
+    {
+        constexpr double kUnit = 1e-9;
+        const HitMask bit = HitMask{1} << k;
+        const texture::Finish& finish = row.finish;
+        RowPage& at = page(rows_[k]++);
+        hold(bit);
+        at.holds |= bit;
+        at.finish[k] = &finish;
+        at.pigment.set(k, row.pigment.rgb());
+        at.glow.set(k, row.pigment.rgb() * (finish.ambient + finish.emission) * row.alpha);
+        at.filter.set(k, row.filter);
+        at.alpha[k] = row.alpha;
+        if (!finish.lit()) return;
+        if (row.alpha != 0.0f || !scratch_.traits.clear_surfaces || !finish.dull()) lit_ |= bit;
+        if (row.normal != row.raw_normal) {
+            if (at.bent == 0) copy_normals(at);
+            at.bent |= bit;
+            bent_ |= bit;
+            at.nx[k] = row.normal.x;
+            at.ny[k] = row.normal.y;
+            at.nz[k] = row.normal.z;
+        }
+        if (row.two_sided || finish.diffuse_back != 0.0f) two_sided_ |= bit;
+        const bool unit = std::abs(glm::dot(row.normal, row.normal) - 1.0) < kUnit;
+        if (row.two_sided || finish.diffuse_back != 0.0f || finish.crand != 0.0f || finish.irid != 0.0f ||
+            finish.own_light || !unit || scratch_.traits.scalar_rows) {
+            at.scalar |= bit;
+            scalar_ |= bit;
+            at.scalar_pigment.set(k, row.pigment);
+            return;
+        }
+        at.diffuse[k] = static_cast<double>(finish.diffuse) * static_cast<double>(row.alpha);
+        set_kind(at, bit, finish);
+        if (finish.phong > 0.0f || finish.specular > 0.0f) at.lobe.set(k, finish);
+    }
+
+    /// A node waits for the light of hit k's rows from `first` on; it is given what there is now.
+    void close_node(std::size_t k, std::uint32_t first, std::uint32_t node)
+    {
+        scratch_.closing.push_back({node, static_cast<std::uint8_t>(k), static_cast<std::uint16_t>(first), rows_[k]});
+    }
+
+    /// Bends the normals of the layers that have some; their places and surroundings are known.
+    void bend()
+    {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            RowPage& at = scratch_.pages[depth];
+            if (at.bent == 0) continue;
+            copy_normals(at);
+        }
+        for (std::size_t i = 0; i < bends_; ++i) bend(scratch_.bends[i]);
+        bends_ = 0;
+    }
+
+    /// Some layer of a bent hit faces the direction.
+    bool faces(std::size_t k, const glm::dvec3& direction) const
+    {
+        for (std::size_t depth = 0; depth < depths_ && has(scratch_.pages[depth].holds, k); ++depth) {
+            const RowPage& at = scratch_.pages[depth];
+            const glm::dvec3 n = at.bent != 0 ? at.normal(k) : scratch_.hits.normal(k);
+            if (!(glm::dot(n, direction) < kNearlyZero)) return true;
+        }
+        return false;
+    }
+
+    /// The colour of the light at hand, of all hits or of one.
+    void begin_light(const glm::vec3& color)
+    {
+        scratch_.reaching.fill(color, count_);
+        dark_ = dark(color) ? ~HitMask{0} : 0;
+    }
+    void begin_light(std::size_t k, const glm::vec3& color)
+    {
+        scratch_.reaching.set(k, color);
+        dark_ = dark(color) ? dark_ | HitMask{1} << k : dark_ & ~(HitMask{1} << k);
+    }
+
+    /// It reaches these hits.
+    void light(HitMask hits) { reached_ |= hits & ~dark_; }
+    /// It reaches hit k with another colour.
+    void light(std::size_t k, const glm::vec3& color)
+    {
+        begin_light(k, color);
+        light(HitMask{1} << k);
+    }
+
+    /// Adds what the light at hand gives to the hits that it reaches; it is over then.
+    void add(const light::Light& light, const csg::RayTile& rays)
+    {
+        for (std::size_t depth = 0; depth < depths_ && reached_ != 0; ++depth)
+            light_page(scratch_.pages[depth], reached_, bent_ | two_sided_, light, rays, scratch_, grains_);
+        reached_ = 0;
+    }
+
+    /// Lights from here to end_group() are summed by themselves first.
+    void begin_group()
+    {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            RowPage& at = scratch_.pages[depth];
+            at.gained_before = at.gained;
+            at.gained.fill(glm::vec3(0), count_);
+        }
+    }
+    void end_group()
+    {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
+            RowPage& at = scratch_.pages[depth];
+            for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue})
+                for (std::size_t k = 0; k < csg::kTileRays; ++k)
+                    (at.gained.*channel)[k] = (at.gained_before.*channel)[k] + (at.gained.*channel)[k];
+        }
+    }
+
+    /// Light of all layers as the viewer sees it, for sum(k).
+    void finish()
+    {
+        if (depths_ == 0) return;
+        TileColors& sums = scratch_.sums;
+        const auto each = [&](TileFloats TileColors::*channel) {
+            float* sum = (sums.*channel).data();
+            for (std::size_t depth = 0; depth < depths_; ++depth) {
+                const RowPage& at = scratch_.pages[depth];
+                const LaneMask here(at.holds);
+                const float *glow = (at.glow.*channel).data(), *gained = (at.gained.*channel).data(),
+                            *filter = (at.filter.*channel).data();
+                if (depth == 0) {
+                    each_place(count_, [&](std::size_t k) { sum[k] = glow[k] + gained[k]; });
+                    continue;
+                }
+                // The top layer's filter is 1.
+                each_place(count_,
+                           [&](std::size_t k) { sum[k] += here[k] != 0 ? filter[k] * (glow[k] + gained[k]) : 0.0f; });
+            }
+        };
+        each(&TileColors::red);
+        each(&TileColors::green);
+        each(&TileColors::blue);
+    }
+    glm::vec3 sum(std::size_t k) const { return scratch_.sums[k]; }
+
+    /// Gives the nodes their own light, when the lights are through.
+    void close_nodes(RayQueue& queue) const
+    {
+        for (const ClosingNode& of : scratch_.closing) {
+            glm::vec3& own = queue.nodes[of.node].own;
+            for (std::uint32_t d = of.first; d < of.last; ++d) {
+                const RowPage& at = scratch_.pages[d];
+                own += at.filter[of.hit] * (at.glow[of.hit] + at.gained[of.hit]);
+            }
+        }
+    }
+
+    /// Pages of rows in use.
+    std::size_t depths() const { return depths_; }
+    /// Of a row: the layer's, turned to the viewer.
+    glm::dvec3 normal(std::size_t depth, std::size_t k) const
+    {
+        const RowPage& at = scratch_.pages[depth];
+        return has(at.bent, k) ? at.normal(k) : scratch_.hits.normal(k);
+    }
+
+    /// The light of the rows that go through the lights one by one. place: of a hit; samples: of a hit, by light.
+    template <class PlaceOf, class SamplesOf>
+    void add_scalar(PlaceOf&& place, SamplesOf&& samples)
+    {
+        for_each_hit(scalar_, [&](std::size_t k) {
+            std::uint32_t grains = 0;
+            for (std::uint32_t d = 0; d < rows_[k]; ++d) {
+                RowPage& at = scratch_.pages[d];
+                if (!has(at.scalar, k)) continue;
+                const glm::dvec3 normal = has(at.bent, k) ? at.normal(k) : scratch_.hits.normal(k);
+                at.gained.set(k, direct_light(context_, {place(k), *at.finish[k], at.scalar_pigment.at(k), normal,
+                                                         static_cast<double>(at.alpha[k]), samples(k), grains}));
+            }
+        });
+    }
+
+private:
+    /// Hits that had none get rows.
+    void hold(HitMask hits) { holds_ |= hits; }
+
+    void copy_normals(RowPage& at)
+    {
+        at.nx = scratch_.hits.nx;
+        at.ny = scratch_.hits.ny;
+        at.nz = scratch_.hits.nz;
+    }
+
+    /// Page d; those below it have been opened before.
+    RowPage& page(std::size_t d)
+    {
+        if (d == scratch_.pages.size()) scratch_.pages.emplace_back();
+        RowPage& at = scratch_.pages[d];
+        if (d == depths_) {
+            ++depths_;
+            at.holds = at.bent = at.scalar = at.lit = at.shiny = at.grainy = at.raised = at.tinted = 0;
+            at.gained.fill(glm::vec3(0), count_);
+            if (d == 0) at.filter.fill(glm::vec3(1), count_);
+        }
+        return at;
+    }
+
+    void set_kind(RowPage& at, HitMask hits, const texture::Finish& finish) const
+    {
+        if (finish.diffuse > 0.0f) at.lit |= hits;
+        if ((finish.phong > 0.0f || finish.specular > 0.0f) && context_.bounce == 0) at.shiny |= hits;
+        if (finish.brilliance != 1.0f) at.raised |= hits;
+        if (finish.metallic > 0.0f) at.tinted |= hits;
+        if (finish.crand > 0.0f) at.grainy |= hits;
+    }
+
+    RowPage& add_layer(std::size_t depth, HitMask hits, const texture::Layer& of)
+    {
+        RowPage& at = page(depth);
+        const texture::Finish& finish = set_.finishes[of.finish];
+        const glm::vec3 emitted = finish.ambient + finish.emission;
+        const bool shiny = finish.phong > 0.0f || finish.specular > 0.0f;
+        if (at.holds == 0 && !few(hits)) {  // places that other hits take are written again
+            at.finish.fill(&finish);
+            at.emitted.fill(emitted, csg::kTileRays);
+            at.finish_diffuse.fill(finish.diffuse);
+            if (shiny) at.lobe.fill(finish);
+        } else {
+            for_each_hit(hits, [&](std::size_t k) {
+                at.finish[k] = &finish;
+                at.emitted.set(k, emitted);
+                at.finish_diffuse[k] = finish.diffuse;
+                if (shiny) at.lobe.set(k, finish);
+            });
+        }
+        at.holds |= hits;
+        set_kind(at, hits, finish);
+        if (of.normal != texture::kNone && bends_normals_) {
+            at.bent |= hits;
+            bent_ |= hits;
+            scratch_.bends[bends_++] = {hits, of.normal, static_cast<std::uint8_t>(depth)};
+        }
+        return at;
+    }
+
+    /// Unit normals of a layer's hits.
+    void bend(const Bend& of)
+    {
+        RowPage& at = scratch_.pages[of.depth];
+        bend_normals(set_, of.normal, of.hits, scratch_, at.nx, at.ny, at.nz);
+    }
+
+    /// Pigments of hits; of some, `clear`, opacity counts.
+    void color(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
+    {
+        if (few(hits)) return color_each(at, hits, clear, c);
+        const LaneMask here(hits), counts(clear);
+        alignas(64) TileFloats alpha;
+        alpha.fill(1.0f);
+        if (clear != 0 && set_.legacy_opacity) {
+            for_each_hit(hits & clear, [&](std::size_t k) { alpha[k] = texture::opacity(c.at(k), true); });
+        } else if (clear != 0) {
+            each_place(count_,
+                       [&](std::size_t k) { alpha[k] = counts[k] != 0 ? 1.0f - c.filter[k] - c.transmit[k] : 1.0f; });
+        }
+        if (context_.indirect != nullptr)
+            each_place(count_, [&](std::size_t k) { at.alpha[k] = here[k] != 0 ? alpha[k] : at.alpha[k]; });
+        const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {
+            float *pigment = (at.pigment.*channel).data(), *glow = (at.glow.*channel).data();
+            const float* emitted = (at.emitted.*channel).data();
+            each_place(count_, [&](std::size_t k) {
+                pigment[k] = here[k] != 0 ? from[k] : pigment[k];
+                glow[k] = here[k] != 0 ? from[k] * emitted[k] * alpha[k] : glow[k];
+            });
+        };
+        component(c.red, &TileColors::red);
+        component(c.green, &TileColors::green);
+        component(c.blue, &TileColors::blue);
+        each_place(count_, [&](std::size_t k) {
+            const double diffuse = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
+            at.diffuse[k] = here[k] != 0 ? diffuse : at.diffuse[k];
+        });
+    }
+
+    /// No lamp is asked where a dull layer is wholly clear.
+    [[gnu::noinline]] void drop_clear(HitMask hits, const texture::ColorPoints& c)
+    {
+        for_each_hit(hits, [&](std::size_t k) {
+            if (texture::opacity(c.at(k), set_.legacy_opacity) == 0.0f) lit_ &= ~(HitMask{1} << k);
+        });
+    }
+
+    /// The same hit by hit.
+    void color_each(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
+    {
+        for_each_hit(hits, [&](std::size_t k) {
+            const scene::Color own = c.at(k);
+            const float alpha = has(clear, k) ? texture::opacity(own, set_.legacy_opacity) : 1.0f;
+            if (context_.indirect != nullptr) at.alpha[k] = alpha;
+            const glm::vec3 rgb = own.rgb();
+            at.pigment.set(k, rgb);
+            at.glow.set(k, rgb * at.emitted[k] * alpha);
+            at.diffuse[k] = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha);
+        });
+    }
+
+    Context& context_;
+    const int count_;
+    const texture::TextureSet& set_;
+    ShadeScratch& scratch_;
+    const bool bends_normals_;
+    HitMask holds_ = 0, goes_on_ = 0, dull_ = 0, alone_ = 0, bent_ = 0, two_sided_ = 0, scalar_ = 0, lit_ = 0,
+            reached_ = 0, dark_ = 0;
+    std::array<std::uint16_t, csg::kTileRays> rows_;
+    std::array<std::uint32_t, csg::kTileRays> grains_;  ///< asked for so far, of hits whose only row has some
+    std::size_t depths_ = 0, bends_ = 0;
+};
+
+}  // namespace trace

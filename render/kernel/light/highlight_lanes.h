@@ -1,0 +1,114 @@
+#pragma once
+
+#include "render/texture/finish.h"
+#include "render/kernel/tile/row_page.h"
+
+#include <cstdint>
+
+/// Highlights of a tile's hits under one light, in vector lanes. Compiled once per instruction set. The cosines have
+/// the bits of texture::phong and texture::specular, the powers are within 1e-13 of theirs
+/// (tests/render/trace/highlight_test.cpp).
+namespace trace {
+
+/// ln 2; the high part times an exponent is exact.
+inline constexpr double kLn2High = 0x1.62e42fefa38p-1, kLn2Low = 0x1.ef35793c7673p-45;
+
+/// ln c of positive numbers by 2 artanh((c - 1) / (c + 1)). Sums and products alone, not xsimd's fused ones: the same
+/// bits for every instruction set.
+inline csg::lanes::Double logarithm(const csg::lanes::Double& c)
+{
+    using csg::lanes::Double;
+    xsimd::batch<std::int64_t> exponent;
+    const Double half = xsimd::frexp(c, exponent);  // in [0.5, 1)
+    const auto low = half < Double(0x1.6a09e667f3bcdp-1);
+    const Double m = xsimd::select(low, half + half, half),
+                 e = xsimd::to_float(exponent) - xsimd::select(low, Double(1.0), Double(0.0));
+    const Double f = (m - 1.0) / (m + 1.0), s = f * f;
+    Double sum(1.0 / 23.0);
+    for (int k = 21; k > 1; k -= 2) sum = sum * s + 1.0 / k;
+    return e * kLn2High + (e * kLn2Low + 2.0 * (f + f * s * sum));
+}
+
+/// e^y for -700 < y <= 700, by its series about the nearest power of 2.
+inline csg::lanes::Double exponential(const csg::lanes::Double& y)
+{
+    using csg::lanes::Double;
+    const Double k = xsimd::nearbyint(y * 0x1.71547652b82fep0);
+    const Double r = (y - k * kLn2High) - k * kLn2Low;
+    Double sum(1.0 / 6227020800.0);  // 1 / 13!
+    double inverse = 1.0 / 479001600.0;
+    for (int i = 12; i >= 0; --i) {
+        sum = sum * r + inverse;
+        inverse *= i;
+    }
+    return xsimd::ldexp(sum, xsimd::to_int(k));
+}
+
+/// c^n, 0 < c <= 1, n >= 0; what is below e^-700 is that.
+inline csg::lanes::Double power(const csg::lanes::Double& c, const csg::lanes::Double& n)
+{
+    return exponential(xsimd::max(n * logarithm(c), csg::lanes::Double(-700.0)));
+}
+
+/// Vectors of three components, one in each lane.
+struct LaneVectors {
+    csg::lanes::Double x, y, z;
+};
+
+/// SpecularLobe of one vector of lanes.
+struct LaneLobe {
+    csg::lanes::Double phong, phong_size, specular, exponent;
+};
+
+/// Strengths of highlights of rays along `d` about normals `n` toward `l` (unit): texture::phong + texture::specular,
+/// but for the powers. Of lanes that are not asked some number.
+inline csg::lanes::Double highlight_strengths(const LaneVectors& d, const LaneVectors& n, const LaneVectors& l,
+                                              const LaneLobe& lobe, std::uint32_t asked)
+{
+    using csg::lanes::Double;
+    const Double zero(0.0), one(1.0);
+    // Zero where the highlight vanishes (texture::highlight_vanishes) or nobody asks.
+    const auto term = [&](const auto& on, const Double& cosine, const Double& exponent, const Double& amount) {
+        const auto seen = on & (exponent * (one - cosine) <= Double(texture::kVanishes));
+        if ((csg::lanes::mask(seen) & asked) == 0) return zero;
+        return xsimd::select(seen, amount * power(xsimd::select(seen, cosine, one), exponent), zero);
+    };
+    const auto has_phong = lobe.phong > zero, has_specular = lobe.specular > zero;
+    Double sum = zero;
+    if ((csg::lanes::mask(has_phong) & asked) != 0) {
+        const Double twice = Double(2.0) * (d.x * n.x + d.y * n.y + d.z * n.z);
+        const Double mx = d.x - twice * n.x, my = d.y - twice * n.y, mz = d.z - twice * n.z;
+        const Double cosine = mx * l.x + my * l.y + mz * l.z;
+        const auto cut = (lobe.phong_size >= Double(60.0)) & (cosine <= Double(0.0008));  // texture::phong_vanishes
+        sum = term(has_phong & (cosine > zero) & !cut, cosine, lobe.phong_size, lobe.phong);
+    }
+    if ((csg::lanes::mask(has_specular) & asked) != 0) {
+        const Double hx = l.x - d.x, hy = l.y - d.y, hz = l.z - d.z;
+        const Double cosine = (hx * n.x + hy * n.y + hz * n.z) / xsimd::sqrt(hx * hx + hy * hy + hz * hz);
+        sum = sum + term(has_specular & (cosine > zero), cosine, lobe.exponent, lobe.specular);
+    }
+    return sum;
+}
+
+/// The same for the hits of a mask; those of the others are some number. n: x, y and z of the normals.
+inline void find_highlights(const csg::RayTile& rays, const double* const (&n)[3], const TileLight& light,
+                            const SpecularLobe& lobe, HitMask hits, TileLanes& strength)
+{
+    using csg::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+        const auto asked = static_cast<std::uint32_t>(hits >> i & kVector);
+        if (asked == 0) {
+            Double(0.0).store_aligned(strength.data() + i);
+            continue;
+        }
+        const auto at = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
+        const auto normal = [i, &n](int c) { return Double::load_aligned(n[c] + i); };
+        highlight_strengths({at(rays.dx), at(rays.dy), at(rays.dz)}, {normal(0), normal(1), normal(2)},
+                            {at(light.x), at(light.y), at(light.z)},
+                            {at(lobe.phong), at(lobe.phong_size), at(lobe.specular), at(lobe.exponent)}, asked)
+            .store_aligned(strength.data() + i);
+    }
+}
+
+}  // namespace trace

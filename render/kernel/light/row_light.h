@@ -1,0 +1,119 @@
+#pragma once
+
+#include "csg/roots/lane_power.h"
+#include "render/kernel/tile/lane_masks.h"
+#include "render/kernel/tile/random.h"
+#include "render/kernel/context/context.h"
+#include "render/kernel/light/highlight_lanes.h"
+#include "render/kernel/tile/nearly_zero.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// surface_light() for a page of rows, a hit a lane, in the same order of operations. Compiled once per instruction
+/// set.
+namespace trace {
+
+/// Raises the intensities of hits to their finishes' brilliance.
+[[gnu::noinline]] inline void raise_intensities(const RowPage& at, HitMask hits, TileLanes& intensity)
+{
+    using csg::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+    constexpr float kSteepest = 20.0f;  // no cosine above kNearlyZero leaves the range of powers in lanes
+    alignas(64) TileLanes exponent;
+    exponent.fill(1.0);
+    for_each_hit(hits, [&](std::size_t k) {
+        const float brilliance = at.finish[k]->brilliance;
+        if (brilliance > 0.0f && brilliance < kSteepest) exponent[k] = static_cast<double>(brilliance);
+        else intensity[k] = std::pow(intensity[k], static_cast<double>(brilliance));
+    });
+    for (std::size_t i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) {
+        if ((hits >> i & kVector) == 0) continue;
+        const Double v = Double::load_aligned(intensity.data() + i), e = Double::load_aligned(exponent.data() + i);
+        const auto raised = (e != Double(1.0)) & (v > Double(0.0));
+        const Double base = xsimd::select(raised, v, Double(1.0));
+        xsimd::select(raised, csg::lanes::power(base, e), v).store_aligned(intensity.data() + i);
+    }
+}
+
+/// Cosines of a page's normals with the light at hand, by amount, raised to the finish's brilliance; those of `on` that
+/// turn away from it leave, where they are of `turning`: others have been asked before.
+inline void find_intensities(const RowPage& at, const double* const (&n)[3], HitMask turning, const TileLight& light,
+                             int count, HitMask& on, TileLanes& intensity)
+{
+    using csg::lanes::Double;
+    HitMask away = 0;
+    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+        const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
+        const Double facing = get(n[0]) * get(light.x.data()) + get(n[1]) * get(light.y.data()) +
+                              get(n[2]) * get(light.z.data());
+        away |= HitMask{csg::lanes::mask(facing < Double(kNearlyZero))} << i;
+        xsimd::abs(facing).store_aligned(intensity.data() + i);
+    }
+    on &= ~(away & turning);
+    if ((on & at.raised) != 0) raise_intensities(at, on & at.raised, intensity);
+}
+
+/// Zeroes the places behind the last vector of so many hits, which each_place() goes through with it.
+inline void clear_last(int count, TileLanes& of)
+{
+    constexpr std::size_t kBlock = 16;
+    std::fill_n(of.data() + (static_cast<std::size_t>(count) - 1) / kBlock * kBlock, kBlock, 0.0);
+}
+
+/// Adds what a light gives to a page's rows. reached: hits that it reaches, with ShadeScratch::reaching; turning: hits
+/// of which some rows may face away from it; grains: numbers of `crand` asked for so far, by hit.
+inline void light_page(RowPage& at, HitMask reached, HitMask turning, const light::Light& light,
+                       const csg::RayTile& rays, const ShadeScratch& scratch,
+                       std::array<std::uint32_t, csg::kTileRays>& grains)
+{
+    HitMask on = at.holds & reached & ~at.scalar;
+    if (on == 0) return;
+    const bool bent = at.bent != 0;
+    const double* const n[3] = {bent ? at.nx.data() : scratch.hits.nx.data(),
+                                bent ? at.ny.data() : scratch.hits.ny.data(),
+                                bent ? at.nz.data() : scratch.hits.nz.data()};
+    alignas(64) TileLanes intensity;
+    clear_last(rays.count, intensity);
+    find_intensities(at, n, turning, scratch.light, rays.count, on, intensity);
+    const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
+    alignas(64) TileFloats diffuse, strength;
+    each_place(rays.count, [&](std::size_t k) { diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]); });
+    for_each_hit(on & at.grainy, [&](std::size_t k) {
+        const double less = static_cast<double>(at.finish[k]->crand) * random_at(scratch.hits.point(k), grains[k]++);
+        diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k] - less);
+    });
+    if (shiny != 0) {
+        alignas(64) TileLanes found;
+        clear_last(rays.count, found);
+        find_highlights(rays, n, scratch.light, at.lobe, shiny, found);
+        const LaneMask shines(shiny);
+        each_place(rays.count,
+                   [&](std::size_t k) { strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f; });
+    }
+    const HitMask tinted = at.tinted & shiny;
+    const LaneMask gains(on & ~tinted), has_diffuse(at.lit);
+    const auto gain = [&](auto&& highlight) {
+        for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
+            const float *pigment = (at.pigment.*channel).data(), *color = (scratch.reaching.*channel).data();
+            float* gained = (at.gained.*channel).data();
+            each_place(rays.count, [&](std::size_t k) {
+                const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
+                gained[k] = gains[k] != 0 ? gained[k] + (from_diffuse + highlight(k, color[k])) : gained[k];
+            });
+        }
+    };
+    if (shiny == 0) return gain([](std::size_t, float) { return 0.0f; });
+    gain([&](std::size_t k, float color) { return strength[k] != 0.0f ? strength[k] * color : 0.0f; });
+    for_each_hit(tinted, [&](std::size_t k) {
+        const glm::vec3 color = scratch.reaching[k], rgb = at.pigment[k];
+        glm::vec3 sum = has(at.lit, k) ? diffuse[k] * rgb * color : glm::vec3(0);
+        const glm::dvec3 normal{n[0][k], n[1][k], n[2][k]};
+        if (strength[k] != 0.0f)
+            sum += strength[k] * texture::highlight_color(*at.finish[k], color, scene::Color::of(rgb), normal,
+                                                          scratch.light.direction(k));
+        at.gained.set(k, at.gained[k] + sum);
+    });
+}
+
+}  // namespace trace

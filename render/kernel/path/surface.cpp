@@ -1,0 +1,221 @@
+#include "render/kernel/path/surface.h"
+
+#include "render/texture/evaluate.h"
+#include "render/kernel/path/fresnel.h"
+#include "render/kernel/interior/interface.h"
+#include "render/kernel/tile/nearly_zero.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trace::path {
+namespace {
+
+constexpr float kFaint = 1e-5f;  // what less of is seen of a layer shows in no picture
+
+/// Diffuse light and highlights of a layer. share: of the layer that is its own colour
+void add_own_light(Bsdf& bsdf, const HitContext& hit, const texture::Finish& finish, const scene::Color& pigment,
+                   const glm::dvec3& normal, const glm::vec3& above, float share)
+{
+    Lobe lobe;
+    lobe.finish = &finish;
+    lobe.pigment = pigment;
+    lobe.kind = Lobe::Kind::Diffuse;
+    lobe.exponent = static_cast<double>(finish.brilliance);
+    const auto add_diffuse = [&](float amount, const glm::dvec3& towards) {
+        if (!(amount > 0.0f)) return;
+        lobe.normal = towards;
+        lobe.color = glm::max(glm::vec3(0), above * pigment.rgb() * (amount * share));
+        lobe.albedo = lobe.color * (2.0f / (finish.brilliance + 1.0f));
+        bsdf.add(lobe);
+    };
+    add_diffuse(finish.diffuse, normal);
+    add_diffuse(hit.surface.double_illuminate ? finish.diffuse : finish.diffuse_back, -normal);
+    const auto add_highlight = [&](Lobe::Kind kind, float amount, float exponent, double albedo) {
+        if (!(amount > 0.0f)) return;
+        lobe.kind = kind;
+        lobe.normal = normal;
+        lobe.exponent = static_cast<double>(exponent);
+        lobe.color = glm::max(glm::vec3(0), above * amount);
+        lobe.albedo = lobe.color * static_cast<float>(albedo);
+        bsdf.add(lobe);
+    };
+    const auto n = static_cast<double>(finish.specular_exponent);
+    add_highlight(Lobe::Kind::Phong, finish.phong, finish.phong_size,
+                  2.0 / (static_cast<double>(finish.phong_size) + 1.0));
+    add_highlight(Lobe::Kind::Specular, finish.specular, finish.specular_exponent,
+                  4.0 * (2.0 - std::pow(2.0, -n / 2.0)) / (n + 2.0));
+}
+
+}  // namespace
+
+/// What the layers so far leave to those below.
+struct SurfaceReader::Stack {
+    glm::vec3 above{1};      ///< what they let through
+    glm::vec3 conserved{1};  ///< the same where what is mirrored is taken off (conserve_energy)
+    std::array<Lobe, 8> mirrors;
+    std::size_t mirror_count = 0;
+    glm::dvec3 top_normal{0};
+    bool first = true;
+};
+
+void SurfaceReader::read(HitContext& hit, const HitDetails& details, std::uint32_t texture, Draws& draws)
+{
+    out_.bsdf.begin(hit.normal, hit.state.ray.direction);
+    out_.emission = glm::vec3(0);
+    out_.passes = false;
+    out_.normal = hit.normal;
+    if (texture == plan::kNone) return out_.bsdf.finish();
+    glm::dvec3 p = hit.surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
+    const texture::Texture& layers = plain(hit, shown(hit, details, texture, p, draws), p, draws);
+    Stack stack;
+    for (std::uint32_t i = layers.count; i-- > 0 && largest(glm::abs(stack.above)) > kFaint;)
+        add_layer(hit, layers, set_.layers[layers.first + i], p, stack);
+    out_.normal = stack.top_normal;
+    if (largest(stack.above) > kFaint) add_through(hit, stack, draws);
+    const bool dielectric = out_.passes && !out_.through.straight;
+    for (std::size_t i = 0; i < stack.mirror_count && !dielectric; ++i) out_.bsdf.add(stack.mirrors[i]);
+    out_.bsdf.finish();
+}
+
+/// The texture that is drawn where corners of a face or parts of a shape have each their own.
+std::uint32_t SurfaceReader::shown(HitContext& hit, const HitDetails& details, std::uint32_t texture, const glm::dvec3&,
+                                   Draws& draws)
+{
+    const plan::Surface& surface = hit.surface;
+    if (surface.part_count != 0) {
+        auto& shares = context_.scratch.shade.shares;
+        shares.clear();
+        context_.world.shares(hit.met, hit.point, shares);
+        double u = draws.one();
+        for (const csg::Share& share : shares) {
+            u -= static_cast<double>(share.weight);
+            if (u < 0.0) return context_.scene.part_textures[surface.first_part + share.part];
+        }
+        return shares.empty() ? texture : context_.scene.part_textures[surface.first_part + shares.back().part];
+    }
+    if (surface.blends() && texture == surface.texture) {
+        const double u = draws.one();
+        if (u < static_cast<double>(details.weights.x)) return surface.texture;
+        return surface.corner_textures[u < static_cast<double>(details.weights.x + details.weights.y) ? 0 : 1];
+    }
+    return texture;
+}
+
+/// The texture of layers that is drawn from maps, averages and pictures of textures; p: in its space.
+const texture::Texture& SurfaceReader::plain(HitContext& hit, std::uint32_t index, glm::dvec3& p, Draws& draws)
+{
+    using Kind = texture::Texture::Kind;
+    while (true) {
+        const texture::Texture& texture = set_.textures[index];
+        if (texture.kind == Kind::Layers) return texture;
+        if (texture.kind == Kind::Uv) {
+            hit.enclosing_count = 0;
+            p = {hit.around.uv.x, hit.around.uv.y, 0.0};
+            index = set_.children[texture.first];
+            continue;
+        }
+        const texture::Pattern& pattern = set_.patterns[texture.pattern];
+        p = texture::warp_point(set_, pattern, p);
+        if (hit.enclosing_count < hit.enclosing.size()) hit.enclosing[hit.enclosing_count++] = index;
+        if (texture.kind == Kind::Material) {
+            index = texture::material_at(set_, texture, p);
+        } else if (texture.kind == Kind::Average) {
+            float weights = 0;
+            for (std::uint32_t i = 0; i < texture.count; ++i) weights += set_.keys[texture.first + i];
+            double u = draws.one() * static_cast<double>(weights);
+            std::uint32_t i = 0;
+            for (; i + 1 < texture.count && (u -= static_cast<double>(set_.keys[texture.first + i])) >= 0.0; ++i) {}
+            index = set_.children[texture.first + i];
+        } else {
+            const double value = texture::pattern_value(set_, pattern, p, hit.around);
+            const texture::Blend blend = texture::blend_at(set_, texture.first, texture.count, value);
+            const bool upper = blend.lower == blend.upper || draws.one() < blend.share;
+            index = set_.children[upper ? blend.upper : blend.lower];
+        }
+    }
+}
+
+glm::dvec3 SurfaceReader::normal_of(HitContext& hit, std::uint32_t normal, const glm::dvec3& p)
+{
+    if (normal == texture::kNone) return hit.normal;
+    const auto around = [&](std::size_t i) -> const texture::Texture& { return set_.textures[hit.enclosing[i]]; };
+    glm::dvec3 n = hit.normal;
+    for (std::size_t i = 0; i < hit.enclosing_count; ++i)
+        n = texture::normal_into(set_, set_.patterns[around(i).pattern], n, around(i).no_bump_scale);
+    n = glm::normalize(texture::perturb(set_, normal, n, p, hit.around));
+    for (std::size_t i = hit.enclosing_count; i-- > 0;)
+        n = texture::normal_out_of(set_, set_.patterns[around(i).pattern], n, around(i).no_bump_scale);
+    return glm::normalize(n);
+}
+
+void SurfaceReader::add_layer(HitContext& hit, const texture::Texture& texture, const texture::Layer& layer,
+                              const glm::dvec3& p, Stack& stack)
+{
+    const texture::Finish& finish = set_.finishes[layer.finish];
+    const glm::dvec3 normal = normal_of(hit, layer.normal, p);
+    if (stack.first) stack.top_normal = normal;
+    stack.first = false;
+    const scene::Color c = texture::pigment_color(set_, layer.pigment, p, hit.around);
+    const float share = texture.plain ? 1.0f : texture::opacity(c, set_.legacy_opacity);
+    out_.emission += stack.above * c.rgb() * (finish.ambient + finish.emission) * share;
+    add_own_light(out_.bsdf, hit, finish, c, normal, stack.above, share);
+    glm::vec3 mirrored(0);
+    if (finish.reflects()) {
+        const double eta =
+            finish.fresnel ? fresnel_index(context_.scene.interiors, hit.state.interiors, hit.surface.interior) : 1.0;
+        mirrored = glm::max(glm::vec3(0), texture::reflectivity(finish, c, hit.state.ray.direction, normal, eta));
+        if (!black(mirrored) && stack.mirror_count < stack.mirrors.size()) {
+            Lobe& lobe = stack.mirrors[stack.mirror_count++];
+            lobe.kind = Lobe::Kind::Mirror;
+            lobe.normal = normal;
+            lobe.color = lobe.albedo = mirrored;
+        }
+    }
+    const glm::vec3 passed = c.filter * c.rgb() + c.transmit;
+    stack.above *= passed;
+    stack.conserved *= passed;
+    if (finish.conserve_energy) stack.conserved *= glm::min(glm::vec3(1), 1.0f - mirrored);
+}
+
+/// What is behind the layers: straight on, or through a boundary that mirrors as Fresnel has it, whatever the finish
+/// says of reflection.
+void SurfaceReader::add_through(HitContext& hit, const Stack& stack, Draws& draws)
+{
+    Refracted& next = out_.through;
+    next.fade = glm::vec3(1);
+    next.samples = 0;
+    if (!refract(context_, hit, stack.top_normal, 1.0f, next)) return;
+    out_.passes = true;
+    Lobe lobe;
+    lobe.normal = stack.top_normal;
+    const glm::vec3 above = glm::clamp(stack.above, glm::vec3(0), glm::vec3(1));
+    double mirrored = 0.0;
+    if (!next.straight) {
+        glm::vec3 hue_of(1);
+        double ratio = next.ratio;
+        if (next.samples > 0) {
+            const int samples = next.samples, i = std::min(static_cast<int>(draws.one() * samples), samples - 1);
+            const float nm = wavelength(i, samples);
+            hue_of = hue(nm, samples);
+            ratio = ratio_at(next.ratio, next.dispersion, nm);
+            const Refracted spread = next;
+            next.total = !disperse(context_, hit, stack.top_normal, spread, i, next.ray);
+        }
+        mirrored = next.total ? 1.0 : fresnel(std::abs(glm::dot(stack.top_normal, hit.state.ray.direction)), ratio);
+        lobe.kind = Lobe::Kind::Mirror;
+        lobe.color = lobe.albedo = glm::vec3(static_cast<float>(mirrored) * largest(above));
+        out_.bsdf.add(lobe);
+        lobe.color = above * hue_of;
+    } else {
+        lobe.color = glm::clamp(stack.conserved, glm::vec3(0), glm::vec3(1));
+    }
+    if (next.total) return;
+    lobe.kind = Lobe::Kind::Through;
+    lobe.color *= static_cast<float>((1.0 - mirrored) *
+                                     static_cast<double>(context_.scene.interiors[hit.surface.interior].transmission));
+    lobe.albedo = (next.straight ? lobe.color : above * static_cast<float>(1.0 - mirrored));
+    out_.bsdf.add(lobe);
+}
+
+}  // namespace trace::path

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "render/kernel/interior/dispersion.h"
+#include "render/kernel/context/context.h"
+
+/// How rays go on from a hit (spec 3, section 8): what scatter() sends on, and photons.
+namespace trace {
+
+/// How light goes on through a surface, and what it loses on its way.
+struct Refraction {
+    glm::vec3 fade{1};
+    bool straight = true;              ///< unbent: uses no level
+    bool total = false;                ///< total internal reflection: the ray is the mirrored one
+    int samples = 0;                   ///< of the spectrum: the ray has no direction yet, each sample has its own
+    double ratio = 1, dispersion = 1;  ///< how the interface bends light of 555 nm, and others (spec 3, 8.5)
+};
+
+/// The same with the ray.
+struct Refracted : Refraction {
+    RayState ray;
+};
+
+/// False where nothing is behind the surface: it has no interior.
+bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Refracted& out);
+
+/// Whether a ray is bent rather than mirrored within, and then where and how long POV-Ray's direction is. d: as long as
+/// that.
+bool bend(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState& out);
+
+RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight);
+
+/// Where a ray that leaves a hit begins to look.
+double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& direction);
+
+/// The i-th ray of the spectrum beyond a surface; false: it is mirrored within.
+bool disperse(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, const Refracted& refracted,
+              int i, RayState& out);
+
+}  // namespace trace

@@ -1,0 +1,216 @@
+#include "render/kernel/surface/texture_maps.h"
+
+#include "render/kernel/surface/mix_textures.h"
+#include "render/kernel/surface/prefetch_pigments.h"
+#include "render/kernel/surface/shade_surface.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace trace {
+namespace {
+
+using texture::Texture;
+
+/// Whether every texture of a map has layers, so that no other map carries normals.
+bool flat(const texture::TextureSet& set, const Texture& map)
+{
+    for (std::uint32_t i = map.first; i < map.first + map.count; ++i)
+        if (set.textures[set.children[i]].kind != Texture::Kind::Layers) return false;
+    return true;
+}
+
+/// Which of the hits are hit k's.
+std::size_t place_of(HitMask hits, std::size_t k)
+{
+    return static_cast<std::size_t>(std::popcount(hits & ((HitMask{1} << k) - 1)));
+}
+
+}  // namespace
+
+/// Some of the hits.
+struct TextureMaps::Part {
+    texture::Points points, normals;
+    texture::Around around;
+
+    Part(const Seen& of, HitMask picked)
+    {
+        for_each_hit(picked, [&](std::size_t i) {
+            around[points.size()] = of.around[i];
+            points.add(of.points.at(i));
+            if (of.map != nullptr) normals.add(of.normals.at(i));
+        });
+        points.pad();
+        if (of.map != nullptr) normals.pad();
+    }
+};
+
+std::uint32_t TextureMaps::look_up(const Context& context, std::uint32_t texture, HitMask hits,
+                                   const texture::Points& p, const texture::Around& around,
+                                   const texture::Points& normals)
+{
+    return look_up(context, texture, hits, {p, around, normals});
+}
+
+std::uint32_t TextureMaps::look_up(const Context& context, std::uint32_t texture, HitMask hits, const Seen& seen)
+{
+    const std::size_t at = textures_.size();
+    textures_.push_back({texture, hits});
+    const Texture::Kind kind = context.scene.textures.textures[texture].kind;
+    if (kind == Texture::Kind::Map) look_up_map(context, at, seen);
+    else if (kind == Texture::Kind::Average) look_up_average(context, at, seen);
+    else if (kind == Texture::Kind::Layers) look_up_layers(context, at, seen);
+    return static_cast<std::uint32_t>(at);
+}
+
+/// Room for a map and its entries; its points are warped into `q`.
+void TextureMaps::begin_map(const texture::TextureSet& set, std::size_t at, const Seen& seen, texture::Points& q)
+{
+    const Texture& texture = set.textures[textures_[at].texture];
+    if (maps_used_ == maps_.size()) maps_.emplace_back();
+    textures_[at].first = maps_used_++;
+    textures_[at].entries = entries_.size();
+    entries_.resize(entries_.size() + texture.count, texture::kNone);
+    q.take(seen.points);
+    warp_points(set, set.patterns[texture.pattern], q, texture::kAllLive);
+    maps_[textures_[at].first].points.take(q);
+}
+
+/// The map, with the hits' normals as they are within it, if its textures' normals are bent for all hits together.
+const Texture* TextureMaps::bent_within(const Context& context, const Texture& map, const Seen& seen,
+                                        texture::Points& normals)
+{
+    const auto& set = context.scene.textures;
+    if (!context.scene.settings.quality.normals || seen.nested || !flat(set, map)) return nullptr;
+    normals.take(seen.normals);
+    texture::normals_into(set, set.patterns[map.pattern], map.no_bump_scale, normals);
+    return &map;
+}
+
+void TextureMaps::look_up_average(const Context& context, std::size_t at, const Seen& seen)
+{
+    const auto& set = context.scene.textures;
+    const Texture& texture = set.textures[textures_[at].texture];
+    texture::Points q, normals;
+    begin_map(set, at, seen, q);
+    const Seen within{q, seen.around, normals, bent_within(context, texture, seen, normals), true};
+    for (std::uint32_t i = 0; i < texture.count; ++i) {
+        const std::uint32_t place = look_up(context, set.children[texture.first + i], textures_[at].hits, within);
+        entries_[textures_[at].entries + i] = place;
+    }
+}
+
+void TextureMaps::look_up_map(const Context& context, std::size_t at, const Seen& seen)
+{
+    const auto& set = context.scene.textures;
+    const Texture& texture = set.textures[textures_[at].texture];
+    const texture::Pattern& pattern = set.patterns[texture.pattern];
+    const HitMask hits = textures_[at].hits;
+    texture::Points q, normals;
+    texture::Values values;
+    begin_map(set, at, seen, q);
+    pattern_values(set, pattern, q, seen.around, values);
+    std::array<HitMask, 2> ends{~HitMask{0}, 0};
+    auto& blends = maps_[textures_[at].first].blends;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+        blends[i] = texture::blend_at(set, texture.first, texture.count, values[i]);
+        ends = {std::min<HitMask>(ends[0], blends[i].lower), std::max<HitMask>(ends[1], blends[i].upper)};
+    }
+    const Seen within{q, seen.around, normals, bent_within(context, texture, seen, normals), true};
+    const HitMask all = first_hits(q.count);
+    for (auto entry = static_cast<std::uint32_t>(ends[0]); entry <= ends[1]; ++entry) {
+        const auto& found = maps_[textures_[at].first].blends;
+        HitMask picked = 0;
+        for (std::size_t i = 0; i < q.size(); ++i)
+            picked |= HitMask{found[i].lower == entry || found[i].upper == entry} << i;
+        if (picked == 0) continue;
+        const HitMask those = deposited(picked, hits);
+        std::uint32_t place;
+        if (picked == all) {
+            place = look_up(context, set.children[entry], those, within);
+        } else {
+            const Part part(within, picked);
+            place = look_up(context, set.children[entry], those,
+                            {part.points, part.around, part.normals, within.map, true});
+        }
+        entries_[textures_[at].entries + entry - texture.first] = place;
+    }
+}
+
+void TextureMaps::look_up_layers(const Context& context, std::size_t at, const Seen& seen)
+{
+    const auto& set = context.scene.textures;
+    const Texture& texture = set.textures[textures_[at].texture];
+    textures_[at].first = layers_used_;
+    textures_[at].bent = seen.map != nullptr;
+    layers_used_ += texture.count;
+    if (layers_.size() < layers_used_) layers_.resize(layers_used_);
+    const HitMask all = first_hits(seen.points.count);
+    const auto bailout = static_cast<float>(context.adc_bailout);
+    TileColors filter;
+    if (texture.count > 1) filter.fill(1.0f);
+    HitMask open = all;
+    for (std::uint32_t depth = 0; depth < texture.count && open != 0; ++depth) {
+        const texture::Layer& layer = set.layers[texture.first + texture.count - 1 - depth];
+        LayerPoints& to = layers_[textures_[at].first + depth];
+        if (open == all) {
+            pigment_colors(set, layer.pigment, seen.points, seen.around, to.colors);
+            bend(set, layer.normal, seen, open, to.normals);
+        } else {
+            const Part part(seen, open);
+            texture::ColorPoints found;
+            pigment_colors(set, layer.pigment, part.points, part.around, found);
+            std::size_t i = 0;
+            for_each_hit(open, [&](std::size_t k) { to.colors.set(k, found.at(i++)); });
+            bend(set, layer.normal, {part.points, part.around, part.normals, seen.map}, open, to.normals);
+        }
+        if (depth + 1 < texture.count) open &= pass_layer(to.colors, filter, bailout);
+    }
+}
+
+/// As a layer's normal is bent within its map, of unit length; `hits`: where in `to`.
+void TextureMaps::bend(const texture::TextureSet& set, std::uint32_t normal, const Seen& seen, HitMask hits,
+                       BentNormals& to)
+{
+    if (normal == texture::kNone || seen.map == nullptr) return;
+    texture::Points n;
+    n.take(seen.normals);
+    perturb_points(set, normal, seen.points, seen.around, n);
+    texture::normalize_points(n);
+    texture::normals_out_of(set, set.patterns[seen.map->pattern], seen.map->no_bump_scale, n);
+    std::size_t i = 0;
+    for_each_hit(hits, [&](std::size_t k) {
+        to.x[k] = n.x[i];
+        to.y[k] = n.y[i];
+        to.z[k] = n.z[i++];
+    });
+}
+
+void TextureMaps::shade(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t at, const glm::dvec3& p,
+                        ColorSlot out) const
+{
+    const auto& set = context.scene.textures;
+    const Place& place = textures_[at];
+    const Texture& texture = set.textures[place.texture];
+    const std::size_t i = place_of(place.hits, hit.lane);
+    if (texture.kind == Texture::Kind::Layers) {
+        const PrefetchedPigments known{place.texture, texture.count, layers_.data() + place.first, i, place.bent};
+        hit.prefetched = &known;
+        shade_layers(context, batch, hit, texture, p, out);
+        hit.prefetched = nullptr;
+        return;
+    }
+    const bool average = texture.kind == Texture::Kind::Average;
+    if (texture.kind != Texture::Kind::Map && !average)
+        return shade_texture(context, batch, hit, place.texture, p, out);
+    enclose(hit, place.texture);
+    const Map& map = maps_[place.first];
+    const glm::dvec3 q = map.points.at(i);
+    const auto shade_entry = [&](std::uint32_t entry, ColorSlot slot) {
+        shade(context, batch, hit, entries_[place.entries + entry - texture.first], q, slot);
+    };
+    if (average) average_textures(context, texture, out, shade_entry);
+    else mix_textures(context, map.blends[i], out, shade_entry);
+}
+
+}  // namespace trace

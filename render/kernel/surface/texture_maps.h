@@ -1,0 +1,74 @@
+#pragma once
+
+#include "render/texture/evaluate_points.h"
+#include "render/kernel/tile/hit_mask.h"
+#include "render/kernel/tile/layer_points.h"
+
+#include <bit>
+#include <vector>
+
+namespace trace {
+
+class DirectBatch;
+struct Context;
+struct HitContext;
+using ColorSlot = std::uint32_t;
+
+/// Texture maps of a tile's hits, looked up for all of them before they are gone through one by one: values of
+/// patterns, and pigments and normals of the layers that the maps lead to. Every texture of a map takes the hits that
+/// show it, which lie side by side.
+class TextureMaps {
+public:
+    /// Forgets the tile before.
+    void clear() { textures_.clear(), entries_.clear(), maps_used_ = layers_used_ = 0; }
+
+    /// What the hits show of a texture with a map; p, around and normals (turned to the viewer) stand in their order.
+    /// Its place among the textures.
+    std::uint32_t look_up(const Context& context, std::uint32_t texture, HitMask hits, const texture::Points& p,
+                          const texture::Around& around, const texture::Points& normals);
+
+    /// shade_texture() of hit `hit.lane` by what has been looked up; `at`: from look_up().
+    void shade(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t at, const glm::dvec3& p,
+               ColorSlot out) const;
+
+private:
+    /// A texture and the hits that show it.
+    struct Place {
+        std::uint32_t texture;
+        HitMask hits;
+        std::size_t first = 0;    ///< of maps: in maps_; of layers: the top one's, in layers_
+        std::size_t entries = 0;  ///< of maps: the first one's, in entries_
+        bool bent = false;        ///< of layers: normals are known too, at the same places
+    };
+    struct Map {
+        texture::Points points;  ///< warped
+        std::array<texture::Blend, csg::kTileRays> blends;
+    };
+    /// Hits as patterns see them, in order.
+    struct Seen {
+        const texture::Points& points;
+        const texture::Around& around;
+        const texture::Points& normals;
+        const texture::Texture* map = nullptr;  ///< whose space the normals are in; null: they are not to be bent
+        bool nested = false;                    ///< in the map of another map: what was looked at before counts
+    };
+    struct Part;
+
+    void begin_map(const texture::TextureSet& set, std::size_t at, const Seen& seen, texture::Points& q);
+    static const texture::Texture* bent_within(const Context& context, const texture::Texture& map, const Seen& seen,
+                                               texture::Points& normals);
+    void look_up_average(const Context& context, std::size_t at, const Seen& seen);
+    void look_up_map(const Context& context, std::size_t at, const Seen& seen);
+    void look_up_layers(const Context& context, std::size_t at, const Seen& seen);
+    std::uint32_t look_up(const Context& context, std::uint32_t texture, HitMask hits, const Seen& seen);
+    static void bend(const texture::TextureSet& set, std::uint32_t normal, const Seen& seen, HitMask hits,
+                     BentNormals& to);
+
+    std::vector<Place> textures_;
+    std::vector<std::uint32_t> entries_;  ///< of maps: places of their textures, or texture::kNone
+    std::vector<Map> maps_;               ///< so many of them in use, as of layers; they stay for the next tile
+    std::vector<LayerPoints> layers_;
+    std::size_t maps_used_ = 0, layers_used_ = 0;
+};
+
+}  // namespace trace

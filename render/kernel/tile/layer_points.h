@@ -1,0 +1,34 @@
+#pragma once
+
+#include "render/texture/evaluate_points.h"
+
+namespace trace {
+
+/// Most layers of a texture whose pigments are looked up for a whole tile ahead of shading.
+inline constexpr std::uint32_t kPrefetchedLayers = 8;
+
+/// Normals as layers bend them, of unit length.
+struct BentNormals {
+    texture::Values x, y, z;
+
+    glm::dvec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
+};
+
+/// A layer of one texture at some hits: its pigment, and its normal as it bends it.
+struct LayerPoints {
+    texture::ColorPoints colors;
+    BentNormals normals;
+};
+
+/// Pigments of the layers of one hit, and normals of those that bend them; what layers above hide is not there.
+struct PrefetchedPigments {
+    std::uint32_t texture, layers;
+    const LayerPoints* top;  ///< those below behind it
+    std::size_t hit;         ///< its place there
+    bool bent = true;        ///< the normals are known
+
+    scene::Color of(std::uint32_t layer) const { return top[layers - 1 - layer].colors.at(hit); }
+    glm::dvec3 normal(std::uint32_t layer) const { return top[layers - 1 - layer].normals.at(hit); }
+};
+
+}  // namespace trace

@@ -1,0 +1,73 @@
+#include "render/picture/kernel_module.h"
+
+#include "render/image/codecs/module_path.h"
+
+#include <fmt/format.h>
+
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+
+namespace trace {
+namespace {
+
+Isa best()
+{
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+        return Isa::V4;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
+        return Isa::V3;
+    return Isa::V2;
+}
+
+std::string name(Isa isa)
+{
+    switch (isa) {
+    case Isa::V2: return "v2";
+    case Isa::V3: return "v3";
+    case Isa::V4: return "v4";
+    case Isa::Auto: break;
+    }
+    return name(best());
+}
+
+std::string module_name(Isa isa) { return fmt::format("libwhittle_kernel_{}.so", name(isa)); }
+
+/// The best that this processor runs and that was built.
+Isa best_there()
+{
+    for (const Isa isa : {Isa::V4, Isa::V3, Isa::V2})
+        if (isa <= best() && image::find_module(module_name(isa))) return isa;
+    throw std::runtime_error(image::missing_module(module_name(best())));
+}
+
+}  // namespace
+
+std::string best_isa() { return name(best()); }
+
+const KernelTable& load_kernel(Isa isa)
+{
+    // Asking the loader again would wait for whatever else it loads, so the answer is kept.
+    static std::mutex guard;
+    static std::map<Isa, const KernelTable*> known;
+    const std::lock_guard lock(guard);
+    if (const auto at = known.find(isa); at != known.end()) return *at->second;
+    const Isa chosen = isa == Isa::Auto ? best_there() : isa;
+    if (chosen > best())
+        throw std::runtime_error(
+            fmt::format("this processor cannot run the kernel '{}'; its best is '{}'", name(chosen), best_isa()));
+    const auto path = image::find_module(module_name(chosen));
+    if (!path) throw std::runtime_error(image::missing_module(module_name(chosen)));
+    void* module = dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (module == nullptr) throw std::runtime_error(fmt::format("cannot load the kernel: {}", dlerror()));
+    const auto entry = reinterpret_cast<KernelEntry>(dlsym(module, kKernelSymbol));
+    if (entry == nullptr) throw std::runtime_error(fmt::format("'{}' is no kernel module", path->string()));
+    return *known.emplace(isa, entry()).first->second;
+}
+
+}  // namespace trace

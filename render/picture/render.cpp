@@ -1,0 +1,96 @@
+#include "render/picture/render.h"
+
+#include "render/picture/tracers.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace trace {
+namespace {
+
+void store(const Block& block, const std::vector<scene::Color>& colors, image::Image& image)
+{
+    const scene::Color* color = colors.data();
+    for (int row = 0; row < block.height; ++row)
+        for (int column = 0; column < block.width; ++column, ++color) {
+            float* pixel = image.at(block.left + column, block.top + row);
+            pixel[0] = color->red;
+            pixel[1] = color->green;
+            pixel[2] = color->blue;
+            pixel[3] = color->transmit;
+        }
+}
+
+}  // namespace
+
+void prepare(Isa isa, int threads)
+{
+    load_kernel(isa);
+    const int count = threads > 0 ? threads : tbb::info::default_concurrency();
+    // As long as the program runs: TBB takes its number of workers from what is allowed when the first of them starts,
+    // and complains in words of its own of a later wish for more.
+    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                             static_cast<std::size_t>(count));
+    tbb::task_arena arena(count);
+    arena.execute([count] { tbb::parallel_for(0, 4 * count, [](int) {}); });
+}
+
+RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image)
+{
+    const KernelTable& kernel = load_kernel(options.isa);
+    function::use(kernel.evaluators);
+    const auto start = std::chrono::steady_clock::now();
+    if (image.width != scene.options.width || image.height != scene.options.height || image.pixels.empty()) {
+        image.width = scene.options.width;
+        image.height = scene.options.height;
+        image.hold(0, image.height);
+    }
+
+    const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    Tracers workers(kernel, scene, options);
+
+    const Blocks blocks(scene.options);
+    const std::size_t last = std::min(options.last, blocks.size());
+    const bool has_done = options.done.size() == blocks.size();
+    std::atomic<std::size_t> done = options.first;
+    for (std::size_t i = options.first; has_done && i < last; ++i) done += options.done[i] ? 1 : 0;
+    std::atomic<bool> stopped = false;
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(options.first, last, [&](std::size_t i) {
+            if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) {
+                stopped = true;
+                return;
+            }
+            if (has_done && options.done[i]) return;
+            Tracers::Worker& worker = workers.local();
+            const Block block = blocks[i];
+            worker.colors.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+            if (!kernel.trace(*worker.tracer, block, worker.colors.data())) {
+                stopped = true;
+                return;
+            }
+            store(block, worker.colors, image);
+            if (options.finished) options.finished(i);
+            const std::size_t finished = ++done;
+            if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(blocks.size()));
+        });
+    });
+
+    RenderStatistics statistics;
+    statistics.rays = workers.counts();
+    statistics.threads = threads;
+    statistics.isa = kernel.isa;
+    statistics.cancelled = stopped;
+    statistics.seconds_trace = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return statistics;
+}
+
+}  // namespace trace

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "render/plan/compiled_scene.h"
+#include "render/kernel/path/sources.h"
+
+namespace trace::path {
+
+/// What a scene has to aim at, for all paths of its picture.
+Sources find_sources(const plan::CompiledScene& scene);
+
+}  // namespace trace::path
