@@ -2,7 +2,7 @@
 
 #include "csg/base/single_precision.h"
 #include "csg/mesh/mesh_edges.h"
-#include "csg/solids/common.h"
+#include "csg/solids/shared/common.h"
 
 #include <algorithm>
 

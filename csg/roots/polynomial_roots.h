@@ -1,14 +1,17 @@
 #pragma once
 
-// Continues polynomial_shape.h: the root finder, inline because it is compiled once per instruction set.
+#include "csg/base/types.h"
 #include "csg/roots/low_degree_roots.h"
 #include "csg/roots/safeguarded_newton.h"
-#include "csg/solids/shared/polynomial_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace csg {
+
+inline constexpr int kMostPolynomialDegree = 35;
+using PolynomialCoefficients = std::array<double, kMostPolynomialDegree + 1>;  ///< of powers of t, lowest first
 
 namespace detail {
 
@@ -39,7 +42,7 @@ inline double bracketed(const double* c, int degree, double lo, double hi, bool 
 
 /// No root, nor one of a derivative, is larger by amount (Fujiwara 1916: twice the largest |c[n - k] / c[n]|^(1/k)),
 /// from exponents alone.
-inline double root_bound(const PolynomialShape::Along& c, int degree)
+inline double root_bound(const PolynomialCoefficients& c, int degree)
 {
     const double last = c[static_cast<std::size_t>(degree)];
     double most = -1100.0;
@@ -55,7 +58,7 @@ inline double root_bound(const PolynomialShape::Along& c, int degree)
 /// polynomial changes its sign at most once, so from the parabola upwards.
 inline int roots_by_turns(const double* c, int degree, double lo, double hi, double* out)
 {
-    constexpr int kMost = PolynomialShape::kMostDegree;
+    constexpr int kMost = kMostPolynomialDegree;
     double derivative[kMost + 1], turns[kMost + 1];
     int count = 0;
     const auto keep = [&](double t) {
@@ -110,7 +113,7 @@ inline int roots_by_turns(const double* c, int degree, double lo, double hi, dou
 
 /// A power of two with half of the roots on either side of it, roughly: where no term of a power above the middle one
 /// is larger than all below, nor the other way round (an edge of the Newton polygon).
-inline double middle_of_roots(const PolynomialShape::Along& c, int degree)
+inline double middle_of_roots(const PolynomialCoefficients& c, int degree)
 {
     const double middle = 0.5 * degree;
     double highest = -kInfinity, slope = 0.0;
@@ -130,9 +133,9 @@ inline double middle_of_roots(const PolynomialShape::Along& c, int degree)
 
 /// Roots of so different sizes that the powers of one range do not fit a double: those far from 0 are the inverses of
 /// the roots of the polynomial with its coefficients in the opposite order.
-inline int far_and_near_roots(const PolynomialShape::Along& c, int degree, double* out)
+inline int far_and_near_roots(const PolynomialCoefficients& c, int degree, double* out)
 {
-    PolynomialShape::Along reversed{};
+    PolynomialCoefficients reversed{};
     std::reverse_copy(c.begin(), c.begin() + degree + 1, reversed.begin());
     double middle = middle_of_roots(c, degree);
     const auto sides_agree = [&](double t) {
@@ -143,12 +146,12 @@ inline int far_and_near_roots(const PolynomialShape::Along& c, int degree, doubl
     };
     // A root on the border would be counted by both sides or by none.
     for (int i = 0; i < 8 && !(sides_agree(middle) && sides_agree(-middle)); ++i) middle *= 1.125;
-    double far[PolynomialShape::kMostDegree];
+    double far[kMostPolynomialDegree];
     const int beyond = roots_by_turns(reversed.data(), degree, -1.0 / middle, 1.0 / middle, far);
     int negative = 0, count = 0;
     while (negative < beyond && far[negative] < 0.0) ++negative;
     for (int i = negative; i-- > 0;) out[count++] = 1.0 / far[i];
-    double near[PolynomialShape::kMostDegree];
+    double near[kMostPolynomialDegree];
     const int within = roots_by_turns(c.data(), degree, -middle, middle, near);
     for (int i = 0; i < within && count < degree; ++i) out[count++] = near[i];
     for (int i = beyond; i-- > negative && count < degree;) out[count++] = 1.0 / far[i];
@@ -157,7 +160,9 @@ inline int far_and_near_roots(const PolynomialShape::Along& c, int degree, doubl
 
 }  // namespace detail
 
-inline int sign_changes(const PolynomialShape::Along& c, int degree, double (&out)[PolynomialShape::kMostDegree])
+/// Where c[0] + c[1] t + ... + c[degree] t^degree changes its sign, in order: at most `degree` places. c[degree] is not
+/// 0.
+inline int sign_changes(const PolynomialCoefficients& c, int degree, double (&out)[kMostPolynomialDegree])
 {
     const int by_formula = degree == 4   ? detail::quartic_roots(c.data(), out)
                            : degree == 3 ? detail::cubic_roots(c.data(), out)

@@ -1,4 +1,4 @@
-#include "csg/freeform/bernstein.h"
+#include "csg/freeform/shared/bernstein.h"
 #include "csg/roots/polynomial_roots.h"
 #include "csg/roots/safeguarded_newton.h"
 #include "tests/csg/degrees.h"

@@ -2,7 +2,7 @@
 
 #include "csg/base/hit.h"
 #include "csg/base/lanes.h"
-#include "csg/freeform/intersection_list.h"
+#include "csg/freeform/shared/intersection_list.h"
 #include "csg/freeform/revolution/axis_ray.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "csg/base/lanes.h"
 #include "render/texture/evaluate.h"
-#include "render/plan/chi_square.h"
+#include "render/plan/textures/chi_square.h"
 #include "render/trace/antialias/jitter.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/message.h"
+#include "render/scene/base/message.h"
 #include "render/trace/photon/photon_map.h"
 #include "render/trace/radiosity/field.h"
 

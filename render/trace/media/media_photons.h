@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/texture/points.h"
+#include "render/texture/points/points.h"
 #include "render/trace/media/media_mix.h"
 #include "render/trace/queue/hit_mask.h"
 #include "render/trace/shade/shade_context.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/packet/lane_equal.h"
-#include "csg/base/reach.h"
+#include "csg/packet/lanes/lane_equal.h"
+#include "csg/items/reach.h"
 #include "render/trace/shade/shade_context.h"
 #include "render/trace/light/shadow_rays.h"
 

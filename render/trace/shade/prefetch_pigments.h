@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/packet/lane_equal.h"
+#include "csg/packet/lanes/lane_equal.h"
 #include "render/trace/shade/shade_scratch.h"
 
 #include <algorithm>

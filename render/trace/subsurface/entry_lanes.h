@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 #include "render/trace/queue/hit_mask.h"
 #include "render/trace/random.h"
 #include "render/trace/shade/shade_lanes.h"

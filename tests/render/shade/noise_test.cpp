@@ -1,4 +1,4 @@
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 #include "csg/roots/lane_power.h"
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/noise.h"
