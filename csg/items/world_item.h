@@ -2,7 +2,7 @@
 
 #include "csg/tree/front.h"
 #include "csg/base/hit.h"
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/solids/solid_crossings.h"
 #include "csg/base/tolerance.h"
 #include "csg/items/world_data.h"

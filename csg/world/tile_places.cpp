@@ -1,4 +1,4 @@
-#include "csg/packet/lanes/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "csg/solids/solid.h"
 #include "csg/packet/lanes/tile_rays.h"
 #include "csg/world/world.h"

@@ -1,6 +1,7 @@
 #include "function/internal/internal.h"
 #include "function/lone_internal.h"
 #include "function/machine.h"
+#include "function/points/evaluate.h"
 #include "function/points/outer.h"
 
 namespace function {

@@ -4,7 +4,7 @@
 #include "render/study/cost/heat.h"
 #include "render/trace/kernel/kernel_module.h"
 #include "render/trace/path/path_workers.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 #include "render/trace/sampling/sobol.h"
 
 #include <tbb/global_control.h>

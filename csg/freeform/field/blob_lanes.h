@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/freeform/shared/bernstein_lanes.h"
 #include "csg/freeform/field/blob_follower.h"
 

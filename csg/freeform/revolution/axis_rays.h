@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/hit.h"
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/freeform/shared/intersection_list.h"
 #include "csg/freeform/revolution/axis_ray.h"
 

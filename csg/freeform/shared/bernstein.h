@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/roots/polynomial_roots.h"
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/polynomial_roots.h"
+#include "numbers/safeguarded_newton.h"
 
 #include <array>
 #include <functional>

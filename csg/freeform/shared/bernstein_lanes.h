@@ -1,8 +1,8 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/freeform/shared/bernstein.h"
-#include "csg/roots/lane_newton.h"
+#include "numbers/lane_newton.h"
 
 #include <array>
 

@@ -1,16 +1,12 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lane_arithmetic.h"
 #include "csg/solids/sphere.h"
 
 /// Intervals of several rays, from one point or each from its own. Every number comes from the same operations in the
 /// same order as for one ray (csg/solids), so that both answers are the same to the last bit: change them together.
 /// Compiled once per instruction set.
 namespace csg::lanes {
-
-using Bool = Double::batch_bool_type;
-
-inline Bool all_lanes(bool b) { return Bool(b); }
 
 /// Directions of kDoubles rays.
 struct Directions {
@@ -55,32 +51,12 @@ inline Double along(const glm::dvec3& n, const Points& p)
     return Double(n.x) * p.x + Double(n.y) * p.y + Double(n.z) * p.z;
 }
 
-/// The least of a vector, by halves: no number waits for more than three others.
-inline double lowest(Double v)
-{
-#if defined(__AVX512F__)
-    const __m256d four = _mm256_min_pd(_mm512_castpd512_pd256(v), _mm512_extractf64x4_pd(v, 1));
-    const __m128d two = _mm_min_pd(_mm256_castpd256_pd128(four), _mm256_extractf128_pd(four, 1));
-#elif defined(__AVX__)
-    const __m128d two = _mm_min_pd(_mm256_castpd256_pd128(v), _mm256_extractf128_pd(v, 1));
-#else
-    const __m128d two = v;
-#endif
-    return _mm_cvtsd_f64(_mm_min_sd(two, _mm_unpackhi_pd(two, two)));
-}
-
 /// What Interval is for one ray, with faces as numbers. Where `met` is false the rest means nothing.
 struct Intervals {
     Double entry, exit, entry_face = Double(0.0), exit_face = Double(0.0);
     Bool met = Bool(false);
     Bool unclear = Bool(false);  ///< perhaps more than one interval: to be asked ray by ray; only a quadric says so
 };
-
-/// xsimd negates by subtraction on AVX-512, which loses the sign of 0.
-inline Double negated(Double v) { return v ^ Double(-0.0); }
-
-inline Double before() { return Double(-kInfinity); }
-inline Double beyond() { return Double(kInfinity); }
 
 /// sphere_roots; f runs from the centre to the rays' origins.
 template <class P>

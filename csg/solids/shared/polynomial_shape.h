@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/roots/polynomial_along.h"
-#include "csg/roots/polynomial_roots.h"
+#include "numbers/polynomial_along.h"
+#include "numbers/polynomial_roots.h"
 #include "csg/base/types.h"
 
 #include <algorithm>

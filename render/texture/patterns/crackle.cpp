@@ -1,4 +1,4 @@
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/base/types.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/noise/nearest_cells.h"

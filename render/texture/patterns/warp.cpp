@@ -1,5 +1,5 @@
 #include "render/texture/points/angle.h"
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"

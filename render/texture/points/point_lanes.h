@@ -2,7 +2,7 @@
 
 #include "render/texture/points/points.h"
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/texture/points/angle.h"
 
 #include <cstddef>

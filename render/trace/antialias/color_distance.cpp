@@ -1,6 +1,6 @@
 #include "render/trace/antialias/color_distance.h"
 
-#include "render/trace/antialias/float_power.h"
+#include "numbers/float_power.h"
 
 #include <algorithm>
 #include <array>

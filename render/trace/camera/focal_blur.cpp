@@ -1,6 +1,6 @@
 #include "render/trace/camera/focal_blur.h"
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/texture/evaluate.h"
 #include "render/plan/textures/chi_square.h"
 #include "render/trace/antialias/jitter.h"

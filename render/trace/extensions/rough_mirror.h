@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/random.h"
+#include "numbers/random.h"
 #include "render/trace/sampling/sobol.h"
 #include "render/trace/shade/refraction.h"
 

@@ -1,6 +1,6 @@
 #include "render/trace/light/area_light.h"
 
-#include "csg/packet/lanes/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "csg/base/tolerance.h"
 #include "render/trace/light/surface_filters.h"
 #include "render/trace/media/media_scratch.h"

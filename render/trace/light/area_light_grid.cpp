@@ -1,6 +1,6 @@
 #include "render/trace/light/area_light.h"
 
-#include "csg/packet/lanes/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "render/trace/queue/float_mask.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/trace/light/area_light.h"
-#include "render/trace/random_lanes.h"
+#include "numbers/random_lanes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 #include "render/trace/queue/lane_masks.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 #include "render/trace/shade/shade_context.h"
 
 #include <algorithm>

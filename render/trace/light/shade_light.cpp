@@ -1,4 +1,4 @@
-#include "render/trace/random.h"
+#include "numbers/random.h"
 #include "render/trace/shade/shade_context.h"
 #include "render/trace/light/shade_light.h"
 

@@ -1,6 +1,6 @@
 #include "render/trace/media/media_chunk.h"
 
-#include "render/trace/random.h"
+#include "numbers/random.h"
 
 namespace trace {
 

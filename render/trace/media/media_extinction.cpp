@@ -2,7 +2,7 @@
 
 #include "render/trace/media/media_density.h"
 #include "render/trace/media/media_exp.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 
 #include <algorithm>
 

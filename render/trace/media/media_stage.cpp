@@ -3,7 +3,7 @@
 #include "render/trace/media/media_exp.h"
 #include "render/trace/media/media_photons.h"
 #include "render/trace/media/sampled_sums.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 
 
 namespace trace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/packet/lanes/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "csg/items/reach.h"
 #include "render/trace/shade/shade_context.h"
 #include "render/trace/light/shadow_rays.h"

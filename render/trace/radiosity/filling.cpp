@@ -1,5 +1,5 @@
 #include "render/trace/radiosity/field.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 
 #include <algorithm>
 

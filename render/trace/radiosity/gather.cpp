@@ -3,7 +3,7 @@
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/radiosity/field.h"
 #include "render/trace/radiosity/sorted_rays.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 #include "render/trace/shade/shade.h"
 #include "render/trace/shade/shade_context.h"
 

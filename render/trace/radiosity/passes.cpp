@@ -4,7 +4,7 @@
 #include "render/trace/kernel/kernel.h"
 #include "render/trace/radiosity/pass_rays.h"
 #include "render/trace/radiosity/sample_file.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/trace/radiosity/directions/direction_order.h"
 #include "render/trace/radiosity/gather_scratch.h"
 

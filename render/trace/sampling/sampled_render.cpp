@@ -3,7 +3,7 @@
 #include "render/trace/kernel/tracers.h"
 #include "render/trace/path/denoise.h"
 #include "render/trace/path/path_workers.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 #include "render/trace/sampling/path_spread.h"
 #include "render/trace/sampling/sharing.h"
 #include "render/trace/sampling/sobol.h"

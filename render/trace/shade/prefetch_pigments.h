@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/packet/lanes/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "render/trace/shade/shade_scratch.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "csg/packet/lanes/tile_rays.h"
 #include "render/trace/queue/hit_mask.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 #include "render/trace/shade/shade_lanes.h"
 #include "render/trace/subsurface/subsurface_scratch.h"
 

@@ -3,7 +3,7 @@
 #include "render/trace/indirect/indirect_light.h"
 #include "render/trace/media/point_lights.h"
 #include "render/trace/radiosity/ambient.h"
-#include "render/trace/random.h"
+#include "numbers/random.h"
 #include "render/trace/shade/shade.h"
 #include "render/trace/subsurface/entry_lanes.h"
 

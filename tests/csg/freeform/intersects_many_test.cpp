@@ -1,5 +1,5 @@
 #include "csg/freeform/freeform.h"
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 #include "csg/freeform/freeform_solid.h"
 #include "tests/csg/freeform/many_rays.h"
 

@@ -1,6 +1,6 @@
 #include "render/trace/antialias/antialias.h"
 
-#include "render/trace/antialias/float_power.h"
+#include "numbers/float_power.h"
 #include "render/trace/antialias/jitter.h"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "render/texture/fresnel.h"
 #include "render/trace/queue/float_mask.h"
-#include "render/trace/random_lanes.h"
+#include "numbers/random_lanes.h"
 #include "render/trace/shade/dispersion.h"
 
 #include <catch2/catch.hpp>

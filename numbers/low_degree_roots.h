@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/roots/quartic_factors.h"
+#include "numbers/quartic_factors.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/trace/random.h"
+#include "numbers/random.h"
 
 #include <cstddef>
 #if defined(__AVX2__)

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "csg/base/types.h"
-#include "csg/roots/low_degree_roots.h"
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/infinity.h"
+#include "numbers/low_degree_roots.h"
+#include "numbers/safeguarded_newton.h"
 
 #include <algorithm>
 #include <array>
