@@ -1,7 +1,6 @@
 #pragma once
 
 #include "function/arithmetic.h"
-#include "function/evaluate.h"
 
 #include <memory>
 

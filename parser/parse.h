@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/scene/description.h"
-#include "render/scene/message.h"
+#include "render/scene/base/message.h"
 
 #include <atomic>
 #include <cstdint>

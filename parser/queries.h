@@ -1,6 +1,6 @@
 #pragma once
 
-#include "function/evaluate.h"
+#include "function/points/evaluate.h"
 #include "render/scene/description.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "bench/embree/rays.h"
-#include "csg/base/scratch.h"
+#include "csg/tree/program.h"
 #include "csg/world/world.h"
-#include "csg/world/world_data.h"
+#include "csg/items/world_data.h"
 
 #include <memory>
 

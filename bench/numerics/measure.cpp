@@ -2,7 +2,7 @@
 
 #include "bench/numerics/oracle.h"
 #include "csg/tree/front.h"
-#include "csg/world/spawn_epsilon.h"
+#include "csg/items/spawn_epsilon.h"
 #include "csg/base/tolerance.h"
 
 #include <algorithm>

@@ -15,7 +15,7 @@ struct Hit {
     std::uint32_t part = 0;                     ///< solid (kind and index, packed as World likes): what details() needs
     std::uint32_t face = 0;                     ///< box side, cylinder cap, triangle of a mesh, ...
     bool inverted : 1 = false;                  ///< subtracted or inverse: the raw normal is negated
-    std::uint32_t instance : 31 = kNoInstance;  ///< the part is one of this instance's world (csg/world/world_data.h)
+    std::uint32_t instance : 31 = kNoInstance;  ///< the part is one of this instance's world (csg/items/world_data.h)
     static constexpr std::uint32_t kNoInstance = 0x7fffffffu;
     bool found() const { return surface != kNoSurface; }
 };

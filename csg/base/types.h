@@ -1,13 +1,13 @@
 #pragma once
 
+#include "numbers/infinity.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <limits>
 
 namespace csg {
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What render/ looks up for the face that was crossed; csg/ never asks what it means.
 using SurfaceId = std::uint32_t;

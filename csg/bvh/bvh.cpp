@@ -1,6 +1,6 @@
 #include "csg/bvh/bvh.h"
 
-#include "csg/base/rounding.h"
+#include "numbers/rounding.h"
 
 #include <emmintrin.h>
 

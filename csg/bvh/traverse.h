@@ -2,8 +2,8 @@
 
 #include "csg/bvh/slab_axis.h"
 #include "csg/bvh/bvh.h"
-#include "csg/base/lanes.h"
-#include "csg/base/rounding.h"
+#include "numbers/lanes.h"
+#include "numbers/rounding.h"
 
 #include <bit>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "csg/freeform/freeform.h"
 
 #include "csg/base/hit.h"
-#include "csg/solids/freeform.h"
+#include "csg/freeform/freeform_solid.h"
 
 #include <array>
 #include <type_traits>

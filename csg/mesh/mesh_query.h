@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/roots/fused_at.h"
+#include "csg/base/fused_at.h"
 #include "csg/mesh/mesh_shape.h"
 #include "csg/bvh/traverse.h"
 

@@ -1,8 +1,8 @@
 #include "csg/mesh/mesh_shape.h"
 
-#include "csg/base/single_precision.h"
+#include "numbers/single_precision.h"
 #include "csg/mesh/mesh_edges.h"
-#include "csg/solids/common.h"
+#include "csg/solids/shared/common.h"
 
 #include <algorithm>
 

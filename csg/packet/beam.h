@@ -2,9 +2,9 @@
 
 #include "csg/bvh/bvh.h"
 #include "csg/packet/point_set.h"
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 #include "csg/bvh/traverse.h"
-#include "csg/world/world_data.h"
+#include "csg/items/world_data.h"
 
 #include <algorithm>
 

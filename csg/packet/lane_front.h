@@ -2,11 +2,11 @@
 
 #include "csg/packet/beam.h"
 #include "csg/packet/cut_runs.h"
-#include "csg/packet/lane_solids.h"
-#include "csg/packet/lane_torus.h"
+#include "csg/packet/lanes/lane_solids.h"
+#include "csg/packet/lanes/lane_torus.h"
 #include "csg/packet/packet_slabs.h"
 #include "csg/tree/program.h"
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 
 /// A CSG object's sum of products against a tile of rays, in vector lanes. Compiled once per instruction set.
 namespace csg {

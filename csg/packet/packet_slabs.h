@@ -1,9 +1,9 @@
 #pragma once
 
-#include "csg/base/rounding.h"
+#include "numbers/rounding.h"
 #include "csg/bvh/bvh.h"
 #include "csg/bvh/slab_axis.h"
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 
 #include <array>
 

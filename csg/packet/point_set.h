@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/hit.h"
-#include "csg/packet/lane_interval.h"
+#include "csg/packet/lanes/lane_interval.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "csg/packet/extrusion_sieve.h"
+#include "csg/packet/lanes/extrusion_sieve.h"
 #include "csg/packet/lane_front.h"
-#include "csg/packet/lane_torus.h"
+#include "csg/packet/lanes/lane_torus.h"
 #include "csg/packet/mesh_rays.h"
 #include "csg/packet/boolean/packed_boolean.h"
 #include "csg/packet/tile_walk.h"
-#include "csg/world/world_item.h"
+#include "csg/items/world_item.h"
 
 /// What a leaf block means to a tile. Compiled once per instruction set.
 namespace csg {

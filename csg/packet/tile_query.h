@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/packet/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "csg/packet/packet_walk.h"
 #include "csg/packet/tile_leaf.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/solids/common.h"
+#include "csg/solids/shared/common.h"
 
 namespace csg {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/solids/shared/outline_shape.h"
-#include "csg/solids/common.h"
+#include "csg/solids/shared/common.h"
 
 #include <algorithm>
 #include <array>

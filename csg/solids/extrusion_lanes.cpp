@@ -1,4 +1,4 @@
-#include "csg/freeform/ray_batch.h"
+#include "csg/freeform/shared/ray_batch.h"
 #include "csg/solids/extrusion.h"
 #include "csg/solids/shared/outline_lines.h"
 #include "csg/solids/shared/outline_walls.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/mesh/mesh_shape.h"
-#include "csg/solids/common.h"
+#include "csg/solids/shared/common.h"
 
 #include <memory>
 

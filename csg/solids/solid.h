@@ -5,7 +5,7 @@
 #include "csg/solids/cylinder.h"
 #include "csg/solids/disc.h"
 #include "csg/solids/extrusion.h"
-#include "csg/solids/freeform.h"
+#include "csg/freeform/freeform_solid.h"
 #include "csg/solids/mesh.h"
 #include "csg/solids/plane.h"
 #include "csg/solids/polynomial.h"

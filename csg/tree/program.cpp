@@ -1,7 +1,7 @@
 #include "csg/tree/program.h"
 
-#include "csg/solids/shared/polyhedron_box.h"
-#include "csg/solids/shared/quadric_box.h"
+#include "csg/tree/polyhedron_box.h"
+#include "csg/tree/quadric_box.h"
 
 #include <cmath>
 #include <optional>

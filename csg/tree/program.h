@@ -2,7 +2,7 @@
 
 #include "csg/tree/boolean_form.h"
 #include "csg/base/cancel.h"
-#include "csg/freeform/fetched_spans.h"
+#include "csg/tree/fetched_spans.h"
 #include "csg/tree/sum_of_products.h"
 #include "csg/base/hit.h"
 #include "csg/solids/solid.h"

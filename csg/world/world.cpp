@@ -1,11 +1,11 @@
 #include "csg/world/world.h"
 
-#include "csg/world/spawn_epsilon.h"
-#include "csg/base/reach.h"
+#include "csg/items/spawn_epsilon.h"
+#include "csg/items/reach.h"
 #include "csg/packet/tile_crossings.h"
 #include "csg/bvh/traverse.h"
-#include "csg/world/instance_ray.h"
-#include "csg/world/world_item.h"
+#include "csg/items/instance_ray.h"
+#include "csg/items/world_item.h"
 
 #include <algorithm>
 

@@ -8,16 +8,16 @@
 
 namespace csg {
 
-struct Tie;        // csg/world/world_item.h
-class TestOrder;   // csg/world/test_order.h
-struct WorldData;  // csg/world/world_data.h
-class Scratch;     // csg/base/scratch.h: per thread, reused; never shared
+struct Tie;        // csg/items/world_item.h
+class TestOrder;   // csg/items/test_order.h
+struct WorldData;  // csg/items/world_data.h
+class Scratch;     // csg/tree/program.h: per thread, reused; never shared
 class Shaft;       // csg/packet/shaft.h
 
 /// All top-level objects of a scene behind one bounding hierarchy. Immutable once built; safe for any number of
 /// threads. Ray directions have unit length; t is a distance in scene units. Bits of `kinds`:
 /// trace::bit(plan::RayKind). Of what lies in one place (Tolerance::kSamePlace) the object is seen that POV-Ray asks
-/// first, as it is there where its numbers are equal (csg/world/test_order.h).
+/// first, as it is there where its numbers are equal (csg/items/test_order.h).
 class World {
 public:
     explicit World(const WorldData& data) : data_(&data) {}
@@ -29,9 +29,9 @@ public:
     HitDetails details(const Ray& ray, const Hit& hit, bool with_uv = true) const;
     /// The same of the hits of a tile that `which` names (bit k: hit k), without uv; others' places are anything.
     void places(const RayTile& rays, const HitTile& hits, std::uint64_t which, PlaceTile& out) const;
-    /// Whether POV-Ray does not tell of a hit as far off as this one (csg/base/reach.h).
+    /// Whether POV-Ray does not tell of a hit as far off as this one (csg/items/reach.h).
     bool too_far(const Hit& hit) const;
-    /// Where a ray that leaves a hit begins to look: csg/world/spawn_epsilon.h.
+    /// Where a ray that leaves a hit begins to look: csg/items/spawn_epsilon.h.
     double start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const;
     /// Appends the shares of the parts of the shape that was hit (Freeform::shares).
     void shares(const Hit& hit, const glm::dvec3& point, std::vector<Share>& out) const;

@@ -1,5 +1,5 @@
 #include "csg/world/world.h"
-#include "csg/world/world_item.h"
+#include "csg/items/world_item.h"
 
 #include <algorithm>
 

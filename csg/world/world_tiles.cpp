@@ -1,10 +1,10 @@
 // World's questions for a tile of rays.
 #include "csg/world/world.h"
-#include "csg/base/reach.h"
+#include "csg/items/reach.h"
 #include "csg/packet/shaft.h"
 #include "csg/packet/tile_clusters.h"
 #include "csg/packet/tile_crossings.h"
-#include "csg/world/instance_ray.h"
+#include "csg/items/instance_ray.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "function/batch.h"
+#include "function/points/batch.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 #include "function/intervals/angle_lanes.h"
 #include "function/intervals/interval_arithmetic.h"
 

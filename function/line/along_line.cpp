@@ -3,6 +3,7 @@
 #include "function/internal/internal_ranges.h"
 #include "function/line/line_polynomial.h"
 #include "function/machine.h"
+#include "function/points/evaluate.h"
 
 #include <limits>
 

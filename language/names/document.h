@@ -30,10 +30,7 @@ public:
     {
         return at < tokens().size() ? tokens()[at].kind : parser::Kind::EndOfText;
     }
-    bool is_word(std::size_t at) const
-    {
-        return kind(at) == parser::Kind::Identifier || parser::is_keyword(kind(at));
-    }
+    bool is_word(std::size_t at) const { return kind(at) == parser::Kind::Identifier || parser::is_keyword(kind(at)); }
     /// Of an identifier or a keyword, else empty.
     std::string_view word(std::size_t at) const;
     /// Whether an identifier is a member, as in `Dictionary.Name`.

@@ -22,10 +22,10 @@ struct Scope {
 
 struct Declaration {
     DeclaredBy by = DeclaredBy::Declare;
-    std::size_t name = 0;                      ///< token
-    std::size_t begin = 0, end = 0;            ///< tokens of the whole statement
-    std::size_t value = kNone;                 ///< token behind '=', '(' of a macro
-    std::size_t scope = kNone;                 ///< whose name it is; kNone: of the text or of all
+    std::size_t name = 0;            ///< token
+    std::size_t begin = 0, end = 0;  ///< tokens of the whole statement
+    std::size_t value = kNone;       ///< token behind '=', '(' of a macro
+    std::size_t scope = kNone;       ///< whose name it is; kNone: of the text or of all
     bool everywhere() const { return by == DeclaredBy::Declare || by == DeclaredBy::Macro; }
 };
 

@@ -106,7 +106,8 @@ std::vector<At> places_of(Files& files, const Symbol& symbol)
         for (std::size_t at = begin; at < end; ++at) {
             if (document.kind(at) != Kind::Identifier || document.word(at) != symbol.word || document.is_member(at))
                 continue;
-            if (scope_of(*known, symbol.word, at) == symbol.scope) places.push_back({document.path(), document.range(at)});
+            if (scope_of(*known, symbol.word, at) == symbol.scope)
+                places.push_back({document.path(), document.range(at)});
         }
     }
     return places;
@@ -117,7 +118,8 @@ std::vector<At> declarations_of(Files& files, const Symbol& symbol)
     std::vector<At> places;
     for (const KnownPtr& known : texts_of(files, symbol))
         for (const Declaration& one : known->outline.declarations)
-            if (declares(one, *known, symbol)) places.push_back({known->document.path(), known->document.range(one.name)});
+            if (declares(one, *known, symbol))
+                places.push_back({known->document.path(), known->document.range(one.name)});
     return places;
 }
 

@@ -102,7 +102,8 @@ void add_words(Completion& out, const std::vector<std::string>& words, int rank,
 {
     for (const std::string& word : words) {
         const Kind kind = parser::keyword_of(word);
-        out.items.push_back({word, directives ? ItemKind::Directive : kind_of(kind), std::string(keyword_line(kind)), rank});
+        out.items.push_back(
+            {word, directives ? ItemKind::Directive : kind_of(kind), std::string(keyword_line(kind)), rank});
     }
 }
 
@@ -161,7 +162,8 @@ std::size_t text_around(const Document& document, std::uint32_t offset)
     const std::size_t last = document.before(offset);
     if (last == kNone) return kNone;
     if (document.kind(last) == Kind::String) return offset < document.range(last).end ? last : kNone;
-    // A text that is not closed: as the author sees it, it ends with the line. What stands in it are tokens by themselves.
+    // A text that is not closed: as the author sees it, it ends with the line. What stands in it are tokens by
+    // themselves.
     const std::size_t line = document.text().find_last_of("\r\n", offset == 0 ? 0 : offset - 1);
     for (std::size_t at = last + 1; at-- > 0;) {
         const std::uint32_t begin = document.tokens()[at].offset;
@@ -190,7 +192,8 @@ Completion completion_at(Files& files, const std::string& path, std::uint32_t of
         const std::uint32_t begin = document.range(text).begin + 1;
         const std::string_view written = std::string_view(document.text()).substr(begin, offset - begin);
         const std::size_t slash = written.rfind('/');
-        out.replaced = {slash == std::string_view::npos ? begin : begin + static_cast<std::uint32_t>(slash) + 1, offset};
+        out.replaced = {slash == std::string_view::npos ? begin : begin + static_cast<std::uint32_t>(slash) + 1,
+                        offset};
         add_files(out, files, path, written);
         return out;
     }
@@ -204,14 +207,13 @@ Completion completion_at(Files& files, const std::string& path, std::uint32_t of
         return out;
     }
     const Kind before = last == kNone || last == 0 ? Kind::EndOfText : document.kind(last - 1);
-    const bool names_new = before == Kind::Hash && (behind == Kind::Declare || behind == Kind::Local ||
-                                                    behind == Kind::Macro || behind == Kind::Undef ||
-                                                    behind == Kind::Ifdef || behind == Kind::Ifndef);
+    const bool names_new = before == Kind::Hash &&
+                           (behind == Kind::Declare || behind == Kind::Local || behind == Kind::Macro ||
+                            behind == Kind::Undef || behind == Kind::Ifdef || behind == Kind::Ifndef);
     if (!names_new) {
         const std::size_t brace = document.open_brace(out.replaced.begin);
         const Kind block = brace == kNone ? Kind::EndOfText : block_of(document, brace);
-        const std::size_t outer_brace =
-            brace == kNone ? kNone : document.open_brace(document.range(brace).begin);
+        const std::size_t outer_brace = brace == kNone ? kNone : document.open_brace(document.range(brace).begin);
         const Kind outer = outer_brace == kNone ? Kind::EndOfText : block_of(document, outer_brace);
         if (behind == Kind::Equal) add_words(out, value_words(), 3);
         else if (asks_for_number(behind)) add_words(out, number_words(), 3);

@@ -24,8 +24,8 @@ struct Completion {
     bool complete = true;  ///< else there are more than were told
 };
 
-/// What may stand at a byte of a text that `files` has: after '#' directives, in `#include` files, in a block its words,
-/// and declared names. Nothing in comments and texts.
+/// What may stand at a byte of a text that `files` has: after '#' directives, in `#include` files, in a block its
+/// words, and declared names. Nothing in comments and texts.
 Completion completion_at(Files& files, const std::string& path, std::uint32_t offset);
 
 }  // namespace language

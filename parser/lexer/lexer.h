@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parser/lexer/token.h"
-#include "render/scene/line_table.h"
+#include "render/scene/base/line_table.h"
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "parser/lexer/lexer.h"
 #include "parser/nearest.h"
-#include "render/scene/message.h"
+#include "render/scene/base/message.h"
 
 #include <string>
 #include <string_view>

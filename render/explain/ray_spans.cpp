@@ -1,6 +1,6 @@
 #include "render/explain/ray_spans.h"
 
-#include "csg/base/scratch.h"
+#include "csg/tree/program.h"
 #include "csg/tree/evaluate.h"
 #include "render/plan/compiled_scene.h"
 #include "render/plan/geometry/extent.h"

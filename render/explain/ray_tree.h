@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/hit.h"
-#include "csg/base/scratch.h"
+#include "csg/tree/program.h"
 #include "render/explain/ray_spans.h"
 #include "render/light/illuminate.h"
 #include "render/plan/compiled_scene.h"

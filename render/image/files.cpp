@@ -1,7 +1,7 @@
 #include "render/image/files.h"
 
 #include "render/image/codecs/direct_readers.h"
-#include "render/image/codecs/file_types.h"
+#include "render/image/file_types.h"
 #include "render/image/codecs/io_loader.h"
 #include "render/image/codecs/io_writer.h"
 #include "render/image/picture_writer.h"
@@ -76,7 +76,6 @@ std::unique_ptr<RowSink> integer_sink(IoLoader& loader, FileType type, const std
 const char* extension(FileType type) { return facts(type).extension; }
 bool stores_alpha(FileType type) { return facts(type).alpha; }
 bool stores_greyscale(FileType type) { return facts(type).greyscale; }
-bool stores_linear_light(FileType type) { return facts(type).linear_light; }
 
 Files::Files() : loader_(std::make_shared<IoLoader>()) {}
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/image/image.h"
-#include "render/image/picture.h"
+#include "render/image/pixels/image.h"
+#include "render/image/pixels/picture.h"
 #include "render/image/levels/quantise.h"
 
 #include <memory>
@@ -29,7 +29,6 @@ enum class FileType : char {
 const char* extension(FileType type);  ///< with the dot: ".png"
 bool stores_alpha(FileType type);
 bool stores_greyscale(FileType type);
-bool stores_linear_light(FileType type);  ///< OpenEXR and Radiance: floats, no gamma, no quantisation
 
 /// Bytes that a file of this type takes at least, going by what the type packs: few pictures get smaller.
 double least_bytes(FileType type, int width, int height, const Encoding& encoding);

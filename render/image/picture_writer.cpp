@@ -1,6 +1,6 @@
 #include "render/image/picture_writer.h"
 
-#include "render/image/codecs/file_types.h"
+#include "render/image/file_types.h"
 #include "render/image/codecs/io_loader.h"
 #include "render/image/codecs/io_writer.h"
 

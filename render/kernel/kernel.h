@@ -1,8 +1,8 @@
 #pragma once
 
-#include "function/field.h"
+#include "function/field/field.h"
 #include "render/plan/compiled_scene.h"
-#include "render/scene/color.h"
+#include "render/scene/base/color.h"
 #include "render/kernel/antialias/antialias.h"
 #include "render/kernel/path/path_tracer.h"
 #include "render/kernel/tile/ray_counts.h"

@@ -4,7 +4,7 @@
 #include "render/study/cost/heat.h"
 #include "render/picture/kernel_module.h"
 #include "render/picture/sampling/path_workers.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/tile/sobol.h"
 
 #include <tbb/global_control.h>

@@ -1,6 +1,6 @@
 #include "render/plan/lights.h"
 
-#include "csg/base/reach.h"
+#include "csg/items/reach.h"
 #include "render/plan/probe.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "render/scene/effects.h"
-#include "render/scene/line_table.h"
+#include "render/scene/base/line_table.h"
 #include "render/scene/media.h"
-#include "render/scene/message.h"
+#include "render/scene/base/message.h"
 #include "render/scene/mesh_camera.h"
 #include "render/scene/object_list.h"
 #include "render/scene/rainbow.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/scene/color.h"
-#include "render/scene/dump/dump_writer.h"
-#include "render/scene/source_ref.h"
+#include "render/scene/base/color.h"
+#include "render/scene/base/dump_writer.h"
+#include "render/scene/base/source_ref.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "function/program.h"
-#include "render/scene/texture.h"
+#include "render/scene/textures/texture.h"
 
 /// Functions that evaluate something of the scene: `function { pattern { } }`, `function { pigment { } }`.
 namespace scene {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/scene/dump/dump_writer.h"
-#include "render/scene/source_ref.h"
+#include "render/scene/base/dump_writer.h"
+#include "render/scene/base/source_ref.h"
 
 #include <memory>
 #include <vector>

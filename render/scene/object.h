@@ -3,8 +3,8 @@
 #include "csg/solids/shared/outline_shape.h"
 #include "csg/solids/shared/polynomial_shape.h"
 #include "csg/base/types.h"
-#include "render/scene/shared.h"
-#include "render/scene/texture.h"
+#include "render/scene/base/shared.h"
+#include "render/scene/textures/texture.h"
 
 #include <array>
 #include <memory>

@@ -15,7 +15,7 @@
 #include "render/scene/solids/sphere_sweep.h"
 #include "render/scene/solids/superellipsoid.h"
 #include "render/scene/solids/text.h"
-#include "render/scene/source_ref.h"
+#include "render/scene/base/source_ref.h"
 
 #include <concepts>
 #include <iterator>

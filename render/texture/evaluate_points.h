@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/texture/evaluate.h"
-#include "render/texture/points.h"
+#include "render/texture/points/points.h"
 
 /// Patterns and pigments of many points at once: the bits are those of evaluate.h for each point, but noise, sums of
 /// octaves and crackle share vector lanes. Points that a function takes are padded (Points::pad).

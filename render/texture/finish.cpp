@@ -1,6 +1,6 @@
 #include "render/texture/finish.h"
 
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 #include "render/texture/fresnel.h"
 
 #include <algorithm>

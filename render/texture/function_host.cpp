@@ -1,6 +1,6 @@
 #include "render/texture/function_host.h"
 
-#include "function/evaluate.h"
+#include "function/points/evaluate.h"
 #include "function/intervals/interval.h"
 #include "function/line/along_line.h"
 #include "render/texture/evaluate_points.h"

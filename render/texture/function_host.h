@@ -1,7 +1,7 @@
 #pragma once
 
-#include "function/evaluate.h"
-#include "function/field.h"
+#include "function/points/evaluate.h"
+#include "function/field/field.h"
 #include "render/texture/evaluate.h"
 
 namespace texture {

@@ -1,6 +1,6 @@
 #include "render/texture/image.h"
 
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/color.h"
+#include "render/scene/base/color.h"
 
 #include <glm/glm.hpp>
 

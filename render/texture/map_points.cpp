@@ -1,6 +1,6 @@
 #include "render/texture/map_points.h"
 
-#include "render/texture/point_lanes.h"
+#include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/texture/evaluate.h"
-#include "render/texture/points.h"
+#include "render/texture/points/points.h"
 
 /// Values of many points after their wave, and looked up in maps, in vector lanes: the bits of evaluate.h.
 namespace texture {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "function/program.h"
-#include "render/scene/color.h"
-#include "render/scene/volume.h"
+#include "render/scene/base/color.h"
+#include "render/scene/textures/volume.h"
 #include "render/texture/image.h"
 #include "render/texture/inside_test.h"
-#include "render/texture/patterns/pattern.h"
+#include "render/texture/pattern.h"
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "csg/packet/lane_solids.h"
+#include "csg/packet/lanes/lane_solids.h"
 #include "csg/packet/point_set.h"
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 #include "tests/csg/support.h"
 
 #include <catch2/catch.hpp>

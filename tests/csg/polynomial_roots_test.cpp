@@ -1,6 +1,6 @@
-#include "csg/freeform/bernstein.h"
-#include "csg/roots/polynomial_roots.h"
-#include "csg/roots/safeguarded_newton.h"
+#include "csg/freeform/shared/bernstein.h"
+#include "numbers/polynomial_roots.h"
+#include "numbers/safeguarded_newton.h"
 #include "tests/csg/degrees.h"
 
 #include <catch2/catch.hpp>

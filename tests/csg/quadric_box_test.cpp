@@ -1,4 +1,4 @@
-#include "csg/solids/shared/quadric_box.h"
+#include "csg/tree/quadric_box.h"
 #include "support.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "csg/base/single_precision.h"
+#include "numbers/single_precision.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "csg/world/spawn_epsilon.h"
+#include "csg/items/spawn_epsilon.h"
 #include "tests/csg/support.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "csg/world/test_order.h"
+#include "csg/items/test_order.h"
 #include "tests/csg/support.h"
 
 #include <catch2/catch.hpp>

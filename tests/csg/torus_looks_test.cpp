@@ -1,4 +1,4 @@
-#include "csg/packet/torus_looks.h"
+#include "csg/packet/lanes/torus_looks.h"
 #include "tests/csg/tube_ray.h"
 
 #include <catch2/catch.hpp>

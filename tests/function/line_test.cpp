@@ -2,7 +2,7 @@
 
 #include "csg/freeform/field/isosurface.h"
 #include "function/build/builder.h"
-#include "function/field.h"
+#include "function/field/field.h"
 #include "function/internal/internal.h"
 #include "function/internal/internal_ranges.h"
 #include "function/line/along_line.h"

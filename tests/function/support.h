@@ -1,6 +1,6 @@
 #pragma once
 
-#include "function/evaluate.h"
+#include "function/points/evaluate.h"
 #include "parser/parse.h"
 #include "parser/stream/functions/function.h"
 #include "render/texture/noise/noise.h"

@@ -1,5 +1,5 @@
 #include "parser/stream/reading_profile.h"
-#include "render/scene/shared.h"
+#include "render/scene/base/shared.h"
 #include "tests/parser/grammar_support.h"
 
 #include <catch2/catch.hpp>

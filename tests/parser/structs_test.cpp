@@ -1,4 +1,4 @@
-#include "render/scene/image_map.h"
+#include "render/scene/textures/image_map.h"
 #include "render/scene/solids.h"
 #include "tests/parser/grammar_support.h"
 

@@ -25,7 +25,7 @@ def main():
         sys.exit("names.py finds wrongly")
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]).resolve()
     read, wrong = 0, 0
-    for folder in ("csg", "function", "language", "parser", "render"):
+    for folder in ("numbers", "csg", "function", "language", "parser", "render"):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in {".h", ".cpp"}:
                 continue

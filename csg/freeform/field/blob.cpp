@@ -1,11 +1,8 @@
 #include "csg/freeform/field/blob.h"
 
-#include "csg/freeform/freeform.h"
-#include "csg/freeform/similarity.h"
+#include "csg/freeform/shared/similarity.h"
 #include "csg/base/hit.h"
-#include "csg/solids/common.h"
-
-#include <mutex>
+#include "csg/solids/shared/common.h"
 
 namespace csg {
 namespace {
@@ -52,26 +49,6 @@ Blob::Blob(double threshold, const std::vector<Component>& components)
         extent_.include(extent_of(component.frame, glm::dvec3(0.0), component.radius, component.length == 0.0));
     }
     bound();
-}
-
-struct Blob::Later {
-    explicit Later(std::function<Blob()> of) : make(std::move(of)) {}
-
-    std::function<Blob()> make;
-    std::once_flag once;
-    std::shared_ptr<const FreeformShape> shape = nullptr;
-};
-
-Blob::Blob(std::function<Blob()> make) : later_(std::make_shared<Later>(std::move(make))) {}
-
-std::shared_ptr<const FreeformShape> Blob::made() const
-{
-    if (!later_) return nullptr;
-    std::call_once(later_->once, [this] {
-        later_->shape = make_freeform<Blob>(later_->make());
-        later_->make = nullptr;  // with what it kept
-    });
-    return later_->shape;
 }
 
 void Blob::add(const Component& component)

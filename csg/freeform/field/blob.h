@@ -1,16 +1,13 @@
 #pragma once
 
 #include "csg/bvh/bvh.h"
-#include "csg/freeform/intersection_list.h"
+#include "csg/freeform/shared/intersection_list.h"
 
-#include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
 namespace csg {
 
-struct FreeformShape;
 struct Share;
 
 /// Where the fields of spheres and capsules add up to the threshold (spec 5a, 5.11; manual: Blob). A component's field
@@ -28,10 +25,6 @@ public:
 
     /// Components that cannot be seen (no strength, no radius, numbers that are not finite) are left out.
     Blob(double threshold, const std::vector<Component>& components);
-    /// Of a description, which may be copied often or never be drawn: `make` makes it, and nothing can be asked of it.
-    explicit Blob(std::function<Blob()> make);
-    /// The blob that such a description stands for, made when it is asked for first; null: it is none.
-    std::shared_ptr<const FreeformShape> made() const;
 
     void intersect(const Ray& ray, IntersectionList& out) const;
     /// Rays lie in lanes until it is known which stretches they have in whose reach.
@@ -93,7 +86,6 @@ private:
     template <std::size_t components>
     class Lanes;
     struct Chord;
-    struct Later;
 
     void add(const Component& component);
     void bound();
@@ -135,7 +127,6 @@ private:
     Bvh tree_;  ///< empty below that number
     Aabb box_, extent_;
     glm::dvec3 middle_{0.0};
-    std::shared_ptr<Later> later_;  ///< null: made
 };
 
 }  // namespace csg

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/base/lanes.h"
-#include "csg/freeform/bernstein_lanes.h"
+#include "numbers/lanes.h"
+#include "csg/freeform/shared/bernstein_lanes.h"
 #include "csg/freeform/field/blob_follower.h"
 
 #include <bit>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/freeform/bernstein.h"
+#include "csg/freeform/shared/bernstein.h"
 #include "csg/freeform/field/blob.h"
 
 namespace csg {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "csg/base/hit.h"
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/freeform/field/field.h"
-#include "csg/roots/fused_at.h"
+#include "csg/base/fused_at.h"
 
 #include <array>
 #include <bit>

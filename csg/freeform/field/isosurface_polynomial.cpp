@@ -1,4 +1,4 @@
-#include "csg/freeform/bernstein.h"
+#include "csg/freeform/shared/bernstein.h"
 #include "csg/freeform/field/isosurface_search.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "csg/freeform/field/isosurface_search.h"
 
-#include "csg/base/lanes.h"
-#include "csg/roots/fused_at.h"
+#include "numbers/lanes.h"
+#include "csg/base/fused_at.h"
 
 #include <algorithm>
 #include <bit>

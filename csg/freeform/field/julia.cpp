@@ -2,7 +2,7 @@
 
 #include "csg/freeform/field/julia_functions.h"
 #include "csg/freeform/field/julia_march.h"
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/freeform/intersection_list.h"
-#include "csg/roots/fused_at.h"
+#include "csg/freeform/shared/intersection_list.h"
+#include "csg/base/fused_at.h"
 
 #include <algorithm>
 #include <cmath>

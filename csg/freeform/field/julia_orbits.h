@@ -1,9 +1,9 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/freeform/field/julia.h"
 #include "csg/freeform/field/julia_march.h"
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 
 #include <array>
 #include <bit>

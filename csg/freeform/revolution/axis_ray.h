@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/roots/fused_at.h"
-#include "csg/solids/common.h"
+#include "csg/base/fused_at.h"
+#include "csg/solids/shared/common.h"
 
 #include <cmath>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "csg/base/hit.h"
-#include "csg/base/lanes.h"
-#include "csg/freeform/intersection_list.h"
+#include "numbers/lanes.h"
+#include "csg/freeform/shared/intersection_list.h"
 #include "csg/freeform/revolution/axis_ray.h"
 
 #include <array>

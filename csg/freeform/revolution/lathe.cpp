@@ -1,6 +1,6 @@
 #include "csg/freeform/revolution/lathe_reach.h"
 
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/safeguarded_newton.h"
 
 #include <algorithm>
 #include <numbers>

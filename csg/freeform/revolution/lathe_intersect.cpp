@@ -2,7 +2,7 @@
 #include "csg/freeform/revolution/lathe_point.h"
 #include "csg/freeform/revolution/lathe_reach.h"
 #include "csg/freeform/revolution/lathe_told.h"
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/safeguarded_newton.h"
 
 namespace csg {
 

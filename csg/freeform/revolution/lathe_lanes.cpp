@@ -2,7 +2,7 @@
 #include "csg/freeform/revolution/lathe_lane_ranges.h"
 #include "csg/freeform/revolution/lathe_limits.h"
 #include "csg/freeform/revolution/lathe_told.h"
-#include "csg/roots/lane_newton.h"
+#include "numbers/lane_newton.h"
 
 #include <bit>
 

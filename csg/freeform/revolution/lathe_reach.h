@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/freeform/revolution/lathe.h"
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 
 #include <bit>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/freeform/revolution/axis_ray.h"
-#include "csg/freeform/sorted_ends.h"
+#include "csg/freeform/shared/sorted_ends.h"
 
 #include <array>
 

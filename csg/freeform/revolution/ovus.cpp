@@ -1,7 +1,7 @@
 #include "csg/freeform/revolution/ovus.h"
 
-#include "csg/solids/common.h"
-#include "csg/solids/shared/surface_coordinates.h"
+#include "csg/solids/shared/common.h"
+#include "csg/solids/shared/common.h"
 
 namespace csg {
 namespace {

@@ -1,6 +1,6 @@
 #include "csg/freeform/revolution/sor.h"
 
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/safeguarded_newton.h"
 #include "csg/solids/shared/outline_shape.h"
 
 #include <algorithm>

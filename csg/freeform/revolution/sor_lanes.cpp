@@ -1,6 +1,6 @@
 #include "csg/freeform/revolution/axis_rays.h"
 #include "csg/freeform/revolution/sor.h"
-#include "csg/roots/lane_newton.h"
+#include "numbers/lane_newton.h"
 
 #include <bit>
 

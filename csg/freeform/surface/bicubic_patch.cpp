@@ -1,8 +1,7 @@
 #include "csg/freeform/surface/bicubic_patch.h"
 
-#include "csg/freeform/freeform.h"
 #include "csg/mesh/mesh_query.h"
-#include "csg/solids/common.h"
+#include "csg/solids/shared/common.h"
 
 #include <unordered_map>
 
@@ -98,12 +97,6 @@ BicubicPatch::BicubicPatch(const Input& input) : input_(input)
         }
     }
     mesh_ = std::make_shared<MeshShape>(triangles);
-}
-
-std::shared_ptr<const FreeformShape> BicubicPatch::divided() const
-{
-    std::call_once(later_->once, [this] { later_->shape = make_freeform<BicubicPatch>(input_); });
-    return later_->shape;
 }
 
 /// Whether no control point is as far as the flatness from the plane of three corners.

@@ -1,16 +1,13 @@
 #pragma once
 
-#include "csg/freeform/intersection_list.h"
+#include "csg/freeform/shared/intersection_list.h"
 #include "csg/mesh/mesh_shape.h"
 
 #include <array>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace csg {
-
-struct FreeformShape;
 
 /// A Bezier patch as POV-Ray draws it (spec 5b, 5; manual: Bicubic Patch): halved until flat or often enough, two
 /// triangles a piece, shaded with the normals of the true surface at their corners. Drawn, without an inside.
@@ -27,12 +24,9 @@ public:
     static constexpr int kMostSteps = 10;
 
     explicit BicubicPatch(const Input& input);
-    /// Of a description, which may be copied often or never be drawn: input() alone is known, nothing can be asked of
-    /// it.
+    /// Of a description: input() alone is known, nothing else can be asked of it.
     enum class Later { Divide };
-    BicubicPatch(const Input& input, Later) : input_(input), later_(std::make_shared<Divided>()) {}
-    /// The patch that such a description stands for, divided when it is asked for first.
-    std::shared_ptr<const FreeformShape> divided() const;
+    BicubicPatch(const Input& input, Later) : input_(input) {}
 
     void intersect(const Ray& ray, IntersectionList& out) const;
     bool contains(const glm::dvec3&) const { return false; }
@@ -67,13 +61,7 @@ private:
     void divide(const Points& points, const Piece& piece, int depth, MeshInput& out);
     bool flat(const Points& points) const;
 
-    struct Divided {
-        std::once_flag once;
-        std::shared_ptr<const FreeformShape> shape;
-    };
-
     Input input_;
-    std::shared_ptr<Divided> later_;  ///< null: divided
     std::vector<Piece> pieces_;
     std::vector<std::array<glm::vec3, 4>> normals_;  ///< at the corners of a piece, any length; 0: there is none
     std::shared_ptr<const MeshShape> mesh_;

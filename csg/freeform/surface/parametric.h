@@ -1,8 +1,8 @@
 #pragma once
 
-#include "csg/freeform/container.h"
+#include "csg/freeform/shared/container.h"
 #include "csg/freeform/field/field.h"
-#include "csg/freeform/intersection_list.h"
+#include "csg/freeform/shared/intersection_list.h"
 
 #include <array>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/freeform/intersection_list.h"
+#include "csg/freeform/shared/intersection_list.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "csg/freeform/surface/superellipsoid.h"
 
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/safeguarded_newton.h"
 
 #include <cmath>
 #include <utility>

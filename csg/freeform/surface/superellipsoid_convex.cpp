@@ -1,6 +1,6 @@
 #include "csg/freeform/surface/superellipsoid.h"
 #include "csg/base/hit.h"
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 
 #include <array>
 #include <bit>

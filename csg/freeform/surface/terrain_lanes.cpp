@@ -1,4 +1,4 @@
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/freeform/surface/terrain_walk.h"
 
 #include <bit>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/freeform/surface/height_field.h"
-#include "csg/solids/common.h"
+#include "csg/solids/shared/common.h"
 
 namespace csg {
 

@@ -1,8 +1,8 @@
 #include "csg/freeform/sweep/conic_prism_walls.h"
 
-#include "csg/freeform/sorted_ends.h"
+#include "csg/freeform/shared/sorted_ends.h"
 #include "csg/solids/shared/outline_crossings.h"
-#include "csg/solids/common.h"
+#include "csg/solids/shared/common.h"
 
 namespace csg {
 namespace {

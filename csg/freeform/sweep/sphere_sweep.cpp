@@ -1,8 +1,8 @@
 #include "csg/freeform/sweep/sphere_sweep.h"
 
-#include "csg/freeform/bernstein.h"
-#include "csg/freeform/similarity.h"
-#include "csg/solids/common.h"
+#include "csg/freeform/shared/bernstein.h"
+#include "csg/freeform/shared/similarity.h"
+#include "csg/solids/shared/common.h"
 
 namespace csg {
 namespace {

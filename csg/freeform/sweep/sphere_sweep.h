@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/bvh/bvh.h"
-#include "csg/freeform/intersection_list.h"
+#include "csg/freeform/shared/intersection_list.h"
 
 #include <array>
 #include <span>

@@ -1,4 +1,4 @@
-#include "csg/freeform/bernstein.h"
+#include "csg/freeform/shared/bernstein.h"
 #include "csg/freeform/sweep/sphere_sweep.h"
 #include "csg/freeform/sweep/sweep_bend.h"
 #include "csg/freeform/sweep/swept_spheres.h"

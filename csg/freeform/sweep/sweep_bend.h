@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/freeform/sweep/sphere_sweep.h"
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/safeguarded_newton.h"
 
 #include <algorithm>
 #include <array>

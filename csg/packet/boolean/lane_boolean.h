@@ -2,11 +2,11 @@
 
 #include "csg/packet/boolean/lane_piece.h"
 #include "csg/packet/boolean/lane_states.h"
-#include "csg/packet/lane_solids.h"
-#include "csg/packet/lane_torus.h"
+#include "csg/packet/lanes/lane_solids.h"
+#include "csg/packet/lanes/lane_torus.h"
 #include "csg/tree/face_held.h"
 #include "csg/tree/program.h"
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 
 /// A CSG object's boolean form against a tile of rays, in vector lanes. Compiled once per instruction set.
 namespace csg {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 #include "csg/tree/program.h"
 
 /// Which leaves of a boolean form hold a place on each of some rays. Compiled once per instruction set.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/bits.h"
+#include "numbers/bits.h"
 #include "csg/packet/boolean/lane_boolean.h"
 
 /// A CSG object's boolean form against some rays of a tile. Compiled once per instruction set.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/base/lanes.h"
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/lanes.h"
+#include "numbers/safeguarded_newton.h"
 #include "csg/solids/shared/outline_shape.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/roots/lane_newton.h"
+#include "numbers/lane_newton.h"
 #include "csg/solids/shared/outline_crossings.h"
 
 #include <array>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "csg/roots/polynomial_along.h"
+#include "numbers/polynomial_along.h"
+#include "numbers/polynomial_roots.h"
 #include "csg/base/types.h"
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace csg {
 /// A polynomial of x, y and z up to degree 35; immutable, shared by all instances.
 class PolynomialShape {
 public:
-    static constexpr int kMostDegree = 35;
-    using Along = std::array<double, kMostDegree + 1>;  ///< coefficients of powers of t, lowest first
+    static constexpr int kMostDegree = kMostPolynomialDegree;
+    using Along = PolynomialCoefficients;
 
     /// Coefficients in POV-Ray's order: powers of x falling, then of y, then of z (spec 5a, 5.9).
     PolynomialShape(int degree, std::vector<double> coefficients);
@@ -132,10 +133,4 @@ private:
     double leading_size_ = 0.0;  ///< sum of the sizes of the coefficients of the highest degree
 };
 
-/// Where c[0] + c[1] t + ... + c[degree] t^degree changes its sign, in order: at most `degree` places. c[degree] is not
-/// 0.
-inline int sign_changes(const PolynomialShape::Along& c, int degree, double (&out)[PolynomialShape::kMostDegree]);
-
 }  // namespace csg
-
-#include "csg/roots/polynomial_roots.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/roots/quartic_factors.h"
+#include "numbers/quartic_factors.h"
 
 /// A torus along a ray, for one ray or several in vector lanes.
 namespace csg::detail {

@@ -1,7 +1,7 @@
 #pragma once
 
 // Continues torus.h: the inline solver.
-#include "csg/roots/safeguarded_newton.h"
+#include "numbers/safeguarded_newton.h"
 #include "csg/solids/torus/torus.h"
 #include "csg/solids/torus/torus_quartic.h"
 

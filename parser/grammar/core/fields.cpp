@@ -1,5 +1,5 @@
 #include "csg/freeform/freeform.h"
-#include "function/field.h"
+#include "function/field/field.h"
 #include "parser/grammar/core/solid_reader.h"
 #include "parser/stream/functions/function.h"
 

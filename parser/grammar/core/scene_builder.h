@@ -4,8 +4,8 @@
 #include "parser/stream/token_input.h"
 #include "parser/stream/token_stream.h"
 #include "render/font/font.h"
-#include "render/image/picture.h"
-#include "render/scene/solids/inside.h"
+#include "render/image/pixels/picture.h"
+#include "render/scene/inside.h"
 #include "render/scene/description.h"
 
 #include <functional>

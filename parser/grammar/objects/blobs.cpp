@@ -86,7 +86,7 @@ scene::Freeform shape_of(std::shared_ptr<const scene::WrittenSolid> written, con
         parts.push_back(part->second);
     }
     const auto make = [kept = std::move(written), &blob, parts = std::move(parts)] { return made_of(blob, parts); };
-    scene::Freeform made{csg::make_freeform<csg::Blob>(std::function<csg::Blob()>(make))};
+    scene::Freeform made{csg::make_freeform_later(csg::Blob(blob.threshold, {}), make)};
     if (textures.size() > 1) made.part_textures = std::make_shared<const std::vector<TexturePtr>>(std::move(textures));
     return made;
 }

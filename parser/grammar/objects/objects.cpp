@@ -1,5 +1,5 @@
 #include "csg/freeform/freeform.h"
-#include "csg/solids/freeform.h"
+#include "csg/freeform/freeform_solid.h"
 #include "parser/grammar/core/rules.h"
 #include "parser/grammar/core/solid_reader.h"
 

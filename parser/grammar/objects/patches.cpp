@@ -78,8 +78,9 @@ bool read_parameters(SolidReader& s, BicubicPatch& patch)
         s.in().accept_comma();
         read_value(s.in(), patch.points[k]);
     }
-    s.object().shape =
-        scene::Freeform{csg::make_freeform<csg::BicubicPatch>(input_of(patch), csg::BicubicPatch::Later::Divide)};
+    const csg::BicubicPatch described(input_of(patch), csg::BicubicPatch::Later::Divide);
+    s.object().shape = scene::Freeform{
+        csg::make_freeform_later(described, [input = described.input()] { return csg::BicubicPatch(input); })};
     return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/volume.h"
+#include "render/scene/textures/volume.h"
 
 #include <cstdint>
 #include <memory>

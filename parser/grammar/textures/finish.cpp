@@ -1,7 +1,7 @@
 #include "parser/grammar/scene/effects.h"
 #include "parser/grammar/textures/old_words.h"
 #include "parser/grammar/core/rules.h"
-#include "render/scene/albedo.h"
+#include "render/scene/base/albedo.h"
 
 #include <utility>
 

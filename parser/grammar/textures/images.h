@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parser/grammar/core/block_reader.h"
-#include "render/scene/image_map.h"
+#include "render/scene/textures/image_map.h"
 
 /// Blocks that name a picture, a volume or an object that a pattern looks its values up in. The keyword has been taken.
 namespace parser {

@@ -1,6 +1,6 @@
 #include "parser/stream/expressions/compiled.h"
 
-#include "function/evaluate.h"
+#include "function/points/evaluate.h"
 #include "function/spline.h"
 #include "parser/stream/elements.h"
 #include "parser/stream/hooks.h"

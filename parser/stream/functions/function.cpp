@@ -1,6 +1,6 @@
 #include "parser/stream/functions/function.h"
 
-#include "function/evaluate.h"
+#include "function/points/evaluate.h"
 #include "parser/stream/expressions/expression.h"
 
 #include <fmt/format.h>

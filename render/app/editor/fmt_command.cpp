@@ -4,8 +4,8 @@
 #include "render/app/editor/replace_file.h"
 #include "render/app/options/settings.h"
 #include "render/app/run/render_command.h"
-#include "render/scene/line_table.h"
-#include "render/scene/message.h"
+#include "render/scene/base/line_table.h"
+#include "render/scene/base/message.h"
 
 #include <fmt/format.h>
 

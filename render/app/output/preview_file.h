@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/image.h"
+#include "render/image/pixels/image.h"
 #include "render/image/levels/quantise.h"
 #include "render/picture/blocks.h"
 

@@ -1,6 +1,6 @@
 #include "render/app/run/scene_queries.h"
 
-#include "function/field.h"
+#include "function/field/field.h"
 #include "parser/parse.h"
 #include "render/kernel/kernel.h"
 #include "render/picture/kernel_module.h"

@@ -1,7 +1,7 @@
 #include "render/app/solid/bodies.h"
 
 #include "csg/base/cancel.h"
-#include "function/field.h"
+#include "function/field/field.h"
 #include "render/app/run/frame_render.h"
 #include "render/app/run/frames.h"
 #include "render/app/run/scene_file.h"

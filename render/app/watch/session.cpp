@@ -1,6 +1,6 @@
 #include "render/app/watch/session.h"
 
-#include "csg/base/scratch.h"
+#include "csg/tree/program.h"
 #include "parser/constants.h"
 #include "render/app/pixel/pixel_answer.h"
 #include "render/app/run/frame_render.h"

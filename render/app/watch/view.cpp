@@ -1,6 +1,6 @@
 #include "render/app/watch/view.h"
 
-#include "render/scene/solids/inside.h"
+#include "render/scene/inside.h"
 
 #include <fmt/format.h>
 

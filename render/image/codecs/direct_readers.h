@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/picture.h"
+#include "render/image/pixels/picture.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "render/image/codecs/io_loader.h"
 
-#include "render/image/files.h"
+#include "render/image/pixels/picture.h"
 #include "render/image/codecs/module_path.h"
 
 #include <dlfcn.h>

@@ -1,6 +1,6 @@
 #include "render/image/codecs/io_writer.h"
 
-#include "render/image/files.h"
+#include "render/image/pixels/picture.h"
 
 namespace image {
 

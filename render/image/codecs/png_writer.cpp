@@ -1,6 +1,6 @@
 #include "render/image/codecs/png_writer.h"
 
-#include "render/image/files.h"
+#include "render/image/pixels/picture.h"
 
 #include <png.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/row_sink.h"
+#include "render/image/codecs/row_sink.h"
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #include "render/image/codecs/ppm_writer.h"
 
-#include "render/image/files.h"
+#include "render/image/pixels/picture.h"
 
 #include <cerrno>
 #include <cstring>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/image/levels/dither.h"
-#include "render/image/image.h"
+#include "render/image/pixels/image.h"
 #include "render/image/levels/level_table.h"
 #include "render/image/levels/transfer_curve.h"
 

@@ -1,4 +1,4 @@
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/kernel/air/rainbow.h"
 

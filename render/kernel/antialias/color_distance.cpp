@@ -1,6 +1,6 @@
 #include "render/kernel/antialias/color_distance.h"
 
-#include "render/kernel/antialias/float_power.h"
+#include "numbers/float_power.h"
 
 #include <algorithm>
 #include <array>

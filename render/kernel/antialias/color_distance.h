@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
-#include "render/scene/color.h"
+#include "render/scene/base/color.h"
 
 #include <algorithm>
 #include <array>

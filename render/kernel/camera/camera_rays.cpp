@@ -1,6 +1,6 @@
 #include "render/kernel/camera/camera_rays.h"
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/plan/camera_starts.h"
 #include "render/texture/evaluate.h"
 #include "render/kernel/camera/mesh_camera_ray.h"

@@ -1,8 +1,8 @@
 #include "render/kernel/camera/focal_blur.h"
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/texture/evaluate.h"
-#include "render/plan/chi_square.h"
+#include "render/plan/textures/chi_square.h"
 #include "render/kernel/antialias/jitter.h"
 
 #include <algorithm>

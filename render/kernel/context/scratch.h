@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/scratch.h"
+#include "csg/tree/program.h"
 #include "csg/base/hit.h"
 #include "render/kernel/context/kept.h"
 #include "render/kernel/context/shade_scratch.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csg/packet/lane_equal.h"
-#include "csg/base/reach.h"
+#include "numbers/lane_equal.h"
+#include "csg/items/reach.h"
 #include "render/kernel/context/context.h"
 #include "render/kernel/tile/hit_mask.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 #include "render/texture/sky.h"
 
 namespace trace {

@@ -2,7 +2,7 @@
 
 #include "render/kernel/extinction/media_density.h"
 #include "render/kernel/extinction/media_exp.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 
 #include <algorithm>
 

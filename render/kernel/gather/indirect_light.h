@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/message.h"
+#include "render/scene/base/message.h"
 #include "render/kernel/gather/photon_map.h"
 #include "render/kernel/radiosity/samples/field.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/kernel/gather/pack_lanes.h"
 
 #include <algorithm>

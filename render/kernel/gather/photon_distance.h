@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/kernel/gather/near_leaves.h"
 #include "render/kernel/gather/photon_places.h"
 

@@ -1,6 +1,6 @@
 #include "render/kernel/light/area_light.h"
 
-#include "csg/packet/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "csg/base/tolerance.h"
 #include "render/kernel/light/surface_filters.h"
 #include "render/kernel/extinction/shadow_media.h"

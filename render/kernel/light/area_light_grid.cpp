@@ -1,6 +1,6 @@
 #include "render/kernel/light/area_light.h"
 
-#include "csg/packet/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "render/kernel/tile/float_mask.h"
 
 #include <cmath>

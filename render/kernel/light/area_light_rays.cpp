@@ -1,6 +1,6 @@
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/kernel/light/area_light.h"
-#include "render/kernel/tile/random_lanes.h"
+#include "numbers/random_lanes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 #include "render/kernel/tile/lane_masks.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/context/context.h"
 #include "render/kernel/light/highlight_lanes.h"
 #include "render/kernel/tile/nearly_zero.h"

@@ -1,6 +1,6 @@
 #include "render/texture/finish.h"
 #include "render/texture/noise/noise.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/light/direct_light.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/kernel/traits/shines_on.h"

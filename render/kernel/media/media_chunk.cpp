@@ -1,6 +1,6 @@
 #include "render/kernel/media/media_chunk.h"
 
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 
 namespace trace {
 

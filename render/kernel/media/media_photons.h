@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/texture/points.h"
+#include "render/texture/points/points.h"
 #include "render/kernel/extinction/media_mix.h"
 #include "render/kernel/tile/hit_mask.h"
 #include "render/kernel/context/context.h"

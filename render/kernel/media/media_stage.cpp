@@ -3,7 +3,7 @@
 #include "render/kernel/extinction/media_exp.h"
 #include "render/kernel/media/media_photons.h"
 #include "render/kernel/media/sampled_sums.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/traits/shines_on.h"
 #include "render/kernel/media/media_scratch.h"
 

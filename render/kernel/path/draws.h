@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/tile/sobol.h"
 
 /// The random numbers of one path: dimension after dimension of a Sobol sequence that is scrambled anew for each pair.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
-#include "render/scene/color.h"
+#include "render/scene/base/color.h"
 #include "render/kernel/tile/ray_counts.h"
 
 #include <atomic>

@@ -6,7 +6,7 @@
 #include "render/kernel/photon/photon_air.h"
 #include "render/kernel/scatter/refraction.h"
 #include "render/kernel/tile/nearly_zero.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/tile/sobol.h"
 #include "render/kernel/surface/shade_surface.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/color.h"
+#include "render/scene/base/color.h"
 #include "render/kernel/tile/ray_state.h"
 
 #include <algorithm>

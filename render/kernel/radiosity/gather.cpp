@@ -3,7 +3,7 @@
 #include "render/kernel/gather/indirect_light.h"
 #include "render/kernel/radiosity/samples/field.h"
 #include "render/kernel/radiosity/sorted_rays.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/context/shade_tile.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/kernel/context/context.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/hit.h"
-#include "render/scene/color.h"
+#include "render/scene/base/color.h"
 #include "render/kernel/radiosity/samples/sample.h"
 
 #include <array>

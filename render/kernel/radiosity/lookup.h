@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/kernel/radiosity/gather_scratch.h"
 #include "render/kernel/radiosity/samples/sample_grid.h"
 

@@ -3,7 +3,7 @@
 #include "render/kernel/extensions/rough_mirror.h"
 #include "render/kernel/scatter/refraction.h"
 #include "render/kernel/scatter/scatter.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/tile/sobol.h"
 
 namespace trace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/tolerance.h"
-#include "csg/world/leaving.h"
+#include "csg/items/leaving.h"
 #include "render/texture/finish.h"
 #include "render/texture/fresnel.h"
 #include "render/kernel/interior/interior_fade.h"

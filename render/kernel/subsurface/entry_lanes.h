@@ -1,8 +1,8 @@
 #pragma once
 
-#include "csg/packet/tile_rays.h"
+#include "csg/packet/lanes/tile_rays.h"
 #include "render/kernel/tile/hit_mask.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/tile/tile_lanes.h"
 #include "render/kernel/subsurface/subsurface_scratch.h"
 #include "render/kernel/tile/nearly_zero.h"

@@ -3,7 +3,7 @@
 #include "render/kernel/gather/indirect_light.h"
 #include "render/kernel/media/point_lights.h"
 #include "render/kernel/radiosity/ambient.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/kernel/context/shade_tile.h"
 #include "render/kernel/subsurface/entry_lanes.h"
 #include "render/kernel/tile/nearly_zero.h"

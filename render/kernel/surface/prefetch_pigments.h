@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/packet/lane_equal.h"
+#include "numbers/lane_equal.h"
 #include "render/kernel/context/shade_scratch.h"
 #include "render/kernel/surface/surface_scratch.h"
 

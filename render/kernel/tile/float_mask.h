@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/kernel/tile/hit_mask.h"
 
 /// Some lanes of a register of floats. Compiled once per instruction set.

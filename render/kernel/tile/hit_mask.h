@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/bits.h"
+#include "numbers/bits.h"
 #include "csg/base/hit.h"
 
 #include <bit>

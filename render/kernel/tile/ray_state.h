@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/plan/textures/interior.h"
+#include "render/plan/interior.h"
 #include "render/kernel/tile/geometry.h"
 
 #include <algorithm>

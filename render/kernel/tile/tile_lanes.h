@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/hit.h"
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "render/light/illuminate.h"
 #include "render/kernel/tile/hit_mask.h"
 

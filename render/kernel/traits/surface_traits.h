@@ -63,7 +63,7 @@ struct SceneTraits {
     std::vector<csg::Aabb> own_rays;
     /// What holds all of these, and what holds all else that does not stop light too.
     Slab own_rays_slab, clear_slab;
-    bool has_open_surface = false;  ///< some solid tells crossings beside its surface (csg/solids/freeform.h)
+    bool has_open_surface = false;  ///< some solid tells crossings beside its surface (csg/freeform/freeform_solid.h)
 
     /// Whether it matters where a ray began that goes on behind a crossing: such solids tell a ray only so many.
     bool restarts() const { return has_open_surface && filters; }

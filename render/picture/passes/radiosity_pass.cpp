@@ -4,7 +4,7 @@
 #include "render/kernel/kernel.h"
 #include "render/picture/passes/pass_rays.h"
 #include "render/picture/passes/sample_file.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>

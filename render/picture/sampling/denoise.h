@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/image.h"
+#include "render/image/pixels/image.h"
 #include "render/kernel/path/path_tracer.h"
 #include "render/picture/sampling/sampled_picture.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "render/image/image.h"
+#include "render/image/pixels/image.h"
 #include "render/plan/compiled_scene.h"
 #include "render/picture/blocks.h"
-#include "render/scene/color.h"
+#include "render/scene/base/color.h"
 
 #include <array>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "render/picture/tracers.h"
 #include "render/picture/sampling/denoise.h"
 #include "render/picture/sampling/path_workers.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 #include "render/picture/sampling/path_spread.h"
 #include "render/picture/sampling/sharing.h"
 #include "render/kernel/tile/sobol.h"

@@ -1,7 +1,7 @@
 #include "render/plan/geometry/extent.h"
 
 #include "csg/freeform/freeform.h"
-#include "csg/solids/shared/quadric_box.h"
+#include "csg/tree/quadric_box.h"
 #include "render/plan/geometry/solids.h"
 
 #include <algorithm>
@@ -124,15 +124,13 @@ struct ShapeExtent {
     }
     csg::Aabb operator()(const scene::Freeform& s) const
     {
-        if (const auto* blob = std::get_if<csg::Blob>(&s.shape->kind))
-            if (const auto made = blob->made()) return corners_moved({}, made->extent(t));
         if (const auto* patch = std::get_if<csg::BicubicPatch>(&s.shape->kind)) {
             csg::Aabb points;
             for (const auto& row : patch->input().points)
                 for (const glm::dvec3& point : row) points.include(t.point(point));
             return points;
         }
-        const csg::Aabb box = corners_moved({}, s.shape->extent(t));
+        const csg::Aabb box = corners_moved({}, csg::drawn_shape(s.shape)->extent(t));
         return std::holds_alternative<csg::Polygon>(s.shape->kind) ? thickened(box) : box;
     }
     csg::Aabb operator()(const scene::Extrusion& s) const

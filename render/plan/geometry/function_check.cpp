@@ -1,7 +1,7 @@
 #include "render/plan/geometry/function_check.h"
 
 #include "csg/freeform/freeform.h"
-#include "function/field.h"
+#include "function/field/field.h"
 
 #include <fmt/format.h>
 

@@ -122,12 +122,10 @@ struct ToWorld {
     csg::Solid operator()(const scene::Polynomial& s) const { return csg::Polynomial{s.shape, t}; }
     csg::Solid operator()(const scene::Freeform& s) const
     {
-        if (const auto* blob = std::get_if<csg::Blob>(&s.shape->kind))
-            if (const auto made = blob->made()) return csg::Freeform{made, t};
         const auto* patch = std::get_if<csg::BicubicPatch>(&s.shape->kind);
-        if (patch == nullptr) return csg::Freeform{s.shape, t};
         // A patch is flat enough or not where it stands (spec 5b, 5).
-        if (!(patch->input().flatness > 0.0) || rigid(t.linear)) return csg::Freeform{patch->divided(), t};
+        if (patch == nullptr || !(patch->input().flatness > 0.0) || rigid(t.linear))
+            return csg::Freeform{csg::drawn_shape(s.shape), t};
         csg::BicubicPatch::Input moved = patch->input();
         for (auto& row : moved.points)
             for (glm::dvec3& point : row) point = t.point(point);

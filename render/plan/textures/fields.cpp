@@ -1,7 +1,7 @@
 #include "render/plan/textures/fields.h"
 
 #include "function/build/builder.h"
-#include "function/field.h"
+#include "function/field/field.h"
 #include "render/plan/textures/textures.h"
 #include "render/texture/function_host.h"
 

@@ -1,6 +1,6 @@
-#include "render/plan/compile_subsurface.h"
+#include "render/plan/textures/compile_subsurface.h"
 #include "render/plan/textures/textures.h"
-#include "render/scene/albedo.h"
+#include "render/scene/base/albedo.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/scene/description.h"
-#include "render/scene/image_map.h"
+#include "render/scene/textures/image_map.h"
 #include "render/texture/image.h"
 
 namespace plan {

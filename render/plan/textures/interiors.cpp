@@ -1,6 +1,6 @@
 #include "render/plan/textures/interiors.h"
 
-#include "render/scene/texture.h"
+#include "render/scene/textures/texture.h"
 
 #include <algorithm>
 

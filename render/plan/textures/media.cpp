@@ -1,4 +1,4 @@
-#include "render/plan/chi_square.h"
+#include "render/plan/textures/chi_square.h"
 #include "render/plan/textures/media_compiler.h"
 
 #include <algorithm>

@@ -1,20 +1,13 @@
 #pragma once
 
 #include "render/plan/quality.h"
-#include "render/plan/textures/media.h"
+#include "render/plan/media.h"
 #include "render/plan/textures/textures.h"
 
 #include <memory>
 #include <unordered_map>
 
 namespace plan {
-
-/// Media of a scene as flat arrays.
-struct MediaSet {
-    std::vector<Media> media;
-    std::vector<std::uint32_t> order;      ///< of MediaLists, indices into `media`
-    std::vector<std::uint32_t> densities;  ///< indices into TextureSet::pigments
-};
 
 /// Compiles the media of interiors and of the whole scene, shared ones once. Whatever is black in every way is left
 /// out.

@@ -10,7 +10,7 @@ using texture::PatternKind;
 
 const std::unordered_map<std::string, PatternKind> kKinds{
 #define PATTERN(keyword, enumerator, value) {keyword, PatternKind::enumerator},
-#include "render/texture/patterns/table.inc"
+#include "render/texture/pattern_table.inc"
 #undef PATTERN
     {"average", PatternKind::Average},
     {"facets", PatternKind::Facets},

@@ -1,6 +1,6 @@
 #include "render/plan/textures/textures.h"
 
-#include "csg/base/single_precision.h"
+#include "numbers/single_precision.h"
 #include "function/build/link.h"
 #include "render/plan/textures/pattern_kinds.h"
 #include "render/scene/function.h"

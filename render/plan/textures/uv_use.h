@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/texture.h"
+#include "render/scene/textures/texture.h"
 
 namespace plan {
 

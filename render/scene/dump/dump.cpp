@@ -1,5 +1,5 @@
 #include "render/scene/description.h"
-#include "render/scene/dump/dump_writer.h"
+#include "render/scene/base/dump_writer.h"
 #include "render/scene/solids.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "render/scene/image_map.h"
+#include "render/scene/textures/image_map.h"
 
 /// Pictures and densities that patterns look into.
 namespace scene {

@@ -1,4 +1,4 @@
-#include "render/scene/dump/dump_writer.h"
+#include "render/scene/base/dump_writer.h"
 #include "render/scene/solids.h"
 
 /// Lines of parameters that need more than one each.

@@ -1,6 +1,6 @@
 #include "render/scene/description.h"
-#include "render/scene/dump/dump_writer.h"
-#include "render/scene/image_map.h"
+#include "render/scene/base/dump_writer.h"
+#include "render/scene/textures/image_map.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/scene/dump/dump_writer.h"
-#include "render/scene/texture.h"
+#include "render/scene/base/dump_writer.h"
+#include "render/scene/textures/texture.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/image_source.h"
+#include "render/scene/textures/image_source.h"
 
 namespace scene {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/dump/dump_writer.h"
+#include "render/scene/base/dump_writer.h"
 
 namespace scene {
 

@@ -1,8 +1,8 @@
 #include "render/solid/measure/body.h"
 
-#include "csg/base/scratch.h"
+#include "csg/tree/program.h"
 #include "csg/freeform/freeform.h"
-#include "csg/world/world_data.h"
+#include "csg/items/world_data.h"
 
 #include <algorithm>
 

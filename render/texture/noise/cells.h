@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/texture/noise/lattice.h"
-#include "render/texture/point_lanes.h"
+#include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "render/texture/noise/nearest_cells.h"
 
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/base/types.h"
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 #include "render/texture/noise/nearest_lanes.h"
 #include "render/texture/noise/noise_tables.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/texture/points.h"
+#include "render/texture/points/points.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/texture/points.h"
+#include "render/texture/points/points.h"
 
 /// Lattice noise of many points in single precision, within 5e-7 of noise.h; for what is kept in single precision
 /// anyway. The same bits for every instruction set, wherever a point lies among the others.

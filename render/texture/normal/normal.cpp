@@ -1,4 +1,4 @@
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/noise.h"

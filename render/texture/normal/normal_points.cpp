@@ -1,7 +1,7 @@
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/noise_points.h"
 #include "render/texture/normal/normal_height.h"
-#include "render/texture/point_lanes.h"
+#include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
 #include <array>

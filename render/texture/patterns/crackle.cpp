@@ -1,6 +1,6 @@
-#include "csg/base/lanes.h"
+#include "numbers/lanes.h"
 #include "csg/base/types.h"
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/nearest_lanes.h"
 #include "render/texture/noise/noise.h"

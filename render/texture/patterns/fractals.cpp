@@ -1,4 +1,4 @@
-#include "render/texture/point_lanes.h"
+#include "render/texture/points/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/patterns/patterns.h"
 #include "render/texture/quilt.h"

@@ -1,4 +1,4 @@
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <array>

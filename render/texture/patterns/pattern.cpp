@@ -1,4 +1,4 @@
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/function_host.h"
 #include "render/texture/patterns/patterns.h"
@@ -53,7 +53,7 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
 #define PATTERN(keyword, enumerator, value)                                                                            \
     case PatternKind::enumerator:                                                                                      \
         return value;
-#include "render/texture/patterns/table.inc"
+#include "render/texture/pattern_table.inc"
 #undef PATTERN
     }
     return 0.0;

@@ -1,8 +1,8 @@
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/map_points.h"
 #include "render/texture/noise/noise_points.h"
-#include "render/texture/point_lanes.h"
+#include "render/texture/points/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>

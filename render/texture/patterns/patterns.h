@@ -1,8 +1,8 @@
 #pragma once
 
-#include "csg/roots/lane_power.h"
+#include "numbers/lane_power.h"
 #include "render/texture/evaluate.h"
-#include "render/texture/points.h"
+#include "render/texture/points/points.h"
 
 /// Raw values of the patterns, one function each, by family. Formulas and ranges: spec 4, section 5.
 /// `p` is the warped point; parameters as in docs/patterns.md.

@@ -1,6 +1,6 @@
 #include "render/texture/patterns/penrose.h"
 
-#include "render/texture/angle.h"
+#include "render/texture/points/angle.h"
 
 #include <algorithm>
 #include <cmath>

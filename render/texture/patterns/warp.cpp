@@ -1,9 +1,9 @@
-#include "render/texture/angle.h"
-#include "csg/base/lanes.h"
+#include "render/texture/points/angle.h"
+#include "numbers/lanes.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
-#include "render/texture/point_lanes.h"
+#include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
 #include <cmath>

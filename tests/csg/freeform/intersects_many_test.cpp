@@ -1,6 +1,6 @@
 #include "csg/freeform/freeform.h"
-#include "csg/roots/lane_power.h"
-#include "csg/solids/freeform.h"
+#include "numbers/lane_power.h"
+#include "csg/freeform/freeform_solid.h"
 #include "tests/csg/freeform/many_rays.h"
 
 #include <catch2/catch.hpp>

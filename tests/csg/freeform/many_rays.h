@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/freeform/ray_batch.h"
+#include "csg/freeform/shared/ray_batch.h"
 #include "tests/csg/support.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #include "csg/freeform/revolution/lathe.h"
 #include "csg/freeform/revolution/sor.h"
 #include "csg/freeform/sweep/conic_prism.h"
-#include "csg/packet/extrusion_sieve.h"
+#include "csg/packet/lanes/extrusion_sieve.h"
 #include "csg/solids/extrusion.h"
 #include "tests/csg/freeform/many_rays.h"
 

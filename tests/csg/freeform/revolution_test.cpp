@@ -1,5 +1,5 @@
 #include "csg/freeform/freeform.h"
-#include "csg/solids/freeform.h"
+#include "csg/freeform/freeform_solid.h"
 #include "tests/csg/freeform/revolution.h"
 
 #include <catch2/catch.hpp>

@@ -1,8 +1,8 @@
 #include "csg/tree/held.h"
 
 #include "csg/world/world.h"
-#include "csg/world/world_data.h"
-#include "csg/base/scratch.h"
+#include "csg/items/world_data.h"
+#include "csg/tree/program.h"
 
 #include <catch2/catch.hpp>
 

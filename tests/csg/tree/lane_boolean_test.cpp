@@ -1,5 +1,5 @@
 #include "csg/world/world.h"
-#include "csg/world/world_data.h"
+#include "csg/items/world_data.h"
 #include "tests/csg/tree/walk_trees.h"
 
 #include <catch2/catch.hpp>

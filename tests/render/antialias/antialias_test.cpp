@@ -1,6 +1,6 @@
 #include "render/kernel/antialias/antialias.h"
 
-#include "render/kernel/antialias/float_power.h"
+#include "numbers/float_power.h"
 #include "render/kernel/antialias/jitter.h"
 
 #include <catch2/catch.hpp>

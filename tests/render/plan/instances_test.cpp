@@ -1,4 +1,4 @@
-#include "csg/base/scratch.h"
+#include "csg/tree/program.h"
 #include "parser/parse.h"
 #include "render/plan/compiled_scene.h"
 

@@ -1,5 +1,5 @@
-#include "render/texture/angle.h"
-#include "csg/roots/lane_power.h"
+#include "render/texture/points/angle.h"
+#include "numbers/lane_power.h"
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"

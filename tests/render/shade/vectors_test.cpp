@@ -1,4 +1,4 @@
-#include "csg/base/single_precision.h"
+#include "numbers/single_precision.h"
 #include "render/plan/textures/pattern_kinds.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/noise/noise.h"

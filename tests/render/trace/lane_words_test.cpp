@@ -1,6 +1,6 @@
 #include "render/texture/fresnel.h"
 #include "render/kernel/tile/float_mask.h"
-#include "render/kernel/tile/random_lanes.h"
+#include "numbers/random_lanes.h"
 #include "render/kernel/interior/dispersion.h"
 
 #include <catch2/catch.hpp>

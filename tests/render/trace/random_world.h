@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/world/world.h"
-#include "csg/world/world_data.h"
+#include "csg/items/world_data.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "tests/render/trace/random_world.h"
 
-#include "csg/world/world_item.h"
+#include "csg/items/world_item.h"
 
 #include <catch2/catch.hpp>
 

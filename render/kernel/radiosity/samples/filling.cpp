@@ -1,5 +1,5 @@
 #include "render/kernel/radiosity/samples/field.h"
-#include "render/kernel/tile/random.h"
+#include "numbers/random.h"
 
 #include <algorithm>
 

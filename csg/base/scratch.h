@@ -1,3 +1,0 @@
-#pragma once
-
-#include "csg/tree/program.h"  // csg::Scratch: what one thread needs to answer rays; reused, never shared

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "csg/freeform/shared/ray_batch.h"
+#include "csg/solids/shared/common.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace csg {
+
+struct FreeformShape;
+struct Share;  // csg/base/hit.h
+
+/// A freeform shape in the world: lathe, blob, isosurface, ... (csg/freeform/freeform.h).
+struct Freeform {
+    std::shared_ptr<const FreeformShape> shape;
+    Transform frame;  ///< local to world
+
+    static constexpr std::uint32_t kMostSpans = IntersectionList::kMostSpans;
+    std::uint32_t most_spans() const { return surface() ? 1u : kMostSpans + 1; }
+    std::uint32_t most_crossings() const
+    {
+        return (surface() ? 0 : 2 * kMostSpans + 2) + (reports_touches() ? IntersectionList::kMostTouches : 0);
+    }
+
+    /// Drawn without an inside.
+    bool surface() const;
+    /// Crossings are told beside the surface, or the way there matters: a ray to a point of it must
+    /// begin there.
+    bool has_open_surface() const;
+    /// Smooth where it is not made pointed on purpose: next to nothing of it lies near where a ray leaves it, and
+    /// asking for that takes long.
+    bool round() const;
+    /// Its normals may be blended between corners: not those of the surface.
+    bool blends_normals() const;
+    /// Some of it may be drawn that bounds nothing: what a lathe has at a negative radius.
+    bool reports_touches() const;
+    /// What it draws depends on which way a ray goes: a shadow ray has to come from the point itself.
+    bool one_way() const;
+    bool closed() const;
+    bool inverse_closed() const;
+    void intersect(const Ray& ray, IntersectionList& out) const;
+    /// Whether many rays are answered sooner together.
+    bool intersects_many() const;
+    /// intersect() of the rays of a batch, which are moved into the shape's space.
+    void intersect_many(RayBatch& batch) const;
+    void intersect(const Ray& ray, SpanList& out) const { spans(ray, -kInfinity, kInfinity, out); }
+    /// Those that meet [from, to]: correct within that range only.
+    void spans(const Ray& ray, double from, double to, SpanList& out) const;
+    /// Whether it is soon known that a ray has no crossing from `from` to `to`.
+    bool meets_no_more(const Ray& ray, double from, double to) const;
+    bool contains(const glm::dvec3& p) const;
+    bool contains_inverted(const glm::dvec3& p) const;
+    glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const;
+    /// Those of many points, at most kTileRays, to the bit.
+    void normals(std::span<const glm::dvec3> points, std::span<const std::uint32_t> faces, glm::dvec3* out) const;
+    glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
+    /// Appends the shares of the shape's parts at world point p; nothing for a shape that has none.
+    void shares(const glm::dvec3& p, std::vector<Share>& out) const;
+    Aabb bounds() const;
+    Aabb drawn_bounds() const;  ///< of what can be seen of it
+
+private:
+    Aabb in_world(const Aabb& local) const;
+};
+
+}  // namespace csg

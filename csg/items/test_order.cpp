@@ -1,0 +1,239 @@
+#include "csg/items/test_order.h"
+
+#include "csg/base/hit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace csg {
+namespace {
+
+constexpr double kInfiniteVolume = 2e10;
+constexpr float kInfiniteKey = -1e7f;  // of nodes that are asked first
+constexpr float kLeastExit = 1e-4f;
+constexpr std::size_t kFewestNodes = 4;  // nodes that are not divided
+constexpr float kCostOfNode = 3.0f;
+// Divisions that each part one box from many others take the square of their number: after as many boxes looked at as
+// would be if each were one of 200 halves the order is given up, and the object declared first is the first.
+constexpr std::size_t kWorkOfItem = 200, kLeastWork = 100000;
+
+float half_area(const glm::vec3& edges) { return edges.x * edges.y + edges.y * edges.z + edges.z * edges.x; }
+
+TestOrder::Box around(const TestOrder::Box& a, const TestOrder::Box& b)
+{
+    const glm::vec3 lower = glm::min(a.lower, b.lower);
+    return {lower, glm::max(a.upper(), b.upper()) - lower};
+}
+
+/// A ray as POV-Ray's boxes know it.
+struct SingleRay {
+    glm::vec3 origin, inverse;
+
+    explicit SingleRay(const Ray& ray) : origin(ray.origin), inverse(1.0f / glm::vec3(ray.direction)) {}
+
+    /// Where it comes into the box; false: it misses it.
+    bool enter(const TestOrder::Box& box, float& at) const
+    {
+        float from = -std::numeric_limits<float>::max(), to = std::numeric_limits<float>::max();
+        for (int axis = 0; axis < 3; ++axis) {
+            const float low = (box.lower[axis] - origin[axis]) * inverse[axis],
+                        high = (box.lower[axis] + box.edges[axis] - origin[axis]) * inverse[axis];
+            from = std::max(from, std::min(low, high));
+            to = std::min(to, std::max(low, high));
+        }
+        at = from;
+        return from <= to && to >= kLeastExit;
+    }
+};
+
+/// A binary heap as POV-Ray keeps it, which decides between equal keys.
+class Waiting {
+public:
+    struct Entry {
+        float key;
+        std::uint32_t node;
+    };
+
+    void add(const Entry& entry)
+    {
+        std::size_t at = heap_.size();
+        heap_.push_back(entry);
+        for (; at > 1 && heap_[at / 2].key > entry.key; at /= 2) std::swap(heap_[at], heap_[at / 2]);
+    }
+    void clear() { heap_.resize(1); }
+    bool empty() const { return heap_.size() < 2; }
+    Entry take()
+    {
+        const Entry top = heap_[1];
+        heap_[1] = heap_.back();
+        heap_.pop_back();
+        for (std::size_t at = 1; 2 * at < heap_.size();) {
+            std::size_t child = 2 * at;
+            if (child + 1 < heap_.size() && !(heap_[child].key < heap_[child + 1].key)) ++child;
+            if (!(heap_[at].key > heap_[child].key)) break;
+            std::swap(heap_[at], heap_[child]);
+            at = child;
+        }
+        return top;
+    }
+
+private:
+    std::vector<Entry> heap_{{0.0f, 0}};  // counted from 1
+};
+
+}  // namespace
+
+TestOrder::Box TestOrder::Box::of(const Aabb& box)
+{
+    const glm::dvec3 edges = box.upper - box.lower;
+    return {glm::vec3(box.lower), glm::vec3(edges), !(edges.x * edges.y * edges.z <= kInfiniteVolume)};
+}
+
+TestOrder::TestOrder(std::span<const Box> items)
+{
+    Numbers finite, infinite;
+    work_left_ = kWorkOfItem * items.size() + kLeastWork;
+    for (const Box& box : items) {
+        const auto number = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back({.box = box, .item = number});
+        (box.infinite ? infinite : finite).push_back(number);
+    }
+    while (finite.size() > 1 || (finite.size() == 1 && nodes_[finite[0]].item != kNone)) {
+        finite = gather(finite);
+        if (work_left_ == 0) return;
+    }
+    Numbers below;
+    if (!infinite.empty()) {
+        below.push_back(add_parent(infinite));
+        nodes_[below[0]].box.infinite = true;
+    }
+    if (!finite.empty()) {
+        const Node& top = nodes_[finite[0]];
+        below.insert(below.end(), children_.begin() + top.first_child,
+                     children_.begin() + top.first_child + top.child_count);
+    }
+    if (!below.empty()) root_ = add_parent(below);
+}
+
+/// Parents of all nodes.
+TestOrder::Numbers TestOrder::gather(const Numbers& nodes)
+{
+    std::vector<Placed> all;
+    all.reserve(nodes.size());
+    for (const std::uint32_t node : nodes) all.push_back({nodes_[node].box, node, 0.0f});
+    std::vector<std::span<Placed>> waiting{all};
+    std::vector<float> areas(nodes.size());
+    Numbers made, children;
+    while (!waiting.empty()) {
+        const std::span<Placed> part = waiting.back();
+        waiting.pop_back();
+        work_left_ -= std::min(work_left_, part.size());
+        if (work_left_ == 0) break;
+        const std::size_t left = divided(part, areas);
+        if (left == 0) {
+            children.clear();
+            for (const Placed& child : part) children.push_back(child.node);
+            made.push_back(add_parent(children));
+            continue;
+        }
+        waiting.push_back(part.subspan(left));
+        waiting.push_back(part.first(left));
+    }
+    return made;
+}
+
+/// Sorts nodes; gives how many of the first are parted from the others, 0: none. areas: room for as many.
+std::size_t TestOrder::divided(std::span<Placed> nodes, std::vector<float>& areas)
+{
+    const int axis = widest_axis(nodes);
+    for (Placed& node : nodes) node.middle = node.box.lower[axis] + node.box.upper()[axis];
+    std::stable_sort(nodes.begin(), nodes.end(), [](const Placed& a, const Placed& b) { return a.middle < b.middle; });
+    const std::size_t count = nodes.size();
+    if (count <= kFewestNodes) return 0;
+    Box behind = nodes[count - 1].box;
+    for (std::size_t k = count; k-- > 0;) {
+        behind = around(behind, nodes[k].box);
+        areas[k] = half_area(behind.edges);
+    }
+    std::size_t left = 0;  // nodes of the cheapest part
+    float least = areas[0] * (static_cast<float>(count) - kCostOfNode);
+    Box before = nodes[0].box;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        before = around(before, nodes[k].box);
+        const float cost = static_cast<float>(k + 1) * half_area(before.edges) +
+                           static_cast<float>(count - 1 - k) * areas[k + 1];
+        if (cost < least) least = cost, left = k + 1;
+    }
+    return left;
+}
+
+std::uint32_t TestOrder::add_parent(std::span<const std::uint32_t> nodes)
+{
+    const auto number = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back({.box = hull(nodes),
+                      .first_child = static_cast<std::uint32_t>(children_.size()),
+                      .child_count = static_cast<std::uint32_t>(nodes.size())});
+    children_.insert(children_.end(), nodes.begin(), nodes.end());
+    return number;
+}
+
+TestOrder::Box TestOrder::hull(std::span<const std::uint32_t> nodes) const
+{
+    Box box = nodes_[nodes[0]].box;
+    box.infinite = false;
+    for (const std::uint32_t node : nodes) box = around(box, nodes_[node].box);
+    return box;
+}
+
+/// Along which the boxes lie farthest apart, as POV-Ray measures it: its running maximum takes lower corners.
+int TestOrder::widest_axis(std::span<const Placed> nodes)
+{
+    constexpr float kFar = 1e30f;
+    glm::vec3 least(kFar), most(-kFar);
+    for (const Placed& node : nodes)
+        for (int axis = 0; axis < 3; ++axis) {
+            const float lower = node.box.lower[axis];
+            least[axis] = std::min(least[axis], lower);
+            if (lower + node.box.edges[axis] > most[axis]) most[axis] = lower;
+        }
+    const glm::vec3 spread = most - least;
+    return spread.z > std::max(spread.x, spread.y) ? 2 : spread.y > spread.x ? 1 : 0;
+}
+
+std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> items) const
+{
+    const SingleRay single(ray);
+    thread_local Waiting waiting;
+    waiting.clear();
+    const auto open = [&](const Node& node) {
+        for (std::uint32_t k = 0; k < node.child_count; ++k) {
+            const std::uint32_t child = children_[node.first_child + k];
+            float key = kInfiniteKey;
+            if (nodes_[child].box.infinite || single.enter(nodes_[child].box, key)) waiting.add({key, child});
+        }
+    };
+    if (root_ != kNone) open(nodes_[root_]);
+    while (!waiting.empty()) {
+        const Node& node = nodes_[waiting.take().node];
+        if (node.item == kNone) open(node);
+        else if (std::find(items.begin(), items.end(), node.item) != items.end()) return node.item;
+    }
+    return *std::min_element(items.begin(), items.end());
+}
+
+void TestOrder::arrange(std::vector<std::uint32_t>& items) const
+{
+    if (root_ == kNone) return;
+    std::vector<std::uint32_t> arranged, waiting{root_};
+    while (arranged.size() < items.size() && !waiting.empty()) {
+        const Node& node = nodes_[waiting.back()];
+        waiting.pop_back();
+        if (node.item == kNone)
+            for (std::uint32_t k = node.child_count; k-- > 0;) waiting.push_back(children_[node.first_child + k]);
+        else if (std::find(items.begin(), items.end(), node.item) != items.end()) arranged.push_back(node.item);
+    }
+    items = std::move(arranged);
+}
+
+}  // namespace csg

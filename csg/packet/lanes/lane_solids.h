@@ -1,0 +1,358 @@
+#pragma once
+
+#include "csg/packet/lanes/lane_interval.h"
+#include "csg/solids/solid.h"
+
+/// interval() of the convex solids in vector lanes. Compiled once per instruction set.
+namespace csg::lanes {
+
+/// A solid prepared for rays from one origin (P is glm::dvec3) or from as many as there are lanes (Points):
+/// (directions) -> Intervals.
+template <class T, class P>
+class Test;
+
+template <class P>
+class Test<Sphere, P> {
+public:
+    Test(const Sphere& s, const P& origin) : f_(difference(origin, s.center)), radius_(s.radius) {}
+    Intervals operator()(const Directions& d) const
+    {
+        if (!(radius_ > 0.0)) return {};
+        return sphere_roots(f_, d, Double(1.0) / d.square(), radius_);
+    }
+
+private:
+    P f_;
+    double radius_;
+};
+
+template <class P>
+class Test<Ellipsoid, P> {
+public:
+    Test(const Ellipsoid& s, const P& origin) : frame_(s.frame), f_(into(s.frame, origin)) {}
+    Intervals operator()(const Directions& world) const
+    {
+        const Directions d = world.in(frame_);
+        return sphere_roots(f_, d, Double(1.0) / d.square(), 1.0);
+    }
+
+private:
+    const Transform& frame_;
+    P f_;
+};
+
+/// box_interval() with the corners relative to the origin.
+template <class P>
+class BoxTest {
+public:
+    BoxTest(const glm::dvec3& lower, const glm::dvec3& upper, const P& origin)
+        : low_(difference(lower, origin)), high_(difference(upper, origin))
+    {}
+    Intervals operator()(const Directions& d) const
+    {
+        const Double one(1.0);
+        return (*this)(d, {one / d.x, one / d.y, one / d.z});
+    }
+    /// \param inverse of the directions
+    Intervals operator()(const Directions& d, const Directions& inverses) const
+    {
+        Intervals out;
+        out.entry = before();
+        out.exit = beyond();
+        Double first_plane(low_.x), last_plane(high_.x), first_slope = d.x, last_slope = d.x;
+        const auto axis = [&](Double direction, Double inverse, Double lower, Double upper, double face) {
+            const Bool backward = inverse < Double(0.0);
+            const Double near = xsimd::select(backward, upper, lower);
+            const Double far = xsimd::select(backward, lower, upper);
+            const Double first = near * inverse, last = far * inverse;
+            const Bool later = first > out.entry, earlier = last < out.exit;
+            out.entry = xsimd::select(later, first, out.entry);
+            first_plane = xsimd::select(later, near, first_plane);
+            first_slope = xsimd::select(later, direction, first_slope);
+            out.entry_face =
+                xsimd::select(later, xsimd::select(backward, Double(face + 1.0), Double(face)), out.entry_face);
+            out.exit = xsimd::select(earlier, last, out.exit);
+            last_plane = xsimd::select(earlier, far, last_plane);
+            last_slope = xsimd::select(earlier, direction, last_slope);
+            out.exit_face =
+                xsimd::select(earlier, xsimd::select(backward, Double(face), Double(face + 1.0)), out.exit_face);
+        };
+        axis(d.x, inverses.x, Double(low_.x), Double(high_.x), 0.0);
+        axis(d.y, inverses.y, Double(low_.y), Double(high_.y), 2.0);
+        axis(d.z, inverses.z, Double(low_.z), Double(high_.z), 4.0);
+        out.met = (out.entry <= out.exit) & (out.entry != beyond()) & (out.exit != before());
+        if (mask(out.met) == 0) return out;
+        const Double entry = first_plane / first_slope, exit = last_plane / last_slope;
+        out.entry = xsimd::select(entry == entry, entry, out.entry);
+        out.exit = xsimd::select(exit == exit, exit, out.exit);
+        out.exit = xsimd::select(out.exit < out.entry, out.entry, out.exit);
+        return out;
+    }
+
+private:
+    P low_, high_;
+};
+
+template <class P>
+class Test<Box, P> : public BoxTest<P> {
+public:
+    Test(const Box& s, const P& origin) : BoxTest<P>(s.lower, s.upper, origin) {}
+};
+
+template <class P>
+class Test<Plane, P> {
+public:
+    Test(const Plane& s, const P& origin) : normal_(s.normal_out), depth_(s.offset - along(s.normal_out, origin)) {}
+    Intervals operator()(const Directions& d) const
+    {
+        const Double closing = Double(normal_.x) * d.x + Double(normal_.y) * d.y + Double(normal_.z) * d.z;
+        const Double t = Double(depth_) / closing;
+        const Bool along = closing == Double(0.0), in = closing < Double(0.0);
+        Intervals out;
+        out.entry = xsimd::select(in, t, before());
+        out.exit = xsimd::select(in | along, beyond(), t);
+        out.met = (Double(depth_) >= Double(0.0)) | ((!along) & (t > before()) & (t < beyond()));
+        return out;
+    }
+
+private:
+    glm::dvec3 normal_;
+    decltype(along(glm::dvec3(), std::declval<P>())) depth_;
+};
+
+template <class P>
+class Test<Cylinder, P> {
+public:
+    Test(const Cylinder& s, const P& origin) : solid_(s), o_(into(s.frame, origin)) {}
+    Intervals operator()(const Directions& world) const
+    {
+        static_assert(kSide == 0 && kLowEnd == 1);
+        const Directions d = world.in(solid_.frame);
+        Intervals out = slab(Double(o_.z), d.z, 0.0, 1.0);
+        if (mask(out.met) == 0) return out;
+        out.entry_face = solid_.open ? Double(static_cast<double>(kUndrawnFace)) : out.entry_face + Double(1.0);
+        out.exit_face = solid_.open ? Double(static_cast<double>(kUndrawnFace)) : out.exit_face + Double(1.0);
+        const Double a = d.x * d.x + d.y * d.y, x(o_.x), y(o_.y);
+        const Bool along = !(a > Double(Cylinder::kAlong));
+        const Bool inside = (x * x + y * y <= Double(1.0)) & (out.entry > before());
+        const Double inverse_a = Double(1.0) / a;
+        const Double foot_t = negated(x * d.x + y * d.y) * inverse_a;
+        const Double fx = x + foot_t * d.x, fy = y + foot_t * d.y;
+        const Double below = Double(1.0) - (fx * fx + fy * fy);
+        const Double correction = negated(fx * d.x + fy * d.y) * inverse_a;
+        const Double half = xsimd::sqrt(below * inverse_a);
+        const Double entry = foot_t + (correction - half), exit = foot_t + (correction + half);
+        const Bool side = (below >= Double(0.0)) & (entry <= exit);
+        out.met = out.met & ((along & inside) | ((!along) & side));
+        narrow(out, xsimd::select(along, before(), entry), xsimd::select(along, beyond(), exit), Double(0.0));
+        return out;
+    }
+
+private:
+    const Cylinder& solid_;
+    P o_;
+};
+
+/// Only for cones that are convex().
+template <class P>
+class Test<Cone, P> {
+public:
+    Test(const Cone& s, const P& origin) : solid_(s), o_(into(s.frame, origin)) {}
+    Intervals operator()(const Directions& world) const
+    {
+        const Directions d = world.in(solid_.frame);
+        const Double length2 = d.square();
+        const Double shift = negated(Double(o_.x) * d.x + Double(o_.y) * d.y + Double(o_.z) * d.z) / length2;
+        const Double x = Double(o_.x) + shift * d.x, y = Double(o_.y) + shift * d.y, z = Double(o_.z) + shift * d.z;
+        Intervals ends = slab(z, d.z, solid_.low, 1.0);
+        ends.met = ends.met & (length2 > Double(0.0));
+        if (mask(ends.met) == 0) return ends;
+        ends.entry_face = solid_.open ? Double(static_cast<double>(kUndrawnFace)) : ends.entry_face + Double(1.0);
+        ends.exit_face = solid_.open ? Double(static_cast<double>(kUndrawnFace)) : ends.exit_face + Double(1.0);
+
+        const Double across = xsimd::sqrt(d.x * d.x + d.y * d.y), radius = xsimd::sqrt(x * x + y * y);
+        const Double dz = xsimd::abs(d.z), oz = xsimd::abs(z);
+        const Double a = (across - dz) * (across + dz), b = x * d.x + y * d.y - z * d.z;
+        const Double c = (radius - oz) * (radius + oz);
+        const Double wx = z * d.x - d.z * x, wy = z * d.y - d.z * y;
+        const Double w = xsimd::sqrt(wx * wx + wy * wy), m = xsimd::abs(x * d.y - y * d.x);
+        const Double discriminant = (w - m) * (w + m);
+        ends.met = ends.met & (discriminant >= Double(0.0));
+        if (mask(ends.met) == 0) return ends;
+        return sides(ends, a, b, c, xsimd::sqrt(discriminant), shift);
+    }
+
+private:
+    /// side_pieces(), the slab and the choice between two pieces.
+    static Intervals sides(const Intervals& ends, Double a, Double b, Double c, Double root, Double shift)
+    {
+        const Double zero(0.0);
+        const Double q = negated(b + (root | (b & Double(-0.0))));  // the root has no sign
+        const Double r0 = xsimd::select(q != zero, c / q, zero), r1 = q / a;
+        const Bool linear = a == zero, rising = b > zero, still = q == zero;
+        const Double near = xsimd::select(r0 < r1, r0, r1), far = xsimd::select(r0 < r1, r1, r0);
+        const Bool two = a < zero;
+        const Double linear_from = xsimd::select(still | rising, before(), r0);
+        const Double linear_until = xsimd::select((!still) & rising, r0, beyond());
+        Intervals first = ends, second = ends;
+        first.met = first.met & ((!linear) | (!still) | (c <= zero));
+        second.met = second.met & two;
+        narrow(first, xsimd::select(linear, linear_from, xsimd::select(two, before(), near)),
+               xsimd::select(linear, linear_until, xsimd::select(two, near, far)), Double(0.0));
+        narrow(second, far, beyond(), Double(0.0));
+        for (Intervals* piece : {&first, &second}) {
+            piece->entry = piece->entry + shift;
+            piece->exit = piece->exit + shift;
+            piece->met = piece->met & (piece->entry <= piece->exit);
+        }
+        const Bool take = second.met & ((!first.met) | (second.exit - second.entry > first.exit - first.entry));
+        Intervals out;
+        out.entry = xsimd::select(take, second.entry, first.entry);
+        out.exit = xsimd::select(take, second.exit, first.exit);
+        out.entry_face = xsimd::select(take, second.entry_face, first.entry_face);
+        out.exit_face = xsimd::select(take, second.exit_face, first.exit_face);
+        out.met = take | first.met;
+        return out;
+    }
+
+    const Cone& solid_;
+    P o_;
+};
+
+/// Quadric::intersect(): as an interval where it gives one span, else unclear.
+template <class P>
+class Test<Quadric, P> {
+public:
+    Test(const Quadric& s, const P& origin) : solid_(s), origin_(into(s.frame, origin)) {}
+    Intervals operator()(const Directions& world) const
+    {
+        Intervals second;
+        Intervals out = both(world, second);
+        out.unclear = out.unclear | second.met;
+        out.met = out.met & !second.met;
+        return out;
+    }
+
+    /// The first span and, of rays that pass between two sheets, the second. Unclear: it opens with neither sign.
+    Intervals both(const Directions& world, Intervals& second) const
+    {
+        const Directions d = world.in(solid_.frame);
+        const Double sx(solid_.square.x), sy(solid_.square.y), sz(solid_.square.z);
+        const Double mx(solid_.mixed.x), my(solid_.mixed.y), mz(solid_.mixed.z);
+        const Double lx(solid_.linear.x), ly(solid_.linear.y), lz(solid_.linear.z);
+        const Double gx(origin_.x), gy(origin_.y), gz(origin_.z);
+        const Double length2 = d.square();
+        const Double shift = negated(gx * d.x + gy * d.y + gz * d.z) / length2;
+        const Double x = gx + shift * d.x, y = gy + shift * d.y, z = gz + shift * d.z;
+        const Double a = d.x * (sx * d.x + mx * d.y + my * d.z) + d.y * (sy * d.y + mz * d.z) + sz * d.z * d.z;
+        const Double slope_x = Double(2.0) * sx * x + mx * y + my * z + lx,
+                     slope_y = Double(2.0) * sy * y + mx * x + mz * z + ly,
+                     slope_z = Double(2.0) * sz * z + my * x + mz * y + lz;
+        const Double b = Double(0.5) * (slope_x * d.x + slope_y * d.y + slope_z * d.z);
+        const Double c = x * (sx * x + mx * y + my * z + lx) + y * (sy * y + mz * z + ly) + z * (sz * z + lz) +
+                         Double(solid_.constant);
+        const Double discriminant = b * b - a * c;
+        const Bool crosses = discriminant > Double(0.0), opens = a < Double(0.0);
+        Intervals out;
+        out.unclear = !((a > Double(0.0)) | opens) | !(crosses | (discriminant <= Double(0.0)));
+        const Double root = xsimd::sqrt(discriminant);
+        const Double q = negated(b + (root | (b & Double(-0.0))));  // the root has no sign
+        const Double r0 = c / q, r1 = q / a;
+        const Double near = shift + xsimd::select(r1 < r0, r1, r0), far = shift + xsimd::select(r0 < r1, r1, r0);
+        out.entry = xsimd::select(opens, before(), near);
+        out.exit = xsimd::select(opens, xsimd::select(crosses, near, beyond()), far);
+        out.met = (opens | crosses) & !out.unclear;
+        second.entry = far;
+        second.exit = beyond();
+        second.met = opens & crosses & !out.unclear;
+        return out;
+    }
+
+private:
+    const Quadric& solid_;
+    P origin_;
+};
+
+/// Triangle::crossing(). It bounds nothing: only the entry is drawn, and the two are the same.
+template <class P>
+class Test<Triangle, P> {
+public:
+    Test(const Triangle& s, const P& origin)
+        : edge1_(s.edge1), edge2_(s.edge2), n_(glm::cross(s.edge1, s.edge2)), from_(difference(origin, s.corner)),
+          depth_(along(n_, from_))
+    {}
+    Intervals operator()(const Directions& d) const
+    {
+        const Double fx(from_.x), fy(from_.y), fz(from_.z), zero(0.0);
+        const Points q{fy * d.z - d.y * fz, fz * d.x - d.z * fx, fx * d.y - d.x * fy};
+        const Double determinant = negated(d.x * Double(n_.x) + d.y * Double(n_.y) + d.z * Double(n_.z));
+        const Double u = along(edge2_, q), v = negated(along(edge1_, q)), both = u + v;
+        const Bool ahead = (determinant > zero) & (u >= zero) & (v >= zero) & (both <= determinant),
+                   behind = (determinant < zero) & (u <= zero) & (v <= zero) & (both >= determinant);
+        Intervals out;
+        out.met = ahead | behind;
+        if (mask(out.met) == 0) return out;
+        out.entry = out.exit = Double(depth_) / determinant;
+        out.exit_face = Double(static_cast<double>(kUndrawnFace));
+        return out;
+    }
+
+private:
+    glm::dvec3 edge1_, edge2_, n_;
+    P from_;
+    decltype(along(glm::dvec3(), std::declval<P>())) depth_;
+};
+
+/// Whether with_test() gives one interval for every ray.
+inline bool has_test(const SolidStore& store, PartId part)
+{
+    switch (kind_of(part)) {
+    case SolidKind::Sphere:
+    case SolidKind::Ellipsoid:
+    case SolidKind::Box:
+    case SolidKind::OrientedBox:
+    case SolidKind::Plane:
+    case SolidKind::Cylinder: return true;
+    case SolidKind::Cone: return store.all<Cone>()[index_of(part)].convex();
+    default: return false;
+    }
+}
+
+/// Calls f(at) for a quadric, a triangle or a solid that has_test(); at(i) gives the Intervals of the rays from i on.
+template <class Rays, class F>
+inline void with_test(const SolidStore& store, PartId part, const Rays& rays, F&& f)
+{
+    const auto prepared = [&](const auto& solid) {
+        using T = std::decay_t<decltype(solid)>;
+        if constexpr (Rays::kShared) {
+            const Test<T, glm::dvec3> test(solid, rays.origin);
+            f([&](int i) { return test(rays.directions(i)); });
+        } else {
+            f([&](int i) { return Test<T, Points>(solid, rays.origins(i))(rays.directions(i)); });
+        }
+    };
+    const std::uint32_t i = index_of(part);
+    switch (kind_of(part)) {
+    case SolidKind::Sphere: prepared(store.all<Sphere>()[i]); return;
+    case SolidKind::Ellipsoid: prepared(store.all<Ellipsoid>()[i]); return;
+    case SolidKind::Box: prepared(store.all<Box>()[i]); return;
+    case SolidKind::OrientedBox: {
+        const OrientedBox& box = store.all<OrientedBox>()[i];
+        rays.turned.turn(box.frame, rays);
+        f([&](int at) {
+            rays.turned.find(at, rays);
+            return BoxTest(box.lower, box.upper, rays.turned.origins(at))(rays.turned.directions(at),
+                                                                          rays.turned.inverses(at));
+        });
+        return;
+    }
+    case SolidKind::Plane: prepared(store.all<Plane>()[i]); return;
+    case SolidKind::Cylinder: prepared(store.all<Cylinder>()[i]); return;
+    case SolidKind::Cone: prepared(store.all<Cone>()[i]); return;
+    case SolidKind::Quadric: prepared(store.all<Quadric>()[i]); return;
+    case SolidKind::Triangle: prepared(store.all<Triangle>()[i]); return;
+    default: return;
+    }
+}
+
+}  // namespace csg::lanes

@@ -1,0 +1,48 @@
+#include "csg/solids/shared/common.h"
+
+#include <numbers>
+
+namespace csg {
+
+glm::dvec2 sphere_uv(const glm::dvec3& n)
+{
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    constexpr double kPole = 1e-10;  // of the squared distance from the axis: POV-Ray's (spec 5a, 6)
+    const double v = 0.5 + std::asin(glm::clamp(n.y, -1.0, 1.0)) / std::numbers::pi;
+    if (n.x * n.x + n.z * n.z <= kPole) return {0.0, v};
+    const double u = std::atan2(n.z, n.x) / kTurn;
+    return {u < 0.0 ? u + 1.0 : u, v};
+}
+
+Aabb padded(const Aabb& box)
+{
+    if (box.empty()) return box;
+    const double largest = [&] {
+        double m = 0.0;
+        for (int i = 0; i < 3; ++i)
+            for (const double v : {box.lower[i], box.upper[i]})
+                if (std::isfinite(v)) m = std::max(m, std::abs(v));
+        return m;
+    }();
+    const glm::dvec3 margin(8.0 * std::numeric_limits<double>::epsilon() * largest);
+    return {box.lower - margin, box.upper + margin};
+}
+
+Aabb transformed_box(const Transform& frame, const Aabb& local)
+{
+    Aabb result;
+    for (int corner = 0; corner < 8; ++corner)
+        result.include(
+            frame.point({corner & 1 ? local.upper.x : local.lower.x, corner & 2 ? local.upper.y : local.lower.y,
+                         corner & 4 ? local.upper.z : local.lower.z}));
+    return result;
+}
+
+Aabb ellipsoid_box(const glm::dmat3& linear, const glm::dvec3& center)
+{
+    glm::dvec3 half(0.0);
+    for (int i = 0; i < 3; ++i) half[i] = std::hypot(linear[0][i], linear[1][i], linear[2][i]);
+    return {center - half, center + half};
+}
+
+}  // namespace csg

@@ -1,0 +1,106 @@
+#include "render/plan/probe.h"
+
+#include "csg/tree/program.h"
+#include "function/field/field.h"
+#include "render/plan/textures/textures.h"
+#include "render/texture/function_host.h"
+#include "render/texture/noise/noise.h"
+
+#include <stdexcept>
+
+namespace plan {
+namespace {
+
+constexpr double kMinDistance = 1e-4;  // nearer crossings do not count (spec 3, 3.1)
+constexpr std::uint8_t kEveryRay = 0xff;
+
+/// The geometry alone: a texture costs time and says nothing here.
+CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSettings& global)
+{
+    scene::Description alone;
+    alone.global.noise_generator = global.noise_generator;
+    alone.global.number_of_waves = global.number_of_waves;
+    auto texture = std::make_shared<scene::Texture>();
+    texture->kind = std::vector<scene::Layer>{scene::Layer{}};
+    alone.default_texture = texture;
+    alone.objects.push_back(object);
+    scene::Object& copy = alone.objects.back();
+    copy.texture = nullptr;
+    copy.default_texture = scene::Object::kNoDefault;
+    if (copy.details->interior_texture) copy.details.edit().interior_texture = nullptr;
+    copy.flags.no_image = copy.flags.no_shadow = copy.flags.no_reflection = false;
+    return compile(alone, {});
+}
+
+}  // namespace
+
+ObjectProbe::ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global)
+    : compiled_(compile_alone(object, global)), scratch_(std::make_unique<csg::Scratch>())
+{}
+ObjectProbe::~ObjectProbe() = default;
+
+ObjectProbe::Answer ObjectProbe::trace(const glm::dvec3& origin, const glm::dvec3& direction)
+{
+    const csg::Ray ray{origin, direction};
+    const csg::World world = compiled_.world();
+    const csg::Hit hit = world.nearest(ray, kMinDistance, csg::kInfinity, kEveryRay, *scratch_);
+    if (!hit.found()) return {};
+    const csg::HitDetails details = world.details(ray, hit, false);
+    return {true, details.point, details.normal};
+}
+
+double ObjectProbe::depth(const csg::Ray& ray) const
+{
+    thread_local csg::Scratch scratch;
+    const csg::Hit hit = compiled_.world().nearest(ray, kMinDistance, csg::kInfinity, kEveryRay, scratch);
+    return hit.found() ? hit.t : -1.0;
+}
+
+bool ObjectProbe::inside(const glm::dvec3& point) const
+{
+    thread_local std::vector<std::uint32_t> found;
+    found.clear();
+    compiled_.world().containing(point, found);
+    return !found.empty();
+}
+
+glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)
+{
+    return texture::vector_turbulence(point, octaves, lambda, omega);
+}
+
+FunctionProbe::FunctionProbe(const function::FunctionPtr& called, const scene::Description& so_far)
+{
+    constexpr int kWaves = 10;
+    scene::Description description;
+    description.global = so_far.global;
+    description.effective_version = so_far.effective_version;
+    description.global.number_of_waves = kWaves;
+    std::vector<scene::Unsupported> notes;
+    TextureCompiler compiler(description, Quality(), set_, notes);  // of all that a picture may have
+    if (compiler.function(called) == kNone)
+        throw std::runtime_error(notes.empty() ? "this function cannot be evaluated"
+                                               : notes.front().what + " is not available yet");
+}
+
+function::Values FunctionProbe::evaluate(const double* arguments) const
+{
+    return function::in_use().all(*set_.functions.back(), arguments, texture::FunctionHost(set_));
+}
+
+void FunctionProbe::evaluate(std::span<const glm::dvec3> points, std::span<function::Values> values) const
+{
+    const function::Function& called = *set_.functions.back();
+    const texture::FunctionHost host(set_);
+    std::size_t first = 0;
+    for (; called.components == 1 && first + function::kLanes <= points.size(); first += function::kLanes) {
+        double arguments[3][function::kLanes], out[function::kLanes];
+        for (std::size_t k = 0; k < function::kLanes; ++k)
+            for (int axis = 0; axis < 3; ++axis) arguments[axis][k] = points[first + k][axis];
+        function::in_use().lanes(called, arguments, host, out);
+        for (std::size_t k = 0; k < function::kLanes; ++k) values[first + k] = {out[k]};
+    }
+    for (; first < points.size(); ++first) values[first] = evaluate(&points[first].x);
+}
+
+}  // namespace plan
