@@ -1,9 +1,6 @@
 #pragma once
 
-<<<<<<<< HEAD:numbers/random_lanes.h
 #include "numbers/random.h"
-========
->>>>>>>> floors:numbers/random_lanes.h
 
 #include <cstddef>
 #if defined(__AVX2__)
