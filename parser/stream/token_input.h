@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/token_stream.h"
 
 #include <tao/pegtl.hpp>
