@@ -3,7 +3,11 @@
 #include "numbers/infinity.h"
 #include "numbers/lanes.h"
 
-/// Small arithmetic that intervals of several rays are made with.
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+/// Small arithmetic of registers: signs, the least, products and sums with one rounding, whole numbers.
 namespace csg::lanes {
 
 using Bool = Double::batch_bool_type;
@@ -24,6 +28,47 @@ inline double lowest(Double v)
 
 /// xsimd negates by subtraction on AVX-512, which loses the sign of 0.
 inline Double negated(Double v) { return v ^ Double(-0.0); }
+
+/// std::fma(): xsimd's rounds twice where it knows no instruction for it, as it does for AVX-512.
+inline Double fused(const Double& a, const Double& b, const Double& c)
+{
+#if defined(__AVX512F__)
+    return Double(_mm512_fmadd_pd(a.data, b.data, c.data));
+#elif defined(__AVX__) && defined(__FMA__)
+    return Double(_mm256_fmadd_pd(a.data, b.data, c.data));
+#else
+    alignas(64) std::array<double, static_cast<std::size_t>(kDoubles)> x, y, z;
+    a.store_aligned(x.data());
+    b.store_aligned(y.data());
+    c.store_aligned(z.data());
+    for (std::size_t k = 0; k < z.size(); ++k) z[k] = std::fma(x[k], y[k], z[k]);
+    return Double::load_aligned(z.data());
+#endif
+}
+
+#if defined(__FMA__)
+/// v - q m with one rounding.
+inline Double fused_rest(const Double& v, const Double& q, const Double& m)
+{
+#if defined(__AVX512F__)
+    return Double(_mm512_fnmadd_pd(q.data, m.data, v.data));
+#else
+    return Double(_mm256_fnmadd_pd(q.data, m.data, v.data));
+#endif
+}
+#endif
+
+/// Whole numbers, as such.
+inline void store_whole(const Double& v, std::int32_t* to)
+{
+#if defined(__AVX512F__)
+    _mm256_store_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(v));
+#elif defined(__AVX__)
+    _mm_store_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(v));
+#else
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_cvttpd_epi32(v));
+#endif
+}
 
 inline Double before() { return Double(-kInfinity); }
 inline Double beyond() { return Double(kInfinity); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/bytes.h"
 #include "numbers/lanes.h"
 
 #include <array>
@@ -41,18 +42,6 @@ inline std::uint64_t equal(const std::array<double, 64>& values, double to)
     for (int i = 0; i < 64; i += kDoubles)
         equal |= std::uint64_t{mask(Double::load_aligned(values.data() + i) == same)} << i;
     return equal;
-}
-
-/// Of single bytes.
-inline std::uint64_t equal(const std::uint8_t* values, std::uint8_t to)
-{
-    const __m128i same = _mm_set1_epi8(static_cast<char>(to));
-    std::uint64_t mask = 0;
-    for (std::size_t i = 0; i < 64; i += 16) {
-        const __m128i found = _mm_cmpeq_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(values + i)), same);
-        mask |= std::uint64_t{static_cast<std::uint32_t>(_mm_movemask_epi8(found))} << i;
-    }
-    return mask;
 }
 
 }  // namespace csg::lanes

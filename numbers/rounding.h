@@ -1,9 +1,11 @@
 #pragma once
 
+#include <emmintrin.h>
+
 #include <bit>
 #include <cstdint>
 
-/// Double to single precision in one direction, without a call: boxes and rays are rounded for every query.
+/// Rounding without a call: to single precision in one direction, as boxes and rays are for every query; to integers.
 namespace csg {
 
 /// The float below `f`; finite or +infinity.
@@ -23,5 +25,8 @@ inline float rounded_down(double v)
 
 /// The smallest float that is not below `v`.
 inline float rounded_up(double v) { return -rounded_down(-v); }
+
+/// Towards 0; out of range the least integer, as in lanes.
+inline int truncated(double v) { return _mm_cvttsd_si32(_mm_set_sd(v)); }
 
 }  // namespace csg

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/bytes.h"
 #include "numbers/rounding.h"
 #include "csg/bvh/bvh.h"
 #include "csg/bvh/slab_axis.h"
@@ -98,11 +99,10 @@ private:
     void turn_over(const std::array<std::uint8_t, kTileRays>& met, std::array<RayMask, 8>& rays) const
     {
         rays.fill(0);
-        for (int first = 0; first < rays_.count; first += 16) {
-            __m128i bytes = _mm_load_si128(reinterpret_cast<const __m128i*>(met.data() + first));
-            for (std::size_t box = 8; box-- > 0; bytes = _mm_add_epi8(bytes, bytes))
-                rays[box] |= static_cast<RayMask>(static_cast<std::uint32_t>(_mm_movemask_epi8(bytes))) << first;
-        }
+        for (int first = 0; first < rays_.count; first += 16)
+            lanes::each_bit(met.data() + first, [&](std::size_t box, std::uint32_t found) {
+                rays[box] |= static_cast<RayMask>(found) << first;
+            });
     }
 
     const Rays& rays_;

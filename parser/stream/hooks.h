@@ -1,8 +1,8 @@
 #pragma once
 
-#include "parser/queries.h"
+#include "parser/base/queries.h"
 #include "parser/stream/ready_statement.h"
-#include "parser/stream/value.h"
+#include "parser/stream/values/value.h"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parser/lexer/token.h"
-#include "parser/stream/symbols.h"
+#include "parser/stream/values/symbols.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "parser/stream/symbols.h"
-#include "parser/stream/value.h"
+#include "parser/stream/values/symbols.h"
+#include "parser/stream/values/value.h"
 
 #include <cstdint>
 #include <optional>

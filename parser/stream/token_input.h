@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/token_stream.h"
 
 #include <tao/pegtl.hpp>
@@ -52,7 +52,6 @@ public:
     double pop_float() { return pop<double>(); }
     glm::dvec2 pop_vector2() { return pop<glm::dvec2>(); }
     glm::dvec3 pop_vector() { return pop<glm::dvec3>(); }
-    glm::dvec4 pop_vector4() { return pop<glm::dvec4>(); }
     scene::Color pop_color() { return pop<scene::Color>(); }
     std::string pop_string() { return pop<std::string>(); }
     std::size_t operands() const { return operands_.size() - below_; }

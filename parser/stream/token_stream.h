@@ -1,14 +1,14 @@
 #pragma once
 
 #include "parser/lexer/lexer.h"
-#include "parser/parse.h"
-#include "parser/stream/expressions/compiled.h"
+#include "parser/base/reading.h"
+#include "parser/stream/values/compiled.h"
 #include "parser/stream/hooks.h"
-#include "parser/stream/files/kept_files.h"
+#include "parser/stream/kept_files.h"
 #include "parser/stream/language_state.h"
 #include "parser/stream/reading_profile.h"
 #include "parser/stream/reading_state.h"
-#include "parser/stream/symbols.h"
+#include "parser/stream/values/symbols.h"
 
 #include <memory>
 #include <optional>
@@ -94,7 +94,8 @@ public:
     void warn_when_closed(const scene::SourceRef& at, std::string text);
     /// For a name that means nothing where it stands: "'shpere' is not declared; did you mean 'sphere'?"
     /// `block`: in which an item was expected; `items`: all of its words, where they are known.
-    [[noreturn]] void fail_undeclared(const Token& token, std::string_view block = {}, std::span<const Kind> items = {});
+    [[noreturn]] void fail_undeclared(const Token& token, std::string_view block = {},
+                                      std::span<const Kind> items = {});
     /// "; did you mean '45*y'?" where numbers stand as no vector can be written; else nothing.
     std::string hint_at(const Token& found) const;
 
@@ -412,7 +413,7 @@ private:
     Statistics statistics_;
     ReadingProfile profile_;
     std::vector<ReadingProfile::Place> open_places_;  ///< of spend_time()
-    double told_reading_ = 0.0;                       ///< seconds of reading when Options::still_reading was last called
+    double told_reading_ = 0.0;  ///< seconds of reading when Options::still_reading was last called
     std::vector<std::string> data_files_;
     KeptFiles kept_files_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/symbols.h"
+#include "parser/stream/values/symbols.h"
 
 #include <map>
 #include <string>

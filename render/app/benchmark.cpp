@@ -1,7 +1,7 @@
 #include "render/app/benchmark.h"
 
 #include "render/app/options/ini_file.h"
-#include "render/app/library_path.h"
+#include "render/app/base/library_path.h"
 
 #include <filesystem>
 

@@ -1,7 +1,7 @@
 #include "render/app/compare_command.h"
 
 #include "render/app/options/settings.h"
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 #include "render/image/compare/compare.h"
 
 #include <fmt/format.h>

@@ -10,7 +10,7 @@
 #include "render/app/report/console_reporter.h"
 #include "render/app/run/memory.h"
 #include "render/app/pixel/pixel_command.h"
-#include "render/app/run/render_command.h"
+#include "render/app/picture/render_command.h"
 #include "render/app/solid/info_command.h"
 #include "render/app/solid/mesh_command.h"
 #include "render/app/study/report_command.h"

@@ -115,7 +115,7 @@ private:
         bool page = false;
         void operator()(void* memory) const
         {
-            if (page) ::operator delete(memory, std::align_val_t{kHugePage});
+            if (page) ::operator delete (memory, std::align_val_t{kHugePage});
             else ::operator delete(memory);
         }
     };
@@ -125,8 +125,8 @@ private:
         constexpr std::size_t kBytes = kBlock * sizeof(Object), kMany = kHugePage / kBytes;
         if (free_ == 0) {
             const bool many = blocks_.size() >= kFewBlocks;
-            void* const memory =
-                many ? ::operator new(kHugePage, std::align_val_t{kHugePage}) : ::operator new(kBytes);
+            void* const memory = many ? ::operator new (kHugePage, std::align_val_t{kHugePage})
+                                      : ::operator new(kBytes);
             memory_.emplace_back(memory, Free{many});
             if (many && huge_pages_) huge_pages_ = take_huge_page(memory);
             next_ = static_cast<Object*>(memory);

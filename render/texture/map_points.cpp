@@ -1,5 +1,6 @@
 #include "render/texture/map_points.h"
 
+#include "numbers/lane_arithmetic.h"
 #include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
@@ -12,18 +13,6 @@ struct BlendPoints {
     alignas(64) std::array<std::int32_t, kMostPoints> lower, upper;
     Values share;
 };
-
-/// Whole numbers, as such.
-void store_places(const Double& v, std::int32_t* to)
-{
-#if defined(__AVX512F__)
-    _mm256_store_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(v));
-#elif defined(__AVX__)
-    _mm_store_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(v));
-#else
-    _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_cvttpd_epi32(v));
-#endif
-}
 
 /// blend_at() for rising keys: as many lie below a value as there are steps up to its place.
 void blend_points(const float* keys, std::uint32_t entries, const Values& values, std::size_t count, BlendPoints& out)
@@ -46,8 +35,8 @@ void blend_points(const float* keys, std::uint32_t entries, const Values& values
         const auto beyond = v >= last_key, alone = beyond | (below == zero) | (high == v);
         xsimd::select(alone, zero, (v - low) / (high - low)).store_aligned(out.share.data() + i);
         const Double at = xsimd::select(beyond, last, below);
-        store_places(at, out.upper.data() + i);
-        store_places(xsimd::select(alone, at, at - one), out.lower.data() + i);
+        csg::lanes::store_whole(at, out.upper.data() + i);
+        csg::lanes::store_whole(xsimd::select(alone, at, at - one), out.lower.data() + i);
     }
 }
 
@@ -83,18 +72,6 @@ void mix_points(const float* entries, const BlendPoints& blends, std::size_t cou
 }
 #endif
 
-#if defined(__FMA__)
-/// v - q m with one rounding; xsimd 8 has no such for AVX-512.
-Double fused_rest(const Double& v, const Double& q, const Double& m)
-{
-#if defined(__AVX512F__)
-    return Double(_mm512_fnmadd_pd(q.data, m.data, v.data));
-#else
-    return Double(_mm256_fnmadd_pd(q.data, m.data, v.data));
-#endif
-}
-#endif
-
 /// Frequency and phase, and the remainder by kModulus; false where that takes the library's own for some value.
 bool fold(Double& v, const Pattern& pattern)
 {
@@ -108,7 +85,7 @@ bool fold(Double& v, const Pattern& pattern)
 #if defined(__FMA__)
         // Exact: the product is not rounded, and the quotient is one off at most.
         if (csg::lanes::mask(size < Double(0x1p39)) != kAll) return false;
-        const Double q = xsimd::trunc(size / modulus), r = fused_rest(size, q, modulus);
+        const Double q = xsimd::trunc(size / modulus), r = csg::lanes::fused_rest(size, q, modulus);
         const Double raised = xsimd::select(r < zero, r + modulus, r);
         rest = xsimd::select(raised >= modulus, raised - modulus, raised);
 #else

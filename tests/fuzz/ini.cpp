@@ -1,10 +1,10 @@
 // INI files and command lines, to the frames, the window and the file names that come of them. First byte: which.
 #include "render/app/options/command_line.h"
 #include "render/app/options/effective_ini.h"
-#include "render/app/run/frames.h"
+#include "render/app/frames/frames.h"
 #include "render/app/options/ini_file.h"
 #include "render/app/output/output_name.h"
-#include "render/app/run/window.h"
+#include "render/app/frames/window.h"
 #include "tests/fuzz/target.h"
 
 #include <sstream>

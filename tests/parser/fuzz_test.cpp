@@ -1,6 +1,6 @@
 #include "tests/parser/stream_support.h"
 
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/base/hit.h"
-#include "numbers/lanes.h"
+#include "numbers/lane_arithmetic.h"
 #include "csg/freeform/shared/intersection_list.h"
 #include "csg/freeform/revolution/axis_ray.h"
 
@@ -24,15 +24,16 @@ public:
     {
         length_ = xsimd::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         way_ = {d[0] / length_, d[1] / length_, d[2] / length_};
-        start_ = negated(from[0] * way_.x + from[1] * way_.y + from[2] * way_.z) / length_;
-        origin_ = {fused(start_, d[0], from[0]), fused(start_, d[1], from[1]), fused(start_, d[2], from[2])};
+        start_ = lanes::negated(from[0] * way_.x + from[1] * way_.y + from[2] * way_.z) / length_;
+        origin_ = {lanes::fused(start_, d[0], from[0]), lanes::fused(start_, d[1], from[1]),
+                   lanes::fused(start_, d[2], from[2])};
         rise = xsimd::abs(way_.y);
         run = xsimd::sqrt(way_.x * way_.x + way_.z * way_.z);
         const Bool leans = run > Double(AxisRay::kUpright);
         const Double zero(0.0);
         nearest = xsimd::select(leans, xsimd::abs(origin_.x * way_.z - origin_.z * way_.x) / run,
                                 xsimd::sqrt(origin_.x * origin_.x + origin_.z * origin_.z));
-        shift_ = xsimd::select(leans, negated(origin_.x * way_.x + origin_.z * way_.z) / (run * run), zero);
+        shift_ = xsimd::select(leans, lanes::negated(origin_.x * way_.x + origin_.z * way_.z) / (run * run), zero);
         run = xsimd::select(leans, run, zero);
         foot = origin_.y + shift_ * way_.y;
         nearest2_ = nearest * nearest;
@@ -76,7 +77,7 @@ public:
     {
         const Double along = xsimd::sqrt(larger(room, Double(0.0))) / run;
         const Bool falls = way_.y < Double(0.0), with = (below & falls) | ((!below) & (!falls));
-        const Double by_radius = start_ + (shift_ + xsimd::select(with, along, negated(along))) / length_;
+        const Double by_radius = start_ + (shift_ + xsimd::select(with, along, lanes::negated(along))) / length_;
         return xsimd::select(tells(room), by_radius, at_height(y));
     }
     Bool tells(const Double& room) const { return !((rise > run) | (room < rise * rise * (room + nearest2_))); }
@@ -109,7 +110,6 @@ public:
 
     static Double smaller(const Double& a, const Double& b) { return xsimd::select(b < a, b, a); }
     static Double larger(const Double& a, const Double& b) { return xsimd::select(a < b, b, a); }
-    static Double negated(const Double& v) { return v ^ Double(-0.0); }
 
 private:
     struct Vector {
@@ -117,22 +117,6 @@ private:
     };
 
     Double height_at(const Double& t) const { return origin_.y + (t - start_) * length_ * way_.y; }
-    /// std::fma(): xsimd's rounds twice where it knows no instruction for it, as it does for AVX-512.
-    static Double fused(const Double& a, const Double& b, const Double& c)
-    {
-#if defined(__AVX512F__)
-        return Double(_mm512_fmadd_pd(a.data, b.data, c.data));
-#elif defined(__AVX__) && defined(__FMA__)
-        return Double(_mm256_fmadd_pd(a.data, b.data, c.data));
-#else
-        alignas(64) std::array<double, kWide> x, y, z;
-        a.store_aligned(x.data());
-        b.store_aligned(y.data());
-        c.store_aligned(z.data());
-        for (std::size_t k = 0; k < kWide; ++k) z[k] = std::fma(x[k], y[k], z[k]);
-        return Double::load_aligned(z.data());
-#endif
-    }
     Double rounding(const Double& t) const { return Double(AxisRay::kRounding) * (xsimd::abs(t) + xsimd::abs(start_)); }
 
     Vector origin_, way_;

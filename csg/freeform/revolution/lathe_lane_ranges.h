@@ -18,7 +18,6 @@ struct LatheLanes {
 
     static Double smaller(const Double& a, const Double& b) { return AxisRays::smaller(a, b); }
     static Double larger(const Double& a, const Double& b) { return AxisRays::larger(a, b); }
-    static Double negated(const Double& v) { return AxisRays::negated(v); }
     static Bool differ(const Bool& a, const Bool& b) { return (a & (!b)) | ((!a) & b); }
     static Bool negative(const Double& v) { return v < Double(0.0); }
     static Double pick(const Bool& which, const Double& yes, const Double& no) { return xsimd::select(which, yes, no); }

@@ -180,7 +180,7 @@ private:
         Mask twice = asked & ~changes & lanes::mask((discriminant > zero) & (!turned));
         if ((changes | twice) == 0) return;
         const Double root = xsimd::sqrt(larger(discriminant, zero));
-        const Double q = negated(b + (xsimd::abs(root) | (b & Double(-0.0))));
+        const Double q = lanes::negated(b + (xsimd::abs(root) | (b & Double(-0.0))));
         const Double one = q / a, other = pick(q != zero, c / q, zero);
         const Double first = smaller(one, other), last = larger(one, other);
         twice &= lanes::mask((first > start.w) & (last < end.w));

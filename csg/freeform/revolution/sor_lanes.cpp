@@ -133,7 +133,7 @@ private:
                                     Piece{whole.from, whole.from, whole.before, whole.before}, whole};
         if (lanes::mask(turns) == 0) return pieces;
         const Double size = xsimd::sqrt(AxisRays::larger(discriminant, zero));
-        const Double q = AxisRays::negated(half + (size | (half & Double(-0.0))));
+        const Double q = lanes::negated(half + (size | (half & Double(-0.0))));
         const Double one = q / (Double(3.0) * cubic.c3), other = cubic.c1 / q;
         Double from = whole.from, before = whole.before;
         const std::array<Double, 2> cuts{AxisRays::smaller(one, other), AxisRays::larger(one, other)};

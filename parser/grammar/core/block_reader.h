@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parser/grammar/core/scene_builder.h"
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 
 #include <algorithm>
 #include <limits>

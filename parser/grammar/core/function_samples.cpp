@@ -1,6 +1,6 @@
 #include "parser/grammar/core/function_samples.h"
 
-#include "parser/queries.h"
+#include "parser/base/queries.h"
 
 #include <algorithm>
 #include <cmath>

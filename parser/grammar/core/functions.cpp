@@ -1,5 +1,5 @@
 #include "parser/grammar/core/scene_builder.h"
-#include "parser/queries.h"
+#include "parser/base/queries.h"
 #include "render/scene/function.h"
 
 #include <algorithm>

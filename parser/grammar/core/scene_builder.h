@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/grammar/ready/receiver.h"
+#include "parser/grammar/core/receiver.h"
 #include "parser/stream/token_input.h"
 #include "parser/stream/token_stream.h"
 #include "render/font/font.h"

@@ -1,4 +1,4 @@
-#include "parser/grammar/ready/receiver.h"
+#include "parser/grammar/core/receiver.h"
 #include "parser/grammar/ready/recipe_reader.h"
 #include "render/scene/solids.h"
 

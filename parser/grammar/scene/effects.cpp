@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-/// Blocks of effects that are read whole and not computed yet: radiosity, photons, subsurface, and what a camera may
-/// hold.
+/// Blocks of effects: radiosity, photons, subsurface, and what a camera may hold.
 namespace parser {
 namespace {
 

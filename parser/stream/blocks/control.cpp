@@ -1,5 +1,5 @@
 #include "parser/stream/blocks/operands.h"
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/expressions/operand.h"
 #include "parser/stream/files/data_file.h"
 #include "parser/stream/limits.h"

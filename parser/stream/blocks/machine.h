@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parser/stream/blocks/program.h"
-#include "parser/stream/symbols.h"
+#include "parser/stream/values/symbols.h"
 
 namespace parser::blocks {
 

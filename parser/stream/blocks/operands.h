@@ -2,7 +2,7 @@
 
 #include "parser/stream/blocks/machine.h"
 #include "parser/stream/blocks/operations.h"
-#include "parser/stream/elements.h"
+#include "parser/stream/values/elements.h"
 
 /// Where operations find what they work on.
 namespace parser::blocks {

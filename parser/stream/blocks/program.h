@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/expressions/compiled.h"
+#include "parser/stream/values/compiled.h"
 #include "parser/stream/language_state.h"
 #include "parser/stream/ready_statement.h"
 

@@ -1,4 +1,4 @@
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/limits.h"
 #include "parser/stream/token_stream.h"
 

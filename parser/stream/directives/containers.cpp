@@ -1,5 +1,5 @@
-#include "parser/stream/elements.h"
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/values/elements.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "parser/stream/blocks/runner.h"
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/limits.h"
 #include "parser/stream/token_stream.h"
 

@@ -1,8 +1,8 @@
-#include "parser/stream/expressions/compiled.h"
+#include "parser/stream/values/compiled.h"
 
 #include "function/points/evaluate.h"
 #include "function/spline.h"
-#include "parser/stream/elements.h"
+#include "parser/stream/values/elements.h"
 #include "parser/stream/hooks.h"
 #include "parser/stream/expressions/compiled_functions.h"
 #include "parser/stream/expressions/operand.h"

@@ -1,4 +1,4 @@
-#include "parser/stream/expressions/compiled.h"
+#include "parser/stream/values/compiled.h"
 #include "parser/stream/token_stream.h"
 
 #include <algorithm>

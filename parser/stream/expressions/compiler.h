@@ -1,7 +1,7 @@
 #pragma once
 
 #include "function/spline.h"
-#include "parser/stream/expressions/compiled.h"
+#include "parser/stream/values/compiled.h"
 #include "parser/stream/expressions/operand.h"
 
 #include <algorithm>

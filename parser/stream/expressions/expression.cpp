@@ -1,4 +1,4 @@
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 
 #include "parser/stream/expressions/operand.h"
 

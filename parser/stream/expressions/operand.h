@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 
 /// Inside of the expression reader: one operand, and the built-in functions.
 namespace parser {

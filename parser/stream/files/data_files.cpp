@@ -1,5 +1,5 @@
 #include "parser/stream/files/data_file.h"
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/files/file_policy.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/parse.h"
+#include "parser/base/reading.h"
 
 #include <string>
 

@@ -1,4 +1,5 @@
-#include "parser/stream/expressions/expression.h"
+#include "parser/base/nearest.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/files/file_policy.h"
 #include "parser/stream/files/mapped_text.h"
 #include "parser/stream/limits.h"

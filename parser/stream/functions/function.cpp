@@ -1,7 +1,7 @@
 #include "parser/stream/functions/function.h"
 
 #include "function/points/evaluate.h"
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 
 #include <fmt/format.h>
 

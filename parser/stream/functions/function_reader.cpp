@@ -1,5 +1,5 @@
 #include "function/internal/internal.h"
-#include "parser/stream/expressions/expression.h"
+#include "parser/stream/expression.h"
 #include "parser/stream/functions/function.h"
 #include "parser/stream/functions/function_body.h"
 

@@ -3,7 +3,7 @@
 #include "language/format/format.h"
 #include "render/app/editor/replace_file.h"
 #include "render/app/options/settings.h"
-#include "render/app/run/render_command.h"
+#include "render/app/run/cancellation.h"
 #include "render/scene/base/line_table.h"
 #include "render/scene/base/message.h"
 

@@ -1,6 +1,6 @@
 #include "render/app/layers/cost_report.h"
 
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 #include "render/app/run/shell_commands.h"
 #include "render/app/run/stage_options.h"
 #include "render/study/cost/cost.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/run/frame_render.h"
+#include "render/app/run/run.h"
 #include "render/layers/layers.h"
 #include "render/scene/description.h"
 

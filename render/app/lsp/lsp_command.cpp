@@ -1,10 +1,10 @@
 #include "render/app/lsp/lsp_command.h"
 
-#include "render/app/library_path.h"
+#include "render/app/base/library_path.h"
 #include "render/app/lsp/server.h"
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
-#include "render/app/run/render_command.h"
+#include "render/app/run/cancellation.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "render/app/options/option_table.h"
 #include "render/app/options/own_options.h"
 #include "render/app/options/switch_table.h"
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 
 #include <filesystem>
 

@@ -1,7 +1,7 @@
 #include "render/app/options/effective_ini.h"
 
 #include "render/app/options/option_table.h"
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 
 #include <fmt/format.h>
 

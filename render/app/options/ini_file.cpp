@@ -1,10 +1,10 @@
 #include "render/app/options/ini_file.h"
 
 #include "render/app/options/command_line.h"
-#include "render/app/library_path.h"
+#include "render/app/base/library_path.h"
 #include "render/app/options/nearest.h"
 #include "render/app/options/option_table.h"
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 
 #include <algorithm>
 #include <cstdlib>

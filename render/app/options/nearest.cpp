@@ -1,6 +1,6 @@
 #include "render/app/options/nearest.h"
 
-#include "parser/nearest.h"
+#include "parser/base/nearest.h"
 #include "render/app/options/option_table.h"
 #include "render/app/options/own_options.h"
 

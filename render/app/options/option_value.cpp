@@ -1,7 +1,7 @@
 #include "render/app/options/ini_file.h"
 #include "render/app/options/nearest.h"
 #include "render/app/options/option_table.h"
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/run/frames.h"
+#include "render/app/frames/frames.h"
 #include "render/app/options/settings.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "render/app/pixel/pixel_answer.h"
 
-#include "render/app/run/frame_render.h"
+#include "render/app/run/run.h"
 #include "render/app/run/stage_options.h"
 #include "render/explain/pixel.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/run/render_command.h"
+#include "render/app/run/cancellation.h"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "parser/parse.h"
-#include "render/app/run/frames.h"
+#include "render/app/frames/frames.h"
 #include "render/app/report/report.h"
 #include "render/app/report/streams.h"
-#include "render/app/run/window.h"
+#include "render/app/frames/window.h"
 
 #include <memory>
 #include <string>

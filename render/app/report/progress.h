@@ -18,9 +18,9 @@ public:
     Progress& operator=(const Progress&) = delete;
     ~Progress() { clear(); }
 
-    void show(double share);  ///< [0, 1]
+    void show(double share);          ///< [0, 1]
     void say(std::string_view text);  ///< a line in the place of the bar
-    void clear();             ///< takes the bar away, so that messages start on a clean line
+    void clear();                     ///< takes the bar away, so that messages start on a clean line
 
 private:
     void put(const std::string& line);

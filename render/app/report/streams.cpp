@@ -1,6 +1,6 @@
 #include "render/app/report/streams.h"
 
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 
 #include <unistd.h>
 

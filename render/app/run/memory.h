@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/run/frames.h"
+#include "render/app/frames/frames.h"
 #include "render/image/files.h"
 #include "render/picture/blocks.h"
 
@@ -24,7 +24,8 @@ std::size_t rows_of_blocks_in(double memory, const trace::Blocks& blocks, int wi
 /// \param path of the picture; empty: standard output
 void check_fits(const Settings& settings, const std::string& path);
 
-/// Throws what `new` throws where the system refuses memory: its message has this size, what is used and what is allowed.
+/// Throws what `new` throws where the system refuses memory: its message has this size, what is used and what is
+/// allowed.
 [[noreturn]] void refuse_memory(std::size_t bytes);
 /// What an exception says, of refused memory that too.
 std::string text_of(const std::exception& error);

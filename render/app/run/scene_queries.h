@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/queries.h"
+#include "parser/base/queries.h"
 #include "render/plan/geometry/extent.h"
 #include "render/plan/probe.h"
 #include "render/picture/render.h"

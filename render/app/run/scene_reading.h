@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/run/frame_render.h"
+#include "render/app/run/run.h"
 #include "render/app/run/scene_queries.h"
 #include "render/app/run/stage_options.h"
 

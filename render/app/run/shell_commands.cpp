@@ -1,7 +1,7 @@
 #include "render/app/run/shell_commands.h"
 
 #include "render/app/output/output_name.h"
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 
 #include <fmt/format.h>
 #include <sys/wait.h>

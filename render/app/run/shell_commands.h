@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/run/frames.h"
+#include "render/app/frames/frames.h"
 #include "render/app/report/console_reporter.h"
 
 #include <stdexcept>

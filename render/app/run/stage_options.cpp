@@ -1,7 +1,8 @@
 #include "render/app/run/stage_options.h"
 
-#include "render/app/library_path.h"
-#include "render/app/run/window.h"
+#include "render/app/base/library_path.h"
+#include "render/app/base/text.h"
+#include "render/app/frames/window.h"
 
 #include <algorithm>
 
@@ -84,6 +85,19 @@ image::FileSettings file_settings(const Settings& settings, const scene::Descrip
     file.encoding.greyscale = settings.greyscale;
     if (settings.compression > 1) file.jpeg_quality = settings.compression;
     return file;
+}
+
+bool from_standard_input(const Settings& settings)
+{
+    return settings.input_file == "-" || same_text(settings.input_file, "stdin");
+}
+
+trace::Isa isa_of(const Settings& settings)
+{
+    if (settings.isa == "v2") return trace::Isa::V2;
+    if (settings.isa == "v3") return trace::Isa::V3;
+    if (settings.isa == "v4") return trace::Isa::V4;
+    return trace::Isa::Auto;
 }
 
 }  // namespace app

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "parser/parse.h"
-#include "render/app/run/frames.h"
+#include "render/app/frames/frames.h"
 #include "render/app/options/settings.h"
 #include "render/image/files.h"
 #include "render/plan/compiled_scene.h"
+#include "render/trace/render.h"
 
 namespace app {
 
@@ -12,5 +13,9 @@ namespace app {
 parser::Options parser_options(const Settings& settings, const FrameList& list, const Frame& frame);
 plan::Options plan_options(const Settings& settings);
 image::FileSettings file_settings(const Settings& settings, const scene::Description& description);
+trace::Isa isa_of(const Settings& settings);
+
+/// +I- or +Istdin.
+bool from_standard_input(const Settings& settings);
 
 }  // namespace app

@@ -2,8 +2,8 @@
 
 #include "csg/base/cancel.h"
 #include "function/field/field.h"
-#include "render/app/run/frame_render.h"
-#include "render/app/run/frames.h"
+#include "render/app/run/run.h"
+#include "render/app/frames/frames.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"

@@ -2,7 +2,7 @@
 
 #include "parser/parse.h"
 #include "render/app/options/settings.h"
-#include "render/app/run/render_command.h"
+#include "render/app/run/cancellation.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
 #include "render/app/options/positive.h"
-#include "render/app/run/frame_render.h"
+#include "render/app/run/run.h"
 #include "render/app/solid/bodies.h"
 #include "render/app/solid/part_file.h"
 #include "render/app/solid/section_run.h"

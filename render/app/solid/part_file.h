@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/run/render_command.h"
+#include "render/app/run/cancellation.h"
 #include "render/scene/object.h"
 #include "render/solid/mesh/refinement.h"
 

@@ -3,7 +3,7 @@
 #include "csg/tree/program.h"
 #include "parser/constants.h"
 #include "render/app/pixel/pixel_answer.h"
-#include "render/app/run/frame_render.h"
+#include "render/app/run/run.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"

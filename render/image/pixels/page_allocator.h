@@ -23,14 +23,14 @@ struct PageAllocator {
         const std::size_t bytes = count * sizeof(T);
         if (bytes < kMuch) return static_cast<T*>(::operator new(bytes));
         const std::size_t whole = (bytes + kPage - 1) / kPage * kPage;
-        void* memory = ::operator new(whole, std::align_val_t{kPage});
+        void* memory = ::operator new (whole, std::align_val_t{kPage});
         madvise(memory, whole, MADV_HUGEPAGE);  // where the kernel has none this changes nothing
         return static_cast<T*>(memory);
     }
     void deallocate(T* memory, std::size_t count)
     {
         if (count * sizeof(T) < kMuch) ::operator delete(memory);
-        else ::operator delete(memory, std::align_val_t{kPage});
+        else ::operator delete (memory, std::align_val_t{kPage});
     }
     friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <emmintrin.h>
+#include "numbers/bytes.h"
 
 #include <algorithm>
 #include <bit>
@@ -43,20 +43,12 @@ private:
     /// False: there are other line ends, too. Lines are short: 64 bytes are looked at together.
     bool find_line_feeds(std::string_view text)
     {
-        constexpr std::size_t kStep = 64, kLanes = 16;
-        const __m128i feed = _mm_set1_epi8('\n'), carriage = _mm_set1_epi8('\r');
+        constexpr std::size_t kStep = 64;
         std::size_t at = 0;
         for (; at + kStep <= text.size(); at += kStep) {
-            std::uint64_t feeds = 0;
-            __m128i returns = _mm_setzero_si128();
-            for (std::size_t i = 0; i < kStep; i += kLanes) {
-                const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(text.data() + at + i));
-                returns = _mm_or_si128(returns, _mm_cmpeq_epi8(bytes, carriage));
-                const int found = _mm_movemask_epi8(_mm_cmpeq_epi8(bytes, feed));
-                feeds |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(found)) << i;
-            }
-            if (_mm_movemask_epi8(returns) != 0) return false;
-            for (; feeds != 0; feeds &= feeds - 1)
+            const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data() + at);
+            if (csg::lanes::equal(bytes, '\r') != 0) return false;
+            for (std::uint64_t feeds = csg::lanes::equal(bytes, '\n'); feeds != 0; feeds &= feeds - 1)
                 starts_.push_back(
                     static_cast<std::uint32_t>(at + static_cast<std::size_t>(std::countr_zero(feeds)) + 1));
         }

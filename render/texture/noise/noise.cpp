@@ -1,5 +1,6 @@
 #include "render/texture/noise/noise.h"
 
+#include "numbers/rounding.h"
 #include "render/texture/noise/lattice.h"
 #include "render/texture/noise/noise_tables.h"
 
@@ -20,7 +21,7 @@ struct Cell {
 Cell cell(double v)
 {
     const double moved = v >= 0 ? v : v - kNearlyOne;
-    const int whole = _mm_cvttsd_si32(_mm_set_sd(moved));  // out of range: the least integer, as in lanes
+    const int whole = csg::truncated(moved);
     const std::uint32_t index = static_cast<std::uint32_t>(whole) + std::uint32_t{kCellOffset}, mask = kLatticeMask;
     return {{index & mask, (index + 1) & mask}, v - whole};
 }

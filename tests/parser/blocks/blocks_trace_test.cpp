@@ -1,4 +1,4 @@
-#include "parser/queries.h"
+#include "parser/base/queries.h"
 #include "tests/parser/blocks/said.h"
 
 #include <catch2/catch.hpp>

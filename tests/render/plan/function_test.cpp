@@ -1,5 +1,5 @@
 #include "parser/parse.h"
-#include "parser/queries.h"
+#include "parser/base/queries.h"
 #include "render/plan/probe.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "render/app/run/frames.h"
+#include "render/app/frames/frames.h"
 
 #include "render/app/options/command_line.h"
 

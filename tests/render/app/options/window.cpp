@@ -1,4 +1,4 @@
-#include "render/app/run/window.h"
+#include "render/app/frames/window.h"
 
 #include "render/app/options/command_line.h"
 

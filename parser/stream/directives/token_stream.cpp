@@ -1,3 +1,4 @@
+#include "parser/base/nearest.h"
 #include "parser/stream/blocks/runner.h"
 #include "parser/stream/token_stream.h"
 

@@ -1,4 +1,4 @@
-#include "parser/stream/symbols.h"
+#include "parser/stream/values/symbols.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/value.h"
+#include "parser/stream/values/value.h"
 
 #include <vector>
 

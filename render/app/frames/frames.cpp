@@ -1,4 +1,4 @@
-#include "render/app/run/frames.h"
+#include "render/app/frames/frames.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "render/app/run/frame_render.h"
+#include "render/app/picture/frame_render.h"
 
 #include "parser/parse.h"
 #include "render/app/output/output_name.h"
@@ -6,12 +6,12 @@
 #include "render/app/layers/cost_report.h"
 #include "render/app/run/last_resort.h"
 #include "render/app/run/memory.h"
-#include "render/app/run/picture_run.h"
+#include "render/app/picture/picture_run.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_queries.h"
 #include "render/app/run/shell_commands.h"
 #include "render/app/run/stage_options.h"
-#include "render/app/options/text.h"
+#include "render/app/base/text.h"
 #include "render/plan/compiled_scene.h"
 #include "render/plan/geometry/function_check.h"
 
@@ -144,19 +144,6 @@ void refuse_warnings(const parser::Result& parsed)
 }
 
 }  // namespace
-
-bool from_standard_input(const Settings& settings)
-{
-    return settings.input_file == "-" || same_text(settings.input_file, "stdin");
-}
-
-trace::Isa isa_of(const Settings& settings)
-{
-    if (settings.isa == "v2") return trace::Isa::V2;
-    if (settings.isa == "v3") return trace::Isa::V3;
-    if (settings.isa == "v4") return trace::Isa::V4;
-    return trace::Isa::Auto;
-}
 
 int render_frame(Run& run, const Frame& frame)
 {

@@ -1,4 +1,4 @@
-#include "parser/stream/files/kept_files.h"
+#include "parser/stream/kept_files.h"
 
 #include <algorithm>
 #include <filesystem>

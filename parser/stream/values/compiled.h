@@ -2,9 +2,9 @@
 
 #include "function/program.h"
 #include "parser/lexer/token.h"
-#include "parser/stream/expressions/random_undo.h"
-#include "parser/stream/symbols.h"
-#include "parser/stream/value.h"
+#include "parser/stream/values/random_undo.h"
+#include "parser/stream/values/symbols.h"
+#include "parser/stream/values/value.h"
 
 #include <string>
 #include <vector>

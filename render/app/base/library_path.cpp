@@ -1,4 +1,4 @@
-#include "render/app/library_path.h"
+#include "render/app/base/library_path.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/run/frame_render.h"
+#include "render/app/run/run.h"
 #include "render/app/run/last_resort.h"
 #include "render/app/layers/layers_file.h"
 #include "render/app/report/report.h"

@@ -1,5 +1,6 @@
-#include "render/app/run/picture_run.h"
+#include "render/app/picture/picture_run.h"
 
+#include "render/app/run/stage_options.h"
 #include "render/app/run/memory.h"
 #include "render/app/output/growing_picture.h"
 #include "render/app/output/output_name.h"

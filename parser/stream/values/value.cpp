@@ -1,4 +1,4 @@
-#include "parser/stream/value.h"
+#include "parser/stream/values/value.h"
 
 namespace parser {
 

@@ -1,11 +1,12 @@
-#include "render/app/run/render_command.h"
+#include "render/app/picture/render_command.h"
 
 #include "render/app/options/effective_ini.h"
-#include "render/app/run/frame_render.h"
+#include "render/app/picture/frame_render.h"
 #include "render/app/run/memory.h"
 #include "render/app/report/journal.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/shell_commands.h"
+#include "render/app/run/stage_options.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "render/app/options/settings.h"
+#include "render/app/run/cancellation.h"
+
+#include <string>
+
+namespace app {
+
+/// Everything from the scene file to the picture file, frame by frame. Returns the exit status.
+/// \param cancel when requested the trace stops and nothing is written
+/// \param remains gets what the last frame was made from
+int render_command(const Settings& settings, Cancellation& cancel, Remains& remains);
+
+/// --json of a run that options ended before it began. Does nothing if --json was not among those read till then.
+void journal_option_error(const Settings& settings, const std::string& text);
+
+}  // namespace app
