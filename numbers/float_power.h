@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-/// Powers in lanes of single precision, for what is only compared with a threshold. Compiled once per instruction set.
+/// Powers in lanes of single precision, for what is only compared with a threshold.
 namespace trace {
 
 using csg::lanes::FloatPart;

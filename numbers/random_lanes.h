@@ -7,7 +7,7 @@
 #include <immintrin.h>
 #endif
 
-/// random_at for many points: the same bits. Compiled once per instruction set.
+/// random_at for many points: the same bits.
 namespace trace {
 
 #if defined(__AVX512DQ__)

@@ -9,7 +9,6 @@
 #include <algorithm>
 
 /// What lies between the rays of a tile and what they have met: the one place where a stretch of air is crossed.
-/// Compiled once per instruction set.
 namespace trace {
 
 /// Whether a scene has anything that AirStage looks for.

@@ -8,7 +8,6 @@
 namespace trace {
 
 /// A tile of segments that have been traced, with all that they inherit; then their hits as points and normals.
-/// Compiled once per instruction set.
 class SegmentTile {
 public:
     static constexpr bool kInAir = false;  ///< for ShadowCaster

@@ -2,7 +2,7 @@
 
 #include "render/kernel/context/context.h"
 
-/// Ink lines: docs/extensions.md. Compiled once per instruction set.
+/// Ink lines: docs/extensions.md.
 namespace trace {
 
 /// Whether what the camera sees there is drawn as a line: next to it the view leaves the object for something farther

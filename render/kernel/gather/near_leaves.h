@@ -19,8 +19,7 @@ struct SplitPoint {
     glm::vec3 high, low;
 };
 
-/// How far off a point the boxes of a node are, squared, and which of them are nearer than a limit. Compiled once per
-/// instruction set.
+/// How far off a point the boxes of a node are, squared, and which of them are nearer than a limit.
 inline std::uint32_t boxes_near(const PhotonBoxes::Node& node, const SplitPoint& point, float limit,
                                 std::array<float, PhotonBoxes::kWide>& away)
 {

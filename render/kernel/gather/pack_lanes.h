@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-/// Numbers of some lanes put one behind the other. Compiled once per instruction set.
+/// Numbers of some lanes put one behind the other.
 namespace trace {
 
 #if defined(__AVX2__)

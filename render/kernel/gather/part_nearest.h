@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-/// The nearest of some photons parted from the others. Compiled once per instruction set.
+/// The nearest of some photons parted from the others.
 namespace trace {
 
 /// Photons by distance squared and number. Behind the last there is room for kRoom more.

@@ -8,7 +8,7 @@
 
 namespace trace {
 
-/// How far photons are from a point, squared (spec 6, 3.7). Compiled once per instruction set. \tparam kFlat  the
+/// How far photons are from a point, squared (spec 6, 3.7). \tparam kFlat  the
 /// sphere is flattened off a surface
 template <bool kFlat>
 class PhotonDistance {

@@ -10,7 +10,7 @@
 
 namespace trace {
 
-/// What the photons near some points that lie together have in common. Compiled once per instruction set.
+/// What the photons near some points that lie together have in common.
 class PhotonReach {
 public:
     /// Points may lie anywhere: searches begin with all photons.

@@ -7,8 +7,7 @@
 #include "render/kernel/radiosity/radiosity_stage.h"
 #include "render/kernel/subsurface/subsurface_stage.h"
 
-/// Light that comes from no lamp, over a tile's rows: photons, radiosity, light below the surface. Compiled once per
-/// instruction set.
+/// Light that comes from no lamp, over a tile's rows: photons, radiosity, light below the surface.
 namespace trace {
 
 class IndirectStage {

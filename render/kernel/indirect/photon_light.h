@@ -10,7 +10,7 @@
 
 #include <numbers>
 
-/// Light of photons on surfaces, over a tile's rows (spec 6, 3.9). Compiled once per instruction set.
+/// Light of photons on surfaces, over a tile's rows (spec 6, 3.9).
 namespace trace {
 
 class PhotonLightStage {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-/// Shadows of an area light on the hits of a tile. Compiled once per instruction set.
+/// Shadows of an area light on the hits of a tile.
 namespace trace {
 
 class MediaShadows;

@@ -8,8 +8,7 @@
 namespace trace {
 
 /// Normals of a tile's hits as a layer bends them, of unit length, at the hits' places of x, y and z; other places keep
-/// what they have. The hits' points and surroundings (ShadeScratch::points, around) are known. Compiled once per
-/// instruction set.
+/// what they have. The hits' points and surroundings (ShadeScratch::points, around) are known.
 inline void bend_normals(const texture::TextureSet& set, std::uint32_t normal, HitMask hits,
                          const ShadeScratch& scratch, TileLanes& x, TileLanes& y, TileLanes& z)
 {

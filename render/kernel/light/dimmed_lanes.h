@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-/// What cones and distance leave of a light at one place, in vector lanes. Compiled once per instruction set. The
+/// What cones and distance leave of a light at one place, in vector lanes. The
 /// operations are those of light::color_at in the same order.
 namespace trace {
 

@@ -12,8 +12,7 @@
 
 /// Rows of light of a tile's hits: layers of their textures. All rows go through a light together, a hit a lane; row d
 /// of every hit lies on page d. What lanes don't know (grain, iridescence, light from behind) goes through the lights
-/// one by one when they have all been asked. The operations are those of surface_light() in the same order. Compiled
-/// once per instruction set.
+/// one by one when they have all been asked. The operations are those of surface_light() in the same order.
 namespace trace {
 
 class DirectBatch {

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-/// Highlights of a tile's hits under one light, in vector lanes. Compiled once per instruction set. The cosines have
+/// Highlights of a tile's hits under one light, in vector lanes. The cosines have
 /// the bits of texture::phong and texture::specular, the powers are within 1e-13 of theirs
 /// (tests/render/trace/highlight_test.cpp).
 namespace trace {

@@ -13,7 +13,7 @@
 
 #include <optional>
 
-/// The lights over a tile's rows. Compiled once per instruction set.
+/// The lights over a tile's rows.
 namespace trace {
 
 class LightStage {

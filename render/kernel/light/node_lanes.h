@@ -8,7 +8,7 @@ namespace trace {
 
 /// The nodes of an area light with area_illumination, each a light of its own over all hits of a tile, in vector lanes
 /// (spec 3, 12.7). The operations are those of light::illuminate() at light::node_offset(), and of node_color(), in the
-/// same order. Compiled once per instruction set.
+/// same order.
 class NodeLanes {
 public:
     static bool serve(const light::Light& light) { return DimmedLanes::serve(light); }

@@ -4,7 +4,7 @@
 
 /// What shadow rays of a tile cross where solids tell one ray only so much (SceneTraits::restarts): behind each
 /// crossing a new ray begins, as in POV-Ray. All of them take a step together, so that costly solids answer them
-/// together. Compiled once per instruction set.
+/// together.
 namespace trace {
 
 /// What a shadow ray crosses that begins anew behind each crossing.

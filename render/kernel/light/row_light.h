@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// surface_light() for a page of rows, a hit a lane, in the same order of operations. Compiled once per instruction
-/// set.
+/// surface_light() for a page of rows, a hit a lane, in the same order of operations.
 namespace trace {
 
 /// Raises the intensities of hits to their finishes' brilliance.

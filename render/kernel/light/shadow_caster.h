@@ -11,7 +11,6 @@
 #include <limits>
 
 /// What stands between the points of a tile and a light: the same for hits of surfaces and for points of the air.
-/// Compiled once per instruction set.
 namespace trace {
 
 /// Beyond so many tolerances, 1e5 as a rule, a shadow ray starts at the hit: from a far light, t would lose digits

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <bit>
 
-/// Steps of TileShader over all hits of a tile. Compiled once per instruction set.
+/// Steps of TileShader over all hits of a tile.
 namespace trace {
 
 /// Where the shadow rays of a tile's first `count` hits begin and end, as Tolerance::shadow_from has it (`least`: its

@@ -9,7 +9,7 @@
 #include <cmath>
 
 /// What surfaces with patterns or `caustics` leave of light at the crossings of a tile's shadow rays, all together: the
-/// bits of surface_filter() (spec 3, 13.2). Compiled once per instruction set.
+/// bits of surface_filter() (spec 3, 13.2).
 namespace trace {
 
 /// Crossings of shadow rays with surfaces of patterns or `caustics`, and what they leave of light.

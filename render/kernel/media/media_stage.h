@@ -3,7 +3,7 @@
 #include "render/kernel/extinction/even_fog.h"
 #include "render/kernel/media/media_sampler.h"
 
-/// Media over the segments of a tile (spec 6, 2). Compiled once per instruction set.
+/// Media over the segments of a tile (spec 6, 2).
 namespace trace {
 
 class MediaStage {

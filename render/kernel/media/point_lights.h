@@ -10,7 +10,7 @@
 namespace trace {
 
 /// Lamps at points of the air: the tile that shadow rays start from. It lies in a scratch of its own, since that of the
-/// tile whose segments are crossed still holds its hits. Compiled once per instruction set.
+/// tile whose segments are crossed still holds its hits.
 class PointLights {
 public:
     /// context: with that scratch. met: how far the points lie from the origins of their rays. around: by point, what

@@ -5,7 +5,7 @@
 
 #include <array>
 
-/// What a hit makes of light, as a sum of lobes: docs/path_tracing.md. Compiled once per instruction set.
+/// What a hit makes of light, as a sum of lobes: docs/path_tracing.md.
 namespace trace::path {
 
 /// One way in which a layer scatters light. Directions of light point away from the surface.

@@ -4,8 +4,7 @@
 #include "render/kernel/context/context.h"
 #include "render/kernel/traits/shines_on.h"
 
-/// Area lights as faces that paths meet behind mirrors and bodies that bend light: caustics. Compiled once per
-/// instruction set.
+/// Area lights as faces that paths meet behind mirrors and bodies that bend light: caustics.
 namespace trace::path {
 
 /// Whether a body bends what goes through its surface. What it lets through then finds lamps by paths alone.

@@ -8,7 +8,7 @@
 
 namespace trace::path {
 
-/// Shadow rays from the hits of a tile, each to a lamp of its own. Compiled once per instruction set.
+/// Shadow rays from the hits of a tile, each to a lamp of its own.
 class LampRays {
 public:
     /// \param faces of lamps that paths meet where light is bent: shadow rays to those end there

@@ -3,7 +3,7 @@
 #include "render/light/illuminate.h"
 #include "render/kernel/path/surface.h"
 
-/// Next-event estimation towards the scene's light_sources. Compiled once per instruction set.
+/// Next-event estimation towards the scene's light_sources.
 namespace trace::path {
 
 /// A lamp that is asked from a hit.

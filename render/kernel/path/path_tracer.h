@@ -40,7 +40,7 @@ struct SeenFirst {
     std::uint32_t texture = plan::kNone;
 };
 
-/// Follows paths for one thread: docs/path_tracing.md. Compiled once per instruction set.
+/// Follows paths for one thread: docs/path_tracing.md.
 class PathTracer {
 public:
     /// \param scene without radiosity and photons (plan::Options::paths) \param sources of the same, which outlive it

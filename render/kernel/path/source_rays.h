@@ -11,8 +11,7 @@ namespace trace::path {
 /// 1995).
 inline float mis_weight(double own, double other) { return static_cast<float>(own / (own + other)); }
 
-/// Rays from the hits of a tile to light that paths may meet as well, with what weighs it against those. Compiled once
-/// per instruction set.
+/// Rays from the hits of a tile to light that paths may meet as well, with what weighs it against those.
 class SourceRays {
 public:
     /// \param sources null: there is nothing to aim at

@@ -3,7 +3,7 @@
 #include "render/kernel/path/bsdf.h"
 #include "render/kernel/scatter/refraction.h"
 
-/// From a hit's textures to what it makes of light. Compiled once per instruction set.
+/// From a hit's textures to what it makes of light.
 namespace trace::path {
 
 /// A hit as a path needs it.

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-/// Photons on their way through the scene (spec 6, 3.5). Compiled once per instruction set.
+/// Photons on their way through the scene (spec 6, 3.5).
 namespace trace {
 
 /// What all photons of one light for one target have in common.

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 
-/// Which samples points may use, and how much they count (spec 6, 4.5). Compiled once per instruction set.
+/// Which samples points may use, and how much they count (spec 6, 4.5).
 namespace trace::radiosity {
 
 /// Points that ask, eight at a time: neighbours read the same lists. What one of them finds, and in which order it is

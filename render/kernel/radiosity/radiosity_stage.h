@@ -4,7 +4,7 @@
 #include "render/kernel/context/segment_tile.h"
 #include "render/kernel/radiosity/ambient.h"
 
-/// Light that surfaces hand on to each other, over a tile's rows (spec 6, 4.2). Compiled once per instruction set.
+/// Light that surfaces hand on to each other, over a tile's rows (spec 6, 4.2).
 namespace trace {
 
 class RadiosityStage {

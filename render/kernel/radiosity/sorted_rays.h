@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <bit>
 
-/// The rays of one sample in the order of their directions. Compiled once per instruction set.
+/// The rays of one sample in the order of their directions.
 namespace trace::radiosity {
 
 class SortedRays {

@@ -14,7 +14,7 @@
 
 /// scatter() for a tile's hits of one layer whose normals are not bent, in the same order of operations: what their
 /// rays share is worked out in vector lanes, then they are sent one by one. Where the layer is clear (SingleLayer) the
-/// ray goes on in place of the one before it: no node, no light. Compiled once per instruction set.
+/// ray goes on in place of the one before it: no node, no light.
 namespace trace {
 
 class LaneScatter {

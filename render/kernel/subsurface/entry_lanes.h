@@ -9,7 +9,7 @@
 
 #include <array>
 
-/// Where light goes in below a surface, for the rays of a tile, in vector lanes. Compiled once per instruction set.
+/// Where light goes in below a surface, for the rays of a tile, in vector lanes.
 namespace trace {
 
 /// Of a surface that a ray of so many mm stands for, mm^2. facing: how far the surface looks at it.

@@ -10,7 +10,7 @@
 #include "render/kernel/surface/texture_maps.h"
 #include "render/kernel/scatter/scatter.h"
 
-/// From the hits of a tile to rows of light, and to the rays that go on. Compiled once per instruction set.
+/// From the hits of a tile to rows of light, and to the rays that go on.
 namespace trace {
 
 class SurfaceStage {

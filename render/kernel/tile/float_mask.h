@@ -3,7 +3,7 @@
 #include "numbers/lanes.h"
 #include "render/kernel/tile/hit_mask.h"
 
-/// Some lanes of a register of floats. Compiled once per instruction set.
+/// Some lanes of a register of floats.
 namespace trace {
 
 using csg::lanes::FloatPart;

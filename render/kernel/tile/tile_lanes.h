@@ -7,7 +7,7 @@
 
 #include <array>
 
-/// The hits of a tile as arrays, and a light over them in vector lanes. Compiled once per instruction set. The
+/// The hits of a tile as arrays, and a light over them in vector lanes. The
 /// operations are those of light::illuminate in the same order, so a hit shaded alone has the same bits.
 namespace trace {
 
