@@ -171,10 +171,14 @@ public:
     /// Subscripts after an identifier just taken whose value is an array: the element's cell (the array's own cell if
     /// no `[` follows). `may_create`: an unset element is not an error.
     Cell subscripted(Cell cell, const Token& name, bool may_create, std::shared_ptr<Array>* innermost = nullptr);
-    /// A value of any kind: right-hand side, macro argument, array element. `by_reference` is set to the cell if the
-    /// text was one identifier and nothing else.
-    Value read_value(Cell* by_reference = nullptr);
-    Value read_any_value(Cell* by_reference);  ///< before it is stored
+    /// What a value was if its text was one identifier and nothing else.
+    struct Named {
+        Cell cell;
+        std::uint32_t scope = 0;  ///< of the identifier
+    };
+    /// A value of any kind: right-hand side, macro argument, array element. Where `named` is set it is no value.
+    Value read_value(Named* named = nullptr);
+    Value read_any_value(Named* named);  ///< before it is stored
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
     /// Words and forms of version 3.8 are known from #version 3.71 on.
@@ -242,6 +246,8 @@ private:
         ahead_raw_ = false;
         return true;
     }
+    /// Nothing is to be executed before the token that comes next, or it has been.
+    bool plain_ahead() { return has_ahead_ ? !ahead_raw_ : fetch_plain(); }
     /// The next token of the text, leaving finished macros and files; throws at Options::most_tokens.
     const Token& advance()
     {
@@ -308,7 +314,7 @@ private:
     std::uint32_t* sites_of(std::uint16_t file);
     bool take_compiled(const CompiledExpression& expression, std::uint32_t at, Tuple& out);
     bool declare_compiled(bool local);
-    Cell argument_compiled();
+    Cell argument_compiled(std::uint32_t scope);
 
     // declarations.cpp
     void declare(bool local);
@@ -330,7 +336,7 @@ private:
     void set_version(std::uint32_t hash);
     bool nothing_before(std::uint32_t hash) const;
     void end_declaration(bool numeric);
-    Value read_identifier_value(Cell* by_reference);
+    Value read_identifier_value(Named* named);
     Cell element_cell(const std::shared_ptr<Array>& array, const Token& name, bool may_create);
     Cell member_cell(const std::shared_ptr<Dictionary>& dictionary, const Token& name, bool may_create);
     std::string read_key();
@@ -338,6 +344,7 @@ private:
     std::shared_ptr<Array> read_array();
     void read_elements(Array& array, std::size_t dimension, std::size_t& at);
     Value read_element(bool is_last);
+    void refuse_directive_in_array();
 
     // files.cpp
     void include();

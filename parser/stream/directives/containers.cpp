@@ -132,10 +132,20 @@ std::shared_ptr<Array> TokenStream::read_array()
     if (at_new_word("optional")) next(), array->gaps = true;
     if (peek_raw().kind == Kind::LeftBrace) {
         std::size_t at = 0;
+        raw_operators_ = !new_language();
         read_elements(*array, 0, at);
     }
     raw_operators_ = raw;
     return array;
+}
+
+/// POV-Ray executes nothing in the list of an array's elements.
+void TokenStream::refuse_directive_in_array()
+{
+    if (new_language() || plain_ahead() || (peek_raw().kind != Kind::Hash && !is_macro(*ahead_))) return;
+    fail(place(*ahead_), ahead_->kind == Kind::Hash
+                             ? "a directive cannot stand between the elements of an array"
+                             : "a macro call cannot be an element of an array: parentheses around it make it one");
 }
 
 void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t& at)
@@ -144,17 +154,13 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
     expect(Kind::LeftBrace, "'{' and the array's elements");
     for (std::uint32_t i = 0; array.growing || i < array.sizes[dimension]; ++i) {
         if (array.growing && peek().kind == Kind::RightBrace) break;
+        refuse_directive_in_array();
         if (dimension + 1 < array.sizes.size()) {
             read_elements(array, dimension + 1, at);
         } else if (array.gaps && (peek().kind == Kind::Comma || peek().kind == Kind::RightBrace)) {
             ++at;
             if (peek().kind == Kind::RightBrace) continue;
         } else {
-            if (!new_language() && (peek_raw().kind == Kind::Hash || is_macro(*ahead_)))
-                fail(place(*ahead_),
-                     ahead_->kind == Kind::Hash
-                         ? "a directive cannot stand before an element of an array"
-                         : "a macro call cannot be an element of an array: parentheses around it make it one");
             Value value = read_element(i + 1 == array.sizes[dimension] && !array.growing);
             if (array.growing) grow(array);
             if (array.kind == 0) array.kind = kind_of(value);
@@ -163,8 +169,10 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
                                          type_name(array.elements[0]), type_name(value)));
             array.elements[at++] = std::move(value);
         }
+        refuse_directive_in_array();
         accept_comma();
     }
+    refuse_directive_in_array();
     expect_closing(fmt::format("'}}' after {} elements", array.sizes[dimension]), "the array", opened);
 }
 

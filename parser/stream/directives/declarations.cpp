@@ -148,20 +148,21 @@ void TokenStream::set_version(std::uint32_t hash)
     end_declaration(false);
 }
 
-Value TokenStream::read_identifier_value(Cell* by_reference)
+Value TokenStream::read_identifier_value(Named* named)
 {
     const Token name = *ahead_;
     Cell cell = symbols_.find_cell(name.name);
     if (!cell && is_new_constant(name)) return untyped_expr(*this);
     if (!cell) fail_undeclared(name);
     if (cell->get_if<std::shared_ptr<DataFile>>()) fail(place(name), "a file handle is no value");
+    const std::uint32_t scope = symbols_.scope_of(name.name);
     next();
     if (is_container(*cell)) cell = subscripted(cell, name, false);
     if (cell->get_if<function::FunctionPtr>() || cell->get_if<SplinePtr>()) {
         const Value copy = *cell;  // reading may change what the name stands for
         if (peek_operator().kind != Kind::LeftParen) {
-            if (!by_reference) return copy;
-            *by_reference = copy.get_if<SplinePtr>() ? std::move(cell) : make_cell(copy);
+            if (!named) return copy;
+            *named = {copy.get_if<SplinePtr>() ? std::move(cell) : make_cell(copy), scope};
             return {};
         }
         if (const auto* called = copy.get_if<function::FunctionPtr>())
@@ -173,24 +174,24 @@ Value TokenStream::read_identifier_value(Cell* by_reference)
         const Tuple value = continue_sum(*this, *tuple, 1);
         if (taken_ != before) return value;
     }
-    if (by_reference) {
-        *by_reference = std::move(cell);
+    if (named) {
+        *named = {std::move(cell), scope};
         return {};
     }
     return deep_copy(*cell);
 }
 
-Value TokenStream::read_value(Cell* by_reference)
+Value TokenStream::read_value(Named* named)
 {
-    Value value = read_any_value(by_reference);
+    Value value = read_any_value(named);
     if (Tuple* tuple = value.get_if<Tuple>()) *tuple = tuple->stored();
     return value;
 }
 
-Value TokenStream::read_any_value(Cell* by_reference)
+Value TokenStream::read_any_value(Named* named)
 {
     const auto guard = nest();
-    if (!by_reference)
+    if (!named)
         if (Tuple known; run_compiled_here(1, false, known)) return known;
     const Token& token = peek();
     if (at_pseudo_scope() != Kind::EndOfText) return read_pseudo_value();
@@ -199,7 +200,7 @@ Value TokenStream::read_any_value(Cell* by_reference)
         if (language_.version < 350)  // a declared colour begins a colour, as in `C transmit 0.5`
             if (const Value* value = value_of(token); value && kind_of(*value) == kind_of(Tuple{{}, 5}))
                 return Tuple::of(color_expr(*this));
-        return read_identifier_value(by_reference);
+        return read_identifier_value(named);
     }
     if (at_string(*this)) return string_expr(*this);
     if (lexical_class(token.kind) == LexicalClass::Color) return Tuple::of(color_expr(*this));

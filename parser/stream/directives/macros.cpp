@@ -51,7 +51,7 @@ void TokenStream::call_macro(const Token& name, const Macro& macro)
     for (std::size_t i = 0; i < count; ++i) {
         if (macro.optional[i] && left_out()) {
             arguments_.emplace_back();
-        } else if (Cell simple = argument_compiled()) {
+        } else if (Cell simple = argument_compiled(scope)) {
             arguments_.push_back(std::move(simple));
         } else {
             if (peek().kind == Kind::RightParen)
@@ -65,28 +65,30 @@ void TokenStream::call_macro(const Token& name, const Macro& macro)
     enter_macro(name, macro, first);
 }
 
-/// `scope`: of the call.
+/// `scope`: of the call. What a name means that only a macro knows which has ended since is handed over by value.
 Cell TokenStream::argument(std::uint32_t scope, bool is_last)
 {
     const Token& first = peek();
-    Cell cell;
-    Value value = read_value(&cell);
-    if (!cell) return make_cell(std::move(value));
-    if (is_last || !may_go_on(*cell)) return cell;
-    check_uncalled(*cell);
-    if (element_ahead()) return make_cell(deep_copy(*cell));
-    const Cell next = taken_instead(first, *cell);
-    if (!next) return cell;
-    const bool goes_away = symbols_.scope_of(ahead_->name) > scope;
-    if (goes_away || cell->get_if<function::FunctionPtr>()) return make_cell(deep_copy(goes_away ? *cell : *next));
-    return next;
+    Named named;
+    Value value = read_value(&named);
+    if (!named.cell) return make_cell(std::move(value));
+    const Value& own = *named.cell;
+    const auto by_value = [](const Value& given) { return make_cell(deep_copy(given)); };
+    const bool shared = named.cell.use_count() > 1;
+    const Cell given = named.scope > scope && shared ? by_value(own) : named.cell;
+    if (is_last || !may_go_on(own)) return given;
+    check_uncalled(own);
+    if (element_ahead()) return by_value(own);
+    const Cell next = taken_instead(first, own);
+    if (!next) return given;
+    if (symbols_.scope_of(ahead_->name) > scope) return by_value(own);
+    return own.get_if<function::FunctionPtr>() ? by_value(*next) : next;
 }
 
 /// Where an operator might have stood no directive is executed: POV-Ray takes none there, and no call of a macro.
 void TokenStream::end_of_argument(const Cell& given)
 {
-    const bool plain = !has_ahead_ && fetch_plain();
-    if (!plain && given && may_go_on(*given) && (peek_raw().kind == Kind::Hash || is_macro(*ahead_)))
+    if (!plain_ahead() && given && may_go_on(*given) && (peek_raw().kind == Kind::Hash || is_macro(*ahead_)))
         fail(place(*ahead_), fmt::format("expected ',' or ')' after the argument, found {}: a comma before it or "
                                          "parentheses around the argument help",
                                          ahead_->kind == Kind::Hash ? "a directive" : "a macro's name"));

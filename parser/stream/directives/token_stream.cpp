@@ -174,7 +174,7 @@ void TokenStream::fetch()
 
 const Token& TokenStream::peek_raw()
 {
-    if (!has_ahead_) {
+    if (!has_ahead_ && !fetch_plain()) {
         ahead_ = &advance();
         if (ahead_->kind == Kind::Bad) fail_bad(*ahead_);
         has_ahead_ = ahead_raw_ = true;

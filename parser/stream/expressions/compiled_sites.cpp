@@ -117,9 +117,9 @@ bool TokenStream::declare_compiled(bool local)
 }
 
 /// An argument of a macro that is one name or a compiled expression; the token behind it is next. Null: neither.
-Cell TokenStream::argument_compiled()
+Cell TokenStream::argument_compiled(std::uint32_t scope)
 {
-    if (has_ahead_) return nullptr;
+    if (has_ahead_ || symbols_.depth() != scope) return nullptr;  // also where another macro's text goes on with it
     Cursor& cursor = cursors_.back();
     const Token* const tokens = cursor.tokens;
     const std::uint32_t at = cursor.position;
