@@ -2,32 +2,30 @@
 // The picture of the project's README: solids cut out of each other, engraved letters, metal, jewels, glass.
 // A unit is about a millimetre. The watch lies in the xz plane, its middle in the origin.
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 10 adc_bailout 0.01 }
+global_settings { assumed_gamma 1 max_trace_level 10 adc_bailout 0.03 }
 #default { finish { ambient 0 } }
 
 camera { location <4.6, 39, -46> look_at <4.9, 0, 1.7> right 1.5*x angle 38 }
 
 // ---- light: a soft warm key from the left, a cool one overhead, a little from behind the camera
 
-#macro SoftBox(Middle, Width, Height, Colour, Lamps)
+#macro SoftBox(Middle, Width, Height, Colour, Lamps, Levels)
   #local Side = vnormalize(vcross(y, -Middle));
   light_source {
     Middle, Colour
-    area_light Side*Width, vnormalize(vcross(-Middle, Side))*Height, Lamps, Lamps adaptive 0
+    area_light Side*Width, vnormalize(vcross(-Middle, Side))*Height, Lamps, Lamps adaptive Levels
     spotlight point_at <3, 0, 0> radius 8 falloff 30 tightness 0
   }
 #end
-SoftBox(<-48, 50, 8>, 26, 26, rgb <1.00, 0.90, 0.76>*1.1, 9)
-SoftBox(<14, 80, 26>, 50, 40, rgb <0.72, 0.86, 1.00>*0.45, 7)
+SoftBox(<-48, 50, 8>, 26, 26, rgb <1.00, 0.90, 0.76>*1.1, 9, 2)
+SoftBox(<14, 80, 26>, 30, 24, rgb <0.72, 0.86, 1.00>*0.45, 5, 1)
 light_source { <10, 40, -60> rgb <0.75, 0.88, 1.00>*0.10 shadowless }
 
 // What metal and glass mirror: a bright band on a wall out of the picture, the key's box, a strip on the right.
 #declare Card = finish { emission 1 diffuse 0 }
 #declare Square = polygon { 5, <-0.5, -0.5>, <0.5, -0.5>, <0.5, 0.5>, <-0.5, 0.5>, <-0.5, -0.5> no_image no_shadow }
 object {
-  Square
-  scale <150, 100, 1>
-  translate <0, 54, 75>
+  Square scale <150, 100, 1> translate <0, 54, 75>
   pigment {
     gradient x
     color_map {
@@ -35,10 +33,7 @@ object {
       [0.58 rgb <1.05, 0.98, 0.90>] [0.66 rgb <0.80, 0.77, 0.74>] [0.76 rgb <0.18, 0.21, 0.25>]
       [1.00 rgb <0.03, 0.04, 0.05>]
     }
-    scale 110
-    translate -55*x
-    rotate -24*z
-    translate <-8, 60, 0>
+    scale 110 translate -55*x rotate -24*z translate <-8, 60, 0>
   }
   finish { Card }
 }
@@ -103,10 +98,15 @@ sky_sphere {
 // ---- parts
 
 // A disc whose upper edge is bevelled: cylinder, cone and plane leave their own textures on what they cut.
-#macro Disc(R, Bottom, Top, Bevel, Face, Edge)
+#macro Bevelled(R, Bottom, Top, Bevel, Edge)
   intersection {
     cylinder { Bottom*y, (Top + 1)*y, R texture { Edge } }
     cone { (Top - Bevel - 2)*y, R + 2, (Top - Bevel + R)*y, 0 texture { Polished } }
+  }
+#end
+#macro Disc(R, Bottom, Top, Bevel, Face, Edge)
+  intersection {
+    Bevelled(R, Bottom, Top, Bevel, Edge)
     plane { y, Top texture { Face } }
   }
 #end
@@ -134,21 +134,20 @@ sky_sphere {
 #macro Arm(A, RA, B, RB, Bottom, Top, Bevel, Face)
   #local Long = vlength(B - A);
   #local Tilt = degrees(asin((RA - RB)/Long));  // of the sides, which touch both ends
-  union {
-    Disc(RA, Bottom, Top, Bevel, Face, Steel)
-    object { Disc(RB, Bottom, Top, Bevel, Face, Steel) translate Long*x }
-    intersection {
-      plane { y, Top texture { Face } }
-      plane { -y, -Bottom }
-      plane { -x, -RA*sin(radians(Tilt)) }
-      plane { x, Long + RB*sin(radians(Tilt)) }
-      #for (S, -1, 1, 2)
-        plane { S*z, RA rotate S*Tilt*y }
-        plane { y + S*z, 0 translate <0, Top - Bevel, S*RA> rotate S*Tilt*y texture { Polished } }
-      #end
-      texture { Steel }
-      bounded_by { box { <-RA, Bottom, -RA - RB>, <Long + RB, Top, RA + RB> } }
+  intersection {
+    union {
+      Bevelled(RA, Bottom, Top, Bevel, Steel)
+      object { Bevelled(RB, Bottom, Top, Bevel, Steel) translate Long*x }
+      intersection {
+        box { <RA*sin(radians(Tilt)), Bottom, -RA - RB>, <Long + RB*sin(radians(Tilt)), Top + 1, RA + RB> }
+        #for (S, -1, 1, 2)
+          plane { S*z, RA rotate S*Tilt*y }
+          plane { y + S*z, 0 translate <0, Top - Bevel, S*RA> rotate S*Tilt*y texture { Polished } }
+        #end
+        texture { Steel }
+      }
     }
+    plane { y, Top texture { Face } }
     rotate -degrees(atan2(B.z - A.z, B.x - A.x))*y
     translate A
   }
@@ -268,7 +267,7 @@ difference {
   object { Groove(12, 0.12, Top, 0.17) rotate 184*y translate <-0.35, 0, -1.02> }
   cylinder { (Top - 0.25)*y, 5*y, 3.95 translate Ratchet*<1, 0, 1> texture { Turned } }
   object { Lettering("WHITTLE", 4.75, 1.55, 0.10, Top - 0.10) rotate 3*y translate Balance }
-  object { Lettering("CUT EXACTLY", 6.4, 0.68, 0.14, Top - 0.07) rotate 3*y translate Balance }
+  object { Lettering("CUT AS WRITTEN", 6.4, 0.66, 0.12, Top - 0.07) rotate 3*y translate Balance }
 }
 
 // the winding wheels, and the train below the window
@@ -308,7 +307,7 @@ Screw(<8.2, 3.6, -3.3>, 0.66, 70)
 Jewel(<-0.85, Top, -2.9>, 0.34)
 Jewel(<-0.9, Top, -5.4>, 0.30)
 Jewel(<-0.4, Top, -7.6>, 0.26)
-Jewel(<7.6, Top, 2.0>, 0.34)
+Jewel(<8.2, Top, 2.8>, 0.34)
 Screw(Ratchet + 0.5*y, 1.1, 30)
 Screw(CrownWheel + 0.5*y, 0.8, -55)
 Screw(<-8.6, Top, -2.0>, 0.55, 20)
@@ -389,6 +388,7 @@ union {
     cylinder { -y, 4*y, 4.45 }
     sphere { 4*y, 4.45 }
     material { Glass }
+    no_shadow
   }
   Disc(3.6, 0, 0.5, 0.2, Gold, Gold)
   cylinder { 0.1*y, 6*y, 0.2 texture { Gold } }
