@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Turns a score over many scenes into the lists of docs/parity_scenes.md.
+"""Turns a score over many scenes into the lists of docs/parity/scenes.md.
 
 usage: parity.py SCORE
 
