@@ -5,7 +5,7 @@
 #include "render/app/options/settings.h"
 #include "render/image/files.h"
 #include "render/plan/compiled_scene.h"
-#include "render/trace/render.h"
+#include "render/picture/render.h"
 
 namespace app {
 
