@@ -54,15 +54,31 @@ install_packages() {
     cat "$root/packages.txt" /etc/os-release >"$stamp"
 }
 
+# The kernels to build, by level of x86-64: all of them, or for ./run (`own`) the one that this processor runs, beside those that are
+# configured already.
+kernels_for() {
+    local had level
+    had=$(sed -n 's/^WHITTLE_ISA_LEVELS:STRING=//p' "$1/CMakeCache.txt" 2>/dev/null || true)
+    if [[ ${2:-} != own ]]; then
+        echo "v2;v3;v4"
+    elif [[ -n $had ]]; then
+        echo "$had"
+    else
+        level=$({ /lib64/ld-linux-x86-64.so.2 --help 2>/dev/null || true; } | sed -n 's/.*x86-64-\(v[234]\) (supported.*/\1/p' | sort | tail -1)
+        echo "${level:-v2}"
+    fi
+}
+
 # build PRESET TARGET...: configures when packages came since the last time (Ninja itself does when a CMake file changed)
 # and builds; quiet when there is nothing to do. Afresh, for the compiler and what was found may have gone with an older Debian.
 build() {
-    local preset=$1 folder=$root/build/$1 stamp configure=
+    local preset=$1 folder=$root/build/$1 stamp configure='' levels
     shift
-    [[ -f $folder/build.ninja ]] || configure=yes
+    levels=$(kernels_for "$folder" "${kernels:-}")
+    grep -qsxF "WHITTLE_ISA_LEVELS:STRING=$levels" "$folder/CMakeCache.txt" && [[ -f $folder/build.ninja ]] || configure=yes
     for stamp in "$root"/build/packages.*; do
         [[ $stamp -nt $folder/build.ninja ]] && configure=yes
     done
-    [[ -z $configure ]] || (cd "$root" && cmake --preset "$preset" --fresh) >&2
+    [[ -z $configure ]] || (cd "$root" && cmake --preset "$preset" --fresh -DWHITTLE_ISA_LEVELS="$levels") >&2
     ninja -C "$folder" --quiet "$@" >&2
 }
