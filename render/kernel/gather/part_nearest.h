@@ -1,7 +1,7 @@
 #pragma once
 
 #include "numbers/lanes.h"
-#include "render/kernel/gather/pack_lanes.h"
+#include "numbers/pack_lanes.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/kernel/gather/near_photons.h"
-#include "render/kernel/gather/pack_lanes.h"
+#include "numbers/pack_lanes.h"
 #include "render/kernel/gather/part_nearest.h"
 #include "render/kernel/gather/photon_boxes.h"
 #include "render/kernel/gather/photon_distance.h"

@@ -1,7 +1,8 @@
 #include "render/kernel/light/area_light.h"
 
 #include "numbers/lane_equal.h"
-#include "render/kernel/tile/float_mask.h"
+#include "numbers/float_mask.h"
+#include "render/kernel/tile/tile_parts.h"
 
 #include <cmath>
 #include <utility>

@@ -1,5 +1,6 @@
 #include "render/texture/fresnel.h"
-#include "render/kernel/tile/float_mask.h"
+#include "numbers/float_mask.h"
+#include "render/kernel/tile/tile_parts.h"
 #include "numbers/random_lanes.h"
 #include "render/kernel/interior/dispersion.h"
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "numbers/lanes.h"
-#include "render/kernel/tile/hit_mask.h"
+
+#include <cstdint>
 
 /// Some lanes of a register of floats.
 namespace trace {
@@ -12,7 +13,7 @@ using csg::lanes::kFloatPart;
 class FloatMask {
 public:
     /// Lane i is one of them if bit i is set; bits beyond the lanes are ignored.
-    explicit FloatMask(HitMask bits);
+    explicit FloatMask(std::uint64_t bits);
 
     /// v in these lanes, 0 in the others.
     FloatPart kept(FloatPart v) const;
@@ -30,11 +31,11 @@ private:
 };
 
 #if defined(__AVX512VL__)
-inline FloatMask::FloatMask(HitMask bits) : lanes_(static_cast<__mmask8>(bits)) {}
+inline FloatMask::FloatMask(std::uint64_t bits) : lanes_(static_cast<__mmask8>(bits)) {}
 inline FloatPart FloatMask::kept(FloatPart v) const { return _mm256_maskz_mov_ps(lanes_, v); }
 inline FloatPart FloatMask::chosen(FloatPart a, FloatPart b) const { return _mm256_mask_mov_ps(b, lanes_, a); }
 #elif defined(__AVX2__)
-inline FloatMask::FloatMask(HitMask bits)
+inline FloatMask::FloatMask(std::uint64_t bits)
 {
     const __m256i own = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     const __m256i all = _mm256_set1_epi32(static_cast<int>(static_cast<std::uint32_t>(bits)));
@@ -43,7 +44,7 @@ inline FloatMask::FloatMask(HitMask bits)
 inline FloatPart FloatMask::kept(FloatPart v) const { return _mm256_and_ps(lanes_, v); }
 inline FloatPart FloatMask::chosen(FloatPart a, FloatPart b) const { return _mm256_blendv_ps(b, a, lanes_); }
 #else
-inline FloatMask::FloatMask(HitMask bits)
+inline FloatMask::FloatMask(std::uint64_t bits)
 {
     const __m128i own = _mm_setr_epi32(1, 2, 4, 8);
     const __m128i all = _mm_set1_epi32(static_cast<int>(static_cast<std::uint32_t>(bits)));
@@ -55,14 +56,5 @@ inline FloatPart FloatMask::chosen(FloatPart a, FloatPart b) const
     return _mm_or_ps(_mm_and_ps(lanes_, a), _mm_andnot_ps(lanes_, b));
 }
 #endif
-
-/// f(first) for every register of a tile's hits that has one of these.
-template <class F>
-inline void each_part(HitMask hits, F&& f)
-{
-    constexpr HitMask kPart = (HitMask{1} << kFloatPart) - 1;
-    for (std::size_t first = 0; first < csg::kTileRays; first += kFloatPart)
-        if ((hits >> first & kPart) != 0) f(first);
-}
 
 }  // namespace trace
