@@ -179,7 +179,9 @@ struct blur_samples : item<Kind::BlurSamples, a_number> {
         s.camera.blur_fewest = 0;
         if (s.camera.blur_samples <= 0) s.stream().fail(s.stream().last(), "blur_samples must be above 0");
         // `min, max`: the larger number is the limit.
-        if (s.fixed_order && s.stream().accept_comma()) {
+        if (!s.fixed_order) return;
+        s.stream().accept_comma();
+        if (at_expression(s.stream())) {
             read_rule<a_number>(s.build, s);
             s.camera.blur_fewest = s.camera.blur_samples;
             s.camera.blur_samples = s.pop_int();

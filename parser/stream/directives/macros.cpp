@@ -24,13 +24,13 @@ void TokenStream::define_macro(std::uint32_t hash)
     macro->file = cursors_.back().file;
     if (Token open = raw_next(); open.kind != Kind::LeftParen) fail_expected_at(open, "'(' and the macro's parameters");
     for (Token token = raw_next(); token.kind != Kind::RightParen; token = raw_next()) {
-        if (token.kind == Kind::Comma && !macro->parameters.empty()) continue;
         const bool optional = new_language() && token.kind == Kind::Identifier && word(token) == "optional" &&
                               peek_raw().kind == Kind::Identifier;
         if (optional) token = raw_next();
         if (token.kind != Kind::Identifier) fail_expected_at(token, "a parameter's name or ')'");
         macro->parameters.push_back(token.name);
         macro->optional.push_back(optional);
+        if (peek_raw().kind == Kind::Comma) raw_next();
     }
     macro->begin = cursors_.back().position;
     macro->end = end;

@@ -260,8 +260,8 @@ int Compiler::trace(int requested)
     take(Kind::Comma);
     if (!vector()) return -1;
     emit(Code::Trace, -3).name = name;
-    if (take(Kind::Comma)) {
-        if (kind() != Kind::Identifier) return -1;
+    take(Kind::Comma);
+    if (kind() == Kind::Identifier) {
         emit(Code::StoreNormal, 0).name = tokens_[at_].name;
         if (!meanings_.find(tokens_[at_++].name)) return -1;
     }

@@ -103,7 +103,8 @@ std::string read_datetime(TokenStream& stream, const Token& word)
 {
     const double days = float_expr(stream);
     std::string format = "%Y-%m-%d %H:%M:%SZ";
-    if (stream.accept_comma()) format = string_expr(stream);
+    stream.accept_comma();
+    if (at_string(stream)) format = string_expr(stream);
     constexpr double kSecondsTo2000 = 946684800.0;
     const double seconds = std::floor(days * 86400.0 + kSecondsTo2000 + 0.5);
     constexpr double kFarthest = 6e10;  // seconds; keeps the calendar's year in range

@@ -38,9 +38,10 @@ glm::dvec3 read_trace(TokenStream& stream, const Token& word)
     const glm::dvec3 direction = vector_expr(stream);
     Value* normal = nullptr;
     Cell element;
-    if (stream.accept_comma()) {
+    stream.accept_comma();
+    if (stream.peek().kind == Kind::Identifier) {
         const Token& name = stream.next();
-        normal = name.kind == Kind::Identifier ? stream.symbols().find(name.name) : nullptr;
+        normal = stream.symbols().find(name.name);
         if (normal && is_container(*normal)) {
             element = stream.subscripted(stream.symbols().find_cell(name.name), name, false);
             normal = element.get();

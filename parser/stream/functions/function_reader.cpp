@@ -22,7 +22,7 @@ void name_axes(std::map<std::string, BodyReader::Value>& names, const std::vecto
 std::vector<std::string> read_parameters(TokenStream& stream)
 {
     std::vector<std::string> names;
-    do {
+    for (bool more = true; more; more = stream.accept_comma() || stream.peek().kind != Kind::RightParen) {
         const Token name = stream.next();
         const bool axis = name.kind == Kind::X || name.kind == Kind::Y || name.kind == Kind::Z ||
                           name.kind == Kind::U || name.kind == Kind::V;
@@ -32,8 +32,7 @@ std::vector<std::string> read_parameters(TokenStream& stream)
         if (!axis && name.kind != Kind::Identifier) stream.fail(stream.place(name), "expected a parameter's name");
         names.push_back(stream.word(name));
         if (names.size() > kMostParameters) stream.fail(stream.place(name), "a function has at most 56 parameters");
-        stream.accept_comma();
-    } while (stream.peek().kind != Kind::RightParen);
+    }
     stream.next();
     return names;
 }

@@ -18,6 +18,7 @@ KINDS = {
     "solid": (lambda r: f"sphere {{ {r.vec(-1, 1)}, {r.num(.2, .5)} }}", 'concat(vstr(3, max_extent({0}), ", ", 0, 3), "\\n")'),
     "list": (lambda r: f"array[3] {{ {r.num(-5, 5)}, {r.num(-5, 5)}, {r.num(-5, 5)} }}", 'concat(str({0}[1], 0, 3), "\\n")'),
     "look": (lambda r: "texture { pigment { " + r.color() + " } " + common.finish(r) + " }", ""),
+    "paint": (lambda r: common.pigment(r), ""),
     "shift": (lambda r: f"transform {{ translate {r.vec(-1, 1)} }}", ""),
 }
 MANY = 3  # names of each kind
@@ -26,13 +27,14 @@ GOES_ON = ("float", "vector", "color", "function", "spline")  # what is named ma
 
 def scene(r):
     if r.chance(.55):
-        return commas.without(r, r.pick(*OTHERS).scene(r))
+        return commas.without(r, r.pick(*OTHERS).scene(r), r.pick(3, 8, 8, 8, 25))
     kinds = r.few(1, 3, [kind for kind in KINDS if kind != "float"]) + ["float"]
     parts = [common.HEADER, common.camera(r), common.light(r), common.background(r)]
     parts.append(f"#declare Places = seed({r.whole(1, 999)});")
     parts += [f"#declare {name} = {KINDS[kind][0](r)}" for kind in kinds for name in names_of(kind)]
     parts += [f"#declare Cells = array[3] {{ {r.num(-5, 5)}{comma(r)} {r.num(0, 5)}{comma(r)} {r.num(0, 5)} }}", functions_in_array(r, kinds),
-              f"#macro Value(A, B) {r.pick('(A * 10 + B)', 'A - B', '#local L = A * 2; (L + B)', 'A')} #end"]
+              f"#macro Value(A, B) {r.pick('(A * 10 + B)', 'A - B', '#local L = A * 2; (L + B)', 'A', 'B')} #end",
+              f"#macro Both(A, B) A{comma(r)} B #end"]
     macros = []
     for at in range(r.whole(1, 3)):
         macros.append((f"Macro{at}", parameters(r, kinds)))
@@ -75,6 +77,8 @@ def macro(r, name, kinds, others):
 def show(kind, name):
     if kind == "look":
         return block("sphere", f"<rand(Places) * 3 - 1.5, rand(Places) * 2 - 1, 0>, .3 texture {{ {name} }}")
+    if kind == "paint":
+        return block("sphere", f"<rand(Places) * 3 - 1.5, rand(Places) * 2 - 1, 0>, .3 pigment {{ {name} }}")
     if kind == "shift":
         return block("sphere", f"0, .2 pigment {{ rgb x }} transform {{ {name} }}")
     return f"#debug {KINDS[kind][1].format(name)}"
@@ -82,7 +86,7 @@ def show(kind, name):
 
 def changed(r, kind, name):
     word = r.pick("#declare", "#local")
-    return {"float": f"{word} {name} = {name} + {r.num(.5, 2)};", "vector": f"{word} {name} = {name} * {r.num(.5, 2)};", "color": f"{word} {name} = {name} + rgb .25;",
+    return {"float": f"{word} {name} = {name} + {r.num(.5, 2)};", "vector": f"{word} {name} = {name} * {r.num(.5, 2)};", "color": f"{word} {name} = {name} * .75;",
             "text": f'{word} {name} = concat({name}, "{r.pick("a", "b")}")', "solid": f"{word} {name} = object {{ {name} translate {r.num(.1, .4)} }}",
             "list": f"#declare {name}[{r.whole(0, 2)}] = {r.num(-5, 5)};", "spline": f"{word} {name} = spline {{ {name} 2, {r.vec(-1, 1)} }}"}.get(kind, "")
 
@@ -108,11 +112,15 @@ def joined(r, name, arguments):
         if at + 1 == len(arguments):
             break
         next_kind, next_text, _ = arguments[at + 1]
+        if kind == next_kind == "float" and r.chance(.08):
+            arguments[at + 1] = ("float", f"Both({made}{comma(r)} {next_text})", False)
+            text = text[:-len(made)]
+            continue
         other = kind in GOES_ON and next_kind != kind
-        called = next_text.startswith("Value(")
+        called = next_text.startswith(("Value(", "Both("))
         element = kind in ("function", "spline") and next_text.startswith("Cells")
         bound = next_text[0] in "-(" or other or called or element
-        text += ("" if r.chance(.01 if bound else .5) else ",") + " "
+        text += ("" if r.chance(.03 if bound else .5) else ",") + " "
     return text + r.some(.1, ",") + ")"
 
 

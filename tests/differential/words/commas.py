@@ -30,7 +30,7 @@ def without(r, text, most=8):
     """The text without 1 to `most` of its commas; seldom one of them is of those that count."""
     free, bound = places(text)
     gone = r.few(min(1, len(free)), most, free)
-    if bound and r.chance(.06):
+    if bound and r.chance(.12):
         gone.append(r.pick(*bound))
     for at in sorted(gone, reverse=True):
         text = text[:at] + " " + text[at + 1:]
