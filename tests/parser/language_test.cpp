@@ -1,4 +1,7 @@
+#include "parser/base/queries.h"
 #include "parser/parse.h"
+#include "render/plan/geometry/extent.h"
+#include "render/plan/probe.h"
 
 #include <catch2/catch.hpp>
 
@@ -44,6 +47,35 @@ std::vector<Case> cases()
     return all;
 }
 
+/// What a scene asks of its solids, as the program answers it; no case asks more.
+class Answers final : public parser::SceneQueries {
+public:
+    parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction,
+                            const scene::Description&) override
+    {
+        const plan::ObjectProbe::Answer answer = plan::ObjectProbe(*object).trace(origin, direction);
+        return {answer.hit, answer.point, answer.normal};
+    }
+    bool inside(const ObjectPtr& object, const glm::dvec3& point, const scene::Description&) override
+    {
+        return plan::ObjectProbe(*object).inside(point);
+    }
+    csg::Aabb extent(const ObjectPtr& object) override { return plan::described_extent(*object); }
+    glm::dvec3 turbulence(const glm::dvec3&, int, double, double) override
+    {
+        throw std::runtime_error("no noise here");
+    }
+    function::Values evaluate(const function::FunctionPtr&, const double*, const scene::Description&) override
+    {
+        throw std::runtime_error("no patterns here");
+    }
+    void evaluate(const function::FunctionPtr&, std::span<const glm::dvec3>, std::span<function::Values>,
+                  const scene::Description&) override
+    {
+        throw std::runtime_error("no patterns here");
+    }
+};
+
 std::string trimmed(std::string text)
 {
     while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -59,7 +91,10 @@ TEST_CASE("what POV-Ray accepts and rejects, and what it prints", "[parser][lang
     CHECK(all.size() > 800);
     for (std::size_t i = 0; i < 2 * all.size(); ++i) {
         const Case& one = all[i / 2];
+        Answers answers;
         parser::Options options;
+        options.queries = &answers;
+        options.image_width = options.image_height = 4;  // as in make_language.py
         options.blocks = i % 2 == 0;
         INFO(one.text << (options.blocks ? "" : " read word by word"));
         std::string debug, error;

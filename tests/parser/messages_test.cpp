@@ -209,7 +209,7 @@ TEST_CASE("a mistake in a block is told alone, without what it makes of the bloc
 {
     for (const char* text :
          {"difference { sphere { 0, 1 } shpere { 0, 2 } }", "union { sphere { 0, 1 } , }",
-          "intersection { union { box { 0, 1 } box { 1, 2 } 7 } }", "merge { colour x }",
+          "intersection { union { box { 0, 1 } box { 1, 2 } 7 } }", "merge { 5 }",
           "object { difference { plane { y, 0 } translate } }", "polygon { 3, <0, 0>, <1, 0>, <1, 1>, <0, 1> }",
           "prism { linear_sweep 0, 1, 3, <0, 0>, <1, 0>, <1, 1>, <0, 0> }"}) {
         INFO(text);
