@@ -47,7 +47,7 @@ std::vector<Case> cases()
     return all;
 }
 
-/// What a scene asks of its solids, as the program answers it; no case asks more.
+/// What a scene asks while it is read, answered as the program does.
 class Answers final : public parser::SceneQueries {
 public:
     parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction,
@@ -61,18 +61,19 @@ public:
         return plan::ObjectProbe(*object).inside(point);
     }
     csg::Aabb extent(const ObjectPtr& object) override { return plan::described_extent(*object); }
-    glm::dvec3 turbulence(const glm::dvec3&, int, double, double) override
+    glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega) override
     {
-        throw std::runtime_error("no noise here");
+        return plan::turbulence(point, octaves, lambda, omega);
     }
-    function::Values evaluate(const function::FunctionPtr&, const double*, const scene::Description&) override
+    function::Values evaluate(const function::FunctionPtr& called, const double* arguments,
+                              const scene::Description& so_far) override
     {
-        throw std::runtime_error("no patterns here");
+        return plan::FunctionProbe(called, so_far).evaluate(arguments);
     }
-    void evaluate(const function::FunctionPtr&, std::span<const glm::dvec3>, std::span<function::Values>,
-                  const scene::Description&) override
+    void evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points,
+                  std::span<function::Values> values, const scene::Description& so_far) override
     {
-        throw std::runtime_error("no patterns here");
+        plan::FunctionProbe(called, so_far).evaluate(points, values);
     }
 };
 
