@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -38,22 +39,28 @@ struct Header {
     const char* software;
 };
 
+/// Chunks are put one by one: their order is not the same in each version of libpng.
 void write_header(png_structp png, png_infop info, const Header& header)
 {
     png_set_IHDR(png, info, header.width, header.height, header.bits, header.color_type, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_gAMA(png, info, 1.0 / header.gamma);
-    if (header.srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    const png_byte significant = header.significant_bits;
-    const png_color_8 bits{significant, significant, significant, significant, significant};
-    png_set_sBIT(png, info, &bits);
-    png_text text{};
-    std::array<char, 9> key{"Software"};
-    text.compression = PNG_TEXT_COMPRESSION_NONE;
-    text.key = key.data();
-    text.text = const_cast<char*>(header.software);  // libpng copies it
-    png_set_text(png, info, &text, 1);
     png_write_info(png, info);
+    const auto put = [&](const char* name, const png_byte* data, std::size_t size) {
+        png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), data, size);
+    };
+    std::array<png_byte, 4> gamma{};
+    png_save_uint_32(gamma.data(), static_cast<png_uint_32>(std::floor(100000.0 / header.gamma + 0.5)));
+    put("gAMA", gamma.data(), gamma.size());
+    const png_byte intent = PNG_sRGB_INTENT_PERCEPTUAL;
+    if (header.srgb) put("sRGB", &intent, 1);
+    std::array<png_byte, 4> significant{};
+    significant.fill(header.significant_bits);
+    put("sBIT", significant.data(), png_get_channels(png, info));
+    constexpr std::size_t kMost = 79;  // of text: our own name and version
+    std::array<png_byte, 9 + kMost> text{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0};
+    const std::size_t length = std::min(std::strlen(header.software), kMost);
+    std::memcpy(text.data() + 9, header.software, length);
+    put("tEXt", text.data(), 9 + length);
 }
 
 }  // namespace
