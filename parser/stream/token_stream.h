@@ -89,7 +89,8 @@ public:
     /// "expected <what>, found '<peek()>'" at peek(), and what else there is to say.
     [[noreturn]] void fail_expected(std::string_view what, std::string_view more = "");
     /// Once for a text at a place: what stands in a loop or a file that is read again says nothing new.
-    void warn(const scene::SourceRef& at, std::string_view text);
+    /// `check`: of `whittle lint` that tells it too.
+    void warn(const scene::SourceRef& at, std::string_view text, std::string_view check = {});
     /// The same of the block that is read, told once it is closed: a mistake in it would be the cause.
     void warn_when_closed(const scene::SourceRef& at, std::string text);
     /// For a name that means nothing where it stands: "'shpere' is not declared; did you mean 'sphere'?"

@@ -14,6 +14,7 @@ constexpr Check kChecks[] = {
     {"endless-loop", "a #while whose condition nothing in it changes, or reading that does not end"},
     {"no-version", "the scene has no #version: what its words mean is guessed"},
     {"unused-name", "a #declare, #local or #macro of the scene that nothing uses"},
+    {"missing-comma", "a name that is taken in place of the one before it because no comma stands between them"},
     {"negative-size", "a radius below 0"},
     {"zero-size", "a solid without extent: a radius of 0, a box that is a line or a point, equal ends"},
     {"flat-triangle", "a triangle of a mesh whose corners lie on a line"},
@@ -94,6 +95,14 @@ std::vector<Finding> check_text(const std::string& path, const std::vector<std::
     Findings out(nullptr, read, wanted);
     check_loops(out, path, others);
     check_names(out, path, others);
+    return out.take();
+}
+
+std::vector<Finding> check_messages(std::span<const scene::Message> messages, const Reader& read, const Wanted& wanted)
+{
+    Findings out(nullptr, read, wanted);
+    for (const scene::Message& message : messages)
+        if (!message.check.empty()) out.add_message(message.check, message);
     return out.take();
 }
 

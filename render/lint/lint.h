@@ -40,6 +40,9 @@ struct Wanted {
 std::vector<Finding> check_text(const std::string& path, const std::vector<std::string>& others, const Reader& read,
                                 const Wanted& wanted);
 
+/// What the parser has told already and is a check's as well.
+std::vector<Finding> check_messages(std::span<const scene::Message> messages, const Reader& read, const Wanted& wanted);
+
 /// What was made of the text. Slow checks are left out unless `thorough`: they ask solids at many points.
 std::vector<Finding> check_scene(const scene::Description& description, const Reader& read, const Wanted& wanted,
                                  bool thorough = true);

@@ -121,9 +121,11 @@ Cell TokenStream::taken_instead(const Token& first, const Value& named)
     const bool same = next.get() == &named || (last_ == &first && first.name == ahead_->name);
     if (next && !same) {
         const std::string text = word(first) + (last_->kind == Kind::RightSquare ? "[...]" : "");
-        warn(place(first), fmt::format("'{}' is taken in place of '{}', as in POV-Ray, because no comma stands between "
-                                       "them; write '{}, {}'",
-                                       word(*ahead_), text, text, word(*ahead_)));
+        warn(place(first),
+             fmt::format("'{}' is taken in place of '{}', as in POV-Ray, because no comma stands between "
+                         "them; write '{}, {}'",
+                         word(*ahead_), text, text, word(*ahead_)),
+             "missing-comma");
     }
     return next;
 }

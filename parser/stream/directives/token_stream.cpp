@@ -382,10 +382,12 @@ void TokenStream::report(Message message)
     if (sink_) sink_(sink_context_, messages_.back());
 }
 
-void TokenStream::warn(const scene::SourceRef& at, std::string_view text)
+void TokenStream::warn(const scene::SourceRef& at, std::string_view text, std::string_view check)
 {
     if (!warned_.insert(message_text(message(Severity::Warning, at, text))).second) return;
-    report(located(Severity::Warning, at, text));
+    Message told = located(Severity::Warning, at, text);
+    told.check = check;
+    report(std::move(told));
 }
 
 void TokenStream::warn_when_closed(const scene::SourceRef& at, std::string text)

@@ -132,6 +132,7 @@ std::vector<lint::Finding> look_at(const LintRequest& request)
             parsed = parser::parse_file(scene, reading.options, keep_note, &stopped);
         }
         append(found, lint::check_text(scene, parsed.scene.files, text_on_disk, request.wanted));
+        append(found, lint::check_messages(parsed.messages, text_on_disk, request.wanted));
         append(found, lint::check_scene(parsed.scene, text_on_disk, request.wanted));
     } catch (const parser::Cancelled&) {
         append(found, lint::check_text(scene, {}, text_on_disk, request.wanted));

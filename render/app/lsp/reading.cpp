@@ -156,7 +156,10 @@ bool Reader::read(const Job& job, Reading& reading)
         how.options.texts = job.texts.get();
         how.options.tell_values = true;
         parser::Result result = parser::parse_file(job.scene, how.options, keep_note, &stopped);
-        for (scene::Message& message : result.messages) reading.told.push_back({std::move(message), {}});
+        for (scene::Message& message : result.messages) {
+            const std::string check(message.check);
+            if (check.empty() || limits_.lint.wants(check)) reading.told.push_back({std::move(message), check});
+        }
         reading.values = std::move(result.values);
         reading.whole = true;
         add(lint::check_text(job.scene, result.scene.files, texts, limits_.lint));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scene {
@@ -46,6 +47,7 @@ struct Message {
     std::vector<RelatedPlace> related;
     SourceRef source;
     std::optional<Place> opened = {};  ///< the brace that the words tell of
+    std::string_view check = {};       ///< of `whittle lint` that tells it too
 };
 
 /// "path:line:column", as much of it as there is.

@@ -21,6 +21,8 @@ std::vector<lint::Finding> findings_in(const std::string& path, const lint::Want
 {
     const parser::Result parsed = parser::parse_file(path, {});
     std::vector<lint::Finding> all = lint::check_text(path, parsed.scene.files, text_of, wanted);
+    for (lint::Finding& finding : lint::check_messages(parsed.messages, text_of, wanted))
+        all.push_back(std::move(finding));
     for (lint::Finding& finding : lint::check_scene(parsed.scene, text_of, wanted)) all.push_back(std::move(finding));
     return all;
 }
