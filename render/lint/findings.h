@@ -32,11 +32,11 @@ public:
     void add(std::string_view check, const scene::SourceRef& at, std::string text,
              std::vector<std::pair<scene::SourceRef, std::string>> related = {});
     void add(std::string_view check, const std::string& path, std::uint32_t offset, std::string text);
+    void add_message(std::string_view check, scene::Message message);
     Texts& texts() { return texts_; }
     std::vector<Finding> take();
 
 private:
-    void add_message(std::string_view check, scene::Message message);
     const scene::Description* description_;
     Texts texts_;
     const Wanted& wanted_;
