@@ -2,7 +2,7 @@
 # cmake/package.sh: installs what is missing, builds, and leaves build/release/whittle_VERSION_amd64.deb.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
-install_packages to_run
+install_packages to_package
 build release whittle
 (cd "$root/build/release" && cpack --config CPackConfig.cmake -B "$root/build/release") >&2
 ls "$root"/build/release/whittle_*.deb

@@ -18,11 +18,15 @@ choice() {
     echo "$starred"
 }
 
-# The names in packages.txt; with `to_run` those of the tests' part are left out.
+# The names in packages.txt that a purpose needs: to_run, to_check or to_package.
 packages() {
-    local part=() line
-    [[ $1 == to_run ]] && part=(-e '/^# To test/,/^$/d')
-    sed "${part[@]}" -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packages.txt" | while read -r line; do
+    local left_out line
+    case $1 in
+    to_run) left_out='test|package' ;;
+    to_check) left_out=package ;;
+    to_package) left_out='test' ;;
+    esac
+    sed -E -e "/^# To ($left_out)/,/^\$/d" -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packages.txt" | while read -r line; do
         if [[ $line == *'|'* ]]; then choice "$line"; else echo "$line"; fi
     done
 }
@@ -34,7 +38,7 @@ missing_packages() {
     echo "${names[*]}"
 }
 
-# install_packages to_run|to_check: a browser and an editor are for the tests alone.
+# install_packages PURPOSE: a browser and an editor are for the tests alone, for one.
 install_packages() {
     local stamp=$root/build/packages.$1 missing
     cat "$root/packages.txt" /etc/os-release 2>/dev/null | cmp -s - "$stamp" && return

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # clean_root.sh [FOLDER]: builds the package, installs it in a minimal Debian of this machine's release made in FOLDER (a temporary one if
-# none is given), renders there, and removes it again. As root; needs debootstrap and dpkg-dev.
+# none is given), renders there, and removes it again. As root; needs debootstrap.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 package=$("$root/cmake/package.sh")
