@@ -17,9 +17,10 @@ from ratchet import HERE, cases_in, render
 def main():
     if len(sys.argv) not in (2, 4) or sys.argv[2:3] not in ([], ["--like"]):
         sys.exit(__doc__)
+    whittle = str(pathlib.Path(sys.argv[1]).resolve())  # scenes are rendered from their own folders
     cases = cases_in((HERE / "CMakeLists.txt").read_text())
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
-        pictures = pool.map(lambda case: render(sys.argv[1], case, pathlib.Path(folder)), cases.values())
+        pictures = pool.map(lambda case: render(whittle, case, pathlib.Path(folder)), cases.values())
         sums = {name: hashlib.sha256(picture.read_bytes()).hexdigest() for name, picture in zip(cases, pictures)}
     for name, digest in sums.items():
         print(f"{digest}  {name}")
