@@ -197,7 +197,7 @@ TEST_CASE("a ball's field makes a ball", "[csg][freeform]")
     }
 }
 
-TEST_CASE("a blob of a description is made once, when it is asked for", "[csg][freeform]")
+TEST_CASE("what a description stands for is made once, when it is asked for", "[csg][freeform]")
 {
     int made = 0;
     const auto later = make_freeform_later(Blob(0.5, {}), [&] {
