@@ -12,7 +12,7 @@ struct SubCommand {
     std::string_view meaning;   ///< one line
 };
 
-/// All of them, in the order of the help text; what each calls stands in render/app/main.cpp.
+/// All of them, in the order of the help text; what each calls stands in render/app/tools/main.cpp.
 inline constexpr std::array kSubCommands = {
     SubCommand{"compare", "A B [--out diff.png] [--flip] [--tolerance n] [--share x]",
                "how far two pictures are apart"},

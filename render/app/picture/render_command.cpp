@@ -7,12 +7,11 @@
 #include "render/app/run/scene_file.h"
 #include "render/app/run/shell_commands.h"
 #include "render/app/run/stage_options.h"
+#include "render/app/run/written_journal.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 
@@ -94,20 +93,6 @@ int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& repor
     }
 }
 
-/// False, told on standard error, where the file does not take it.
-bool write_journal(const std::string& path, const std::string& text)
-{
-    if (path == "-") {
-        fmt::print("{}", text);
-        return true;
-    }
-    std::ofstream out(path, std::ios::binary);
-    out << text;
-    if (out.flush()) return true;
-    fmt::print(stderr, "whittle: error: cannot write '{}': {}\n", path, std::strerror(errno));
-    return false;
-}
-
 }  // namespace
 
 int render_command(const Settings& settings, Cancellation& cancel, Remains& remains)
@@ -132,16 +117,6 @@ int render_command(const Settings& settings, Cancellation& cancel, Remains& rema
     const int status = run_scene(settings, streams, journal, cancel, remains);
     const bool kept = write_journal(settings.json_file, journal.text(status));
     return kept || status != kSuccess ? status : kError;
-}
-
-void journal_option_error(const Settings& settings, const std::string& text)
-{
-    if (settings.json_file.empty()) return;
-    Streams streams(settings);
-    const std::unique_ptr<ConsoleReporter> silent = make_reporter(settings, streams);
-    Journal journal(streams, *silent, settings);
-    journal.record_error(text);
-    write_journal(settings.json_file, journal.text(kError));
 }
 
 }  // namespace app

@@ -12,7 +12,4 @@ namespace app {
 /// \param remains gets what the last frame was made from
 int render_command(const Settings& settings, Cancellation& cancel, Remains& remains);
 
-/// --json of a run that options ended before it began. Does nothing if --json was not among those read till then.
-void journal_option_error(const Settings& settings, const std::string& text);
-
 }  // namespace app
