@@ -62,8 +62,8 @@ void Comparison::stop()
 
 void Comparison::refuse(const std::string& with, const std::string& why)
 {
-    board_.push(Board::Kind::Compared,
-                json{{"with", with}, {"why", why}}.dump(-1, ' ', false, json::error_handler_t::replace));
+    events_.push(EventLog::Kind::Compared,
+                 json{{"with", with}, {"why", why}}.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 void Comparison::show(const std::string& with, const std::string& path)
@@ -77,8 +77,8 @@ void Comparison::show(const std::string& with, const std::string& path)
                 const float value = picture.at(x, y)[picture.channels < 3 ? 0 : c];
                 bytes += static_cast<char>(image::quantised(value, 8));
             }
-    board_.push(Board::Kind::Compared, fmt::format(R"({{"with":"{}","W":{},"H":{},"c":3,"d":"{}"}})", with,
-                                                   picture.width, picture.height, base64(bytes)));
+    events_.push(EventLog::Kind::Compared, fmt::format(R"({{"with":"{}","W":{},"H":{},"c":3,"d":"{}"}})", with,
+                                                       picture.width, picture.height, base64(bytes)));
 }
 
 void Comparison::show_reference()

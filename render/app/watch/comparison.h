@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/app/options/settings.h"
-#include "render/app/watch/board.h"
+#include "render/app/watch/event_log.h"
 
 #include <atomic>
 #include <mutex>
@@ -10,13 +10,13 @@
 
 namespace app {
 
-/// Pictures of the same scene to compare with, put on a board: one that was given, and POV-Ray's own, made in a folder
+/// Pictures of the same scene to compare with, told as events: one that was given, and POV-Ray's own, made in a folder
 /// of its own that is removed afterwards. One at a time.
 class Comparison {
 public:
     /// \param reference path of a picture; empty: none \param povray program; empty: none
-    Comparison(Board& board, std::string reference, std::string povray)
-        : board_(board), reference_(std::move(reference)), povray_(std::move(povray))
+    Comparison(EventLog& events, std::string reference, std::string povray)
+        : events_(events), reference_(std::move(reference)), povray_(std::move(povray))
     {}
     Comparison(const Comparison&) = delete;
     Comparison& operator=(const Comparison&) = delete;
@@ -31,7 +31,7 @@ private:
     void refuse(const std::string& with, const std::string& why);
     void render(const std::string& scene, const Settings& settings);
     void stop();
-    Board& board_;
+    EventLog& events_;
     const std::string reference_, povray_;
     std::mutex mutex_;  ///< of the thread
     std::thread thread_;

@@ -29,9 +29,9 @@ double seconds_since(PassClock::time_point start)
 class PassTracer {
 public:
     PassTracer(plan::CompiledScene& compiled, const trace::RenderOptions& options, const image::Encoding& encoding,
-               int generation, Board& board, PassTimes& times)
+               int generation, EventLog& events, PassTimes& times)
         : compiled_(compiled), whole_(compiled.options), options_(options), encoding_(encoding),
-          generation_(generation), board_(board), times_(times)
+          generation_(generation), events_(events), times_(times)
     {}
 
     bool run()
@@ -84,13 +84,13 @@ private:
             tell(name, share, share > 0.0 ? time_left(pass, step, now, share) : -1.0);
         };
         options.finished = [&](std::size_t i) {
-            board_.push(Board::Kind::Block, block_event(generation_, pass, blocks[i], picture, encoding_), generation_,
-                        pass);
+            events_.push(EventLog::Kind::Block, block_event(generation_, pass, blocks[i], picture, encoding_),
+                         generation_, pass);
         };
         const bool done = !trace::render(compiled_, options, picture).cancelled;
         compiled_.options = whole_;
         if (!done) return false;
-        board_.passed(generation_, pass);
+        events_.passed(generation_, pass);
         times_.emplace_back(name, seconds_since(start));
         return true;
     }
@@ -108,8 +108,8 @@ private:
 
     void tell(std::string_view name, double share, double left)
     {
-        board_.push(Board::Kind::Progress, fmt::format(R"({{"g":{},"pass":"{}","share":{:.4f},"left":{:.2f}}})",
-                                                       generation_, name, share, left));
+        events_.push(EventLog::Kind::Progress, fmt::format(R"({{"g":{},"pass":"{}","share":{:.4f},"left":{:.2f}}})",
+                                                           generation_, name, share, left));
     }
 
     plan::CompiledScene& compiled_;
@@ -117,7 +117,7 @@ private:
     const trace::RenderOptions& options_;
     const image::Encoding& encoding_;
     const int generation_;
-    Board& board_;
+    EventLog& events_;
     PassTimes& times_;
     std::shared_ptr<const trace::IndirectLight> light_;
 };
@@ -125,9 +125,9 @@ private:
 }  // namespace
 
 bool trace_passes(plan::CompiledScene& compiled, const trace::RenderOptions& options, const image::Encoding& encoding,
-                  int generation, Board& board, PassTimes& times)
+                  int generation, EventLog& events, PassTimes& times)
 {
-    return PassTracer(compiled, options, encoding, generation, board, times).run();
+    return PassTracer(compiled, options, encoding, generation, events, times).run();
 }
 
 }  // namespace app

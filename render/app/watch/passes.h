@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/watch/board.h"
+#include "render/app/watch/event_log.h"
 #include "render/image/levels/quantise.h"
 #include "render/plan/compiled_scene.h"
 #include "render/picture/render.h"
@@ -13,10 +13,10 @@ namespace app {
 /// What the passes of a picture took, by name, in seconds.
 using PassTimes = std::vector<std::pair<std::string, double>>;
 
-/// Traces a picture coarse to fine and puts its blocks on the board.
+/// Traces a picture coarse to fine and tells of its blocks.
 /// \param compiled its options' size and window are changed meanwhile, as the passes need them
 /// \return false: cancelled
 bool trace_passes(plan::CompiledScene& compiled, const trace::RenderOptions& options, const image::Encoding& encoding,
-                  int generation, Board& board, PassTimes& times);
+                  int generation, EventLog& events, PassTimes& times);
 
 }  // namespace app

@@ -105,7 +105,7 @@ std::optional<View::Cut> cut_in(const json& from)
 }  // namespace
 
 Session::Session(const Settings& settings, const std::string& reference, const std::string& povray)
-    : settings_(settings), scene_(find_scene(settings)), comparison_(board_, reference, povray),
+    : settings_(settings), scene_(find_scene(settings)), comparison_(events_, reference, povray),
       thread_([this] { run(); }), saves_([this] { ask(Cause::Save); })
 {
     saves_.follow({scene_}, false);
@@ -121,7 +121,7 @@ Session::~Session()
         ending_early_ = true;
     }
     asked_.notify_all();
-    board_.close();
+    events_.close();
     thread_.join();
 }
 
@@ -165,7 +165,7 @@ void Session::make(const View& view)
         std::vector<scene::Message> messages = told_;
         for (scene::Message& message : messages_of_error(error)) messages.push_back(std::move(message));
         wrong_ = true;
-        board_.push(Board::Kind::Messages, messages_event(generation_, true, messages), generation_);
+        events_.push(EventLog::Kind::Messages, messages_event(generation_, true, messages), generation_);
         follow(true, messages);
     }
 }
@@ -182,7 +182,7 @@ void Session::read(const View& view, const Settings& settings)
 {
     if (unread_ || wrong_) {  // else it is the same text with other values
         read_at_ = milliseconds_now();
-        board_.push(Board::Kind::Text, text_event(generation_, scene_, read_at_));
+        events_.push(EventLog::Kind::Text, text_event(generation_, scene_, read_at_));
     }
     const SceneReading reading(settings, cancel_);
     told_.clear();
@@ -216,7 +216,7 @@ void Session::render(const View& view)
         read(view, settings);
         times.emplace_back("parse", seconds_from(start));
     }
-    board_.push(Board::Kind::Messages, messages_event(generation_, false, told_), generation_);
+    events_.push(EventLog::Kind::Messages, messages_event(generation_, false, told_), generation_);
     const auto planning = JobClock::now();
     const plan::Options planned = plan_options(settings);
     std::optional<plan::CompiledScene> compiled;
@@ -241,13 +241,14 @@ void Session::render(const View& view)
     }
     times.emplace_back("plan", seconds_from(planning));
     if (cancel_) return;
-    board_.push(Board::Kind::Scene, scene_event(generation_, settings.width, settings.height, read_at_), generation_);
+    events_.push(EventLog::Kind::Scene, scene_event(generation_, settings.width, settings.height, read_at_),
+                 generation_);
     std::vector<parser::SceneConstant> constants = parser::constants_of(scene_);
     for (const auto& declared : settings_.declared_numbers)
         if (std::none_of(constants.begin(), constants.end(), [&](const auto& c) { return c.name == declared.first; }))
             constants.push_back({declared.first, declared.second});
     const double clock = static_cast<double>(settings.clock.value_or(0.0f));
-    board_.push(Board::Kind::Controls, controls_event(view, clock, constants, camera_text(camera)), generation_);
+    events_.push(EventLog::Kind::Controls, controls_event(view, clock, constants, camera_text(camera)), generation_);
 
     image::Encoding encoding = file_settings(settings, parsed_->scene).encoding;
     encoding.bits = 8;
@@ -257,8 +258,8 @@ void Session::render(const View& view)
     options.threads = settings.threads;
     options.isa = isa_of(settings);
     options.cancel = &cancel_;
-    if (!trace_passes(*compiled, options, encoding, generation_, board_, times)) return;
-    board_.push(Board::Kind::Done, done_event(generation_, seconds_from(start), times, nullptr), generation_);
+    if (!trace_passes(*compiled, options, encoding, generation_, events_, times)) return;
+    events_.push(EventLog::Kind::Done, done_event(generation_, seconds_from(start), times, nullptr), generation_);
 }
 
 web::Reply Session::change(const std::string& body)

@@ -2,7 +2,7 @@
 
 #include "parser/parse.h"
 #include "render/app/options/settings.h"
-#include "render/app/watch/board.h"
+#include "render/app/watch/event_log.h"
 #include "render/app/watch/comparison.h"
 #include "render/app/watch/saves.h"
 #include "render/app/watch/view.h"
@@ -26,7 +26,7 @@ public:
     ~Session() override;
 
     web::Reply answer(bool posted, const std::string& path, const std::string& body) override;
-    bool events(std::uint64_t& position, std::string& out) override { return board_.read(position, out); }
+    bool events(std::uint64_t& position, std::string& out) override { return events_.read(position, out); }
 
 private:
     enum class Cause { Save, View };
@@ -50,7 +50,7 @@ private:
 
     const Settings settings_;
     const std::string scene_;
-    Board board_;
+    EventLog events_;
     Comparison comparison_;
 
     std::mutex mutex_;

@@ -1,4 +1,4 @@
-#include "render/app/watch/board.h"
+#include "render/app/watch/event_log.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ constexpr std::array kEventNames = {"text", "scene", "controls", "messages", "bl
 }  // namespace
 
 template <class Test>
-void Board::drop(Test&& test)
+void EventLog::drop(Test&& test)
 {
     for (auto at = entries_.begin(); at != entries_.end();) {
         if (!test(at->second)) {
@@ -27,7 +27,7 @@ void Board::drop(Test&& test)
     }
 }
 
-void Board::push(Kind kind, const std::string& json, int generation, int pass)
+void EventLog::push(Kind kind, const std::string& json, int generation, int pass)
 {
     auto text = std::make_shared<const std::string>(
         fmt::format("event: {}\ndata: {}\n\n", kEventNames[static_cast<std::size_t>(kind)], json));
@@ -47,13 +47,13 @@ void Board::push(Kind kind, const std::string& json, int generation, int pass)
     changed_.notify_all();
 }
 
-void Board::passed(int generation, int pass)
+void EventLog::passed(int generation, int pass)
 {
     const std::lock_guard lock(mutex_);
     drop([&](const Entry& e) { return e.kind == Kind::Block && e.generation == generation && e.pass < pass; });
 }
 
-bool Board::read(std::uint64_t& position, std::string& out)
+bool EventLog::read(std::uint64_t& position, std::string& out)
 {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, kWait, [&] { return closed_ || last_ > position; });
@@ -64,14 +64,14 @@ bool Board::read(std::uint64_t& position, std::string& out)
     return !closed_;
 }
 
-void Board::close()
+void EventLog::close()
 {
     const std::lock_guard lock(mutex_);
     closed_ = true;
     changed_.notify_all();
 }
 
-std::size_t Board::bytes() const
+std::size_t EventLog::bytes() const
 {
     const std::lock_guard lock(mutex_);
     return bytes_;

@@ -10,7 +10,7 @@
 namespace app {
 
 /// What pages are told, as server-sent events, kept as long as a page that opens now needs it. Any thread may use it.
-class Board {
+class EventLog {
 public:
     /// Of each the last one counts, but for blocks, which add up to a picture, and the scene that these are of.
     enum class Kind { Text, Scene, Controls, Messages, Block, Progress, Done, Compared };
