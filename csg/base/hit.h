@@ -85,7 +85,7 @@ struct alignas(64) HitTile {
 };
 
 /// Points and normals of a tile's hits as arrays.
-struct alignas(64) PlaceTile {
+struct alignas(64) ShadingPoints {
     alignas(64) std::array<double, kTileRays> x, y, z, nx, ny, nz;
 
     glm::dvec3 point(std::size_t k) const { return {x[k], y[k], z[k]}; }

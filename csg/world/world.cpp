@@ -1,7 +1,7 @@
 #include "csg/world/world.h"
 
 #include "csg/items/spawn_epsilon.h"
-#include "csg/items/reach.h"
+#include "csg/items/depth_range.h"
 #include "csg/packet/tile_crossings.h"
 #include "csg/bvh/traverse.h"
 #include "csg/items/instance_ray.h"
@@ -48,7 +48,7 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
     Shadow found = Shadow::Clear;
     const RaySlabs slabs(ray);
     const auto take = [&](const Hit& hit) {
-        if (world.faithful && !reach_of(world, hit).holds(hit.t)) return;
+        if (world.faithful && !depth_range_of(world, hit).holds(hit.t)) return;
         if (world.surface_opaque[hit.surface] != 0) {
             found = Shadow::Blocked;
         } else {
@@ -170,7 +170,7 @@ void instance_crossings(const WorldData& world, const WorldItem& item, const Ray
 Hit World::nearest(const Ray& ray, double t_min, double t_max, std::uint8_t kind_bit, Scratch& scratch) const
 {
     const Hit hit = first(ray, t_min, t_max, kind_bit, scratch);
-    if (data_->faithful && hit.found() && !reach_of(*data_, hit).holds(hit.t))
+    if (data_->faithful && hit.found() && !depth_range_of(*data_, hit).holds(hit.t))
         return first_in_reach(ray, t_min, t_max, kind_bit, scratch);
     return hit;
 }
@@ -182,7 +182,7 @@ Hit World::first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8
     const RaySlabs slabs(ray);
     Nearest best(ray, t_max);
     const auto offer = [&](const Hit& hit, std::uint32_t i) {
-        if (reach_of(world, hit).holds(hit.t)) best.offer(hit, i);
+        if (depth_range_of(world, hit).holds(hit.t)) best.offer(hit, i);
     };
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
@@ -310,7 +310,7 @@ Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scr
     return hits[static_cast<std::size_t>(std::find(items.begin(), items.end(), first) - items.begin())];
 }
 
-bool World::too_far(const Hit& hit) const { return hit.t > reach_of(*data_, hit).to; }
+bool World::too_far(const Hit& hit) const { return hit.t > depth_range_of(*data_, hit).to; }
 
 HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
 {
@@ -334,7 +334,7 @@ HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
     return out;
 }
 
-double World::start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const
+double World::spawn_distance(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const
 {
     if (data_->faithful) return usual;
     if (hit.instance != Hit::kNoInstance) {
@@ -342,7 +342,7 @@ double World::start(const Ray& ray, const Hit& hit, double incidence, bool inwar
         const LocalRay local(one, ray);
         Hit own = alone(hit);
         own.t = hit.t * local.length;
-        return World(*one.world).start(local.ray, own, incidence, inward, usual * local.length) / local.length;
+        return World(*one.world).spawn_distance(local.ray, own, incidence, inward, usual * local.length) / local.length;
     }
     return with_solid(data_->store, hit.part,
                       [&](const auto& solid) { return spawn_epsilon(solid, ray, hit.t, incidence, inward, usual); });

@@ -28,11 +28,11 @@ public:
     /// Point and normal of a hit of that ray; uv where asked for.
     HitDetails details(const Ray& ray, const Hit& hit, bool with_uv = true) const;
     /// The same of the hits of a tile that `which` names (bit k: hit k), without uv; others' places are anything.
-    void places(const RayTile& rays, const HitTile& hits, std::uint64_t which, PlaceTile& out) const;
-    /// Whether POV-Ray does not tell of a hit as far off as this one (csg/items/reach.h).
+    void shading_points(const RayTile& rays, const HitTile& hits, std::uint64_t which, ShadingPoints& out) const;
+    /// Whether POV-Ray does not tell of a hit as far off as this one (csg/items/depth_range.h).
     bool too_far(const Hit& hit) const;
     /// Where a ray that leaves a hit begins to look: csg/items/spawn_epsilon.h.
-    double start(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const;
+    double spawn_distance(const Ray& ray, const Hit& hit, double incidence, bool inward, double usual) const;
     /// Appends the shares of the parts of the shape that was hit (Freeform::shares).
     void shares(const Hit& hit, const glm::dvec3& point, std::vector<Share>& out) const;
 

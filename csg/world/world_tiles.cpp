@@ -1,6 +1,6 @@
 // World's questions for a tile of rays.
 #include "csg/world/world.h"
-#include "csg/items/reach.h"
+#include "csg/items/depth_range.h"
 #include "csg/packet/shaft.h"
 #include "csg/packet/tile_clusters.h"
 #include "csg/packet/tile_crossings.h"
@@ -161,7 +161,7 @@ void World::recheck(const RayTile& rays, std::uint8_t kind_bit, Scratch& scratch
     for (int i = 0; i < rays.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const Hit hit = out.at(i);
-        if (hit.found() && !reach_of(*data_, hit).holds(hit.t))
+        if (hit.found() && !depth_range_of(*data_, hit).holds(hit.t))
             out.set(i, first_in_reach(rays.ray(i), rays.t_min[k], rays.t_max[k], kind_bit, scratch));
     }
 }

@@ -346,7 +346,9 @@ const KernelTable kTable = {
     },
     [](PathTracer* tracer) { delete tracer; },
     [](PathTracer& tracer, std::span<const PathSample> samples, PathFound* out) { return tracer.trace(samples, out); },
-    [](PathTracer& tracer, std::span<const PathSample> samples, SeenFirst* out) { return tracer.look(samples, out); },
+    [](PathTracer& tracer, std::span<const PathSample> samples, FirstHit* out) {
+        return tracer.find_first_hits(samples, out);
+    },
     [](const PathTracer& tracer) { return tracer.counts(); },
     texture::evaluators(),
 };

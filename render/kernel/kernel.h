@@ -48,7 +48,7 @@ struct KernelTable {
                               const std::atomic<bool>* cancel);
     void (*free_paths)(PathTracer* tracer);
     bool (*trace_paths)(PathTracer& tracer, std::span<const PathSample> samples, PathFound* out);
-    bool (*look)(PathTracer& tracer, std::span<const PathSample> samples, SeenFirst* out);
+    bool (*first_hits)(PathTracer& tracer, std::span<const PathSample> samples, FirstHit* out);
     RayCounts (*path_counts)(const PathTracer& tracer);
     function::Evaluators evaluators;  ///< for the fields of solids, which live outside of the module
 };

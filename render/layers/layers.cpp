@@ -56,8 +56,8 @@ public:
         for (int y = square.top; y < square.top + square.height; ++y)
             for (int x = square.left; x < square.left + square.width; ++x) ask(x, y);
         seen_.resize(asked_.size());
-        if (!kernel.look(tracer, asked_, seen_.data())) return false;
-        const trace::SeenFirst* of_pixel = seen_.data();
+        if (!kernel.first_hits(tracer, asked_, seen_.data())) return false;
+        const trace::FirstHit* of_pixel = seen_.data();
         for (int y = square.top; y < square.top + square.height; ++y)
             for (int x = square.left; x < square.left + square.width; ++x, of_pixel += samples_)
                 put({of_pixel, samples_}, x, y);
@@ -78,25 +78,25 @@ private:
         }
     }
 
-    std::uint32_t statement(const trace::SeenFirst& seen) const
+    std::uint32_t statement(const trace::FirstHit& seen) const
     {
         return scene_.objects[scene_.surfaces[seen.surface].object].statement;
     }
 
     template <class Get>
-    static glm::vec3 mean(std::span<const trace::SeenFirst> samples, Get get)
+    static glm::vec3 mean(std::span<const trace::FirstHit> samples, Get get)
     {
         glm::vec3 sum(0);
-        for (const trace::SeenFirst& s : samples) sum += get(s);
+        for (const trace::FirstHit& s : samples) sum += get(s);
         return sum / static_cast<float>(samples.size());
     }
 
-    void put(std::span<const trace::SeenFirst> samples, int x, int y)
+    void put(std::span<const trace::FirstHit> samples, int x, int y)
     {
         float* to =
             &out_.values[out_.names.size() * (static_cast<std::size_t>(y) * static_cast<std::size_t>(out_.width) +
                                               static_cast<std::size_t>(x))];
-        const trace::SeenFirst& middle = samples[0];
+        const trace::FirstHit& middle = samples[0];
         const auto three = [&](const glm::vec3& v) { to = std::copy_n(&v.x, 3, to); };
         for (const Kind kind : kinds_) {
             switch (kind) {
@@ -131,7 +131,7 @@ private:
     const std::uint32_t samples_;
     image::Channels& out_;
     std::vector<trace::PathSample> asked_;
-    std::vector<trace::SeenFirst> seen_;
+    std::vector<trace::FirstHit> seen_;
 };
 
 /// Every square of the picture, by all threads. False: cancelled.

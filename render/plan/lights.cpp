@@ -1,6 +1,6 @@
 #include "render/plan/lights.h"
 
-#include "csg/items/reach.h"
+#include "csg/items/depth_range.h"
 #include "render/plan/probe.h"
 
 #include <cmath>
@@ -70,7 +70,7 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     if (description.directional) {  // from farther than anything is drawn
         out.axis = unit(to_world.vector(description.point_at));
         out.point_at = glm::dvec3(0);
-        out.location = -csg::Reach::kFar * out.axis;
+        out.location = -csg::DepthRange::kFar * out.axis;
     }
     out.color = description.color;
     out.shadowless = description.shadowless;

@@ -8,7 +8,7 @@ import re
 import sys
 
 TYPES = ("Wave WaitingRay Onward FlatForm FlatTerm FlatCut FlatHits LoneLayer LayersAhead Shine Gate RayRecord Outer Heeding "
-         "Narrator Board").split()
+         "Narrator Board PlaceTile TextureLooks").split()
 FUNCTIONS = "own_start touches meet crossed_light take_clarity undrawn certain trace_ray shade_hit".split()
 DECLARED = re.compile(rf"\b(?:struct|class|using|enum)\s+({'|'.join(TYPES)})\b|\b({'|'.join(FUNCTIONS)})\(")
 

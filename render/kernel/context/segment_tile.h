@@ -1,7 +1,7 @@
 #pragma once
 
 #include "numbers/lane_equal.h"
-#include "csg/items/reach.h"
+#include "csg/items/depth_range.h"
 #include "render/kernel/context/context.h"
 #include "render/kernel/tile/hit_mask.h"
 
@@ -146,7 +146,7 @@ private:
             for_each_hit(found_, [&](std::size_t k) {
                 if (!scratch_.traits.surfaces[hits.surface[k]].batched) batched_ &= ~(HitMask{1} << k);
             });
-        context_.world.places(rays, hits, batched_, places);
+        context_.world.shading_points(rays, hits, batched_, places);
         for_each_hit(found_ & ~batched_, [&](std::size_t k) {
             // Made in place: a copy of what was just written in smaller pieces waits for all of them.
             const auto i = static_cast<int>(k);
@@ -165,7 +165,8 @@ private:
         using csg::lanes::Double;
         HitMask far = 0;
         for (int i = 0; i < rays.count; i += csg::lanes::kDoubles)
-            far |= HitMask{csg::lanes::mask(Double::load_aligned(hits.t.data() + i) > Double(csg::Reach::kFar))} << i;
+            far |= HitMask{csg::lanes::mask(Double::load_aligned(hits.t.data() + i) > Double(csg::DepthRange::kFar))}
+                   << i;
         far &= found_;
         for_each_hit(far, [&](std::size_t k) {
             context_.scratch.counts.far += context_.world.too_far(hits.at(static_cast<int>(k))) ? 1 : 0;

@@ -52,7 +52,7 @@ public:
     {
         const HitMask all = first_hits(kept_.rays.count);
         if (all == 0) return;
-        context_.world.places(kept_.rays, kept_.hits, all, kept_.places);
+        context_.world.shading_points(kept_.rays, kept_.hits, all, kept_.places);
         turn_to_viewer(kept_.rays, kept_.places);
         for (HitMask left = all; left != 0;) {
             const csg::SurfaceId surface = kept_.hits.surface[first_hit(left)];

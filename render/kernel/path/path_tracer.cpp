@@ -77,14 +77,14 @@ public:
         } while (live_ > 0 || next < samples.size());
     }
 
-    void look(std::span<const PathSample> samples, SeenFirst* out)
+    void find_first_hits(std::span<const PathSample> samples, FirstHit* out)
     {
         std::array<PathFound, kTileRays> unused;
         out_ = unused.data();
         for (std::size_t first = 0; first < samples.size(); first += kTileRays) {
             live_ = 0;
             const std::size_t count = std::min<std::size_t>(kTileRays, samples.size() - first);
-            std::fill_n(out + first, count, SeenFirst());
+            std::fill_n(out + first, count, FirstHit());
             for (std::size_t i = 0; i < count; ++i) begin(samples[first + i], i);
             if (live_ == 0) continue;
             const SegmentTile tile = meet_first(live_);
@@ -107,7 +107,7 @@ private:
         return SegmentTile(context_, rays_, hits_, unused_, nullptr, segments_.data());
     }
 
-    SeenFirst seen(const SegmentTile& tile, std::size_t k)
+    FirstHit seen(const SegmentTile& tile, std::size_t k)
     {
         const RayState& state = tile.state(k);
         const Hit met = tile.hits.at(static_cast<int>(k));
@@ -345,9 +345,9 @@ bool PathTracer::trace(std::span<const PathSample> samples, PathFound* out)
     return path::ends_by_itself([&] { impl_->trace(samples, out); });
 }
 
-bool PathTracer::look(std::span<const PathSample> samples, SeenFirst* out)
+bool PathTracer::find_first_hits(std::span<const PathSample> samples, FirstHit* out)
 {
-    return path::ends_by_itself([&] { impl_->look(samples, out); });
+    return path::ends_by_itself([&] { impl_->find_first_hits(samples, out); });
 }
 
 RayCounts PathTracer::counts() const { return impl_->counts(); }

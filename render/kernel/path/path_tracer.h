@@ -29,7 +29,7 @@ struct PathFound {
 };
 
 /// What the ray of a sample meets first, without light.
-struct SeenFirst {
+struct FirstHit {
     bool found = false;
     double depth = 0;  ///< distance from the start of the ray
     glm::dvec3 point{0};
@@ -53,7 +53,7 @@ public:
     /// can only be freed.
     bool trace(std::span<const PathSample> samples, PathFound* out);
     /// What the samples' rays meet first. False: cancelled, as above.
-    bool look(std::span<const PathSample> samples, SeenFirst* out);
+    bool find_first_hits(std::span<const PathSample> samples, FirstHit* out);
     RayCounts counts() const;
 
 private:

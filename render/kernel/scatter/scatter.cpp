@@ -45,8 +45,8 @@ namespace {
 {
     const double incidence = glm::dot(hit.normal, direction);
     const bool inward = (incidence > 0.0) == (hit.from_inside != hit.met.inverted);
-    return context.world.start({hit.point, direction}, hit.met, incidence, inward,
-                               context.scene.tolerance.hit_from(hit.point, hit.met.t));
+    return context.world.spawn_distance({hit.point, direction}, hit.met, incidence, inward,
+                                        context.scene.tolerance.hit_from(hit.point, hit.met.t));
 }
 
 }  // namespace

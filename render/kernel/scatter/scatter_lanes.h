@@ -290,8 +290,9 @@ private:
         out.ray.direction = direction;
         out.start = start_[k];
         if (!has(leaves, k))
-            out.start = context_.world.start({point, direction}, tile_.hits.at(static_cast<int>(k)),
-                                             glm::dot(scratch_.hits.normal(k), direction), has(inward, k), out.start);
+            out.start = context_.world.spawn_distance({point, direction}, tile_.hits.at(static_cast<int>(k)),
+                                                      glm::dot(scratch_.hits.normal(k), direction), has(inward, k),
+                                                      out.start);
         out.weight = weight;
         out.level = tile_.level(k);
         out.root = tile_.root(k);

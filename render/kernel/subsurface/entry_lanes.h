@@ -24,7 +24,7 @@ inline T entry_area(const T& mm, const T& facing)
 struct EntryTile {
     const RayTile& rays;
     const csg::HitTile& met;
-    const csg::PlaceTile& places;
+    const csg::ShadingPoints& places;
     double mm_per_unit;
 
     using Double = csg::lanes::Double;

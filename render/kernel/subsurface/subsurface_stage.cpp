@@ -145,7 +145,7 @@ private:
             });
         });
         if (same == 0) return;
-        context_.world.places(rays_, met_, same, places_);
+        context_.world.shading_points(rays_, met_, same, places_);
         diffuse_.begin();
         light_points(same, [&](HitMask lit, const PointLights& light) {
             each_sent(lit, [&](SubsurfaceSite& site, HitMask which) {
@@ -243,7 +243,7 @@ private:
                 rays_.set(i, {site.point, way.direction}, context_.scene.tolerance.hit, csg::kInfinity);
             }
             trace(static_cast<int>(count));
-            context_.world.places(rays_, met_, found_, places_);
+            context_.world.shading_points(rays_, met_, found_, places_);
             for (std::size_t i = 0; i < count; ++i) {
                 WayBelow& way = ways_[first + i];
                 way.length = has(found_, i) ? met_.t[i] * plan_.mm_per_unit : csg::kInfinity;
@@ -299,7 +299,7 @@ private:
             if (interior_of(met_.surface[k]) == sites_[owner_[k]].interior) same |= HitMask{1} << k;
         });
         if (same == 0) return;
-        context_.world.places(rays_, met_, same, places_);
+        context_.world.shading_points(rays_, met_, same, places_);
         texture::Points points;
         points.count = 0;
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
@@ -360,7 +360,7 @@ private:
     std::array<const InteriorList*, csg::kTileRays> around_;
     RayTile rays_;
     csg::HitTile met_;
-    csg::PlaceTile places_;
+    csg::ShadingPoints places_;
     HitMask found_ = 0;
     bool gathers_ = false;  ///< light of surroundings goes in too
     const bool photons_;    ///< there are some on surfaces

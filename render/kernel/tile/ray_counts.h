@@ -8,7 +8,7 @@ namespace trace {
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, supersamples = 0;
     std::uint64_t gathered = 0, samples = 0;  ///< rays of radiosity, and their samples
-    std::uint64_t far = 0;                    ///< hits so far off that POV-Ray does not draw them (csg/items/reach.h)
+    std::uint64_t far = 0;  ///< hits so far off that POV-Ray does not draw them (csg/items/depth_range.h)
     RayCounts& operator+=(const RayCounts& other)
     {
         camera += other.camera;

@@ -14,7 +14,7 @@ namespace trace {
 using TileLanes = std::array<double, csg::kTileRays>;
 
 /// Points, and normals that face the viewer. Places without a hit are zero.
-using TileHits = csg::PlaceTile;
+using TileHits = csg::ShadingPoints;
 
 /// Turns normals that face along their rays; which.
 inline HitMask turn_to_viewer(const csg::RayTile& rays, TileHits& places)

@@ -28,12 +28,12 @@ bool looks_at_normal(const Pattern& p) { return p.kind == PatternKind::Slope || 
 
 }  // namespace
 
-TextureLooks::TextureLooks(const TextureSet& set)
+TextureInputs::TextureInputs(const TextureSet& set)
     : set_(set), any_{any_uv(set), std::any_of(set.patterns.begin(), set.patterns.end(), looks_at_normal), false},
       known_(set.textures.size()), seen_(set.textures.size())
 {}
 
-LookedAt TextureLooks::of_texture(std::uint32_t index)
+LookedAt TextureInputs::of_texture(std::uint32_t index)
 {
     if (index == texture::kNone || !(any_.uv || any_.around)) return {};
     LookedAt out = of_part(index);
@@ -46,7 +46,7 @@ LookedAt TextureLooks::of_texture(std::uint32_t index)
     return out;
 }
 
-LookedAt TextureLooks::of_part(std::uint32_t index)
+LookedAt TextureInputs::of_part(std::uint32_t index)
 {
     if (seen_[index]) return known_[index];
     const Texture& texture = set_.textures[index];
@@ -67,7 +67,7 @@ LookedAt TextureLooks::of_part(std::uint32_t index)
     return known_[index] = out;
 }
 
-LookedAt TextureLooks::of_pattern(std::uint32_t index) const
+LookedAt TextureInputs::of_pattern(std::uint32_t index) const
 {
     if (index == texture::kNone) return {};
     const Pattern& pattern = set_.patterns[index];
@@ -77,7 +77,7 @@ LookedAt TextureLooks::of_pattern(std::uint32_t index) const
     return {pattern.kind == PatternKind::Uv, looks, looks};
 }
 
-LookedAt TextureLooks::of_pigment(std::uint32_t index) const
+LookedAt TextureInputs::of_pigment(std::uint32_t index) const
 {
     using Kind = Pigment::Kind;
     const Pigment& pigment = set_.pigments[index];
@@ -91,7 +91,7 @@ LookedAt TextureLooks::of_pigment(std::uint32_t index) const
     return out;
 }
 
-LookedAt TextureLooks::of_normal(std::uint32_t index) const
+LookedAt TextureInputs::of_normal(std::uint32_t index) const
 {
     using Map = Normal::Map;
     if (index == texture::kNone) return {};

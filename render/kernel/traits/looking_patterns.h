@@ -23,9 +23,9 @@ struct LookedAt {
 
 /// What the textures of a scene look at, each gone through once. Functions see no surface, so that what they ask is not
 /// bent; of the rest they are taken to look at what anything of the scene does.
-class TextureLooks {
+class TextureInputs {
 public:
-    explicit TextureLooks(const texture::TextureSet& set);
+    explicit TextureInputs(const texture::TextureSet& set);
 
     /// Of a surface's texture; texture::kNone: nothing.
     LookedAt of_texture(std::uint32_t index);

@@ -33,7 +33,7 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
 }
 
 /// What the textures that a surface shows look at.
-LookedAt looked_at(const plan::CompiledScene& scene, const plan::Surface& surface, TextureLooks& looks)
+LookedAt looked_at(const plan::CompiledScene& scene, const plan::Surface& surface, TextureInputs& looks)
 {
     LookedAt out = looks.of_texture(surface.texture);
     out |= looks.of_texture(surface.interior_texture);
@@ -206,7 +206,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
                       std::all_of(scene.fogs.begin(), scene.fogs.end(), texture::even);
     const auto& finishes = scene.textures.finishes;
     traits.fresnel = std::any_of(finishes.begin(), finishes.end(), [](const auto& finish) { return finish.fresnel; });
-    TextureLooks texture_looks(scene.textures);
+    TextureInputs texture_looks(scene.textures);
     const bool grain = grain_in_lanes(scene);
     const bool every_detail = !scene.options.lean.takes(plan::LeanStep::HitDetails);
     traits.clear_surfaces = scene.options.lean.takes(plan::LeanStep::ClearSurfaces) && !scene.options.grain_stream &&

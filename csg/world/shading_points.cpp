@@ -11,7 +11,7 @@ namespace csg {
 namespace {
 
 /// Of hits on one solid of this world.
-void part_normals(const SolidStore& store, PartId part, const HitTile& hits, RayMask which, PlaceTile& out)
+void part_normals(const SolidStore& store, PartId part, const HitTile& hits, RayMask which, ShadingPoints& out)
 {
     with_solid(store, part, [&](const auto& solid) {
         if constexpr (requires(glm::dvec3 * n) { solid.normals({}, {}, n); }) {
@@ -39,7 +39,7 @@ void part_normals(const SolidStore& store, PartId part, const HitTile& hits, Ray
 
 }  // namespace
 
-void World::places(const RayTile& rays, const HitTile& hits, std::uint64_t which, PlaceTile& out) const
+void World::shading_points(const RayTile& rays, const HitTile& hits, std::uint64_t which, ShadingPoints& out) const
 {
     using lanes::Double;
     each_vector(which, [&](int i) {

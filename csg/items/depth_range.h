@@ -8,7 +8,7 @@
 /// they tell of all, unless WorldData::faithful asks for POV-Ray's.
 namespace csg {
 
-struct Reach {
+struct DepthRange {
     double from = 0.0;  ///< nearer crossings are not told; distances from the ray's start, in the world
     double to = 2e10;   ///< nor are farther ones: half of the size that POV-Ray gives to what has no end
     static constexpr double kFar = 1e7;  ///< `to` of many kinds
@@ -16,7 +16,7 @@ struct Reach {
     bool holds(double t) const { return t >= from && t <= to; }
 };
 
-inline Reach reach_of(const SolidStore& store, PartId part)
+inline DepthRange depth_range_of(const SolidStore& store, PartId part)
 {
     switch (kind_of(part)) {
     case SolidKind::Sphere:
@@ -25,15 +25,15 @@ inline Reach reach_of(const SolidStore& store, PartId part)
     case SolidKind::Quadric:
     case SolidKind::Disc:
     case SolidKind::Triangle:
-    case SolidKind::Extrusion: return {.to = Reach::kFar};
+    case SolidKind::Extrusion: return {.to = DepthRange::kFar};
     case SolidKind::Freeform: {
         constexpr double kBlob = 0.01;
         const auto& kind = store.all<Freeform>()[index_of(part)].shape->kind;
-        if (std::holds_alternative<Blob>(kind)) return {kBlob, Reach::kFar};
+        if (std::holds_alternative<Blob>(kind)) return {kBlob, DepthRange::kFar};
         if (std::holds_alternative<ConicPrism>(kind) || std::holds_alternative<Lathe>(kind) ||
             std::holds_alternative<Sor>(kind) || std::holds_alternative<SphereSweep>(kind) ||
             std::holds_alternative<Superellipsoid>(kind))
-            return {.to = Reach::kFar};
+            return {.to = DepthRange::kFar};
         return {};
     }
     // Limits of the others are in lengths of their own space or of the largest box: a thing so small beside its
@@ -49,10 +49,10 @@ inline Reach reach_of(const SolidStore& store, PartId part)
     return {};
 }
 
-inline Reach reach_of(const WorldData& world, const Hit& hit)
+inline DepthRange depth_range_of(const WorldData& world, const Hit& hit)
 {
     const WorldData& of = hit.instance == Hit::kNoInstance ? world : *world.instances[hit.instance].world;
-    return reach_of(of.store, hit.part);
+    return depth_range_of(of.store, hit.part);
 }
 
 }  // namespace csg
