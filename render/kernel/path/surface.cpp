@@ -1,7 +1,7 @@
 #include "render/kernel/path/surface.h"
 
 #include "render/texture/evaluate.h"
-#include "render/kernel/path/fresnel.h"
+#include "render/texture/fresnel.h"
 #include "render/kernel/interior/interface.h"
 #include "render/kernel/tile/nearly_zero.h"
 
@@ -202,7 +202,8 @@ void SurfaceReader::add_through(HitContext& hit, const Stack& stack, Draws& draw
             const Refracted spread = next;
             next.total = !disperse(context_, hit, stack.top_normal, spread, i, next.ray);
         }
-        mirrored = next.total ? 1.0 : fresnel(std::abs(glm::dot(stack.top_normal, hit.state.ray.direction)), ratio);
+        const double cosine = std::abs(glm::dot(stack.top_normal, hit.state.ray.direction));
+        mirrored = next.total ? 1.0 : texture::fresnel_share(1.0 / ratio, cosine);
         lobe.kind = Lobe::Kind::Mirror;
         lobe.color = lobe.albedo = glm::vec3(static_cast<float>(mirrored) * largest(above));
         out_.bsdf.add(lobe);

@@ -108,10 +108,10 @@ public:
     template <class Color>
     void add(const EntryTile& tile, SubsurfaceSite& site, HitMask which, const TileLight& light, Color&& color)
     {
-        const csg::lanes::Double least(kNearlyZero), eta(site.matter.eta);
+        const csg::lanes::Double least(kNearlyZero), eta(site.matter.eta), zero(0.0), one(1.0);
         csg::each_vector(which, [&](int i) {
             const csg::lanes::Double cosine = tile.cosine(light, i);
-            csg::lanes::choose(cosine >= least, cosine * fresnel_passed(cosine, eta), csg::lanes::Double(0.0))
+            csg::lanes::choose(cosine >= least, cosine * (one - texture::fresnel_share(eta, cosine)), zero)
                 .store_aligned(arriving_.data() + i);
         });
         sum(tile, site, which, color);
@@ -120,7 +120,7 @@ public:
     template <class Color>
     void add_around(const EntryTile& tile, SubsurfaceSite& site, HitMask which, Color&& color)
     {
-        arriving_.fill(fresnel_passed(1.0, site.matter.eta));
+        arriving_.fill(1.0 - texture::fresnel_share(site.matter.eta, 1.0));
         sum(tile, site, which, color);
     }
 

@@ -2,6 +2,7 @@
 
 #include "numbers/lane_power.h"
 #include "render/plan/subsurface.h"
+#include "render/texture/fresnel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +11,6 @@
 /// What a material does to light below its surface, per channel (spec 6, 5.2 and 5.3). Lengths are in mm. T is double
 /// or csg::lanes::Double: the same bits for both.
 namespace trace {
-
-/// Share of light that passes an interface at a cosine, by Fresnel's equations. eta: relative index.
-template <class T>
-inline T fresnel_passed(const T& cosine, const T& eta)
-{
-    const T zero(0.0), one(1.0), q = eta * eta + cosine * cosine - one;
-    const auto mirrored = q < zero;
-    const T g = csg::lanes::root_of(csg::lanes::choose(mirrored, zero, q));
-    const T a = (g - cosine) / (g + cosine);
-    const T b = (cosine * (g + cosine) - one) / (cosine * (g - cosine) + one);
-    const T back = T(0.5) * a * a * (one + b * b);
-    return csg::lanes::choose(mirrored | (back > one), zero, one - csg::lanes::choose(back < zero, zero, back));
-}
 
 /// The cosine beyond an interface.
 template <class T>
@@ -101,7 +89,7 @@ struct ScatteredOnce {
     T share(const T& cos_in, const T& way_in) const
     {
         const T inner = bent_cosine(cos_in, eta), geometry = csg::lanes::size_of(outer / inner);
-        return cos_in * fresnel_passed(cos_in, eta) * scale / (T(1.0) + geometry) *
+        return cos_in * (T(1.0) - texture::fresnel_share(eta, cos_in)) * scale / (T(1.0) + geometry) *
                left_at(way_in * cos_in / inner * extinction);
     }
 };

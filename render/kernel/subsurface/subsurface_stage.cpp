@@ -50,7 +50,7 @@ public:
                                      plan_.tables[plan_.table_of[interior]]),
                           random_seed(point, viewer), point});
         SubsurfaceSite& site = sites_.back();
-        site.passed = fresnel_passed(site.cosine(), site.matter.eta);
+        site.passed = 1.0 - texture::fresnel_share(site.matter.eta, site.cosine());
     }
 
     void run()

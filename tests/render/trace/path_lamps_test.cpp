@@ -1,5 +1,5 @@
 // Lamps and emitters that paths meet or aim at, against closed forms: docs/path_tracing.md.
-#include "render/kernel/path/fresnel.h"
+#include "render/texture/fresnel.h"
 #include "tests/render/trace/path_support.h"
 #include "tests/support/temporary_folder.h"
 
@@ -73,8 +73,7 @@ double through_slab(double ior)
             // Within, the way across is shorter by the ratio of the tangents.
             const double across = 3.0 - kThick + kThick * cosine / (ior * within);
             if (std::abs(p * across - 0.5) > 0.5 || std::abs(q * across - 0.2) > 0.5) continue;
-            const double way = (3.0 - kThick) / cosine + kThick / within,
-                         once = trace::path::fresnel(cosine, 1.0 / ior);
+            const double way = (3.0 - kThick) / cosine + kThick / within, once = texture::fresnel_share(ior, cosine);
             const double radiance = M_PI * 0.8 * 2.0 / (1.0 + way * way) * way * way / cosine;
             const double passed = (1.0 - once) / (1.0 + once);  // with what goes to and fro within
             sum += passed * radiance * cosine * std::pow(cosine, 3) * 0.8 * 0.8 / (kSteps * kSteps);

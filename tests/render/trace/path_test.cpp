@@ -2,7 +2,7 @@
 #include "render/kernel/gather/indirect_light.h"
 #include "render/picture/passes/passes.h"
 #include "render/picture/sampling/denoise.h"
-#include "render/kernel/path/fresnel.h"
+#include "render/texture/fresnel.h"
 #include "tests/render/trace/path_support.h"
 
 #include <catch2/catch.hpp>
@@ -94,13 +94,14 @@ TEST_CASE("the same paths for any number of threads", "[path]")
 
 TEST_CASE("Fresnel's share at a boundary", "[path]")
 {
-    CHECK(trace::path::fresnel(1.0, 1.0 / 1.5) == Approx(0.04));
-    CHECK(trace::path::fresnel(1.0, 1.5) == Approx(0.04));
-    CHECK(trace::path::fresnel(0.0, 1.0 / 1.5) == Approx(1.0));
-    CHECK(trace::path::fresnel(0.5, 1.5) == 1.0);  // beyond the critical angle
+    CHECK(texture::fresnel_share(1.5, 1.0) == Approx(0.04));
+    CHECK(texture::fresnel_share(1.0 / 1.5, 1.0) == Approx(0.04));
+    CHECK(texture::fresnel_share(1.5, 0.0) == Approx(1.0));
+    CHECK(texture::fresnel_share(1.0 / 1.5, 0.5) == 1.0);                  // beyond the critical angle
+    CHECK(texture::fresnel_share(1.0, 0.3) == Approx(0.0).margin(1e-15));  // no boundary
     // Polarised light along the plane of incidence is not mirrored at Brewster's angle: half of the other is left.
     const double brewster = std::cos(std::atan(1.5)), s = (1.5 * 1.5 - 1.0) / (1.5 * 1.5 + 1.0);
-    CHECK(trace::path::fresnel(brewster, 1.0 / 1.5) == Approx(0.5 * s * s));
+    CHECK(texture::fresnel_share(1.5, brewster) == Approx(0.5 * s * s));
 }
 
 TEST_CASE("a body absorbs light by Beer and Lambert", "[path]")
