@@ -1,5 +1,7 @@
 #include "render/explain/tree_parts.h"
 
+#include "render/kernel/context/side_textures.h"
+#include "render/kernel/interior/interface.h"
 #include "render/kernel/interior/interior_fade.h"
 #include "render/texture/finish.h"
 
@@ -15,28 +17,6 @@ constexpr std::size_t kMostRays = 256;    // that one pixel is explained by
 constexpr std::size_t kMostObjects = 24;  // whose spans a ray is told with
 constexpr double kSameIndex = 1e-10;      // differences of indices below it count as none
 
-/// Of a ray on an interface (spec 3, 8.2): incoming over outgoing index. `inside` becomes what it is in behind it.
-double crossed(const std::vector<plan::Interior>& interiors, std::vector<std::uint32_t>& inside, std::uint32_t own)
-{
-    const auto ior = [&](std::uint32_t i) { return static_cast<double>(interiors[i].ior); };
-    if (inside.empty()) {
-        inside.push_back(own);
-        return 1.0 / ior(own);
-    }
-    const std::uint32_t last = inside.back();
-    if (last == own) {
-        inside.pop_back();
-        return inside.empty() ? ior(own) : ior(own) / ior(inside.back());
-    }
-    const auto at = std::find(inside.begin(), inside.end(), own);
-    if (at != inside.end()) {
-        inside.erase(at);
-        return 1.0;
-    }
-    inside.push_back(own);
-    return ior(last) / ior(own);
-}
-
 }  // namespace
 
 std::unique_ptr<RayNode> RayTree::explain(const csg::Ray& camera_ray)
@@ -45,7 +25,7 @@ std::unique_ptr<RayNode> RayTree::explain(const csg::Ray& camera_ray)
     Way way;
     way.ray = camera_ray;
     way.start = scene_.tolerance.hit;
-    way.interiors = scene_.camera_interiors;
+    for (const std::uint32_t interior : scene_.camera_interiors) way.interiors.append(interior);
     return follow(way);
 }
 
@@ -114,7 +94,7 @@ void RayTree::shade(RayNode& node, const Way& way, const csg::Hit& hit)
     node.hit = true;
     node.t = hit.t;
     node.point = details.point;
-    node.from_inside = glm::dot(details.normal, way.ray.direction) > 0.0;
+    node.from_inside = trace::from_inside(details, way.ray.direction);
     node.normal = node.from_inside ? -details.normal : details.normal;
     if (surface.object < scene_.objects.size()) node.object = scene_.objects[surface.object].source;
     double nearest = 1e-6 * (1.0 + hit.t);  // spans and hits come from the same formulas
@@ -131,22 +111,15 @@ void RayTree::shade(RayNode& node, const Way& way, const csg::Hit& hit)
     met.around.direction = way.ray.direction;
     met.around.uv = details.uv;
     met.around.surface = true;
-    const bool behind = node.from_inside && surface.interior_texture != plan::kNone;
-    const std::uint32_t texture = behind ? surface.interior_texture : surface.texture;
-    const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
-    if (surface.part_count != 0 && !behind) {
-        std::vector<csg::Share> shares;
-        world_.shares(hit, details.point, shares);
-        for (const csg::Share& share : shares)
-            add_texture(met, scene_.part_textures[surface.first_part + share.part], p, share.weight,
-                        fmt::format("part {}", share.part + 1), {});
-    } else if (surface.corner_textures[0] != plan::kNone && !behind) {
-        add_texture(met, surface.texture, p, details.weights.x, "first corner", {});
-        add_texture(met, surface.corner_textures[0], p, details.weights.y, "second corner", {});
-        if (surface.corner_textures[1] != plan::kNone)
-            add_texture(met, surface.corner_textures[1], p, details.weights.z, "third corner", {});
-    } else {
-        add_texture(met, texture, p, 1.0f, "", {});
+    const glm::dvec3 p = surface.pattern_point(details.point, details.uv);
+    std::vector<csg::Share> kept;
+    const trace::SideTextures sides(scene_, world_, hit, details, node.from_inside, kept);
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        constexpr std::array<const char*, 3> kCorners{"first corner", "second corner", "third corner"};
+        const std::string of = !sides.mixed()            ? ""
+                               : surface.part_count != 0 ? fmt::format("part {}", kept[k].part + 1)
+                                                         : kCorners[k];
+        if (sides.share(k) > 0.0f) add_texture(met, sides.texture(k), p, sides.share(k), of, {});
     }
     for (const TextureShare& share : node.textures) {
         glm::vec3 sum(0);
@@ -180,14 +153,8 @@ glm::vec3 RayTree::mirrored_share(const Met& met, const texture::Finish& finish,
                                   const glm::dvec3& normal) const
 {
     if (!finish.reflects()) return glm::vec3(0);
-    double eta = 1.0;
-    if (finish.fresnel && met.surface.interior != plan::kNone) {
-        const std::vector<std::uint32_t>& inside = met.way.interiors;
-        const auto own = static_cast<double>(scene_.interiors[met.surface.interior].ior);
-        const double outer = inside.empty() ? 1.0 : static_cast<double>(scene_.interiors[inside.back()].ior);
-        const bool leaves = std::find(inside.begin(), inside.end(), met.surface.interior) != inside.end();
-        eta = !leaves ? own / outer : inside.size() == 1 ? 1.0 / own : outer / own;
-    }
+    const double eta = finish.fresnel ? trace::fresnel_index(scene_.interiors, met.way.interiors, met.surface.interior)
+                                      : 1.0;
     return texture::reflectivity(finish, pigment, met.way.ray.direction, normal, eta);
 }
 
@@ -222,11 +189,11 @@ void RayTree::let_through(const Met& met, const glm::vec3& filter, const glm::dv
     if (residual <= 0.0f || met.surface.interior == plan::kNone || !scene_.settings.quality.transmission) return;
     const plan::Interior& interior = scene_.interiors[met.surface.interior];
     Way way = met.way;
-    const bool inside = std::find(way.interiors.begin(), way.interiors.end(), met.surface.interior) !=
-                        way.interiors.end();
     glm::vec3 factor = filter * interior.transmission;
-    if (inside) factor *= trace::interior_fade(interior, met.hit.t, false);
-    const double ratio = crossed(scene_.interiors, way.interiors, met.surface.interior);
+    if (way.interiors.holds(met.surface.interior)) factor *= trace::interior_fade(interior, met.hit.t, false);
+    const trace::Crossing crossing = trace::crossing_of(scene_.interiors, met.way.interiors, met.surface.interior);
+    trace::cross(scene_.interiors, met.way.interiors, met.surface.interior, crossing.way, way.interiors);
+    const double ratio = crossing.ratio;
     way.weight = met.way.weight * most_of(glm::abs(filter));
     way.start = scene_.tolerance.hit_from(met.node.point, met.hit.t);
     const glm::dvec3& d = met.way.ray.direction;

@@ -3,9 +3,10 @@
 #include "csg/base/hit.h"
 #include "csg/tree/program.h"
 #include "render/explain/ray_spans.h"
+#include "render/kernel/tile/ray_state.h"
 #include "render/light/illuminate.h"
 #include "render/plan/compiled_scene.h"
-#include "render/texture/evaluate.h"
+#include "render/texture/shown.h"
 
 #include <memory>
 #include <string>
@@ -85,18 +86,14 @@ private:
     std::unique_ptr<RayNode> follow(const Way& way);
     void see_sky(RayNode& node, bool mirrored) const;
     void shade(RayNode& node, const Way& way, const csg::Hit& hit);
-    void add_texture(const Met& met, std::uint32_t index, glm::dvec3 p, float weight, const std::string& of,
-                     std::vector<std::uint32_t> around);
+    void add_texture(const Met& met, std::uint32_t index, const glm::dvec3& p, float weight, const std::string& of,
+                     texture::Enclosing around);
     void add_layers(const Met& met, const texture::Texture& texture, const glm::dvec3& p, float weight,
-                    const std::string& of, const std::vector<std::uint32_t>& around);
-    glm::dvec3 layer_normal(const Met& met, std::uint32_t normal, const glm::dvec3& p,
-                            const std::vector<std::uint32_t>& around) const;
+                    const std::string& of, const texture::Enclosing& around);
     LightShare light_share(const Met& met, std::size_t number, const texture::Finish& finish,
                            const scene::Color& pigment, const glm::dvec3& normal, float own);
     glm::vec3 past_shadows(const Met& met, const light::Light& light, std::string& why);
-    glm::vec3 unshadowed(const csg::Ray& ray, double from, double to, std::vector<std::uint32_t> inside,
-                         std::string& why);
-    glm::vec3 surface_passes(std::uint32_t texture, const glm::dvec3& p, const texture::Surroundings& around) const;
+    glm::vec3 unshadowed(const csg::Ray& ray, double from, double to, trace::InteriorList inside, std::string& why);
     SecondaryRay go_on(const Way& way, int used, const char* how, const glm::vec3& factor);
     void mirror(const Met& met, const texture::Finish& finish, const scene::Color& pigment, const glm::dvec3& normal,
                 float residual, TextureShare& into);

@@ -3,6 +3,7 @@
 #include "render/kernel/interior/interior_fade.h"
 #include "render/texture/finish.h"
 #include "render/kernel/light/shade_light.h"
+#include "render/kernel/light/surface_filter.h"
 
 #include <fmt/format.h>
 
@@ -26,61 +27,23 @@ std::string RayTree::named(std::uint32_t object) const
     return place.empty() ? "an object" : "the object of " + place;
 }
 
-void RayTree::add_texture(const Met& met, std::uint32_t index, glm::dvec3 p, float weight, const std::string& of,
-                          std::vector<std::uint32_t> around)
+void RayTree::add_texture(const Met& met, std::uint32_t index, const glm::dvec3& p, float weight, const std::string& of,
+                          texture::Enclosing around)
 {
+    const auto& set = scene_.textures;
+    const texture::Shown shown = texture::shown_at(set, index, p, met.around, around);
     using Kind = texture::Texture::Kind;
-    if (index == plan::kNone || weight == 0.0f) return;
-    const auto& set = scene_.textures;
-    const texture::Texture& texture = set.textures[index];
-    const auto part = [&](const char* what, std::uint32_t entry) {
-        return fmt::format("{}{}{} {}", of, of.empty() ? "" : ", ", what, entry - texture.first + 1);
-    };
-    if (texture.kind == Kind::Layers) return add_layers(met, texture, p, weight, of, around);
-    if (texture.kind == Kind::Uv)
-        return add_texture(met, set.children[texture.first], {met.around.uv.x, met.around.uv.y, 0.0}, weight, of, {});
-    const texture::Pattern& pattern = set.patterns[texture.pattern];
-    p = texture::warp_point(set, pattern, p);
-    around.push_back(index);
-    if (texture.kind == Kind::Material)
-        return add_texture(met, texture::material_at(set, texture, p), p, weight, of, around);
-    if (texture.kind == Kind::Average) {
-        float all = 0;
-        for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) all += set.keys[i];
-        for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i)
-            add_texture(met, set.children[i], p, weight * set.keys[i] / all, part("of an average, entry", i), around);
-        return;
-    }
-    const double value = texture::pattern_value(set, pattern, p, met.around);
-    const texture::Blend blend = texture::blend_at(set, texture.first, texture.count, value);
-    const auto upper = static_cast<float>(blend.lower == blend.upper ? 0.0 : blend.share);
-    add_texture(met, set.children[blend.lower], p, weight * (1.0f - upper),
-                part("of a texture_map, entry", blend.lower), around);
-    add_texture(met, set.children[blend.upper], p, weight * upper, part("of a texture_map, entry", blend.upper),
-                around);
-}
-
-glm::dvec3 RayTree::layer_normal(const Met& met, std::uint32_t normal, const glm::dvec3& p,
-                                 const std::vector<std::uint32_t>& around) const
-{
-    if (normal == texture::kNone || !scene_.settings.quality.normals) return met.node.normal;
-    const auto& set = scene_.textures;
-    glm::dvec3 n = met.node.normal;
-    for (const std::uint32_t index : around) {
-        const texture::Texture& map = set.textures[index];
-        n = texture::normal_into(set, set.patterns[map.pattern], n, map.no_bump_scale);
-    }
-    texture::Surroundings here = met.around;
-    n = glm::normalize(texture::perturb(set, normal, n, p, here));
-    for (std::size_t i = around.size(); i-- > 0;) {
-        const texture::Texture& map = set.textures[around[i]];
-        n = texture::normal_out_of(set, set.patterns[map.pattern], n, map.no_bump_scale);
-    }
-    return n;
+    if (shown.texture.kind == Kind::Layers) return add_layers(met, shown.texture, shown.p, weight, of, around);
+    const char* const what = shown.texture.kind == Kind::Average ? "of an average" : "of a texture_map";
+    shown.each_entry(set, weight, [&](std::uint32_t entry, float share) {
+        add_texture(met, set.children[entry], shown.p, share,
+                    fmt::format("{}{}{}, entry {}", of, of.empty() ? "" : ", ", what, entry - shown.texture.first + 1),
+                    around);
+    });
 }
 
 void RayTree::add_layers(const Met& met, const texture::Texture& texture, const glm::dvec3& p, float weight,
-                         const std::string& of, const std::vector<std::uint32_t>& around)
+                         const std::string& of, const texture::Enclosing& around)
 {
     const auto& set = scene_.textures;
     const auto bailout = static_cast<float>(scene_.settings.adc_bailout);
@@ -101,7 +64,10 @@ void RayTree::add_layers(const Met& met, const texture::Texture& texture, const 
         const texture::Layer& layer = set.layers[texture.first + i];
         const texture::Finish& finish = set.finishes[layer.finish];
         LayerShare row;
-        row.normal = layer_normal(met, layer.normal, p, around);
+        row.normal = met.node.normal;
+        texture::Surroundings here = met.around;
+        if (scene_.settings.quality.normals)
+            row.normal = texture::bent_normal(set, layer.normal, row.normal, p, here, around);
         if (mirrors.empty()) top = row.normal;
         row.pigment = texture::pigment_color(set, layer.pigment, p, met.around);
         row.own = texture.plain ? 1.0f : texture::opacity(row.pigment, set.legacy_opacity);
@@ -191,10 +157,10 @@ glm::vec3 RayTree::past_shadows(const Met& met, const light::Light& light, std::
     return lit.color * sum / static_cast<float>(all);
 }
 
-glm::vec3 RayTree::unshadowed(const csg::Ray& ray, double from, double to, std::vector<std::uint32_t> inside,
-                              std::string& why)
+glm::vec3 RayTree::unshadowed(const csg::Ray& ray, double from, double to, trace::InteriorList inside, std::string& why)
 {
     std::vector<csg::Hit> crossings;
+    std::vector<csg::Share> kept;
     const csg::Shadow shadow = world_.shadow_crossings(ray, from, to, scratch_, crossings);
     if (shadow == csg::Shadow::Clear) return glm::vec3(1);
     if (shadow == csg::Shadow::Blocked) {
@@ -210,24 +176,14 @@ glm::vec3 RayTree::unshadowed(const csg::Ray& ray, double from, double to, std::
         if (hit.t - before <= from) continue;  // the next ray would not see it
         const csg::HitDetails details = world_.details(ray, hit);
         const plan::Surface& surface = scene_.surfaces[hit.surface];
-        const bool behind = glm::dot(details.normal, ray.direction) > 0.0;
-        const std::uint32_t index = behind && surface.interior_texture != plan::kNone ? surface.interior_texture
-                                                                                      : surface.texture;
-        texture::Surroundings around{details.point, behind ? -details.normal : details.normal, ray.direction,
-                                     details.uv, true};
-        const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
-        if (index != plan::kNone) color *= surface_passes(index, p, around);
+        color *= trace::surface_filter(scene_, world_, ray.direction, hit, details, kept);
         if (surface.interior != plan::kNone) {
             const plan::Interior& interior = scene_.interiors[surface.interior];
-            if (interior.caustics_power != 0.0f)
-                color *= static_cast<float>(1.0 + std::pow(std::abs(glm::dot(around.normal, ray.direction)),
-                                                           static_cast<double>(interior.caustics_power)));
-            const auto at = std::find(inside.begin(), inside.end(), surface.interior);
-            if (at == inside.end()) {
-                inside.push_back(surface.interior);
+            if (!inside.holds(surface.interior)) {
+                inside.append(surface.interior);
             } else {
                 color *= trace::interior_fade(interior, hit.t - before, true);
-                inside.erase(at);
+                inside.remove_first(surface.interior);
             }
         }
         before = hit.t;
@@ -235,42 +191,6 @@ glm::vec3 RayTree::unshadowed(const csg::Ray& ray, double from, double to, std::
     why = fmt::format("dimmed by {} that light passes",
                       crossings.empty() ? "something" : named(scene_.surfaces[crossings.front().surface].object));
     return color;
-}
-
-glm::vec3 RayTree::surface_passes(std::uint32_t index, const glm::dvec3& p, const texture::Surroundings& around) const
-{
-    using Kind = texture::Texture::Kind;
-    const auto& set = scene_.textures;
-    const texture::Texture& texture = set.textures[index];
-    if (texture.kind == Kind::Layers) {
-        glm::vec3 light(1);
-        for (std::uint32_t i = 0; i < texture.count; ++i) {
-            const std::uint32_t pigment = set.layers[texture.first + i].pigment;
-            if (texture::pigment_missing(set, pigment, p, around)) continue;
-            const scene::Color c = texture::pigment_color(set, pigment, p, around);
-            light *= c.filter * c.rgb() + c.transmit;
-        }
-        return light;
-    }
-    if (texture.kind == Kind::Uv)
-        return surface_passes(set.children[texture.first], {around.uv.x, around.uv.y, 0.0}, around);
-    const texture::Pattern& pattern = set.patterns[texture.pattern];
-    const glm::dvec3 q = texture::warp_point(set, pattern, p);
-    if (texture.kind == Kind::Material) return surface_passes(texture::material_at(set, texture, q), q, around);
-    if (texture.kind == Kind::Average) {
-        glm::vec3 sum(0);
-        float weights = 0;
-        for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
-            sum += set.keys[i] * surface_passes(set.children[i], q, around);
-            weights += set.keys[i];
-        }
-        return sum / weights;
-    }
-    const texture::Blend blend =
-        texture::blend_at(set, texture.first, texture.count, texture::pattern_value(set, pattern, q, around));
-    const glm::vec3 lower = surface_passes(set.children[blend.lower], q, around);
-    if (blend.lower == blend.upper) return lower;
-    return lower + static_cast<float>(blend.share) * (surface_passes(set.children[blend.upper], q, around) - lower);
 }
 
 }  // namespace explain

@@ -11,9 +11,9 @@ struct RayTree::Way {
     double start = 0;
     const char* kind = "camera";
     plan::RayKind asks = plan::RayKind::Image;
-    int level = 1;                         ///< levels in use with this ray
-    float weight = 1;                      ///< largest share of the pixel
-    std::vector<std::uint32_t> interiors;  ///< that it is inside of, in order of entry
+    int level = 1;                  ///< levels in use with this ray
+    float weight = 1;               ///< largest share of the pixel
+    trace::InteriorList interiors;  ///< that it is inside of, in order of entry
 };
 
 /// A hit whose textures are gone through.

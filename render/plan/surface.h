@@ -18,7 +18,7 @@ struct Surface {
     std::array<std::uint32_t, 2> corner_textures{kNone, kNone};
     /// Textures of the parts of a shape (a blob's components) in CompiledScene::part_textures, mixed by their shares.
     std::uint32_t first_part = 0, part_count = 0;
-    std::uint32_t interior_texture = kNone;  ///< used when the raw normal faces along the ray
+    std::uint32_t interior_texture = kNone;  ///< seen from inside; kNone: as from outside
     std::uint32_t interior = kNone;          ///< index into CompiledScene::interiors; identity decides refraction
     std::uint32_t object = kNone;            ///< top-level object after splitting unions, in order of declaration
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
@@ -29,6 +29,17 @@ struct Surface {
     std::uint32_t light_group = 0;  ///< the innermost light_group that it stands in; 0: none
     bool global_lights = true;      ///< lights outside of all groups reach it
     std::uint32_t photons = 0;      ///< index into PhotonPlan::surfaces, where the scene has one
+    /// The texture of the side that a ray meets; kNone: contributes black. from_inside: the raw normal faces along the
+    /// ray
+    std::uint32_t texture_of(bool from_inside) const
+    {
+        return from_inside && interior_texture != kNone ? interior_texture : texture;
+    }
+    /// Where its patterns see a hit.
+    glm::dvec3 pattern_point(const glm::dvec3& point, const glm::dvec2& uv) const
+    {
+        return uv_mapping ? glm::dvec3(uv, 0.0) : point;
+    }
     bool blends() const { return corner_textures[0] != kNone || part_count != 0; }
 };
 

@@ -2,12 +2,10 @@
 
 #include "render/plan/compiled_scene.h"
 #include "render/scene/base/color.h"
-#include "render/texture/evaluate.h"
+#include "render/texture/shown.h"
 #include "render/kernel/context/scratch.h"
 #include "render/kernel/tile/geometry.h"
 #include "render/kernel/tile/ray_state.h"
-
-#include <array>
 
 /// What every stage of shading is handed: the scene, its thread's scratch, and one hit (docs/shading.md).
 namespace trace {
@@ -92,9 +90,9 @@ struct HitContext : HitPlace {
 
     std::size_t lane;  ///< its place in the tile
     texture::Surroundings around;
-    std::array<std::uint32_t, 16>
-        enclosing;  ///< the texture maps that normals are carried through, the first one first
-    std::size_t enclosing_count = 0;
+    /// Texture maps stay there: normals of neighbours that are looked at later go through their transformations too, as
+    /// in POV-Ray.
+    texture::Enclosing enclosing;
     const PrefetchedPigments* prefetched = nullptr;  ///< pigments of the texture's layers, where they are known already
 };
 

@@ -112,9 +112,7 @@ public:
     /// The texture that the hit shows, or plan::kNone.
     std::uint32_t texture(std::size_t k) const
     {
-        const plan::Surface& surface = context_.scene.surfaces[hits.surface[k]];
-        return has(from_inside_, k) && surface.interior_texture != plan::kNone ? surface.interior_texture
-                                                                               : surface.texture;
+        return context_.scene.surfaces[hits.surface[k]].texture_of(has(from_inside_, k));
     }
 
 private:

@@ -1,4 +1,4 @@
-#include "render/texture/evaluate.h"
+#include "render/kernel/light/surface_filter.h"
 #include "render/kernel/light/restarted_rays.h"
 #include "render/kernel/extinction/media_extinction.h"
 #include "render/kernel/extinction/uneven_fog.h"
@@ -11,95 +11,6 @@
 
 /// Shadow rays through transparent things (spec 3, section 13).
 namespace trace {
-namespace {
-
-struct Passing {
-    Context& context;
-    const plan::Surface& surface;
-    const csg::Ray& ray;
-    glm::dvec3 normal;  ///< faces against the shadow ray
-    texture::Surroundings around;
-
-    glm::vec3 layers(const texture::Texture& texture, const glm::dvec3& p)
-    {
-        const auto& set = context.scene.textures;
-        const float power = surface.interior == plan::kNone ? 0.0f
-                                                            : context.scene.interiors[surface.interior].caustics_power;
-        glm::vec3 light(1);
-        for (std::uint32_t i = texture.count; i-- > 0;) {
-            const texture::Layer& layer = set.layers[texture.first + i];
-            // Where a picture is not, it filters nothing, but focuses light as the rest of its surface does.
-            if (!texture::pigment_missing(set, layer.pigment, p, around)) {
-                const scene::Color c = texture::pigment_color(set, layer.pigment, p, around);
-                light *= c.filter * c.rgb() + c.transmit;
-            }
-            if (power != 0.0f) {
-                const glm::dvec3 n =
-                    layer.normal == texture::kNone ? normal : texture::perturb(set, layer.normal, normal, p, around);
-                const double focus = std::pow(std::abs(glm::dot(n, ray.direction)), static_cast<double>(power));
-                light *= static_cast<float>(1.0 + focus);
-            }
-        }
-        return light;
-    }
-
-    glm::vec3 through(std::uint32_t index, const glm::dvec3& p)
-    {
-        const auto& set = context.scene.textures;
-        const texture::Texture& texture = set.textures[index];
-        using Kind = texture::Texture::Kind;
-        if (texture.kind == Kind::Layers) return layers(texture, p);
-        if (texture.kind == Kind::Uv) return through(set.children[texture.first], {around.uv.x, around.uv.y, 0.0});
-        const texture::Pattern& pattern = set.patterns[texture.pattern];
-        const glm::dvec3 q = texture::warp_point(set, pattern, p);
-        if (texture.kind == Kind::Material) return through(texture::material_at(set, texture, q), q);
-        if (texture.kind == Kind::Average) {
-            glm::vec3 sum(0);
-            float weights = 0;
-            for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
-                sum += set.keys[i] * through(set.children[i], q);
-                weights += set.keys[i];
-            }
-            return sum / weights;
-        }
-        const double v = texture::pattern_value(set, pattern, q, around);
-        const texture::Blend blend = texture::blend_at(set, texture.first, texture.count, v);
-        const glm::vec3 lower = through(set.children[blend.lower], q);
-        if (blend.lower == blend.upper) return lower;
-        return lower + static_cast<float>(blend.share) * (through(set.children[blend.upper], q) - lower);
-    }
-};
-
-}  // namespace
-
-glm::vec3 surface_filter(Context& context, const RayState& state, const Hit& hit, const HitDetails& details)
-{
-    const plan::Surface& surface = context.scene.surfaces[hit.surface];
-    const glm::dvec3& d = state.ray.direction;
-    const bool from_inside = glm::dot(details.normal, d) > 0.0;
-    const std::uint32_t texture = from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture
-                                                                                         : surface.texture;
-    if (texture == plan::kNone) return glm::vec3(1.0f);
-    const glm::dvec3 normal = from_inside ? -details.normal : details.normal;
-    Passing passing{context, surface, state.ray, normal, {details.point, normal, d, details.uv, true}};
-    const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
-    if (surface.part_count != 0) {
-        auto& shares = context.scratch.shade.shares;
-        const std::size_t base = shares.size();
-        context.world.shares(hit, details.point, shares);
-        glm::vec3 light(0.0f);
-        for (std::size_t k = base; k < shares.size(); ++k)
-            light += shares[k].weight *
-                     passing.through(context.scene.part_textures[surface.first_part + shares[k].part], p);
-        shares.resize(base);
-        return light;
-    }
-    if (!surface.blends() || texture != surface.texture) return passing.through(texture, p);
-    return details.weights.x * passing.through(texture, p) +
-           details.weights.y * passing.through(surface.corner_textures[0], p) +
-           details.weights.z * passing.through(surface.corner_textures[1], p);
-}
-
 namespace {
 
 /// A shadow ray as rays are that go on. Member by member: to make it whole would clear the list of interiors first.
@@ -129,7 +40,8 @@ void past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3
         color *= surface.steady_filter ? surface.filter
                  : surface.filters_together && filters != nullptr
                      ? filters[first - begin]
-                     : surface_filter(context, ray, crossing, hit_details(context, ray.ray, crossing));
+                     : surface_filter(context.scene, context.world, ray.ray.direction, crossing,
+                                      hit_details(context, ray.ray, crossing), context.scratch.shade.shares);
         if (traits.fades || traits.media || air.atmosphere) {
             const std::uint32_t interior = context.scene.surfaces[crossing.surface].interior;
             const bool inside = interior != plan::kNone && ray.interiors.holds(interior);

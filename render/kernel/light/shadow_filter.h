@@ -42,9 +42,6 @@ glm::vec3 shadow_transmittance(Context& context, const glm::dvec3& point, double
                                Hit* crossings, std::size_t count, const ShadowAir& air = {},
                                const glm::vec3* filters = nullptr);
 
-/// Share of light that a surface lets through, for shadow rays (spec 3, 13.2).
-glm::vec3 surface_filter(Context& context, const RayState& ray, const Hit& hit, const HitDetails& details);
-
 /// Share of light that fog and media of the whole scene let pass between two distances along a shadow ray (spec
 /// 6, 2.8): fog where it is inside of nothing solid, media also where it is, unless the stretch ends at the light.
 glm::vec3 atmosphere_share(const Context& context, const RayState& ray, double from, double to, bool at_light,

@@ -127,6 +127,7 @@ private:
             look(group, seen);
             n.pad();
             texture::perturb_points(context_.scene.textures, normal, seen.points, seen.around, n);
+            texture::normalize_points(n);
         }
         std::size_t i = 0;
         for_each_hit(group, [&](std::size_t k) {

@@ -114,7 +114,7 @@ private:
         const HitDetails details = world_.details(state.ray, met);
         HitContext hit = tile.context(k, state, met);
         hit.surround(details.point, details.uv);
-        reader_.read(hit, details, tile.texture(k), walks_[k].draws);
+        reader_.read(hit, details, walks_[k].draws);
         return {true,          met.t,          details.point,
                 light_.normal, details.uv,     light_.bsdf.albedo() + light_.emission,
                 met.surface,   tile.texture(k)};
@@ -218,7 +218,7 @@ private:
         if (!state.interiors.empty())
             walk.throughput *= path::absorbed(scene_.interiors[state.interiors.last()], met.t);
         walk.length += met.t;
-        reader_.read(hit, details, tile.texture(k), walk.draws);
+        reader_.read(hit, details, walk.draws);
         if (!black(light_.emission))
             walk.radiance += walk.throughput * light_.emission * sources_.weight_of(walk.pdf, state.ray, met);
         if (light_.bsdf.scatters() || !black(light_.emission)) look_at(walk);

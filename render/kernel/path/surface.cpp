@@ -59,15 +59,17 @@ struct SurfaceReader::Stack {
     bool first = true;
 };
 
-void SurfaceReader::read(HitContext& hit, const HitDetails& details, std::uint32_t texture, Draws& draws)
+void SurfaceReader::read(HitContext& hit, const HitDetails& details, Draws& draws)
 {
     out_.bsdf.begin(hit.normal, hit.state.ray.direction);
     out_.emission = glm::vec3(0);
     out_.passes = false;
     out_.normal = hit.normal;
-    if (texture == plan::kNone) return out_.bsdf.finish();
-    glm::dvec3 p = hit.surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
-    const texture::Texture& layers = plain(hit, shown(hit, details, texture, p, draws), p, draws);
+    const SideTextures sides(context_.scene, context_.world, hit.met, details, hit.from_inside,
+                             context_.scratch.shade.shares);
+    if (sides.size() == 0) return out_.bsdf.finish();
+    glm::dvec3 p = hit.surface.pattern_point(details.point, details.uv);
+    const texture::Texture& layers = drawn_layers(hit, sides, p, draws);
     Stack stack;
     for (std::uint32_t i = layers.count; i-- > 0 && largest(glm::abs(stack.above)) > kFaint;)
         add_layer(hit, layers, set_.layers[layers.first + i], p, stack);
@@ -78,49 +80,22 @@ void SurfaceReader::read(HitContext& hit, const HitDetails& details, std::uint32
     out_.bsdf.finish();
 }
 
-/// The texture that is drawn where corners of a face or parts of a shape have each their own.
-std::uint32_t SurfaceReader::shown(HitContext& hit, const HitDetails& details, std::uint32_t texture, const glm::dvec3&,
-                                   Draws& draws)
+/// Layers that are drawn by their shares from all that the hit shows; p: in their space afterwards.
+const texture::Texture& SurfaceReader::drawn_layers(HitContext& hit, const SideTextures& sides, glm::dvec3& p,
+                                                    Draws& draws)
 {
-    const plan::Surface& surface = hit.surface;
-    if (surface.part_count != 0) {
-        auto& shares = context_.scratch.shade.shares;
-        shares.clear();
-        context_.world.shares(hit.met, hit.point, shares);
+    std::size_t side = 0;
+    if (sides.mixed()) {
         double u = draws.one();
-        for (const csg::Share& share : shares) {
-            u -= static_cast<double>(share.weight);
-            if (u < 0.0) return context_.scene.part_textures[surface.first_part + share.part];
-        }
-        return shares.empty() ? texture : context_.scene.part_textures[surface.first_part + shares.back().part];
+        while ((u -= static_cast<double>(sides.share(side))) >= 0.0 && side + 1 < sides.size()) ++side;
     }
-    if (surface.blends() && texture == surface.texture) {
-        const double u = draws.one();
-        if (u < static_cast<double>(details.weights.x)) return surface.texture;
-        return surface.corner_textures[u < static_cast<double>(details.weights.x + details.weights.y) ? 0 : 1];
-    }
-    return texture;
-}
-
-/// The texture of layers that is drawn from maps, averages and pictures of textures; p: in its space.
-const texture::Texture& SurfaceReader::plain(HitContext& hit, std::uint32_t index, glm::dvec3& p, Draws& draws)
-{
-    using Kind = texture::Texture::Kind;
+    std::uint32_t index = sides.texture(side);
     while (true) {
-        const texture::Texture& texture = set_.textures[index];
-        if (texture.kind == Kind::Layers) return texture;
-        if (texture.kind == Kind::Uv) {
-            hit.enclosing_count = 0;
-            p = {hit.around.uv.x, hit.around.uv.y, 0.0};
-            index = set_.children[texture.first];
-            continue;
-        }
-        const texture::Pattern& pattern = set_.patterns[texture.pattern];
-        p = texture::warp_point(set_, pattern, p);
-        if (hit.enclosing_count < hit.enclosing.size()) hit.enclosing[hit.enclosing_count++] = index;
-        if (texture.kind == Kind::Material) {
-            index = texture::material_at(set_, texture, p);
-        } else if (texture.kind == Kind::Average) {
+        const texture::Shown shown = texture::shown_at(set_, index, p, hit.around, hit.enclosing);
+        const texture::Texture& texture = shown.texture;
+        p = shown.p;
+        if (texture.kind == texture::Texture::Kind::Layers) return texture;
+        if (texture.kind == texture::Texture::Kind::Average) {
             float weights = 0;
             for (std::uint32_t i = 0; i < texture.count; ++i) weights += set_.keys[texture.first + i];
             double u = draws.one() * static_cast<double>(weights);
@@ -128,32 +103,21 @@ const texture::Texture& SurfaceReader::plain(HitContext& hit, std::uint32_t inde
             for (; i + 1 < texture.count && (u -= static_cast<double>(set_.keys[texture.first + i])) >= 0.0; ++i) {}
             index = set_.children[texture.first + i];
         } else {
-            const double value = texture::pattern_value(set_, pattern, p, hit.around);
-            const texture::Blend blend = texture::blend_at(set_, texture.first, texture.count, value);
+            const texture::Blend& blend = shown.blend;
             const bool upper = blend.lower == blend.upper || draws.one() < blend.share;
             index = set_.children[upper ? blend.upper : blend.lower];
         }
     }
 }
 
-glm::dvec3 SurfaceReader::normal_of(HitContext& hit, std::uint32_t normal, const glm::dvec3& p)
-{
-    if (normal == texture::kNone) return hit.normal;
-    const auto around = [&](std::size_t i) -> const texture::Texture& { return set_.textures[hit.enclosing[i]]; };
-    glm::dvec3 n = hit.normal;
-    for (std::size_t i = 0; i < hit.enclosing_count; ++i)
-        n = texture::normal_into(set_, set_.patterns[around(i).pattern], n, around(i).no_bump_scale);
-    n = glm::normalize(texture::perturb(set_, normal, n, p, hit.around));
-    for (std::size_t i = hit.enclosing_count; i-- > 0;)
-        n = texture::normal_out_of(set_, set_.patterns[around(i).pattern], n, around(i).no_bump_scale);
-    return glm::normalize(n);
-}
-
 void SurfaceReader::add_layer(HitContext& hit, const texture::Texture& texture, const texture::Layer& layer,
                               const glm::dvec3& p, Stack& stack)
 {
     const texture::Finish& finish = set_.finishes[layer.finish];
-    const glm::dvec3 normal = normal_of(hit, layer.normal, p);
+    const glm::dvec3 normal =
+        layer.normal == texture::kNone
+            ? hit.normal
+            : glm::normalize(texture::bent_normal(set_, layer.normal, hit.normal, p, hit.around, hit.enclosing));
     if (stack.first) stack.top_normal = normal;
     stack.first = false;
     const scene::Color c = texture::pigment_color(set_, layer.pigment, p, hit.around);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/kernel/context/side_textures.h"
 #include "render/kernel/path/bsdf.h"
 #include "render/kernel/scatter/refraction.h"
 
@@ -21,15 +22,11 @@ class SurfaceReader {
 public:
     SurfaceReader(Context& context, SurfaceLight& out) : context_(context), set_(context.scene.textures), out_(out) {}
 
-    /// \param texture of the side that is seen; plan::kNone: nothing but black
-    void read(HitContext& hit, const HitDetails& details, std::uint32_t texture, Draws& draws);
+    void read(HitContext& hit, const HitDetails& details, Draws& draws);
 
 private:
     struct Stack;
-    std::uint32_t shown(HitContext& hit, const HitDetails& details, std::uint32_t texture, const glm::dvec3& p,
-                        Draws& draws);
-    const texture::Texture& plain(HitContext& hit, std::uint32_t texture, glm::dvec3& p, Draws& draws);
-    glm::dvec3 normal_of(HitContext& hit, std::uint32_t normal, const glm::dvec3& p);
+    const texture::Texture& drawn_layers(HitContext& hit, const SideTextures& sides, glm::dvec3& p, Draws& draws);
     void add_layer(HitContext& hit, const texture::Texture& texture, const texture::Layer& layer, const glm::dvec3& p,
                    Stack& stack);
     void add_through(HitContext& hit, const Stack& stack, Draws& draws);

@@ -1,7 +1,7 @@
 #include "render/kernel/photon/photon_tracer.h"
 
 #include "render/kernel/interior/interior_fade.h"
-#include "render/texture/plain_textures.h"
+#include "render/kernel/context/side_textures.h"
 #include "render/kernel/extensions/rough_mirror.h"
 #include "render/kernel/photon/photon_air.h"
 #include "render/kernel/scatter/refraction.h"
@@ -158,7 +158,7 @@ private:
         const plan::Surface& surface = scene_.surfaces[hit.surface];
         const plan::PhotonSurface& rules = plan_.surfaces[surface.photons];
         const HitDetails details = hit_details(context_, photon.state.ray, hit);
-        const bool inside = glm::dot(details.normal, photon.state.ray.direction) > 0.0;
+        const bool inside = from_inside(details, photon.state.ray.direction);
         const HitPlace place{
             photon.state,           hit,   surface, details.point, inside ? -details.normal : details.normal,
             photon.state.level + 1, inside};
@@ -206,7 +206,7 @@ private:
     /// Straight on through what is to be passed through.
     void pass(const Flying& photon, const HitPlace& place, const HitDetails& details)
     {
-        glm::vec3 filter(texture_of(place) == plan::kNone ? 1.0f : 0.0f);
+        glm::vec3 filter(place.surface.texture_of(place.from_inside) == plan::kNone ? 1.0f : 0.0f);
         each_layers(place, details,
                     [&](HitContext&, const LayerStack& stack, float share) { filter += share * stack.filter; });
         Flying next = photon;
@@ -248,45 +248,17 @@ private:
         });
     }
 
-    static std::uint32_t texture_of(const HitPlace& place)
-    {
-        const plan::Surface& surface = place.surface;
-        return place.from_inside && surface.interior_texture != plan::kNone ? surface.interior_texture
-                                                                            : surface.texture;
-    }
-
     /// f(hit, layers, share) for all plain textures that the hit shows.
     template <class F>
     void each_layers(const HitPlace& place, const HitDetails& details, F&& f)
     {
-        const plan::Surface& surface = place.surface;
-        const texture::TextureSet& set = scene_.textures;
-        const std::uint32_t texture = texture_of(place);
-        if (texture == plan::kNone) return;
         HitContext hit(place, 0);
         hit.surround(details.point, details.uv);
-        const glm::dvec3 p = surface.uv_mapping ? glm::dvec3(details.uv.x, details.uv.y, 0.0) : details.point;
-        const auto layers = [&](const texture::Texture& of, const glm::dvec3& at, float share) {
-            f(hit, layer_stack(context_, hit, of, at), share);
-        };
-        if (surface.part_count != 0) {
-            shares_.clear();
-            context_.world.shares(place.met, place.point, shares_);
-            for (const csg::Share& part : shares_)
-                texture::each_plain(set, scene_.part_textures[surface.first_part + part.part], p, hit.around,
-                                    part.weight, layers);
-            return;
-        }
-        if (surface.blends() && texture == surface.texture) {
-            const std::array<std::uint32_t, 3> corners{surface.texture, surface.corner_textures[0],
-                                                       surface.corner_textures[1]};
-            for (int k = 0; k < 3; ++k)
-                if (details.weights[k] > 0.0f)
-                    texture::each_plain(set, corners[static_cast<std::size_t>(k)], p, hit.around, details.weights[k],
-                                        layers);
-            return;
-        }
-        texture::each_plain(set, texture, p, hit.around, 1.0f, layers);
+        SideTextures(scene_, world_, place.met, details, place.from_inside, scratch_.shade.shares)
+            .each_layers(place.surface.pattern_point(details.point, details.uv), hit.around, hit.enclosing,
+                         [&](const texture::Texture& layers, const glm::dvec3& p, float share) {
+                             f(hit, layer_stack(context_, hit, layers, p), share);
+                         });
     }
 
     /// Through the surface, or back where nothing gets through.
@@ -362,7 +334,6 @@ private:
     std::vector<PhotonStep> steps_;
     std::vector<std::uint32_t> order_;
     std::vector<Photon> stay_;  ///< in media
-    std::vector<csg::Share> shares_;
     PhotonAir air_{scene_, stay_};
     const JitterStream* jitter_ = nullptr;
     const PhotonYield* known_ = nullptr;

@@ -5,13 +5,6 @@
 
 namespace trace {
 
-/// The hit goes through the textures of a map from here on. It stays there: normals of neighbours that are looked at
-/// later go through its transformations too, as in POV-Ray.
-inline void enclose(HitContext& hit, std::uint32_t map)
-{
-    if (hit.enclosing_count < hit.enclosing.size()) hit.enclosing[hit.enclosing_count++] = map;
-}
-
 /// Calls shade(entry, slot) for the entries of a texture map that a point shows, whose colours are mixed into `out`.
 template <class Shade>
 void mix_textures(Context& context, const texture::Blend& blend, ColorSlot out, Shade&& shade)

@@ -10,8 +10,7 @@ class DirectBatch;
 
 /// Goes through all textures of a hit: their rows go to the batch, nodes and rays to the queue; its colour is to come
 /// into `out`.
-void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const HitDetails& details,
-                   std::uint32_t texture, ColorSlot out);
+void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const HitDetails& details, ColorSlot out);
 
 /// The same of one texture at p (its own space's point).
 void shade_texture(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t texture, const glm::dvec3& p,

@@ -10,23 +10,13 @@
 namespace trace {
 namespace {
 
-/// The layer's normal, bent by the layer and carried through the patterns around it (spec 3, section 4). Of unit
-/// length, but within texture maps with no_bump_scale: there it is as long as their transformations make it, and lit
-/// so. layer: its place in the texture.
+/// The layer's normal. layer: its place in the texture.
 [[gnu::always_inline]] inline glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal,
                                                       std::uint32_t layer, const glm::dvec3& p)
 {
     if (normal == texture::kNone || !context.scene.settings.quality.normals) return hit.normal;
     if (hit.prefetched != nullptr && hit.prefetched->bent) return hit.prefetched->normal(layer);
-    const auto& set = context.scene.textures;
-    glm::dvec3 n = hit.normal;
-    const auto around = [&](std::size_t i) -> const texture::Texture& { return set.textures[hit.enclosing[i]]; };
-    for (std::size_t i = 0; i < hit.enclosing_count; ++i)
-        n = texture::normal_into(set, set.patterns[around(i).pattern], n, around(i).no_bump_scale);
-    n = glm::normalize(texture::perturb(set, normal, n, p, hit.around));
-    for (std::size_t i = hit.enclosing_count; i-- > 0;)
-        n = texture::normal_out_of(set, set.patterns[around(i).pattern], n, around(i).no_bump_scale);
-    return n;
+    return texture::bent_normal(context.scene.textures, normal, hit.normal, p, hit.around, hit.enclosing);
 }
 
 /// The pigment of a texture's i-th layer.

@@ -196,7 +196,7 @@ private:
         }
         PrefetchedPigments prefetched;
         if (find_prefetched(k, prefetched) && prefetched.texture == texture) hit.prefetched = &prefetched;
-        shade_surface(context_, batch_, hit, details, texture, out);
+        shade_surface(context_, batch_, hit, details, out);
     }
 
     /// A hit of one layer, whose row is there.

@@ -203,7 +203,7 @@ void TextureMaps::shade(Context& context, DirectBatch& batch, HitContext& hit, s
     const bool average = texture.kind == Texture::Kind::Average;
     if (texture.kind != Texture::Kind::Map && !average)
         return shade_texture(context, batch, hit, place.texture, p, out);
-    enclose(hit, place.texture);
+    hit.enclosing.enter(place.texture);
     const Map& map = maps_[place.first];
     const glm::dvec3 q = map.points.at(i);
     const auto shade_entry = [&](std::uint32_t entry, ColorSlot slot) {

@@ -236,21 +236,18 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         all[i].batched = !all[i].needs_uv && !surface.blends();
         if (!all[i].batched) traits.not_batched.push_back(static_cast<csg::SurfaceId>(i));
         if (surface.blends()) continue;
+        const std::uint32_t inner = surface.texture_of(true);
         const bool bent = texture_looks.of_texture(surface.texture).bent,
-                   inner_bent = texture_looks.of_texture(surface.interior_texture).bent;
+                   inner_bent = texture_looks.of_texture(inner).bent;
         all[i].outer_patterned = patterned_layers(scene.textures, surface.texture, bent);
-        all[i].inner_patterned = surface.interior_texture == plan::kNone
-                                     ? all[i].outer_patterned
-                                     : patterned_layers(scene.textures, surface.interior_texture, inner_bent);
+        all[i].inner_patterned = patterned_layers(scene.textures, inner, inner_bent);
         if (surface.part_count != 0 && all[i].outer_patterned.map) all[i].outer_patterned = {};
         if (surface.part_count != 0 && all[i].inner_patterned.map) all[i].inner_patterned = {};
         if (surface.double_illuminate) {
             all[i].outer_patterned.alone = all[i].inner_patterned.alone = false;
         } else {
             all[i].outer = single_layer(scene.textures, surface.texture, bent, grain);
-            all[i].inner = surface.interior_texture == plan::kNone
-                               ? all[i].outer
-                               : single_layer(scene.textures, surface.interior_texture, inner_bent, grain);
+            all[i].inner = single_layer(scene.textures, inner, inner_bent, grain);
         }
         for (SingleLayer* single : {&all[i].outer, &all[i].inner}) {
             if (!traits.clear_surfaces || single->index == plan::kNone || !single->goes_on) continue;
@@ -261,7 +258,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
         const bool focused = surface.interior != plan::kNone &&
                              scene.interiors[surface.interior].caustics_power != 0.0f;
         if (surface.texture == plan::kNone) continue;
-        if (surface.interior_texture != plan::kNone && surface.interior_texture != surface.texture) continue;
+        if (inner != surface.texture) continue;
         const bool plain = plain_filter(scene.textures, surface.texture, all[i].filter);
         all[i].steady_filter = plain && !focused;
         const bool dimmed = surface.interior != plan::kNone && traits.dimming[surface.interior] != 0;
