@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-/// Which of a tile's values are equal to one: bit i for value i. Compiled once per instruction set.
+/// Which of a tile's values are equal to one: bit i for value i.
 namespace csg::lanes {
 
 inline std::uint64_t equal(const std::array<std::uint32_t, 64>& values, std::uint32_t to)

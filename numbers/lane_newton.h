@@ -2,7 +2,6 @@
 
 #include "numbers/lanes.h"
 
-/// Compiled once per instruction set.
 namespace csg::lanes {
 
 /// A function and its derivative at a place, a lane each.

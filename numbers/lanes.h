@@ -6,8 +6,8 @@
 #include <bit>
 #include <cstdint>
 
-/// The vector unit of the instruction set that this file is compiled for. Include only from code that is compiled once
-/// per instruction set: sizes differ.
+/// The vector unit of the instruction set that this file is compiled for. Code for different ones may share nothing
+/// that has it in its interface: sizes differ.
 namespace csg::lanes {
 
 using Double = xsimd::batch<double>;

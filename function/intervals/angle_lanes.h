@@ -5,7 +5,6 @@
 #include <numbers>
 
 /// Sine and arc tangent in vector lanes, to ten digits: enough for the ends of intervals, which are widened by more.
-/// Compiled once per instruction set.
 namespace function {
 
 inline constexpr double kAngleError = 1e-10;  ///< of both, generously, where the argument is as they say

@@ -7,8 +7,8 @@
 #include <bit>
 #include <numbers>
 
-/// Intervals in the lanes of a register, and what arithmetic and the library's functions make of them. Compiled once
-/// per instruction set. Steps are always taken in: a call would send each operand through memory.
+/// Intervals in the lanes of a register, and what arithmetic and the library's functions make of them. Steps are
+/// always taken in: a call would send each operand through memory.
 namespace function {
 
 struct Ends {

@@ -11,7 +11,7 @@
 #include <atomic>
 #include <span>
 
-/// The interface of a kernel module: everything that runs per ray, compiled once per instruction set.
+/// The interface of a kernel module: everything that runs per ray.
 namespace trace {
 
 class BlockTracer;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-/// The sums of lattice noise for as many points as there are lanes. Compiled once per instruction set.
+/// The sums of lattice noise for as many points as there are lanes.
 namespace texture {
 
 /// Toward zero to 32 bits and back; out of range and NaN give the least integer. `index`, `next`: the numbers of the

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-/// The smallest numbers of some, lane by lane. Compiled once per instruction set.
+/// The smallest numbers of some, lane by lane.
 namespace texture {
 
 /// The `Count` (1 to 3) smallest numbers that each lane took, ascending; what is no number counts for nothing.

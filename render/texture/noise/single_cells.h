@@ -7,7 +7,7 @@
 /// Lattice noise in single precision: what is summed over a cell's corners; cells themselves are found in double
 /// precision. Every point is alone in its cell. A register holds rows of as many corners as there are quads, lanes of
 /// four numbers. One order of sums for all instruction sets: corners that lie one above the other in z, then in y, then
-/// in x, then the parts of the row. Compiled once per instruction set.
+/// in x, then the parts of the row.
 namespace texture {
 
 #if defined(__AVX512F__)

@@ -9,7 +9,7 @@
 
 namespace texture {
 
-/// Points that go through the vector unit together. Compiled once per instruction set.
+/// Points that go through the vector unit together.
 using csg::lanes::Double;
 inline constexpr std::size_t kLanes = static_cast<std::size_t>(csg::lanes::kDoubles);
 
