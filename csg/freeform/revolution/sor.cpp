@@ -1,5 +1,6 @@
 #include "csg/freeform/revolution/sor.h"
 
+#include "csg/freeform/revolution/axis_ray.h"
 #include "numbers/safeguarded_newton.h"
 #include "csg/solids/shared/outline_shape.h"
 
@@ -96,7 +97,7 @@ private:
         const double room = s.square(y - s.low) - ray_.nearest * ray_.nearest;
         if (!(room > 0.0)) return;
         const auto face = kFirstSide + static_cast<std::uint32_t>(&s - sor_.segments_.data());
-        const double a = ray_.at_square(room, y, -1.0), b = ray_.at_square(room, y, 1.0);
+        const double a = ray_.at_square(room, y, true), b = ray_.at_square(room, y, false);
         if (toggle(std::min(a, b), face)) toggle(std::max(a, b), face);
     }
 
@@ -142,7 +143,7 @@ private:
             if ((values[i] > 0.0) == (values[i + 1] > 0.0)) continue;
             const double v = root(value, slope, ends[i], ends[i + 1], values[i] > 0.0);
             const double room = s.square(h + v) - ray_.nearest * ray_.nearest;
-            if (!toggle(ray_.at_square(room, middle + v, off + v), kFirstSide + index)) return false;
+            if (!toggle(ray_.at_square(room, middle + v, off + v < 0.0), kFirstSide + index)) return false;
         }
         return true;
     }

@@ -101,7 +101,7 @@ private:
         const Double start = xsimd::select(above, low_, low), end = xsimd::select(under, high_, high);
         near &= lanes::mask(start < end);
         if (near == 0) return;
-        const Double foot = ray_.foot, middle = AxisRays::smaller(AxisRays::larger(foot, low), high), h = middle - low,
+        const Double foot = ray_.foot, middle = lanes::smaller(lanes::larger(foot, low), high), h = middle - low,
                      off = middle - foot;
         Piece whole{start - middle, end - middle,
                     xsimd::select(above, outside, ray_.beyond_square(Double(s.d), low - foot)),
@@ -132,11 +132,11 @@ private:
         std::array<Piece, 3> pieces{Piece{whole.from, whole.from, whole.before, whole.before},
                                     Piece{whole.from, whole.from, whole.before, whole.before}, whole};
         if (lanes::mask(turns) == 0) return pieces;
-        const Double size = xsimd::sqrt(AxisRays::larger(discriminant, zero));
+        const Double size = xsimd::sqrt(lanes::larger(discriminant, zero));
         const Double q = lanes::negated(half + (size | (half & Double(-0.0))));
         const Double one = q / (Double(3.0) * cubic.c3), other = cubic.c1 / q;
         Double from = whole.from, before = whole.before;
-        const std::array<Double, 2> cuts{AxisRays::smaller(one, other), AxisRays::larger(one, other)};
+        const std::array<Double, 2> cuts{lanes::smaller(one, other), lanes::larger(one, other)};
         for (std::size_t n = 0; n < cuts.size(); ++n) {
             const Bool cut = turns & (cuts[n] > from) & (cuts[n] < whole.to);
             const Double to = xsimd::select(cut, cuts[n], from), after = xsimd::select(cut, cubic.value(to), before);
