@@ -35,6 +35,7 @@ inline double negated(double v) { return -v; }
 /// What a comparison of two T is: bool, or a bit a lane.
 template <class T>
 using Truth = decltype(std::declval<T>() < std::declval<T>());
+inline std::uint32_t mask(bool b) { return b; }
 
 inline double choose(bool which, double a, double b) { return which ? a : b; }
 inline Double choose(const Bool& which, const Double& a, const Double& b) { return xsimd::select(which, a, b); }
@@ -61,8 +62,13 @@ inline T larger(const T& a, const T& b)
 }
 inline bool differ(bool a, bool b) { return a != b; }
 inline Bool differ(const Bool& a, const Bool& b) { return (a & (!b)) | ((!a) & b); }
+inline void store(double v, double* to) { *to = v; }
+inline void store(const Double& v, double* to) { v.store_aligned(to); }
 inline double root_of(double v) { return std::sqrt(v); }
 inline Double root_of(const Double& v) { return xsimd::sqrt(v); }
+/// What is not negative, with the sign of another.
+inline double signed_as(double size, double of) { return std::copysign(size, of); }
+inline Double signed_as(const Double& size, const Double& of) { return size | (of & Double(-0.0)); }
 inline double size_of(double v) { return std::abs(v); }
 inline Double size_of(const Double& v) { return xsimd::abs(v); }
 

@@ -5,6 +5,7 @@
 #include "csg/freeform/revolution/axis_ray.h"
 
 #include <array>
+#include <bit>
 #include <span>
 
 namespace csg {
@@ -42,18 +43,26 @@ private:
     alignas(64) std::array<std::array<double, kTileRays>, 3> origin_{}, way_{};
 };
 
-/// Asks a solid of revolution for rays in lanes. Tile(shape, local, first ray, rays, out).run() answers as many as
-/// there are lanes as shape.intersect() does.
-template <class Tile, class Shape>
-inline void intersect_in_lanes(const Shape& shape, std::span<const Ray> rays, IntersectionList* out)
+/// Asks a solid of revolution for rays in lanes: tile(rays as their axis sees them, those to be answered, rays, out)
+/// for as many as there are lanes. Level ones are asked one by one.
+template <class Shape, class Tile>
+inline void intersect_in_lanes(const Shape& shape, std::span<const Ray> rays, IntersectionList* out, Tile&& tile)
 {
     constexpr std::size_t kFewest = 3;  // fewer are told sooner one by one
     const LocalRays local(rays);
     for (std::size_t at = 0; at < rays.size(); at += AxisRays::kWide) {
         const std::size_t count = std::min(AxisRays::kWide, rays.size() - at);
-        if (count < kFewest)
-            for (std::size_t k = at; k < at + count; ++k) shape.intersect(rays[k], out[k]);
-        else Tile(shape, local, at, rays.subspan(at, count), out + at).run();
+        AxisRays::Mask alone = (1u << count) - 1u;
+        if (count >= kFewest) {
+            const AxisRays several = local.at(at);
+            const AxisRays::Mask known = lanes::mask(several.valid()) & alone;
+            alone = known & lanes::mask(several.level());
+            if (known != alone) tile(several, known & ~alone, rays.subspan(at, count), out + at);
+        }
+        for (; alone != 0; alone &= alone - 1) {
+            const std::size_t k = at + static_cast<std::size_t>(std::countr_zero(alone));
+            shape.intersect(rays[k], out[k]);
+        }
     }
 }
 

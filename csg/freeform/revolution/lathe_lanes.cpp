@@ -17,17 +17,14 @@ class Lathe::Tile {
 public:
     static constexpr std::size_t kWide = AxisRays::kWide;
 
-    /// Of the rays from `at` on.
-    Tile(const Lathe& lathe, const LocalRays& local, std::size_t at, std::span<const Ray> rays, IntersectionList* out)
-        : lathe_(lathe), rays_(rays), out_(out), ray_(local.at(at))
+    Tile(const Lathe& lathe, const AxisRays& ray, AxisRays::Mask asked, std::span<const Ray> rays,
+         IntersectionList* out)
+        : lathe_(lathe), rays_(rays), out_(out), ray_(ray), asked_(asked)
     {
-        const Mask known = lanes::mask(ray_.valid()) & ((1u << rays.size()) - 1u), level = lanes::mask(ray_.level());
-        asked_ = known & ~level;
         alignas(64) Numbers from, to;
         from.fill(-kInfinity);
         to.fill(kInfinity);
         for (std::size_t k = 0; k < rays.size(); ++k) {
-            if ((known & level & (1u << k)) != 0) lathe.intersect(rays[k], out[k]);
             told_[k].begin(out[k]);
             if (out[k].first_only) from[k] = out[k].from, to[k] = out[k].to;
         }
@@ -36,7 +33,6 @@ public:
 
     void run()
     {
-        if (asked_ == 0) return;
         for (std::size_t b = 0; b < lathe_.reaches_.size(); ++b) {
             Mask near = asked_;
             if (!lathe_.groups_.empty()) near &= ~misses(lathe_.groups_[b / Reaches::kArcs], b % Reaches::kArcs);
@@ -167,9 +163,7 @@ private:
         const auto level = [&](const Double& v) {
             return lanes::ValuesAndSlopes{at(arc, v).y - ray_.foot, slope(arc, v).y};
         };
-        lanes::Newton newton{lo, hi, w, negative(above_start)};
-        for (int step = 0; step < 60 && asked != 0; ++step) newton.step(level(newton.t), LatheLimits::kClose, asked);
-        return newton.t;
+        return lanes::change_of_sign(level, lo, hi, negative(above_start), w, {LatheLimits::kClose, 0.0}, 60, asked);
     }
 
     void meet_line(const Arc& arc, const Point& start, const Point& end, const Bool& below, Mask asked)
@@ -183,8 +177,7 @@ private:
         const Mask changes = asked & lanes::mask(changing);
         Mask twice = asked & ~changes & lanes::mask((discriminant > zero) & (!turned));
         if ((changes | twice) == 0) return;
-        const Double root = xsimd::sqrt(lanes::larger(discriminant, zero));
-        const Double q = lanes::negated(b + (xsimd::abs(root) | (b & Double(-0.0))));
+        const Double q = lanes::negated(b + lanes::signed_as(xsimd::sqrt(lanes::larger(discriminant, zero)), b));
         const Double one = q / a, other = lanes::choose(q != zero, c / q, zero);
         const Double first = lanes::smaller(one, other), last = lanes::larger(one, other);
         twice &= lanes::mask((first > start.w) & (last < end.w));
@@ -362,7 +355,7 @@ private:
     AxisRays ray_;
     Double low_, high_;  ///< heights of the range that is asked for
     Double cells_left_ = Double(0.0);
-    Mask asked_ = 0;
+    Mask asked_;
     std::uint32_t face_ = 0;
     std::size_t root_count_ = 0;
     std::array<Root, kMostRoots> roots_;
@@ -373,7 +366,9 @@ bool Lathe::intersects_many() const { return true; }
 
 void Lathe::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
 {
-    intersect_in_lanes<Tile>(*this, rays, out);
+    const auto tile = [this](const AxisRays& ray, AxisRays::Mask asked, std::span<const Ray> of,
+                             IntersectionList* told) { Tile(*this, ray, asked, of, told).run(); };
+    intersect_in_lanes(*this, rays, out, tile);
 }
 
 }  // namespace csg
