@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
-/// Small arithmetic of registers: signs, the least, products and sums with one rounding, whole numbers.
+/// Small arithmetic of registers: signs, the least, products and sums with one rounding, whole numbers. What a template
+/// over a double or lanes of them needs has a form for each.
 namespace csg::lanes {
 
 using Bool = Double::batch_bool_type;
@@ -28,8 +30,50 @@ inline double lowest(Double v)
 
 /// xsimd negates by subtraction on AVX-512, which loses the sign of 0.
 inline Double negated(Double v) { return v ^ Double(-0.0); }
+inline double negated(double v) { return -v; }
+
+/// What a comparison of two T is: bool, or a bit a lane.
+template <class T>
+using Truth = decltype(std::declval<T>() < std::declval<T>());
+inline std::uint32_t mask(bool b) { return b; }
+
+inline double choose(bool which, double a, double b) { return which ? a : b; }
+inline Double choose(const Bool& which, const Double& a, const Double& b) { return xsimd::select(which, a, b); }
+/// The same of what is worked out here: lanes need both, one number only its own.
+template <class Yes, class No>
+inline double either(bool which, Yes&& yes, No&& no)
+{
+    return which ? yes() : no();
+}
+template <class Yes, class No>
+inline Double either(const Bool& which, Yes&& yes, No&& no)
+{
+    return xsimd::select(which, yes(), no());
+}
+template <class T>
+inline T smaller(const T& a, const T& b)
+{
+    return choose(b < a, b, a);
+}
+template <class T>
+inline T larger(const T& a, const T& b)
+{
+    return choose(a < b, b, a);
+}
+inline bool differ(bool a, bool b) { return a != b; }
+inline Bool differ(const Bool& a, const Bool& b) { return (a & (!b)) | ((!a) & b); }
+inline void store(double v, double* to) { *to = v; }
+inline void store(const Double& v, double* to) { v.store_aligned(to); }
+inline double root_of(double v) { return std::sqrt(v); }
+inline Double root_of(const Double& v) { return xsimd::sqrt(v); }
+/// What is not negative, with the sign of another.
+inline double signed_as(double size, double of) { return std::copysign(size, of); }
+inline Double signed_as(const Double& size, const Double& of) { return size | (of & Double(-0.0)); }
+inline double size_of(double v) { return std::abs(v); }
+inline Double size_of(const Double& v) { return xsimd::abs(v); }
 
 /// std::fma(): xsimd's rounds twice where it knows no instruction for it, as it does for AVX-512.
+inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
 inline Double fused(const Double& a, const Double& b, const Double& c)
 {
 #if defined(__AVX512F__)

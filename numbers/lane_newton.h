@@ -1,6 +1,9 @@
 #pragma once
 
 #include "numbers/lanes.h"
+#include "numbers/safeguarded_newton.h"
+
+#include <type_traits>
 
 namespace csg::lanes {
 
@@ -39,5 +42,29 @@ struct NewtonOf {
 };
 
 using Newton = NewtonOf<false>;
+
+template <class T>
+using Sloped = std::conditional_t<std::is_same_v<T, double>, ValueAndSlope, ValuesAndSlopes>;
+
+/// safeguarded_newton() of one number, or of the lanes asked for.
+template <class At>
+inline double change_of_sign(const At& at, double lo, double hi, bool negative_at_lo, double t, StepEnd end, int most,
+                             std::uint32_t)
+{
+    return safeguarded_newton(at, lo, hi, negative_at_lo, t, end, most);
+}
+template <class At>
+inline Double change_of_sign(const At& at, const Double& lo, const Double& hi,
+                             const Double::batch_bool_type& negative_at_lo, const Double& t, StepEnd end, int most,
+                             std::uint32_t asked)
+{
+    Newton newton{lo, hi, t, negative_at_lo};
+    for (int i = 0; i < most && asked != 0; ++i) {
+        Double close(end.absolute);
+        if (end.relative != 0.0) close += Double(end.relative) * xsimd::abs(newton.t);
+        newton.step(at(newton.t), close, asked);
+    }
+    return newton.t;
+}
 
 }  // namespace csg::lanes

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "numbers/lanes.h"
+#include "numbers/lane_arithmetic.h"
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -19,16 +18,6 @@ inline std::uint64_t words_of(double v) { return std::bit_cast<std::uint64_t>(v)
 inline double number_of(std::uint64_t v) { return std::bit_cast<double>(v); }
 inline Words words_of(const Double& v) { return same_bits<Words>(v); }
 inline Double number_of(const Words& v) { return same_bits<Double>(v); }
-
-inline double choose(bool which, double a, double b) { return which ? a : b; }
-inline Double choose(const Double::batch_bool_type& which, const Double& a, const Double& b)
-{
-    return xsimd::select(which, a, b);
-}
-inline double root_of(double v) { return std::sqrt(v); }
-inline Double root_of(const Double& v) { return xsimd::sqrt(v); }
-inline double size_of(double v) { return std::abs(v); }
-inline Double size_of(const Double& v) { return xsimd::abs(v); }
 
 /// c[0] + c[1] x + c[2] x^2 + ..., by halves: a chain of products as long as the logarithm of their number (Estrin).
 template <std::size_t First, std::size_t Count, class T, std::size_t N>

@@ -2,9 +2,8 @@
 
 #include "numbers/rounding.h"
 
-#include <emmintrin.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace csg {
@@ -33,24 +32,22 @@ double half_area(const Aabb& box)
     return e.x * e.y + e.y * e.z + e.z * e.x;
 }
 
-/// A box as the least of six numbers, the upper corner's with their signs turned: two of them a register.
+/// A box as the least of six numbers, the upper corner's with their signs turned: the compiler takes several at a time.
 struct Box {
-    __m128d least[3];
+    alignas(16) std::array<double, 6> least;
 
     static Box of(const Aabb& box)
     {
-        return {{_mm_set_pd(box.lower.y, box.lower.x), _mm_set_pd(-box.upper.x, box.lower.z),
-                 _mm_set_pd(-box.upper.z, -box.upper.y)}};
+        return {{box.lower.x, box.lower.y, box.lower.z, -box.upper.x, -box.upper.y, -box.upper.z}};
     }
-    static Box none() { return {{_mm_set1_pd(kInfinity), _mm_set1_pd(kInfinity), _mm_set1_pd(kInfinity)}}; }
+    static Box none() { return {{kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity}}; }
     void include(const Box& other)
     {
-        for (int i = 0; i < 3; ++i) least[i] = _mm_min_pd(other.least[i], least[i]);
+        for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], other.least[i]);
     }
     double half_area() const
     {
-        alignas(16) double v[6];
-        for (int i = 0; i < 3; ++i) _mm_store_pd(v + 2 * i, least[i]);
+        const auto& v = least;
         const double x = -v[3] - v[0], y = -v[4] - v[1], z = -v[5] - v[2];
         return x >= 0.0 && y >= 0.0 && z >= 0.0 ? x * y + y * z + z * x : 0.0;
     }

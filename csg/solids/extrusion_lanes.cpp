@@ -7,7 +7,7 @@
 
 namespace csg {
 
-/// Extrusion::each_span() of many rays, a ray a lane: every number comes from the same operations in the same order.
+/// Extrusion::each_span() of many rays, a ray a lane.
 class Extrusion::Lanes {
 public:
     Lanes(const Extrusion& solid, RayBatch& batch) : solid_(solid), batch_(batch) {}
@@ -102,21 +102,12 @@ private:
     Mask meet_walls(std::size_t at, Mask asked, const Place& start, const Place& along, const Double& nearest,
                     const Double& farthest, const Double& entry, const Double& exit)
     {
-        const Double square = OutlineLines::dot(along, along), over = Double(1.0) / square,
-                     first = OutlineLines::dot(start, along);
-        const Double coarse = Double(1e-14) * (xsimd::abs(start.x * along.x) + xsimd::abs(start.y * along.y));
-        const auto room = [&](const Double& t) { return coarse + Double(1e-14) * xsimd::abs(t) * square; };
-        OutlineLines line;
-        line.side = {along.y ^ Double(-0.0), along.x};
-        line.level = OutlineLines::dot(line.side, start);
-        line.along = along;
-        line.lo = first + nearest * square - room(nearest);
-        line.hi = first + farthest * square + room(farthest);
+        const OutlineRay<OutlineLines, Place, Double> ray(start, along);
+        const OutlineLines line = ray.line(nearest, farthest);
         std::array<OutlineWalls, kWide> walls;
         Mask full = 0;
         const Mask odd = line.crossings(*solid_.shape, asked, [&](std::uint32_t piece, const Double& w, Mask crossing) {
-            const Place p = OutlineLines::at(solid_.shape->pieces()[piece], w);
-            const Double t = OutlineLines::dot({p.x - start.x, p.y - start.y}, along) * over;
+            const Double t = ray.at(OutlineLines::at(solid_.shape->pieces()[piece], w));
             alignas(64) std::array<double, kWide> places;
             t.store_aligned(places.data());
             for (; crossing != 0; crossing &= crossing - 1) {

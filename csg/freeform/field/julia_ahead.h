@@ -2,7 +2,6 @@
 
 #include "csg/freeform/field/julia_orbits.h"
 
-/// Compiled once per instruction set.
 namespace csg {
 
 /// Julia::intersect() of rays too few to fill the lanes: several lanes look for each of them, also where it may look

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cmath>
 
-/// Compiled once per instruction set.
 namespace csg {
 
 /// Julia::look() at many places together, each on a ray of its own, a place a lane: every number comes from the same

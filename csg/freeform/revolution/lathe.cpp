@@ -1,3 +1,4 @@
+#include "csg/freeform/revolution/axis_ray.h"
 #include "csg/freeform/revolution/lathe_reach.h"
 
 #include "numbers/safeguarded_newton.h"

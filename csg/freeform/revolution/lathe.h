@@ -1,6 +1,5 @@
 #pragma once
 
-#include "csg/freeform/revolution/axis_ray.h"
 #include "csg/freeform/shared/intersection_list.h"
 #include "csg/solids/shared/outline_shape.h"
 

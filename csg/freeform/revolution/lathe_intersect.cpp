@@ -11,11 +11,11 @@ namespace csg {
 class Lathe::Sweep {
 public:
     Sweep(const AxisRay& ray, double from, double to, bool first_only)
-        : foot_(ray.foot), rise_(ray.rise), run_(ray.run), nearest_(ray.nearest), by_range_(first_only && !ray.level())
+        : ray_{ray.rise, ray.run, ray.nearest, ray.foot}, by_range_(first_only && !ray.level())
     {
         if (!by_range_) return;
         double low = 0.0, high = 0.0;
-        lathe_heights(ray, from, to, low, high);
+        lathe_heights<double>(ray, from, to, low, high);
         low_ = Double(low);
         high_ = Double(high);
     }
@@ -23,24 +23,17 @@ public:
     std::uint32_t misses(const Reaches& reach, int at) const
     {
         const Double low = Double::load_aligned(reach.low + at), high = Double::load_aligned(reach.high + at);
-        const Double below = low - foot_, over = high - foot_;
-        const Double least = xsimd::max(Double(0.0), xsimd::max(below, -over)), most = xsimd::max(-below, over);
-        auto missed = (beyond(Double::load_aligned(reach.farthest + at), least) < Double(0.0)) |
-                      (beyond(Double::load_aligned(reach.nearest + at), most) > Double(0.0));
+        auto missed = passes_by(ray_, low, high, Double::load_aligned(reach.nearest + at),
+                                Double::load_aligned(reach.farthest + at));
         if (by_range_) missed = missed | (high < low_) | (low > high_);
         return lanes::mask(missed);
     }
 
 private:
     using Double = lanes::Double;
-    /// AxisRay::beyond() in lanes.
-    Double beyond(const Double& r, const Double& above) const
-    {
-        const Double across = run_ * above;
-        return rise_ * rise_ * (r - nearest_) * (r + nearest_) - across * across;
-    }
 
-    Double foot_, rise_, run_, nearest_, low_, high_;
+    AxisSweep<Double> ray_;
+    Double low_, high_;
     bool by_range_;
 };
 
@@ -92,7 +85,7 @@ private:
     void add_between(const Arc& arc, const LathePoint& start, const LathePoint& end, double side)
     {
         if (!told_.first_only()) return add_at(arc, refined(arc, start, end), side);
-        const auto [least, most] = ray_.between(start.radius, start.height, end.radius, end.height, side);
+        const auto [least, most] = ray_.between(start.radius, start.height, end.radius, end.height, side < 0.0);
         told_.wait({least, side, face_, start, end}, most, [&](const Waiting& one) { resolve(one); });
     }
     void resolve(const Waiting& one)
@@ -103,8 +96,8 @@ private:
     }
     void add_at(const Arc& arc, double w, double side)
     {
-        const glm::dvec2 p = arc.at(w);
-        told_.add(ray_.polished(ray_.at(p.x, p.y, side), p, arc.slope(w)), face_);
+        const glm::dvec2 p = arc.at(w), d = arc.slope(w);
+        told_.add(ray_.polished(ray_.at(p.x, p.y, side < 0.0), p.x, p.y, d.x, d.y), face_);
     }
 
     void meet_arc(std::uint32_t index)
@@ -117,8 +110,8 @@ private:
             if (!passes) return;
             const double radius = arc.at(level_parameter(arc, above_start, above_end)).x;
             if (!(std::abs(radius) > ray_.nearest)) return;
-            told_.add(ray_.at(radius, ray_.foot, -1.0), index);
-            told_.add(ray_.at(radius, ray_.foot, 1.0), index);
+            told_.add(ray_.at(radius, ray_.foot, true), index);
+            told_.add(ray_.at(radius, ray_.foot, false), index);
             return;
         }
         const LathePoint start = point(arc.start_slope, arc.lo, arc.start.x, arc.start.y, above_start);

@@ -1,40 +1,38 @@
 #include "csg/freeform/revolution/lathe.h"
-#include "csg/freeform/revolution/lathe_lane_ranges.h"
+#include "csg/freeform/revolution/axis_rays.h"
 #include "csg/freeform/revolution/lathe_limits.h"
+#include "csg/freeform/revolution/lathe_point.h"
+#include "csg/freeform/revolution/lathe_reach.h"
 #include "csg/freeform/revolution/lathe_told.h"
 #include "numbers/lane_newton.h"
 
 #include <bit>
+#include <tuple>
 
 namespace csg {
 
 /// Lathe::intersect() of as many rays as there are lanes: every number comes from the same operations in the same
 /// order. What is done for some lanes of a vector only is told by masks.
-class Lathe::Tile : private LatheLanes {
+class Lathe::Tile {
 public:
     static constexpr std::size_t kWide = AxisRays::kWide;
 
-    /// Of the rays from `at` on.
-    Tile(const Lathe& lathe, const LocalRays& local, std::size_t at, std::span<const Ray> rays, IntersectionList* out)
-        : lathe_(lathe), rays_(rays), out_(out), ray_(local.at(at))
+    Tile(const Lathe& lathe, const AxisRays& ray, AxisRays::Mask asked, std::span<const Ray> rays,
+         IntersectionList* out)
+        : lathe_(lathe), rays_(rays), out_(out), ray_(ray), asked_(asked)
     {
-        const Mask known = lanes::mask(ray_.valid()) & ((1u << rays.size()) - 1u), level = lanes::mask(ray_.level());
-        asked_ = known & ~level;
         alignas(64) Numbers from, to;
         from.fill(-kInfinity);
         to.fill(kInfinity);
         for (std::size_t k = 0; k < rays.size(); ++k) {
-            if ((known & level & (1u << k)) != 0) lathe.intersect(rays[k], out[k]);
             told_[k].begin(out[k]);
             if (out[k].first_only) from[k] = out[k].from, to[k] = out[k].to;
         }
-        ray_.heights(Double::load_aligned(from.data()), Double::load_aligned(to.data()), LatheLimits::kRoom, low_,
-                     high_);
+        lathe_heights<Double>(ray_, Double::load_aligned(from.data()), Double::load_aligned(to.data()), low_, high_);
     }
 
     void run()
     {
-        if (asked_ == 0) return;
         for (std::size_t b = 0; b < lathe_.reaches_.size(); ++b) {
             Mask near = asked_;
             if (!lathe_.groups_.empty()) near &= ~misses(lathe_.groups_[b / Reaches::kArcs], b % Reaches::kArcs);
@@ -61,7 +59,10 @@ public:
     }
 
 private:
+    using Double = AxisRays::Double;
+    using Bool = AxisRays::Bool;
     using Mask = AxisRays::Mask;
+    using Range = SlopeRangeOf<Double>;
     using Numbers = std::array<double, kWide>;
     /// A crossing that has been worked out, but for other rays' sake.
     struct Waiting {
@@ -72,6 +73,7 @@ private:
     struct Place {
         Double x, y;
     };
+    static Bool negative(const Double& v) { return v < Double(0.0); }
     /// LathePoint.
     struct Point {
         Double w, radius, height, above, slope_radius, slope_above, beyond;
@@ -79,13 +81,13 @@ private:
     };
     static Point chosen(const Bool& which, const Point& a, const Point& b)
     {
-        return {pick(which, a.w, b.w),
-                pick(which, a.radius, b.radius),
-                pick(which, a.height, b.height),
-                pick(which, a.above, b.above),
-                pick(which, a.slope_radius, b.slope_radius),
-                pick(which, a.slope_above, b.slope_above),
-                pick(which, a.beyond, b.beyond)};
+        return {lanes::choose(which, a.w, b.w),
+                lanes::choose(which, a.radius, b.radius),
+                lanes::choose(which, a.height, b.height),
+                lanes::choose(which, a.above, b.above),
+                lanes::choose(which, a.slope_radius, b.slope_radius),
+                lanes::choose(which, a.slope_above, b.slope_above),
+                lanes::choose(which, a.beyond, b.beyond)};
     }
     static Place at(const Arc& arc, const Double& w)
     {
@@ -105,11 +107,9 @@ private:
     /// Lathe::Sweep::misses() of one of eight.
     Mask misses(const Reaches& reach, std::size_t k) const
     {
-        const Double low(reach.low[k]), high(reach.high[k]), zero(0.0);
-        const Double below = low - ray_.foot, over = high - ray_.foot;
-        const Double least = xsimd::max(zero, xsimd::max(below, zero - over)), most = xsimd::max(zero - below, over);
-        return lanes::mask((ray_.beyond(Double(reach.farthest[k]), least) < zero) |
-                           (ray_.beyond(Double(reach.nearest[k]), most) > zero) | (high < low_) | (low > high_));
+        const Double low(reach.low[k]), high(reach.high[k]);
+        return lanes::mask(passes_by(ray_, low, high, Double(reach.nearest[k]), Double(reach.farthest[k])) |
+                           (high < low_) | (low > high_));
     }
 
     Point point(const Place& slope, const Double& w, const Double& radius, const Double& height,
@@ -129,7 +129,7 @@ private:
                                   Double(arc.start.x), start_y, above_start),
                     end = point({Double(arc.end_slope.x), Double(arc.end_slope.y)}, Double(arc.hi), Double(arc.end.x),
                                 end_y, above_end);
-        const Bool passing = differ(negative(above_start), negative(above_end));
+        const Bool passing = lanes::differ(negative(above_start), negative(above_end));
         const Mask passes = asked & lanes::mask(passing);
         if (passes == 0) {
             meet_cell(arc, start, end, negative(above_start + above_end), asked);
@@ -137,7 +137,7 @@ private:
         }
         const Double w = level_parameter(arc, above_start, above_end, passes);
         const Double nearer(glm::min(arc.start.x, arc.end.x)), farther(glm::max(arc.start.x, arc.end.x));
-        const Double radius = smaller(larger(at(arc, w).x, nearer), farther);
+        const Double radius = lanes::smaller(lanes::larger(at(arc, w).x, nearer), farther);
         const Point foot = point(slope(arc, w), w, radius, ray_.foot, Double(0.0));
         const Bool from_below = negative(above_start);
         meet_cell(arc, start, chosen(passing, foot, end),
@@ -163,9 +163,7 @@ private:
         const auto level = [&](const Double& v) {
             return lanes::ValuesAndSlopes{at(arc, v).y - ray_.foot, slope(arc, v).y};
         };
-        lanes::Newton newton{lo, hi, w, negative(above_start)};
-        for (int step = 0; step < 60 && asked != 0; ++step) newton.step(level(newton.t), LatheLimits::kClose, asked);
-        return newton.t;
+        return lanes::change_of_sign(level, lo, hi, negative(above_start), w, {LatheLimits::kClose, 0.0}, 60, asked);
     }
 
     void meet_line(const Arc& arc, const Point& start, const Point& end, const Bool& below, Mask asked)
@@ -175,19 +173,18 @@ private:
         const Double a = rise2 * dr * dr - run2 * du * du, b = rise2 * r * dr - run2 * u * du, c = ray_.beyond(r, u);
         const Double cross = ray_.run * (r * du - u * dr),
                      discriminant = rise2 * (cross * cross + ray_.nearest * ray_.nearest * a);
-        const Bool out = start.out(), changing = differ(out, end.out()), turned = differ(out, a > zero);
+        const Bool out = start.out(), changing = lanes::differ(out, end.out()), turned = lanes::differ(out, a > zero);
         const Mask changes = asked & lanes::mask(changing);
         Mask twice = asked & ~changes & lanes::mask((discriminant > zero) & (!turned));
         if ((changes | twice) == 0) return;
-        const Double root = xsimd::sqrt(larger(discriminant, zero));
-        const Double q = lanes::negated(b + (xsimd::abs(root) | (b & Double(-0.0))));
-        const Double one = q / a, other = pick(q != zero, c / q, zero);
-        const Double first = smaller(one, other), last = larger(one, other);
+        const Double q = lanes::negated(b + lanes::signed_as(xsimd::sqrt(lanes::larger(discriminant, zero)), b));
+        const Double one = q / a, other = lanes::choose(q != zero, c / q, zero);
+        const Double first = lanes::smaller(one, other), last = lanes::larger(one, other);
         twice &= lanes::mask((first > start.w) & (last < end.w));
-        Double w = pick(a == zero, other, pick(turned, last, first));
-        w = pick(w >= start.w, w, start.w);
-        w = pick(w <= end.w, w, end.w);
-        w = pick(changing, w, first);
+        Double w = lanes::choose(a == zero, other, lanes::choose(turned, last, first));
+        w = lanes::choose(w >= start.w, w, start.w);
+        w = lanes::choose(w <= end.w, w, end.w);
+        w = lanes::choose(changing, w, first);
         add_at(arc, w, below, changes | twice);
         if (twice != 0) add_at(arc, last, below, twice);
     }
@@ -217,16 +214,16 @@ private:
         Range loss = slope_range(start.above, end.above, start.slope_above, end.slope_above);
         gain.least = gain.least * rise2, gain.most = gain.most * rise2;
         loss.least = loss.least * run2, loss.most = loss.most * run2;
-        const Mask changes = asked & lanes::mask(differ(start.out(), end.out()));
+        const Mask changes = asked & lanes::mask(lanes::differ(start.out(), end.out()));
         const Double width = end.w - start.w;
-        const Double steepest = Double(2.0) * larger(gain.most - loss.least, loss.most - gain.least);
+        const Double steepest = Double(2.0) * lanes::larger(gain.most - loss.least, loss.most - gain.least);
         asked &= changes | ~lanes::mask(xsimd::abs(start.beyond) + xsimd::abs(end.beyond) > width * steepest);
         if (asked == 0) return;
         Mask open = asked & ~lanes::mask(apart(gain, loss));
         if (open != 0) open &= ~lanes::mask(falls_by_roots(start, end, gain.negative));
         if (open != 0) open &= ~lanes::mask(width < Double(LatheLimits::kNarrow));
         if (open != 0) {
-            cells_left_ = pick(lanes::lanes_of(open), cells_left_ - Double(1.0), cells_left_);
+            cells_left_ = lanes::choose(lanes::lanes_of(open), cells_left_ - Double(1.0), cells_left_);
             open &= ~lanes::mask(negative(cells_left_));
         }
         if (const Mask roots = asked & ~open & changes; roots != 0) add_between(start, end, below, roots);
@@ -241,7 +238,7 @@ private:
     Bool falls_by_roots(const Point& start, const Point& end, const Bool& toward_axis) const
     {
         const Double c = ray_.nearest, r0 = xsimd::abs(start.radius), r1 = xsimd::abs(end.radius);
-        const Double least = smaller(r0, r1), most = larger(r0, r1);
+        const Double least = lanes::smaller(r0, r1), most = lanes::larger(r0, r1);
         const Bool clear = least > c;
         if (lanes::mask(clear) == 0) return clear;
         const Double factor_least = most / xsimd::sqrt((most - c) * (most + c)),
@@ -250,7 +247,7 @@ private:
             slope_range(ray_.rise * factor_least, ray_.rise * factor_most, start.slope_radius, end.slope_radius);
         gain.negative = toward_axis;
         Range loss = slope_range(ray_.run, ray_.run, start.slope_above, end.slope_above);
-        loss.negative = differ(negative(start.slope_above + end.slope_above), negative(start.above + end.above));
+        loss.negative = lanes::differ(negative(start.slope_above + end.slope_above), negative(start.above + end.above));
         return clear & apart(gain, loss);
     }
 
@@ -263,7 +260,7 @@ private:
         root.face = face_;
         root.asked = asked;
         root.below = below;
-        ray_.between(start.radius, start.height, end.radius, end.height, below, root.nearest, root.farthest);
+        std::tie(root.nearest, root.farthest) = ray_.between(start.radius, start.height, end.radius, end.height, below);
         prepare(root, start, end);
     }
 
@@ -293,7 +290,7 @@ private:
 
     Double across(const Double& r) const
     {
-        return xsimd::sqrt(larger((r - ray_.nearest) * (r + ray_.nearest), Double(0.0)));
+        return xsimd::sqrt(lanes::larger((r - ray_.nearest) * (r + ray_.nearest), Double(0.0)));
     }
     Double by_root(const Double& along, const Double& above) const
     {
@@ -304,18 +301,18 @@ private:
     void prepare(Root& root, const Point& start, const Point& end) const
     {
         const Double c = ray_.nearest, half(0.5);
-        root.sign = pick(negative(start.above + end.above), Double(-1.0), Double(1.0));
+        root.sign = lanes::choose(negative(start.above + end.above), Double(-1.0), Double(1.0));
         root.by_roots = (ray_.rise < ray_.run) & (xsimd::abs(start.radius) > c) & (xsimd::abs(end.radius) > c);
         root.rooted = lanes::mask(root.by_roots) & root.asked;
         root.open = root.asked;
         Double before = start.beyond, after = end.beyond;
         if (root.rooted != 0) {
-            before = pick(root.by_roots, by_root(across(start.radius), start.above), before);
-            after = pick(root.by_roots, by_root(across(end.radius), end.above), after);
+            before = lanes::choose(root.by_roots, by_root(across(start.radius), start.above), before);
+            after = lanes::choose(root.by_roots, by_root(across(end.radius), end.above), after);
         }
         const Double lo = start.w, hi = end.w;
-        const Double w = pick(before != after, lo + (hi - lo) * (before / (before - after)), half * (lo + hi));
-        root.newton = {lo, hi, pick((w > lo) & (w < hi), w, half * (lo + hi)), !start.out()};
+        const Double w = lanes::choose(before != after, lo + (hi - lo) * (before / (before - after)), half * (lo + hi));
+        root.newton = {lo, hi, lanes::choose((w > lo) & (w < hi), w, half * (lo + hi)), !start.out()};
     }
     /// ... what it asks at each, ...
     lanes::ValuesAndSlopes evaluated(const Root& root) const
@@ -330,8 +327,8 @@ private:
                      Double(2.0) * (ray_.rise * ray_.rise * p.x * d.x - ray_.run * ray_.run * above * d.y)};
         if (root.rooted == 0) return found;
         const Double along = across(p.x);
-        return {pick(root.by_roots, by_root(along, above), found.value),
-                pick(root.by_roots, ray_.rise * d.x * p.x / along - ray_.run * root.sign * d.y, found.slope)};
+        return {lanes::choose(root.by_roots, by_root(along, above), found.value),
+                lanes::choose(root.by_roots, ray_.rise * d.x * p.x / along - ray_.run * root.sign * d.y, found.slope)};
     }
     /// ... and what comes of it.
     void add_root(const Root& root)
@@ -358,7 +355,7 @@ private:
     AxisRays ray_;
     Double low_, high_;  ///< heights of the range that is asked for
     Double cells_left_ = Double(0.0);
-    Mask asked_ = 0;
+    Mask asked_;
     std::uint32_t face_ = 0;
     std::size_t root_count_ = 0;
     std::array<Root, kMostRoots> roots_;
@@ -369,7 +366,9 @@ bool Lathe::intersects_many() const { return true; }
 
 void Lathe::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
 {
-    intersect_in_lanes<Tile>(*this, rays, out);
+    const auto tile = [this](const AxisRays& ray, AxisRays::Mask asked, std::span<const Ray> of,
+                             IntersectionList* told) { Tile(*this, ray, asked, of, told).run(); };
+    intersect_in_lanes(*this, rays, out, tile);
 }
 
 }  // namespace csg

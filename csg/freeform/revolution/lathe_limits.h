@@ -2,7 +2,6 @@
 
 #include "csg/freeform/revolution/axis_ray.h"
 
-/// What one ray and rays in lanes through a lathe agree on.
 namespace csg {
 
 struct LatheLimits {
@@ -14,16 +13,14 @@ struct LatheLimits {
 };
 
 /// The heights of a range of a ray that is not level, a little more: an arc passed there is none of rounding.
-inline void lathe_heights(const AxisRay& ray, double from, double to, double& low, double& high)
+template <class T>
+inline void lathe_heights(const AxisRayOf<T>& ray, const T& from, const T& to, T& low, T& high)
 {
-    const double earliest = ray.sooner(from), latest = ray.later(to),
-                 room = LatheLimits::kRoom * (std::abs(ray.foot) + ray.nearest);
-    const double below = ray.height_at(earliest), over = ray.height_at(latest);
-    const auto wider = [&](double height, double sign) {
-        return height + sign * (room + LatheLimits::kRoom * std::abs(height));
-    };
-    low = wider(glm::min(below, over), -1.0);
-    high = wider(glm::max(below, over), 1.0);
+    const T part(LatheLimits::kRoom), room = part * (lanes::size_of(ray.foot) + ray.nearest);
+    const T below = ray.height_at(ray.sooner(from)), over = ray.height_at(ray.later(to));
+    const T least = lanes::smaller(below, over), most = lanes::larger(below, over);
+    low = least - (room + part * lanes::size_of(least));
+    high = most + (room + part * lanes::size_of(most));
 }
 
 }  // namespace csg

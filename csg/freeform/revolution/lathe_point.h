@@ -1,8 +1,6 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
-#include <cmath>
+#include "numbers/lane_arithmetic.h"
 
 namespace csg {
 
@@ -16,21 +14,29 @@ struct LathePoint {
 };
 
 /// Least and largest of a product of two numbers known at both ends, each monotone between them.
-struct SlopeRange {
-    double least, most;  ///< of its amount
-    bool negative;
+template <class T>
+struct SlopeRangeOf {
+    T least, most;  ///< of its amount
+    lanes::Truth<T> negative;
 };
-inline SlopeRange slope_range(double a0, double a1, double b0, double b1)
+template <class T>
+inline SlopeRangeOf<T> slope_range(const T& a0, const T& a1, const T& b0, const T& b1)
 {
-    const double a_least = (a0 < 0.0) == (a1 < 0.0) ? glm::min(std::abs(a0), std::abs(a1)) : 0.0;
-    const double b_least = (b0 < 0.0) == (b1 < 0.0) ? glm::min(std::abs(b0), std::abs(b1)) : 0.0;
-    const double a_most = glm::max(std::abs(a0), std::abs(a1)), b_most = glm::max(std::abs(b0), std::abs(b1));
-    return {a_least * b_least, a_most * b_most, (a0 + a1 < 0.0) != (b0 + b1 < 0.0)};
+    const T zero(0.0), a_size0 = lanes::size_of(a0), a_size1 = lanes::size_of(a1), b_size0 = lanes::size_of(b0),
+                       b_size1 = lanes::size_of(b1);
+    const auto least = [&](const T& v0, const T& v1, const T& size0, const T& size1) {
+        return lanes::choose(lanes::differ(v0 < zero, v1 < zero), zero, lanes::smaller(size0, size1));
+    };
+    return {least(a0, a1, a_size0, a_size1) * least(b0, b1, b_size0, b_size1),
+            lanes::larger(a_size0, a_size1) * lanes::larger(b_size0, b_size1),
+            lanes::differ(a0 + a1 < zero, b0 + b1 < zero)};
 }
 /// Whether their difference cannot be 0.
-inline bool apart(const SlopeRange& a, const SlopeRange& b)
+template <class T>
+inline lanes::Truth<T> apart(const SlopeRangeOf<T>& a, const SlopeRangeOf<T>& b)
 {
-    return a.negative != b.negative || a.least > b.most || b.least > a.most;
+    return lanes::differ(a.negative, b.negative) || a.least > b.most || b.least > a.most;
 }
+using SlopeRange = SlopeRangeOf<double>;
 
 }  // namespace csg

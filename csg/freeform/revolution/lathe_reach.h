@@ -1,12 +1,22 @@
 #pragma once
 
+#include "csg/freeform/revolution/axis_ray.h"
 #include "csg/freeform/revolution/lathe.h"
-#include "numbers/lanes.h"
 
 #include <bit>
 
-/// Which arcs of a lathe are asked, in vector lanes. Compiled once per instruction set.
+/// Which arcs of a lathe are asked, in vector lanes.
 namespace csg {
+
+/// Where all circles of an arc lie on one side of what a ray sweeps about the axis. A lane has an arc, or a ray.
+inline lanes::Bool passes_by(const AxisSweep<lanes::Double>& ray, const lanes::Double& low, const lanes::Double& high,
+                             const lanes::Double& nearest, const lanes::Double& farthest)
+{
+    using lanes::Double;
+    const Double zero(0.0), below = low - ray.foot, over = high - ray.foot;
+    const Double least = xsimd::max(zero, xsimd::max(below, zero - over)), most = xsimd::max(zero - below, over);
+    return (ray.beyond(farthest, least) < zero) | (ray.beyond(nearest, most) > zero);
+}
 
 /// f(arc) in order for those that `lanes` does not miss: lanes.misses(reaches, at) has a bit a lane from `at` on.
 template <class Lanes, class F>

@@ -5,7 +5,7 @@
 
 #include <array>
 
-/// What a ray is told of a lathe: shared by one ray and by rays in lanes. Compiled once per instruction set.
+/// What a ray is told of a lathe: shared by one ray and by rays in lanes.
 namespace csg {
 
 /// Crossings of one ray as they are found. Where all are told they are kept. Where the nearest is enough, those that

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "csg/freeform/revolution/axis_ray.h"
 #include "csg/freeform/shared/intersection_list.h"
 
 #include <span>
 #include <vector>
 
 namespace csg {
+
+class AxisRay;
 
 /// A curve of radius (x) over rising height (y) turned about the y axis, the square of its radius a cubic spline of the
 /// height (spec 5b, 8; manual: Surface of Revolution). It holds its surface, its inverse does not. Faces: 0 its base, 1
@@ -30,19 +31,27 @@ public:
 
 private:
     static constexpr std::uint32_t kBase = 0, kCap = 1, kFirstSide = 2;
-    static constexpr double kClose = 1e-16;  ///< of a root: a step no longer than this much of it is the last
-    static constexpr int kMostSteps = 100;
 
     /// The squared radius ((a h + b) h + c) h + d at height low + h.
     struct Segment {
         double low, high;
         double a, b, c, d;
         double most;  ///< largest squared radius
-        double square(double h) const { return ((a * h + b) * h + c) * h + d; }
-        double slope(double h) const { return (3.0 * a * h + 2.0 * b) * h + c; }
+        /// \tparam T double, or lanes
+        template <class T>
+        T square(const T& h) const
+        {
+            return ((T(a) * h + T(b)) * h + T(c)) * h + T(d);
+        }
+        template <class T>
+        T slope(const T& h) const
+        {
+            return (T(3.0 * a) * h + T(2.0 * b)) * h + T(c);
+        }
     };
+    template <class T>
     class Meeting;
-    class Tile;
+    void meet_level(const AxisRay& ray, IntersectionList& out) const;
 
     const Segment& segment_at(double y) const;
 

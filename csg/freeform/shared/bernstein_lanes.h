@@ -6,7 +6,7 @@
 
 #include <array>
 
-/// Polynomials by their Bernstein ordinates, one in each lane. Compiled once per instruction set.
+/// Polynomials by their Bernstein ordinates, one in each lane.
 namespace csg::lanes {
 
 /// detail::only_change() of the quartics asked for, to the last bit: alone, each would wait for its quotients.

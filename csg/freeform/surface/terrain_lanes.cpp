@@ -1,4 +1,4 @@
-#include "numbers/lanes.h"
+#include "numbers/lane_words.h"
 #include "csg/freeform/surface/terrain_walk.h"
 
 #include <bit>
@@ -143,51 +143,16 @@ inline void TerrainLanes::read(Part& part, const Double& row, Mask blocks, Mask 
         columns(static_cast<double>(field_.grid_.columns));
     const Double block = (row + part.k) * pitch + part.i, cell = part.k * columns + part.i;
     const std::uint16_t* const levels = field_.grid_.levels.data();
-#if defined(__AVX512F__)
-    const __m256i word = _mm256_set1_epi32(0xffff), zero = _mm256_setzero_si256();
-    const auto as_double = [](__m256i v) { return Double(_mm512_cvtepi32_pd(v)); };
-    const auto low_word = [&](__m256i v) { return _mm256_and_si256(v, word); };
-    const auto high_word = [](__m256i v) { return _mm256_srli_epi32(v, 16); };
-    __m256i v = _mm256_mmask_i32gather_epi32(zero, static_cast<__mmask8>(blocks), _mm512_cvttpd_epi32(block),
-                                             field_.ranges_.data(), 4);
+    using lanes::WordPairs;
+    WordPairs range = WordPairs::gather(field_.ranges_.data(), block, blocks);
     if (cells != 0) {
-        const __m256i at = _mm512_cvttpd_epi32(cell);
-        const auto of = static_cast<__mmask8>(cells);
-        const __m256i a = _mm256_mmask_i32gather_epi32(zero, of, at, levels, 2);
-        const __m256i b = _mm256_mmask_i32gather_epi32(zero, of, at, levels + field_.grid_.columns, 2);
-        part.corners = {as_double(low_word(a)), as_double(high_word(a)), as_double(low_word(b)),
-                        as_double(high_word(b))};
-        const __m256i least = _mm256_min_epu16(a, b), most = _mm256_max_epu16(a, b);
-        const __m256i lowest = _mm256_min_epu16(least, high_word(least)),
-                      highest = _mm256_max_epu16(most, _mm256_slli_epi32(most, 16));
-        v = _mm256_mask_mov_epi32(v, of, _mm256_blend_epi16(lowest, highest, 0xaa));
+        const WordPairs a = WordPairs::gather(levels, cell, cells),
+                        b = WordPairs::gather(levels + field_.grid_.columns, cell, cells);
+        part.corners = {a.first(), a.second(), b.first(), b.second()};
+        range.replace(cells, WordPairs::range(a, b));
     }
-#else
-    const __m128i word = _mm_set1_epi32(0xffff), zero = _mm_setzero_si128();
-    const auto as_double = [](__m128i v) { return Double(_mm256_cvtepi32_pd(v)); };
-    const auto low_word = [&](__m128i v) { return _mm_and_si128(v, word); };
-    const auto high_word = [](__m128i v) { return _mm_srli_epi32(v, 16); };
-    const auto lanes_of = [](Mask m) {
-        const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
-        return _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(static_cast<int>(m)), bit), bit);
-    };
-    __m128i v = _mm_mask_i32gather_epi32(zero, reinterpret_cast<const int*>(field_.ranges_.data()),
-                                         _mm256_cvttpd_epi32(block), lanes_of(blocks), 4);
-    if (cells != 0) {
-        const __m128i at = _mm256_cvttpd_epi32(cell), of = lanes_of(cells);
-        const __m128i a = _mm_mask_i32gather_epi32(zero, reinterpret_cast<const int*>(levels), at, of, 2);
-        const __m128i b =
-            _mm_mask_i32gather_epi32(zero, reinterpret_cast<const int*>(levels + field_.grid_.columns), at, of, 2);
-        part.corners = {as_double(low_word(a)), as_double(high_word(a)), as_double(low_word(b)),
-                        as_double(high_word(b))};
-        const __m128i least = _mm_min_epu16(a, b), most = _mm_max_epu16(a, b);
-        const __m128i lowest = _mm_min_epu16(least, high_word(least)),
-                      highest = _mm_max_epu16(most, _mm_slli_epi32(most, 16));
-        v = _mm_blendv_epi8(v, _mm_blend_epi16(lowest, highest, 0xaa), of);
-    }
-#endif
-    part.low = as_double(low_word(v));
-    part.high = as_double(high_word(v));
+    part.low = range.first();
+    part.high = range.second();
 }
 
 /// Which of them stay above the triangles of their cells: TerrainWalk::triangles(). Finds where others meet them.

@@ -8,8 +8,6 @@
 
 namespace csg {
 
-struct OutlineLine;
-
 /// A plane region whose cross-section at height y is y times as large, mirrored below the apex at the origin, between
 /// two heights (spec 5b, 6.5; manual: Prism, conic sweep). Points of the outline are (x, z). It holds its surface, its
 /// inverse does not. Faces: 0 its low end, 1 its high end, 2 + piece of the outline.
@@ -35,19 +33,14 @@ private:
     static constexpr double kWider = 1e-9;  // of an end of a range: more than ends that count as one differ
 
     class Lanes;
-    /// A ray's way between the heights of both ends, from the point of it nearest to the apex on.
-    struct Course {
-        double shift;  ///< from there to the given ray's parameter
-        Interval within;
-    };
+    template <class T>
+    struct Course;
 
     Aabb box(const glm::dvec2& lower, const glm::dvec2& upper) const;
-    double farthest_along(const OutlineLine& line, const glm::dvec3& o, const glm::dvec3& d, double t,
-                          double sign) const;
     std::uint32_t end_face(std::uint32_t face) const { return open_ ? kUndrawnFace : face; }
     /// The pieces of the ray between walls, told in order. `inside`: before all of them.
     template <class Walls>
-    void tell(const Course& course, const Walls& walls, bool inside, IntersectionList& out) const;
+    void tell(double shift, const Interval& within, const Walls& walls, bool inside, IntersectionList& out) const;
 
     std::shared_ptr<const OutlineShape> outline_;
     double low_, high_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "numbers/lanes.h"
+#include "numbers/lane_arithmetic.h"
 #include "numbers/safeguarded_newton.h"
 #include "csg/solids/shared/outline_shape.h"
 
@@ -18,13 +18,49 @@ struct OutlineLine {
     double lo = -kInfinity, hi = kInfinity;
 };
 
+/// A ray across the plane of an outline: its parameter, and the line that it goes along.
+/// \tparam Line OutlineLine, or many of them; Place, T: what such a one has its points and numbers as
+template <class Line, class Place, class T>
+struct OutlineRay {
+    Place from, along;
+    T square, over, first, coarse;
+
+    OutlineRay(const Place& origin, const Place& way) : from(origin), along(way)
+    {
+        square = along.x * along.x + along.y * along.y;
+        over = T(1.0) / square;
+        first = from.x * along.x + from.y * along.y;
+        // A part of what goes into it: more than the roundings of a place.
+        coarse = T(1e-14) * (lanes::size_of(T(from.x * along.x)) + lanes::size_of(T(from.y * along.y)));
+    }
+    T at(const Place& p) const { return ((p.x - from.x) * along.x + (p.y - from.y) * along.y) * over; }
+    /// How far along the line it is at t, at the most.
+    T latest(const T& t) const { return first + t * square + room(t); }
+    Line line(const T& nearest, const T& farthest) const
+    {
+        Line line;
+        line.side = {lanes::negated(along.y), along.x};
+        line.level = line.side.x * from.x + line.side.y * from.y;
+        line.along = along;
+        line.lo = first + nearest * square - room(nearest);
+        line.hi = latest(farthest);
+        return line;
+    }
+
+private:
+    T room(const T& t) const { return coarse + T(1e-14) * lanes::size_of(t) * square; }
+};
+
 namespace detail {
 
 /// Where b w^2 + c w + d rises through 0, or falls. NaN if it never does.
-inline double only_root_of(double b, double c, double d, bool rises)
+template <class T>
+inline T only_root_of(const T& b, const T& c, const T& d, const lanes::Truth<T>& rises)
 {
-    const double root = std::sqrt(c * c - 4.0 * b * d), slope = rises ? root : -root;
-    return (c > 0.0) == rises ? -2.0 * d / (c + slope) : (slope - c) / (2.0 * b);
+    const T root = lanes::root_of(c * c - T(4.0) * b * d), slope = lanes::choose(rises, root, lanes::negated(root));
+    return lanes::either(
+        lanes::differ(c > T(0.0), rises), [&] { return (slope - c) / (T(2.0) * b); },
+        [&] { return T(-2.0) * d / (c + slope); });
 }
 
 /// Where a piece that is not straight crosses the line: f(w), in order.

@@ -6,8 +6,7 @@
 #include <array>
 #include <bit>
 
-/// Where many lines cross an outline, a line a lane: the places that outline_crossings() finds of each, by the same
-/// operations in the same order. Compiled once per instruction set.
+/// Where many lines cross an outline, a line a lane: the places that outline_crossings() finds of each.
 namespace csg {
 
 /// Lines and stretches of them, as OutlineLine. Every piece is asked about all lanes, and its crossings are worked out
@@ -133,8 +132,10 @@ private:
             const Double third(1.0 / 3.0),
                 clear = Double(1e-13) * (xsimd::abs(at.a) + xsimd::abs(at.b) + xsimd::abs(at.c) + xsimd::abs(level));
             const Double one = at.d + third * at.c, other = at.d + third * (two * at.c + at.b);
-            const Double least = smaller(smaller(first, last), smaller(one, other)),
-                         most = larger(larger(first, last), larger(one, other));
+            const Double least = lanes::smaller<Double>(lanes::smaller<Double>(first, last),
+                                                        lanes::smaller<Double>(one, other)),
+                         most = lanes::larger<Double>(lanes::larger<Double>(first, last),
+                                                      lanes::larger<Double>(one, other));
             const Mask misses = lanes::mask((least > clear) | (most < zero - clear));
             asked &= flips | ~misses;
             turning = asked & ~flips;
@@ -163,12 +164,6 @@ private:
         }
     }
 
-    static Double smaller(const Double& a, const Double& b) { return xsimd::select(b < a, b, a); }
-    static Double larger(const Double& a, const Double& b) { return xsimd::select(a < b, b, a); }
-    static Double negated(const Double& v) { return v ^ Double(-0.0); }
-    /// With the sign of another.
-    static Double signed_as(const Double& size, const Double& of) { return xsimd::abs(size) | (of & Double(-0.0)); }
-
     /// inner_roots(): the first, where there is one, then the second.
     static void find_turns(const Double& a, const Double& b, const Double& c, Mask asked, Double (&out)[2],
                            Mask (&has)[2])
@@ -176,9 +171,10 @@ private:
         const Double zero(0.0), one(1.0);
         const Bool flat = a == zero;
         const Double discriminant = b * b - Double(4.0) * a * c;
-        const Double q = Double(-0.5) * (b + signed_as(xsimd::sqrt(discriminant), b));
+        const Double q = Double(-0.5) * (b + lanes::signed_as(xsimd::sqrt(discriminant), b));
         const Double r0 = q / a, r1 = xsimd::select(q != zero, c / q, zero);
-        const Double low = xsimd::select(flat, negated(c) / b, smaller(r0, r1)), high = larger(r0, r1);
+        const Double low = xsimd::select(flat, lanes::negated(c) / b, lanes::smaller<Double>(r0, r1)),
+                     high = lanes::larger<Double>(r0, r1);
         const Mask by_square = lanes::mask((!flat) & (discriminant > zero)), by_line = lanes::mask(flat & (b != zero));
         const Mask lower = asked & (by_square | by_line) & lanes::mask((low > zero) & (low < one)),
                    upper = asked & by_square & lanes::mask((high > zero) & (high < one));
@@ -186,14 +182,6 @@ private:
         has[1] = lower & upper;
         out[0] = xsimd::select(lanes::lanes_of(lower), low, high);
         out[1] = high;
-    }
-
-    /// detail::only_root_of().
-    static Double only_root_of(const Double& b, const Double& c, const Double& d, const Bool& rises)
-    {
-        const Double root = xsimd::sqrt(c * c - Double(4.0) * b * d), slope = xsimd::select(rises, root, negated(root));
-        const Bool positive = c > Double(0.0), same = (positive & rises) | ((!positive) & (!rises));
-        return xsimd::select(same, Double(-2.0) * d / (c + slope), (slope - c) / (Double(2.0) * b));
     }
 
     /// safeguarded_newton() in lanes of the mask, from the chord or, where the curve is a parabola, from its root.
@@ -206,13 +194,11 @@ private:
         Double t = lo + (hi - lo) * (before / (before - after));
         const Bool parabola = at.a == Double(0.0);
         if ((lanes::mask(parabola) & asked) != 0) {
-            const Double only = only_root_of(at.b, at.c, at.d, negative);
+            const Double only = detail::only_root_of(at.b, at.c, at.d, negative);
             t = xsimd::select(parabola & (only > lo) & (only < hi), only, t);
         }
-        lanes::Newton newton{lo, hi, t, negative};
-        for (int i = 0; i < kMost && asked != 0; ++i)
-            newton.step({at.value(newton.t), at.slope(newton.t)}, kClose, asked);
-        return newton.t;
+        const auto here = [&](const Double& w) { return lanes::ValuesAndSlopes{at.value(w), at.slope(w)}; };
+        return lanes::change_of_sign(here, lo, hi, negative, t, {kClose, 0.0}, kMost, asked);
     }
 };
 
