@@ -11,7 +11,7 @@ namespace csg {
 inline double slab_reciprocal(double d) { return std::abs(d) < 1e-30 ? std::copysign(1e30, d) : 1.0 / d; }
 
 /// A ray and the two sides of boxes across one axis, in single precision: boxes are only a sieve, and a ray that meets
-/// one is never said to miss it. Compiled once per instruction set.
+/// one is never said to miss it.
 struct SlabAxis {
     std::int32_t near_row, far_row;  ///< of BvhNode::bounds
     float near_origin, far_origin, near_inverse, far_inverse;

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 
-/// One ray through the hierarchy. Compiled once per instruction set.
+/// One ray through the hierarchy.
 namespace csg {
 
 /// A ray prepared for boxes in single precision: origin and reciprocals rounded so that a box is never missed.

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-/// The way into an instance's world and back. Compiled once per instruction set.
+/// The way into an instance's world and back.
 namespace csg {
 
 /// A ray in an instance's space; directions there have unit length.

@@ -7,7 +7,7 @@
 #include "csg/base/tolerance.h"
 #include "csg/items/world_data.h"
 
-/// One item against one ray. Compiled once per instruction set.
+/// One item against one ray.
 namespace csg {
 
 inline Hit hit_of(const SolidStore& store, const Crossing& c)

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 
-/// One ray against a mesh. Compiled once per instruction set.
+/// One ray against a mesh.
 namespace csg {
 
 namespace detail {

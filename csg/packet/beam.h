@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-/// The pyramid around a tile's rays. Compiled once per instruction set.
+/// The pyramid around a tile's rays.
 namespace csg {
 
 /// Four planes, through the common origin if there is one, and a depth along the axis. Every ray of the tile lies

@@ -8,7 +8,7 @@
 #include "csg/tree/program.h"
 #include "csg/packet/lanes/tile_rays.h"
 
-/// A CSG object's sum of products against a tile of rays, in vector lanes. Compiled once per instruction set.
+/// A CSG object's sum of products against a tile of rays, in vector lanes.
 namespace csg {
 
 /// An end as a number: kFaces * leaf of the form + face.

@@ -3,7 +3,7 @@
 #include "csg/mesh/mesh_query.h"
 #include "csg/packet/packet_walk.h"
 
-/// Many rays against one mesh. Compiled once per instruction set.
+/// Many rays against one mesh.
 namespace csg {
 
 /// Rays of a tile that come to a mesh, in the mesh's space and close together: ray i of these is ray place[i] of the

@@ -8,7 +8,7 @@
 
 #include <array>
 
-/// Boxes against rays that form no beam. Compiled once per instruction set.
+/// Boxes against rays that form no beam.
 namespace csg {
 
 /// What RaySlabs is, for each ray of a tile.

@@ -2,7 +2,7 @@
 
 #include "csg/packet/packet_slabs.h"
 
-/// Rays that form no beam, through the hierarchy together. Compiled once per instruction set.
+/// Rays that form no beam, through the hierarchy together.
 namespace csg {
 
 /// Each ray goes its own way, but they share the stack: a node is looked at once for all that come to it, and a leaf

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-/// Points that rays begin or end at, in vector lanes. Compiled once per instruction set.
+/// Points that rays begin or end at, in vector lanes.
 namespace csg {
 
 /// At least one of them and at most a tile full, padded when all are there.

@@ -4,8 +4,7 @@
 #include "csg/packet/tile_crossings.h"
 
 /// What may stand between the hits of a tile and a lamp of some size, found once for all rays from the ones to the
-/// other (shaft culling: Haines and Wallace, Shaft culling for efficient ray-cast radiosity, 1991). Compiled once per
-/// instruction set.
+/// other (shaft culling: Haines and Wallace, Shaft culling for efficient ray-cast radiosity, 1991).
 namespace csg {
 
 class Shaft {

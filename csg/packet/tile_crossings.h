@@ -2,7 +2,7 @@
 
 #include "csg/packet/tile_query.h"
 
-/// All crossings of transparent surfaces by the shadow rays of a tile. Compiled once per instruction set.
+/// All crossings of transparent surfaces by the shadow rays of a tile.
 namespace csg {
 
 /// Puts a ray's crossings nearest first; equal distances in one fixed order, whatever order the walk had.

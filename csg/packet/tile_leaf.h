@@ -8,7 +8,7 @@
 #include "csg/packet/tile_walk.h"
 #include "csg/items/world_item.h"
 
-/// What a leaf block means to a tile. Compiled once per instruction set.
+/// What a leaf block means to a tile.
 namespace csg {
 
 /// Opens leaf blocks for Query:

@@ -3,7 +3,7 @@
 #include "csg/packet/beam.h"
 #include "csg/packet/packet_walk.h"
 
-/// A tile through the hierarchy. Compiled once per instruction set.
+/// A tile through the hierarchy.
 namespace csg {
 
 /// How near to each other the rays of a tile run: the eight of each group go nearly the same way; all start in one

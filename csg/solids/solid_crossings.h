@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-/// All crossings of one solid with a ray. Compiled once per instruction set.
+/// All crossings of one solid with a ray.
 namespace csg {
 
 /// A lone solid's crossings in [t_min, t_max]: f(t, face) for each drawn one, in POV-Ray's order of generation where

@@ -1,6 +1,6 @@
 #pragma once
 
-// The crossings of a boolean form; inline because it is compiled once per instruction set.
+// The crossings of a boolean form; inline, since each kernel has its own.
 #include "csg/tree/evaluate.h"
 #include "csg/tree/product_intersector.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Continues program.h: evaluation along one ray, inline because it is compiled once per instruction set.
+// Continues program.h: evaluation along one ray, inline, since each kernel has its own.
 #include "csg/bvh/traverse.h"
 #include "csg/mesh/mesh_query.h"
 #include "csg/tree/face_held.h"

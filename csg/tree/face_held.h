@@ -3,7 +3,7 @@
 #include "csg/solids/solid.h"
 #include "csg/spans/span.h"
 
-/// Whether solids hold the points of their own faces. Compiled once per instruction set.
+/// Whether solids hold the points of their own faces.
 namespace csg {
 
 /// Of ends of two solids: the same face of solids of one kind in one place. Those of boxes look the same way.

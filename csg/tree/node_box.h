@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-/// What decides whether places along a ray are the same, and whether it comes near a node. Compiled once per
-/// instruction set.
+/// What decides whether places along a ray are the same, and whether it comes near a node.
 namespace csg {
 
 /// Two ends this close along a ray are one: relative to the parameter and to the size of the origin, 64 units in the

@@ -1,6 +1,6 @@
 #pragma once
 
-// The crossings of a sum of products; inline because it is compiled once per instruction set.
+// The crossings of a sum of products; inline, since each kernel has its own.
 #include "csg/tree/product_intersector.h"
 
 namespace csg {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What one ray meets of a term; inline because it is compiled once per instruction set.
+// What one ray meets of a term; inline, since each kernel has its own.
 #include "csg/tree/evaluate.h"
 #include "csg/tree/sum_of_products.h"
 #include "csg/bvh/traverse.h"

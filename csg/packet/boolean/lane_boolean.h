@@ -8,7 +8,7 @@
 #include "csg/tree/program.h"
 #include "csg/packet/lanes/tile_rays.h"
 
-/// A CSG object's boolean form against a tile of rays, in vector lanes. Compiled once per instruction set.
+/// A CSG object's boolean form against a tile of rays, in vector lanes.
 namespace csg {
 
 /// The crossings of a boolean form for each ray, as BooleanWalk finds them: the pieces of all leaves, and for each end

@@ -3,7 +3,7 @@
 #include "csg/packet/lanes/tile_rays.h"
 #include "csg/tree/program.h"
 
-/// Which leaves of a boolean form hold a place on each of some rays. Compiled once per instruction set.
+/// Which leaves of a boolean form hold a place on each of some rays.
 namespace csg {
 
 class LaneStates {

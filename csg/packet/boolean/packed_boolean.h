@@ -3,7 +3,7 @@
 #include "numbers/bits.h"
 #include "csg/packet/boolean/lane_boolean.h"
 
-/// A CSG object's boolean form against some rays of a tile. Compiled once per instruction set.
+/// A CSG object's boolean form against some rays of a tile.
 namespace csg {
 
 /// LaneBoolean; where the rays asked of lie scattered over the tile they are packed first, so that vectors are full:

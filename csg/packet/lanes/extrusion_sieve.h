@@ -3,7 +3,7 @@
 #include "csg/packet/lanes/tile_rays.h"
 #include "csg/solids/extrusion.h"
 
-/// Which rays of a tile come near a prism or a letter. Compiled once per instruction set.
+/// Which rays of a tile come near a prism or a letter.
 namespace csg {
 
 /// The rays that meet the solid's box in its own space between t_min and limit. Flat letters that stand askew fill

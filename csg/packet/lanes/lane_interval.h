@@ -5,7 +5,6 @@
 
 /// Intervals of several rays, from one point or each from its own. Every number comes from the same operations in the
 /// same order as for one ray (csg/solids), so that both answers are the same to the last bit: change them together.
-/// Compiled once per instruction set.
 namespace csg::lanes {
 
 /// Directions of kDoubles rays.

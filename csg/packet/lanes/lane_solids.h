@@ -3,7 +3,7 @@
 #include "csg/packet/lanes/lane_interval.h"
 #include "csg/solids/solid.h"
 
-/// interval() of the convex solids in vector lanes. Compiled once per instruction set.
+/// interval() of the convex solids in vector lanes.
 namespace csg::lanes {
 
 /// A solid prepared for rays from one origin (P is glm::dvec3) or from as many as there are lanes (Points):

@@ -6,7 +6,7 @@
 
 #include <bit>
 
-/// A torus against a tile of rays, in vector lanes. Compiled once per instruction set.
+/// A torus against a tile of rays, in vector lanes.
 namespace csg {
 
 /// What the torus' solver asks of a kind of number.

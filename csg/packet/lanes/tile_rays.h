@@ -9,7 +9,7 @@
 #include <bit>
 #include <cmath>
 
-/// A tile of rays, ready for vector lanes. Compiled once per instruction set.
+/// A tile of rays, ready for vector lanes.
 namespace csg {
 
 /// Rays go in groups of eight; places beyond the tile's count are dead.

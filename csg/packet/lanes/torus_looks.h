@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-/// What is known of rays and a torus from a few looks, before its quartic is solved. Compiled once per instruction set.
+/// What is known of rays and a torus from a few looks, before its quartic is solved.
 namespace csg {
 
 /// Rays in the torus' own frame, a vector of them.

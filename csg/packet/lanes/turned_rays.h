@@ -8,8 +8,7 @@
 namespace csg {
 
 /// Rays of a tile in the space of a solid, with the reciprocals of their directions. They are kept for the next solid
-/// that stands in the same space: boxes of one object mostly do, and their reciprocals are half of their test. Compiled
-/// once per instruction set.
+/// that stands in the same space: boxes of one object mostly do, and their reciprocals are half of their test.
 template <class Origins>
 class TurnedRays {
 public:

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <bit>
 
-/// Where a line crosses an outline. Compiled once per instruction set.
+/// Where a line crosses an outline.
 namespace csg {
 
 /// The line dot(side, p) = level, and the stretch of it that matters: dot(along, p) from lo to hi.

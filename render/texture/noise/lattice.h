@@ -9,8 +9,7 @@
 /// The lattice noise of generators 1, 2 and of vectors in vector lanes (spec 4, 2.2 to 2.5). A lattice point has a row
 /// of four numbers (twelve for vectors); the four parts of a row lie in lanes, or the points do where all are in one
 /// cell. Each part is multiplied by the corner's share of the point, then by the row. One order of sums everywhere
-/// (corners in pairs along x, then y, then z, then the parts), so every way gives the same bits. Compiled once per
-/// instruction set.
+/// (corners in pairs along x, then y, then z, then the parts), so every way gives the same bits.
 namespace texture {
 
 inline constexpr double kNearlyOne = 1.0 - 1e-10;  ///< cells of negative coordinates (spec 4, 2.2)
