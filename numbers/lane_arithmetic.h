@@ -37,8 +37,13 @@ template <class T>
 using Truth = decltype(std::declval<T>() < std::declval<T>());
 inline std::uint32_t mask(bool b) { return b; }
 
-inline double choose(bool which, double a, double b) { return which ? a : b; }
+template <class T>
+inline T choose(bool which, const T& a, const T& b)
+{
+    return which ? a : b;
+}
 inline Double choose(const Bool& which, const Double& a, const Double& b) { return xsimd::select(which, a, b); }
+inline Bool choose(const Bool& which, const Bool& a, const Bool& b) { return (which & a) | ((!which) & b); }
 /// The same of what is worked out here: lanes need both, one number only its own.
 template <class Yes, class No>
 inline double either(bool which, Yes&& yes, No&& no)

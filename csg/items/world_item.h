@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/solids/shared/slab.h"
 #include "csg/tree/front.h"
 #include "csg/base/hit.h"
 #include "numbers/lanes.h"
@@ -199,30 +200,23 @@ struct Nearest {
     }
 };
 
-/// Entry and exit of a ray and the spheres of a block, eight at a time, bit for bit as sphere_roots gives them. A bit
-/// per sphere that is met; misses leave anything in `near` and `far`.
+/// Entry and exit of a ray and the spheres of a block, eight at a time. A bit per sphere that is met; misses leave
+/// anything in `near` and `far`.
 inline std::uint32_t sphere_block(const SphereBlock& block, const Ray& ray, double* near, double* far)
 {
     using lanes::Double;
     const Double dx(ray.direction.x), dy(ray.direction.y), dz(ray.direction.z);
-    const Double inverse_a(1.0 / glm::dot(ray.direction, ray.direction));
+    const Double inverse(1.0 / glm::dot(ray.direction, ray.direction));
     std::uint32_t mask = 0;
     for (int at = 0; at < 8; at += lanes::kDoubles) {
-        const Double x = Double(ray.origin.x) - Double::load_aligned(block.x + at);
-        const Double y = Double(ray.origin.y) - Double::load_aligned(block.y + at);
-        const Double z = Double(ray.origin.z) - Double::load_aligned(block.z + at);
         const Double radius = Double::load_aligned(block.radius + at);
-        const Double foot_t = -(x * dx + y * dy + z * dz) * inverse_a;
-        const Double fx = x + foot_t * dx, fy = y + foot_t * dy, fz = z + foot_t * dz;
-        const Double below = radius * radius - (fx * fx + fy * fy + fz * fz);
-        const auto met = (below > Double(0.0)) & (radius > Double(0.0));
-        const std::uint32_t some = lanes::mask(met);
-        if (some == 0) continue;
-        const Double correction = -(fx * dx + fy * dy + fz * dz) * inverse_a;
-        const Double half = xsimd::sqrt(below * inverse_a);
-        (foot_t + (correction - half)).store_aligned(near + at);
-        (foot_t + (correction + half)).store_aligned(far + at);
-        mask |= some << at;
+        const auto roots = sphere_roots(Double(ray.origin.x) - Double::load_aligned(block.x + at),
+                                        Double(ray.origin.y) - Double::load_aligned(block.y + at),
+                                        Double(ray.origin.z) - Double::load_aligned(block.z + at), dx, dy, dz, inverse,
+                                        radius);
+        roots.near.store_aligned(near + at);
+        roots.far.store_aligned(far + at);
+        mask |= lanes::mask(roots.met & (radius > Double(0.0))) << at;
     }
     return mask;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "numbers/lane_equal.h"
+#include "csg/solids/shared/slab.h"
 #include "csg/packet/packet_walk.h"
 #include "csg/packet/tile_leaf.h"
 

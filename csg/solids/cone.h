@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/solids/shared/slab.h"
 #include "csg/solids/cylinder.h"
 
 namespace csg {

@@ -42,18 +42,17 @@ private:
     void intersect(std::size_t at)
     {
         const std::size_t count = std::min(kWide, batch_.count - at);
-        const Double zero(0.0), infinite(kInfinity), bottom(solid_.low), top(solid_.high);
+        const Double zero(0.0);
         const Double z = load(origin_[2], at), dz = load(way_[2], at);
-        // slab()
-        const Bool level = dz == zero, forward = dz > zero;
-        const Double to_bottom = (bottom - z) / dz, to_top = (top - z) / dz;
-        const Double entry = xsimd::select(level, Double(-kInfinity), xsimd::select(forward, to_bottom, to_top)),
-                     exit = xsimd::select(level, infinite, xsimd::select(forward, to_top, to_bottom));
+        struct {
+            Double entry, exit, entry_face, exit_face;
+        } within;
+        const auto met = slab(z, dz, solid_.low, solid_.high, within);
+        const Double entry = within.entry, exit = within.exit;
         const Double from = load(from_, at), to = load(to_, at);
         const Double nearest = xsimd::select(entry < from, from, entry), farthest = xsimd::select(to < exit, to, exit);
         const Place start{load(origin_[0], at), load(origin_[1], at)}, along{load(way_[0], at), load(way_[1], at)};
-        Mask asked = ((1u << count) - 1u) & ~lanes::mask(nearest > farthest) &
-                     lanes::mask((level & (z >= bottom) & (z <= top)) | ((!level) & (entry <= exit)));
+        Mask asked = ((1u << count) - 1u) & ~lanes::mask(nearest > farthest) & lanes::mask(met);
         Mask alone = asked & lanes::mask((along.x == zero) & (along.y == zero));
         asked &= ~(alone | missing(start, along, nearest, farthest));
         if (asked != 0) alone |= meet_walls(at, asked, start, along, nearest, farthest, entry, exit);

@@ -1,29 +1,48 @@
 #pragma once
 
 #include "csg/solids/shared/common.h"
+#include "numbers/lane_arithmetic.h"
 
 #include <cmath>
 
 namespace csg {
 
-/// The roots of |f + t d| = radius where f runs from the centre to the ray's origin. The origin is moved to the foot
-/// of the perpendicular first, so nothing large cancels however far away the ray begins (after Haines, Guenther,
-/// Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7).
-/// False for a miss, a tangent, a zero direction and for NaN.
-inline bool sphere_roots(const glm::dvec3& f, const glm::dvec3& d, double radius, double& near, double& far)
+/// Where a line enters and leaves a sphere; `met` where it does.
+template <class V>
+struct SphereRoots {
+    V near, far;
+    lanes::Truth<V> met;
+};
+
+/// The roots of |f + t d| = radius where f = (x, y, z) runs from the centre to the ray's origin. The origin is moved to
+/// the foot of the perpendicular first, so nothing large cancels however far away the ray begins (after Haines,
+/// Guenther, Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7).
+/// Not met: a miss, a tangent, a zero direction and NaN.
+/// \param inverse 1 over the square of d
+template <class V>
+inline SphereRoots<V> sphere_roots(const V& x, const V& y, const V& z, const V& dx, const V& dy, const V& dz,
+                                   const V& inverse, const V& radius)
 {
-    const double inverse_a = 1.0 / glm::dot(d, d);
-    double foot_t = -glm::dot(f, d) * inverse_a;
-    glm::dvec3 foot = f + foot_t * d;
-    const double length2 = glm::dot(foot, foot);
-    const double below = radius * radius - length2;
-    if (!(below > 0.0)) return false;
+    const V foot_t = lanes::negated(x * dx + y * dy + z * dz) * inverse;
+    const V fx = x + foot_t * dx, fy = y + foot_t * dy, fz = z + foot_t * dz;
+    const V below = radius * radius - (fx * fx + fy * fy + fz * fz);
+    SphereRoots<V> out{V(0.0), V(0.0), below > V(0.0)};
+    if (lanes::mask(out.met) == 0) return out;
     // The foot is off along the ray by the rounding of its parameter: one correction step.
-    const double correction = -glm::dot(foot, d) * inverse_a;
-    const double half = std::sqrt(below * inverse_a);
-    near = foot_t + (correction - half);
-    far = foot_t + (correction + half);
-    return near <= far && far < kInfinity && near > -kInfinity;
+    const V correction = lanes::negated(fx * dx + fy * dy + fz * dz) * inverse;
+    const V half = lanes::root_of(below * inverse);
+    out.near = foot_t + (correction - half);
+    out.far = foot_t + (correction + half);
+    out.met = out.met & (out.near <= out.far) & (out.far < V(kInfinity)) & (out.near > V(-kInfinity));
+    return out;
+}
+
+inline bool sphere_interval(const glm::dvec3& f, const glm::dvec3& d, double radius, Interval& out)
+{
+    const auto roots = sphere_roots(f.x, f.y, f.z, d.x, d.y, d.z, 1.0 / glm::dot(d, d), radius);
+    out.entry = roots.near;
+    out.exit = roots.far;
+    return roots.met;
 }
 
 /// A sphere in world space. Neither it nor its inverse holds its surface (spec 5a, 2.4).
@@ -33,7 +52,7 @@ struct Sphere {
 
     bool interval(const Ray& ray, Interval& out) const
     {
-        return radius > 0.0 && sphere_roots(ray.origin - center, ray.direction, radius, out.entry, out.exit);
+        return radius > 0.0 && sphere_interval(ray.origin - center, ray.direction, radius, out);
     }
     bool contains(const glm::dvec3& p) const
     {
@@ -58,8 +77,7 @@ struct Ellipsoid {
 
     bool interval(const Ray& ray, Interval& out) const
     {
-        return sphere_roots(frame.inverse_point(ray.origin), frame.inverse_vector(ray.direction), 1.0, out.entry,
-                            out.exit);
+        return sphere_interval(frame.inverse_point(ray.origin), frame.inverse_vector(ray.direction), 1.0, out);
     }
     bool contains(const glm::dvec3& p) const
     {

@@ -12,7 +12,7 @@ TWINS = re.compile(r"\b(change|keep|edit) (them|both|these) (together|in step|al
 KERNELS = re.compile(r"\bcompiled once (per|for each) instruction set\b", re.I)
 SAID_IN = "render/kernel/README.md"
 # Twins that are left; the list only shrinks.
-LEFT = {"csg/packet/lanes/lane_interval.h"}
+LEFT = set()
 
 
 def remarks(text):

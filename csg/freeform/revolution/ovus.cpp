@@ -1,3 +1,4 @@
+#include "csg/solids/shared/slab.h"
 #include "csg/freeform/revolution/ovus.h"
 
 #include "csg/solids/shared/common.h"

@@ -1,3 +1,4 @@
+#include "csg/solids/shared/slab.h"
 #include "csg/freeform/surface/terrain_walk.h"
 
 namespace csg {

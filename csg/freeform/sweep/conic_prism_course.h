@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/solids/shared/slab.h"
 #include "csg/freeform/sweep/conic_prism.h"
 #include "csg/solids/shared/common.h"
 #include "numbers/lane_arithmetic.h"

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "numbers/lane_arithmetic.h"
+#include "csg/solids/shared/slab.h"
 #include "csg/solids/sphere.h"
 
-/// Intervals of several rays, from one point or each from its own. Every number comes from the same operations in the
-/// same order as for one ray (csg/solids), so that both answers are the same to the last bit: change them together.
+/// Intervals of several rays, from one point or each from its own: what csg/solids has for a ray, with a ray a lane.
 namespace csg::lanes {
 
 /// Directions of kDoubles rays.
@@ -57,49 +57,29 @@ struct Intervals {
     Bool unclear = Bool(false);  ///< perhaps more than one interval: to be asked ray by ray; only a quadric says so
 };
 
-/// sphere_roots; f runs from the centre to the rays' origins.
+/// f runs from the centre to the rays' origins.
 template <class P>
-inline Intervals sphere_roots(const P& f, const Directions& d, Double inverse_a, double radius)
+inline Intervals sphere_intervals(const P& f, const Directions& d, Double inverse_a, double radius)
 {
+    const auto roots = sphere_roots(Double(f.x), Double(f.y), Double(f.z), d.x, d.y, d.z, inverse_a, Double(radius));
     Intervals out;
-    const Double x(f.x), y(f.y), z(f.z);
-    const Double foot_t = negated(x * d.x + y * d.y + z * d.z) * inverse_a;
-    const Double fx = x + foot_t * d.x, fy = y + foot_t * d.y, fz = z + foot_t * d.z;
-    const Double below = Double(radius * radius) - (fx * fx + fy * fy + fz * fz);
-    out.met = below > Double(0.0);
-    if (mask(out.met) == 0) return out;
-    const Double correction = negated(fx * d.x + fy * d.y + fz * d.z) * inverse_a;
-    const Double half = xsimd::sqrt(below * inverse_a);
-    out.entry = foot_t + (correction - half);
-    out.exit = foot_t + (correction + half);
-    out.met = out.met & (out.entry <= out.exit) & (out.exit < beyond()) & (out.entry > before());
+    out.entry = roots.near;
+    out.exit = roots.far;
+    out.met = roots.met;
     return out;
 }
 
-/// slab() of one coordinate, 0 lower and 1 upper as faces.
-inline Intervals slab(Double origin, Double direction, double lower, double upper)
+inline Intervals slab(const Double& origin, const Double& direction, double lower, double upper)
 {
-    const Double a = (Double(lower) - origin) / direction, b = (Double(upper) - origin) / direction;
-    const Bool forward = direction > Double(0.0), along = direction == Double(0.0);
-    const Bool within = (origin >= Double(lower)) & (origin <= Double(upper));
     Intervals out;
-    out.entry = xsimd::select(along, before(), xsimd::select(forward, a, b));
-    out.exit = xsimd::select(along, beyond(), xsimd::select(forward, b, a));
-    out.entry_face = xsimd::select(forward | along, Double(0.0), Double(1.0));
-    out.exit_face = xsimd::select(forward & (!along), Double(1.0), Double(0.0));
-    out.met = (along & within) | ((!along) & (out.entry <= out.exit));
+    out.met = csg::slab(origin, direction, lower, upper, out);
     return out;
 }
 
-/// narrow(): keeps what both hold; on equal ends the face of `a` stays.
-inline void narrow(Intervals& a, Double entry, Double exit, Double face)
+inline void narrow(Intervals& a, const Double& entry, const Double& exit, const Double& face)
 {
-    const Bool later = entry > a.entry, earlier = exit < a.exit;
-    a.entry = xsimd::select(later, entry, a.entry);
-    a.entry_face = xsimd::select(later, face, a.entry_face);
-    a.exit = xsimd::select(earlier, exit, a.exit);
-    a.exit_face = xsimd::select(earlier, face, a.exit_face);
-    a.met = a.met & (a.entry <= a.exit);
+    const Bool met = a.met;
+    a.met = csg::narrow(a, Intervals{entry, exit, face, face}) & met;
 }
 
 }  // namespace csg::lanes

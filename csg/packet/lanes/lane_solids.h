@@ -18,7 +18,7 @@ public:
     Intervals operator()(const Directions& d) const
     {
         if (!(radius_ > 0.0)) return {};
-        return sphere_roots(f_, d, Double(1.0) / d.square(), radius_);
+        return sphere_intervals(f_, d, Double(1.0) / d.square(), radius_);
     }
 
 private:
@@ -33,7 +33,7 @@ public:
     Intervals operator()(const Directions& world) const
     {
         const Directions d = world.in(frame_);
-        return sphere_roots(f_, d, Double(1.0) / d.square(), 1.0);
+        return sphere_intervals(f_, d, Double(1.0) / d.square(), 1.0);
     }
 
 private:

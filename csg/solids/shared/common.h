@@ -33,32 +33,4 @@ Aabb transformed_box(const Transform& frame, const Aabb& local);
 /// Box of centre + sum of half-axes, an ellipsoid: |row i of linear| along axis i.
 Aabb ellipsoid_box(const glm::dmat3& linear, const glm::dvec3& center);
 
-/// The interval of a ray between two parallel planes, lower <= origin + t direction <= upper. Parallel rays are wholly
-/// in or wholly out. Faces: 0 lower, 1 upper. False when empty.
-inline bool slab(double origin, double direction, double lower, double upper, Interval& out)
-{
-    if (direction == 0.0) {
-        out = Interval{};
-        return origin >= lower && origin <= upper;
-    }
-    const double a = (lower - origin) / direction, b = (upper - origin) / direction;
-    const bool forward = direction > 0.0;
-    out = {forward ? a : b, forward ? b : a, forward ? 0u : 1u, forward ? 1u : 0u};
-    return out.entry <= out.exit;
-}
-
-/// Keeps what both intervals hold; on equal ends the face of `a` stays. False when nothing is left.
-inline bool narrow(Interval& a, const Interval& b)
-{
-    if (b.entry > a.entry) {
-        a.entry = b.entry;
-        a.entry_face = b.entry_face;
-    }
-    if (b.exit < a.exit) {
-        a.exit = b.exit;
-        a.exit_face = b.exit_face;
-    }
-    return a.entry <= a.exit;
-}
-
 }  // namespace csg
