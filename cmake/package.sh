@@ -3,6 +3,6 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 install_packages to_package
-build release whittle
+build release whittle_tools  # and with it the renderer and the modules
 (cd "$root/build/release" && cpack --config CPackConfig.cmake -B "$root/build/release") >&2
 ls "$root"/build/release/whittle_*.deb

@@ -44,9 +44,7 @@ private:
         const std::size_t count = std::min(kWide, batch_.count - at);
         const Double zero(0.0);
         const Double z = load(origin_[2], at), dz = load(way_[2], at);
-        struct {
-            Double entry, exit, entry_face, exit_face;
-        } within;
+        EndsOf<Double> within;
         const auto met = slab(z, dz, solid_.low, solid_.high, within);
         const Double entry = within.entry, exit = within.exit;
         const Double from = load(from_, at), to = load(to_, at);

@@ -86,5 +86,5 @@ int run(const Words& arguments, app::Settings& settings, app::Remains& remains)
 int main(int count, char** values)
 {
     app::run_program(count, values, run,
-                     [](const Words& arguments) { return is_compare(arguments) ? app::kNotCompared : app::kError; });
+                     is_compare({values + std::min(count, 1), values + count}) ? app::kNotCompared : app::kError);
 }

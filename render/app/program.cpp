@@ -84,7 +84,7 @@ int call(const Called& command, const Words& arguments)
     return kSuccess;
 }
 
-void run_program(int count, char** values, int (*run)(const Words&, Settings&, Remains&), int (*failure)(const Words&))
+void run_program(int count, char** values, int (*run)(const Words&, Settings&, Remains&), int failure)
 {
     keep_freed_memory();
     const std::vector<std::string> arguments(values + std::min(count, 1), values + count);
@@ -100,7 +100,7 @@ void run_program(int count, char** values, int (*run)(const Words&, Settings&, R
         journal_option_error(settings, text);
         tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")), text);
     }
-    status = with_output(status, failure(arguments));
+    status = with_output(status, failure);
     std::fflush(nullptr);
 #ifdef WHITTLE_TRAIN
     std::exit(status);  // which writes what the kernels have counted

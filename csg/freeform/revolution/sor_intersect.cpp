@@ -99,7 +99,7 @@ private:
         const double top = index + 1 < sor_.segments_.size() ? sor_.segments_[index + 1].d : sor_.cap_;
         Mask near = asked & ~lanes::mask(high < low_ || low > high_);
         if (near == 0) return;
-        const Truth above = low<low_, under = high> high_;
+        const Truth above = low_ > low, under = high_ < high;
         const T start = lanes::choose(above, low_, low), end = lanes::choose(under, high_, high);
         near &= lanes::mask(start < end);
         if (near == 0) return;

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "csg/solids/shared/slab.h"
 #include "csg/freeform/sweep/conic_prism.h"
-#include "csg/solids/shared/common.h"
-#include "numbers/lane_arithmetic.h"
+#include "csg/solids/shared/slab.h"
 
 namespace csg {
 
@@ -30,16 +28,14 @@ struct ConicPrism::Course {
         const T zero(0.0), infinite(kInfinity), square = dx * dx + dy * dy + dz * dz;
         shift = lanes::negated(o[0] * dx + o[1] * dy + o[2] * dz) / square;
         ox = o[0] + shift * dx, oy = o[1] + shift * dy, oz = o[2] + shift * dz;
-        const Truth level = dy == zero, forward = dy > zero;
-        const T to_low = (low_ - oy) / dy, to_high = (high_ - oy) / dy;
-        entry = lanes::choose(level, T(-kInfinity), lanes::choose(forward, to_low, to_high));
-        exit = lanes::choose(level, infinite, lanes::choose(forward, to_high, to_low));
-        const Truth met = square > zero && square < infinite &&
-                          ((level && oy >= low_ && oy <= high_) || (!level && entry <= exit));
+        EndsOf<T> ends;
+        const Truth between = slab(oy, dy, prism.low_, prism.high_, ends);
+        const Truth met = square > zero && square < infinite && between;
+        entry = ends.entry, exit = ends.exit;
         nx_ = oy * dz - dy * oz, ny_ = oz * dx - dz * ox, nz_ = ox * dy - dx * oy;
         through_apex = met && nx_ == zero && nz_ == zero;
         apex = lanes::negated(oy) / dy;
-        rises = !level;
+        rises = dy != zero;
         const bool both_sides = !(prism.low_ > 0.0 || prism.high_ < 0.0),
                    touches = prism.low_ == 0.0 || prism.high_ == 0.0;
         one_sided = Truth(!both_sides) || (rises && Truth(touches));

@@ -5,9 +5,15 @@
 
 namespace csg {
 
+/// What Interval is, of a ray a lane: faces are numbers too.
+template <class V>
+struct EndsOf {
+    V entry, exit, entry_face, exit_face;
+};
+
 /// The interval of a ray between two parallel planes, lower <= origin + t direction <= upper. Parallel rays are wholly
 /// in or wholly out. Faces: 0 lower, 1 upper. False when empty.
-/// \tparam I an Interval, or one of a ray a lane, whose faces are numbers too
+/// \tparam I Interval, or what has its members for a ray a lane
 template <class V, class I>
 inline lanes::Truth<V> slab(const V& origin, const V& direction, double lower, double upper, I& out)
 {

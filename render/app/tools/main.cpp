@@ -38,7 +38,4 @@ int run(const app::Words& arguments, app::Settings&, app::Remains&)
 
 }  // namespace
 
-int main(int count, char** values)
-{
-    app::run_program(count, values, run, [](const app::Words&) -> int { return app::kError; });
-}
+int main(int count, char** values) { app::run_program(count, values, run); }
