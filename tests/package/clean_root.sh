@@ -23,7 +23,9 @@ inside povray +I/root/first_light.pov +W80 +H60 +O/root/b.png 2>/dev/null
 expect cmp "$place/root/a.png" "$place/root/b.png"
 inside whittle /root/first_light.pov +W80 +H60 --aov=depth +FE +O/root/c.exr 2>/dev/null
 expect test -s "$place/root/c.layers.exr"
+inside whittle mesh /root/first_light.pov -o /root/d.stl >&2  # which whittle_tools does
+expect test -s "$place/root/d.stl"
 inside apt-get remove -q -y whittle >&2
 for file in bin/whittle bin/povray lib/whittle share/whittle share/man/man1/whittle.1; do expect test ! -e "$place/usr/$file"; done
-rm "$place"/root/*.png "$place"/root/*.exr
+rm "$place"/root/*.png "$place"/root/*.exr "$place"/root/*.stl
 echo "installed, run and removed: $(basename "$package")"
