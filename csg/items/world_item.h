@@ -59,14 +59,8 @@ inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray
     if (item.guard == WorldItem::kNoGuard) return true;
     const BoundingGuard& guard = world.guards[item.guard];
     if (guard.shadows_pass && end < kInfinity) return true;
-    double first = t_min, last = end;
-    for (int k = 0; k < 3; ++k) {
-        Interval side;
-        if (!slab(ray.origin[k], ray.direction[k], guard.box.lower[k], guard.box.upper[k], side)) return false;
-        first = std::max(first, side.entry);
-        last = std::min(last, side.exit);
-    }
-    if (!(first <= last)) return false;
+    Interval in_box{t_min, end};
+    if (!narrow(in_box, ray, guard.box.lower, guard.box.upper)) return false;
     for (const std::uint32_t p : guard.programs) {
         const Program& bound = world.programs[p];
         bool met = false;
@@ -81,14 +75,8 @@ inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray
 /// How far a ray goes before it is in the guard's box; infinite if it never is.
 inline double box_entry(const BoundingGuard& guard, const Ray& ray, double t_min)
 {
-    double first = t_min, last = kInfinity;
-    for (int k = 0; k < 3; ++k) {
-        Interval side;
-        if (!slab(ray.origin[k], ray.direction[k], guard.box.lower[k], guard.box.upper[k], side)) return kInfinity;
-        first = std::max(first, side.entry);
-        last = std::min(last, side.exit);
-    }
-    return first <= last ? first : kInfinity;
+    Interval in_box{t_min, kInfinity};
+    return narrow(in_box, ray, guard.box.lower, guard.box.upper) ? in_box.entry : kInfinity;
 }
 
 /// Whether a hit of an item lies before the box of its ordered guard: what is between may hide it
@@ -205,18 +193,18 @@ struct Nearest {
 inline std::uint32_t sphere_block(const SphereBlock& block, const Ray& ray, double* near, double* far)
 {
     using lanes::Double;
-    const Double dx(ray.direction.x), dy(ray.direction.y), dz(ray.direction.z);
+    const lanes::Directions direction{Double(ray.direction.x), Double(ray.direction.y), Double(ray.direction.z)};
     const Double inverse(1.0 / glm::dot(ray.direction, ray.direction));
     std::uint32_t mask = 0;
     for (int at = 0; at < 8; at += lanes::kDoubles) {
-        const Double radius = Double::load_aligned(block.radius + at);
-        const auto roots = sphere_roots(Double(ray.origin.x) - Double::load_aligned(block.x + at),
-                                        Double(ray.origin.y) - Double::load_aligned(block.y + at),
-                                        Double(ray.origin.z) - Double::load_aligned(block.z + at), dx, dy, dz, inverse,
-                                        radius);
-        roots.near.store_aligned(near + at);
-        roots.far.store_aligned(far + at);
-        mask |= lanes::mask(roots.met & (radius > Double(0.0))) << at;
+        const auto load = [at](const double* from) { return Double::load_aligned(from + at); };
+        const lanes::Points center{load(block.x), load(block.y), load(block.z)};
+        const Double radius = load(block.radius);
+        EndsOf<Double> ends;
+        const auto met = sphere_interval(lanes::difference(ray.origin, center), direction, inverse, radius, ends);
+        ends.entry.store_aligned(near + at);
+        ends.exit.store_aligned(far + at);
+        mask |= lanes::mask(met & (radius > Double(0.0))) << at;
     }
     return mask;
 }

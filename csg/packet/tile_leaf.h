@@ -261,8 +261,10 @@ private:
             const glm::dvec3 center(block.x[k], block.y[k], block.z[k]);
             query.solid(block.item[k], asked, [&](int i) {
                 const auto inverse_a = lanes::Double::load_aligned(rays.inverse_a.data() + i);
-                return lanes::sphere_intervals(lanes::difference(rays.origins(i), center), rays.directions(i),
-                                               inverse_a, block.radius[k]);
+                lanes::Intervals out;
+                out.met = sphere_interval(lanes::difference(rays.origins(i), center), rays.directions(i), inverse_a,
+                                          lanes::Double(block.radius[k]), out);
+                return out;
             });
         }
     }

@@ -349,14 +349,8 @@ inline constexpr int kFewestForBeam = 24, kFewestTogether = 2;
 /// Whether a ray comes near the box.
 inline bool comes_near(const Aabb& box, const Ray& ray, double first, double last)
 {
-    for (int k = 0; k < 3; ++k) {
-        Interval side;
-        if (!slab(ray.origin[k], ray.direction[k], box.lower[k], box.upper[k], side)) return false;
-        first = std::max(first, side.entry);
-        last = std::min(last, side.exit);
-        if (!(first <= last)) return false;
-    }
-    return true;
+    Interval within{first, last};
+    return narrow(within, ray, box.lower, box.upper);
 }
 
 inline int fewest_for_beam(const WorldData& world, const RayTile& rays)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/points.h"
 #include "csg/solids/shared/common.h"
 
 namespace csg {
@@ -10,17 +11,19 @@ struct Plane {
     glm::dvec3 normal_out{0.0, 1.0, 0.0};  ///< points out of the solid; unit length
     double offset = 0.0;                   ///< distance from the origin along the normal, scene units
 
-    bool interval(const Ray& ray, Interval& out) const
+    /// How deep in it rays start.
+    auto start(const auto& origin) const { return offset - lanes::dot(normal_out, origin); }
+    template <class D, class I>
+    lanes::TruthOf<D> interval(const auto& from, const D& direction, I& out) const
     {
-        const double closing = glm::dot(normal_out, ray.direction);      // < 0: the ray is going in
-        const double depth = offset - glm::dot(normal_out, ray.origin);  // > 0: it starts inside
-        out = Interval{};
+        using V = lanes::NumberOf<D>;
+        const V depth(from), closing = lanes::dot(normal_out, direction), t = depth / closing;
         // Parallel: wholly in or wholly out. Nearly parallel needs no tolerance: it crosses, far away.
-        if (closing == 0.0) return depth >= 0.0;
-        const double t = depth / closing;
-        (closing < 0.0 ? out.entry : out.exit) = t;
-        return t > -kInfinity && t < kInfinity ? true : depth >= 0.0;
+        const auto in = closing < V(0.0), along = closing == V(0.0);
+        out = {lanes::choose(in, t, V(-kInfinity)), lanes::choose(in | along, V(kInfinity), t)};
+        return (depth >= V(0.0)) | ((!along) & (t > V(-kInfinity)) & (t < V(kInfinity)));
     }
+    bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
     /// Slack of POV-Ray's own test, an absolute distance (spec 5a, 2.4).
     static constexpr double kSkin = 1e-10;
     bool contains(const glm::dvec3& p) const { return glm::dot(normal_out, p) - offset < kSkin; }

@@ -34,14 +34,7 @@ struct Container {
     {
         if (is_sphere) return sphere_interval(ray, out);
         out = Interval{};
-        for (int k = 0; k < 3; ++k) {
-            Interval side;
-            if (!slab(ray.origin[k], ray.direction[k], lower[k], upper[k], side)) return false;
-            side.entry_face += 2u * static_cast<std::uint32_t>(k);
-            side.exit_face += 2u * static_cast<std::uint32_t>(k);
-            if (!narrow(out, side)) return false;
-        }
-        return out.exit - out.entry < kInfinity;
+        return narrow(out, ray, lower, upper) && out.exit - out.entry < kInfinity;
     }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const
     {

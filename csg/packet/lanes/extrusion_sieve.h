@@ -20,7 +20,7 @@ inline RayMask rays_near(const Extrusion& solid, const Rays& rays, RayMask asked
     RayMask out = 0;
     each_vector(asked, [&](int i) {
         const auto o = lanes::into(solid.frame, rays.origins(i));
-        const lanes::Directions d = rays.directions(i).in(solid.frame);
+        const lanes::Directions d = lanes::turned(solid.frame, rays.directions(i));
         const Double x(o.x), y(o.y), z(o.z);
         const Double room = own + Double(kMargin) * (xsimd::abs(x) + xsimd::abs(y) + xsimd::abs(z));
         Double first = Double::load_aligned(rays.t_min.data() + i), last = Double::load_aligned(rays.limit.data() + i);

@@ -9,36 +9,19 @@ namespace csg::lanes {
 /// A solid prepared for rays from one origin (P is glm::dvec3) or from as many as there are lanes (Points):
 /// (directions) -> Intervals.
 template <class T, class P>
-class Test;
-
-template <class P>
-class Test<Sphere, P> {
+class Test {
 public:
-    Test(const Sphere& s, const P& origin) : f_(difference(origin, s.center)), radius_(s.radius) {}
+    Test(const T& solid, const P& origin) : solid_(solid), start_(solid.start(origin)) {}
     Intervals operator()(const Directions& d) const
     {
-        if (!(radius_ > 0.0)) return {};
-        return sphere_intervals(f_, d, Double(1.0) / d.square(), radius_);
+        Intervals out;
+        out.met = solid_.interval(start_, d, out);
+        return out;
     }
 
 private:
-    P f_;
-    double radius_;
-};
-
-template <class P>
-class Test<Ellipsoid, P> {
-public:
-    Test(const Ellipsoid& s, const P& origin) : frame_(s.frame), f_(into(s.frame, origin)) {}
-    Intervals operator()(const Directions& world) const
-    {
-        const Directions d = world.in(frame_);
-        return sphere_intervals(f_, d, Double(1.0) / d.square(), 1.0);
-    }
-
-private:
-    const Transform& frame_;
-    P f_;
+    const T& solid_;
+    decltype(solid_.start(std::declval<P>())) start_;
 };
 
 /// box_interval() with the corners relative to the origin.
@@ -100,34 +83,13 @@ public:
 };
 
 template <class P>
-class Test<Plane, P> {
-public:
-    Test(const Plane& s, const P& origin) : normal_(s.normal_out), depth_(s.offset - along(s.normal_out, origin)) {}
-    Intervals operator()(const Directions& d) const
-    {
-        const Double closing = Double(normal_.x) * d.x + Double(normal_.y) * d.y + Double(normal_.z) * d.z;
-        const Double t = Double(depth_) / closing;
-        const Bool along = closing == Double(0.0), in = closing < Double(0.0);
-        Intervals out;
-        out.entry = xsimd::select(in, t, before());
-        out.exit = xsimd::select(in | along, beyond(), t);
-        out.met = (Double(depth_) >= Double(0.0)) | ((!along) & (t > before()) & (t < beyond()));
-        return out;
-    }
-
-private:
-    glm::dvec3 normal_;
-    decltype(along(glm::dvec3(), std::declval<P>())) depth_;
-};
-
-template <class P>
 class Test<Cylinder, P> {
 public:
     Test(const Cylinder& s, const P& origin) : solid_(s), o_(into(s.frame, origin)) {}
     Intervals operator()(const Directions& world) const
     {
         static_assert(kSide == 0 && kLowEnd == 1);
-        const Directions d = world.in(solid_.frame);
+        const Directions d = turned(solid_.frame, world);
         Intervals out = slab(Double(o_.z), d.z, 0.0, 1.0);
         if (mask(out.met) == 0) return out;
         out.entry_face = solid_.open ? Double(static_cast<double>(kUndrawnFace)) : out.entry_face + Double(1.0);
@@ -160,8 +122,8 @@ public:
     Test(const Cone& s, const P& origin) : solid_(s), o_(into(s.frame, origin)) {}
     Intervals operator()(const Directions& world) const
     {
-        const Directions d = world.in(solid_.frame);
-        const Double length2 = d.square();
+        const Directions d = turned(solid_.frame, world);
+        const Double length2 = dot(d, d);
         const Double shift = negated(Double(o_.x) * d.x + Double(o_.y) * d.y + Double(o_.z) * d.z) / length2;
         const Double x = Double(o_.x) + shift * d.x, y = Double(o_.y) + shift * d.y, z = Double(o_.z) + shift * d.z;
         Intervals ends = slab(z, d.z, solid_.low, 1.0);
@@ -236,12 +198,12 @@ public:
     /// The first span and, of rays that pass between two sheets, the second. Unclear: it opens with neither sign.
     Intervals both(const Directions& world, Intervals& second) const
     {
-        const Directions d = world.in(solid_.frame);
+        const Directions d = turned(solid_.frame, world);
         const Double sx(solid_.square.x), sy(solid_.square.y), sz(solid_.square.z);
         const Double mx(solid_.mixed.x), my(solid_.mixed.y), mz(solid_.mixed.z);
         const Double lx(solid_.linear.x), ly(solid_.linear.y), lz(solid_.linear.z);
         const Double gx(origin_.x), gy(origin_.y), gz(origin_.z);
-        const Double length2 = d.square();
+        const Double length2 = dot(d, d);
         const Double shift = negated(gx * d.x + gy * d.y + gz * d.z) / length2;
         const Double x = gx + shift * d.x, y = gy + shift * d.y, z = gz + shift * d.z;
         const Double a = d.x * (sx * d.x + mx * d.y + my * d.z) + d.y * (sy * d.y + mz * d.z) + sz * d.z * d.z;
@@ -279,14 +241,14 @@ class Test<Triangle, P> {
 public:
     Test(const Triangle& s, const P& origin)
         : edge1_(s.edge1), edge2_(s.edge2), n_(glm::cross(s.edge1, s.edge2)), from_(difference(origin, s.corner)),
-          depth_(along(n_, from_))
+          depth_(dot(n_, from_))
     {}
     Intervals operator()(const Directions& d) const
     {
         const Double fx(from_.x), fy(from_.y), fz(from_.z), zero(0.0);
         const Points q{fy * d.z - d.y * fz, fz * d.x - d.z * fx, fx * d.y - d.x * fy};
         const Double determinant = negated(d.x * Double(n_.x) + d.y * Double(n_.y) + d.z * Double(n_.z));
-        const Double u = along(edge2_, q), v = negated(along(edge1_, q)), both = u + v;
+        const Double u = dot(edge2_, q), v = negated(dot(edge1_, q)), both = u + v;
         const Bool ahead = (determinant > zero) & (u >= zero) & (v >= zero) & (both <= determinant),
                    behind = (determinant < zero) & (u <= zero) & (v <= zero) & (both >= determinant);
         Intervals out;
@@ -300,7 +262,7 @@ public:
 private:
     glm::dvec3 edge1_, edge2_, n_;
     P from_;
-    decltype(along(glm::dvec3(), std::declval<P>())) depth_;
+    decltype(dot(glm::dvec3(), std::declval<P>())) depth_;
 };
 
 /// Whether with_test() gives one interval for every ray.

@@ -70,10 +70,11 @@ private:
                 lanes::beyond().store_aligned(entry_[which].data() + i);
                 lanes::before().store_aligned(exit_[which].data() + i);
             }
-            const lanes::Directions local = rays.directions(i).in(torus.frame);
+            const lanes::Directions local = lanes::turned(torus.frame, rays.directions(i));
             const auto from = lanes::into(torus.frame, rays.origins(i));
-            const TorusRays own{
-                {Double(from.x), Double(from.y), Double(from.z)}, {local.x, local.y, local.z}, local.square()};
+            const TorusRays own{{Double(from.x), Double(from.y), Double(from.z)},
+                                {local.x, local.y, local.z},
+                                lanes::dot(local, local)};
             constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
             RayMask near = lanes::mask(detail::near_torus<LaneRays>(torus, own.o, own.d, own.square)) & (mask >> i) &
                            kVector;

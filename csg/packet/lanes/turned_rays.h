@@ -31,10 +31,9 @@ public:
     {
         if ((known_ >> i & 1) != 0) return;
         known_ |= std::uint64_t{1} << i;
-        const lanes::Directions d = rays.directions(i).in(*frame_);
-        const lanes::Double one(1.0);
+        const lanes::Directions d = lanes::turned(*frame_, rays.directions(i));
         store(direction_, i, d.x, d.y, d.z);
-        store(inverse_, i, one / d.x, one / d.y, one / d.z);
+        store(inverse_, i, 1.0 / d.x, 1.0 / d.y, 1.0 / d.z);
         if constexpr (!Origins::kShared) {
             const lanes::Points o = lanes::into(*frame_, rays.origins(i));
             store(origin_, i, o.x, o.y, o.z);

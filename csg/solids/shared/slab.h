@@ -41,4 +41,17 @@ inline auto narrow(I& a, const I& b)
     return a.entry <= a.exit;
 }
 
+/// Keeps what a ray has in a box; faces count as those of a slab do, x first. False when nothing is left.
+inline bool narrow(Interval& out, const Ray& ray, const glm::dvec3& lower, const glm::dvec3& upper)
+{
+    for (int k = 0; k < 3; ++k) {
+        Interval side;
+        if (!slab(ray.origin[k], ray.direction[k], lower[k], upper[k], side)) return false;
+        side.entry_face += 2u * static_cast<std::uint32_t>(k);
+        side.exit_face += 2u * static_cast<std::uint32_t>(k);
+        if (!narrow(out, side)) return false;
+    }
+    return true;
+}
+
 }  // namespace csg
