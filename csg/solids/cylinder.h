@@ -1,12 +1,22 @@
 #pragma once
 
-#include "csg/solids/shared/slab.h"
+#include "csg/base/points.h"
 #include "csg/solids/shared/common.h"
+#include "csg/solids/shared/slab.h"
 
 namespace csg {
 
 /// Faces of cylinders and cones.
 enum TubeFace : std::uint32_t { kSide, kLowEnd, kHighEnd };
+
+/// Of what slab() has found between the ends of a cylinder or cone. The side is face 0, as Interval has it.
+template <class I>
+inline void name_ends(bool open, I& ends)
+{
+    using Face = decltype(ends.entry_face);
+    ends.entry_face = open ? Face(kUndrawnFace) : ends.entry_face + Face(kLowEnd);
+    ends.exit_face = open ? Face(kUndrawnFace) : ends.exit_face + Face(kLowEnd);
+}
 
 /// Frame of cylinders, cones and discs: scale (across, across, along), local z turned to `axis` about the shortest way
 /// and moved to `base` (spec 5a, 3.3). `axis` has unit length.
@@ -18,27 +28,31 @@ struct Cylinder {
     Transform frame;  ///< local to world
     bool open = false;
 
-    bool interval(const Ray& ray, Interval& out) const
+    auto start(const auto& origin) const { return lanes::into(frame, origin); }
+    template <class D, class I>
+    lanes::TruthOf<D> interval(const auto& from, const D& direction, I& out) const
     {
-        const Ray local = local_ray(frame, ray);
-        if (!slab(local.origin.z, local.direction.z, 0.0, 1.0, out)) return false;
-        out.entry_face = end_face(out.entry_face);
-        out.exit_face = end_face(out.exit_face);
-        const glm::dvec2 o(local.origin), d(local.direction);
-        const double a = glm::dot(d, d);
-        if (!(a > kAlong)) return glm::dot(o, o) <= 1.0 && out.entry > -kInfinity;
+        using V = lanes::NumberOf<D>;
+        const D d = lanes::turned(frame, direction);
+        const lanes::Truth<V> between = slab(V(from.z), d.z, 0.0, 1.0, out);
+        if (lanes::mask(between) == 0) return between;
+        name_ends(open, out);
+        const V x(from.x), y(from.y), a = d.x * d.x + d.y * d.y;
+        const lanes::Truth<V> along = !(a > V(kAlong));
         // About the point nearest to the axis the roots are symmetric and nothing large cancels.
-        const double inverse_a = 1.0 / a;
-        const double foot_t = -glm::dot(o, d) * inverse_a;
-        const glm::dvec2 foot = o + foot_t * d;
-        const double below = 1.0 - glm::dot(foot, foot);
-        if (!(below >= 0.0)) return false;
-        const double correction = -glm::dot(foot, d) * inverse_a;
-        const double half = std::sqrt(below * inverse_a);
-        const Interval side{foot_t + (correction - half), foot_t + (correction + half), kSide, kSide};
-        if (!(side.entry <= side.exit)) return false;
-        return narrow(out, side);
+        const V inverse_a = V(1.0) / a;
+        const V foot_t = lanes::negated(x * d.x + y * d.y) * inverse_a;
+        const V fx = x + foot_t * d.x, fy = y + foot_t * d.y;
+        const V below = V(1.0) - (fx * fx + fy * fy);
+        const V correction = lanes::negated(fx * d.x + fy * d.y) * inverse_a;
+        const V half = lanes::root_of(below * inverse_a);
+        const V entry = foot_t + (correction - half), exit = foot_t + (correction + half);
+        const lanes::Truth<V> met = lanes::choose(along, (x * x + y * y <= V(1.0)) & (out.entry > V(-kInfinity)),
+                                                  (below >= V(0.0)) & (entry <= exit));
+        return between & met &
+               narrow(out, {lanes::choose(along, V(-kInfinity), entry), lanes::choose(along, V(kInfinity), exit)});
     }
+    bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
     bool contains(const glm::dvec3& p) const { return open ? grown(p, kSkin) : grown(p, -kSkin); }
     bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const
@@ -60,7 +74,6 @@ struct Cylinder {
     static constexpr double kSkin = 1e-10;
 
 private:
-    std::uint32_t end_face(std::uint32_t slab_face) const { return open ? kUndrawnFace : kLowEnd + slab_face; }
     bool grown(const glm::dvec3& p, double by) const
     {
         const glm::dvec3 l = frame.inverse_point(p);

@@ -82,39 +82,6 @@ public:
     Test(const Box& s, const P& origin) : BoxTest<P>(s.lower, s.upper, origin) {}
 };
 
-template <class P>
-class Test<Cylinder, P> {
-public:
-    Test(const Cylinder& s, const P& origin) : solid_(s), o_(into(s.frame, origin)) {}
-    Intervals operator()(const Directions& world) const
-    {
-        static_assert(kSide == 0 && kLowEnd == 1);
-        const Directions d = turned(solid_.frame, world);
-        Intervals out = slab(Double(o_.z), d.z, 0.0, 1.0);
-        if (mask(out.met) == 0) return out;
-        out.entry_face = solid_.open ? Double(static_cast<double>(kUndrawnFace)) : out.entry_face + Double(1.0);
-        out.exit_face = solid_.open ? Double(static_cast<double>(kUndrawnFace)) : out.exit_face + Double(1.0);
-        const Double a = d.x * d.x + d.y * d.y, x(o_.x), y(o_.y);
-        const Bool along = !(a > Double(Cylinder::kAlong));
-        const Bool inside = (x * x + y * y <= Double(1.0)) & (out.entry > before());
-        const Double inverse_a = Double(1.0) / a;
-        const Double foot_t = negated(x * d.x + y * d.y) * inverse_a;
-        const Double fx = x + foot_t * d.x, fy = y + foot_t * d.y;
-        const Double below = Double(1.0) - (fx * fx + fy * fy);
-        const Double correction = negated(fx * d.x + fy * d.y) * inverse_a;
-        const Double half = xsimd::sqrt(below * inverse_a);
-        const Double entry = foot_t + (correction - half), exit = foot_t + (correction + half);
-        const Bool side = (below >= Double(0.0)) & (entry <= exit);
-        out.met = out.met & ((along & inside) | ((!along) & side));
-        narrow(out, xsimd::select(along, before(), entry), xsimd::select(along, beyond(), exit), Double(0.0));
-        return out;
-    }
-
-private:
-    const Cylinder& solid_;
-    P o_;
-};
-
 /// Only for cones that are convex().
 template <class P>
 class Test<Cone, P> {
