@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/points.h"
 #include "csg/solids/shared/common.h"
 
 #include <array>
@@ -12,18 +13,42 @@ struct Triangle {
     std::array<glm::dvec3, 3> normals{};  ///< at corner, corner + edge1, corner + edge2; used when smooth
     bool smooth = false;
 
-    /// Barycentric weights of edge1 and edge2 and the parameter, by Cramer's rule after Moeller and Trumbore (1997).
-    bool crossing(const Ray& ray, double& t) const
+    template <class P>
+    struct Start {
+        glm::dvec3 normal;
+        P from;                       ///< from the corner
+        lanes::NumberOf<P> distance;  ///< above the plane, in lengths of `normal`
+    };
+    template <class P>
+    Start<P> start(const P& origin) const
     {
         const glm::dvec3 n = glm::cross(edge1, edge2);
-        const double determinant = -glm::dot(ray.direction, n);
-        const glm::dvec3 from = ray.origin - corner;
-        const glm::dvec3 q = glm::cross(from, ray.direction);
-        const double u = glm::dot(edge2, q), v = -glm::dot(edge1, q);
-        if (determinant > 0.0 ? !(u >= 0.0 && v >= 0.0 && u + v <= determinant)
-                              : !(determinant < 0.0 && u <= 0.0 && v <= 0.0 && u + v >= determinant))
-            return false;
-        t = glm::dot(from, n) / determinant;
+        const P from = lanes::difference(origin, corner);
+        return {n, from, lanes::dot(n, from)};
+    }
+    /// Barycentric weights of edge1 and edge2 and the parameter, by Cramer's rule after Moeller and Trumbore (1997). It
+    /// bounds nothing: only the entry is drawn, and the two are the same.
+    template <class D, class I>
+    lanes::TruthOf<D> interval(const auto& start, const D& d, I& out) const
+    {
+        using V = lanes::NumberOf<D>;
+        using Face = decltype(out.exit_face);
+        const V zero(0.0), fx(start.from.x), fy(start.from.y), fz(start.from.z);
+        const D q{fy * d.z - d.y * fz, fz * d.x - d.z * fx, fx * d.y - d.x * fy};
+        const V determinant = lanes::negated(lanes::dot(d, start.normal));
+        const V u = lanes::dot(edge2, q), v = lanes::negated(lanes::dot(edge1, q)), both = u + v;
+        const lanes::Truth<V> met = ((determinant > zero) & (u >= zero) & (v >= zero) & (both <= determinant)) |
+                                    ((determinant < zero) & (u <= zero) & (v <= zero) & (both >= determinant));
+        if (lanes::mask(met) == 0) return met;
+        out.entry = out.exit = V(start.distance) / determinant;
+        out.exit_face = Face(kUndrawnFace);
+        return met;
+    }
+    bool crossing(const Ray& ray, double& t) const
+    {
+        Interval out;
+        if (!interval(start(ray.origin), ray.direction, out)) return false;
+        t = out.entry;
         return t > -kInfinity && t < kInfinity;
     }
     bool contains(const glm::dvec3&) const { return false; }

@@ -202,36 +202,6 @@ private:
     P origin_;
 };
 
-/// Triangle::crossing(). It bounds nothing: only the entry is drawn, and the two are the same.
-template <class P>
-class Test<Triangle, P> {
-public:
-    Test(const Triangle& s, const P& origin)
-        : edge1_(s.edge1), edge2_(s.edge2), n_(glm::cross(s.edge1, s.edge2)), from_(difference(origin, s.corner)),
-          depth_(dot(n_, from_))
-    {}
-    Intervals operator()(const Directions& d) const
-    {
-        const Double fx(from_.x), fy(from_.y), fz(from_.z), zero(0.0);
-        const Points q{fy * d.z - d.y * fz, fz * d.x - d.z * fx, fx * d.y - d.x * fy};
-        const Double determinant = negated(d.x * Double(n_.x) + d.y * Double(n_.y) + d.z * Double(n_.z));
-        const Double u = dot(edge2_, q), v = negated(dot(edge1_, q)), both = u + v;
-        const Bool ahead = (determinant > zero) & (u >= zero) & (v >= zero) & (both <= determinant),
-                   behind = (determinant < zero) & (u <= zero) & (v <= zero) & (both >= determinant);
-        Intervals out;
-        out.met = ahead | behind;
-        if (mask(out.met) == 0) return out;
-        out.entry = out.exit = Double(depth_) / determinant;
-        out.exit_face = Double(static_cast<double>(kUndrawnFace));
-        return out;
-    }
-
-private:
-    glm::dvec3 edge1_, edge2_, n_;
-    P from_;
-    decltype(dot(glm::dvec3(), std::declval<P>())) depth_;
-};
-
 /// Whether with_test() gives one interval for every ray.
 inline bool has_test(const SolidStore& store, PartId part)
 {
