@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/points.h"
 #include "csg/solids/shared/common.h"
 
 namespace csg {
@@ -12,52 +13,64 @@ struct Quadric {
     double constant = 0.0;
     Transform frame;  ///< local to world
 
-    double value(const glm::dvec3& p) const
+    auto value(const auto& p) const
     {
         return p.x * (square.x * p.x + mixed.x * p.y + mixed.y * p.z + linear.x) +
                p.y * (square.y * p.y + mixed.z * p.z + linear.y) + p.z * (square.z * p.z + linear.z) + constant;
     }
-    glm::dvec3 gradient(const glm::dvec3& p) const
+    template <class P>
+    P gradient(const P& p) const
     {
         return {2.0 * square.x * p.x + mixed.x * p.y + mixed.y * p.z + linear.x,
                 2.0 * square.y * p.y + mixed.x * p.x + mixed.z * p.z + linear.y,
                 2.0 * square.z * p.z + mixed.y * p.x + mixed.z * p.y + linear.z};
     }
 
+    /// a t^2 + 2 b t + c along rays, counted from `shift`, and where it is 0 if a is not.
+    template <class V>
+    struct Course {
+        V shift, a, b, c, discriminant, near, far;
+    };
+    auto start(const auto& origin) const { return lanes::into(frame, origin); }
+    template <class D>
+    auto course(const auto& from, const D& direction) const
+    {
+        using V = lanes::NumberOf<D>;
+        const D d = lanes::turned(frame, direction);
+        Course<V> out;
+        out.shift = lanes::negated(lanes::dot(from, d)) / lanes::dot(d, d);  // start near the frame's origin
+        const D o = lanes::advanced(from, out.shift, d);
+        out.a = d.x * (square.x * d.x + mixed.x * d.y + mixed.y * d.z) + d.y * (square.y * d.y + mixed.z * d.z) +
+                square.z * d.z * d.z;
+        out.b = 0.5 * lanes::dot(gradient(o), d);
+        out.c = value(o);
+        out.discriminant = out.b * out.b - out.a * out.c;
+        const V q = lanes::negated(out.b + lanes::signed_as(lanes::root_of(out.discriminant), out.b));  // of one sign
+        const V r0 = out.c / q, r1 = q / out.a;
+        out.near = out.shift + lanes::smaller(r0, r1);
+        out.far = out.shift + lanes::larger(r0, r1);
+        return out;
+    }
+
     void intersect(const Ray& ray, SpanList& out) const
     {
-        const Ray given = local_ray(frame, ray);
-        const glm::dvec3& d = given.direction;
-        const double length2 = glm::dot(d, d);
-        if (!(length2 > 0.0)) return;
-        const double shift = -glm::dot(given.origin, d) / length2;  // start near the frame's origin
-        const glm::dvec3 o = given.origin + shift * d;
-        const double a = d.x * (square.x * d.x + mixed.x * d.y + mixed.y * d.z) +
-                         d.y * (square.y * d.y + mixed.z * d.z) + square.z * d.z * d.z;
-        const double b = 0.5 * glm::dot(gradient(o), d);
-        const double c = value(o);
-        if (a == 0.0) {
-            const double t = shift - c / (2.0 * b);
-            if (b == 0.0 || !(t > -kInfinity && t < kInfinity)) {
-                if (c <= 0.0) out.push(Span::everything());
+        const Course<double> at = course(start(ray.origin), ray.direction);
+        if (at.a == 0.0) {
+            const double t = at.shift - at.c / (2.0 * at.b);
+            if (at.b == 0.0 || !(t > -kInfinity && t < kInfinity)) {
+                if (at.c <= 0.0) out.push(Span::everything());
                 return;
             }
-            out.push(b > 0.0 ? Span::until({.t = t}) : Span::from({.t = t}));
+            out.push(at.b > 0.0 ? Span::until({.t = t}) : Span::from({.t = t}));
             return;
         }
-        const double discriminant = b * b - a * c;
-        if (!(discriminant > 0.0)) {
-            if (a < 0.0) out.push(Span::everything());
-            return;
-        }
-        const double q = -(b + std::copysign(std::sqrt(discriminant), b));  // adds numbers of one sign
-        const double r0 = c / q, r1 = q / a;
-        const double near = shift + glm::min(r0, r1), far = shift + glm::max(r0, r1);
-        if (a > 0.0) {
-            out.push({{.t = near}, {.t = far}});
+        if (!(at.discriminant > 0.0)) {
+            if (at.a < 0.0) out.push(Span::everything());
+        } else if (at.a > 0.0) {
+            out.push({{.t = at.near}, {.t = at.far}});
         } else {
-            out.push(Span::until({.t = near}));
-            out.push(Span::from({.t = far}));
+            out.push(Span::until({.t = at.near}));
+            out.push(Span::from({.t = at.far}));
         }
     }
     bool contains(const glm::dvec3& p) const { return value(frame.inverse_point(p)) <= 0.0; }

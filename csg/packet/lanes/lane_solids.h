@@ -152,46 +152,28 @@ private:
 template <class P>
 class Test<Quadric, P> {
 public:
-    Test(const Quadric& s, const P& origin) : solid_(s), origin_(into(s.frame, origin)) {}
-    Intervals operator()(const Directions& world) const
+    Test(const Quadric& s, const P& origin) : solid_(s), start_(s.start(origin)) {}
+    Intervals operator()(const Directions& d) const
     {
         Intervals second;
-        Intervals out = both(world, second);
+        Intervals out = both(d, second);
         out.unclear = out.unclear | second.met;
         out.met = out.met & !second.met;
         return out;
     }
 
     /// The first span and, of rays that pass between two sheets, the second. Unclear: it opens with neither sign.
-    Intervals both(const Directions& world, Intervals& second) const
+    Intervals both(const Directions& d, Intervals& second) const
     {
-        const Directions d = turned(solid_.frame, world);
-        const Double sx(solid_.square.x), sy(solid_.square.y), sz(solid_.square.z);
-        const Double mx(solid_.mixed.x), my(solid_.mixed.y), mz(solid_.mixed.z);
-        const Double lx(solid_.linear.x), ly(solid_.linear.y), lz(solid_.linear.z);
-        const Double gx(origin_.x), gy(origin_.y), gz(origin_.z);
-        const Double length2 = dot(d, d);
-        const Double shift = negated(gx * d.x + gy * d.y + gz * d.z) / length2;
-        const Double x = gx + shift * d.x, y = gy + shift * d.y, z = gz + shift * d.z;
-        const Double a = d.x * (sx * d.x + mx * d.y + my * d.z) + d.y * (sy * d.y + mz * d.z) + sz * d.z * d.z;
-        const Double slope_x = Double(2.0) * sx * x + mx * y + my * z + lx,
-                     slope_y = Double(2.0) * sy * y + mx * x + mz * z + ly,
-                     slope_z = Double(2.0) * sz * z + my * x + mz * y + lz;
-        const Double b = Double(0.5) * (slope_x * d.x + slope_y * d.y + slope_z * d.z);
-        const Double c = x * (sx * x + mx * y + my * z + lx) + y * (sy * y + mz * z + ly) + z * (sz * z + lz) +
-                         Double(solid_.constant);
-        const Double discriminant = b * b - a * c;
-        const Bool crosses = discriminant > Double(0.0), opens = a < Double(0.0);
+        const auto at = solid_.course(start_, d);
+        const Bool crosses = at.discriminant > Double(0.0), misses = at.discriminant <= Double(0.0);
+        const Bool closes = at.a > Double(0.0), opens = at.a < Double(0.0);
         Intervals out;
-        out.unclear = !((a > Double(0.0)) | opens) | !(crosses | (discriminant <= Double(0.0)));
-        const Double root = xsimd::sqrt(discriminant);
-        const Double q = negated(b + (root | (b & Double(-0.0))));  // the root has no sign
-        const Double r0 = c / q, r1 = q / a;
-        const Double near = shift + xsimd::select(r1 < r0, r1, r0), far = shift + xsimd::select(r0 < r1, r1, r0);
-        out.entry = xsimd::select(opens, before(), near);
-        out.exit = xsimd::select(opens, xsimd::select(crosses, near, beyond()), far);
+        out.unclear = (!(closes | opens)) | (!(crosses | misses));
+        out.entry = xsimd::select(opens, before(), at.near);
+        out.exit = xsimd::select(opens, xsimd::select(crosses, at.near, beyond()), at.far);
         out.met = (opens | crosses) & !out.unclear;
-        second.entry = far;
+        second.entry = at.far;
         second.exit = beyond();
         second.met = opens & crosses & !out.unclear;
         return out;
@@ -199,7 +181,7 @@ public:
 
 private:
     const Quadric& solid_;
-    P origin_;
+    P start_;
 };
 
 /// Whether with_test() gives one interval for every ray.
