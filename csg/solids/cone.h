@@ -14,23 +14,31 @@ struct Cone {
 
     bool convex() const { return low >= 0.0; }
 
-    /// Only for convex().
-    bool interval(const Ray& ray, Interval& out) const
+    auto start(const auto& origin) const { return lanes::into(frame, origin); }
+    /// Only for convex(): the longer of the pieces.
+    template <class D, class I>
+    lanes::TruthOf<D> interval(const auto& from, const D& direction, I& out) const
     {
-        Interval parts[2];
-        const int n = pieces(ray, parts);
-        if (n == 0) return false;
-        out = parts[0];
-        if (n == 2 && parts[1].exit - parts[1].entry > out.exit - out.entry) out = parts[1];
-        return true;
+        I part[2];
+        lanes::TruthOf<D> met[2];
+        pieces(from, direction, part, met);
+        const auto second = met[1] & ((!met[0]) | (part[1].exit - part[1].entry > part[0].exit - part[0].entry));
+        out = {lanes::choose(second, part[1].entry, part[0].entry), lanes::choose(second, part[1].exit, part[0].exit),
+               lanes::choose(second, part[1].entry_face, part[0].entry_face),
+               lanes::choose(second, part[1].exit_face, part[0].exit_face)};
+        return met[0] | met[1];
     }
+    bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
     void intersect(const Ray& ray, SpanList& out) const
     {
-        Interval parts[2];
-        const int n = convex() ? static_cast<int>(interval(ray, parts[0])) : pieces(ray, parts);
-        for (int i = 0; i < n; ++i)
-            out.push(
-                {{.t = parts[i].entry, .face = parts[i].entry_face}, {.t = parts[i].exit, .face = parts[i].exit_face}});
+        Interval part[2];
+        bool met[2] = {false, false};
+        if (convex()) met[0] = interval(ray, part[0]);
+        else pieces(start(ray.origin), ray.direction, part, met);
+        for (int i = 0; i < 2; ++i)
+            if (met[i])
+                out.push(
+                    {{.t = part[i].entry, .face = part[i].entry_face}, {.t = part[i].exit, .face = part[i].exit_face}});
     }
     bool contains(const glm::dvec3& p) const { return open ? grown(p, Cylinder::kSkin) : grown(p, -Cylinder::kSkin); }
     bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
@@ -44,40 +52,52 @@ struct Cone {
     Aabb bounds() const;
 
     /// Up to two intervals, in order: what the quadric's inside and the slab low <= z <= 1 have in common.
-    int pieces(const Ray& ray, Interval (&out)[2]) const
+    template <class D, class I>
+    void pieces(const auto& from, const D& direction, I (&out)[2], lanes::TruthOf<D> (&met)[2]) const
     {
-        const Ray given = local_ray(frame, ray);
-        const glm::dvec3& d = given.direction;
-        const double length2 = glm::dot(d, d);
-        if (!(length2 > 0.0)) return 0;
+        using V = lanes::NumberOf<D>;
+        using Truth = lanes::Truth<V>;
+        const V zero(0.0), before(-kInfinity), beyond(kInfinity);
+        const D d = lanes::turned(frame, direction);
+        const V length2 = lanes::dot(d, d);
         // From the point nearest to the apex; the discriminant and both outer coefficients as products (Lagrange's
         // identity), so a thin cone or a ray past the apex loses nothing.
-        const double shift = -glm::dot(given.origin, d) / length2;
-        const glm::dvec3 o = given.origin + shift * d;
-        Interval ends;
-        if (!slab(o.z, d.z, low, 1.0, ends)) return 0;
-        ends.entry_face = end_face(ends.entry_face);
-        ends.exit_face = end_face(ends.exit_face);
+        const V shift = lanes::negated(lanes::dot(from, d)) / length2;
+        const D o = lanes::advanced(from, shift, d);
+        I ends;
+        Truth between = slab(o.z, d.z, low, 1.0, ends) & (length2 > zero);
+        met[0] = met[1] = Truth(false);
+        if (lanes::mask(between) == 0) return;
+        name_ends(open, ends);
 
-        const double across = std::sqrt(d.x * d.x + d.y * d.y), radius = std::sqrt(o.x * o.x + o.y * o.y);
-        const double a = (across - std::abs(d.z)) * (across + std::abs(d.z));
-        const double b = o.x * d.x + o.y * d.y - o.z * d.z;
-        const double c = (radius - std::abs(o.z)) * (radius + std::abs(o.z));
-        const double wx = o.z * d.x - d.z * o.x, wy = o.z * d.y - d.z * o.y;
-        const double w = std::sqrt(wx * wx + wy * wy), m = std::abs(o.x * d.y - o.y * d.x);
-        const double discriminant = (w - m) * (w + m);
-        if (!(discriminant >= 0.0)) return 0;
-        Interval side[2];
-        const int n = side_pieces(a, b, c, std::sqrt(discriminant), side);
-        int kept = 0;
-        for (int i = 0; i < n; ++i) {
-            Interval piece = ends;
-            if (!narrow(piece, side[i])) continue;
-            piece.entry += shift;
-            piece.exit += shift;
-            if (piece.entry <= piece.exit) out[kept++] = piece;
+        const V across = lanes::root_of(d.x * d.x + d.y * d.y), radius = lanes::root_of(o.x * o.x + o.y * o.y);
+        const V dz = lanes::size_of(d.z), oz = lanes::size_of(o.z);
+        const V a = (across - dz) * (across + dz), b = o.x * d.x + o.y * d.y - o.z * d.z;
+        const V c = (radius - oz) * (radius + oz);
+        const V wx = o.z * d.x - d.z * o.x, wy = o.z * d.y - d.z * o.y;
+        const V w = lanes::root_of(wx * wx + wy * wy), m = lanes::size_of(o.x * d.y - o.y * d.x);
+        const V discriminant = (w - m) * (w + m);
+        between = between & (discriminant >= zero);
+        if (lanes::mask(between) == 0) return;
+
+        // Where a t^2 + 2 b t + c <= 0.
+        const V q = lanes::negated(b + lanes::signed_as(lanes::root_of(discriminant), b));
+        const V r0 = lanes::choose(q != zero, c / q, zero), r1 = q / a;
+        const V near = lanes::choose(r0 < r1, r0, r1), far = lanes::choose(r0 < r1, r1, r0);
+        const Truth linear = a == zero, two = a<zero, still = q == zero, rising = b> zero;
+        const I side[2] = {
+            {lanes::choose(linear, lanes::choose(still | rising, before, r0), lanes::choose(two, before, near)),
+             lanes::choose(linear, lanes::choose((!still) & rising, r0, beyond), lanes::choose(two, near, far))},
+            {far, beyond}};
+        met[0] = between & ((!linear) | (!still) | (c <= zero));
+        met[1] = between & two;
+        for (int k = 0; k < 2; ++k) {
+            out[k] = ends;
+            met[k] = met[k] & narrow(out[k], side[k]);
+            out[k].entry = out[k].entry + shift;
+            out[k].exit = out[k].exit + shift;
+            met[k] = met[k] & (out[k].entry <= out[k].exit);
         }
-        return kept;
     }
 
     /// From two different radii; the points must differ. Returns false where POV-Ray makes it a cylinder, with the
@@ -86,30 +106,6 @@ struct Cone {
                      bool open, const Transform& t, Cone& out, double& cylinder_radius);
 
 private:
-    std::uint32_t end_face(std::uint32_t slab_face) const { return open ? kUndrawnFace : kLowEnd + slab_face; }
-    /// Where a t^2 + 2 b t + c <= 0, given the root of its discriminant.
-    static int side_pieces(double a, double b, double c, double root, Interval (&side)[2])
-    {
-        const double q = -(b + std::copysign(root, b));
-        const double r0 = q != 0.0 ? c / q : 0.0;
-        if (a == 0.0) {
-            if (q == 0.0) {
-                side[0] = {-kInfinity, kInfinity, kSide, kSide};
-                return c <= 0.0 ? 1 : 0;
-            }
-            side[0] = b > 0.0 ? Interval{-kInfinity, r0, kSide, kSide} : Interval{r0, kInfinity, kSide, kSide};
-            return 1;
-        }
-        const double r1 = q / a;
-        const double near = r0 < r1 ? r0 : r1, far = r0 < r1 ? r1 : r0;
-        if (a > 0.0) {
-            side[0] = {near, far, kSide, kSide};
-            return 1;
-        }
-        side[0] = {-kInfinity, near, kSide, kSide};
-        side[1] = {far, kInfinity, kSide, kSide};
-        return 2;
-    }
     bool grown(const glm::dvec3& p, double by) const
     {
         const glm::dvec3 l = frame.inverse_point(p);

@@ -14,17 +14,4 @@ struct Intervals {
     Bool unclear = Bool(false);  ///< perhaps more than one interval: to be asked ray by ray; only a quadric says so
 };
 
-inline Intervals slab(const Double& origin, const Double& direction, double lower, double upper)
-{
-    Intervals out;
-    out.met = csg::slab(origin, direction, lower, upper, out);
-    return out;
-}
-
-inline void narrow(Intervals& a, const Double& entry, const Double& exit, const Double& face)
-{
-    const Bool met = a.met;
-    a.met = csg::narrow(a, Intervals{entry, exit, face, face}) & met;
-}
-
 }  // namespace csg::lanes
