@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/points.h"
 #include "csg/solids/shared/common.h"
 
 namespace csg {
@@ -7,33 +8,60 @@ namespace csg {
 /// Faces of a box: axis, and which side of it.
 enum BoxFace : std::uint32_t { kMinX, kMaxX, kMinY, kMaxY, kMinZ, kMaxZ };
 
+/// A box's corners, counted from where rays start.
+template <class P>
+struct BoxCorners {
+    P lower, upper;
+
+    BoxCorners(const glm::dvec3& low, const glm::dvec3& high, const P& origin)
+        : lower(lanes::difference(low, origin)), upper(lanes::difference(high, origin))
+    {}
+};
+
+/// 1 / d, by coordinates.
+template <class D>
+inline D reciprocal(const D& d)
+{
+    return {1.0 / d.x, 1.0 / d.y, 1.0 / d.z};
+}
+
 /// Slabs picked by the sign of the direction; an end that is NaN (origin on a slab's plane, direction within it)
 /// keeps what was there, which makes the box closed. The two winning parameters are then divided out, so that a
 /// plane or another box in the same place gives the same number to the last bit.
-inline bool box_interval(const Ray& ray, const glm::dvec3& lower, const glm::dvec3& upper, Interval& out)
+template <class P, class D, class I>
+inline lanes::TruthOf<D> box_interval(const BoxCorners<P>& box, const D& d, const D& inverses, I& out)
 {
-    double entry = -kInfinity, exit = kInfinity;
-    int entry_axis = 0, exit_axis = 0;
-    for (int i = 0; i < 3; ++i) {
-        const double inverse = 1.0 / ray.direction[i];
-        const bool backward = std::signbit(inverse);
-        const double first = ((backward ? upper[i] : lower[i]) - ray.origin[i]) * inverse;
-        const double last = ((backward ? lower[i] : upper[i]) - ray.origin[i]) * inverse;
-        if (first > entry) entry = first, entry_axis = i;
-        if (last < exit) exit = last, exit_axis = i;
-    }
-    if (!(entry <= exit) || entry == kInfinity || exit == -kInfinity) return false;
-    const auto plane = [&](int axis, bool on_entry, double rough, std::uint32_t& face) {
-        const bool forward = ray.direction[axis] > 0.0;
-        const bool at_lower = forward == on_entry;
-        face = static_cast<std::uint32_t>(2 * axis + (at_lower ? 0 : 1));
-        const double exact = ((at_lower ? lower[axis] : upper[axis]) - ray.origin[axis]) / ray.direction[axis];
-        return exact == exact ? exact : rough;
+    using V = lanes::NumberOf<D>;
+    using Face = decltype(out.entry_face);
+    V entry(-kInfinity), exit(kInfinity), first_plane(box.lower.x), last_plane(box.upper.x), first_slope = d.x,
+                                                                                             last_slope = d.x;
+    Face entry_face(0), exit_face(0);
+    const auto axis = [&](const V& direction, const V& inverse, const V& lower, const V& upper, BoxFace low) {
+        const lanes::Truth<V> backward = inverse < V(0.0);
+        const V near = lanes::choose(backward, upper, lower), far = lanes::choose(backward, lower, upper);
+        const V first = near * inverse, last = far * inverse;
+        const lanes::Truth<V> later = first > entry, earlier = last < exit;
+        const Face at_lower(low), at_upper(low + 1);
+        entry = lanes::choose(later, first, entry);
+        first_plane = lanes::choose(later, near, first_plane);
+        first_slope = lanes::choose(later, direction, first_slope);
+        entry_face = lanes::choose(later, lanes::choose(backward, at_upper, at_lower), entry_face);
+        exit = lanes::choose(earlier, last, exit);
+        last_plane = lanes::choose(earlier, far, last_plane);
+        last_slope = lanes::choose(earlier, direction, last_slope);
+        exit_face = lanes::choose(earlier, lanes::choose(backward, at_lower, at_upper), exit_face);
     };
-    out.entry = plane(entry_axis, true, entry, out.entry_face);
-    out.exit = plane(exit_axis, false, exit, out.exit_face);
-    if (out.exit < out.entry) out.exit = out.entry;  // along an edge the division may swap them by a rounding
-    return true;
+    axis(d.x, inverses.x, V(box.lower.x), V(box.upper.x), kMinX);
+    axis(d.y, inverses.y, V(box.lower.y), V(box.upper.y), kMinY);
+    axis(d.z, inverses.z, V(box.lower.z), V(box.upper.z), kMinZ);
+    const lanes::Truth<V> met = (entry <= exit) & (entry != V(kInfinity)) & (exit != V(-kInfinity));
+    if (lanes::mask(met) == 0) return met;
+    const V exact_entry = first_plane / first_slope, exact_exit = last_plane / last_slope;
+    entry = lanes::choose(exact_entry == exact_entry, exact_entry, entry);
+    exit = lanes::choose(exact_exit == exact_exit, exact_exit, exit);
+    // Along an edge the division may swap them by a rounding.
+    out = {entry, lanes::choose(exit < entry, entry, exit), entry_face, exit_face};
+    return met;
 }
 
 inline glm::dvec3 box_normal(std::uint32_t face)
@@ -54,7 +82,13 @@ glm::dvec2 box_uv(const glm::dvec3& local, const glm::dvec3& lower, const glm::d
 struct Box {
     glm::dvec3 lower{0.0}, upper{1.0};
 
-    bool interval(const Ray& ray, Interval& out) const { return box_interval(ray, lower, upper, out); }
+    auto start(const auto& origin) const { return BoxCorners(lower, upper, origin); }
+    template <class D, class I>
+    lanes::TruthOf<D> interval(const auto& from, const D& direction, I& out) const
+    {
+        return box_interval(from, direction, reciprocal(direction), out);
+    }
+    bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
     bool contains(const glm::dvec3& p) const { return box_contains(p, lower, upper); }
     bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
     glm::dvec3 normal(const glm::dvec3&, std::uint32_t face) const { return box_normal(face); }
@@ -71,7 +105,8 @@ struct OrientedBox {
 
     bool interval(const Ray& ray, Interval& out) const
     {
-        return box_interval(local_ray(frame, ray), lower, upper, out);
+        const Ray local = local_ray(frame, ray);
+        return box_interval(BoxCorners(lower, upper, local.origin), local.direction, reciprocal(local.direction), out);
     }
     bool contains(const glm::dvec3& p) const { return box_contains(frame.inverse_point(p), lower, upper); }
     bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }

@@ -24,64 +24,6 @@ private:
     decltype(solid_.start(std::declval<P>())) start_;
 };
 
-/// box_interval() with the corners relative to the origin.
-template <class P>
-class BoxTest {
-public:
-    BoxTest(const glm::dvec3& lower, const glm::dvec3& upper, const P& origin)
-        : low_(difference(lower, origin)), high_(difference(upper, origin))
-    {}
-    Intervals operator()(const Directions& d) const
-    {
-        const Double one(1.0);
-        return (*this)(d, {one / d.x, one / d.y, one / d.z});
-    }
-    /// \param inverse of the directions
-    Intervals operator()(const Directions& d, const Directions& inverses) const
-    {
-        Intervals out;
-        out.entry = before();
-        out.exit = beyond();
-        Double first_plane(low_.x), last_plane(high_.x), first_slope = d.x, last_slope = d.x;
-        const auto axis = [&](Double direction, Double inverse, Double lower, Double upper, double face) {
-            const Bool backward = inverse < Double(0.0);
-            const Double near = xsimd::select(backward, upper, lower);
-            const Double far = xsimd::select(backward, lower, upper);
-            const Double first = near * inverse, last = far * inverse;
-            const Bool later = first > out.entry, earlier = last < out.exit;
-            out.entry = xsimd::select(later, first, out.entry);
-            first_plane = xsimd::select(later, near, first_plane);
-            first_slope = xsimd::select(later, direction, first_slope);
-            out.entry_face =
-                xsimd::select(later, xsimd::select(backward, Double(face + 1.0), Double(face)), out.entry_face);
-            out.exit = xsimd::select(earlier, last, out.exit);
-            last_plane = xsimd::select(earlier, far, last_plane);
-            last_slope = xsimd::select(earlier, direction, last_slope);
-            out.exit_face =
-                xsimd::select(earlier, xsimd::select(backward, Double(face), Double(face + 1.0)), out.exit_face);
-        };
-        axis(d.x, inverses.x, Double(low_.x), Double(high_.x), 0.0);
-        axis(d.y, inverses.y, Double(low_.y), Double(high_.y), 2.0);
-        axis(d.z, inverses.z, Double(low_.z), Double(high_.z), 4.0);
-        out.met = (out.entry <= out.exit) & (out.entry != beyond()) & (out.exit != before());
-        if (mask(out.met) == 0) return out;
-        const Double entry = first_plane / first_slope, exit = last_plane / last_slope;
-        out.entry = xsimd::select(entry == entry, entry, out.entry);
-        out.exit = xsimd::select(exit == exit, exit, out.exit);
-        out.exit = xsimd::select(out.exit < out.entry, out.entry, out.exit);
-        return out;
-    }
-
-private:
-    P low_, high_;
-};
-
-template <class P>
-class Test<Box, P> : public BoxTest<P> {
-public:
-    Test(const Box& s, const P& origin) : BoxTest<P>(s.lower, s.upper, origin) {}
-};
-
 /// Quadric::intersect(): as an interval where it gives one span, else unclear.
 template <class P>
 class Test<Quadric, P> {
@@ -156,8 +98,10 @@ inline void with_test(const SolidStore& store, PartId part, const Rays& rays, F&
         rays.turned.turn(box.frame, rays);
         f([&](int at) {
             rays.turned.find(at, rays);
-            return BoxTest(box.lower, box.upper, rays.turned.origins(at))(rays.turned.directions(at),
-                                                                          rays.turned.inverses(at));
+            Intervals out;
+            out.met = box_interval(BoxCorners(box.lower, box.upper, rays.turned.origins(at)),
+                                   rays.turned.directions(at), rays.turned.inverses(at), out);
+            return out;
         });
         return;
     }
