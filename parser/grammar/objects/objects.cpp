@@ -2,6 +2,7 @@
 #include "csg/freeform/freeform_solid.h"
 #include "parser/grammar/core/rules.h"
 #include "parser/grammar/core/solid_reader.h"
+#include "parser/grammar/objects/solids.h"
 
 #include <algorithm>
 
@@ -9,16 +10,6 @@ namespace parser {
 namespace {
 
 using Shared = std::shared_ptr<const scene::Object>;
-
-scene::CsgOp op_of(Kind keyword)
-{
-    switch (keyword) {
-    case Kind::Intersection: return scene::CsgOp::Intersection;
-    case Kind::Difference: return scene::CsgOp::Difference;
-    case Kind::Merge: return scene::CsgOp::Merge;
-    default: return scene::CsgOp::Union;
-    }
-}
 
 /// object { NAME or any object statement, modifiers }.
 void read_wrapper(SceneBuilder& build, const scene::SourceRef& source, scene::Object& object)
@@ -75,6 +66,18 @@ struct Operands final : ObjectReceiver {
 };
 
 }  // namespace
+
+std::optional<scene::CsgOp> csg_op(Kind keyword)
+{
+    switch (keyword) {
+    case Kind::Composite:
+    case Kind::Union: return scene::CsgOp::Union;
+    case Kind::Intersection: return scene::CsgOp::Intersection;
+    case Kind::Difference: return scene::CsgOp::Difference;
+    case Kind::Merge: return scene::CsgOp::Merge;
+    default: return std::nullopt;
+    }
+}
 
 /// Objects, `global_lights` and transformations: it takes no other modifier.
 scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& source)
@@ -161,7 +164,7 @@ void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object)
         if (operands.written < 2 && build.version() >= 150)
             in.warn_when_closed(source, std::string(name) + " should have at least two objects");
         object.shape =
-            scene::Csg{op_of(keyword), operands.objects.take(), true, false, false, false, operands.all_inside, {}};
+            scene::Csg{*csg_op(keyword), operands.objects.take(), true, false, false, false, operands.all_inside, {}};
     }
     read_modifiers(build, object);
     build.close_block(name, opened);
@@ -187,15 +190,12 @@ bool read_object(SceneBuilder& build, scene::Object& object)
         read_written(build, keyword, object);
         return true;
     }
-    switch (keyword) {
-    case Kind::Union:
-    case Kind::Intersection:
-    case Kind::Difference:
-    case Kind::Merge:
-    case Kind::Composite:
+    if (csg_op(keyword)) {
         in.next();
         read_csg(build, keyword, object);
         return true;
+    }
+    switch (keyword) {
     case Kind::Object:
         in.next();
         read_wrapper(build, in.last(), object);

@@ -1,15 +1,196 @@
+#include "parser/grammar/objects/solids.h"
 #include "parser/grammar/core/rules.h"
-#include "parser/grammar/objects/solid_shapes.h"
 
 #include <array>
+#include <memory>
 
-/// Solids given by a few numbers: what stands between the keyword's brace and the first modifier.
+/// Solids given by a few numbers: what stands between the keyword's brace and the first modifier, and what it makes.
 namespace parser {
 namespace {
 
+/// Shorter distances between a cylinder's or cone's ends, and shorter normals of a plane, are errors (spec 5a, 5).
+constexpr double kDegenerate = 1e-10;
+
+glm::dvec3 vector_at(const double* v) { return {v[0], v[1], v[2]}; }
+
+bool set_sphere(const double* v, bool, scene::Object& object)
+{
+    object.shape = scene::Sphere{vector_at(v), v[3]};
+    return true;
+}
+
+bool set_box(const double* v, bool, scene::Object& object)
+{
+    const glm::dvec3 a = vector_at(v), b = vector_at(v + 3);
+    object.shape = scene::Box{glm::min(a, b), glm::max(a, b)};
+    return true;
+}
+
+bool set_plane(const double* v, bool, scene::Object& object)
+{
+    const glm::dvec3 normal = vector_at(v);
+    if (glm::length(normal) < kDegenerate) return false;
+    object.shape = scene::Plane{glm::normalize(normal), v[3]};
+    return true;
+}
+
+bool set_cylinder(const double* v, bool open, scene::Object& object)
+{
+    const scene::Cylinder made{vector_at(v), vector_at(v + 3), v[6], open};
+    object.shape = made;
+    return glm::distance(made.base, made.cap) >= kDegenerate;
+}
+
+bool set_cone(const double* v, bool open, scene::Object& object)
+{
+    const scene::Cone made{vector_at(v), v[3], vector_at(v + 4), v[7], open};
+    object.shape = made;
+    return glm::distance(made.base, made.cap) >= kDegenerate;
+}
+
+bool set_torus(const double* v, bool, scene::Object& object)
+{
+    object.shape = scene::Torus{v[0], v[1]};
+    return true;
+}
+
+bool set_quadric(const double* v, bool, scene::Object& object)
+{
+    object.shape = scene::Shared(scene::Quadric{vector_at(v), vector_at(v + 3), vector_at(v + 6), v[9], {}});
+    return true;
+}
+
+bool set_disc(const double* v, bool, scene::Object& object)
+{
+    const glm::dvec3 normal = vector_at(v + 3);
+    object.shape = scene::Disc{vector_at(v), glm::length(normal) > 0 ? glm::normalize(normal) : normal, v[6], 0.0};
+    return true;
+}
+
+bool set_triangle(const double* v, bool, scene::Object& object)
+{
+    scene::Triangle t{};
+    for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = vector_at(v + 3 * i);
+    const bool line = glm::length(glm::cross(t.vertex[1] - t.vertex[0], t.vertex[2] - t.vertex[0])) == 0.0;
+    object.shape = t;
+    return !line;
+}
+
+bool set_smooth_triangle(const double* v, bool, scene::Object& object)
+{
+    scene::SmoothTriangle t{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        t.vertex[i] = vector_at(v + 6 * i);
+        const glm::dvec3 normal = vector_at(v + 6 * i + 3);
+        t.normal[i] = glm::length(normal) > 0 ? glm::normalize(normal) : normal;
+    }
+    object.shape = scene::Shared(t);
+    return true;
+}
+
+struct center : seq<a_vector> {};
+struct radius : seq<opt_comma, a_number> {};
+struct sphere : seq<must<center>, must<radius>> {};
+
+struct corner : seq<a_vector> {};
+struct second_corner : seq<opt_comma, a_vector> {};
+struct box : seq<must<corner>, must<second_corner>> {};
+
+struct plane_normal : seq<a_vector> {};
+struct plane_distance : seq<opt_comma, a_number> {};
+struct plane : seq<must<plane_normal>, must<plane_distance>> {};
+
+struct end_point : seq<a_vector> {};
+struct other_end : seq<opt_comma, a_vector> {};
+struct cylinder : seq<must<end_point>, must<other_end>, must<radius>> {};
+struct cone : seq<must<end_point>, must<radius>, must<other_end>, must<radius>> {};
+
+struct major_radius : seq<a_number> {};
+struct minor_radius : seq<opt_comma, a_number> {};
+struct torus : seq<must<major_radius>, must<minor_radius>> {};
+
+struct square_terms : seq<a_vector> {};
+struct mixed_terms : seq<opt_comma, a_vector> {};
+struct linear_terms : seq<opt_comma, a_vector> {};
+struct constant_term : seq<opt_comma, a_number> {};
+struct quadric : seq<must<square_terms>, must<mixed_terms>, must<linear_terms>, must<constant_term>> {};
+
+struct disc_normal : seq<opt_comma, a_vector> {};
+struct disc : seq<must<center>, must<disc_normal>, must<radius>> {};
+
+struct vertex : seq<opt_comma, a_vector> {};
+struct vertex_normal : seq<opt_comma, a_vector> {};
+struct triangle : seq<must<vertex>, must<vertex>, must<vertex>> {};
+struct smooth_triangle
+    : seq<must<vertex>, must<vertex_normal>, must<vertex>, must<vertex_normal>, must<vertex>, must<vertex_normal>> {};
+
+}  // namespace
+
+template <>
+inline constexpr auto expected<center> = "the centre, as in <0, 1, 0>";
+template <>
+inline constexpr auto expected<radius> = "the radius (a number)";
+template <>
+inline constexpr auto expected<corner> = "the box's first corner, as in <-1, -1, -1>";
+template <>
+inline constexpr auto expected<second_corner> = "the box's second corner, as in <1, 1, 1>";
+template <>
+inline constexpr auto expected<plane_normal> = "the plane's normal, as in <0, 1, 0>";
+template <>
+inline constexpr auto expected<plane_distance> = "the plane's distance from the origin (a number)";
+template <>
+inline constexpr auto expected<end_point> = "the centre of the first end, as in <0, 0, 0>";
+template <>
+inline constexpr auto expected<other_end> = "the centre of the second end, as in <0, 1, 0>";
+template <>
+inline constexpr auto expected<major_radius> = "the torus's major radius (a number)";
+template <>
+inline constexpr auto expected<minor_radius> = "the torus's minor radius (a number)";
+template <>
+inline constexpr auto expected<square_terms> = "the quadric's x^2, y^2, z^2 coefficients, as in <1, 1, 1>";
+template <>
+inline constexpr auto expected<mixed_terms> = "the quadric's xy, xz, yz coefficients, as in <0, 0, 0>";
+template <>
+inline constexpr auto expected<linear_terms> = "the quadric's x, y, z coefficients, as in <0, 0, 0>";
+template <>
+inline constexpr auto expected<constant_term> = "the quadric's constant (a number)";
+template <>
+inline constexpr auto expected<disc_normal> = "the disc's normal, as in <0, 1, 0>";
+template <>
+inline constexpr auto expected<vertex> = "a corner of the triangle, as in <0, 1, 0>";
+template <>
+inline constexpr auto expected<vertex_normal> = "the normal at this corner, as in <0, 1, 0>";
+
+namespace {
+
+/// The values that a rule reads, in reading order, as SolidForm::values has them.
+template <class Rule, class... Inner>
+constexpr std::size_t add_kinds(char* to, std::size_t count, pegtl::type_list<Inner...>)
+{
+    if constexpr (std::is_same_v<typename Rule::rule_t, a_vector>) to[count++] = 'v';
+    if constexpr (std::is_same_v<typename Rule::rule_t, a_number>) to[count++] = 'n';
+    ((count = add_kinds<Inner>(to, count, typename Inner::subs_t{})), ...);
+    return count;
+}
+template <class Rule>
+struct ValueKinds {
+    std::array<char, 6> kinds{};
+    std::size_t count = add_kinds<Rule>(kinds.data(), 0, typename Rule::subs_t{});
+};
+template <class Rule>
+inline constexpr ValueKinds<Rule> kValueKinds;
+
+struct SolidState;
+struct SolidEntry {
+    SolidForm form;
+    bool (*read)(TokenInput&, SolidState&);
+    /// Null: nothing follows, nothing is to be said. `good`: what SolidForm::set answered.
+    void (*after)(SolidState&, bool good);
+};
+
 struct SolidState : BlockState {
-    SolidState(SceneBuilder& builder, Kind keyword, scene::Object& made)
-        : BlockState(builder), form(*solid_form(keyword)), object(made)
+    SolidState(SceneBuilder& builder, const SolidForm& read, scene::Object& made)
+        : BlockState(builder), form(read), object(made)
     {}
     const SolidForm& form;
     scene::Object& object;
@@ -33,201 +214,87 @@ struct SolidState : BlockState {
     }
 };
 
-bool open_ends(SolidState& s) { return s.stream().accept(Kind::Open); }
-
-/// The ends of a cylinder or cone are one point. Points that were found by asking an unsupported object are guesses:
-/// what they make is not the scene's fault.
-void same_ends(SolidState& s, const glm::dvec3& base, glm::dvec3& cap, const char* message)
+void after_plane(SolidState& s, bool good)
 {
+    if (!good) s.stream().fail(s.object.source, "this plane's normal is zero, so it has no direction");
+}
+
+/// The ends are one point. Points that were found by asking an unsupported object are guesses: what they make is not
+/// the scene's fault.
+template <class Solid>
+void after_ends(SolidState& s, bool good)
+{
+    if (good) return;
+    const std::string message = "this " + std::string(spelling(s.form.keyword)) + "'s ends are the same point";
     if (!s.build.guessed) s.stream().fail(s.object.source, message);
     s.stream().warn(s.object.source, message);
-    cap = base + glm::dvec3(0, 1, 0);
+    auto& made = std::get<Solid>(s.object.shape);
+    made.cap = made.base + glm::dvec3(0, 1, 0);
 }
 
-struct center : seq<a_vector> {};
-struct radius : seq<opt_comma, a_number> {};
-struct sphere : seq<must<center>, must<radius>> {};
-void make_sphere(SolidState& s)
+void after_disc(SolidState& s, bool)
 {
-    read_rule<sphere>(s.build, s);
-    s.form.set(s.values().data(), false, s.object);
-}
-
-struct corner : seq<a_vector> {};
-struct second_corner : seq<opt_comma, a_vector> {};
-struct box : seq<must<corner>, must<second_corner>> {};
-void make_box(SolidState& s)
-{
-    read_rule<box>(s.build, s);
-    s.form.set(s.values().data(), false, s.object);
-}
-
-struct plane_normal : seq<a_vector> {};
-struct plane_distance : seq<opt_comma, a_number> {};
-struct plane : seq<must<plane_normal>, must<plane_distance>> {};
-void make_plane(SolidState& s)
-{
-    read_rule<plane>(s.build, s);
-    if (!s.form.set(s.values().data(), false, s.object))
-        s.stream().fail(s.object.source, "this plane's normal is zero, so it has no direction");
-}
-
-struct end_point : seq<a_vector> {};
-struct other_end : seq<opt_comma, a_vector> {};
-struct cylinder : seq<must<end_point>, must<other_end>, must<radius>> {};
-void make_cylinder(SolidState& s)
-{
-    read_rule<cylinder>(s.build, s);
-    const auto v = s.values();
-    if (s.form.set(v.data(), open_ends(s), s.object)) return;
-    auto& made = std::get<scene::Cylinder>(s.object.shape);
-    same_ends(s, made.base, made.cap, "this cylinder's ends are the same point");
-}
-
-struct cone : seq<must<end_point>, must<radius>, must<other_end>, must<radius>> {};
-void make_cone(SolidState& s)
-{
-    read_rule<cone>(s.build, s);
-    const auto v = s.values();
-    if (s.form.set(v.data(), open_ends(s), s.object)) return;
-    auto& made = std::get<scene::Cone>(s.object.shape);
-    same_ends(s, made.base, made.cap, "this cone's ends are the same point");
-}
-
-struct major_radius : seq<a_number> {};
-struct minor_radius : seq<opt_comma, a_number> {};
-struct torus : seq<must<major_radius>, must<minor_radius>> {};
-void make_torus(SolidState& s)
-{
-    read_rule<torus>(s.build, s);
-    s.form.set(s.values().data(), false, s.object);
-}
-
-struct square_terms : seq<a_vector> {};
-struct mixed_terms : seq<opt_comma, a_vector> {};
-struct linear_terms : seq<opt_comma, a_vector> {};
-struct constant_term : seq<opt_comma, a_number> {};
-struct quadric : seq<must<square_terms>, must<mixed_terms>, must<linear_terms>, must<constant_term>> {};
-void make_quadric(SolidState& s)
-{
-    read_rule<quadric>(s.build, s);
-    s.form.set(s.values().data(), false, s.object);
-}
-
-struct disc_normal : seq<opt_comma, a_vector> {};
-struct disc : seq<must<center>, must<disc_normal>, must<radius>> {};
-void make_disc(SolidState& s)
-{
-    read_rule<disc>(s.build, s);
-    s.form.set(s.values().data(), false, s.object);
     s.stream().accept_comma();
     if (at_expression(s.stream())) std::get<scene::Disc>(s.object.shape).hole = parser::float_expr(s.stream());
 }
 
-struct vertex : seq<opt_comma, a_vector> {};
-struct vertex_normal : seq<opt_comma, a_vector> {};
-struct triangle : seq<must<vertex>, must<vertex>, must<vertex>> {};
-struct smooth_triangle
-    : seq<must<vertex>, must<vertex_normal>, must<vertex>, must<vertex_normal>, must<vertex>, must<vertex_normal>> {};
-void make_triangle(SolidState& s)
+void after_triangle(SolidState& s, bool good)
 {
-    bool good = false;
-    if (s.stream().peek().kind == Kind::Numbers) {
-        good = s.form.set(s.stream().values_of(s.stream().next()).data(), false, s.object);
-    } else {
-        read_rule<triangle>(s.build, s);
-        good = s.form.set(s.values().data(), false, s.object);
-    }
     if (!good) s.stream().warn(s.object.source, "this triangle's corners lie on a line");
 }
-void make_smooth_triangle(SolidState& s)
-{
-    if (s.stream().peek().kind == Kind::Numbers) {
-        s.form.set(s.stream().values_of(s.stream().next()).data(), false, s.object);
-        return;
-    }
-    read_rule<smooth_triangle>(s.build, s);
-    s.form.set(s.values().data(), false, s.object);
-}
 
-struct SolidEntry {
-    Kind keyword;
-    void (*make)(SolidState&);
-};
-constexpr SolidEntry kSolids[] = {
-    {Kind::Sphere, make_sphere},     {Kind::Box, make_box},
-    {Kind::Plane, make_plane},       {Kind::Cylinder, make_cylinder},
-    {Kind::Cone, make_cone},         {Kind::Torus, make_torus},
-    {Kind::Quadric, make_quadric},   {Kind::Disc, make_disc},
-    {Kind::Triangle, make_triangle}, {Kind::SmoothTriangle, make_smooth_triangle},
-};
-using Makers = std::array<void (*)(SolidState&), kKindCount>;
-constexpr Makers makers()
+template <class Rule>
+constexpr SolidEntry entry(Kind keyword, decltype(SolidForm::set) set, bool may_be_open = false,
+                           decltype(SolidEntry::after) after = nullptr)
 {
-    Makers all{};
-    for (const SolidEntry& entry : kSolids) all[static_cast<std::size_t>(entry.keyword)] = entry.make;
-    return all;
+    constexpr const auto& values = kValueKinds<Rule>;
+    return {{keyword, {values.kinds.data(), values.count}, may_be_open, set},
+            [](TokenInput& input, SolidState& s) { return pegtl::parse<Rule, action, control>(input, s); },
+            after};
 }
-constexpr Makers kMakers = makers();
+constexpr SolidEntry kSolids[] = {
+    entry<sphere>(Kind::Sphere, set_sphere),
+    entry<box>(Kind::Box, set_box),
+    entry<plane>(Kind::Plane, set_plane, false, after_plane),
+    entry<cylinder>(Kind::Cylinder, set_cylinder, true, after_ends<scene::Cylinder>),
+    entry<cone>(Kind::Cone, set_cone, true, after_ends<scene::Cone>),
+    entry<torus>(Kind::Torus, set_torus),
+    entry<quadric>(Kind::Quadric, set_quadric),
+    entry<disc>(Kind::Disc, set_disc, false, after_disc),
+    entry<triangle>(Kind::Triangle, set_triangle, false, after_triangle),
+    entry<smooth_triangle>(Kind::SmoothTriangle, set_smooth_triangle),
+};
+constexpr auto kByKeyword = [] {
+    std::array<const SolidEntry*, kKindCount> all{};
+    for (const SolidEntry& one : kSolids) all[static_cast<std::size_t>(one.form.keyword)] = &one;
+    return all;
+}();
+
+void read_values_of(const SolidEntry& solid, SceneBuilder& build, scene::Object& object)
+{
+    SolidState s(build, solid.form, object);
+    TokenStream& in = build.stream();
+    bool good = false;
+    if (in.peek().kind == Kind::Numbers) {
+        good = solid.form.set(in.values_of(in.next()).data(), false, object);
+    } else {
+        TokenInput input(in);
+        solid.read(input, s);
+        const auto values = s.values();
+        good = solid.form.set(values.data(), solid.form.may_be_open && in.accept(Kind::Open), object);
+    }
+    if (solid.after) solid.after(s, good);
+}
 
 }  // namespace
 
-template <>
-inline constexpr auto expected<sphere> = "the sphere's centre and radius";
-template <>
-inline constexpr auto expected<center> = "the centre, as in <0, 1, 0>";
-template <>
-inline constexpr auto expected<radius> = "the radius (a number)";
-template <>
-inline constexpr auto expected<box> = "the box's two corners";
-template <>
-inline constexpr auto expected<corner> = "the box's first corner, as in <-1, -1, -1>";
-template <>
-inline constexpr auto expected<second_corner> = "the box's second corner, as in <1, 1, 1>";
-template <>
-inline constexpr auto expected<plane> = "the plane's normal and distance";
-template <>
-inline constexpr auto expected<plane_normal> = "the plane's normal, as in <0, 1, 0>";
-template <>
-inline constexpr auto expected<plane_distance> = "the plane's distance from the origin (a number)";
-template <>
-inline constexpr auto expected<cylinder> = "the cylinder's two ends and radius";
-template <>
-inline constexpr auto expected<cone> = "the cone's ends, each with its radius";
-template <>
-inline constexpr auto expected<end_point> = "the centre of the first end, as in <0, 0, 0>";
-template <>
-inline constexpr auto expected<other_end> = "the centre of the second end, as in <0, 1, 0>";
-template <>
-inline constexpr auto expected<torus> = "the torus's two radii";
-template <>
-inline constexpr auto expected<major_radius> = "the torus's major radius (a number)";
-template <>
-inline constexpr auto expected<minor_radius> = "the torus's minor radius (a number)";
-template <>
-inline constexpr auto expected<quadric> = "the quadric's ten coefficients";
-template <>
-inline constexpr auto expected<square_terms> = "the quadric's x^2, y^2, z^2 coefficients, as in <1, 1, 1>";
-template <>
-inline constexpr auto expected<mixed_terms> = "the quadric's xy, xz, yz coefficients, as in <0, 0, 0>";
-template <>
-inline constexpr auto expected<linear_terms> = "the quadric's x, y, z coefficients, as in <0, 0, 0>";
-template <>
-inline constexpr auto expected<constant_term> = "the quadric's constant (a number)";
-template <>
-inline constexpr auto expected<disc> = "the disc's centre, normal and radius";
-template <>
-inline constexpr auto expected<disc_normal> = "the disc's normal, as in <0, 1, 0>";
-template <>
-inline constexpr auto expected<triangle> = "the triangle's three corners";
-template <>
-inline constexpr auto expected<smooth_triangle> = "the triangle's corners, each with its normal";
-template <>
-inline constexpr auto expected<vertex> = "a corner of the triangle, as in <0, 1, 0>";
-template <>
-inline constexpr auto expected<vertex_normal> = "the normal at this corner, as in <0, 1, 0>";
+const SolidForm* solid_form(Kind keyword)
+{
+    const SolidEntry* const found = kByKeyword[static_cast<std::size_t>(keyword)];
+    return found ? &found->form : nullptr;
+}
 
-bool is_solid(Kind keyword) { return kMakers[static_cast<std::size_t>(keyword)] != nullptr; }
+bool is_solid(Kind keyword) { return solid_form(keyword) != nullptr; }
 
 void read_solid(SceneBuilder& build, Kind keyword, scene::Object& object)
 {
@@ -235,12 +302,9 @@ void read_solid(SceneBuilder& build, Kind keyword, scene::Object& object)
     const std::string_view name = spelling(keyword);
     const scene::SourceRef opened = build.open_block(name);
     // `sphere { NAME ... }` is a copy of any declared object.
-    if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Object>>()) {
+    if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Object>>())
         object = **declared;
-    } else {
-        SolidState s(build, keyword, object);
-        kMakers[static_cast<std::size_t>(keyword)](s);
-    }
+    else read_values_of(*kByKeyword[static_cast<std::size_t>(keyword)], build, object);
     read_modifiers(build, object);
     build.close_block(name, opened);
 }

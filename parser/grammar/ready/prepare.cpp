@@ -109,15 +109,15 @@ public:
         StatementReader& tokens = reader.tokens();
         smooth_ = tokens.kind() == Kind::SmoothTriangle;
         if (!smooth_ && tokens.kind() != Kind::Triangle) return false;
-        tokens.take();
+        const std::string_view form = solid_form(tokens.take().kind)->values;
         if (!tokens.accept(Kind::LeftBrace)) return false;
         if (tokens.kind() == Kind::Numbers) {
-            const auto first = tokens.numbers(smooth_ ? 18 : 9);
+            const auto first = tokens.numbers(3 * form.size());
             if (!first) return false;
             value_ = *first;
         } else {
             tokens.accept(Kind::Comma);
-            if (!reader.values(smooth_ ? "vvvvvv" : "vvv", value_)) return false;
+            if (!reader.values(form, value_)) return false;
         }
         if (tokens.accept(Kind::UvVectors)) {
             has_uvs_ = true;

@@ -12,16 +12,6 @@ const scene::Object* declared_object(const Making& m, std::uint32_t name)
     return declared && (*declared)->drawn() ? declared->get() : nullptr;
 }
 
-scene::CsgOp csg_op_of(Kind keyword)
-{
-    switch (keyword) {
-    case Kind::Intersection: return scene::CsgOp::Intersection;
-    case Kind::Difference: return scene::CsgOp::Difference;
-    case Kind::Merge: return scene::CsgOp::Merge;
-    default: return scene::CsgOp::Union;
-    }
-}
-
 /// read_transformation() puts each together with none; what that product rounds to is known of the plain ones.
 csg::Transform moved_by(const glm::dvec3& by)
 {
@@ -84,7 +74,7 @@ bool ObjectRecipe::make_operands(const Making& m, scene::Object& object) const
         if (cuts && !inside) return false;
         all_inside = all_inside && inside;
     }
-    object.shape = scene::Csg{csg_op_of(keyword), all, true, false, false, false, all_inside, {}};
+    object.shape = scene::Csg{*csg_op(keyword), all, true, false, false, false, all_inside, {}};
     return true;
 }
 

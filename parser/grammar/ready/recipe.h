@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parser/grammar/core/scene_builder.h"
-#include "parser/grammar/objects/solid_shapes.h"
+#include "parser/grammar/objects/solids.h"
 
 #include <memory>
 #include <vector>

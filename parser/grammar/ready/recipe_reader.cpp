@@ -38,6 +38,9 @@ bool stays(const Value& value)
            !value.get_if<std::shared_ptr<DataFile>>();
 }
 
+/// `composite` has something to be said about it each time.
+bool is_csg(Kind keyword) { return keyword != Kind::Composite && csg_op(keyword); }
+
 bool changes_part(const ModifierRecipe& one)
 {
     return one.keyword == Kind::Pigment || one.keyword == Kind::Finish || one.keyword == Kind::Normal;
@@ -95,8 +98,7 @@ bool RecipeReader::object(ObjectRecipe& out)
     out.keyword = tokens_.kind();
     if (out.keyword == Kind::Identifier) return name<DeclaredObject>(out.name);
     out.solid = solid_form(out.keyword);
-    const bool csg_word = out.keyword == Kind::Union || out.keyword == Kind::Intersection ||
-                          out.keyword == Kind::Difference || out.keyword == Kind::Merge;
+    const bool csg_word = is_csg(out.keyword);
     if (!out.solid && !csg_word && out.keyword != Kind::Object) return false;
     tokens_.take();
     if (!tokens_.accept(Kind::LeftBrace)) return false;
@@ -129,10 +131,7 @@ bool RecipeReader::csg(ObjectRecipe& out)
         return name<DeclaredObject>(out.name);
     for (;;) {
         const Kind next = tokens_.kind();
-        const bool begins = next == Kind::Identifier || next == Kind::Object || next == Kind::Union ||
-                            next == Kind::Intersection || next == Kind::Difference || next == Kind::Merge ||
-                            solid_form(next);
-        if (!begins) break;
+        if (next != Kind::Identifier && next != Kind::Object && !is_csg(next) && !solid_form(next)) break;
         if (!object(out.operands.emplace_back())) return false;
     }
     return out.operands.size() >= 2;

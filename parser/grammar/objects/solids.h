@@ -3,6 +3,7 @@
 #include "parser/lexer/token.h"
 #include "render/scene/object.h"
 
+#include <optional>
 #include <string_view>
 
 namespace parser {
@@ -18,5 +19,8 @@ struct SolidForm {
 
 /// Null: no such solid.
 const SolidForm* solid_form(Kind keyword);
+
+/// What a word of CSG does to its operands; nothing: it is no such word.
+std::optional<scene::CsgOp> csg_op(Kind keyword);
 
 }  // namespace parser
