@@ -74,6 +74,9 @@ inline Double root_of(const Double& v) { return xsimd::sqrt(v); }
 /// What is not negative, with the sign of another.
 inline double signed_as(double size, double of) { return std::copysign(size, of); }
 inline Double signed_as(const Double& size, const Double& of) { return size | (of & Double(-0.0)); }
+/// Negated where the other has a minus.
+inline double flipped_as(double v, double of) { return v * std::copysign(1.0, of); }
+inline Double flipped_as(const Double& v, const Double& of) { return v ^ (of & Double(-0.0)); }
 inline double size_of(double v) { return std::abs(v); }
 inline Double size_of(const Double& v) { return xsimd::abs(v); }
 

@@ -22,6 +22,8 @@ struct Cone {
         I part[2];
         lanes::TruthOf<D> met[2];
         pieces(from, direction, part, met);
+        out = part[0];
+        if (lanes::mask(met[1]) == 0) return met[0];
         const auto second = met[1] & ((!met[0]) | (part[1].exit - part[1].entry > part[0].exit - part[0].entry));
         out = {lanes::choose(second, part[1].entry, part[0].entry), lanes::choose(second, part[1].exit, part[0].exit),
                lanes::choose(second, part[1].entry_face, part[0].entry_face),
@@ -84,15 +86,19 @@ struct Cone {
         const V q = lanes::negated(b + lanes::signed_as(lanes::root_of(discriminant), b));
         const V r0 = lanes::choose(q != zero, c / q, zero), r1 = q / a;
         const V near = lanes::choose(r0 < r1, r0, r1), far = lanes::choose(r0 < r1, r1, r0);
-        const Truth linear = a == zero, two = a<zero, still = q == zero, rising = b> zero;
-        const I side[2] = {
-            {lanes::choose(linear, lanes::choose(still | rising, before, r0), lanes::choose(two, before, near)),
-             lanes::choose(linear, lanes::choose((!still) & rising, r0, beyond), lanes::choose(two, near, far))},
-            {far, beyond}};
-        met[0] = between & ((!linear) | (!still) | (c <= zero));
+        const Truth linear = a == zero, two = a < zero;
+        I side[2] = {{lanes::choose(two, before, near), lanes::choose(two, near, far)}, {far, beyond}};
+        met[0] = between;
         met[1] = between & two;
+        if (lanes::mask(linear) != 0) {
+            const Truth still = q == zero, rising = b > zero;
+            side[0].entry = lanes::choose(linear, lanes::choose(still | rising, before, r0), side[0].entry);
+            side[0].exit = lanes::choose(linear, lanes::choose((!still) & rising, r0, beyond), side[0].exit);
+            met[0] = between & ((!linear) | (!still) | (c <= zero));
+        }
         for (int k = 0; k < 2; ++k) {
             out[k] = ends;
+            if (lanes::mask(met[k]) == 0) continue;
             met[k] = met[k] & narrow(out[k], side[k]);
             out[k].entry = out[k].entry + shift;
             out[k].exit = out[k].exit + shift;

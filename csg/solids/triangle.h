@@ -36,9 +36,9 @@ struct Triangle {
         const V zero(0.0), fx(start.from.x), fy(start.from.y), fz(start.from.z);
         const D q{fy * d.z - d.y * fz, fz * d.x - d.z * fx, fx * d.y - d.x * fy};
         const V determinant = lanes::negated(lanes::dot(d, start.normal));
-        const V u = lanes::dot(edge2, q), v = lanes::negated(lanes::dot(edge1, q)), both = u + v;
-        const lanes::Truth<V> met = ((determinant > zero) & (u >= zero) & (v >= zero) & (both <= determinant)) |
-                                    ((determinant < zero) & (u <= zero) & (v <= zero) & (both >= determinant));
+        const V size = lanes::size_of(determinant), u = lanes::flipped_as(lanes::dot(edge2, q), determinant),
+                v = lanes::flipped_as(lanes::negated(lanes::dot(edge1, q)), determinant);
+        const lanes::Truth<V> met = (size > zero) & (u >= zero) & (v >= zero) & (u + v <= size);
         if (lanes::mask(met) == 0) return met;
         out.entry = out.exit = V(start.distance) / determinant;
         out.exit_face = Face(kUndrawnFace);
