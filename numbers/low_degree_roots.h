@@ -63,7 +63,7 @@ inline int quartic_roots(const double* c, double* out)
     if (e < -100) return kUnsure;
     const double size = power_of_two(e + 1), k = power_of_two(-e - 1), k2 = k * k;
     if (std::abs(s) > kFarthestMiddle * size) return kUnsure;
-    const auto found = quartic_by_factors<OneRay>(DepressedQuartic{square * k2, linear * k2 * k, constant * k2 * k2});
+    const auto found = quartic_by_factors<double>(DepressedQuartic{square * k2, linear * k2 * k, constant * k2 * k2});
     if (!found.safe) return kUnsure;
     const int count = found.four ? 4 : found.two ? 2 : 0;
     std::copy_n(found.roots, count, out);
@@ -82,8 +82,8 @@ inline int cubic_roots(const double* c, double* out)
     const double size = power_of_two(e + 1), k = power_of_two(-e - 1);
     if (std::abs(s) > kFarthestMiddle * size) return kUnsure;
     const double p = linear * k * k, q = constant * k * k * k;
-    const double r = largest_root<OneRay>(0.0, p, -std::abs(q));  // of the mirrored cubic, if q is positive
-    const double below = -(p + 0.75 * r * r);  // the square of the others' distance from their middle
+    const double r = largest_root(0.0, p, -std::abs(q));  // of the mirrored cubic, if q is positive
+    const double below = -(p + 0.75 * r * r);             // the square of the others' distance from their middle
     if (!(std::abs(below) > kTangent * (std::abs(p) + r * r))) return kUnsure;
     const double side = q > 0.0 ? -1.0 : 1.0;
     int count = 0;

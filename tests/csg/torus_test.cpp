@@ -33,7 +33,7 @@ TEST_CASE("torus by factors and by search find the same crossings", "[csg][solid
             INFO("minor " << minor << ", seed " << seed);
             Rng rng(seed);
             const detail::TorusRay<> ray = along(torus, tube_ray(rng, torus, seed % 4 == 0));
-            const detail::QuarticFactors<detail::OneRay> fast = detail::torus_by_factors(ray);
+            const detail::QuarticFactors<double> fast = detail::torus_by_factors(ray);
             double sure[4];
             if (!fast.safe) continue;
             const int n = fast.four ? 4 : fast.two ? 2 : 0;

@@ -9,28 +9,6 @@
 /// A torus against a tile of rays, in vector lanes.
 namespace csg {
 
-/// What the torus' solver asks of a kind of number.
-struct LaneRays {
-    using Number = lanes::Double;
-    using Bool = lanes::Bool;
-    static Number pick(Bool which, Number yes, Number no) { return xsimd::select(which, yes, no); }
-    static Bool both(Bool a, Bool b) { return a & b; }
-    static Bool either(Bool a, Bool b) { return a | b; }
-    static bool any(Bool b) { return lanes::mask(b) != 0; }
-    static Number sqrt(Number v) { return xsimd::sqrt(v); }
-    static Number abs(Number v) { return xsimd::abs(v); }
-    static Number cube_root_seed(Number v)
-    {
-        using Bits = xsimd::batch<std::uint64_t>;
-        Bits third = lanes::same_bits<Bits>(v) >> 2;
-        third += third >> 2;
-        third += third >> 4;
-        third += third >> 8;
-        third += third >> 16;
-        return lanes::same_bits<Number>(third + Bits(std::uint64_t{0x2a9f7893782da1ce}));
-    }
-};
-
 /// The pieces of the rays inside a torus, at most two a ray. Rays that come near it are packed, so that vectors are
 /// full.
 class TorusEnds {
@@ -76,8 +54,7 @@ private:
                                 {local.x, local.y, local.z},
                                 lanes::dot(local, local)};
             constexpr RayMask kVector = (RayMask{1} << lanes::kDoubles) - 1;
-            RayMask near = lanes::mask(detail::near_torus<LaneRays>(torus, own.o, own.d, own.square)) & (mask >> i) &
-                           kVector;
+            RayMask near = lanes::mask(detail::near_torus(torus, own.o, own.d, own.square)) & (mask >> i) & kVector;
             if (near != 0 && any_will_do) {
                 const auto [meets, misses] = looks.look(own, Double::load_aligned(rays.t_min.data() + i),
                                                         Double::load_aligned(rays.limit.data() + i),
@@ -107,7 +84,7 @@ private:
     {
         const auto load = [&](std::size_t k) { return Double::load_aligned(packed_[k].data() + at); };
         const Double o[3] = {load(0), load(1), load(2)}, d[3] = {load(3), load(4), load(5)};
-        const auto course = detail::torus_course<LaneRays>(torus, o, d, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        const auto course = detail::torus_course(torus, o, d, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         const std::uint32_t possible = lanes::mask(course.possible);
         if (possible == 0) return;
         const auto factors = detail::torus_by_factors(course.ray);

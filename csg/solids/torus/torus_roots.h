@@ -79,72 +79,65 @@ inline double scale_to_one(double length)
 }
 
 /// Where rays may meet a torus: about the foot of the perpendicular, scaled.
-template <class Ops>
+template <class V>
 struct TorusCourse {
-    using T = typename Ops::Number;
-
-    TorusRay<Ops> ray;
-    T shift, rest, length;  ///< t = (shift + (rest + root / scale)) / length
-    T lo, hi;               ///< roots lie between, scaled
+    TorusRay<V> ray;
+    V shift, rest, length;  ///< t = (shift + (rest + root / scale)) / length
+    V lo, hi;               ///< roots lie between, scaled
     double scale;
-    typename Ops::Bool possible;  ///< false: it is clear of the torus
+    lanes::Truth<V> possible;  ///< false: it is clear of the torus
 
-    T t(T root) const { return (shift + (rest + root * T(1.0 / scale))) / length; }
+    V t(V root) const { return (shift + (rest + root * V(1.0 / scale))) / length; }
 };
 
 /// Of |direction|^2: whether the rays come near the sphere around the torus. Most that miss end here, before any square
 /// root. In the torus' own frame.
-template <class Ops>
-inline typename Ops::Bool near_torus(const Torus& torus, const typename Ops::Number (&o)[3],
-                                     const typename Ops::Number (&d)[3], typename Ops::Number length2)
+template <class V>
+inline lanes::Truth<V> near_torus(const Torus& torus, const V (&o)[3], const V (&d)[3], V length2)
 {
-    using T = typename Ops::Number;
     const double outer = torus.major + torus.minor;
-    const T foot = (o[0] * d[0] + o[1] * d[1] + o[2] * d[2]) / length2;
-    const T x = o[0] - foot * d[0], y = o[1] - foot * d[1], z = o[2] - foot * d[2];
-    const T limit = T(outer * outer * (1.0 + 1e-6)) + T(1e-12) * (o[0] * o[0] + o[1] * o[1] + o[2] * o[2]);
-    return Ops::both(Ops::both(length2 > T(0.0), length2 < T(kInfinity)), x * x + y * y + z * z <= limit);
+    const V foot = (o[0] * d[0] + o[1] * d[1] + o[2] * d[2]) / length2;
+    const V x = o[0] - foot * d[0], y = o[1] - foot * d[1], z = o[2] - foot * d[2];
+    const V limit = V(outer * outer * (1.0 + 1e-6)) + V(1e-12) * (o[0] * o[0] + o[1] * o[1] + o[2] * o[2]);
+    return (length2 > V(0.0)) & (length2 < V(kInfinity)) & (x * x + y * y + z * z <= limit);
 }
 
 /// Sets rays up that are near_torus().
-template <class Ops>
-inline TorusCourse<Ops> torus_course(const Torus& torus, const typename Ops::Number (&o)[3],
-                                     const typename Ops::Number (&direction)[3], typename Ops::Number length2)
+template <class V>
+inline TorusCourse<V> torus_course(const Torus& torus, const V (&o)[3], const V (&direction)[3], V length2)
 {
-    using T = typename Ops::Number;
     const double outer = torus.major + torus.minor;
-    TorusCourse<Ops> out;
-    out.length = Ops::sqrt(length2);
-    const T dx = direction[0] / out.length, dy = direction[1] / out.length, dz = direction[2] / out.length;
+    TorusCourse<V> out;
+    out.length = lanes::root_of(length2);
+    const V dx = direction[0] / out.length, dy = direction[1] / out.length, dz = direction[2] / out.length;
     // Foot of the perpendicular, with one correction; what is left over is added to the roots, not to the shift.
-    out.shift = T(0.0) - (o[0] * dx + o[1] * dy + o[2] * dz);
-    T px = o[0] + out.shift * dx, py = o[1] + out.shift * dy, pz = o[2] + out.shift * dz;
-    out.rest = T(0.0) - (px * dx + py * dy + pz * dz);
+    out.shift = V(0.0) - (o[0] * dx + o[1] * dy + o[2] * dz);
+    V px = o[0] + out.shift * dx, py = o[1] + out.shift * dy, pz = o[2] + out.shift * dz;
+    out.rest = V(0.0) - (px * dx + py * dy + pz * dz);
     px = px + out.rest * dx;
     py = py + out.rest * dy;
     pz = pz + out.rest * dz;
-    const T distance = Ops::sqrt(px * px + py * py + pz * pz);
-    const T room = (T(outer) - distance) * (T(outer) + distance);
-    const T half = Ops::sqrt(room) * T(1.0 + 1e-12);  // a little more: the ends must lie outside
-    T lo = T(0.0) - half, hi = half;
-    const typename Ops::Bool crosses = dy != T(0.0);
-    const T inverse = T(1.0) / dy, reach = Ops::abs(T(torus.minor) * inverse), middle = (T(0.0) - py) * inverse;
-    const T low = middle - reach, high = middle + reach;
-    lo = Ops::pick(Ops::both(crosses, lo < low), low, lo);
-    hi = Ops::pick(Ops::both(crosses, high < hi), high, hi);
-    out.possible =
-        Ops::both(Ops::both(room > T(0.0), lo <= hi), Ops::either(crosses, !(Ops::abs(py) > T(torus.minor))));
+    const V distance = lanes::root_of(px * px + py * py + pz * pz);
+    const V room = (V(outer) - distance) * (V(outer) + distance);
+    const V half = lanes::root_of(room) * V(1.0 + 1e-12);  // a little more: the ends must lie outside
+    V lo = V(0.0) - half, hi = half;
+    const lanes::Truth<V> crosses = dy != V(0.0);
+    const V inverse = V(1.0) / dy, reach = lanes::size_of(V(torus.minor) * inverse), middle = (V(0.0) - py) * inverse;
+    const V low = middle - reach, high = middle + reach;
+    lo = lanes::choose(crosses & (lo < low), low, lo);
+    hi = lanes::choose(crosses & (high < hi), high, hi);
+    out.possible = (room > V(0.0)) & (lo <= hi) & (crosses | !(lanes::size_of(py) > V(torus.minor)));
 
     out.scale = scale_to_one(outer);
-    const T scale(out.scale);
+    const V scale(out.scale);
     out.ray = {px * scale, py * scale, pz * scale, dx, dy, dz, torus.major * out.scale, torus.minor * out.scale};
     out.ray.expand();
     lo = lo * scale;
     hi = hi * scale;
-    const T margin = T(1e-9) * (hi - lo) + T(1e-14);
+    const V margin = V(1e-9) * (hi - lo) + V(1e-14);
     out.lo = lo - margin;
     out.hi = hi + margin;
-    out.possible = Ops::both(out.possible, !out.ray.misses(out.lo, out.hi));
+    out.possible = out.possible & !out.ray.misses(out.lo, out.hi);
     return out;
 }
 
@@ -159,14 +152,13 @@ inline bool factors_serve(const Torus& torus)
 
 inline int Torus::roots(const Ray& ray, double (&out)[4]) const
 {
-    using detail::OneRay;
     if (!(major > 0.0 && minor > 0.0)) return 0;
     const Ray local = local_ray(frame, ray);
     const double o[3] = {local.origin.x, local.origin.y, local.origin.z};
     const double d[3] = {local.direction.x, local.direction.y, local.direction.z};
     const double length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    if (!detail::near_torus<OneRay>(*this, o, d, length2)) return 0;
-    const detail::TorusCourse<OneRay> course = detail::torus_course<OneRay>(*this, o, d, length2);
+    if (!detail::near_torus(*this, o, d, length2)) return 0;
+    const detail::TorusCourse<double> course = detail::torus_course(*this, o, d, length2);
     if (!course.possible) return 0;
     int found = -1;
     if (detail::factors_serve(*this)) {
