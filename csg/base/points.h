@@ -42,14 +42,14 @@ inline D advanced(const auto& p, const auto& t, const D& d)
     return {p.x + t * d.x, p.y + t * d.y, p.z + t * d.z};
 }
 
-/// Transform::inverse_vector() and inverse_point().
 template <class D>
-inline D turned(const Transform& frame, const D& v)
+inline D times(const glm::dmat3& m, const D& v)
 {
-    const glm::dmat3& m = frame.inverse_linear;
     return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z, m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
             m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
 }
+/// Transform::inverse_vector() and inverse_point().
+inline auto turned(const Transform& frame, const auto& v) { return times(frame.inverse_linear, v); }
 template <class P>
 inline P into(const Transform& frame, const P& p)
 {

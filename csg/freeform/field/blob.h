@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/points.h"
 #include "csg/bvh/bvh.h"
 #include "csg/freeform/shared/intersection_list.h"
 
@@ -51,7 +52,12 @@ private:
         double reach2;      ///< and its radius squared: that of the field itself where it is a sphere
         bool is_sphere;
 
-        glm::dvec3 unit(const glm::dvec3& p) const { return to_unit * p + offset; }
+        template <class P>
+        P unit(const P& p) const
+        {
+            const P u = lanes::times(to_unit, p);
+            return {u.x + offset.x, u.y + offset.y, u.z + offset.z};
+        }
         /// From the nearest point of centre or axis, in units of the radius.
         glm::dvec3 arm(const glm::dvec3& p) const
         {
@@ -60,19 +66,28 @@ private:
             return u;
         }
     };
-    /// The field of a component along a stretch of the ray: strength w^2, w = w0 + w1 s + w2 s^2, s = t - ref.
-    struct Stretch {
-        double enter, leave, ref, w0, w1, w2, strength;
-        double most;  ///< the field is nowhere above it in the range asked for, nor are sums above the sum of these
+    /// Of a stretch of a ray, or of a ray a lane: the field there is strength w^2, w = w0 + w1 s + w2 s^2, s = t - ref.
+    template <class V>
+    struct Course {
+        V enter, leave, ref, w0, w1, w2;
 
-        /// Adds to `most` what the field has where it is nearest to `top`, its vertex, in the range.
-        void bound(double top, double from, double to)
+        V w(const V& t) const
         {
-            if (!(strength > 0.0)) return;
-            const double at = w(std::min(std::max(std::min(std::max(top, enter), leave), from), to));
-            most += strength * at * at;
+            const V s = t - ref;
+            return w0 + s * (w1 + s * w2);
         }
-        double w(double t) const { return w0 + (t - ref) * (w1 + (t - ref) * w2); }
+        /// The field is nowhere above it in the range asked for, nor are sums above the sum of these. `top`: the
+        /// vertex.
+        V most(double strength, const V& top, const V& from, const V& to) const
+        {
+            V out(kRounding * std::abs(strength));
+            if (!(strength > 0.0)) return out;
+            const V at = w(lanes::smaller(lanes::larger(lanes::smaller(lanes::larger(top, enter), leave), from), to));
+            return out + strength * at * at;
+        }
+    };
+    struct Stretch : Course<double> {
+        double strength, most;
         /// The middle Bernstein ordinate between two places.
         double between(double a, double b) const
         {
@@ -85,7 +100,13 @@ private:
     class Follower;
     template <std::size_t components>
     class Lanes;
+    template <class P>
     struct Chord;
+    template <class P, class V>
+    static lanes::Truth<V> in_unit_sphere(const P& o, const P& v, V low, V high, const V& from, const V& to, V& top,
+                                          Course<V>& out);
+    template <class P, class F>
+    static void each_slice(const Field& field, const P& u, const P& d, F&& f);
 
     void add(const Component& component);
     void bound();
@@ -93,8 +114,7 @@ private:
     /// Tells the crossings from the stretches of a ray, whose parameter is less by `start` than what is told.
     void follow(const Walk& walk, double start, IntersectionList& out) const;
     /// Write the stretches that the ray has in a component, three at most, and move on behind them.
-    void gather(const Field& field, const Chord& chord, const Ray& ray, double inverse, double from, double to,
-                Stretch*& out) const;
+    void gather(const Field& field, const Ray& ray, double inverse, double from, double to, Stretch*& out) const;
     void gather_capsule(const Field& field, const Ray& ray, double from, double to, Stretch*& out) const;
     void gather_loose(const Ray& ray, double inverse, double from, double to, Stretch*& out) const;
     /// Numbers of the components whose boxes one of these rays meets between two of its parameters, rising, so that

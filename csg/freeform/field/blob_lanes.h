@@ -1,16 +1,15 @@
 #pragma once
 
-#include "numbers/lanes.h"
-#include "csg/freeform/shared/bernstein_lanes.h"
 #include "csg/freeform/field/blob_follower.h"
+#include "csg/freeform/field/blob_stretch.h"
+#include "csg/freeform/shared/bernstein_lanes.h"
 
 #include <bit>
 #include <cmath>
 #include <utility>
 
-/// Rays in lanes through a blob, or the part of one, that has no more than so many components: the stretches that they
-/// have in each one's reach come from the same operations in the same order as in blob_ray.cpp. Most rays end there;
-/// the others are followed one by one.
+/// Rays in lanes through a blob, or the part of one, that has no more than so many components. Most rays end where the
+/// stretches are known that they have in each one's reach; the others are followed one by one.
 namespace csg {
 
 template <std::size_t components>
@@ -38,35 +37,16 @@ public:
 
 private:
     using Double = lanes::Double;
-    using Bool = Double::batch_bool_type;
+    using Points = lanes::Points;
     using Numbers = std::array<double, kWide>;
     struct alignas(64) AlignedNumbers : Numbers {};
 
-    struct Vector {
-        Double x, y, z;
-
-        friend Double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-    };
     /// A stretch of each lane that is in `lanes`.
     struct Laid {
         alignas(64) Numbers enter, leave, ref, w0, w1, w2, most;
         double strength;
         std::uint32_t lanes;
     };
-
-    // What std::max(a, b), std::min(a, b) and a minus are, numbers that are none and signs of zero included.
-    static Double larger(const Double& a, const Double& b) { return xsimd::select(a < b, b, a); }
-    static Double smaller(const Double& a, const Double& b) { return xsimd::select(b < a, b, a); }
-    static Double minus(const Double& a) { return a ^ Double(-0.0); }
-    static Double finite_or(const Double& a, const Double& other)
-    {
-        return xsimd::select(xsimd::abs(a) < Double(kInfinity), a, other);
-    }
-    static Vector times(const glm::dmat3& m, const Vector& v)
-    {
-        const auto row = [&](int i) { return Double(m[0][i]) * v.x + Double(m[1][i]) * v.y + Double(m[2][i]) * v.z; };
-        return {row(0), row(1), row(2)};
-    }
 
     void load(std::span<const Ray> rays, const IntersectionList* out)
     {
@@ -82,12 +62,11 @@ private:
         }
         const auto of = [](const Numbers& n) { return Double::load_aligned(n.data()); };
         direction_ = {of(d[0]), of(d[1]), of(d[2])};
-        const Vector origin{of(o[0]), of(o[1]), of(o[2])};
-        const glm::dvec3& m = blob_.middle_;
-        inverse_ = Double(1.0) / dot(direction_, direction_);
-        const Vector way{origin.x - Double(m.x), origin.y - Double(m.y), origin.z - Double(m.z)};
-        const Double start = minus(dot(way, direction_)) * inverse_;
-        origin_ = {origin.x + start * direction_.x, origin.y + start * direction_.y, origin.z + start * direction_.z};
+        const Points origin{of(o[0]), of(o[1]), of(o[2])};
+        inverse_ = Double(1.0) / lanes::dot(direction_, direction_);
+        const Double start = lanes::negated(lanes::dot(lanes::difference(origin, blob_.middle_), direction_)) *
+                             inverse_;
+        origin_ = lanes::advanced(origin, start, direction_);
         from_ = of(from) - start;
         to_ = of(to) - start;
         start.store_aligned(start_.data());
@@ -128,81 +107,47 @@ private:
 
     void gather(const Field& field)
     {
-        // Blob::Chord
-        const glm::dvec3& c = field.middle;
-        Vector foot{origin_.x - Double(c.x), origin_.y - Double(c.y), origin_.z - Double(c.z)};
-        const Double ref = minus(dot(foot, direction_)) * inverse_;
-        foot = {foot.x + ref * direction_.x, foot.y + ref * direction_.y, foot.z + ref * direction_.z};
-        const Double zero(0.0), inside2 = Double(field.reach2) - dot(foot, foot);
-        const Bool in = inside2 > zero;
-        const Double half = xsimd::sqrt(xsimd::select(in, inside2 * inverse_, zero));
-        const Bool beside = (ref + half < from_) | (ref - half > to_);
-        const std::uint32_t met = started_ & lanes::mask(in) & ~lanes::mask(beside);
+        const Chord<Points> chord(lanes::difference(origin_, field.middle), direction_, inverse_, from_, to_,
+                                  Double(field.reach2));
+        const std::uint32_t met = started_ & lanes::mask(chord.meets);
         if (met == 0) return;
-        if (!field.is_sphere) return capsule(field, met);
-        const double scale = 1.0 / field.reach2;
-        keep(field, met, ref,
-             {ref - half, ref + half, ref, inside2 * Double(scale), Double(-2.0 * scale) * dot(foot, direction_),
-              Double(-scale) / inverse_});
+        if (field.is_sphere) return keep(field, met, chord.course(field, inverse_), chord.ref);
+        capsule(field, met);
     }
 
     void capsule(const Field& field, std::uint32_t met)
     {
-        Vector u = times(field.to_unit, origin_);
-        u = {u.x + Double(field.offset.x), u.y + Double(field.offset.y), u.z + Double(field.offset.z)};
-        const Vector d = times(field.to_unit, direction_);
-        const Double zero(0.0), least(-kInfinity), most(kInfinity);
-        if (field.length == 0.0) return part(field, met, u, d, least, most);
+        const Points u = field.unit(origin_), d = lanes::times(field.to_unit, direction_);
+        if (field.length == 0.0) return slice(field, met, u, d, lanes::before(), lanes::beyond());
         // Along a slice the ray has one part, found elsewhere.
-        const std::uint32_t level = met & lanes::mask(d.z == zero);
+        const std::uint32_t level = met & lanes::mask(d.z == Double(0.0));
         alone_ |= level;
         met &= ~level;
-        const Double upper_z = u.z - Double(field.length), at_low = minus(u.z) / d.z, at_high = minus(upper_z) / d.z;
-        const Bool up = d.z > zero;
-        part(field, met, {u.x, u.y, xsimd::select(up, u.z, upper_z)}, d, least, xsimd::select(up, at_low, at_high));
-        part(field, met, {u.x, u.y, zero}, {d.x, d.y, zero}, smaller(at_low, at_high), larger(at_low, at_high));
-        part(field, met, {u.x, u.y, xsimd::select(up, upper_z, u.z)}, d, xsimd::select(up, at_high, at_low), most);
+        each_slice(field, u, d, [&](const Points& o, const Points& v, const Double& low, const Double& high) {
+            slice(field, met, o, v, low, high);
+        });
     }
 
-    /// The stretch of lines o + t v in the unit sphere between `low` and `high`.
-    void part(const Field& field, std::uint32_t met, const Vector& o, const Vector& v, Double low, Double high)
+    void slice(const Field& field, std::uint32_t met, const Points& o, const Points& v, const Double& low,
+               const Double& high)
     {
-        const auto in_range = [&] { return (low < high) & !(high < from_) & !(low > to_); };
-        met &= lanes::mask(in_range());
-        if (met == 0) return;
-        const Double zero(0.0), a = dot(v, v);
-        const Double nearest = finite_or(xsimd::select(a > zero, minus(dot(o, v)) / a, zero), zero);
-        const Double ref = smaller(larger(nearest, finite_or(low, nearest)), finite_or(high, nearest));
-        const Vector foot{o.x + ref * v.x, o.y + ref * v.y, o.z + ref * v.z};
-        const Double w0 = Double(1.0) - dot(foot, foot), half = minus(dot(foot, v));
-        const Double discriminant = half * half + a * w0;
-        const Bool crosses = discriminant > zero;
-        met &= lanes::mask(crosses | ((a == zero) & (w0 > zero)));
-        if (met == 0) return;
-        const Double root = xsimd::sqrt(xsimd::select(crosses, discriminant, zero));
-        const Double q = half + (root | (half & Double(-0.0)));
-        const Double s1 = q / a, s2 = minus(w0) / q;
-        const Bool ends = crosses & (a > zero);
-        low = larger(xsimd::select(ends, larger(low, ref + smaller(s1, s2)), low), Double(-1e300));
-        high = smaller(xsimd::select(ends, smaller(high, ref + larger(s1, s2)), high), Double(1e300));
-        met &= lanes::mask(in_range());
-        if (met == 0) return;
-        keep(field, met, nearest, {low, high, ref, w0, Double(2.0) * half, minus(a)});
+        Course<Double> course;
+        Double top;
+        met &= lanes::mask(in_unit_sphere(o, v, low, high, from_, to_, top, course));
+        if (met != 0) keep(field, met, course, top);
     }
 
-    /// enter, leave, ref, w0, w1, w2 of a stretch, and the vertex of its field.
-    void keep(const Field& field, std::uint32_t met, const Double& top, const std::array<Double, 6>& s)
+    void keep(const Field& field, std::uint32_t met, const Course<Double>& course, const Double& top)
     {
         Laid& laid = laid_[count_++];
-        Double most(kRounding * std::abs(field.strength));
-        if (field.strength > 0.0) {
-            const Double at = smaller(larger(smaller(larger(top, s[0]), s[1]), from_), to_) - s[2];
-            const Double w = s[3] + at * (s[4] + at * s[5]);
-            most = most + Double(field.strength) * w * w;
-        }
+        const Double most = course.most(field.strength, top, from_, to_);
         most_ = most_ + xsimd::select(lanes::lanes_of(met), most, Double(0.0));
-        Numbers* to[] = {&laid.enter, &laid.leave, &laid.ref, &laid.w0, &laid.w1, &laid.w2};
-        for (std::size_t i = 0; i < s.size(); ++i) s[i].store_aligned(to[i]->data());
+        course.enter.store_aligned(laid.enter.data());
+        course.leave.store_aligned(laid.leave.data());
+        course.ref.store_aligned(laid.ref.data());
+        course.w0.store_aligned(laid.w0.data());
+        course.w1.store_aligned(laid.w1.data());
+        course.w2.store_aligned(laid.w2.data());
         most.store_aligned(laid.most.data());
         laid.strength = field.strength;
         laid.lanes = met;
@@ -244,14 +189,16 @@ private:
         for (std::size_t i = 0; i < count_; ++i) {
             const Laid& s = laid_[i];
             if ((s.lanes >> lane & 1u) == 0) continue;
-            walk.stretches[walk.stretch_count++] = {s.enter[lane], s.leave[lane], s.ref[lane], s.w0[lane],
-                                                    s.w1[lane],    s.w2[lane],    s.strength,  s.most[lane]};
+            walk.stretches[walk.stretch_count++] = {
+                {s.enter[lane], s.leave[lane], s.ref[lane], s.w0[lane], s.w1[lane], s.w2[lane]},
+                s.strength,
+                s.most[lane]};
         }
         return walk;
     }
 
     const Blob& blob_;
-    Vector origin_, direction_;  ///< origins are moved to where the rays are nearest to the blob
+    Points origin_, direction_;  ///< origins are moved to where the rays are nearest to the blob
     Double inverse_, from_, to_, most_;
     alignas(64) Numbers start_;
     std::uint32_t started_ = 0;  ///< lanes with a ray

@@ -9,40 +9,24 @@
 /// A ray through a blob: the stretches that it has in each component's reach, and between their ends a sum of quartics.
 namespace csg {
 
-/// Where a ray is nearest to the middle of a sphere around a field, and half of what it has inside.
-struct Blob::Chord {
-    double ref, half;
-    double left2;  ///< reach squared less the distance squared; not positive: outside of the range or of the sphere
-    double slope;  ///< of half the squared distance, at ref: 0 but for rounding
-
-    /// (x, y, z): the middle. `inverse`: 1 over the square of the direction's length.
-    static Chord of(const Ray& ray, double inverse, double from, double to, double x, double y, double z, double reach2)
-    {
-        const glm::dvec3& d = ray.direction;
-        x = ray.origin.x - x;
-        y = ray.origin.y - y;
-        z = ray.origin.z - z;
-        const double ref = -(x * d.x + y * d.y + z * d.z) * inverse;
-        x += ref * d.x;
-        y += ref * d.y;
-        z += ref * d.z;
-        const double inside2 = reach2 - (x * x + y * y + z * z);
-        const double half = std::sqrt(inside2 > 0.0 ? inside2 * inverse : 0.0);
-        const bool beside = (ref + half < from) | (ref - half > to);
-        return {ref, half, beside ? 0.0 : inside2, x * d.x + y * d.y + z * d.z};
-    }
-};
-
-void Blob::gather(const Field& field, const Chord& chord, const Ray& ray, double inverse, double from, double to,
-                  Stretch*& out) const
+void Blob::gather(const Field& field, const Ray& ray, double inverse, double from, double to, Stretch*& out) const
 {
-    if (!(chord.left2 > 0.0)) return;
-    if (!field.is_sphere) return gather_capsule(field, ray, from, to, out);
-    const double scale = 1.0 / field.reach2;
-    Stretch& s = *out++;
-    s = {chord.ref - chord.half,     chord.ref + chord.half, chord.ref,      chord.left2 * scale,
-         -2.0 * scale * chord.slope, -scale / inverse,       field.strength, kRounding * std::abs(field.strength)};
-    s.bound(chord.ref, from, to);
+    const Chord<glm::dvec3> chord(ray.origin - field.middle, ray.direction, inverse, from, to, field.reach2);
+    if (!chord.meets) return;
+    const auto keep = [&](const Course<double>& course, double top) {
+        *out++ = {course, field.strength, course.most(field.strength, top, from, to)};
+    };
+    if (field.is_sphere) return keep(chord.course(field, inverse), chord.ref);
+    const auto slice = [&](const glm::dvec3& o, const glm::dvec3& v, double low, double high) {
+        Course<double> course;
+        double top;
+        if (in_unit_sphere(o, v, low, high, from, to, top, course)) keep(course, top);
+    };
+    glm::dvec3 u = field.unit(ray.origin);
+    const glm::dvec3 d = lanes::times(field.to_unit, ray.direction);
+    if (field.length != 0.0 && d.z != 0.0) return each_slice(field, u, d, slice);
+    u.z -= glm::clamp(u.z, 0.0, field.length);  // all of the ray lies in one slice
+    slice(u, d, -kInfinity, kInfinity);
 }
 
 /// Of a few components, with no hierarchy: lanes ask which spheres the ray's line meets.
@@ -62,60 +46,9 @@ void Blob::gather_loose(const Ray& ray, double inverse, double from, double to, 
         const Four ref = -(x * d.x + y * d.y + z * d.z) * inverse;
         const Four fx = x + ref * d.x, fy = y + ref * d.y, fz = z + ref * d.z;
         const Four left2 = reach2 - (fx * fx + fy * fy + fz * fz);
-        for (std::size_t k = 0; k < kLanes; ++k) {
-            if (!(left2[k] > 0.0)) continue;
-            const Field& field = fields_[first + k];
-            const glm::dvec3& c = field.middle;
-            gather(field, Chord::of(ray, inverse, from, to, c.x, c.y, c.z, field.reach2), ray, inverse, from, to, out);
-        }
+        for (std::size_t k = 0; k < kLanes; ++k)
+            if (left2[k] > 0.0) gather(fields_[first + k], ray, inverse, from, to, out);
     }
-}
-
-void Blob::gather_capsule(const Field& field, const Ray& ray, double from, double to, Stretch*& out) const
-{
-    const glm::dvec3 u = field.unit(ray.origin), d = field.to_unit * ray.direction;
-    // Where the nearest point of the axis is its inner part, its lower or its upper end; a sphere is one end.
-    const auto add = [&](const glm::dvec3& o, const glm::dvec3& v, double low, double high) {
-        if (!(low < high) || high < from || low > to) return;
-        const double a = glm::dot(v, v);
-        double nearest = a > 0.0 ? -glm::dot(o, v) / a : 0.0;
-        nearest = std::isfinite(nearest) ? nearest : 0.0;
-        const double ref =
-            glm::clamp(nearest, std::isfinite(low) ? low : nearest, std::isfinite(high) ? high : nearest);
-        const glm::dvec3 foot = o + ref * v;
-        const double w0 = 1.0 - glm::dot(foot, foot), half = -glm::dot(foot, v);
-        // Roots of w0 + 2 half s - a s^2.
-        const double discriminant = half * half + a * w0;
-        if (!(discriminant > 0.0)) {
-            if (!(a == 0.0 && w0 > 0.0)) return;
-        } else if (a > 0.0) {
-            const double q = half + std::copysign(std::sqrt(discriminant), half);
-            const double s1 = q / a, s2 = -w0 / q;
-            low = std::max(low, ref + std::min(s1, s2));
-            high = std::min(high, ref + std::max(s1, s2));
-        }
-        low = std::max(low, -1e300);
-        high = std::min(high, 1e300);
-        if (!(low < high) || high < from || low > to) return;
-        Stretch& s = *out++;
-        s = {low, high, ref, w0, 2.0 * half, -a, field.strength, kRounding * std::abs(field.strength)};
-        s.bound(nearest, from, to);
-    };
-    if (field.length == 0.0) return add(u, d, -kInfinity, kInfinity);
-    const glm::dvec3 upper_u(u.x, u.y, u.z - field.length), flat_u(u.x, u.y, 0.0), flat_d(d.x, d.y, 0.0);
-    if (d.z == 0.0) {
-        if (u.z <= 0.0) add(u, d, -kInfinity, kInfinity);
-        else if (upper_u.z >= 0.0) add(upper_u, d, -kInfinity, kInfinity);
-        else add(flat_u, d, -kInfinity, kInfinity);
-        return;
-    }
-    const double at_low = -u.z / d.z, at_high = -upper_u.z / d.z;
-    const bool up = d.z > 0.0;
-    if (up) add(u, d, -kInfinity, at_low);
-    else add(upper_u, d, -kInfinity, at_high);
-    add(flat_u, flat_d, std::min(at_low, at_high), std::max(at_low, at_high));
-    if (up) add(upper_u, d, at_high, kInfinity);
-    else add(u, d, at_low, kInfinity);
 }
 
 void Blob::intersect(const Ray& ray, IntersectionList& out) const
@@ -154,12 +87,7 @@ void Blob::intersect(const Ray& ray, Walk& walk, IntersectionList& out) const
         thread_local std::vector<std::uint32_t> components;
         const Part part{near, from, to};
         find_near({&part, 1}, components);
-        for (const std::uint32_t component : components) {
-            const Field& field = fields_[component];
-            const glm::dvec3& c = field.middle;
-            gather(field, Chord::of(near, inverse, from, to, c.x, c.y, c.z, field.reach2), near, inverse, from, to,
-                   next);
-        }
+        for (const std::uint32_t component : components) gather(fields_[component], near, inverse, from, to, next);
     }
     walk.stretch_count = static_cast<std::size_t>(next - walk.stretches);
     follow(walk, start, out);
