@@ -12,6 +12,7 @@
 #include "render/plan/subsurface.h"
 #include "render/plan/surface.h"
 #include "render/plan/quality.h"
+#include "render/plan/traits.h"
 #include "render/scene/description.h"
 #include "render/texture/sky.h"
 #include "render/texture/texture_set.h"
@@ -125,7 +126,8 @@ struct CompiledScene {
     Options options;
     std::vector<std::uint32_t> camera_interiors;  ///< indices of interiors that hold the eye (spec 2, 4.11)
     std::vector<StartHolder>
-        start_holders;  ///< what each ray of a camera whose rays start at different places may be inside of
+        start_holders;   ///< what each ray of a camera whose rays start at different places may be inside of
+    SceneTraits traits;  ///< of all of these
     std::vector<Decision> decisions;
 
     csg::World world() const { return csg::World(geometry); }

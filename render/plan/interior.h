@@ -16,6 +16,9 @@ struct Interior {
     float transmission = 1;  ///< legacy factor on transmitted light (finish `refraction`)
     bool hollow = false;
     MediaList media;
+
+    /// Whether the way through it takes anything from light.
+    bool dims() const { return fade_distance != 0.0f || media.extinguishes; }
 };
 
 }  // namespace plan

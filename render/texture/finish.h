@@ -9,6 +9,18 @@ namespace texture {
 /// Share of a layer that is its own colour rather than what shines through (7.2).
 float opacity(const scene::Color& c, bool legacy);
 
+/// What a pigment lets through of white light.
+inline glm::vec3 passed(const scene::Color& c) { return c.filter * c.rgb() + c.transmit; }
+
+/// What a layer leaves of light that those above it let through: its pigment's share, less what a finish that keeps
+/// energy mirrors.
+inline glm::vec3 past_layer(glm::vec3 light, const scene::Color& c, const Finish& finish, const glm::vec3& reflectivity)
+{
+    light *= passed(c);
+    if (finish.conserve_energy) light *= glm::min(glm::vec3(1.0f), 1.0f - reflectivity);
+    return light;
+}
+
 /// W of 7.8: 0 head-on, 1 at grazing angles; `cosine` of the angle to the normal.
 double grazing_weight(double cosine);
 

@@ -33,7 +33,7 @@ public:
         if (!has_air(context_)) return 0;
         const HitMask in_air = in_some_air(), hollow = in_air != 0 ? find_hollow(in_air) : 0;
         if (hollow == 0) return 0;
-        if (context_.scratch.shade.traits.even_fog) return hollow & fog_tile();
+        if (context_.traits.even_fog) return hollow & fog_tile();
         along(hollow);
         return hollow;
     }

@@ -121,7 +121,7 @@ void layered_skies(const texture::Sky& sky, bool see_through, const LayerColors&
 void patterned_skies(const Context& context, const SegmentTile& tile, HitMask missed, scene::Color* out)
 {
     const texture::Sky& sky = context.scene.sky;
-    const bool looks = context.scratch.shade.traits.sky_looks_around;
+    const bool looks = context.traits.sky_looks_around;
     texture::Points directions;
     auto& around = context.scratch.shade.around;  // those of hits have been used
     texture::Around each_around;

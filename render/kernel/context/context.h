@@ -19,19 +19,25 @@ struct Filling;
 /// Everything shading reads and writes besides the ray.
 struct Context {
     Context(const plan::CompiledScene& of, Scratch& own, const IndirectLight* light)
-        : scene(of), world(of.world()), scratch(own), indirect(light), lights(of.lights),
+        : scene(of), traits(of.traits), world(of.world()), scratch(own), indirect(light), lights(of.lights),
           max_trace_level(of.settings.max_trace_level), adc_bailout(of.settings.adc_bailout)
     {}
     /// The same with another scratch, for work in the midst of a tile.
     Context(const Context& outer, Scratch& own)
-        : scene(outer.scene), world(outer.world), scratch(own), indirect(outer.indirect), lights(outer.lights),
-          max_trace_level(outer.max_trace_level), adc_bailout(outer.adc_bailout), bounce(outer.bounce),
-          below(outer.below), filling(outer.filling)
+        : scene(outer.scene), traits(outer.traits), world(outer.world), scratch(own), indirect(outer.indirect),
+          lights(outer.lights), max_trace_level(outer.max_trace_level), adc_bailout(outer.adc_bailout),
+          bounce(outer.bounce), below(outer.below), filling(outer.filling)
     {}
+    /// A ray goes into what has this interior, or out of it.
+    void cross(const plan::Interior& interior) const
+    {
+        if (traits.interior_media) scratch.shade.in_media |= !interior.media.empty();
+    }
     /// For rays that gather light from within shading, by the rules of the bounce that they start at.
     Context gathering(const radiosity::BounceRules& rules) const;
 
     const plan::CompiledScene& scene;
+    const plan::SceneTraits& traits;
     csg::World world;
     Scratch& scratch;
     const IndirectLight* indirect;  ///< what the passes before the picture have found; null: nothing
@@ -55,7 +61,7 @@ inline bool worth_tracing(const Context& context, int level, float weight)
 /// Point, normal and what else the surface's textures ask for.
 inline HitDetails hit_details(const Context& context, const csg::Ray& ray, const Hit& hit)
 {
-    return context.world.details(ray, hit, context.scratch.shade.traits.surfaces[hit.surface].needs_uv);
+    return context.world.details(ray, hit, context.traits.surfaces[hit.surface].needs_uv);
 }
 
 /// Where a ray met a surface: all that the rays that go on from there depend on.

@@ -137,12 +137,12 @@ private:
     {
         TileHits& places = scratch_.hits;
         batched_ = found_;
-        const auto& single = scratch_.traits.not_batched;
+        const auto& single = context_.traits.not_batched;
         if (single.size() <= kFewSurfaces)
             for (const csg::SurfaceId surface : single) batched_ &= ~csg::lanes::equal(hits.surface, surface);
         else
             for_each_hit(found_, [&](std::size_t k) {
-                if (!scratch_.traits.surfaces[hits.surface[k]].batched) batched_ &= ~(HitMask{1} << k);
+                if (!context_.traits.surfaces[hits.surface[k]].batched) batched_ &= ~(HitMask{1} << k);
             });
         context_.world.shading_points(rays, hits, batched_, places);
         for_each_hit(found_ & ~batched_, [&](std::size_t k) {

@@ -5,11 +5,10 @@
 #include "render/kernel/tile/row_page.h"
 #include "render/kernel/tile/air.h"
 #include "render/kernel/gather/near_photons.h"
-#include "render/kernel/traits/photon_shadow.h"
+#include "render/kernel/context/photon_shadow.h"
 #include "render/kernel/interior/dispersion.h"
 #include "render/kernel/tile/layer_points.h"
 #include "render/kernel/tile/tile_lanes.h"
-#include "render/kernel/traits/surface_traits.h"
 #include "render/kernel/context/kept.h"
 #include "render/kernel/queue/ray_queue.h"
 
@@ -58,7 +57,6 @@ struct Mirror {
 
 /// What shading keeps per thread; grows to what the scene needs and stays.
 struct ShadeScratch {
-    SceneTraits traits;                              ///< filled by the first tile
     std::vector<LightSample> samples;                ///< by hit and light, of hits with such rows
     std::vector<Mirror> mirrors;                     ///< of the layers of the texture at hand
     std::vector<csg::Share> shares;                  ///< of a blob's components
@@ -80,12 +78,12 @@ struct ShadeScratch {
     std::vector<ClosingNode> closing;                  ///< of the tile at hand
     texture::ColorPoints top_pigments;                 ///< of hits of one layer that rays go on from
     TileColors sums;                                   ///< of all rows, when the lights are through
-    std::array<Bend, csg::kTileRays * kPrefetchedLayers> bends;
+    std::array<Bend, csg::kTileRays * plan::kPrefetchedLayers> bends;
     texture::Points points;  ///< of pattern space, by hit
     std::array<texture::Surroundings, csg::kTileRays> around;
-    std::array<LayerPoints, kPrefetchedLayers> prefetched;  ///< by depth: pigments of layers of textures, and normals
-                                                            ///< where rays go on from them
-    std::array<HitMask, kPrefetchedLayers> asked;           ///< by depth: where they are
+    std::array<LayerPoints, plan::kPrefetchedLayers> prefetched;  ///< by depth: pigments of layers of textures, and
+                                                                  ///< normals where rays go on from them
+    std::array<HitMask, plan::kPrefetchedLayers> asked;  ///< by depth: where they are
     std::array<float, csg::kTileRays> quality;  ///< of rays that gather: how far they were followed (spec 6, 4.3)
     csg::CrossingTile crossings;                ///< of the shadow rays; only how they end where nothing filters
     std::array<csg::HitDetails, csg::kTileRays> details;
@@ -98,12 +96,6 @@ struct ShadeScratch {
     Kept<AreaScratch> area;
     Kept<FilterScratch> filters;
     Kept<RestartedScratch> restarted;
-
-    /// A ray goes into what has this interior, or out of it.
-    void cross(const plan::Interior& interior)
-    {
-        if (traits.interior_media) in_media |= !interior.media.empty();
-    }
 };
 
 }  // namespace trace

@@ -6,7 +6,7 @@
 #include "render/kernel/light/highlight_lanes.h"
 #include "render/kernel/context/segment_tile.h"
 #include "render/kernel/tile/nearly_zero.h"
-#include "render/kernel/traits/photon_shadow.h"
+#include "render/kernel/context/photon_shadow.h"
 
 #include <numbers>
 

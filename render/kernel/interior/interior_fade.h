@@ -8,12 +8,6 @@ namespace trace {
 
 inline constexpr double kNoDistance = 1e-10;  ///< a fade_distance below it counts as not given
 
-/// Whether the way through it takes anything from light.
-inline bool dims(const plan::Interior& interior)
-{
-    return interior.fade_distance != 0.0f || interior.media.extinguishes;
-}
-
 /// Fading of light over a distance inside an interior; 1 where it does not fade (spec 3, 9.1).
 /// \param shadow of a shadow ray, for which a power of 0 is none
 inline glm::vec3 interior_fade(const plan::Interior& interior, double distance, bool shadow)

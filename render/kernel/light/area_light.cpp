@@ -39,7 +39,7 @@ AreaLight::AreaLight(Context& context, const light::Light& light, const csg::Hit
     for (std::size_t k = 0; k < kRays; ++k) from_[k] = context.scene.tolerance.shadow_from(at.point(k), met.t[k]);
     for (std::size_t k = 0; k < kRays; ++k)
         color_.set(k, light.area_illumination ? light.color : scratch_.lit_colors[k]);
-    if (scratch_.traits.media || (light.atmosphere && context.scene.atmosphere.extinguishes))
+    if (context_.traits.media || (light.atmosphere && context.scene.atmosphere.extinguishes))
         later_ = &context.scratch.shadow_media().area_shadows;
 }
 
@@ -55,7 +55,7 @@ void AreaLight::shadows(HitMask hits, TileColors& out)
         return;
     }
     bright_ = bright(hits);
-    grey_ = !scratch_.traits.filters && all_grey(hits, color_);
+    grey_ = !context_.traits.filters && all_grey(hits, color_);
     want_all(0, 0, light_.size1 - 1, light_.size2 - 1, 0);
     ask(hits);
     // Dimmed light asks in POV-Ray's order: what was asked last counts (Rest). Where the rays of a hit are a beam,
@@ -205,7 +205,7 @@ void AreaLight::trace_samples()
         met.ending.fill(Shadow::Clear);
     } else {
         context_.scratch.counts.shadow += samples_;
-        if (scratch_.traits.filters)
+        if (context_.traits.filters)
             shaft_ ? context_.world.shadow_crossings(rays, *shaft_, geometry, met)
                    : context_.world.shadow_crossings(rays, geometry, met);
         else
@@ -224,7 +224,7 @@ void AreaLight::trace_samples()
                                  static_cast<std::uint8_t>(as));
     };
     const HitMask lit = seen & (near | ~ends(Shadow::Blocked)), filtered = seen & ~near & ends(Shadow::Filtered);
-    if (filtered != 0 && scratch_.traits.filters_together && !scratch_.traits.restarts()) find_filters(filtered);
+    if (filtered != 0 && context_.traits.filters_together && !context_.traits.restarts()) find_filters(filtered);
     for (std::size_t i = 0; i < asked_count_; ++i) {
         const Asked& asked = asked_[i];
         area_.lit[asked.node] |= deposited(lit >> asked.first, asked.hits);
@@ -287,7 +287,7 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     double unused = 0.0;
     const ShadowAir air{light_.atmosphere, later_, ray, light_.atmosphere ? &rests_[k].from : &unused};
     const PhotonShadow& caught = scratch_.photon_shadow;
-    if (too_many || scratch_.traits.restarts()) {
+    if (too_many || context_.traits.restarts()) {
         const glm::vec3 passed = filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, air,
                                                 too_many ? nullptr : met.hits[ray].data());
         const auto& crossings = context_.scratch.crossings;
@@ -296,7 +296,7 @@ glm::vec3 AreaLight::sample_color(std::size_t ray)
     if (caught.stops(k, met.hits[ray].data(), met.count[ray])) return glm::vec3(0);
     return shadow_transmittance(context_, point, from_[k], *interiors_[k], lit, false, met.hits[ray].data(),
                                 met.count[ray], air,
-                                scratch_.traits.filters_together ? scratch_.filters().filters[ray].data() : nullptr);
+                                context_.traits.filters_together ? scratch_.filters().filters[ray].data() : nullptr);
 }
 
 }  // namespace trace

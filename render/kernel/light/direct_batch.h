@@ -19,8 +19,7 @@ class DirectBatch {
 public:
     /// count: hits and misses of the tile.
     DirectBatch(Context& context, int count)
-        : context_(context), count_(count), set_(context.scene.textures), scratch_(context.scratch.shade),
-          bends_normals_(context.scene.settings.quality.normals)
+        : context_(context), count_(count), set_(context.scene.textures), scratch_(context.scratch.shade)
     {
         rows_.fill(0);
         scratch_.closing.clear();
@@ -46,7 +45,7 @@ public:
     scene::Color top_pigment(std::size_t k) const { return scratch_.top_pigments.at(k); }
 
     /// Hits of one layer; their pigments come by color().
-    void begin(HitMask hits, const SingleLayer& single)
+    void begin(HitMask hits, const plan::SingleLayer& single)
     {
         hold(hits);
         if (single.goes_on) goes_on_ |= hits;
@@ -96,7 +95,7 @@ public:
         at.filter.set(k, row.filter);
         at.alpha[k] = row.alpha;
         if (!finish.lit()) return;
-        if (row.alpha != 0.0f || !scratch_.traits.clear_surfaces || !finish.dull()) lit_ |= bit;
+        if (row.alpha != 0.0f || !context_.traits.clear_surfaces || !finish.dull()) lit_ |= bit;
         if (row.normal != row.raw_normal) {
             if (at.bent == 0) copy_normals(at);
             at.bent |= bit;
@@ -108,7 +107,7 @@ public:
         if (row.two_sided || finish.diffuse_back != 0.0f) two_sided_ |= bit;
         const bool unit = std::abs(glm::dot(row.normal, row.normal) - 1.0) < kUnit;
         if (row.two_sided || finish.diffuse_back != 0.0f || finish.crand != 0.0f || finish.irid != 0.0f ||
-            finish.own_light || !unit || scratch_.traits.scalar_rows) {
+            finish.own_light || !unit || context_.traits.scalar_rows) {
             at.scalar |= bit;
             scalar_ |= bit;
             at.scalar_pigment.set(k, row.pigment);
@@ -315,7 +314,7 @@ private:
         }
         at.holds |= hits;
         set_kind(at, hits, finish);
-        if (of.normal != texture::kNone && bends_normals_) {
+        if (of.normal != texture::kNone) {
             at.bent |= hits;
             bent_ |= hits;
             scratch_.bends[bends_++] = {hits, of.normal, static_cast<std::uint8_t>(depth)};
@@ -388,7 +387,6 @@ private:
     const int count_;
     const texture::TextureSet& set_;
     ShadeScratch& scratch_;
-    const bool bends_normals_;
     HitMask holds_ = 0, goes_on_ = 0, dull_ = 0, alone_ = 0, bent_ = 0, two_sided_ = 0, scalar_ = 0, lit_ = 0,
             reached_ = 0, dark_ = 0;
     std::array<std::uint16_t, csg::kTileRays> rows_;

@@ -8,8 +8,8 @@
 #include "render/kernel/light/shade_light.h"
 #include "render/kernel/light/shadow_caster.h"
 #include "render/kernel/tile/nearly_zero.h"
-#include "render/kernel/traits/shines_on.h"
-#include "render/kernel/traits/photon_shadow.h"
+#include "render/plan/shines_on.h"
+#include "render/kernel/context/photon_shadow.h"
 
 #include <optional>
 
@@ -32,7 +32,7 @@ public:
         if (context_.indirect != nullptr) find_photon_shadow();
         for (std::size_t i = 0; i < lights.size() && batch_.lit() != 0; ++i) {
             asks_ = batch_.lit();
-            if (scratch_.traits.grouped) asks_ &= shone_on(lights[i]);
+            if (context_.traits.grouped) asks_ &= shone_on(lights[i]);
             which_ = i;
             if (asks_ == 0) continue;
             scratch_.photon_shadow.of_light(i);

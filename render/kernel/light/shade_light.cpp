@@ -3,7 +3,7 @@
 #include "numbers/random.h"
 #include "render/kernel/light/direct_light.h"
 #include "render/kernel/tile/nearly_zero.h"
-#include "render/kernel/traits/shines_on.h"
+#include "render/plan/shines_on.h"
 #include "render/kernel/light/shade_light.h"
 
 #include <algorithm>

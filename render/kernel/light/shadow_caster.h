@@ -47,9 +47,9 @@ public:
         sink_.light(asking & near);
         asking &= ~near;
         if (asking == 0) return;
-        const bool opaque = light.from_one_point() && on_one_side(scratch_.traits.clear_slab, light);
+        const bool opaque = light.from_one_point() && on_one_side(context_.traits.clear_slab, light);
         // From the light, where they form a beam.
-        const bool from_light = light.from_one_point() && !scratch_.traits.has_open_surface &&
+        const bool from_light = light.from_one_point() && !context_.traits.has_open_surface &&
                                 (opaque || !asks_own_rays(light, asking)) && !context_.scene.geometry.faithful &&
                                 ((all & beyond(scratch_.light, kFarLight * least, tile_.count())) == 0 ||
                                  (Tile::kInAir && stands_among(light, kFarLight * least)));
@@ -90,9 +90,9 @@ private:
     }
 
     /// The light at one point and all others lie on one side of what a slab holds.
-    bool on_one_side(const Slab& slab, const light::Light& light) const
+    bool on_one_side(const plan::Slab& slab, const light::Light& light) const
     {
-        if (slab.axis == Slab::kNoAxis) return false;
+        if (slab.axis == plan::Slab::kNoAxis) return false;
         const TileLanes& points = slab.axis == 0 ? scratch_.hits.x : slab.axis == 1 ? scratch_.hits.y : scratch_.hits.z;
         const double at = light.location[slab.axis];
         if (slab.upper < at) return least_of(points, at) > slab.upper;
@@ -102,8 +102,8 @@ private:
     /// Something that shadow rays have to meet from the point itself may be met (SceneTraits::own_rays).
     bool asks_own_rays(const light::Light& light, HitMask asking) const
     {
-        const std::vector<csg::Aabb>& boxes = scratch_.traits.own_rays;
-        if (boxes.empty() || on_one_side(scratch_.traits.own_rays_slab, light)) return false;
+        const std::vector<csg::Aabb>& boxes = context_.traits.own_rays;
+        if (boxes.empty() || on_one_side(context_.traits.own_rays_slab, light)) return false;
         const std::array<const TileLanes*, 3> lanes{&scratch_.hits.x, &scratch_.hits.y, &scratch_.hits.z};
         const glm::dvec3& from = light.location;
         const std::array<Interval, 3> at{span(*lanes[0], from.x, asking), span(*lanes[1], from.y, asking),
@@ -174,7 +174,7 @@ private:
         const RayTile& beam = scratch_.rays;
         csg::CrossingTile& met = scratch_.crossings;
         context_.scratch.counts.shadow += static_cast<std::uint64_t>(beam.count);
-        if (scratch_.traits.filters && !opaque) {
+        if (context_.traits.filters && !opaque) {
             context_.world.shadow_crossings(beam, context_.scratch.geometry, met);
         } else {
             context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
@@ -200,10 +200,10 @@ private:
     {
         if (rays == 0) return;
         filters_known_ = false;
-        if (scratch_.traits.restarts()) restart(rays, hit_of);
-        else if (scratch_.traits.filters_together) find_filters(rays, hit_of);
+        if (context_.traits.restarts()) restart(rays, hit_of);
+        else if (context_.traits.filters_together) find_filters(rays, hit_of);
         const plan::CompiledScene& scene = context_.scene;
-        const bool media = scratch_.traits.media || (in_air && scene.atmosphere.extinguishes);
+        const bool media = context_.traits.media || (in_air && scene.atmosphere.extinguishes);
         MediaShadows* later = media ? &context_.scratch.shadow_media().shadows : nullptr;
         const auto tell = [&](std::size_t k, const glm::vec3& color) {
             sink_.light(k, color);
@@ -274,10 +274,10 @@ private:
         const std::uint8_t count = clear ? 0 : scratch_.crossings.count[ray];
         const bool too_many = count == csg::CrossingTile::kTooMany;
         const PhotonShadow& caught = scratch_.photon_shadow;
-        if (too_many || (scratch_.traits.restarts() && !clear)) {
+        if (too_many || (context_.traits.restarts() && !clear)) {
             const glm::vec3 passed = filtered_light(
                 context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k), lit, lit.color, air,
-                nullptr, scratch_.traits.restarts() ? &scratch_.restarted().rays[k] : nullptr);
+                nullptr, context_.traits.restarts() ? &scratch_.restarted().rays[k] : nullptr);
             const auto& crossings = context_.scratch.crossings;
             return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
         }

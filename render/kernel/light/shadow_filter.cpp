@@ -29,14 +29,14 @@ struct ShadowState : RayState {
 void past_crossings(Context& context, RayState& ray, double tolerance, glm::vec3& color, const Hit* first,
                     const Hit* last, double& before, const ShadowAir& air, const glm::vec3* filters = nullptr)
 {
-    const SceneTraits& traits = context.scratch.shade.traits;
+    const plan::SceneTraits& traits = context.traits;
     for (const Hit* const begin = first; first != last; ++first) {
         const Hit& crossing = *first;
         if (crossing.t - before <= tolerance) continue;  // the next ray would not see it
         if (air.atmosphere) color *= atmosphere_share(context, ray, before, crossing.t, false, air);
         if (traits.media && !dark(color))
             color *= interior_media_share(context.scene, ray, before, crossing.t, air.later, air.lane);
-        const SurfaceTraits& surface = traits.surfaces[crossing.surface];
+        const plan::SurfaceTraits& surface = traits.surfaces[crossing.surface];
         color *= surface.steady_filter ? surface.filter
                  : surface.filters_together && filters != nullptr
                      ? filters[first - begin]
@@ -80,7 +80,7 @@ Shadow one_by_one(const Context& context, csg::Ray ray, double tolerance, double
 }
 
 /// Whether the way inside of something dims light.
-bool dims_inside(const SceneTraits& traits, const InteriorList& interiors)
+bool dims_inside(const plan::SceneTraits& traits, const InteriorList& interiors)
 {
     for (std::size_t i = 0; i < interiors.size(); ++i)
         if (traits.dimming[interiors[i]] != 0) return true;
@@ -92,7 +92,7 @@ bool dims_inside(const SceneTraits& traits, const InteriorList& interiors)
 bool past_steady(const Context& context, const InteriorList& interiors, double tolerance, glm::vec3& color,
                  const Hit* first, const Hit* last, double& before)
 {
-    const SceneTraits& traits = context.scratch.shade.traits;
+    const plan::SceneTraits& traits = context.traits;
     if (dims_inside(traits, interiors)) return false;
     if (!std::all_of(first, last, [&](const Hit& hit) { return traits.surfaces[hit.surface].filters_alone; }))
         return false;
@@ -129,11 +129,10 @@ glm::vec3 filtered_light(Context& context, const glm::dvec3& point, double toler
     ++context.scratch.counts.shadow;
     ShadowState ray(point, lit.direction, tolerance, interiors);
     if (known != nullptr) crossings.swap(known->crossings);
-    const Shadow met =
-        known != nullptr ? known->ending
-        : context.scratch.shade.traits.restarts()
-            ? one_by_one(context, ray.ray, tolerance, end, first, crossings)
-            : context.world.shadow_crossings(ray.ray, tolerance, end, context.scratch.geometry, crossings);
+    const Shadow met = known != nullptr            ? known->ending
+                       : context.traits.restarts() ? one_by_one(context, ray.ray, tolerance, end, first, crossings)
+                                                   : context.world.shadow_crossings(
+                                                         ray.ray, tolerance, end, context.scratch.geometry, crossings);
     if (met == Shadow::Blocked) return glm::vec3(0.0f);
     double before = 0.0;
     if (met != Shadow::Clear)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/kernel/context/side_textures.h"
+#include "render/texture/finish.h"
 
 #include <cmath>
 
@@ -18,7 +19,7 @@ inline glm::vec3 past_layers(const plan::CompiledScene& scene, const texture::Te
         // Where a picture is not, it filters nothing, but focuses light as the rest of its surface does.
         if (!texture::pigment_missing(set, layer.pigment, p, around)) {
             const scene::Color c = texture::pigment_color(set, layer.pigment, p, around);
-            light *= c.filter * c.rgb() + c.transmit;
+            light *= texture::passed(c);
         }
         if (power != 0.0f) {
             const glm::dvec3 n = texture::bent_normal(set, layer.normal, normal, p, around, enclosing);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/texture/evaluate_points.h"
+#include "render/texture/finish.h"
 #include "render/kernel/light/shadow_rays.h"
 #include "render/kernel/context/context.h"
 
@@ -28,7 +29,7 @@ struct FilterScratch {
 class SurfaceFilters {
 public:
     explicit SurfaceFilters(Context& context)
-        : context_(context), traits_(context.scratch.shade.traits), kept_(context.scratch.shade.filters())
+        : context_(context), traits_(context.traits), kept_(context.scratch.shade.filters())
     {
         kept_.rays.count = 0;
         kept_.rays.common_origin = false;
@@ -81,7 +82,7 @@ private:
             const texture::Layer& layer = set.layers[texture.first + i];
             const texture::Pigment& pigment = set.pigments[layer.pigment];
             if (pigment.kind == texture::Pigment::Kind::Solid) {
-                const glm::vec3 passes = pigment.color.filter * pigment.color.rgb() + pigment.color.transmit;
+                const glm::vec3 passes = texture::passed(pigment.color);
                 for (std::size_t n = 0; n < count; ++n) light[n] *= passes;
             } else {
                 look(group, seen);
@@ -91,7 +92,7 @@ private:
                 for (std::size_t n = 0; n < count; ++n) {
                     if (ends && texture::pigment_missing(set, layer.pigment, seen.points.at(n), seen.nothing)) continue;
                     const scene::Color c = colors.at(n);
-                    light[n] *= c.filter * c.rgb() + c.transmit;
+                    light[n] *= texture::passed(c);
                 }
             }
             if (power != 0.0f) focus(layer.normal, static_cast<double>(power), group, seen, light);
@@ -138,7 +139,7 @@ private:
     }
 
     Context& context_;
-    const SceneTraits& traits_;
+    const plan::SceneTraits& traits_;
     FilterScratch& kept_;
 };
 

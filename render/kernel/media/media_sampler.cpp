@@ -140,7 +140,6 @@ void MediaSampler::add_lamps(HitMask lit)
 {
     const auto& lights = context_.lights.lights;
     Context own(context_, context_.scratch.nested());
-    if (own.scratch.shade.traits.surfaces.empty()) own.scratch.shade.traits = context_.scratch.shade.traits;
     std::array<const InteriorList*, csg::kTileRays> around;
     MediaStarts starts{extinction_, {}};
     HitMask segments = 0;

@@ -4,7 +4,7 @@
 #include "render/kernel/media/media_photons.h"
 #include "render/kernel/media/sampled_sums.h"
 #include "numbers/random.h"
-#include "render/kernel/traits/shines_on.h"
+#include "render/plan/shines_on.h"
 #include "render/kernel/media/media_scratch.h"
 
 

@@ -2,7 +2,7 @@
 
 #include "render/kernel/path/directions.h"
 #include "render/kernel/context/context.h"
-#include "render/kernel/traits/shines_on.h"
+#include "render/plan/shines_on.h"
 
 /// Area lights as faces that paths meet behind mirrors and bodies that bend light: caustics.
 namespace trace::path {

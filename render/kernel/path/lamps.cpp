@@ -2,7 +2,7 @@
 
 #include "render/kernel/path/directions.h"
 #include "render/kernel/tile/nearly_zero.h"
-#include "render/kernel/traits/shines_on.h"
+#include "render/plan/shines_on.h"
 
 namespace trace::path {
 namespace {

@@ -60,7 +60,6 @@ public:
               bit(plan::RayKind::Image) | bit(plan::RayKind::Reflection) | bit(plan::RayKind::Gather))))
     {
         scratch_.geometry.cancel = csg::CancelWatch(cancel);
-        scratch_.shade.traits = scene_traits(scene);
         sources_.set_air(has_air(context_));
         scratch_.shade.in_media = camera_.may_be_inside();
     }

@@ -1,6 +1,7 @@
 #include "render/kernel/path/surface.h"
 
 #include "render/texture/evaluate.h"
+#include "render/texture/finish.h"
 #include "render/texture/fresnel.h"
 #include "render/kernel/interior/interface.h"
 #include "render/kernel/tile/nearly_zero.h"
@@ -136,7 +137,7 @@ void SurfaceReader::add_layer(HitContext& hit, const texture::Texture& texture, 
             lobe.color = lobe.albedo = mirrored;
         }
     }
-    const glm::vec3 passed = c.filter * c.rgb() + c.transmit;
+    const glm::vec3 passed = texture::passed(c);
     stack.above *= passed;
     stack.conserved *= passed;
     if (finish.conserve_energy) stack.conserved *= glm::min(glm::vec3(1), 1.0f - mirrored);

@@ -1,7 +1,7 @@
 #include "render/kernel/photon/photon_air.h"
 
 #include "render/kernel/extinction/media_extinction.h"
-#include "render/kernel/traits/shines_on.h"
+#include "render/plan/shines_on.h"
 
 #include <algorithm>
 #include <cmath>

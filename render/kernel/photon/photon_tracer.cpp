@@ -25,7 +25,6 @@ public:
         : scene_(scene), plan_(*scene.photons), world_(scene.world()), context_(scene, scratch_, nullptr)
     {
         scratch_.geometry.cancel = csg::CancelWatch(cancel);
-        scratch_.shade.traits = scene_traits(scene);
     }
 
     void follow(const PhotonFlight& flight, std::span<const Emission> photons, const JitterStream& jitter,

@@ -381,8 +381,8 @@ void gather(Context& context, std::uint64_t which)
 namespace trace {
 
 Context::Context(const Context& outer, const radiosity::BounceRules& rules)
-    : scene(outer.scene), world(outer.world), scratch(outer.scratch.nested()), indirect(outer.indirect),
-      lights(outer.scene.radiosity->lights),
+    : scene(outer.scene), traits(outer.traits), world(outer.world), scratch(outer.scratch.nested()),
+      indirect(outer.indirect), lights(outer.scene.radiosity->lights),
       max_trace_level(std::max(outer.scene.settings.max_trace_level, rules.level + 1)),
       adc_bailout(outer.scene.radiosity->settings.adc_bailout), bounce(outer.bounce + 1), filling(outer.filling)
 {}

@@ -98,7 +98,7 @@ namespace {
     out.total = false;
     const Crossing crossing = crossing_of(context.scene.interiors, hit.state.interiors, hit.surface.interior);
     cross(context.scene.interiors, hit.state.interiors, hit.surface.interior, crossing.way, ray.interiors);
-    context.scratch.shade.cross(interior);
+    context.cross(interior);
     ray.ray = {hit.point, d};
     ray.weight = weight;
     ray.level = hit.level;

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "render/kernel/context/context.h"
-#include "render/kernel/traits/layer_filter.h"
+#include "render/texture/finish.h"
 #include "render/kernel/tile/nearly_zero.h"
 
 /// From the layers of a texture to the rays that go on.
 namespace trace {
+
+/// How much layers let through, at most 1.
+inline float residual_of(const glm::vec3& filter) { return std::min(1.0f, std::abs(scene::grey(filter))); }
 
 /// Weight of the ray off a mirror that reflects; residual: of the layers above.
 inline float mirror_weight(float weight, float residual, const texture::Finish& finish, const glm::vec3& reflectivity)
@@ -27,8 +30,7 @@ struct LayerStack {
     /// One layer more: its pigment lets light through, its finish mirrors some.
     void pass(const scene::Color& c, const texture::Finish& finish, const glm::vec3& reflectivity)
     {
-        filter *= c.filter * c.rgb() + c.transmit;
-        if (finish.conserve_energy) filter *= glm::min(glm::vec3(1.0f), 1.0f - reflectivity);
+        filter = texture::past_layer(filter, c, finish, reflectivity);
         residual = residual_of(filter);
     }
 };

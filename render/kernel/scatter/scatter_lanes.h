@@ -10,7 +10,6 @@
 #include "render/kernel/context/segment_tile.h"
 #include "render/kernel/interior/interface.h"
 #include "render/kernel/tile/nearly_zero.h"
-#include "render/kernel/traits/layer_filter.h"
 
 /// scatter() for a tile's hits of one layer whose normals are not bent, in the same order of operations: what their
 /// rays share is worked out in vector lanes, then they are sent one by one. Where the layer is clear (SingleLayer) the
@@ -42,7 +41,7 @@ public:
         ready_ = clear_;
         if ((hits | clear_) == 0) return;
         find_mirrored(hits | clear_);
-        if (hits != 0 && scratch_.traits.fresnel) find_fresnel(hits);
+        if (hits != 0 && context_.traits.fresnel) find_fresnel(hits);
         for_each_hit(hits, [this](std::size_t k) { look(k); });
         if (bent_ != 0) bend();
         find_leaving(hits | clear_);
@@ -141,7 +140,7 @@ private:
                                : texture::reflectivity(finish, c, -cosine_[k], by_index());
             weight_[k] = mirror_weight(state.weight, 1.0f, finish, reflectivity);
         }
-        const glm::vec3 filter = layer_filter(c, finish, reflectivity);
+        const glm::vec3 filter = texture::past_layer(glm::vec3(1), c, finish, reflectivity);
         const float residual = residual_of(filter);
         reflectivity_.set(k, reflectivity);
         filter_.set(k, filter);
@@ -245,7 +244,7 @@ private:
         ray.state.kind = tile_.kind(k);
         ray.state.stretch = bent ? stretch_[k] : state.stretch;
         cross(context_.scene.interiors, list, own, way_[k], ray.state.interiors);
-        scratch_.cross(interior);
+        context_.cross(interior);
         node.through = queue.keep(ray, !bent);
     }
 
@@ -269,7 +268,7 @@ private:
         ray.state.stretch = state.stretch;
         const std::uint32_t own = context_.scene.surfaces[tile_.hits.surface[k]].interior;
         cross(context_.scene.interiors, list, own, way_[k], ray.state.interiors);
-        scratch_.cross(context_.scene.interiors[own]);
+        context_.cross(context_.scene.interiors[own]);
     }
 
     [[gnu::always_inline]] void mirror_into(std::size_t k, float weight, RayState& out)

@@ -75,7 +75,6 @@ void shade_queued(Context& context, const RayState& camera)
                                   const InteriorList* starts, scene::Color* out)
 {
     ShadeScratch& scratch = context.scratch.shade;
-    if (scratch.traits.surfaces.empty()) scratch.traits = scene_traits(context.scene);
     RayQueue& queue = scratch.queue;
     queue.start(static_cast<std::size_t>(rays.count));
     shade(context, rays, hits, first, starts, nullptr);

@@ -7,8 +7,8 @@
 #include "render/kernel/context/shade_tile.h"
 #include "render/kernel/subsurface/entry_lanes.h"
 #include "render/kernel/tile/nearly_zero.h"
-#include "render/kernel/traits/shines_on.h"
-#include "render/kernel/traits/photon_shadow.h"
+#include "render/plan/shines_on.h"
+#include "render/kernel/context/photon_shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,6 @@ public:
     {
         sites_.clear();
         ++own_.below;
-        if (own_.scratch.shade.traits.surfaces.empty()) own_.scratch.shade.traits = context.scratch.shade.traits;
         around_.fill(&nothing_);
         const radiosity::Field* field = context.indirect != nullptr ? context.indirect->radiosity.get() : nullptr;
         gathers_ = plan_.radiosity && field != nullptr && context.bounce < field->settings().recursion_limit;

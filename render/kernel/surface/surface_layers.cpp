@@ -14,7 +14,7 @@ namespace {
 [[gnu::always_inline]] inline glm::dvec3 layer_normal(Context& context, HitContext& hit, std::uint32_t normal,
                                                       std::uint32_t layer, const glm::dvec3& p)
 {
-    if (normal == texture::kNone || !context.scene.settings.quality.normals) return hit.normal;
+    if (normal == texture::kNone) return hit.normal;
     if (hit.prefetched != nullptr && hit.prefetched->bent) return hit.prefetched->normal(layer);
     return texture::bent_normal(context.scene.textures, normal, hit.normal, p, hit.around, hit.enclosing);
 }

@@ -31,7 +31,7 @@ public:
         for (HitMask left = tile_.found(); left != 0;) {
             const csg::SurfaceId surface = tile_.hits.surface[first_hit(left)];
             const HitMask group = left & csg::lanes::equal(tile_.hits.surface, surface);
-            const SurfaceTraits& traits = scratch_.traits.surfaces[surface];
+            const plan::SurfaceTraits& traits = context_.traits.surfaces[surface];
             begin(group & ~tile_.from_inside(), surface, traits.outer, traits.outer_patterned);
             begin(group & tile_.from_inside(), surface, traits.inner, traits.inner_patterned);
             left &= ~group;
@@ -50,19 +50,20 @@ public:
 
 private:
     /// Hits on one side of a surface.
-    void begin(HitMask group, csg::SurfaceId surface, const SingleLayer& single, const PatternedLayers& layers)
+    void begin(HitMask group, csg::SurfaceId surface, const plan::SingleLayer& single,
+               const plan::PatternedLayers& layers)
     {
         if (goes_on_ && single.clear)
             group &= ~together_.pass_through(group, context_.scene.surfaces[surface].interior);
         if (group == 0) return;
-        if (lights_ && !scratch_.traits.scalar_rows && single.index != plan::kNone && (goes_on_ || !single.goes_on))
+        if (lights_ && !context_.traits.scalar_rows && single.index != plan::kNone && (goes_on_ || !single.goes_on))
             begin_single(group, surface, single);
         else if (layers.texture != plan::kNone && !layers.map) begin_layers(group, surface, layers);
-        else if (layers.texture != plan::kNone && !scratch_.traits.scalar_rows)
+        else if (layers.texture != plan::kNone && !context_.traits.scalar_rows)
             begin_map(group, surface, layers.texture);
     }
 
-    void begin_single(HitMask group, csg::SurfaceId surface, const SingleLayer& single)
+    void begin_single(HitMask group, csg::SurfaceId surface, const plan::SingleLayer& single)
     {
         const auto& set = context_.scene.textures;
         batch_.begin(group, single);
@@ -79,11 +80,11 @@ private:
         if (!solid) own_.pigments.ask(group, index, scratch_.points, scratch_.around);
     }
 
-    void begin_layers(HitMask group, csg::SurfaceId surface, const PatternedLayers& of)
+    void begin_layers(HitMask group, csg::SurfaceId surface, const plan::PatternedLayers& of)
     {
         layered_ |= group;
         surround(group, surface);
-        const bool alone = of.alone && lights_ && !scratch_.traits.scalar_rows;
+        const bool alone = of.alone && lights_ && !context_.traits.scalar_rows;
         if (own_.layered_count != 0) {  // both sides of a surface share their vectors
             LayeredGroup& last = own_.layered[own_.layered_count - 1];
             if (last.texture == of.texture && last.alone == alone) {
@@ -110,7 +111,7 @@ private:
         for_each_hit(group, [&](std::size_t k) {
             scratch_.points.set(k, uv ? glm::dvec3(scratch_.details[k].uv, 0.0) : places.point(k));
         });
-        if (!scratch_.traits.surfaces[surface].looked_around) return;
+        if (!context_.traits.surfaces[surface].looked_around) return;
         for_each_hit(group, [&](std::size_t k) {
             texture::Surroundings& around = scratch_.around[k];  // member by member, as the details
             around.point = places.point(k);
@@ -132,7 +133,7 @@ private:
             const HitMask hidden = group.alone ? group.hits & ~open : 0;
             const texture::Texture& texture = set.textures[group.texture];
             if (hidden != 0) batch_.begin(hidden, texture);
-            if (context_.scene.settings.quality.normals) bend(group.hits & ~hidden, texture);
+            bend(group.hits & ~hidden, texture);
         }
     }
 

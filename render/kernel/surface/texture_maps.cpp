@@ -12,12 +12,17 @@ namespace {
 
 using texture::Texture;
 
-/// Whether every texture of a map has layers, so that no other map carries normals.
-bool flat(const texture::TextureSet& set, const Texture& map)
+/// Whether a map's textures bend normals, and every one of them has layers, so that no other map carries normals.
+bool bends_flat(const texture::TextureSet& set, const Texture& map)
 {
-    for (std::uint32_t i = map.first; i < map.first + map.count; ++i)
-        if (set.textures[set.children[i]].kind != Texture::Kind::Layers) return false;
-    return true;
+    bool bends = false;
+    for (std::uint32_t i = map.first; i < map.first + map.count; ++i) {
+        const Texture& entry = set.textures[set.children[i]];
+        if (entry.kind != Texture::Kind::Layers) return false;
+        for (std::uint32_t k = entry.first; k < entry.first + entry.count; ++k)
+            bends |= set.layers[k].normal != texture::kNone;
+    }
+    return bends;
 }
 
 /// Which of the hits are hit k's.
@@ -81,7 +86,7 @@ const Texture* TextureMaps::bent_within(const Context& context, const Texture& m
                                         texture::Points& normals)
 {
     const auto& set = context.scene.textures;
-    if (!context.scene.settings.quality.normals || seen.nested || !flat(set, map)) return nullptr;
+    if (seen.nested || !bends_flat(set, map)) return nullptr;
     normals.take(seen.normals);
     texture::normals_into(set, set.patterns[map.pattern], map.no_bump_scale, normals);
     return &map;

@@ -4,9 +4,6 @@
 
 namespace trace {
 
-/// Most layers of a texture whose pigments are looked up for a whole tile ahead of shading.
-inline constexpr std::uint32_t kPrefetchedLayers = 8;
-
 /// Normals as layers bend them, of unit length.
 struct BentNormals {
     texture::Values x, y, z;

@@ -4,6 +4,7 @@
 #include "render/plan/textures/compile_subsurface.h"
 #include "render/plan/geometry/geometry.h"
 #include "render/plan/sampling/path_scene.h"
+#include "render/plan/traits/find_traits.h"
 
 #include <fmt/format.h>
 
@@ -111,6 +112,7 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
     out.radiosity = radiosity(description, out);
     out.tolerance = tolerance(out);
     find_camera_interiors(out);
+    out.traits = find_traits(out);
     for (const scene::Unsupported& note : notes)
         out.decisions.push_back({note.what, "not rendered yet", scene::place_text(description.place(note.source))});
     return out;

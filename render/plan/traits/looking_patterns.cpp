@@ -1,8 +1,8 @@
-#include "render/kernel/traits/looking_patterns.h"
+#include "render/plan/traits/looking_patterns.h"
 
 #include <algorithm>
 
-namespace trace {
+namespace plan {
 namespace {
 
 using texture::Normal;
@@ -106,4 +106,4 @@ LookedAt TextureInputs::of_normal(std::uint32_t index) const
     return out;
 }
 
-}  // namespace trace
+}  // namespace plan

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace trace {
+namespace plan {
 
 /// What a texture looks at besides the point.
 struct LookedAt {
@@ -42,4 +42,4 @@ private:
     std::vector<bool> seen_;
 };
 
-}  // namespace trace
+}  // namespace plan

@@ -1,15 +1,20 @@
 #pragma once
 
-#include "render/plan/compiled_scene.h"
+#include "csg/base/hit.h"
+#include "csg/base/types.h"
+#include "render/plan/surface.h"
 
 #include <vector>
 
-/// What shading can know of a surface before any ray meets it.
-namespace trace {
+/// What shading can know of a surface before any ray meets it: read by all threads (traits/find_traits.h).
+namespace plan {
+
+/// Most layers of a texture that are looked up for a whole tile ahead of shading.
+inline constexpr std::uint32_t kPrefetchedLayers = 8;
 
 /// The only layer of a texture, if it shades alike for a whole tile.
 struct SingleLayer {
-    std::uint32_t index = plan::kNone;
+    std::uint32_t index = kNone;
     bool goes_on = false;  ///< it may mirror light or let it through
     bool clear = false;    ///< nothing shows of it, unless what is inside bends the light
     bool dull = false;     ///< it may let light through, and shows that of lamps by its opacity alone
@@ -17,7 +22,7 @@ struct SingleLayer {
 
 /// A texture of layers with patterns or bent normals, or a texture map.
 struct PatternedLayers {
-    std::uint32_t texture = plan::kNone;
+    std::uint32_t texture = kNone;
     bool alone = false;  ///< no layer has more than colour, diffuse light and highlights
     bool map = false;
 };
@@ -54,7 +59,7 @@ struct SceneTraits {
     bool media = false;                       ///< some interior holds media that dim light
     bool fresnel = false;                     ///< some finish mirrors by Fresnel's equations
     bool interior_media = false;              ///< some interior holds media of any kind
-    bool clear_surfaces = false;              ///< what is wholly clear may be left unlit (plan::LeanStep)
+    bool clear_surfaces = false;              ///< what is wholly clear may be left unlit (LeanStep)
     bool scalar_rows = false;                 ///< Options::scalar_light
     bool even_fog = false;                    ///< the air has fog that is the same everywhere, and nothing else
     /// Boxes of what shadow rays have to meet from the point itself: surfaces whose filter depends on where they are
@@ -69,6 +74,4 @@ struct SceneTraits {
     bool restarts() const { return has_open_surface && filters; }
 };
 
-SceneTraits scene_traits(const plan::CompiledScene& scene);
-
-}  // namespace trace
+}  // namespace plan

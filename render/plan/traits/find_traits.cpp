@@ -1,15 +1,12 @@
-#include "render/kernel/traits/surface_traits.h"
+#include "render/plan/traits/find_traits.h"
 
 #include "render/plan/textures/dark_texture.h"
+#include "render/plan/traits/looking_patterns.h"
 #include "render/texture/finish.h"
-#include "render/kernel/interior/interior_fade.h"
-#include "render/kernel/traits/looking_patterns.h"
-#include "render/kernel/tile/layer_points.h"
-#include "render/kernel/traits/layer_filter.h"
 
 #include <algorithm>
 
-namespace trace {
+namespace plan {
 namespace {
 
 using texture::TextureSet;
@@ -17,7 +14,7 @@ using texture::TextureSet;
 /// As the layers are gone through for one crossing, so that the bits are the same.
 bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
 {
-    if (plan::dark_texture(set, index)) {
+    if (dark_texture(set, index)) {
         filter = glm::vec3(0);
         return true;
     }
@@ -27,13 +24,13 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
     for (std::uint32_t i = texture.count; i-- > 0;) {
         const texture::Pigment& pigment = set.pigments[set.layers[texture.first + i].pigment];
         if (pigment.kind != texture::Pigment::Kind::Solid) return false;
-        filter *= pigment.color.filter * pigment.color.rgb() + pigment.color.transmit;
+        filter *= texture::passed(pigment.color);
     }
     return true;
 }
 
 /// What the textures that a surface shows look at.
-LookedAt looked_at(const plan::CompiledScene& scene, const plan::Surface& surface, TextureInputs& looks)
+LookedAt looked_at(const CompiledScene& scene, const Surface& surface, TextureInputs& looks)
 {
     LookedAt out = looks.of_texture(surface.texture);
     out |= looks.of_texture(surface.interior_texture);
@@ -51,7 +48,7 @@ bool plain_light(const texture::Finish& finish, bool grain)
 
 /// Whether rows that are their hit's only ones find their grain in lanes: numbers are asked for in the order of the
 /// lights, but not by nodes of lights, some of which may be dark.
-bool grain_in_lanes(const plan::CompiledScene& scene)
+bool grain_in_lanes(const CompiledScene& scene)
 {
     const auto& lights = scene.lights.lights;
     return !scene.options.grain_stream && std::none_of(lights.begin(), lights.end(), [](const light::Light& light) {
@@ -78,15 +75,15 @@ SingleLayer single_layer(const TextureSet& set, std::uint32_t index, bool bent, 
 }
 
 /// See SingleLayer::clear. interior: what the surface closes.
-bool lets_all_through(const TextureSet& set, const SingleLayer& single, const plan::Interior& interior)
+bool lets_all_through(const TextureSet& set, const SingleLayer& single, const Interior& interior)
 {
     const texture::Layer& layer = set.layers[single.index];
     const texture::Pigment& pigment = set.pigments[layer.pigment];
     const texture::Finish& finish = set.finishes[layer.finish];
     return pigment.kind == texture::Pigment::Kind::Solid && !finish.reflects() && finish.dull() &&
            texture::opacity(pigment.color, set.legacy_opacity) == 0.0f &&
-           layer_filter(pigment.color, finish, glm::vec3(0)) == glm::vec3(1) && interior.transmission == 1.0f &&
-           interior.fade_distance == 0.0f;
+           texture::past_layer(glm::vec3(1), pigment.color, finish, glm::vec3(0)) == glm::vec3(1) &&
+           interior.transmission == 1.0f && interior.fade_distance == 0.0f;
 }
 
 /// The texture itself if it has a map, or layers with patterns or bent normals, and few enough.
@@ -121,8 +118,7 @@ bool layers_filter(const TextureSet& set, std::uint32_t index)
 }
 
 /// Whether shadow rays have to meet a part from the point itself.
-bool asks_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits, const csg::WorldItem& item,
-                   csg::PartId part)
+bool asks_own_rays(const CompiledScene& scene, const SceneTraits& traits, const csg::WorldItem& item, csg::PartId part)
 {
     const csg::SolidStore& store = scene.geometry.store;
     const bool one_way = csg::kind_of(part) == csg::SolidKind::Freeform &&
@@ -144,7 +140,7 @@ void add_box(std::vector<csg::Aabb>& boxes, const csg::Aabb& box)
     else boxes.front().include(box.lower), boxes.front().include(box.upper);
 }
 
-std::vector<csg::Aabb> boxes_of_own_rays(const plan::CompiledScene& scene, const SceneTraits& traits)
+std::vector<csg::Aabb> boxes_of_own_rays(const CompiledScene& scene, const SceneTraits& traits)
 {
     const csg::WorldData& world = scene.geometry;
     std::vector<csg::Aabb> boxes;
@@ -185,7 +181,7 @@ Slab slab_around(const csg::Aabb& box, const std::vector<light::Light>& lights)
     return out;
 }
 
-void find_slabs(const plan::CompiledScene& scene, SceneTraits& traits)
+void find_slabs(const CompiledScene& scene, SceneTraits& traits)
 {
     if (!traits.filters && traits.own_rays.empty()) return;  // shadow rays ask for no more anyhow
     csg::Aabb clear;
@@ -198,7 +194,7 @@ void find_slabs(const plan::CompiledScene& scene, SceneTraits& traits)
 
 }  // namespace
 
-SceneTraits scene_traits(const plan::CompiledScene& scene)
+SceneTraits find_traits(const CompiledScene& scene)
 {
     SceneTraits traits;
     traits.scalar_rows = scene.options.scalar_light;
@@ -208,8 +204,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     traits.fresnel = std::any_of(finishes.begin(), finishes.end(), [](const auto& finish) { return finish.fresnel; });
     TextureInputs texture_looks(scene.textures);
     const bool grain = grain_in_lanes(scene);
-    const bool every_detail = !scene.options.lean.takes(plan::LeanStep::HitDetails);
-    traits.clear_surfaces = scene.options.lean.takes(plan::LeanStep::ClearSurfaces) && !scene.options.grain_stream &&
+    const bool every_detail = !scene.options.lean.takes(LeanStep::HitDetails);
+    traits.clear_surfaces = scene.options.lean.takes(LeanStep::ClearSurfaces) && !scene.options.grain_stream &&
                             scene.textures.extensions.empty();
     for (const std::uint32_t layer : scene.sky.layers) {
         const LookedAt looks = texture_looks.of_pigment(layer);
@@ -218,8 +214,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     std::vector<SurfaceTraits>& all = traits.surfaces;
     all.resize(scene.surfaces.size());
     for (const light::Light& light : scene.lights.lights) traits.grouped |= light.group != 0;
-    for (const plan::Interior& interior : scene.interiors) {
-        traits.dimming.push_back(dims(interior) ? 1 : 0);
+    for (const Interior& interior : scene.interiors) {
+        traits.dimming.push_back(interior.dims() ? 1 : 0);
         traits.fades |= interior.fade_distance != 0.0f;
         traits.media |= interior.media.extinguishes;
         traits.interior_media |= !interior.media.empty();
@@ -227,7 +223,7 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     for (const csg::Freeform& solid : scene.geometry.store.all<csg::Freeform>())
         traits.has_open_surface |= solid.has_open_surface();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const plan::Surface& surface = scene.surfaces[i];
+        const Surface& surface = scene.surfaces[i];
         traits.grouped |= surface.light_group != 0;
         traits.filters |= !surface.opaque && !surface.no_shadow;
         const LookedAt looks = looked_at(scene, surface, texture_looks);
@@ -250,18 +246,17 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
             all[i].inner = single_layer(scene.textures, inner, inner_bent, grain);
         }
         for (SingleLayer* single : {&all[i].outer, &all[i].inner}) {
-            if (!traits.clear_surfaces || single->index == plan::kNone || !single->goes_on) continue;
+            if (!traits.clear_surfaces || single->index == kNone || !single->goes_on) continue;
             single->dull = scene.textures.finishes[scene.textures.layers[single->index].finish].dull();
-            single->clear = surface.interior != plan::kNone &&
+            single->clear = surface.interior != kNone &&
                             lets_all_through(scene.textures, *single, scene.interiors[surface.interior]);
         }
-        const bool focused = surface.interior != plan::kNone &&
-                             scene.interiors[surface.interior].caustics_power != 0.0f;
-        if (surface.texture == plan::kNone) continue;
+        const bool focused = surface.interior != kNone && scene.interiors[surface.interior].caustics_power != 0.0f;
+        if (surface.texture == kNone) continue;
         if (inner != surface.texture) continue;
         const bool plain = plain_filter(scene.textures, surface.texture, all[i].filter);
         all[i].steady_filter = plain && !focused;
-        const bool dimmed = surface.interior != plan::kNone && traits.dimming[surface.interior] != 0;
+        const bool dimmed = surface.interior != kNone && traits.dimming[surface.interior] != 0;
         all[i].filters_alone = all[i].steady_filter && !dimmed;
         all[i].filters_together = !surface.opaque && !all[i].steady_filter && !traits.scalar_rows && all[i].batched &&
                                   surface.part_count == 0 && layers_filter(scene.textures, surface.texture) && !bent;
@@ -269,8 +264,8 @@ SceneTraits scene_traits(const plan::CompiledScene& scene)
     }
     traits.own_rays = boxes_of_own_rays(scene, traits);
     find_slabs(scene, traits);
-    if (!scene.options.lean.takes(plan::LeanStep::Interiors)) traits.grouped = traits.fades = traits.media = true;
+    if (!scene.options.lean.takes(LeanStep::Interiors)) traits.grouped = traits.fades = traits.media = true;
     return traits;
 }
 
-}  // namespace trace
+}  // namespace plan
