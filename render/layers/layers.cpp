@@ -3,13 +3,10 @@
 #include "render/layers/cryptomatte.h"
 #include "render/study/cost/heat.h"
 #include "render/picture/kernel_module.h"
-#include "render/picture/sampling/path_workers.h"
+#include "render/picture/sampling/find_sources.h"
+#include "render/picture/workers.h"
 #include "numbers/random.h"
 #include "render/kernel/tile/sobol.h"
-
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -141,23 +138,20 @@ bool look(const plan::CompiledScene& scene, const std::vector<Kind>& kinds, cons
     std::vector<float> ids;
     for (const std::string& name : names) ids.push_back(id_of(name));
     const trace::KernelTable& kernel = trace::load_kernel(options.isa);
-    trace::PathWorkers workers(kernel, scene, options);
+    const trace::path::Sources none;
+    trace::Workers<trace::PathTracer> workers(
+        options, [&] { return kernel.make_paths(scene, none, options.cancel); }, kernel.free_paths);
     const int columns = (out.width + kSide - 1) / kSide, rows = (out.height + kSide - 1) / kSide;
-    std::atomic<bool> stopped = false;
-    const tbb::global_control limit(
-        tbb::global_control::max_allowed_parallelism,
-        static_cast<std::size_t>(options.threads > 0 ? options.threads : tbb::info::default_concurrency()));
-    tbb::parallel_for(0, rows, [&](int row) {
+    return workers.each(0, static_cast<std::size_t>(rows), [&](std::size_t row, auto& worker) {
         Square square(scene, kinds, ids, antialiased ? kSamples : 1, out);
-        trace::PathTracer& tracer = *workers.local().tracer;
-        for (int column = 0; column < columns && !stopped; ++column) {
-            const int left = column * kSide, top = row * kSide;
-            if (!square.make(kernel, tracer,
+        for (int column = 0; column < columns; ++column) {
+            const int left = column * kSide, top = static_cast<int>(row) * kSide;
+            if (!square.make(kernel, *worker.tracer,
                              {left, top, std::min(kSide, out.width - left), std::min(kSide, out.height - top)}))
-                stopped = true;
+                return false;
         }
+        return true;
     });
-    return !stopped;
 }
 
 }  // namespace

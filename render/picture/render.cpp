@@ -1,11 +1,7 @@
 #include "render/picture/render.h"
 
-#include "render/picture/tracers.h"
-
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "render/picture/kernel_module.h"
+#include "render/picture/workers.h"
 
 #include <algorithm>
 #include <chrono>
@@ -32,7 +28,7 @@ void store(const Block& block, const std::vector<scene::Color>& colors, image::I
 void prepare(Isa isa, int threads)
 {
     load_kernel(isa);
-    const int count = threads > 0 ? threads : tbb::info::default_concurrency();
+    const int count = threads_of(threads);
     // As long as the program runs: TBB takes its number of workers from what is allowed when the first of them starts,
     // and complains in words of its own of a later wish for more.
     static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
@@ -52,43 +48,30 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
         image.hold(0, image.height);
     }
 
-    const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    Tracers workers(kernel, scene, options);
-
+    Workers<BlockTracer, std::vector<scene::Color>> workers(
+        options, [&] { return kernel.make(scene, options.indirect, options.cancel); }, kernel.free);
     const Blocks blocks(scene.options);
     const std::size_t last = std::min(options.last, blocks.size());
     const bool has_done = options.done.size() == blocks.size();
     std::atomic<std::size_t> done = options.first;
     for (std::size_t i = options.first; has_done && i < last; ++i) done += options.done[i] ? 1 : 0;
-    std::atomic<bool> stopped = false;
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
-        tbb::parallel_for(options.first, last, [&](std::size_t i) {
-            if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) {
-                stopped = true;
-                return;
-            }
-            if (has_done && options.done[i]) return;
-            Tracers::Worker& worker = workers.local();
-            const Block block = blocks[i];
-            worker.colors.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-            if (!kernel.trace(*worker.tracer, block, worker.colors.data())) {
-                stopped = true;
-                return;
-            }
-            store(block, worker.colors, image);
-            if (options.finished) options.finished(i);
-            const std::size_t finished = ++done;
-            if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(blocks.size()));
-        });
+    const bool all = workers.each(options.first, last, [&](std::size_t i, auto& worker) {
+        if (has_done && options.done[i]) return true;
+        const Block block = blocks[i];
+        worker.kept.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+        if (!kernel.trace(*worker.tracer, block, worker.kept.data())) return false;
+        store(block, worker.kept, image);
+        if (options.finished) options.finished(i);
+        const std::size_t finished = ++done;
+        if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(blocks.size()));
+        return true;
     });
 
     RenderStatistics statistics;
-    statistics.rays = workers.counts();
-    statistics.threads = threads;
+    statistics.rays = workers.counts(kernel.counts);
+    statistics.threads = workers.threads();
     statistics.isa = kernel.isa;
-    statistics.cancelled = stopped;
+    statistics.cancelled = !all;
     statistics.seconds_trace = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return statistics;
 }

@@ -1,16 +1,12 @@
 #include "render/picture/passes/photon_pass.h"
 
 #include "render/picture/kernel_module.h"
+#include "render/picture/workers.h"
 #include "render/picture/passes/photon_aim.h"
 #include "render/picture/passes/photon_file.h"
 #include "render/kernel/photon/photon_tracer.h"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <numbers>
@@ -62,19 +58,13 @@ double spacing_of(const plan::CompiledScene& scene, const std::vector<PhotonUnit
     return spacing * std::sqrt(sum / plan.settings.count);
 }
 
-struct FreePhotons {
-    const KernelTable* kernel;
-    void operator()(PhotonTracer* tracer) const { kernel->free_photons(tracer); }
-};
-using Tracer = std::unique_ptr<PhotonTracer, FreePhotons>;
-
 /// Shoots unit after unit; the photons of some rings at a time go to all threads.
 class PhotonShooter {
 public:
     PhotonShooter(const plan::CompiledScene& scene, const RenderOptions& options)
         : scene_(scene), options_(options), kernel_(load_kernel(options.isa)),
-          threads_(options.threads > 0 ? options.threads : tbb::info::default_concurrency()), arena_(threads_),
-          tracers_([this] { return Tracer(kernel_.make_photons(scene_, options_.cancel), FreePhotons{&kernel_}); })
+          workers_(
+              options, [this] { return kernel_.make_photons(scene_, options_.cancel); }, kernel_.free_photons)
     {}
 
     std::vector<Photon> surface, media;
@@ -150,17 +140,11 @@ private:
 
     bool run(const PhotonFlight& flight, std::size_t tasks, bool counting)
     {
-        std::atomic<bool> stopped = false;
-        arena_.execute([&] {
-            tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t i) {
-                const std::size_t first = i * kTask, count = std::min(kTask, emissions_.size() - first);
-                if (stopped ||
-                    !kernel_.follow_photons(*tracers_.local(), flight, std::span(emissions_).subspan(first, count),
-                                            counting ? nullptr : &starts_[i], yields_[i]))
-                    stopped = true;
-            });
+        return workers_.each(0, tasks, [&](std::size_t i, auto& worker) {
+            const std::size_t first = i * kTask, count = std::min(kTask, emissions_.size() - first);
+            return kernel_.follow_photons(*worker.tracer, flight, std::span(emissions_).subspan(first, count),
+                                          counting ? nullptr : &starts_[i], yields_[i]);
         });
-        return !stopped;
     }
 
     /// The stream of photons in media goes on behind the last photon that counts.
@@ -227,9 +211,7 @@ private:
     const plan::PhotonPlan& plan_ = *scene_.photons;
     const RenderOptions& options_;
     const KernelTable& kernel_;
-    const int threads_;
-    tbb::task_arena arena_;
-    tbb::enumerable_thread_specific<Tracer> tracers_;
+    Workers<PhotonTracer> workers_;
     JitterStream jitter_, media_jitter_;
     const bool leaves_in_media_ = plan_.settings.media_steps > 0 && !scene_.media.media.empty();
     std::vector<JitterStream> starts_;  ///< by task, of its first photon in media
@@ -256,9 +238,6 @@ bool find_photons(const plan::CompiledScene& scene, const RenderOptions& options
         out.photons.take(std::move(file.surface));
         out.media_photons.take(std::move(file.media));
     } else {
-        const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                        static_cast<std::size_t>(threads));
         PhotonShooter shooter(scene, options);
         if (!shooter.shoot()) return false;
         out.photons.build(std::move(shooter.surface));

@@ -4,23 +4,13 @@
 #include "render/kernel/kernel.h"
 #include "render/picture/passes/pass_rays.h"
 #include "render/picture/passes/sample_file.h"
+#include "render/picture/workers.h"
 #include "numbers/random.h"
-
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
 namespace trace::radiosity {
 namespace {
-
-struct FreePassTracer {
-    const KernelTable* kernel;
-    void operator()(BlockTracer* tracer) const { kernel->free(tracer); }
-};
 
 /// A part of the picture that passes go on with.
 struct PartState {
@@ -44,12 +34,8 @@ public:
         : options_(options), kernel_(kernel),
           field_(*light.radiosity), parts_{scene.options.width, scene.options.height},
           state_(static_cast<std::size_t>(parts_.count())),
-          threads_(options.threads > 0 ? options.threads : tbb::info::default_concurrency()), arena_(threads_),
-          limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_)),
-          tracers_([&scene, &light, &kernel, cancel = options.cancel] {
-              return std::unique_ptr<BlockTracer, FreePassTracer>(kernel.make(scene, &light, cancel),
-                                                                  FreePassTracer{&kernel});
-          })
+          workers_(
+              options, [&scene, &light, this] { return kernel_.make(scene, &light, options_.cancel); }, kernel.free)
     {
         const scene::RadiositySettings& settings = field_.settings();
         passes_ = passes(settings.pretrace_start, settings.pretrace_end, parts_.width, parts_.height);
@@ -116,17 +102,12 @@ private:
         for (std::size_t first = 0; first < tiles.size();) {
             const std::size_t count = std::min({std::max<std::size_t>(1, done_), most, tiles.size() - first});
             findings.resize(std::max(findings.size(), count));
-            std::atomic<bool> stopped = false;
-            arena_.execute([&] {
-                tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+            if (!workers_.each(0, count, [&](std::size_t i, auto& worker) {
                     PassTile tile = filled(pass, tiles[first + i]);
                     if (in_order(pass)) tile.first = &directions;
-                    if (stopped || (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) ||
-                        !kernel_.pretrace(*tracers_.local(), tile, findings[i]))
-                        stopped = true;
-                });
-            });
-            if (stopped) return false;
+                    return kernel_.pretrace(*worker.tracer, tile, findings[i]);
+                }))
+                return false;
             for (std::size_t i = 0; i < count; ++i) {
                 PartState& state = state_[static_cast<std::size_t>(tiles[first + i].part)];
                 state.asked += findings[i].asked;
@@ -162,10 +143,7 @@ private:
     Field& field_;
     Parts parts_;
     std::vector<PartState> state_;
-    int threads_;
-    tbb::task_arena arena_;
-    tbb::global_control limit_;
-    tbb::enumerable_thread_specific<std::unique_ptr<BlockTracer, FreePassTracer>> tracers_;
+    Workers<BlockTracer> workers_;
     std::vector<Pass> passes_;
     std::size_t done_ = 0;  ///< tiles
 };

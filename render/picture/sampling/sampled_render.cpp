@@ -1,17 +1,13 @@
 #include "render/picture/sampling/sampled_render.h"
 
-#include "render/picture/tracers.h"
+#include "render/picture/kernel_module.h"
+#include "render/picture/workers.h"
 #include "render/picture/sampling/denoise.h"
-#include "render/picture/sampling/path_workers.h"
+#include "render/picture/sampling/find_sources.h"
 #include "numbers/random.h"
 #include "render/picture/sampling/path_spread.h"
 #include "render/picture/sampling/sharing.h"
 #include "render/kernel/tile/sobol.h"
-
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -39,12 +35,23 @@ std::uint32_t seed_of(int x, int y, std::uint32_t seed)
     return static_cast<std::uint32_t>(stirred(stirred(place + 0x9e3779b97f4a7c15u) + seed));
 }
 
+/// What a thread asks of paths, and what they find.
+struct PathBuffers {
+    std::vector<PathSample> samples;
+    std::vector<PathFound> found;
+};
+
 class SampledRender {
 public:
     SampledRender(const plan::CompiledScene& scene, const RenderOptions& options, const SamplingGoal& goal,
                   const ShownLevel& shown, SampledPicture& picture, PathFeatures* features)
         : features_(features), scene_(scene), options_(options), goal_(goal), shown_(shown), picture_(picture),
-          kernel_(load_kernel(options.isa)), tracers_(kernel_, scene, options), paths_(kernel_, scene, options),
+          kernel_(load_kernel(options.isa)),
+          sources_(scene.options.paths ? path::find_sources(scene) : path::Sources()),
+          tracers_(
+              options, [this] { return kernel_.make(scene_, options_.indirect, options_.cancel); }, kernel_.free),
+          paths_(
+              options, [this] { return kernel_.make_paths(scene_, sources_, options_.cancel); }, kernel_.free_paths),
           blocks_(scene.options),
           wanted_(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()), 0)
     {
@@ -58,17 +65,12 @@ public:
 
     RenderStatistics run(const std::function<void(double)>& after_pass)
     {
-        const int threads = options_.threads > 0 ? options_.threads : tbb::info::default_concurrency();
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                        static_cast<std::size_t>(threads));
         RenderStatistics out;
-        tbb::task_arena arena(threads);
-        threads_ = threads;
         want_first();
         while (true) {
             const double begun = seconds();
             const std::uint64_t before = taken_;
-            arena.execute([&] { pass(); });
+            pass();
             ++passes_;
             const double ended = seconds(), took = ended - begun;
             if (took > 0.0) rate_ = static_cast<double>(taken_ - before) / took;
@@ -80,9 +82,9 @@ public:
         if (fewest() < 2) out.error = std::numeric_limits<double>::quiet_NaN();
         out.samples = picture_.samples();
         out.broken = broken_;
-        out.rays = tracers_.counts();
-        out.rays += paths_.counts();
-        out.threads = threads;
+        out.rays = tracers_.counts(kernel_.counts);
+        out.rays += paths_.counts(kernel_.path_counts);
+        out.threads = tracers_.threads();
         out.isa = kernel_.isa;
         out.cancelled = stopped_;
         out.seconds_trace = seconds();
@@ -229,49 +231,43 @@ private:
         ends_ = goal_.seconds > 0.0 && taken_ > 0;
         at_once_ = kAtOnce;
         if (goal_.seconds > 0.0)  // tiles stay whole
-            at_once_ = csg::kTileRays *
-                       static_cast<std::size_t>(std::clamp(kBreath * rate_ / (threads_ * double{csg::kTileRays}), 1.0,
-                                                           double{kAtOnce} / csg::kTileRays));
-        tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t i) {
-            if (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) stopped_ = true;
-            const Block block = blocks_[i];
-            for (int top = 0; top < block.height; top += side_)
-                for (int column = 0; column < block.width; column += side_) {
-                    if (stopped_ || late()) return;
-                    const Block square{block.left + column, block.top + top, std::min(side_, block.width - column),
-                                       std::min(side_, block.height - top)};
-                    if (!take(square, done)) {
-                        if (!late()) stopped_ = true;
-                        return;
+            at_once_ = csg::kTileRays * static_cast<std::size_t>(
+                                            std::clamp(kBreath * rate_ / (tracers_.threads() * double{csg::kTileRays}),
+                                                       1.0, double{kAtOnce} / csg::kTileRays));
+        const auto each_block = [&](auto& workers) {
+            return workers.each(0, blocks_.size(), [&](std::size_t i, auto& worker) {
+                const Block block = blocks_[i];
+                for (int top = 0; top < block.height; top += side_)
+                    for (int column = 0; column < block.width; column += side_) {
+                        if (late()) return true;
+                        const Block square{block.left + column, block.top + top, std::min(side_, block.width - column),
+                                           std::min(side_, block.height - top)};
+                        if (!take(worker, square, done)) return late();
                     }
-                }
-            if (options_.progress && all > 0 && goal_.samples > 0)
-                options_.progress(
-                    std::min(1.0, static_cast<double>(taken_ + done) /
-                                      (static_cast<double>(goal_.samples) * static_cast<double>(window_.size()))));
-        });
+                if (options_.progress && all > 0 && goal_.samples > 0)
+                    options_.progress(
+                        std::min(1.0, static_cast<double>(taken_ + done) /
+                                          (static_cast<double>(goal_.samples) * static_cast<double>(window_.size()))));
+                return true;
+            });
+        };
+        stopped_ = !(scene_.options.paths ? each_block(paths_) : each_block(tracers_));
         taken_ += done;
     }
 
     /// The samples that the pixels of a square want: the first of each, the second of each, and so on, so that tiles of
     /// rays are as wide as the square.
-    bool take(const Block& square, std::atomic<std::uint64_t>& done)
-    {
-        return scene_.options.paths ? take_paths(square, done) : take_samples(square, done);
-    }
-
-    bool take_samples(const Block& square, std::atomic<std::uint64_t>& done)
+    bool take(Workers<BlockTracer, std::vector<scene::Color>>::Worker& worker, const Block& square,
+              std::atomic<std::uint64_t>& done)
     {
         std::array<SamplePosition, kAtOnce> positions;
         std::array<SampledPicture::Pixel*, kAtOnce> owners;
         std::size_t count = 0;
-        Tracers::Worker& worker = tracers_.local();
-        worker.colors.resize(kAtOnce);
+        worker.kept.resize(kAtOnce);
         const auto flush = [&] {
-            if (late() || !kernel_.sample(*worker.tracer, {positions.data(), count}, worker.colors.data()))
-                return false;
+            if (late() || !kernel_.sample(*worker.tracer, {positions.data(), count}, worker.kept.data())) return false;
             for (std::size_t i = 0; i < count; ++i)
-                if (!owners[i]->add(worker.colors[i])) ++broken_;
+                if (!owners[i]->add(worker.kept[i])) ++broken_;
             done += count;
             count = 0;
             return true;
@@ -287,32 +283,33 @@ private:
     }
 
     /// The same of paths.
-    bool take_paths(const Block& square, std::atomic<std::uint64_t>& done)
+    bool take(Workers<PathTracer, PathBuffers>::Worker& worker, const Block& square, std::atomic<std::uint64_t>& done)
     {
-        PathWorkers::Worker& worker = paths_.local();
+        std::vector<PathSample>& samples = worker.kept.samples;
+        std::vector<PathFound>& found = worker.kept.found;
         std::array<SampledPicture::Pixel*, kAtOnce> owners;
         std::array<std::array<int, 2>, kAtOnce> places;
-        worker.samples.clear();
-        worker.found.resize(kAtOnce);
+        samples.clear();
+        found.resize(kAtOnce);
         const auto flush = [&] {
-            if (late() || !kernel_.trace_paths(*worker.tracer, worker.samples, worker.found.data())) return false;
-            for (std::size_t i = 0; i < worker.samples.size(); ++i) {
-                if (!owners[i]->add(worker.found[i].color)) ++broken_;
-                if (features_ != nullptr) features_->add(places[i][0], places[i][1], worker.found[i]);
+            if (late() || !kernel_.trace_paths(*worker.tracer, samples, found.data())) return false;
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                if (!owners[i]->add(found[i].color)) ++broken_;
+                if (features_ != nullptr) features_->add(places[i][0], places[i][1], found[i]);
             }
-            done += worker.samples.size();
-            worker.samples.clear();
+            done += samples.size();
+            samples.clear();
             return true;
         };
         return each_wanted(square,
                            [&](int x, int y, std::uint32_t seed, std::uint32_t index) {
                                const std::array<double, 2> at = sobol_point(seed, index);
-                               owners[worker.samples.size()] = &picture_.at(x, y);
-                               places[worker.samples.size()] = {x, y};
-                               worker.samples.push_back({x - 0.5 + at[0], y - 0.5 + at[1], seed, index});
-                               return worker.samples.size() < at_once_ || flush();
+                               owners[samples.size()] = &picture_.at(x, y);
+                               places[samples.size()] = {x, y};
+                               samples.push_back({x - 0.5 + at[0], y - 0.5 + at[1], seed, index});
+                               return samples.size() < at_once_ || flush();
                            }) &&
-               (worker.samples.empty() || flush());
+               (samples.empty() || flush());
     }
 
     /// f(x, y, seed, index) for each sample that the pixels of a square want, until it is false.
@@ -345,8 +342,9 @@ private:
     const ShownLevel& shown_;
     SampledPicture& picture_;
     const KernelTable& kernel_;
-    Tracers tracers_;
-    PathWorkers paths_;
+    const path::Sources sources_;
+    Workers<BlockTracer, std::vector<scene::Color>> tracers_;
+    Workers<PathTracer, PathBuffers> paths_;
     const Blocks blocks_;
     std::vector<std::size_t> window_;    ///< its pixels
     std::vector<std::uint32_t> wanted_;  ///< samples of each pixel in the pass at hand
@@ -359,10 +357,9 @@ private:
     int side_ = kSide;               ///< of the squares of this pass
     std::size_t at_once_ = kAtOnce;  ///< samples between two looks at the clock
     bool ends_ = false;              ///< whether the clock ends this pass
-    int threads_ = 1;
-    double rate_ = 0.0;        ///< samples a second, in the last pass
+    double rate_ = 0.0;              ///< samples a second, in the last pass
     double afterwards_ = 0.0;  ///< seconds from the end of the last pass on until its picture was judged and shown
-    std::atomic<bool> stopped_ = false;
+    bool stopped_ = false;
     std::atomic<std::uint64_t> broken_ = 0;  ///< samples that are no numbers
 };
 
