@@ -1,6 +1,8 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
+#include "render/kernel/interior/interior_fade.h"
+#include "render/kernel/tile/nearly_zero.h"
 #include "render/kernel/tile/ray_state.h"
 
 /// Where a ray crosses the surface of something that has an interior (spec 3, 8.2).
@@ -16,6 +18,9 @@ struct Crossing {
     double ratio = 1, dispersion = 1;
     int samples = 0;  ///< of the spectrum, where there is dispersion
     Way way = Way::In;
+
+    bool disperses() const { return std::abs(dispersion - 1.0) >= kNearlyZero; }
+    bool bends() const { return std::abs(ratio - 1.0) >= kNearlyZero || disperses(); }
 };
 
 [[gnu::always_inline]] inline Crossing crossing_of(const std::vector<plan::Interior>& interiors,
@@ -47,6 +52,15 @@ struct Crossing {
     // remove_first would take an earlier entry of the body entered last.
     if (way == Crossing::Way::Out) out.remove_last();
     else out.remove_first(own);
+}
+
+/// What is left of light behind the surface, and on its way there inside of what the surface closes.
+[[gnu::always_inline]] inline glm::vec3 fade_behind(const plan::Interior& interior, const InteriorList& list,
+                                                    std::uint32_t own, double way)
+{
+    glm::vec3 fade(interior.transmission);
+    if (list.holds(own)) fade *= interior_fade(interior, way, false);
+    return fade;
 }
 
 /// Relative index for a fresnel reflection (spec 3, 7.9).

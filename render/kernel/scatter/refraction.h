@@ -20,6 +20,26 @@ struct Refracted : Refraction {
     RayState ray;
 };
 
+/// What a ray inherits that goes on from a hit, mirrored or not. Where it waits: a copy of what was just written in
+/// smaller pieces waits for all of them.
+[[gnu::always_inline]] inline void leave(const RayState& from, int level, std::uint8_t root, const csg::Ray& ray,
+                                         float weight, RayState& out)
+{
+    out.ray = ray;
+    out.weight = weight;
+    out.level = level;
+    out.root = root;
+    out.scattered = from.scattered;
+    out.wavelength = from.wavelength;
+}
+/// around: what it is inside of, before and after.
+[[gnu::always_inline]] inline void be_mirrored(const InteriorList& around, RayState& out)
+{
+    out.kind = plan::RayKind::Reflection;
+    out.stretch = 1.0;
+    out.interiors = around;
+}
+
 /// False where nothing is behind the surface: it has no interior.
 bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Refracted& out);
 

@@ -1,9 +1,9 @@
 #include "render/texture/finish.h"
 #include "render/texture/noise/noise.h"
 #include "render/kernel/scatter/glossy.h"
-#include "render/kernel/interior/interior_fade.h"
 #include "render/kernel/interior/interface.h"
 #include "render/kernel/scatter/refraction.h"
+#include "render/kernel/scatter/turned.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/kernel/light/direct_light.h"
 #include "render/kernel/scatter/scatter.h"
@@ -12,29 +12,12 @@
 #include <cmath>
 
 namespace trace {
-namespace {
-
-/// The length of a direction as POV-Ray goes on with it: 1 but for normals that no_bump_scale leaves longer or shorter.
-double stretch_of(const glm::dvec3& direction)
-{
-    constexpr double kRounding = 1e-9;
-    const double length = glm::length(direction);
-    return std::abs(length - 1.0) > kRounding ? length : 1.0;
-}
-
-}  // namespace
 
 bool bend(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState& out)
 {
-    const double facing = glm::dot(d, normal);
-    const glm::dvec3 n = facing <= 0.0 ? normal : -normal;
-    const double c = std::abs(facing), k = 1.0 + ratio * ratio * (c * c - 1.0);
-    if (k < 0.0) return false;
-    // A unit vector already as a rule, up to rounding; World wants unit directions, so it is made exact.
-    const glm::dvec3 bent = ratio * d + (ratio * c - std::sqrt(k)) * n;
-    out.ray.direction = glm::normalize(bent);
-    out.stretch = stretch_of(bent);
-    return true;
+    bool total;
+    out.ray.direction = bent_behind(d, normal, ratio, out.stretch, total);
+    return !total;
 }
 
 namespace {
@@ -63,24 +46,17 @@ namespace {
                                                float weight, RayState& out)
 {
     const glm::dvec3& d = hit.state.ray.direction;
-    glm::dvec3 r = d - 2.0 * glm::dot(d, normal) * normal;
+    glm::dvec3 r = mirrored_about(d, normal, glm::dot(d, normal));
     const double outward = glm::dot(r, hit.normal);
     if (outward < 0.0) {
         // Into the surface: mirror about the raw normal, or fold back out.
-        if (glm::dot(r, normal) < 0.0) r = d - 2.0 * glm::dot(d, hit.normal) * hit.normal;
-        else r -= 2.0 * outward * hit.normal;
+        if (glm::dot(r, normal) < 0.0) r = mirrored_about(d, hit.normal, glm::dot(d, hit.normal));
+        else r = mirrored_about(r, hit.normal, outward);
     }
     r = glm::normalize(r);
-    out.ray = {hit.point, r};
+    leave(hit.state, hit.level, hit.state.root, {hit.point, r}, weight, out);
+    be_mirrored(hit.state.interiors, out);
     out.start = start_here(context, hit, r);
-    out.weight = weight;
-    out.level = hit.level;
-    out.kind = plan::RayKind::Reflection;
-    out.root = hit.state.root;
-    out.scattered = hit.state.scattered;
-    out.interiors = hit.state.interiors;
-    out.wavelength = hit.state.wavelength;
-    out.stretch = 1.0;
 }
 
 /// ray: of Refracted.
@@ -91,30 +67,23 @@ namespace {
     if (hit.surface.interior == plan::kNone) return false;
     const plan::Interior& interior = context.scene.interiors[hit.surface.interior];
     const glm::dvec3& d = hit.state.ray.direction;
-    out.fade = glm::vec3(interior.transmission);
-    if (hit.state.interiors.holds(hit.surface.interior)) out.fade *= interior_fade(interior, hit.met.t, false);
-
+    out.fade = fade_behind(interior, hit.state.interiors, hit.surface.interior, hit.met.t);
     out.straight = true;
     out.total = false;
     const Crossing crossing = crossing_of(context.scene.interiors, hit.state.interiors, hit.surface.interior);
     cross(context.scene.interiors, hit.state.interiors, hit.surface.interior, crossing.way, ray.interiors);
     context.cross(interior);
-    ray.ray = {hit.point, d};
-    ray.weight = weight;
-    ray.level = hit.level;
+    leave(hit.state, hit.level, hit.state.root, {hit.point, d}, weight, ray);
     ray.kind = hit.state.kind;
-    ray.root = hit.state.root;
-    ray.scattered = hit.state.scattered;
-    ray.wavelength = hit.state.wavelength;
     ray.stretch = hit.state.stretch;
-    if (!(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero)) {
+    if (!crossing.bends()) {
         ray.start = start_here(context, hit, d);
         return true;
     }
     out.straight = false;
     out.ratio = crossing.ratio;
     out.dispersion = crossing.dispersion;
-    const bool disperses = std::abs(crossing.dispersion - 1.0) >= kNearlyZero;
+    const bool disperses = crossing.disperses();
     if (disperses && !(hit.state.wavelength > 0.0f)) {
         out.samples = crossing.samples;
         return true;

@@ -4,16 +4,17 @@
 #include "csg/items/leaving.h"
 #include "render/texture/finish.h"
 #include "render/texture/fresnel.h"
-#include "render/kernel/interior/interior_fade.h"
 #include "render/kernel/light/direct_batch.h"
+#include "render/kernel/scatter/refraction.h"
 #include "render/kernel/scatter/scatter.h"
+#include "render/kernel/scatter/turned.h"
 #include "render/kernel/context/segment_tile.h"
 #include "render/kernel/interior/interface.h"
 #include "render/kernel/tile/nearly_zero.h"
 
-/// scatter() for a tile's hits of one layer whose normals are not bent, in the same order of operations: what their
-/// rays share is worked out in vector lanes, then they are sent one by one. Where the layer is clear (SingleLayer) the
-/// ray goes on in place of the one before it: no node, no light.
+/// scatter() for a tile's hits of one layer whose normals are not bent: what their rays share is worked out in vector
+/// lanes (turned.h), then they are sent one by one. Where the layer is clear (SingleLayer) the ray goes on in place of
+/// the one before it: no node, no light.
 namespace trace {
 
 class LaneScatter {
@@ -29,7 +30,7 @@ public:
         for_each_hit(hits, [&](std::size_t k) {
             const Crossing crossing = crossing_of(context_.scene.interiors, tile_.interiors(k), own);
             way_[k] = crossing.way;
-            straight |= HitMask{unbent(crossing)} << k;
+            straight |= HitMask{!crossing.bends()} << k;
         });
         clear_ |= straight;
         return straight;
@@ -79,24 +80,21 @@ private:
     /// Cosines with the normals, directions of mirrored rays, and where rays begin to look.
     void find_mirrored(HitMask hits)
     {
+        using csg::lanes::Directions;
         using csg::lanes::Double;
         const TileHits& at = scratch_.hits;
-        const Double least(context_.scene.tolerance.hit), coarse(csg::Tolerance::kCoarse), zero(0.0), two(2.0),
-            one(1.0);
+        const Double least(context_.scene.tolerance.hit), coarse(csg::Tolerance::kCoarse), zero(0.0);
         each_vector(hits, [&](int i) {
             const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
-            const Double dx = get(tile_.rays.dx), dy = get(tile_.rays.dy), dz = get(tile_.rays.dz), nx = get(at.nx),
-                         ny = get(at.ny), nz = get(at.nz);
-            const Double cosine = dx * nx + dy * ny + dz * nz, twice = two * cosine;
-            const Double x = dx - twice * nx, y = dy - twice * ny, z = dz - twice * nz;
-            const Double unit = one / xsimd::sqrt(x * x + y * y + z * z);
-            const Double rx = x * unit, ry = y * unit, rz = z * unit;
-            cosine.store_aligned(cosine_.data() + i);
-            rx.store_aligned(mirrored_x_.data() + i);
-            ry.store_aligned(mirrored_y_.data() + i);
-            rz.store_aligned(mirrored_z_.data() + i);
-            mirrored_along_ |= HitMask{csg::lanes::mask(nx * rx + ny * ry + nz * rz > zero)} << i;
-            through_along_ |= HitMask{csg::lanes::mask(cosine > zero)} << i;
+            const Directions d{get(tile_.rays.dx), get(tile_.rays.dy), get(tile_.rays.dz)},
+                n{get(at.nx), get(at.ny), get(at.nz)};
+            const Double along = dot(d, n);
+            Double length;
+            const Directions r = unit_of(mirrored_about(d, n, along), length);
+            along.store_aligned(cosine_.data() + i);
+            mirrored_.store(i, r);
+            mirrored_along_ |= HitMask{csg::lanes::mask(dot(n, r) > zero)} << i;
+            through_along_ |= HitMask{csg::lanes::mask(along > zero)} << i;
             const Double largest = xsimd::max(xsimd::max(xsimd::abs(get(at.x)), xsimd::abs(get(at.y))),
                                               xsimd::max(xsimd::abs(get(at.z)), get(tile_.hits.t)));
             xsimd::max(least, coarse * largest).store_aligned(start_.data() + i);
@@ -150,10 +148,10 @@ private:
         through_ |= bit;
         const Crossing crossing = crossing_of(interiors, list, own);
         way_[k] = crossing.way;
-        const bool disperses = std::abs(crossing.dispersion - 1.0) >= kNearlyZero;
+        const bool disperses = crossing.disperses();
         if (disperses && !(state.wavelength > 0.0f)) {
             ready_ &= ~bit;
-        } else if (!unbent(crossing)) {
+        } else if (crossing.bends()) {
             bent_ |= bit;
             ratio_[k] = disperses ? scratch_.spectrum.ratio_at(crossing.ratio, crossing.dispersion, state.wavelength)
                                   : crossing.ratio;
@@ -161,33 +159,24 @@ private:
         }
     }
 
-    /// bend() of refraction.h.
     void bend()
     {
+        using csg::lanes::Directions;
         using csg::lanes::Double;
         HitMask along_normal = 0;
-        constexpr double kRounding = 1e-9;
         const TileHits& at = scratch_.hits;
-        const Double one(1.0), zero(0.0);
         each_vector(bent_, [&](int i) {
             const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
-            const Double stretch = get(stretch_), ratio = get(ratio_), dx = stretch * get(tile_.rays.dx),
-                         dy = stretch * get(tile_.rays.dy), dz = stretch * get(tile_.rays.dz), nx = get(at.nx),
-                         ny = get(at.ny), nz = get(at.nz);
-            const Double facing = dx * nx + dy * ny + dz * nz, c = xsimd::abs(facing);
-            const Double k = one + ratio * ratio * (c * c - one), along = ratio * c - xsimd::sqrt(k);
-            const auto outward = facing <= zero;
-            const Double x = ratio * dx + along * xsimd::select(outward, nx, -nx),
-                         y = ratio * dy + along * xsimd::select(outward, ny, -ny),
-                         z = ratio * dz + along * xsimd::select(outward, nz, -nz);
-            const Double length = xsimd::sqrt(x * x + y * y + z * z), unit = one / length;
-            total_ |= HitMask{csg::lanes::mask(k < zero)} << i;
-            const Double bx = x * unit, by = y * unit, bz = z * unit;
-            bx.store_aligned(bent_x_.data() + i);
-            by.store_aligned(bent_y_.data() + i);
-            bz.store_aligned(bent_z_.data() + i);
-            along_normal |= HitMask{csg::lanes::mask(nx * bx + ny * by + nz * bz > zero)} << i;
-            xsimd::select(xsimd::abs(length - one) > Double(kRounding), length, one).store_aligned(stretch_.data() + i);
+            const Directions n{get(at.nx), get(at.ny), get(at.nz)};
+            Double stretch = get(stretch_);
+            const Directions d{stretch * get(tile_.rays.dx), stretch * get(tile_.rays.dy),
+                               stretch * get(tile_.rays.dz)};
+            csg::lanes::Bool total;
+            const Directions bent = bent_behind(d, n, get(ratio_), stretch, total);
+            total_ |= HitMask{csg::lanes::mask(total)} << i;
+            bent_ray_.store(i, bent);
+            stretch.store_aligned(stretch_.data() + i);
+            along_normal |= HitMask{csg::lanes::mask(dot(n, bent) > Double(0.0))} << i;
         });
         total_ &= bent_;
         through_along_ = (through_along_ & ~bent_) | (along_normal & bent_);
@@ -225,8 +214,7 @@ private:
         const InteriorList& list = tile_.interiors(k);
         const RayState& state = tile_.inherited(k);
         const float weight = state.weight * largest(glm::abs(node.filter));
-        node.fade = glm::vec3(interior.transmission);
-        if (list.holds(own)) node.fade *= interior_fade(interior, tile_.hits.t[k], false);
+        node.fade = fade_behind(interior, list, own, tile_.hits.t[k]);
         node.total = has(total_, k);
         ++(node.total ? context_.scratch.counts.reflected : context_.scratch.counts.refracted);
         if (!worth_tracing(context_, tile_.level(k), weight)) return;
@@ -238,13 +226,8 @@ private:
         }
         const bool bent = has(bent_, k);
         QueuedRay& ray = queue.rays.emplace_back();
-        const glm::dvec3 direction = bent ? glm::dvec3(bent_x_[k], bent_y_[k], bent_z_[k])
-                                          : glm::dvec3(tile_.rays.dx[k], tile_.rays.dy[k], tile_.rays.dz[k]);
-        go_on(k, direction, weight, through_inward_, through_leaves_, ray.state);
-        ray.state.kind = tile_.kind(k);
-        ray.state.stretch = bent ? stretch_[k] : state.stretch;
-        cross(context_.scene.interiors, list, own, way_[k], ray.state.interiors);
-        context_.cross(interior);
+        if (bent) go_behind(k, bent_ray_.at(k), stretch_[k], weight, own, ray.state);
+        else go_behind(k, straight_on(k), state.stretch, weight, own, ray.state);
         node.through = queue.keep(ray, !bent);
     }
 
@@ -253,7 +236,6 @@ private:
     {
         RayQueue& queue = scratch_.queue;
         const RayState& state = tile_.inherited(k);
-        const InteriorList& list = tile_.interiors(k);
         ++context_.scratch.counts.refracted;
         if (!worth_tracing(context_, tile_.level(k), state.weight)) {
             queue.colors[out] = scene::Color();
@@ -262,47 +244,53 @@ private:
         QueuedRay& ray = queue.rays.emplace_back();
         ray.slot = out;
         ray.level = tile_.level(k);
-        go_on(k, {tile_.rays.dx[k], tile_.rays.dy[k], tile_.rays.dz[k]}, state.weight, through_inward_, through_leaves_,
-              ray.state);
-        ray.state.kind = tile_.kind(k);
-        ray.state.stretch = state.stretch;
-        const std::uint32_t own = context_.scene.surfaces[tile_.hits.surface[k]].interior;
-        cross(context_.scene.interiors, list, own, way_[k], ray.state.interiors);
+        go_behind(k, straight_on(k), state.stretch, state.weight,
+                  context_.scene.surfaces[tile_.hits.surface[k]].interior, ray.state);
+    }
+
+    glm::dvec3 straight_on(std::size_t k) const { return {tile_.rays.dx[k], tile_.rays.dy[k], tile_.rays.dz[k]}; }
+
+    /// own: the interior that the surface closes.
+    [[gnu::always_inline]] void go_behind(std::size_t k, const glm::dvec3& direction, double stretch, float weight,
+                                          std::uint32_t own, RayState& out)
+    {
+        go_on(k, direction, weight, through_inward_, through_leaves_, out);
+        out.kind = tile_.kind(k);
+        out.stretch = stretch;
+        cross(context_.scene.interiors, tile_.interiors(k), own, way_[k], out.interiors);
         context_.cross(context_.scene.interiors[own]);
     }
 
     [[gnu::always_inline]] void mirror_into(std::size_t k, float weight, RayState& out)
     {
-        go_on(k, {mirrored_x_[k], mirrored_y_[k], mirrored_z_[k]}, weight, mirrored_inward_, mirrored_leaves_, out);
-        out.kind = plan::RayKind::Reflection;
-        out.stretch = 1.0;
-        out.interiors = tile_.interiors(k);
+        go_on(k, mirrored_.at(k), weight, mirrored_inward_, mirrored_leaves_, out);
+        be_mirrored(tile_.interiors(k), out);
     }
 
     /// What mirrored and transmitted rays have in common.
     [[gnu::always_inline]] void go_on(std::size_t k, const glm::dvec3& direction, float weight, HitMask inward,
                                       HitMask leaves, RayState& out)
     {
-        const RayState& state = tile_.inherited(k);
-        const glm::dvec3 point = scratch_.hits.point(k);
-        out.ray.origin = point;
-        out.ray.direction = direction;
+        const csg::Ray ray{scratch_.hits.point(k), direction};
+        leave(tile_.inherited(k), tile_.level(k), tile_.root(k), ray, weight, out);
         out.start = start_[k];
         if (!has(leaves, k))
-            out.start = context_.world.spawn_distance({point, direction}, tile_.hits.at(static_cast<int>(k)),
+            out.start = context_.world.spawn_distance(ray, tile_.hits.at(static_cast<int>(k)),
                                                       glm::dot(scratch_.hits.normal(k), direction), has(inward, k),
                                                       out.start);
-        out.weight = weight;
-        out.level = tile_.level(k);
-        out.root = tile_.root(k);
-        out.scattered = state.scattered;
-        out.wavelength = state.wavelength;
     }
 
-    static bool unbent(const Crossing& crossing)
-    {
-        return !(std::abs(crossing.ratio - 1.0) >= kNearlyZero || std::abs(crossing.dispersion - 1.0) >= kNearlyZero);
-    }
+    struct alignas(64) TileDirections {
+        alignas(64) TileLanes x, y, z;
+
+        void store(int i, const csg::lanes::Directions& v)
+        {
+            v.x.store_aligned(x.data() + i);
+            v.y.store_aligned(y.data() + i);
+            v.z.store_aligned(z.data() + i);
+        }
+        glm::dvec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
+    };
 
     template <class F>
     static void each_vector(HitMask hits, F&& f)
@@ -327,8 +315,8 @@ private:
     HitMask mirrored_inward_ = 0, through_inward_ = 0;  ///< rays that go into their own solid
     HitMask mirrored_leaves_ = 0, through_leaves_ = 0;  ///< rays that surely meet no more of their own solid
     // Not cleared.
-    alignas(64) TileLanes cosine_, start_, mirrored_x_, mirrored_y_, mirrored_z_;
-    alignas(64) TileLanes ratio_, bent_x_, bent_y_, bent_z_;
+    TileDirections mirrored_, bent_ray_;
+    alignas(64) TileLanes cosine_, start_, ratio_;
     alignas(64) TileLanes eta_, share_;  ///< of fresnel_
     alignas(64) TileLanes stretch_;      ///< RayState::stretch, before the surface and then behind it
     TileColors reflectivity_, filter_;
