@@ -123,7 +123,7 @@ void patterned_skies(const Context& context, const SegmentTile& tile, HitMask mi
     const texture::Sky& sky = context.scene.sky;
     const bool looks = context.traits.sky_looks_around;
     texture::Points directions;
-    auto& around = context.scratch.shade.around;  // those of hits have been used
+    auto& around = context.scratch.shade.patterns.around;  // those of hits have been used
     texture::Around each_around;
     HitMask mirrored = 0;
     for_each_hit(missed, [&](std::size_t k) {

@@ -55,41 +55,71 @@ struct Mirror {
     const texture::Finish* finish;
 };
 
-/// What shading keeps per thread; grows to what the scene needs and stays.
-struct ShadeScratch {
-    std::vector<LightSample> samples;                ///< by hit and light, of hits with such rows
-    std::vector<Mirror> mirrors;                     ///< of the layers of the texture at hand
-    std::vector<csg::Share> shares;                  ///< of a blob's components
-    TileColors area_colors;                          ///< of the area light at hand, past what shadows it
-    csg::RayTile rays;                               ///< shadow rays of a tile
-    RayQueue queue;                                  ///< rays that go on from the tile's hits
-    std::array<QueuedRay, csg::kTileRays> segments;  ///< those being traced
-    csg::RayTile segment_rays;                       ///< the same as a tile
-    SpectrumPowers spectrum;                         ///< of light that has been dispersed
-    csg::HitTile segment_hits;
-    std::array<Air, csg::kTileRays> air;  ///< by segment, where there is some (AirStage)
-    bool in_media = false;                ///< a ray of the queue may have been inside of media of an interior
-    TileHits hits;                        ///< of a tile
-    TileLight light;                      ///< the one at hand
-    ShadowEnds shadow_ends;               ///< the same
-    std::array<glm::vec3, csg::kTileRays> lit_colors;  ///< of the light at hand, before shadows
-    TileColors reaching;                               ///< colours of the light at hand where it reaches hits
-    std::vector<RowPage> pages;                        ///< rows that go through the lights together
-    std::vector<ClosingNode> closing;                  ///< of the tile at hand
-    texture::ColorPoints top_pigments;                 ///< of hits of one layer that rays go on from
-    TileColors sums;                                   ///< of all rows, when the lights are through
-    std::array<Bend, csg::kTileRays * plan::kPrefetchedLayers> bends;
+/// Segments of the queue that are being traced: the driver's.
+struct SegmentScratch {
+    std::array<QueuedRay, csg::kTileRays> queued;
+    csg::RayTile rays;  ///< the same as a tile
+    csg::HitTile hits;
+};
+
+/// The surface stage's, for the light stage too, which bends normals: what textures are asked for at the tile's hits.
+struct PatternScratch {
     texture::Points points;  ///< of pattern space, by hit
     std::array<texture::Surroundings, csg::kTileRays> around;
-    std::array<LayerPoints, plan::kPrefetchedLayers> prefetched;  ///< by depth: pigments of layers of textures, and
-                                                                  ///< normals where rays go on from them
-    std::array<HitMask, plan::kPrefetchedLayers> asked;  ///< by depth: where they are
-    std::array<float, csg::kTileRays> quality;  ///< of rays that gather: how far they were followed (spec 6, 4.3)
-    csg::CrossingTile crossings;                ///< of the shadow rays; only how they end where nothing filters
+    std::array<LayerPoints, plan::kPrefetchedLayers> layers;  ///< by depth: pigments of layers of textures, and normals
+                                                              ///< where rays go on from them
+    std::array<HitMask, plan::kPrefetchedLayers> asked;       ///< by depth: where they are
+};
+
+/// Rows of the tile's hits: the surface stage fills them, the light stage and those of other light sum them up.
+struct RowScratch {
+    std::vector<RowPage> pages;         ///< rows that go through the lights together
+    std::vector<LightSample> samples;   ///< by hit and light, of hits with rows that do not
+    std::vector<ClosingNode> closing;   ///< of the tile at hand
+    texture::ColorPoints top_pigments;  ///< of hits of one layer that rays go on from
+    TileColors sums;                    ///< of all rows, when the lights are through
+    std::array<Bend, csg::kTileRays * plan::kPrefetchedLayers> bends;
+};
+
+/// The light at hand, as the light stage and media ask for it.
+struct LampScratch {
+    TileLight light;
+    std::array<glm::vec3, csg::kTileRays> colors;  ///< before shadows
+    TileColors reaching;                           ///< colours where it reaches hits
+    TileColors shadowed;                           ///< of an area light: past what shadows it
+    PhotonShadow photons;
+};
+
+/// Shadow rays of a tile to it.
+struct ShadowScratch {
+    csg::RayTile rays;
+    std::array<std::uint8_t, csg::kTileRays> lane;  ///< of each ray: which hit it belongs to
+    ShadowEnds ends;
+    csg::CrossingTile crossings;  ///< only how they end where nothing filters
+};
+
+/// Photons around the point at hand.
+struct PhotonScratch {
+    NearPhotons near, wide;
+};
+
+/// What shading keeps per thread; grows to what the scene needs and stays.
+struct ShadeScratch {
+    RayQueue queue;  ///< rays that go on from the tile's hits
+    SegmentScratch segments;
+    TileHits hits;  ///< of the tile
     std::array<csg::HitDetails, csg::kTileRays> details;
-    PhotonShadow photon_shadow;                     ///< of the light at hand
-    NearPhotons near_photons, wide_photons;         ///< around the hit at hand
-    std::array<std::uint8_t, csg::kTileRays> lane;  ///< of each shadow ray: which hit it belongs to
+    std::array<Air, csg::kTileRays> air;  ///< by segment, where there is some (AirStage)
+    bool in_media = false;                ///< a ray of the queue may have been inside of media of an interior
+    PatternScratch patterns;
+    RowScratch rows;
+    LampScratch lamp;
+    ShadowScratch shadow;
+    PhotonScratch photons;
+    std::vector<Mirror> mirrors;                ///< of the layers of the texture at hand
+    std::vector<csg::Share> shares;             ///< of a blob's components
+    SpectrumPowers spectrum;                    ///< of light that has been dispersed
+    std::array<float, csg::kTileRays> quality;  ///< of rays that gather: how far they were followed (spec 6, 4.3)
 
     // What one stage keeps for itself.
     Kept<SurfaceScratch, false> surface;

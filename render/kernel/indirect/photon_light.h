@@ -25,8 +25,8 @@ public:
     {
         if (map_.empty() || !context_.scene.settings.quality.effects) return;
         const plan::CompiledScene& scene = context_.scene;
-        scratch_.near_photons.forget();  // pictures do not depend on the order of tiles
-        scratch_.wide_photons.forget();
+        scratch_.photons.near.forget();  // pictures do not depend on the order of tiles
+        scratch_.photons.wide.forget();
         HitMask collecting = 0;
         glm::dvec3 low(csg::kInfinity), high(-csg::kInfinity);
         for_each_hit(batch_.lit(), [&](std::size_t k) {
@@ -47,17 +47,17 @@ private:
     {
         bool gathered = false;
         for (std::size_t d = 0; d < batch_.rows(k); ++d) {
-            RowPage& at = scratch_.pages[d];
+            RowPage& at = scratch_.rows.pages[d];
             const texture::Finish& finish = *at.finish[k];
             if (!(finish.diffuse > 0.0f || finish.diffuse_back > 0.0f || finish.phong > 0.0f || finish.specular > 0.0f))
                 continue;
             const glm::dvec3 normal = at.bent != 0 ? at.normal(k) : scratch_.hits.normal(k);
             if (!gathered) {
-                map_.gather(scratch_.hits.point(k), &normal, reach, scratch_.wide_photons, scratch_.near_photons);
+                map_.gather(scratch_.hits.point(k), &normal, reach, scratch_.photons.wide, scratch_.photons.near);
                 gathered = true;
-                if (scratch_.near_photons.found.empty()) return;
+                if (scratch_.photons.near.found.empty()) return;
             }
-            const double area = std::numbers::pi * scratch_.near_photons.radius2;
+            const double area = std::numbers::pi * scratch_.photons.near.radius2;
             at.gained.set(k, at.gained[k] + row(k, surface, at, normal) / static_cast<float>(area));
         }
     }
@@ -80,7 +80,7 @@ private:
         const bool shiny = context_.bounce == 0 && (finish.phong > 0.0f || finish.specular > 0.0f);
         const bool in_lanes = shiny && !scalar;
         glm::vec3 sum(0);
-        const std::vector<NearPhotons::Near>& found = scratch_.near_photons.found;
+        const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
         alignas(64) std::array<double, csg::lanes::kDoubles> strengths;
         for (std::size_t i = 0; i < found.size(); ++i) {
             const std::size_t lane = i % strengths.size();
@@ -107,7 +107,7 @@ private:
         using csg::lanes::Double;
         const auto all = [](const glm::dvec3& v) { return LaneVectors{Double(v.x), Double(v.y), Double(v.z)}; };
         const auto amount = [](float f) { return Double(static_cast<double>(f)); };
-        const std::vector<NearPhotons::Near>& found = scratch_.near_photons.found;
+        const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
         constexpr std::size_t kLanes = csg::lanes::kDoubles;
         alignas(64) double x[kLanes], y[kLanes], z[kLanes];
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -127,7 +127,7 @@ private:
     {
         const glm::vec3 n(normal), raw(scratch_.hits.normal(k));
         glm::vec3 sum(0);
-        for (const NearPhotons::Near& near : scratch_.near_photons.found) {
+        for (const NearPhotons::Near& near : scratch_.photons.near.found) {
             const PhotonRay& photon = map_.ray(near.photon);
             const float facing = glm::dot(n, photon.back);
             const float share = facing < kDark ? 0.0f : facing;

@@ -38,7 +38,7 @@ AreaLight::AreaLight(Context& context, const light::Light& light, const csg::Hit
     const TileHits& at = scratch_.hits;
     for (std::size_t k = 0; k < kRays; ++k) from_[k] = context.scene.tolerance.shadow_from(at.point(k), met.t[k]);
     for (std::size_t k = 0; k < kRays; ++k)
-        color_.set(k, light.area_illumination ? light.color : scratch_.lit_colors[k]);
+        color_.set(k, light.area_illumination ? light.color : scratch_.lamp.colors[k]);
     if (context_.traits.media || (light.atmosphere && context.scene.atmosphere.extinguishes))
         later_ = &context.scratch.shadow_media().area_shadows;
 }
@@ -198,8 +198,8 @@ void AreaLight::trace_samples()
         if (light_.jitter) purpose_[n] = purpose_[0];
     }
     make_rays();
-    const csg::RayTile& rays = scratch_.rays;
-    csg::CrossingTile& met = scratch_.crossings;
+    const csg::RayTile& rays = scratch_.shadow.rays;
+    csg::CrossingTile& met = scratch_.shadow.crossings;
     csg::Scratch& geometry = context_.scratch.geometry;
     if (light_.shadowless) {
         met.ending.fill(Shadow::Clear);
@@ -241,10 +241,10 @@ void AreaLight::trace_samples()
 void AreaLight::find_filters(HitMask samples)
 {
     SurfaceFilters filters(context_);
-    const csg::CrossingTile& met = scratch_.crossings;
+    const csg::CrossingTile& met = scratch_.shadow.crossings;
     for_each_hit(samples, [&](std::size_t n) {
         if (met.count[n] == csg::CrossingTile::kTooMany) return;
-        const glm::dvec3 direction = scratch_.rays.ray(static_cast<int>(n)).direction;
+        const glm::dvec3 direction = scratch_.shadow.rays.ray(static_cast<int>(n)).direction;
         filters.add(n, {scratch_.hits.point(hit_[n]), direction}, met.hits[n].data(), met.count[n]);
     });
     filters.run();
@@ -273,20 +273,20 @@ void AreaLight::dim_by_media()
 void AreaLight::keep_rests(const Asked& asked)
 {
     for (std::size_t n = asked.first; n < asked.last(); ++n)
-        rests_[hit_[n]] = {scratch_.rays.ray(static_cast<int>(n)).direction, 0.0, distance_[n]};
+        rests_[hit_[n]] = {scratch_.shadow.rays.ray(static_cast<int>(n)).direction, 0.0, distance_[n]};
 }
 
 /// Of a sample whose shadow ray crosses what filters light.
 glm::vec3 AreaLight::sample_color(std::size_t ray)
 {
-    csg::CrossingTile& met = scratch_.crossings;
+    csg::CrossingTile& met = scratch_.shadow.crossings;
     const std::size_t k = hit_[ray];
-    const light::Illumination lit{scratch_.rays.ray(static_cast<int>(ray)).direction, distance_[ray], color_[k]};
+    const light::Illumination lit{scratch_.shadow.rays.ray(static_cast<int>(ray)).direction, distance_[ray], color_[k]};
     const glm::dvec3 point = scratch_.hits.point(k);
     const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
     double unused = 0.0;
     const ShadowAir air{light_.atmosphere, later_, ray, light_.atmosphere ? &rests_[k].from : &unused};
-    const PhotonShadow& caught = scratch_.photon_shadow;
+    const PhotonShadow& caught = scratch_.lamp.photons;
     if (too_many || context_.traits.restarts()) {
         const glm::vec3 passed = filtered_light(context_, point, from_[k], *interiors_[k], lit, lit.color, air,
                                                 too_many ? nullptr : met.hits[ray].data());

@@ -10,7 +10,7 @@ namespace trace {
 /// Moves the samples within their cells, by numbers of the point and the node (random_at).
 void AreaLight::jitter(TileLanes& row, TileLanes& column) const
 {
-    const csg::RayTile& rays = scratch_.rays;
+    const csg::RayTile& rays = scratch_.shadow.rays;
     alignas(64) TileLanes by;
     const auto move = [&](TileLanes& of, std::uint32_t number) {
         random_at(rays.ox.data(), rays.oy.data(), rays.oz.data(), purpose_.data(), number, lanes_, by.data());
@@ -69,7 +69,7 @@ void AreaLight::place_on_light()
 void AreaLight::make_rays()
 {
     const TileHits& hits = scratch_.hits;
-    csg::RayTile& rays = scratch_.rays;
+    csg::RayTile& rays = scratch_.shadow.rays;
     rays.common_origin = false;
     rays.count = static_cast<int>(samples_);
     if (asked_[0].hits == ~HitMask{0}) {
@@ -113,7 +113,7 @@ void AreaLight::make_rays()
 void AreaLight::project()
 {
     for (std::size_t n = 0; n < samples_; ++n) {
-        const double depth = light_.projector->depth(scratch_.rays.ray(static_cast<int>(n)));
+        const double depth = light_.projector->depth(scratch_.shadow.rays.ray(static_cast<int>(n)));
         distance_[n] = depth < 0.0 || depth >= distance_[n] ? -csg::kInfinity : depth;
     }
 }

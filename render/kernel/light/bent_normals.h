@@ -17,15 +17,15 @@ inline void bend_normals(const texture::TextureSet& set, std::uint32_t normal, H
     texture::Around around;
     const bool in_order = (hits & (hits + 1)) == 0;  // the first so many
     if (in_order) {
-        points.take(scratch.points, std::popcount(hits));
+        points.take(scratch.patterns.points, std::popcount(hits));
         for (std::size_t k = 0; k < points.size(); ++k) {
             n.add({places.nx[k], places.ny[k], places.nz[k]});
-            around[k] = &scratch.around[k];
+            around[k] = &scratch.patterns.around[k];
         }
     } else {
         for_each_hit(hits, [&](std::size_t k) {
-            around[points.size()] = &scratch.around[k];
-            points.add(scratch.points.at(k));
+            around[points.size()] = &scratch.patterns.around[k];
+            points.add(scratch.patterns.points.at(k));
             n.add(places.normal(k));
         });
     }

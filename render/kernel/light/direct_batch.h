@@ -22,7 +22,7 @@ public:
         : context_(context), count_(count), set_(context.scene.textures), scratch_(context.scratch.shade)
     {
         rows_.fill(0);
-        scratch_.closing.clear();
+        scratch_.rows.closing.clear();
     }
 
     bool holds(std::size_t k) const { return has(holds_, k); }
@@ -41,8 +41,8 @@ public:
     /// Rows of hit k so far.
     std::uint32_t rows(std::size_t k) const { return rows_[k]; }
 
-    const texture::Finish& top_finish(std::size_t k) const { return *scratch_.pages[0].finish[k]; }
-    scene::Color top_pigment(std::size_t k) const { return scratch_.top_pigments.at(k); }
+    const texture::Finish& top_finish(std::size_t k) const { return *scratch_.rows.pages[0].finish[k]; }
+    scene::Color top_pigment(std::size_t k) const { return scratch_.rows.top_pigments.at(k); }
 
     /// Hits of one layer; their pigments come by color().
     void begin(HitMask hits, const plan::SingleLayer& single)
@@ -60,8 +60,8 @@ public:
 
     void color(HitMask hits, const texture::ColorPoints& c)
     {
-        for_each_hit(hits & goes_on_, [&](std::size_t k) { scratch_.top_pigments.set(k, c.at(k)); });
-        color(scratch_.pages[0], hits, hits & goes_on_, c);
+        for_each_hit(hits & goes_on_, [&](std::size_t k) { scratch_.rows.top_pigments.set(k, c.at(k)); });
+        color(scratch_.rows.pages[0], hits, hits & goes_on_, c);
         if ((hits & dull_) != 0) drop_clear(hits & dull_, c);
     }
 
@@ -73,10 +73,10 @@ public:
         alone_ |= hits;
         lit_ |= hits;
         for (std::uint32_t depth = 0; depth < texture.count; ++depth) {
-            const HitMask here = hits & scratch_.asked[depth];
+            const HitMask here = hits & scratch_.patterns.asked[depth];
             if (here == 0) return;
             RowPage& at = add_layer(depth, here, set_.layers[texture.first + texture.count - 1 - depth]);
-            color(at, here, texture.plain ? 0 : here, scratch_.prefetched[depth].colors);
+            color(at, here, texture.plain ? 0 : here, scratch_.patterns.layers[depth].colors);
             for_each_hit(here, [&](std::size_t k) { rows_[k] = static_cast<std::uint16_t>(depth + 1); });
         }
     }
@@ -121,26 +121,27 @@ public:
     /// A node waits for the light of hit k's rows from `first` on; it is given what there is now.
     void close_node(std::size_t k, std::uint32_t first, std::uint32_t node)
     {
-        scratch_.closing.push_back({node, static_cast<std::uint8_t>(k), static_cast<std::uint16_t>(first), rows_[k]});
+        scratch_.rows.closing.push_back(
+            {node, static_cast<std::uint8_t>(k), static_cast<std::uint16_t>(first), rows_[k]});
     }
 
     /// Bends the normals of the layers that have some; their places and surroundings are known.
     void bend()
     {
         for (std::size_t depth = 0; depth < depths_; ++depth) {
-            RowPage& at = scratch_.pages[depth];
+            RowPage& at = scratch_.rows.pages[depth];
             if (at.bent == 0) continue;
             copy_normals(at);
         }
-        for (std::size_t i = 0; i < bends_; ++i) bend(scratch_.bends[i]);
+        for (std::size_t i = 0; i < bends_; ++i) bend(scratch_.rows.bends[i]);
         bends_ = 0;
     }
 
     /// Some layer of a bent hit faces the direction.
     bool faces(std::size_t k, const glm::dvec3& direction) const
     {
-        for (std::size_t depth = 0; depth < depths_ && has(scratch_.pages[depth].holds, k); ++depth) {
-            const RowPage& at = scratch_.pages[depth];
+        for (std::size_t depth = 0; depth < depths_ && has(scratch_.rows.pages[depth].holds, k); ++depth) {
+            const RowPage& at = scratch_.rows.pages[depth];
             const glm::dvec3 n = at.bent != 0 ? at.normal(k) : scratch_.hits.normal(k);
             if (!(glm::dot(n, direction) < kNearlyZero)) return true;
         }
@@ -150,12 +151,12 @@ public:
     /// The colour of the light at hand, of all hits or of one.
     void begin_light(const glm::vec3& color)
     {
-        scratch_.reaching.fill(color, count_);
+        scratch_.lamp.reaching.fill(color, count_);
         dark_ = dark(color) ? ~HitMask{0} : 0;
     }
     void begin_light(std::size_t k, const glm::vec3& color)
     {
-        scratch_.reaching.set(k, color);
+        scratch_.lamp.reaching.set(k, color);
         dark_ = dark(color) ? dark_ | HitMask{1} << k : dark_ & ~(HitMask{1} << k);
     }
 
@@ -172,7 +173,7 @@ public:
     void add(const light::Light& light, const csg::RayTile& rays)
     {
         for (std::size_t depth = 0; depth < depths_ && reached_ != 0; ++depth)
-            light_page(scratch_.pages[depth], reached_, bent_ | two_sided_, light, rays, scratch_, grains_);
+            light_page(scratch_.rows.pages[depth], reached_, bent_ | two_sided_, light, rays, scratch_, grains_);
         reached_ = 0;
     }
 
@@ -180,7 +181,7 @@ public:
     void begin_group()
     {
         for (std::size_t depth = 0; depth < depths_; ++depth) {
-            RowPage& at = scratch_.pages[depth];
+            RowPage& at = scratch_.rows.pages[depth];
             at.gained_before = at.gained;
             at.gained.fill(glm::vec3(0), count_);
         }
@@ -188,7 +189,7 @@ public:
     void end_group()
     {
         for (std::size_t depth = 0; depth < depths_; ++depth) {
-            RowPage& at = scratch_.pages[depth];
+            RowPage& at = scratch_.rows.pages[depth];
             for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue})
                 for (std::size_t k = 0; k < csg::kTileRays; ++k)
                     (at.gained.*channel)[k] = (at.gained_before.*channel)[k] + (at.gained.*channel)[k];
@@ -199,11 +200,11 @@ public:
     void finish()
     {
         if (depths_ == 0) return;
-        TileColors& sums = scratch_.sums;
+        TileColors& sums = scratch_.rows.sums;
         const auto each = [&](TileFloats TileColors::*channel) {
             float* sum = (sums.*channel).data();
             for (std::size_t depth = 0; depth < depths_; ++depth) {
-                const RowPage& at = scratch_.pages[depth];
+                const RowPage& at = scratch_.rows.pages[depth];
                 const LaneMask here(at.holds);
                 const float *glow = (at.glow.*channel).data(), *gained = (at.gained.*channel).data(),
                             *filter = (at.filter.*channel).data();
@@ -220,15 +221,15 @@ public:
         each(&TileColors::green);
         each(&TileColors::blue);
     }
-    glm::vec3 sum(std::size_t k) const { return scratch_.sums[k]; }
+    glm::vec3 sum(std::size_t k) const { return scratch_.rows.sums[k]; }
 
     /// Gives the nodes their own light, when the lights are through.
     void close_nodes(RayQueue& queue) const
     {
-        for (const ClosingNode& of : scratch_.closing) {
+        for (const ClosingNode& of : scratch_.rows.closing) {
             glm::vec3& own = queue.nodes[of.node].own;
             for (std::uint32_t d = of.first; d < of.last; ++d) {
-                const RowPage& at = scratch_.pages[d];
+                const RowPage& at = scratch_.rows.pages[d];
                 own += at.filter[of.hit] * (at.glow[of.hit] + at.gained[of.hit]);
             }
         }
@@ -239,7 +240,7 @@ public:
     /// Of a row: the layer's, turned to the viewer.
     glm::dvec3 normal(std::size_t depth, std::size_t k) const
     {
-        const RowPage& at = scratch_.pages[depth];
+        const RowPage& at = scratch_.rows.pages[depth];
         return has(at.bent, k) ? at.normal(k) : scratch_.hits.normal(k);
     }
 
@@ -250,7 +251,7 @@ public:
         for_each_hit(scalar_, [&](std::size_t k) {
             std::uint32_t grains = 0;
             for (std::uint32_t d = 0; d < rows_[k]; ++d) {
-                RowPage& at = scratch_.pages[d];
+                RowPage& at = scratch_.rows.pages[d];
                 if (!has(at.scalar, k)) continue;
                 const glm::dvec3 normal = has(at.bent, k) ? at.normal(k) : scratch_.hits.normal(k);
                 at.gained.set(k, direct_light(context_, {place(k), *at.finish[k], at.scalar_pigment.at(k), normal,
@@ -273,8 +274,8 @@ private:
     /// Page d; those below it have been opened before.
     RowPage& page(std::size_t d)
     {
-        if (d == scratch_.pages.size()) scratch_.pages.emplace_back();
-        RowPage& at = scratch_.pages[d];
+        if (d == scratch_.rows.pages.size()) scratch_.rows.pages.emplace_back();
+        RowPage& at = scratch_.rows.pages[d];
         if (d == depths_) {
             ++depths_;
             at.holds = at.bent = at.scalar = at.lit = at.shiny = at.grainy = at.raised = at.tinted = 0;
@@ -317,7 +318,7 @@ private:
         if (of.normal != texture::kNone) {
             at.bent |= hits;
             bent_ |= hits;
-            scratch_.bends[bends_++] = {hits, of.normal, static_cast<std::uint8_t>(depth)};
+            scratch_.rows.bends[bends_++] = {hits, of.normal, static_cast<std::uint8_t>(depth)};
         }
         return at;
     }
@@ -325,7 +326,7 @@ private:
     /// Unit normals of a layer's hits.
     void bend(const Bend& of)
     {
-        RowPage& at = scratch_.pages[of.depth];
+        RowPage& at = scratch_.rows.pages[of.depth];
         bend_normals(set_, of.normal, of.hits, scratch_, at.nx, at.ny, at.nz);
     }
 

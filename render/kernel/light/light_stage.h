@@ -27,15 +27,15 @@ public:
     {
         if (context_.filling != nullptr && context_.bounce == 0) return;  // nobody looks at what the camera sees
         const auto& lights = context_.lights.lights;
-        if (batch_.scalar() != 0) scratch_.samples.resize(lights.size() * kTileRays);
-        scratch_.photon_shadow.scene = nullptr;
+        if (batch_.scalar() != 0) scratch_.rows.samples.resize(lights.size() * kTileRays);
+        scratch_.lamp.photons.scene = nullptr;
         if (context_.indirect != nullptr) find_photon_shadow();
         for (std::size_t i = 0; i < lights.size() && batch_.lit() != 0; ++i) {
             asks_ = batch_.lit();
             if (context_.traits.grouped) asks_ &= shone_on(lights[i]);
             which_ = i;
             if (asks_ == 0) continue;
-            scratch_.photon_shadow.of_light(i);
+            scratch_.lamp.photons.of_light(i);
             add(lights[i]);
         }
         if (batch_.scalar() != 0) add_scalar();
@@ -48,10 +48,10 @@ private:
         const HitMask colored = steady(light) ? illuminate_from_point(light) : illuminate_each(light);
         for_each_hit(asks_ & batch_.scalar(), [&](std::size_t k) {
             LightSample& to = sample(k);
-            to.lit.direction = scratch_.light.direction(k);
-            to.lit.distance = scratch_.light.distance[k];
-            to.lit.color = scratch_.lit_colors[k];
-            to.arriving = light.area_illumination ? light.color : scratch_.lit_colors[k];
+            to.lit.direction = scratch_.lamp.light.direction(k);
+            to.lit.distance = scratch_.lamp.light.distance[k];
+            to.lit.color = scratch_.lamp.colors[k];
+            to.arriving = light.area_illumination ? light.color : scratch_.lamp.colors[k];
         });
         const bool shadows = shadows_ && (!light.shadowless || light.projector);
         if (light.area && (shadows || light.area_illumination)) {
@@ -68,7 +68,7 @@ private:
     /// An area light, whose shadows are found for all hits at once.
     void add_area(const light::Light& light, HitMask asking, bool shadows)
     {
-        TileColors& seen = scratch_.area_colors;
+        TileColors& seen = scratch_.lamp.shadowed;
         if (shadows) {
             caster().cast_area(light, asking, seen);
         } else {
@@ -93,7 +93,7 @@ private:
             for (int i = 0; i < light.size1; ++i) {
                 if (lanes) {
                     lanes->ask(i, j, seen);
-                    for_each_hit(reached, [&](std::size_t k) { batch_.begin_light(k, scratch_.reaching[k]); });
+                    for_each_hit(reached, [&](std::size_t k) { batch_.begin_light(k, scratch_.lamp.reaching[k]); });
                 } else {
                     ask_node(light, i, j, reached, seen);
                 }
@@ -109,7 +109,7 @@ private:
         for_each_hit(hits, [&](std::size_t k) {
             const glm::dvec3 point = scratch_.hits.point(k);
             const light::Illumination lit = light::illuminate(light, point, light::node_offset(light, point, i, j));
-            scratch_.light.set(k, lit);
+            scratch_.lamp.light.set(k, lit);
             batch_.begin_light(k, node_color(light, lit, seen[k]));
         });
     }
@@ -122,7 +122,8 @@ private:
             met = tile_.hits.at(static_cast<int>(k));
             return tile_.place(k, tile_.state(k), met);
         };
-        batch_.add_scalar(place, [&](std::size_t k) { return &scratch_.samples[k * context_.lights.lights.size()]; });
+        batch_.add_scalar(place,
+                          [&](std::size_t k) { return &scratch_.rows.samples[k * context_.lights.lights.size()]; });
     }
 
     /// Where shadow rays tell what arrives.
@@ -135,7 +136,7 @@ private:
     };
     ShadowCaster<SegmentTile, Sink> caster() { return {context_, tile_, sink_}; }
 
-    LightSample& sample(std::size_t k) { return scratch_.samples[k * context_.lights.lights.size() + which_]; }
+    LightSample& sample(std::size_t k) { return scratch_.rows.samples[k * context_.lights.lights.size() + which_]; }
     /// What a shadow leaves of the light at hand, for rows that are looked up by themselves.
     void arrive(std::size_t k, const glm::vec3& color)
     {
@@ -147,10 +148,10 @@ private:
     {
         if (context_.indirect->photons.empty()) return;
         const plan::CompiledScene& scene = context_.scene;
-        scratch_.photon_shadow.scene = &scene;
-        scratch_.photon_shadow.lit = 0;
+        scratch_.lamp.photons.scene = &scene;
+        scratch_.lamp.photons.lit = 0;
         for_each_hit(batch_.lit(), [&](std::size_t k) {
-            if (collects(scene, tile_.hits.surface[k])) scratch_.photon_shadow.lit |= HitMask{1} << k;
+            if (collects(scene, tile_.hits.surface[k])) scratch_.lamp.photons.lit |= HitMask{1} << k;
         });
     }
 
@@ -167,8 +168,8 @@ private:
     /// Directions, distances and colours of a light at one point; the hits where it has a colour.
     HitMask illuminate_from_point(const light::Light& light)
     {
-        toward_point(light, scratch_.hits, tile_.count(), scratch_.light);
-        std::fill_n(scratch_.lit_colors.begin(), tile_.count(), light.color);
+        toward_point(light, scratch_.hits, tile_.count(), scratch_.lamp.light);
+        std::fill_n(scratch_.lamp.colors.begin(), tile_.count(), light.color);
         batch_.begin_light(light.color);
         return light.color == glm::vec3(0) ? 0 : ~HitMask{0};
     }
@@ -178,19 +179,19 @@ private:
     {
         HitMask colored = 0;
         const auto lit = [&](std::size_t k, const glm::vec3& color) {
-            scratch_.lit_colors[k] = color;
+            scratch_.lamp.colors[k] = color;
             batch_.begin_light(k, color);
             colored |= HitMask{color != glm::vec3(0) ? 1u : 0u} << k;
         };
         if (DimmedLanes::serve(light)) {
-            toward_point(light, scratch_.hits, tile_.count(), scratch_.light);
+            toward_point(light, scratch_.hits, tile_.count(), scratch_.lamp.light);
             alignas(64) TileLanes share;
-            DimmedLanes(light).find(asks_, scratch_.light, share);
+            DimmedLanes(light).find(asks_, scratch_.lamp.light, share);
             for_each_hit(asks_, [&](std::size_t k) { lit(k, light.color * static_cast<float>(share[k])); });
         } else {
             for_each_hit(asks_, [&](std::size_t k) {
                 const light::Illumination seen = light::illuminate(light, scratch_.hits.point(k));
-                scratch_.light.set(k, seen);
+                scratch_.lamp.light.set(k, seen);
                 lit(k, seen.color);
             });
         }
@@ -204,15 +205,15 @@ private:
         HitMask away = 0;
         for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
             const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
-            const Double cosine = get(scratch_.hits.nx) * get(scratch_.light.x) +
-                                  get(scratch_.hits.ny) * get(scratch_.light.y) +
-                                  get(scratch_.hits.nz) * get(scratch_.light.z);
+            const Double cosine = get(scratch_.hits.nx) * get(scratch_.lamp.light.x) +
+                                  get(scratch_.hits.ny) * get(scratch_.lamp.light.y) +
+                                  get(scratch_.hits.nz) * get(scratch_.lamp.light.z);
             away |= HitMask{csg::lanes::mask(cosine < Double(kNearlyZero))} << i;
         }
         HitMask toward = ~away;
         for_each_hit(batch_.all_bent(), [&](std::size_t k) {
             const HitMask bit = HitMask{1} << k;
-            toward = batch_.faces(k, scratch_.light.direction(k)) ? toward | bit : toward & ~bit;
+            toward = batch_.faces(k, scratch_.lamp.light.direction(k)) ? toward | bit : toward & ~bit;
         });
         return toward | batch_.two_sided();
     }

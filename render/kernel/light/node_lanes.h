@@ -61,20 +61,20 @@ private:
     template <class At>
     void toward(const At& at)
     {
-        toward_places(at, scratch_.hits, count_, scratch_.light);
+        toward_places(at, scratch_.hits, count_, scratch_.lamp.light);
     }
 
     void color(const TileColors& seen)
     {
         const bool steady = light::steady_color(light_);
         if (!steady) {
-            dimmed_.find(which_, scratch_.light, exact_);
+            dimmed_.find(which_, scratch_.lamp.light, exact_);
             each_place(count_, [&](std::size_t k) { share_[k] = static_cast<float>(exact_[k]); });
         }
         const float part = 1.0f / static_cast<float>(light_.size1 * light_.size2);
         const auto channel = [&](int c, TileFloats TileColors::*of) {
             const float *from = (seen.*of).data(), whole = light_.color[c];
-            float* to = (scratch_.reaching.*of).data();
+            float* to = (scratch_.lamp.reaching.*of).data();
             if (steady || whole == 0.0f) return each_place(count_, [&](std::size_t k) { to[k] = from[k] * part; });
             each_place(count_, [&](std::size_t k) { to[k] = (from[k] * part) * ((whole * share_[k]) / whole); });
         };

@@ -74,7 +74,7 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
                                 bent ? at.nz.data() : scratch.hits.nz.data()};
     alignas(64) TileLanes intensity;
     clear_last(rays.count, intensity);
-    find_intensities(at, n, turning, scratch.light, rays.count, on, intensity);
+    find_intensities(at, n, turning, scratch.lamp.light, rays.count, on, intensity);
     const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
     alignas(64) TileFloats diffuse, strength;
     each_place(rays.count, [&](std::size_t k) { diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]); });
@@ -85,7 +85,7 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
     if (shiny != 0) {
         alignas(64) TileLanes found;
         clear_last(rays.count, found);
-        find_highlights(rays, n, scratch.light, at.lobe, shiny, found);
+        find_highlights(rays, n, scratch.lamp.light, at.lobe, shiny, found);
         const LaneMask shines(shiny);
         each_place(rays.count,
                    [&](std::size_t k) { strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f; });
@@ -94,7 +94,7 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
     const LaneMask gains(on & ~tinted), has_diffuse(at.lit);
     const auto gain = [&](auto&& highlight) {
         for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
-            const float *pigment = (at.pigment.*channel).data(), *color = (scratch.reaching.*channel).data();
+            const float *pigment = (at.pigment.*channel).data(), *color = (scratch.lamp.reaching.*channel).data();
             float* gained = (at.gained.*channel).data();
             each_place(rays.count, [&](std::size_t k) {
                 const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
@@ -105,12 +105,12 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
     if (shiny == 0) return gain([](std::size_t, float) { return 0.0f; });
     gain([&](std::size_t k, float color) { return strength[k] != 0.0f ? strength[k] * color : 0.0f; });
     for_each_hit(tinted, [&](std::size_t k) {
-        const glm::vec3 color = scratch.reaching[k], rgb = at.pigment[k];
+        const glm::vec3 color = scratch.lamp.reaching[k], rgb = at.pigment[k];
         glm::vec3 sum = has(at.lit, k) ? diffuse[k] * rgb * color : glm::vec3(0);
         const glm::dvec3 normal{n[0][k], n[1][k], n[2][k]};
         if (strength[k] != 0.0f)
             sum += strength[k] * texture::highlight_color(*at.finish[k], color, scene::Color::of(rgb), normal,
-                                                          scratch.light.direction(k));
+                                                          scratch.lamp.light.direction(k));
         at.gained.set(k, at.gained[k] + sum);
     });
 }

@@ -42,8 +42,8 @@ public:
         if (light.projector) asking &= project(light, asking);
         const double least = context_.scene.tolerance.shadow;
         const HitMask near = light.shadowless ? asking
-                                              : find_shadow_ends(least, scratch_.hits, tile_.hits, scratch_.light,
-                                                                 scratch_.shadow_ends, tile_.count());
+                                              : find_shadow_ends(least, scratch_.hits, tile_.hits, scratch_.lamp.light,
+                                                                 scratch_.shadow.ends, tile_.count());
         sink_.light(asking & near);
         asking &= ~near;
         if (asking == 0) return;
@@ -51,7 +51,7 @@ public:
         // From the light, where they form a beam.
         const bool from_light = light.from_one_point() && !context_.traits.has_open_surface &&
                                 (opaque || !asks_own_rays(light, asking)) && !context_.scene.geometry.faithful &&
-                                ((all & beyond(scratch_.light, kFarLight * least, tile_.count())) == 0 ||
+                                ((all & beyond(scratch_.lamp.light, kFarLight * least, tile_.count())) == 0 ||
                                  (Tile::kInAir && stands_among(light, kFarLight * least)));
         answer(light, shadow_rays(scratch_, asking, from_light ? &light.location : nullptr), opaque);
     }
@@ -66,9 +66,9 @@ public:
         if (!light.atmosphere || light.shadowless) return;
         for_each_hit(asking, [&](std::size_t k) {
             // The rest of the way as from the sample that was asked last, or all of it twice (spec 6, 2.8).
-            const AreaLight::Rest rest =
-                light.dimmed_twice ? AreaLight::Rest{scratch_.light.direction(k), 0.0, scratch_.light.distance[k]}
-                                   : area.rest(k);
+            const AreaLight::Rest rest = light.dimmed_twice ? AreaLight::Rest{scratch_.lamp.light.direction(k), 0.0,
+                                                                              scratch_.lamp.light.distance[k]}
+                                                            : area.rest(k);
             RayState ray;
             ray.ray = {scratch_.hits.point(k), rest.direction};
             ray.interiors = tile_.interiors(k);
@@ -160,9 +160,9 @@ private:
     {
         HitMask seen = 0;
         for_each_hit(asking, [&](std::size_t k) {
-            const double depth = light.projector->depth({scratch_.hits.point(k), scratch_.light.direction(k)});
-            if (depth < 0.0 || depth >= scratch_.light.distance[k]) return sink_.arrive(k, glm::vec3(0));
-            scratch_.light.distance[k] = depth;
+            const double depth = light.projector->depth({scratch_.hits.point(k), scratch_.lamp.light.direction(k)});
+            if (depth < 0.0 || depth >= scratch_.lamp.light.distance[k]) return sink_.arrive(k, glm::vec3(0));
+            scratch_.lamp.light.distance[k] = depth;
             seen |= HitMask{1} << k;
         });
         return seen;
@@ -171,8 +171,8 @@ private:
     /// What the shadow rays tell. `in_order`: ray i is point i's; `opaque`: they come near nothing that is not.
     void answer(const light::Light& light, bool in_order, bool opaque)
     {
-        const RayTile& beam = scratch_.rays;
-        csg::CrossingTile& met = scratch_.crossings;
+        const RayTile& beam = scratch_.shadow.rays;
+        csg::CrossingTile& met = scratch_.shadow.crossings;
         context_.scratch.counts.shadow += static_cast<std::uint64_t>(beam.count);
         if (context_.traits.filters && !opaque) {
             context_.world.shadow_crossings(beam, context_.scratch.geometry, met);
@@ -180,7 +180,7 @@ private:
             context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
             met.count.fill(0);
         }
-        const auto hit_of = [&](std::size_t ray) { return in_order ? ray : scratch_.lane[ray]; };
+        const auto hit_of = [&](std::size_t ray) { return in_order ? ray : scratch_.shadow.lane[ray]; };
         const HitMask rays = first_hits(beam.count), blocked = rays & equal(met.ending, Shadow::Blocked);
         const HitMask clear = light.atmosphere ? 0 : rays & equal(met.ending, Shadow::Clear);  // fog dims all of them
         HitMask reached = clear;
@@ -232,13 +232,13 @@ private:
     {
         filters_known_ = true;
         SurfaceFilters filters(context_);
-        csg::CrossingTile& met = scratch_.crossings;
+        csg::CrossingTile& met = scratch_.shadow.crossings;
         for_each_hit(rays & ~equal(met.ending, Shadow::Clear), [&](std::size_t ray) {
             if (met.count[ray] == csg::CrossingTile::kTooMany) return;
             const std::size_t k = hit_of(ray);
-            if (scratch_.rays.common_origin)
-                turn_round(met.hits[ray].data(), met.count[ray], scratch_.light.distance[k]);
-            filters.add(ray, {scratch_.hits.point(k), scratch_.light.direction(k)}, met.hits[ray].data(),
+            if (scratch_.shadow.rays.common_origin)
+                turn_round(met.hits[ray].data(), met.count[ray], scratch_.lamp.light.distance[k]);
+            filters.add(ray, {scratch_.hits.point(k), scratch_.lamp.light.direction(k)}, met.hits[ray].data(),
                         met.count[ray]);
         });
         filters.run();
@@ -249,13 +249,13 @@ private:
     [[gnu::noinline]] void restart(HitMask rays, const HitOf& hit_of)
     {
         RestartedRays restarted(context_);
-        const csg::CrossingTile& met = scratch_.crossings;
+        const csg::CrossingTile& met = scratch_.shadow.crossings;
         for_each_hit(rays & ~equal(met.ending, Shadow::Clear), [&](std::size_t ray) {
             const std::size_t k = hit_of(ray);
-            const double tolerance = scratch_.shadow_ends.from[k], end = scratch_.light.distance[k] - tolerance;
+            const double tolerance = scratch_.shadow.ends.from[k], end = scratch_.lamp.light.distance[k] - tolerance;
             if (end <= tolerance) return;
             const bool too_many = met.count[ray] == csg::CrossingTile::kTooMany;
-            restarted.add(k, {scratch_.hits.point(k), scratch_.light.direction(k)}, tolerance, end,
+            restarted.add(k, {scratch_.hits.point(k), scratch_.lamp.light.direction(k)}, tolerance, end,
                           too_many ? nullptr : met.hits[ray].data());
         });
         restarted.run();
@@ -269,22 +269,23 @@ private:
     /// The light at hand past what a shadow ray crosses.
     glm::vec3 filtered(std::size_t ray, std::size_t k, const ShadowAir& air)
     {
-        const light::Illumination lit{scratch_.light.direction(k), scratch_.light.distance[k], scratch_.lit_colors[k]};
-        const bool clear = scratch_.crossings.ending[ray] == Shadow::Clear;
-        const std::uint8_t count = clear ? 0 : scratch_.crossings.count[ray];
+        const light::Illumination lit{scratch_.lamp.light.direction(k), scratch_.lamp.light.distance[k],
+                                      scratch_.lamp.colors[k]};
+        const bool clear = scratch_.shadow.crossings.ending[ray] == Shadow::Clear;
+        const std::uint8_t count = clear ? 0 : scratch_.shadow.crossings.count[ray];
         const bool too_many = count == csg::CrossingTile::kTooMany;
-        const PhotonShadow& caught = scratch_.photon_shadow;
+        const PhotonShadow& caught = scratch_.lamp.photons;
         if (too_many || (context_.traits.restarts() && !clear)) {
             const glm::vec3 passed = filtered_light(
-                context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k), lit, lit.color, air,
+                context_, scratch_.hits.point(k), scratch_.shadow.ends.from[k], tile_.interiors(k), lit, lit.color, air,
                 nullptr, context_.traits.restarts() ? &scratch_.restarted().rays[k] : nullptr);
             const auto& crossings = context_.scratch.crossings;
             return caught.stops(k, crossings.data(), crossings.size()) ? glm::vec3(0) : passed;
         }
-        if (caught.stops(k, scratch_.crossings.hits[ray].data(), count)) return glm::vec3(0);
-        return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow_ends.from[k], tile_.interiors(k),
-                                    lit, scratch_.rays.common_origin && !filters_known_,
-                                    scratch_.crossings.hits[ray].data(), count, air,
+        if (caught.stops(k, scratch_.shadow.crossings.hits[ray].data(), count)) return glm::vec3(0);
+        return shadow_transmittance(context_, scratch_.hits.point(k), scratch_.shadow.ends.from[k], tile_.interiors(k),
+                                    lit, scratch_.shadow.rays.common_origin && !filters_known_,
+                                    scratch_.shadow.crossings.hits[ray].data(), count, air,
                                     filters_known_ ? scratch_.filters().filters[ray].data() : nullptr);
     }
 

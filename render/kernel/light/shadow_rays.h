@@ -39,13 +39,13 @@ inline HitMask beyond(const TileLight& light, double distance, int count)
     return ~near;
 }
 
-/// A shadow ray for each of these hits in scratch.rays, from the lamp where that is one point. True: ray i is hit i's;
-/// otherwise scratch.lane says whose it is.
+/// A shadow ray for each of these hits in scratch.shadow.rays, from the lamp where that is one point. True: ray i is
+/// hit i's; otherwise scratch.shadow.lane says whose it is.
 inline bool shadow_rays(ShadeScratch& scratch, HitMask asking, const glm::dvec3* lamp)
 {
-    csg::RayTile& beam = scratch.rays;
-    const TileLight& toward = scratch.light;
-    const ShadowEnds& ends = scratch.shadow_ends;
+    csg::RayTile& beam = scratch.shadow.rays;
+    const TileLight& toward = scratch.lamp.light;
+    const ShadowEnds& ends = scratch.shadow.ends;
     beam.count = std::popcount(asking);
     beam.common_origin = lamp != nullptr;
     if (asking == first_hits(beam.count)) {
@@ -73,7 +73,7 @@ inline bool shadow_rays(ShadeScratch& scratch, HitMask asking, const glm::dvec3*
         const csg::Ray shadow = lamp != nullptr ? csg::Ray{*lamp, -direction}
                                                 : csg::Ray{scratch.hits.point(k), direction};
         beam.set(ray, shadow, ends.from[k], ends.to[k]);
-        scratch.lane[ray++] = static_cast<std::uint8_t>(k);
+        scratch.shadow.lane[ray++] = static_cast<std::uint8_t>(k);
     });
     return false;
 }

@@ -13,9 +13,9 @@ void media_photons(const Context& context, const texture::Points& points, HitMas
 {
     const PhotonMap& map = context.indirect->media_photons;
     ShadeScratch& scratch = context.scratch.shade;
-    NearPhotons& near = scratch.near_photons;
+    NearPhotons& near = scratch.photons.near;
     near.forget();  // pictures do not depend on the order of batches
-    scratch.wide_photons.forget();
+    scratch.photons.wide.forget();
     glm::dvec3 low(csg::kInfinity), high(-csg::kInfinity);
     for_each_hit(which, [&](std::size_t k) {
         low = glm::min(low, points.at(k));
@@ -23,7 +23,7 @@ void media_photons(const Context& context, const texture::Points& points, HitMas
     });
     const PhotonReach reach = map.reach(low, high);
     for_each_hit(which, [&](std::size_t k) {
-        map.gather(points.at(k), nullptr, reach, scratch.wide_photons, near);
+        map.gather(points.at(k), nullptr, reach, scratch.photons.wide, near);
         glm::vec3 sum(0);
         const bool even = mixes[k]->one_kind && mixes[k]->members[0]->phase == plan::Media::Phase::Isotropic;
         for (const NearPhotons::Near& of : near.found) {

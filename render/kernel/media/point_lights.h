@@ -22,21 +22,21 @@ public:
     {
         TileHits& at = scratch_.hits;
         at.x = points.x.v, at.y = points.y.v, at.z = points.z.v;
-        scratch_.photon_shadow.scene = has_surface_photons(context) ? &context.scene : nullptr;
-        scratch_.photon_shadow.lit = collecting;
+        scratch_.lamp.photons.scene = has_surface_photons(context) ? &context.scene : nullptr;
+        scratch_.lamp.photons.lit = collecting;
     }
 
     /// What arrives from a light of the context at these points, in color(); the points where something does.
     HitMask ask(std::size_t number, HitMask asking)
     {
         const light::Light& light = context_.lights.lights[number];
-        scratch_.photon_shadow.of_light(number);
+        scratch_.lamp.photons.of_light(number);
         const HitMask colored = steady(light) ? from_one_point(light) : from_each(light, asking);
         reached_ = 0;
         asking &= colored;
         if (asking == 0) return 0;
         if (light.area) {
-            TileColors& seen = scratch_.area_colors;
+            TileColors& seen = scratch_.lamp.shadowed;
             ShadowCaster(context_, *this, *this).cast_area(light, asking, seen);
             for_each_hit(asking, [&](std::size_t k) { this->light(k, seen[k]); });
         } else {
@@ -46,8 +46,8 @@ public:
     }
 
     glm::vec3 color(std::size_t k) const { return colors_[k]; }
-    glm::dvec3 direction(std::size_t k) const { return scratch_.light.direction(k); }
-    const TileLight& directions() const { return scratch_.light; }
+    glm::dvec3 direction(std::size_t k) const { return scratch_.lamp.light.direction(k); }
+    const TileLight& directions() const { return scratch_.lamp.light; }
 
     // What ShadowCaster asks of a tile.
     static constexpr bool kInAir = true;
@@ -58,7 +58,7 @@ public:
     // What ShadowCaster tells.
     void light(HitMask hits_reached)
     {
-        for_each_hit(hits_reached, [this](std::size_t k) { light(k, scratch_.lit_colors[k]); });
+        for_each_hit(hits_reached, [this](std::size_t k) { light(k, scratch_.lamp.colors[k]); });
     }
     void light(std::size_t k, const glm::vec3& color)
     {
@@ -71,8 +71,8 @@ public:
 private:
     HitMask from_one_point(const light::Light& light)
     {
-        toward_point(light, scratch_.hits, count_, scratch_.light);
-        scratch_.lit_colors.fill(light.color);
+        toward_point(light, scratch_.hits, count_, scratch_.lamp.light);
+        scratch_.lamp.colors.fill(light.color);
         return ~HitMask{0};
     }
 
@@ -80,20 +80,20 @@ private:
     {
         HitMask colored = 0;
         if (light.from_one_point()) {  // only the colour differs from point to point
-            toward_point(light, scratch_.hits, count_, scratch_.light);
+            toward_point(light, scratch_.hits, count_, scratch_.lamp.light);
             alignas(64) TileLanes share;
-            DimmedLanes(light).find(asking, scratch_.light, share);
+            DimmedLanes(light).find(asking, scratch_.lamp.light, share);
             for_each_hit(asking, [&](std::size_t k) {
                 const glm::vec3 color = light.color * static_cast<float>(share[k]);
-                scratch_.lit_colors[k] = color;
+                scratch_.lamp.colors[k] = color;
                 colored |= HitMask{dark(color) ? 0u : 1u} << k;
             });
             return colored;
         }
         for_each_hit(asking, [&](std::size_t k) {
             const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
-            scratch_.light.set(k, lit);
-            scratch_.lit_colors[k] = lit.color;
+            scratch_.lamp.light.set(k, lit);
+            scratch_.lamp.colors[k] = lit.color;
             if (!dark(lit.color)) colored |= HitMask{1} << k;
         });
         return colored;

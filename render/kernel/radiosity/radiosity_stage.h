@@ -30,7 +30,7 @@ private:
         HitMask asking = 0;
         for_each_hit(hits, [&](std::size_t k) {
             for (std::size_t depth = 0; depth < batch_.depths(); ++depth) {
-                const RowPage& at = scratch_.pages[depth];
+                const RowPage& at = scratch_.rows.pages[depth];
                 if (!has(at.holds, k) || at.finish[k]->*diffuse == 0.0f) continue;
                 const glm::vec3 share = at.filter[k] * at.pigment[k] * at.alpha[k] * (at.finish[k]->*diffuse);
                 const auto amount = static_cast<double>(scene::grey(share));
@@ -46,7 +46,7 @@ private:
         for_each_hit(asking, [&](std::size_t k) {
             const glm::vec3 ambient = gather.ambient[lane_request_[k]];
             for (std::size_t depth = 0; depth < batch_.depths(); ++depth) {
-                RowPage& at = scratch_.pages[depth];
+                RowPage& at = scratch_.rows.pages[depth];
                 if (!has(at.holds, k)) continue;
                 at.gained.set(k, at.gained[k] + at.pigment[k] * ambient * (at.alpha[k] * (at.finish[k]->*diffuse)));
             }

@@ -46,12 +46,12 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
 void intersect(Context& context, const QueuedRay* queued, int count)
 {
     ShadeScratch& scratch = context.scratch.shade;
-    RayTile& rays = scratch.segment_rays;
+    RayTile& rays = scratch.segments.rays;
     rays.count = count;
     rays.common_origin = false;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
         rays.set(i, queued[i].state.ray, queued[i].state.start, csg::kInfinity);
-    context.world.nearest(rays, bit(queued[0].state.kind), context.scratch.geometry, scratch.segment_hits);
+    context.world.nearest(rays, bit(queued[0].state.kind), context.scratch.geometry, scratch.segments.hits);
 }
 
 /// The batch of rays that waits last: traced and shaded, up to a tile of them.
@@ -63,9 +63,9 @@ void shade_queued(Context& context, const RayState& camera)
         return a == b || context.world.seen_by_all(bit(a) | bit(b));
     };
     const std::size_t count =
-        queue.take(context.scene.options.grain_stream ? 1 : kTileRays, scratch.segments.data(), alike);
-    intersect(context, scratch.segments.data(), static_cast<int>(count));
-    shade(context, scratch.segment_rays, scratch.segment_hits, camera, nullptr, scratch.segments.data());
+        queue.take(context.scene.options.grain_stream ? 1 : kTileRays, scratch.segments.queued.data(), alike);
+    intersect(context, scratch.segments.queued.data(), static_cast<int>(count));
+    shade(context, scratch.segments.rays, scratch.segments.hits, camera, nullptr, scratch.segments.queued.data());
 }
 
 }  // namespace

@@ -381,17 +381,17 @@ void add_subsurface_light(Context& context, const SegmentTile& tile, DirectBatch
     HitMask asking = 0;
     for_each_hit(batch.all(), [&](std::size_t k) {
         for (std::size_t d = 0; d < batch.rows(k); ++d)
-            if (scratch.pages[d].finish[k]->subsurface) asking |= HitMask{1} << k;
+            if (scratch.rows.pages[d].finish[k]->subsurface) asking |= HitMask{1} << k;
     });
     if (asking == 0) return;
     SubsurfaceLight light(context, tile);
     for_each_hit(asking, [&](std::size_t k) {
         for (std::size_t d = 0; d < batch.rows(k); ++d)
-            if (scratch.pages[d].finish[k]->subsurface) light.add_site(k, d, scratch.pages[d]);
+            if (scratch.rows.pages[d].finish[k]->subsurface) light.add_site(k, d, scratch.rows.pages[d]);
     });
     light.run();
     light.each([&](std::size_t k, std::size_t d, const glm::vec3& gained) {
-        RowPage& at = scratch.pages[d];
+        RowPage& at = scratch.rows.pages[d];
         at.gained.set(k, at.gained[k] + gained);
     });
 }

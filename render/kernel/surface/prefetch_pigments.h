@@ -39,7 +39,7 @@ inline HitMask prefetch_pigments(ShadeScratch& scratch, const texture::TextureSe
     }
     TileColors filter;
     filter.fill(1.0f);
-    scratch.asked.fill(0);
+    scratch.patterns.asked.fill(0);
     for (std::uint32_t depth = 0; depth < most; ++depth) {
         HitMask asked = 0;
         for (std::size_t g = 0; g < own.layered_count; ++g) {
@@ -48,18 +48,18 @@ inline HitMask prefetch_pigments(ShadeScratch& scratch, const texture::TextureSe
             const HitMask hits = group.hits & open;
             if (texture.count <= depth || hits == 0) continue;
             asked |= hits;
-            own.pigments.ask(hits, set.layers[texture.first + texture.count - 1 - depth].pigment, scratch.points,
-                             scratch.around);
+            own.pigments.ask(hits, set.layers[texture.first + texture.count - 1 - depth].pigment,
+                             scratch.patterns.points, scratch.patterns.around);
         }
         if (asked == 0) break;
-        texture::ColorPoints& colors = scratch.prefetched[depth].colors;
+        texture::ColorPoints& colors = scratch.patterns.layers[depth].colors;
         own.pigments.run(set, [&](HitMask hits, const texture::ColorPoints& found) {
             if (hits == asked) colors = found;
             else for_each_hit(hits, [&](std::size_t k) { colors.set(k, found.at(k)); });
         });
-        scratch.asked[depth] = asked;
-        if (scratch.pages.size() <= depth) scratch.pages.resize(depth + 1);
-        scratch.pages[depth].filter = filter;
+        scratch.patterns.asked[depth] = asked;
+        if (scratch.rows.pages.size() <= depth) scratch.rows.pages.resize(depth + 1);
+        scratch.rows.pages[depth].filter = filter;
         open = (open & ~asked) | (asked & pass_layer(colors, filter, bailout));
     }
     return open;

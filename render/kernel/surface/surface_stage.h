@@ -77,7 +77,7 @@ private:
         }
         if (solid && !batch_.bent(first_hit(group))) return;
         surround(group, surface);
-        if (!solid) own_.pigments.ask(group, index, scratch_.points, scratch_.around);
+        if (!solid) own_.pigments.ask(group, index, scratch_.patterns.points, scratch_.patterns.around);
     }
 
     void begin_layers(HitMask group, csg::SurfaceId surface, const plan::PatternedLayers& of)
@@ -109,11 +109,11 @@ private:
         const TileHits& places = scratch_.hits;
         const bool uv = context_.scene.surfaces[surface].uv_mapping;
         for_each_hit(group, [&](std::size_t k) {
-            scratch_.points.set(k, uv ? glm::dvec3(scratch_.details[k].uv, 0.0) : places.point(k));
+            scratch_.patterns.points.set(k, uv ? glm::dvec3(scratch_.details[k].uv, 0.0) : places.point(k));
         });
         if (!context_.traits.surfaces[surface].looked_around) return;
         for_each_hit(group, [&](std::size_t k) {
-            texture::Surroundings& around = scratch_.around[k];  // member by member, as the details
+            texture::Surroundings& around = scratch_.patterns.around[k];  // member by member, as the details
             around.point = places.point(k);
             around.normal = places.normal(k);
             around.direction = tile_.rays.ray(static_cast<int>(k)).direction;
@@ -145,8 +145,8 @@ private:
             texture::Points points, normals;
             texture::Around around;
             for_each_hit(group.hits, [&](std::size_t k) {
-                around[points.size()] = &scratch_.around[k];
-                points.add(scratch_.points.at(k));
+                around[points.size()] = &scratch_.patterns.around[k];
+                points.add(scratch_.patterns.points.at(k));
                 normals.add(scratch_.hits.normal(k));
             });
             points.pad();
@@ -161,10 +161,10 @@ private:
         const auto& set = context_.scene.textures;
         for (std::uint32_t depth = 0; depth < of.count; ++depth) {
             const std::uint32_t normal = set.layers[of.first + of.count - 1 - depth].normal;
-            const HitMask here = hits & scratch_.asked[depth];
+            const HitMask here = hits & scratch_.patterns.asked[depth];
             if (here == 0) return;
             if (normal == texture::kNone) continue;
-            BentNormals& to = scratch_.prefetched[depth].normals;
+            BentNormals& to = scratch_.patterns.layers[depth].normals;
             bend_normals(set, normal, here, scratch_, to.x.v, to.y.v, to.z.v);
         }
     }
@@ -193,7 +193,7 @@ private:
         for (std::size_t g = 0; g < own_.mapped_count; ++g) {
             const MappedGroup& group = own_.mapped[g];
             if (has(group.hits, k))
-                return own_.maps.shade(context_, batch_, hit, group.place, scratch_.points.at(k), out);
+                return own_.maps.shade(context_, batch_, hit, group.place, scratch_.patterns.points.at(k), out);
         }
         PrefetchedPigments prefetched;
         if (find_prefetched(k, prefetched) && prefetched.texture == texture) hit.prefetched = &prefetched;
@@ -239,8 +239,8 @@ private:
         for (std::size_t g = 0; g < own_.layered_count; ++g) {
             const LayeredGroup& group = own_.layered[g];
             if (has(group.hits, k))
-                out = {group.texture, context_.scene.textures.textures[group.texture].count, scratch_.prefetched.data(),
-                       k};
+                out = {group.texture, context_.scene.textures.textures[group.texture].count,
+                       scratch_.patterns.layers.data(), k};
         }
         return true;
     }
