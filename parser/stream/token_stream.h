@@ -2,12 +2,12 @@
 
 #include "parser/lexer/lexer.h"
 #include "parser/base/reading.h"
-#include "parser/stream/values/compiled.h"
 #include "parser/stream/hooks.h"
 #include "parser/stream/kept_files.h"
 #include "parser/stream/language_state.h"
 #include "parser/stream/reading_profile.h"
 #include "parser/stream/reading_state.h"
+#include "parser/stream/values/random_undo.h"
 #include "parser/stream/values/symbols.h"
 
 #include <memory>
@@ -210,8 +210,7 @@ public:
     /// `out` must be new: only its components are written.
     bool run_compiled_here(int requested, bool full, Tuple& out)
     {
-        return !blocks_.empty() && blocks_.back().repeats &&
-               find_compiled(CompiledKey(requested, full, raw_operators_), out);
+        return !blocks_.empty() && blocks_.back().repeats && find_compiled(requested, full, out);
     }
     /// The name that a running declaration will create: a function that names it calls itself.
     std::uint32_t declaring() const { return declaring_; }
@@ -309,11 +308,8 @@ private:
     bool left_out();
     void enter_macro(const Token& name, const Macro& macro, std::size_t first_argument);
 
-    // compiled_sites.cpp
-    bool find_compiled(CompiledKey key, Tuple& out);
-    bool compile_here(CompiledKey key, std::uint32_t at, Tuple& out);
-    std::uint32_t* sites_of(std::uint16_t file);
-    bool take_compiled(const CompiledExpression& expression, std::uint32_t at, Tuple& out);
+    // blocks/sites.cpp
+    bool find_compiled(int requested, bool full, Tuple& out);
     bool declare_compiled(bool local);
     Cell argument_compiled(std::uint32_t scope);
 
@@ -388,8 +384,6 @@ private:
     /// By what #include calls it and the file that includes; forgotten when a file is opened.
     std::unordered_map<std::string, std::uint16_t> included_;
     std::string scene_folder_;
-    std::vector<std::vector<std::uint32_t>> sites_;  // by file and token; see compiled_sites.cpp
-    std::vector<CompiledExpression> compiled_;
     std::unique_ptr<blocks::Runner> runner_;
     std::vector<std::shared_ptr<const Macro>> macros_;  // all there ever were: one may be redefined while it is called
     std::vector<Cell> arguments_;                       // of the macro calls that are being read

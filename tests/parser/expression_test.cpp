@@ -1,4 +1,5 @@
-#include "parser/stream/expressions/compiled_functions.h"
+#include "parser/stream/expressions/number_functions.h"
+#include "parser/stream/expressions/text_functions.h"
 #include "parser/stream/expressions/fixed_text.h"
 #include "tests/parser/stream_support.h"
 

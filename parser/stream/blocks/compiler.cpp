@@ -153,14 +153,27 @@ std::uint32_t BlockCompiler::open(std::uint32_t parent, PlaceKind kind, std::uin
     return static_cast<std::uint32_t>(program_.places.size() - 1);
 }
 
+int BlockCompiler::expression(std::uint32_t& at, std::uint32_t end, const Form& form)
+{
+    if (at >= end) return 0;
+    ExpressionCompiler reader(tokens_, at, end, *this, emitter_);
+    const int count = reader.expression(form);
+    at = reader.at();
+    return count;
+}
+
+bool BlockCompiler::text(std::uint32_t& at, std::uint32_t end)
+{
+    ExpressionCompiler reader(tokens_, at, end, *this, emitter_);
+    const bool known = reader.whole_text();
+    at = reader.at();
+    return known;
+}
+
 /// A number on the stack.
 bool BlockCompiler::number(std::uint32_t& at, std::uint32_t end, bool full)
 {
-    CompiledExpression read;
-    if (at >= end || !compile_expression(tokens_, at, end, CompiledKey(1, full, false), *this, read) || read.count != 1)
-        return false;
-    at = read.end;
-    return emitter_.expression(std::move(read));
+    return expression(at, end, {1, full, false}) == 1;
 }
 
 /// `( number )`

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/blocks/emitter.h"
+#include "parser/stream/blocks/expression_compiler.h"
 
 #include <unordered_map>
 #include <utility>
@@ -22,7 +22,7 @@ class Library {
 public:
     virtual ~Library() = default;
     /// Null: the macro gives no number or vector, or it is not that simple. `known`: what names will mean in it.
-    virtual const Program* value_of(const CompiledCall& call, const Known& known) = 0;
+    virtual const Program* value_of(const ValueCall& call, const Known& known) = 0;
     /// A statement of the grammar, where one may stand. Null: it is left to the reader of tokens.
     virtual std::unique_ptr<ReadyStatement> prepare(StatementReader& reader) = 0;
 };
@@ -40,13 +40,13 @@ public:
     /// The body of a macro, and then the return.
     void macro(const Macro& macro);
     /// The body of a macro for its value. False: not possible.
-    bool value(const CompiledCall& call, Known known);
+    bool value(const ValueCall& call, Known known);
 
     const Value* find(std::uint32_t name) const override;
     int components(std::uint32_t name) const override;
     bool literal(const Token& token, std::string& out) const override;
     bool texts() const override { return true; }
-    int value_of(CompiledCall& call) const override;
+    const Program* value_of(const ValueCall& call, const std::vector<Argument>& arguments) const override;
 
 private:
     friend class ReadyCompiler;
@@ -73,6 +73,9 @@ private:
     bool draws(const Token& token) const;
     std::uint32_t open(std::uint32_t parent, PlaceKind kind, std::uint32_t branch);
 
+    /// What begins at `at`, on the stacks; goes behind it. 0, false: not known.
+    int expression(std::uint32_t& at, std::uint32_t end, const Form& form);
+    bool text(std::uint32_t& at, std::uint32_t end);
     bool number(std::uint32_t& at, std::uint32_t end, bool full);
     bool condition(std::uint32_t& at, std::uint32_t end);
     bool range_of_case(std::uint32_t& at, std::uint32_t end);
@@ -96,9 +99,9 @@ private:
     void know(std::uint32_t name, Value sample, bool local);
     bool subscripts(std::uint32_t& at, std::uint32_t end, std::size_t count);
 
-    bool value_block(std::uint32_t begin, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
-    bool value_branches(std::uint32_t hash, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
-    bool value_at(std::uint32_t begin, std::uint32_t end, std::uint32_t place, const CompiledCall& call);
+    bool value_block(std::uint32_t begin, std::uint32_t end, std::uint32_t place, const ValueCall& call);
+    bool value_branches(std::uint32_t hash, std::uint32_t end, std::uint32_t place, const ValueCall& call);
+    bool value_at(std::uint32_t begin, std::uint32_t end, std::uint32_t place, const ValueCall& call);
     bool macro_call(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool ready_statement(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool read_numbers(std::uint32_t& at, std::uint32_t end, std::uint32_t place);

@@ -73,18 +73,15 @@ bool BlockCompiler::declare(std::uint32_t& at, std::uint32_t end, std::uint32_t 
 
     const std::uint32_t name = tokens_[at].name, begin = at + (first.kind == Kind::Color ? 3u : 2u);
     const int color = components_of_color(kind(begin));
-    const CompiledKey key = color != 0 ? CompiledKey(color, true, true) : CompiledKey(1, false, true);
     const bool transmits = kind(begin) == Kind::Rgbt;
-    CompiledExpression read;
-    if ((first.kind == Kind::Color && color == 0) ||
-        !compile_expression(tokens_, begin + (color != 0 ? 1 : 0), end, key, *this, read) ||
-        (color != 0 && read.count > color))
-        return false;
-    const std::uint8_t written = read.count, count = color != 0 ? 5 : written;
-    at = read.end;
+    if (first.kind == Kind::Color && color == 0) return false;
+    at = begin + (color != 0 ? 1 : 0);
+    const int written = expression(at, end, color != 0 ? Form{color, true, true} : Form{1, false, true});
+    if (written == 0 || (color != 0 && written > color)) return false;
+    const auto count = static_cast<std::uint8_t>(color != 0 ? 5 : written);
     const Value sample(Tuple{{}, count});
-    if (!may_declare(name, sample, local) || !emitter_.expression(std::move(read))) return false;
-    if (color != 0) emitter_.color(written, transmits);
+    if (!may_declare(name, sample, local)) return false;
+    if (color != 0) emitter_.color(static_cast<std::size_t>(written), transmits);
     const std::uint32_t to = emitter_.slot(name, count);
     if (to == kNoIndex || !ended(at, end, true)) return false;
     know(name, sample, local);
@@ -121,12 +118,9 @@ bool BlockCompiler::declare_element(std::uint32_t& at, std::uint32_t end)
     ++at;
     if (slot == kNoIndex || !subscripts(at, end, dimensions) || at + 1 >= end || kind(at) != Kind::Equal) return false;
     ++at;
-    CompiledExpression read;
     if (begins_text(tokens_[at], *this)) {
-        if (!compile_text(tokens_, at, end, *this, read)) return false;
-        at = read.end;
         const std::uint32_t first = emitter_.in_registers(dimensions);
-        if (!emitter_.expression(std::move(read)) || !ended(at, end, false)) return false;
+        if (!text(at, end) || !ended(at, end, false)) return false;
         Op& op = emitter_.emit(kStoreTextElement);
         op.a = slot;
         op.b = first;
@@ -134,13 +128,11 @@ bool BlockCompiler::declare_element(std::uint32_t& at, std::uint32_t end)
         elements_[name] = kTextElements;
         return true;
     }
-    if (!compile_expression(tokens_, at, end, CompiledKey(1, false, true), *this, read)) return false;
-    const std::uint8_t count = read.count;
-    at = read.end;
-    if (!emitter_.expression(std::move(read)) || !ended(at, end, true)) return false;
+    const int count = expression(at, end, {1, false, true});
+    if (count == 0 || !ended(at, end, true)) return false;
     elements_[name] = count;
     if (count == 1) return emitter_.store_element(slot, dimensions), true;
-    const std::uint32_t first = emitter_.in_registers(dimensions + count);
+    const std::uint32_t first = emitter_.in_registers(dimensions + static_cast<std::size_t>(count));
     Op& op = emitter_.emit(kStoreElement);
     op.a = slot;
     op.b = first;
@@ -152,12 +144,11 @@ bool BlockCompiler::declare_element(std::uint32_t& at, std::uint32_t end)
 bool BlockCompiler::declare_text(std::uint32_t& at, std::uint32_t end, bool local)
 {
     const std::uint32_t name = tokens_[at].name;
-    CompiledExpression read;
     const Value sample{std::string()};
-    if (!may_declare(name, sample, local) || !compile_text(tokens_, at + 2, end, *this, read)) return false;
-    at = read.end;
+    at += 2;
+    if (!may_declare(name, sample, local) || !text(at, end)) return false;
     const std::uint32_t to = emitter_.slot(name, kText);
-    if (to == kNoIndex || !emitter_.expression(std::move(read)) || !ended(at, end, false)) return false;
+    if (to == kNoIndex || !ended(at, end, false)) return false;
     know(name, sample, local);
     Op& op = emitter_.emit(kStoreText);
     op.to = to;
@@ -234,20 +225,16 @@ bool BlockCompiler::argument(std::uint32_t& at, std::uint32_t end, Argument& out
         emitter_.rewind(ops, count);
         at = before;
     }
-    CompiledExpression read;
     if (begins_text(tokens_[at], *this)) {
-        if (text_arguments_ >= kMostTextArguments || !compile_text(tokens_, at, end, *this, read)) return false;
-        at = read.end;
-        if (!ends(at) || !emitter_.expression(std::move(read))) return false;
+        if (text_arguments_ >= kMostTextArguments || !text(at, end) || !ends(at)) return false;
         out.kind = Argument::Kind::Text;
         out.first = text_arguments_++;  // its place among the texts that are on the stack
         return true;
     }
-    if (!compile_expression(tokens_, at, end, CompiledKey(1, false, false), *this, read)) return false;
+    const int count = expression(at, end, {1, false, false});
+    if (count == 0 || !ends(at)) return false;
     out.kind = Argument::Kind::Number;
-    out.count = read.count;
-    at = read.end;
-    if (!ends(at) || !emitter_.expression(std::move(read))) return false;
+    out.count = static_cast<std::uint8_t>(count);
     out.first = emitter_.in_registers(out.count);
     return true;
 }
@@ -287,12 +274,10 @@ bool BlockCompiler::write_texts(std::uint32_t& at, std::uint32_t end, std::uint3
     if (file + 2 >= end || kind(hash + 2) != Kind::LeftParen || kind(file) != Kind::Identifier) return false;
     const Value* const opened = find(tokens_[file].name);
     if (!opened || !opened->get_if<std::shared_ptr<DataFile>>()) return false;
-    const std::uint32_t first = file + (kind(file + 1) == Kind::Comma ? 2 : 1);
-    CompiledExpression read;
-    if (!compile_texts(tokens_, first, end, *this, read)) return false;
-    at = read.end + 1;
-    mark_drawing(hash, place, at);
-    if (!emitter_.expression(std::move(read))) return false;
+    mark_drawing(hash, place, closing_parenthesis(tokens_, hash + 2, end));
+    ExpressionCompiler reader(tokens_, file + (kind(file + 1) == Kind::Comma ? 2 : 1), end, *this, emitter_);
+    if (!reader.whole_texts()) return false;
+    at = reader.at() + 1;
     emitter_.emit(kWrite).b = tokens_[file].name;  // the text is the first there is
     return true;
 }
@@ -308,12 +293,7 @@ bool BlockCompiler::macro_call(std::uint32_t& at, std::uint32_t end, std::uint32
     call.token = at;
     call.place = place;
     text_arguments_ = 0;
-    std::uint32_t close = at, depth = 0;
-    do {
-        depth += kind(++close) == Kind::LeftParen ? 1u : 0u;
-        depth -= kind(close) == Kind::RightParen ? 1u : 0u;
-    } while (depth > 0 && close + 1 < end);
-    mark_drawing(at, place, close);
+    mark_drawing(at, place, closing_parenthesis(tokens_, at + 1, end));
     at += 2;
     for (std::size_t i = 0; i < (*macro)->parameters.size(); ++i) {
         Argument given;

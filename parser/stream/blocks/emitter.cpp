@@ -1,51 +1,8 @@
 #include "parser/stream/blocks/emitter.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace parser::blocks {
-namespace {
-
-using Code = CompiledOp::Code;
-
-std::optional<Binary> relation_of(Kind kind)
-{
-    switch (kind) {
-    case Kind::Less: return Binary::Less;
-    case Kind::LessEqual: return Binary::LessEqual;
-    case Kind::Greater: return Binary::Greater;
-    case Kind::GreaterEqual: return Binary::GreaterEqual;
-    case Kind::Equal: return Binary::Equal;
-    case Kind::NotEqual: return Binary::NotEqual;
-    default: return std::nullopt;
-    }
-}
-
-std::optional<Binary> binary_of(const CompiledOp& op)
-{
-    switch (op.code) {
-    case Code::Add: return Binary::Add;
-    case Code::Subtract: return Binary::Subtract;
-    case Code::Multiply: return Binary::Multiply;
-    case Code::Divide: return Binary::Divide;
-    case Code::And: return Binary::And;
-    case Code::Or: return Binary::Or;
-    case Code::Min: return Binary::Min;
-    case Code::Max: return Binary::Max;
-    case Code::Relation: return relation_of(op.kind);
-    case Code::Function2:
-        switch (op.kind) {
-        case Kind::Mod: return Binary::Modulo;
-        case Kind::Pow: return Binary::Power;
-        case Kind::Div: return Binary::IntDivide;
-        default: return Binary::Atan2;
-        }
-    default: return std::nullopt;
-    }
-}
-
-}  // namespace
-
 std::uint32_t Emitter::slot(std::uint32_t name, std::uint8_t kind)
 {
     const auto tuple = [](std::uint8_t one) { return one >= kFloat && one < kText; };
@@ -85,28 +42,40 @@ std::uint32_t Emitter::in_registers(std::size_t count)
     return first;
 }
 
-bool Emitter::expression(CompiledExpression&& read)
+bool Emitter::load(std::uint32_t name, std::uint8_t count)
 {
-    const auto index = static_cast<std::uint32_t>(program_.expressions.size());
-    program_.expressions.push_back(std::move(read));
-    const CompiledExpression& kept = program_.expressions.back();
-    for (std::size_t i = 0; i < kept.ops.size(); ++i)
-        if (!operation(kept, i, index)) return false;
+    const std::uint32_t from = slot(name, count);
+    if (from == kNoIndex) return false;
+    if (count == 1) return push({Operand::Slot, from, 0}), true;
+    Op& made = emit(kLoadTuple);
+    made.to = depth();
+    made.a = from;
+    made.b = count;
+    push_registers(count);
     return true;
 }
 
-bool Emitter::binary(Binary f)
+void Emitter::select(std::uint32_t count, std::uint32_t index)
+{
+    const std::uint32_t first = depth() - count;
+    Op* const last = size() > 0 ? &program_.ops.back() : nullptr;
+    if (last && last->run == kLoadTuple && last->to == first && last->b == count) {
+        last->run = kLoadComponent;
+        last->b = index;
+        drop(count);
+        push_register();
+    } else {
+        in_place(kSelect, count, 1).b = index;
+    }
+}
+
+void Emitter::binary(Binary f)
 {
     Entry b = pop(), a = pop();
     if (a.where == Operand::Constant && b.where == Operand::Constant) {
-        const bool folds = f == Binary::Add || f == Binary::Subtract || f == Binary::Multiply;
-        if (folds) {
-            const double number = f == Binary::Add        ? a.number + b.number
-                                  : f == Binary::Subtract ? a.number - b.number
-                                                          : a.number * b.number;
-            stack_.push_back({Operand::Constant, 0, number});
-            return true;
-        }
+        if (f == Binary::Add) return constant(a.number + b.number);
+        if (f == Binary::Subtract) return constant(a.number - b.number);
+        if (f == Binary::Multiply) return constant(a.number * b.number);
         register_of(a, depth());
     }
     last_ = {size(), f, a.where, b.where};
@@ -116,82 +85,96 @@ bool Emitter::binary(Binary f)
     op.b = b.index;
     op.number = a.where == Operand::Constant ? a.number : b.number;
     push_register();
-    return true;
 }
 
-void Emitter::unary(Handler run, const Entry& operand)
+void Emitter::function(Kind f)
 {
-    Op& op = emit(run);
+    const Entry operand = pop();
+    Op& op = emit(function_handler(f, operand.where));
     op.to = depth();
     op.a = operand.index;
     op.number = operand.number;
     push_register();
 }
 
-bool Emitter::borrow(std::uint32_t expression, std::size_t at, std::size_t takes, std::size_t gives)
+void Emitter::negate(std::uint32_t count)
 {
-    in_registers(takes);
-    Op& op = emit(kBorrowed);
-    op.to = depth();
-    op.a = expression;
-    op.b = static_cast<std::uint32_t>(at);
-    drop(takes);
-    push_registers(gives);
-    return true;
+    if (count > 1) each_in_place(kNegateTuple, count);
+    else if (stack_.back().where == Operand::Constant) stack_.back().number = -stack_.back().number;
+    else function(Kind::Minus);
 }
 
-bool Emitter::in_place(Handler run, std::size_t takes, std::size_t gives, std::uint32_t b)
+void Emitter::splat(std::uint32_t count)
+{
+    const Entry top = stack_.back();
+    if (top.where == Operand::Register) {
+        in_place(kSplat, 1, count).b = count;
+        return;
+    }
+    for (std::uint32_t i = 1; i < count; ++i) push(top);
+}
+
+int Emitter::combine(Binary f, int left, int right)
+{
+    const int count = std::max(left, right);
+    if (count == 1) {
+        binary(f);
+    } else {
+        Op& op = in_place(combine_handler(f), static_cast<std::size_t>(left + right), static_cast<std::size_t>(count));
+        op.a = static_cast<std::uint32_t>(left);
+        op.b = static_cast<std::uint32_t>(right);
+    }
+    return count;
+}
+
+Op& Emitter::in_place(Handler run, std::size_t takes, std::size_t gives)
 {
     const std::uint32_t first = in_registers(takes);
-    Op& op = emit(run);
-    op.to = first;
-    op.b = b;
     drop(takes);
     push_registers(gives);
-    return true;
+    Op& op = emit(run);
+    op.to = first;
+    return op;
+}
+
+void Emitter::call_function(std::uint32_t name, const function::FunctionPtr& called)
+{
+    Op& op = in_place(kCallFunction, called->parameters, called->components);
+    op.a = name;
+    op.b = static_cast<std::uint32_t>(program_.functions.size());
+    program_.functions.push_back(called);
 }
 
 bool Emitter::trace(std::uint32_t object, std::uint32_t normal)
 {
-    const std::uint32_t to = slot(normal, 3);
-    if (to == kNoIndex) return false;
-    const std::uint32_t first = in_registers(6);
-    Op& op = emit(kTrace);
-    op.to = first;
+    const std::uint32_t stored = normal == kNoIndex ? kNoIndex : slot(normal, 3);
+    if (normal != kNoIndex && stored == kNoIndex) return false;
+    Op& op = in_place(kTrace, 6, 3);
     op.a = object;
-    op.b = to;
-    drop(3);
+    op.b = stored;
     return true;
 }
 
-bool Emitter::load_tuple(const CompiledExpression& read, std::size_t& at)
+bool Emitter::stores_before_end(std::uint32_t first) const
 {
-    const CompiledOp& op = read.ops[at];
-    const std::uint32_t from = slot(op.name, op.a);
-    if (from == kNoIndex) return false;
-    const CompiledOp* const next = at + 1 < read.ops.size() ? &read.ops[at + 1] : nullptr;
-    const bool one = next && next->code == Code::Select && next->a == op.a;
-    Op& made = emit(one ? kLoadComponent : kLoadTuple);
-    made.to = depth();
-    made.a = from;
-    made.b = one ? next->b : op.a;
-    push_registers(one ? 1 : op.a);
-    at += one ? 1 : 0;
-    return true;
+    for (std::uint32_t i = first; i + 1 < size(); ++i)
+        if (program_.ops[i].run == kTrace && program_.ops[i].b != kNoIndex) return true;
+    return false;
 }
 
-bool Emitter::element(const CompiledOp& op)
+bool Emitter::element(std::uint32_t name, std::size_t dimensions, std::size_t count)
 {
-    const std::uint32_t from = slot(op.name, kArray);
+    const std::uint32_t from = slot(name, kArray);
     if (from == kNoIndex) return false;
-    if (op.b == 1 && op.a == 1) {
+    if (count == 1 && dimensions == 1) {
         const Entry at = pop();
         Op& made = emit(element_handler(at.where));
         made.to = depth();
         made.a = from;
         made.b = at.index;
         made.number = at.number;
-    } else if (op.b == 1 && op.a == 2) {
+        push_register();
+    } else if (count == 1 && dimensions == 2) {
         Entry second = pop(), first = pop();
         if (first.where == Operand::Constant && second.where == Operand::Constant) register_of(first, depth());
         Op& made = emit(element2_handler(first.where, second.where));
@@ -200,106 +183,14 @@ bool Emitter::element(const CompiledOp& op)
         made.b = first.index;
         made.jump = static_cast<std::int32_t>(second.index);
         made.number = first.where == Operand::Constant ? first.number : second.number;
+        push_register();
     } else {
-        const std::uint32_t first = in_registers(op.a);
-        Op& made = emit(kElement);
-        made.to = first;
+        Op& made = in_place(kElement, dimensions, count);
         made.a = from;
-        made.b = op.a;
-        made.jump = op.b;
-        drop(op.a);
+        made.b = static_cast<std::uint32_t>(dimensions);
+        made.jump = static_cast<std::int32_t>(count);
     }
-    push_registers(op.b);
     return true;
-}
-
-bool Emitter::operation(const CompiledExpression& read, std::size_t& at, std::uint32_t expression)
-{
-    const CompiledOp& op = read.ops[at];
-    if (const auto f = binary_of(op)) return binary(*f);
-    switch (op.code) {
-    case Code::Constant: stack_.push_back({Operand::Constant, 0, op.number}); return true;
-    case Code::Load: {
-        const std::uint32_t from = slot(op.name, kFloat);
-        stack_.push_back({Operand::Slot, from, 0});
-        return from != kNoIndex;
-    }
-    case Code::LoadTuple: return load_tuple(read, at);
-    case Code::Element: return element(op);
-    case Code::AddNumber:
-    case Code::MultiplyNumber:
-        stack_.push_back({Operand::Constant, 0, op.number});
-        return binary(op.code == Code::AddNumber ? Binary::Add : Binary::Multiply);
-    case Code::Function1: {
-        const Handler run = function_handler(op.kind, stack_.back().where);
-        if (!run) return borrow(expression, at, 1, 1);
-        return unary(run, pop()), true;
-    }
-    case Code::Random: {
-        const Entry stream = pop();
-        return unary(random_handler(stream.where), stream), true;
-    }
-    case Code::Negate:
-        if (op.a != 1) return borrow(expression, at, op.a, op.a);
-        if (stack_.back().where == Operand::Constant) {
-            stack_.back().number = -stack_.back().number;
-            return true;
-        } else {
-            const Entry operand = pop();
-            return unary(negate_handler(operand.where), operand), true;
-        }
-    case Code::Splat:
-        if (stack_.back().where == Operand::Register) return in_place(kSplat, 1, op.a, op.a);
-        for (std::uint8_t i = 1; i < op.a; ++i) stack_.push_back(Entry(stack_.back()));
-        return true;
-    case Code::MacroCall: return macro_call(read.calls[op.name], op.a);
-    case Code::Trace:
-        if (at + 1 == read.ops.size() || read.ops[at + 1].code != Code::StoreNormal)
-            return borrow(expression, at, 6, 3);
-        return trace(op.name, read.ops[++at].name);
-    default: return op.code >= Code::TextConstant ? text_operation(op) : tuples(op, expression, at);
-    }
-}
-
-bool Emitter::tuples(const CompiledOp& op, std::uint32_t expression, std::size_t at)
-{
-    const bool scales = (op.code == Code::MultiplyTuple || op.code == Code::DivideTuple) && op.b == 1;
-    const bool sums = (op.code == Code::AddTuple || op.code == Code::SubtractTuple) && op.a == op.b;
-    switch (op.code) {
-    case Code::AddTuple:
-    case Code::SubtractTuple:
-    case Code::MultiplyTuple:
-    case Code::DivideTuple: {
-        if (op.code == Code::MultiplyTuple && op.a == op.b) return in_place(kMultiplyTuple, 2u * op.b, op.b, op.b);
-        if (op.code == Code::MultiplyTuple && op.a == 1) return in_place(kScaledTuple, 1u + op.b, op.b, op.b);
-        if (!scales && !sums) return borrow(expression, at, op.a + op.b, std::max(op.a, op.b));
-        const std::uint32_t first = in_registers(op.a + op.b);
-        Op& made = emit(op.code == Code::AddTuple        ? kAddTuple
-                        : op.code == Code::SubtractTuple ? kSubtractTuple
-                        : op.code == Code::MultiplyTuple ? kScaleTuple
-                                                         : kDivideTuple);
-        made.to = first;
-        made.a = first + op.a;
-        made.b = op.a;
-        drop(op.b);
-        return true;
-    }
-    case Code::Select: return borrow(expression, at, op.a, 1);
-    case Code::Gray: return borrow(expression, at, op.a, 1);
-    case Code::Not: return borrow(expression, at, op.a, op.a);
-    case Code::Choose:
-    case Code::Choose3: return borrow(expression, at, 3, 1);
-    case Code::Choose4: return borrow(expression, at, 4, 1);
-    case Code::Length: return in_place(kLength, 3, 1, 0);
-    case Code::Dot: return in_place(kDot, 6, 1, 0);
-    case Code::Inside: return borrow(expression, at, 3, 1);
-    case Code::Cross:
-    case Code::Rotate: return borrow(expression, at, 6, 3);
-    case Code::Normalize: return borrow(expression, at, 3, 3);
-    case Code::Curve: return borrow(expression, at, 1, op.b);
-    case Code::Call: return borrow(expression, at, op.a, program_.expressions[expression].functions[op.b]->components);
-    default: return false;
-    }
 }
 
 void Emitter::store_number(std::uint32_t to, bool local)

@@ -16,18 +16,13 @@ public:
 
     std::optional<std::uint32_t> expression(int requested, bool full) override
     {
-        CompiledExpression read;
-        const CompiledKey key(requested, full, false);
-        if (at_ >= end_ || !compile_expression(block_.tokens_, at_, end_, key, block_, read) ||
-            read.count > requested || constants_.size() > kMostValues)
-            return std::nullopt;
-        const std::size_t count = read.count;
-        at_ = read.end;
+        if (constants_.size() > kMostValues) return std::nullopt;
+        const int count = block_.expression(at_, end_, {requested, full, false});
+        if (count == 0 || count > requested) return std::nullopt;
         const auto value = static_cast<std::uint32_t>(constants_.size());
         constants_.resize(value + static_cast<std::size_t>(requested));
         const std::uint32_t kept = block_.emitter_.keep(static_cast<std::uint32_t>(requested));
-        if (!block_.emitter_.expression(std::move(read))) return std::nullopt;
-        block_.emitter_.move_all_to(kept, count, &constants_[value]);
+        block_.emitter_.move_all_to(kept, static_cast<std::size_t>(count), &constants_[value]);
         return value;
     }
 

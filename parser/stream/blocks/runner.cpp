@@ -24,9 +24,9 @@ const Statement& statement_at(const Program& program, const Op* op)
 }  // namespace
 
 Runner::Runner(TokenStream& stream)
-    : stream_(stream), machine_(stream.symbols_, stream.random_undo_, stream.hooks_, *this)
+    : stream_(stream), machine_(stream.symbols_, stream.random_undo_, stream.hooks_, *this),
+      alone_(stream.symbols_, stream.random_undo_, stream.hooks_, *this)
 {
-    constexpr std::size_t kTextRegisters = 32;
     machine_.texts.resize(kTextRegisters);
 }
 
@@ -36,11 +36,11 @@ bool Runner::usable() const
     return stream_.options_.blocks && stream_.deprecated_.empty() && stream_.language_.version >= kFirstVersion;
 }
 
-std::uint32_t& Runner::site(std::uint16_t file, std::uint32_t token)
+std::uint32_t* Runner::sites_in(Sites& all, std::uint16_t file) const
 {
-    if (file >= sites_.size()) sites_.resize(file + 1u);
-    if (sites_[file].empty()) sites_[file].resize(stream_.files_[file]->tokens.size());
-    return sites_[file][token];
+    if (file >= all.size()) all.resize(file + 1u);
+    if (all[file].empty()) all[file].resize(stream_.files_[file]->tokens.size());
+    return all[file].data();
 }
 
 Source Runner::source_of(std::uint16_t file) const
@@ -111,9 +111,10 @@ const Program& Runner::program_of(const Call& call)
 }
 
 /// By macro, form of the call and types of the arguments.
-const Program* Runner::value_of(const CompiledCall& call, const Known& known)
+const Program* Runner::value_of(const ValueCall& call, const Known& known)
 {
-    std::string form = {static_cast<char>('0' + call.requested), call.raw ? 'r' : '-', call.alone ? 'a' : '-'};
+    std::string form = {static_cast<char>('0' + call.form.requested), call.form.raw ? 'r' : '-',
+                        call.alone ? 'a' : '-'};
     for (const std::uint32_t parameter : call.macro->parameters) {
         const Value& sample = known.at(parameter);
         const auto* const array = sample.get_if<std::shared_ptr<Array>>();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "parser/stream/blocks/compiler.h"
-#include "parser/stream/blocks/machine.h"
+#include "parser/stream/machine/machine.h"
 #include "parser/stream/reading_profile.h"
 
 #include <map>
@@ -26,15 +26,32 @@ public:
     /// At the end of a pass through the innermost loop. True: what is to be done there is done.
     bool at_end_of_pass(std::uint32_t hash_of_end);
 
+    /// The expression that begins where the stream stands: takes it. False: it was not compiled (yet), or something is
+    /// not as it was. Only the components of `out` are written.
+    bool expression(const Form& form, Tuple& out);
+
     std::int64_t more() override;
     const Program& program_of(const Call& call) override;
 
 private:
     enum State : std::uint32_t { kUnseen, kSeen, kNever, kFirst };
-    const Program* value_of(const CompiledCall& call, const Known& known) override;
+    const Program* value_of(const ValueCall& call, const Known& known) override;
     std::unique_ptr<ReadyStatement> prepare(StatementReader& reader) override;
     bool usable() const;
-    std::uint32_t& site(std::uint16_t file, std::uint32_t token);
+    using Sites = std::vector<std::vector<std::uint32_t>>;  ///< by file and token
+    std::uint32_t* sites_in(Sites& all, std::uint16_t file) const;
+    std::uint32_t& site(std::uint16_t file, std::uint32_t token) { return sites_in(sites_, file)[token]; }
+    /// An expression by itself, whose program leaves its components in the first registers.
+    struct Expression {
+        Form form;
+        std::uint32_t end = 0;          ///< token behind it
+        std::uint32_t next = kNoIndex;  ///< another one for the same place
+        int count = 1;                  ///< components
+        Program program;
+    };
+    bool compile(const Form& form, std::uint32_t at, Expression& made) const;
+    bool work_out(const Expression& known, Tuple& out);
+    bool take(const Expression& known, std::uint32_t at, Tuple& out);
     Program* program_at(std::uint32_t& site, std::uint32_t hash);
     Source source_of(std::uint16_t file) const;
     Program& compile(std::uint32_t attempt);
@@ -46,7 +63,9 @@ private:
 
     TokenStream& stream_;
     Machine machine_;
-    std::vector<std::vector<std::uint32_t>> sites_;  ///< by file and token
+    Machine alone_;  ///< for single expressions, which may be read while a block is at work
+    Sites sites_, expression_sites_;
+    std::vector<std::unique_ptr<Expression>> expressions_;
     std::vector<std::unique_ptr<Program>> programs_;
     std::unordered_map<const Macro*, Program*> macros_;
     bool expected_ = false;

@@ -1,5 +1,6 @@
 #include "parser/stream/expressions/operand.h"
-#include "parser/stream/text.h"
+#include "parser/stream/expressions/text_functions.h"
+#include "parser/stream/values/elements.h"
 
 #include <chrono>
 #include <cmath>
@@ -119,20 +120,11 @@ double string_function(TokenStream& stream, Kind kind)
 {
     const std::string a = string_expr(stream);
     switch (kind) {
-    case Kind::Asc: return a.empty() ? 0.0 : units_of(a)[0];
-    case Kind::Strlen: return static_cast<double>(is_ascii(a) ? a.size() : units_of(a).size());
+    case Kind::Asc: return first_of(a);
+    case Kind::Strlen: return static_cast<double>(length_of(a));
     case Kind::Val: return std::strtod(a.c_str(), nullptr);
     case Kind::FileExists: return stream.find_file(a, {}).empty() ? 0.0 : 1.0;
-    default: {
-        stream.accept_comma();
-        const std::u16string left = units_of(a), right = units_of(string_expr(stream));
-        for (std::size_t i = 0; i < left.size() || i < right.size(); ++i) {
-            const int p = i < left.size() ? left[i] : 0;
-            const int q = i < right.size() ? right[i] : 0;
-            if (p != q) return p - q;
-        }
-        return 0.0;
-    }
+    default: stream.accept_comma(); return order_of(a, string_expr(stream));
     }
 }
 
@@ -145,9 +137,7 @@ double array_function(TokenStream& stream, Kind kind)
     const auto kept = *array;
     if (kind == Kind::Dimensions) return static_cast<double>(kept->sizes.size());
     stream.accept_comma();
-    const std::int32_t dimension = to_int32(float_expr(stream));
-    if (dimension < 1 || static_cast<std::size_t>(dimension) > kept->sizes.size()) return 0.0;
-    return kept->sizes[static_cast<std::size_t>(dimension) - 1];
+    return size_of_dimension(*kept, float_expr(stream));
 }
 
 double days_since_2000()

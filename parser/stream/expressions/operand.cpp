@@ -25,23 +25,15 @@ private:
     bool raw_;
 };
 
-bool is_operand_identifier(const Value& value)
+/// Whether a value is one of these kinds, or an array whose first element is.
+template <class... Kinds>
+bool holds(const Value& value)
 {
-    if (value.get_if<Tuple>() || value.get_if<function::FunctionPtr>() || value.get_if<SplinePtr>()) return true;
+    if ((value.get_if<Kinds>() || ...)) return true;
     const auto* array = value.get_if<std::shared_ptr<Array>>();
     if (!array) return false;
     for (const Value& element : (*array)->elements)
-        if (element.set()) return is_operand_identifier(element);
-    return false;
-}
-
-bool is_string_identifier(const Value& value)
-{
-    if (value.get_if<std::string>()) return true;
-    const auto* array = value.get_if<std::shared_ptr<Array>>();
-    if (!array) return false;
-    for (const Value& element : (*array)->elements)
-        if (element.set()) return is_string_identifier(element);
+        if (element.set()) return holds<Kinds...>(element);
     return false;
 }
 
@@ -173,7 +165,7 @@ bool at_expression(TokenStream& stream)
     case Kind::Less: return true;
     case Kind::Identifier: {
         const Value* value = stream.member_ahead();
-        return value ? is_operand_identifier(*value)
+        return value ? holds<Tuple, function::FunctionPtr, SplinePtr>(*value)
                      : stream.is_new_constant(token) || stream.at_pseudo_scope() != Kind::EndOfText;
     }
     case Kind::Local: return stream.at_pseudo_scope() != Kind::EndOfText;
@@ -195,7 +187,7 @@ bool at_string(TokenStream& stream)
     if (token.kind == Kind::String || lexical_class(token.kind) == LexicalClass::String) return true;
     if (token.kind != Kind::Identifier) return false;
     const Value* value = stream.member_ahead();
-    return value && is_string_identifier(*value);
+    return value && holds<std::string>(*value);
 }
 
 Tuple replicated(double value, int requested)

@@ -30,10 +30,6 @@ glm::dvec3 rotated(glm::dvec3 v, const glm::dvec3& degrees);
 /// `a relation b`, with the tolerance of the language.
 bool relation_holds(Kind kind, double a, double b);
 bool is_relation(Kind kind);
-/// str(): C's %*.*f, where width < 0 pads with zeros and precision < 0 means 6 decimals; very long numbers use %g.
-std::string number_text(double value, double width_wanted, double precision_wanted);
-/// The same behind what stands in `to`.
-void add_number_text(std::string& to, double value, double width_wanted, double precision_wanted);
 inline constexpr double kSame = 1e-10;  ///< comparisons and truth: values nearer than this are equal
 
 }  // namespace parser

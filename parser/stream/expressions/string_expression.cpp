@@ -1,13 +1,10 @@
-#include "parser/stream/expressions/fixed_text.h"
 #include "parser/stream/expressions/operand.h"
+#include "parser/stream/expressions/text_functions.h"
 #include "parser/stream/text.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 
 namespace parser {
@@ -15,58 +12,9 @@ namespace {
 
 constexpr int kEscapesInPaths = 371;  // language version from which a backslash in a file's name is an escape
 
-/// C's %.*f with leading blanks or zeros, by the quicker ways for numbers of ordinary size.
-bool add_plain_number(std::string& to, double value, int width, int precision)
-{
-    constexpr double kLargest = 1e15;
-    constexpr int kMostDecimals = 40, kMostWidth = 60;
-    if (!(std::abs(value) < kLargest) || precision > kMostDecimals || std::abs(width) > kMostWidth) return false;
-    char digits[80];
-    const char* end = digits + kFixedText;
-    const char* begin = fixed_text(digits + kFixedText, value, precision);
-    if (!begin) {
-        begin = digits;
-        end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, precision).ptr;
-    }
-    const auto length = static_cast<std::size_t>(end - begin), wanted = static_cast<std::size_t>(std::abs(width));
-    if (length >= wanted) {
-        to.append(begin, end);
-        return true;
-    }
-    const bool minus = width < 0 && *begin == '-';
-    if (minus) to += *begin++;
-    to.append(wanted - length, width < 0 ? '0' : ' ').append(begin, end);
-    return true;
-}
-
-}  // namespace
-
-void add_number_text(std::string& to, double value, double width_wanted, double precision_wanted)
-{
-    constexpr int kLongest = 255, kMost = 2 * kLongest;
-    const int width = std::clamp(to_int32(width_wanted), -kMost, kMost);
-    const int precision = precision_wanted < 0 ? 6 : std::clamp(to_int32(precision_wanted), 0, kMost);
-    if (add_plain_number(to, value, width, precision)) return;
-    char text[kLongest];
-    int length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*f" : "%*.*f", std::abs(width), precision, value);
-    if (length >= kLongest)
-        length = std::snprintf(text, sizeof text, width < 0 ? "%0*.*g" : "%*.*g", std::abs(width), precision, value);
-    if (length >= kLongest) to += "<invalid>";
-    else to.append(text, static_cast<std::size_t>(length));
-}
-
-std::string number_text(double value, double width_wanted, double precision_wanted)
-{
-    std::string text;
-    add_number_text(text, value, width_wanted, precision_wanted);
-    return text;
-}
-
-namespace {
-
 std::string read_vstr(TokenStream& stream)
 {
-    const int count = std::clamp(to_int32(float_expr(stream)), 2, 5);
+    const double count = float_expr(stream);
     stream.accept_comma();
     const Tuple value = untyped_expr(stream);
     stream.accept_comma();
@@ -74,29 +22,18 @@ std::string read_vstr(TokenStream& stream)
     stream.accept_comma();
     const double width = float_expr(stream);
     stream.accept_comma();
-    const double precision = float_expr(stream);
-    std::string text;
-    for (int i = 0; i < count; ++i) {
-        if (i > 0) text += separator;
-        text += number_text(i < value.count ? value.at[static_cast<std::size_t>(i)] : 0.0, width, precision);
-    }
-    return text;
+    return tuple_text(count, value.at.data(), value.count, separator, width, float_expr(stream));
 }
 
 std::string read_substr(TokenStream& stream, const Token& word)
 {
-    const std::string text = string_expr(stream);
+    std::string text = string_expr(stream);
     stream.accept_comma();
-    const int first = to_int32(float_expr(stream));
+    const double first = float_expr(stream);
     stream.accept_comma();
-    const int count = to_int32(float_expr(stream));
-    const bool plain = is_ascii(text);
-    const std::u16string units = plain ? std::u16string() : units_of(text);
-    const auto size = static_cast<long>(plain ? text.size() : units.size());
-    if (first < 1 || count < 0 || static_cast<long>(first) + count - 1 > size)
-        stream.fail(stream.place(word), fmt::format("substr reaches outside a text of {} characters", size));
-    const auto begin = static_cast<std::size_t>(first - 1), length = static_cast<std::size_t>(count);
-    return plain ? text.substr(begin, length) : from_units(units.substr(begin, length));
+    if (!keep_part(text, first, float_expr(stream)))
+        stream.fail(stream.place(word), fmt::format("substr reaches outside a text of {} characters", length_of(text)));
+    return text;
 }
 
 std::string read_datetime(TokenStream& stream, const Token& word)
@@ -127,11 +64,10 @@ std::string read_function(TokenStream& stream, const Token& word)
         return text;
     }
     case Kind::Chr: {
-        const double code = float_expr(stream, Level::Full);
-        if (!(code >= 0.0 && code < 65536.0)) stream.fail(stream.place(word), "chr of a number outside 0 to 65535");
-        const auto unit = static_cast<unsigned>(code);
-        if (unit == 0) return {};
-        return from_units(std::u16string(1, static_cast<char16_t>(unit)));
+        std::string text;
+        if (!text_of_code(float_expr(stream, Level::Full), text))
+            stream.fail(stream.place(word), "chr of a number outside 0 to 65535");
+        return text;
     }
     case Kind::Str: {
         const double value = float_expr(stream);
@@ -146,10 +82,7 @@ std::string read_function(TokenStream& stream, const Token& word)
     default: {
         std::string text = string_expr(stream);
         if (!is_ascii(text)) stream.warn(stream.place(word), "only letters of ASCII change their case");
-        for (char& c : text) {
-            if (word.kind == Kind::Strupr && c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
-            if (word.kind == Kind::Strlwr && c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-        }
+        change_case(text, word.kind == Kind::Strupr);
         return text;
     }
     }

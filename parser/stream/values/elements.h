@@ -25,4 +25,12 @@ inline std::size_t element_index(const Array& array, const double* subscripts, s
     return index;
 }
 
+/// dimension_size(): 0 where there is no such dimension.
+inline double size_of_dimension(const Array& array, double which)
+{
+    return which >= 1.0 && which < static_cast<double>(array.sizes.size()) + 1.0
+               ? array.sizes[static_cast<std::size_t>(which) - 1]
+               : 0.0;
+}
+
 }  // namespace parser

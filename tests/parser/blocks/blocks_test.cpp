@@ -179,6 +179,28 @@ TEST_CASE("every macro of the standard includes says the same compiled and word 
     CHECK(compared > 800 / kStep);
 }
 
+TEST_CASE("a text waits for nothing that a macro behind it may write over", "[parser][blocks]")
+{
+    const std::string said = both_ways("#macro F(S) strlen(S) #end\n"
+                                       "#macro M(A, B) #declare R = concat(A, str(B, 0, 0), \"\\n\"); #end\n"
+                                       "#declare R = \"\";\n"
+                                       "#for (I, 0, 5) M(\"abc\", F(\"hello world\")) #debug R #end\n");
+    CHECK(said.find("abc11") != std::string::npos);
+    CHECK(said.find("abc3") == std::string::npos);
+}
+
+TEST_CASE("more numbers than there are registers are left to the reader of tokens", "[parser][blocks]")
+{
+    std::string call = "I";
+    for (int depth = 0; depth < 6; ++depth) call = "G(1,2,3,4,5,6,7,8,9,10,11,12,13,14,15," + call + ")";
+    const std::string begin =
+        "#declare G = function(a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p) { a + 2*o + p };\n#declare Q = 0;\n";
+    const std::string in_block = begin + "#for (I, 0, 5) #declare Q = Q + " + call + "; #end #debug str(Q, 0, 0)\n";
+    const std::string alone = begin + "#for (I, 0, 5) #debug str(" + call + ", 0, 0) #end\n";
+    CHECK(both_ways(in_block).find("1131") != std::string::npos);  // 6 * 6 * 31 + 15
+    CHECK(both_ways(alone).find("191") != std::string::npos);      // 6 * 31 + 5
+}
+
 TEST_CASE("a compiled loop without end is ended by the limit of tokens", "[parser][blocks]")
 {
     for (const bool blocks : {true, false})

@@ -1,4 +1,4 @@
-#include "parser/stream/blocks/machine.h"
+#include "parser/stream/machine/machine.h"
 
 #include <algorithm>
 
@@ -51,7 +51,7 @@ void Machine::note(std::uint32_t slot)
 void Machine::undo_changes()
 {
     for (; !notes.empty(); notes.pop_back()) *notes.back().cell = std::move(notes.back().old);
-    context.random.give_up();
+    random.give_up();
 }
 
 void Machine::undo_values()

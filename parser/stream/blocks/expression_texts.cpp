@@ -1,7 +1,7 @@
-#include "parser/stream/expressions/compiler.h"
+#include "parser/stream/blocks/expression_compiler.h"
 
 /// Texts, and numbers that are read off them.
-namespace parser {
+namespace parser::blocks {
 
 bool begins_text(const Token& token, const Meanings& meanings)
 {
@@ -16,7 +16,7 @@ bool begins_text(const Token& token, const Meanings& meanings)
     return meanings.components(token.name) == kTextElements;
 }
 
-bool Compiler::text()
+bool ExpressionCompiler::text()
 {
     if (++nesting_ > kDeepestNesting || !meanings_.texts()) return false;
     const Kind first = kind();
@@ -25,9 +25,8 @@ bool Compiler::text()
         std::string literal;
         if (!meanings_.literal(tokens_[at_], literal)) return false;
         ++at_;
-        emit(Code::TextConstant, 0).name = static_cast<std::uint32_t>(out_.texts.size());
-        out_.texts.push_back(std::move(literal));
-        good = push_text();
+        emitter_.text_constant(std::move(literal));
+        good = true;
     } else if (lexical_class(first) == LexicalClass::String) {
         ++at_;
         good = take(Kind::LeftParen) && text_function(first) && take(Kind::RightParen);
@@ -39,97 +38,79 @@ bool Compiler::text()
 }
 
 /// Some, with commas between them or without: joined.
-bool Compiler::texts()
+bool ExpressionCompiler::texts()
 {
     if (!text()) return false;
     while (take(Kind::Comma) || begins_text(tokens_[at_], meanings_)) {
         if (!text()) return false;
-        --text_depth_;
-        emit(Code::TextAppend, 0);
+        emitter_.append_text();
     }
     return true;
 }
 
-bool Compiler::text_identifier()
+bool ExpressionCompiler::text_identifier()
 {
     if (!begins_text(tokens_[at_], meanings_)) return false;
     const std::uint32_t name = tokens_[at_++].name;
-    const Value* const value = meanings_.find(name);
-    if (value->get_if<std::string>()) {
-        emit(Code::TextLoad, 0).name = name;
-        return push_text();
-    }
-    const auto dimensions = static_cast<int>((*value->get_if<std::shared_ptr<Array>>())->sizes.size());
-    for (int i = 0; i < dimensions; ++i)
-        if (!take(Kind::LeftSquare) || !number() || !take(Kind::RightSquare)) return false;
-    CompiledOp& op = emit(Code::TextElement, -dimensions);
-    op.name = name;
-    op.a = static_cast<std::uint8_t>(dimensions);
-    return push_text();
+    const auto* const array = meanings_.find(name)->get_if<std::shared_ptr<Array>>();
+    if (!array) return emitter_.text_load(name);
+    const std::size_t dimensions = (*array)->sizes.size();
+    return subscripts(dimensions) && emitter_.text_element(name, dimensions);
 }
 
-bool Compiler::text_function(Kind word)
+bool ExpressionCompiler::text_function(Kind word)
 {
     switch (word) {
     case Kind::Concat: return texts();
     case Kind::Chr:
         if (!number(true)) return false;
-        emit(Code::TextCharacter, -1);
-        return push_text();
+        emitter_.text_of_numbers(kTextCharacter, 1);
+        return true;
     case Kind::Str:
-        if (!number() || !comma() || !number() || !comma() || !number()) return false;
-        emit(Code::TextNumber, -3);
-        return push_text();
+        if (!numbers(3)) return false;
+        emitter_.text_of_numbers(kTextNumber, 3);
+        return true;
     case Kind::Vstr: {
         if (!number() || !comma()) return false;
         const int count = sum(1);
-        if (count < 1 || !comma() || !text() || !comma() || !number() || !comma() || !number()) return false;
-        emit(Code::TextTuple, -3 - count).a = static_cast<std::uint8_t>(count);
+        if (count < 1 || !comma() || !text() || !comma() || !numbers(2)) return false;
+        emitter_.change_text(kTextTuple, 3u + static_cast<std::size_t>(count)).b = static_cast<std::uint32_t>(count);
         return true;
     }
     case Kind::Substr:
-        if (!text() || !comma() || !number() || !comma() || !number()) return false;
-        emit(Code::TextPart, -2);
+        if (!text() || !comma() || !numbers(2)) return false;
+        emitter_.change_text(kTextPart, 2);
         return true;
     case Kind::Strupr:
     case Kind::Strlwr:
         if (!text()) return false;
-        emit(word == Kind::Strupr ? Code::TextUpper : Code::TextLower, 0);
+        emitter_.change_text(word == Kind::Strupr ? kTextUpper : kTextLower, 0);
         return true;
     default: return false;
     }
 }
 
-int Compiler::number_of_text(Kind word)
+int ExpressionCompiler::number_of_text(Kind word)
 {
-    if (!text()) return -1;
-    if (word == Kind::Strcmp) {
-        take(Kind::Comma);
-        if (!text()) return -1;
-        --text_depth_;
-    }
-    --text_depth_;
-    emit(word == Kind::Strlen ? Code::TextLength
-         : word == Kind::Asc  ? Code::TextFirst
-         : word == Kind::Val  ? Code::TextValue
-                              : Code::TextOrder,
-         1);
+    const bool two = word == Kind::Strcmp;
+    if (!text() || (two && (!comma() || !text()))) return -1;
+    emitter_.number_of_texts(word == Kind::Strlen ? kTextLength
+                             : word == Kind::Asc  ? kTextFirst
+                             : word == Kind::Val  ? kTextValue
+                                                  : kTextOrder,
+                             two ? 2 : 1);
     return 1;
 }
 
 /// `dimensions(A)`, `dimension_size(A, n)`: behind the parenthesis.
-bool Compiler::dimension_size(Kind word)
+bool ExpressionCompiler::dimension_size(Kind word)
 {
     if (!meanings_.texts() || kind() != Kind::Identifier) return false;
     const std::uint32_t name = tokens_[at_++].name;
     const Value* const value = meanings_.find(name);
     if (!value || !value->get_if<std::shared_ptr<Array>>()) return false;
     const bool sized = word == Kind::DimensionSize;
-    if (sized && (!comma() || !number())) return false;
-    CompiledOp& op = emit(Code::DimensionSize, sized ? 0 : 1);
-    op.name = name;
-    op.a = sized ? 1 : 0;
-    return true;
+    return (!sized || (comma() && number())) && emitter_.dimension_size(name, sized);
 }
 
-}  // namespace parser
+}  // namespace parser::blocks

@@ -1,7 +1,12 @@
 #pragma once
 
-#include "parser/stream/blocks/program.h"
+#include "parser/stream/machine/program.h"
+#include "parser/stream/values/random_undo.h"
 #include "parser/stream/values/symbols.h"
+
+namespace parser {
+class GrammarHooks;
+}
 
 namespace parser::blocks {
 
@@ -41,8 +46,8 @@ public:
 /// Runs programs. Everything that names mean stays in the cells of the symbols; slots point to it.
 class Machine {
 public:
-    Machine(Symbols& symbols_of, RandomUndo& random_of, GrammarHooks& hooks, Supply& supply_of)
-        : symbols(symbols_of), context{symbols_of, random_of, hooks}, supply(supply_of)
+    Machine(Symbols& symbols_of, RandomUndo& random_of, GrammarHooks& hooks_of, Supply& supply_of)
+        : symbols(symbols_of), random(random_of), hooks(hooks_of), supply(supply_of)
     {}
 
     void enter(const Program& program, std::uint32_t scope);
@@ -86,7 +91,8 @@ public:
     const Program* program = nullptr;
     std::int64_t budget = 0;  ///< tokens that may be read
     Symbols& symbols;
-    CompiledContext context;
+    RandomUndo& random;
+    GrammarHooks& hooks;
     Supply& supply;
     const Op* stopped = nullptr;
     std::vector<Frame> frames;

@@ -1,4 +1,4 @@
-#include "parser/stream/blocks/operands.h"
+#include "parser/stream/machine/operands.h"
 #include "parser/stream/expression.h"
 #include "parser/stream/expressions/operand.h"
 
@@ -117,13 +117,7 @@ const Op* dimension_size(const Op* op, Machine& m)
     if (!held) return m.leave(op);
     const Array& array = **held;
     double& to = m.registers[op->to];
-    if (op->b == 0) {
-        to = static_cast<double>(array.sizes.size());
-        return op + 1;
-    }
-    const std::int32_t which = to_int32(to);
-    const bool known = which >= 1 && static_cast<std::size_t>(which) <= array.sizes.size();
-    to = known ? array.sizes[static_cast<std::size_t>(which) - 1] : 0.0;
+    to = op->b == 0 ? static_cast<double>(array.sizes.size()) : size_of_dimension(array, to);
     return op + 1;
 }
 

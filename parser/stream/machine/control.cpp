@@ -1,4 +1,4 @@
-#include "parser/stream/blocks/operands.h"
+#include "parser/stream/machine/operands.h"
 #include "parser/stream/expression.h"
 #include "parser/stream/expressions/operand.h"
 #include "parser/stream/files/data_file.h"
@@ -30,7 +30,7 @@ const Op* spend(const Op* op, Machine& m)
 const Op* begin(const Op* op, Machine& m)
 {
     if (m.values == 0) {
-        m.context.random.keep();
+        m.random.keep();
         m.notes.clear();
     }
     return op + 1;
@@ -171,7 +171,7 @@ const Op* ready(const Op* op, Machine& m)
     constexpr std::uint32_t kGuards = 40;  // more than the reader of tokens would need for it
     const ReadyValues& values = m.program->ready[op->a];
     const bool may = m.statements && m.values == 0 && m.guards + kGuards < m.most_guards;
-    const RandomUndo::Hold hold(m.context.random);  // a texture may be read on the way
+    const RandomUndo::Hold hold(m.random);  // a texture may be read on the way
     return may && values.statement->run(m.registers + values.first, m.symbols) ? op + 1 : m.leave(op);
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "parser/stream/values/compiled.h"
+#include "function/program.h"
+#include "parser/lexer/token.h"
 #include "parser/stream/language_state.h"
 #include "parser/stream/ready_statement.h"
+#include "parser/stream/values/value.h"
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -72,7 +73,7 @@ struct Call {
     std::uint32_t after = 0;  ///< behind the arguments
     std::uint32_t place = kNoIndex;
     const Program* value = nullptr;   ///< what it gives is wanted; null: the call is a statement
-    std::uint32_t guards = 0;         ///< see CompiledCall
+    std::uint32_t guards = 0;         ///< at most so deep is the reader of tokens nested there
     mutable Program* body = nullptr;  ///< that Supply::program_of() gave last
 };
 
@@ -95,7 +96,7 @@ struct Program {
     std::vector<Statement> statements;  ///< by `op`
     std::vector<Place> places;
     std::vector<Call> calls;
-    std::deque<CompiledExpression> expressions;  ///< that operations are borrowed from
+    std::vector<function::FunctionPtr> functions;  ///< that calls expect
     std::vector<std::string> texts;
     std::vector<ReadyValues> ready;
     std::vector<ReadSite> reads;
@@ -105,11 +106,12 @@ struct Program {
     std::uint32_t attempt = 0;       ///< how often it was compiled
     int version = 0;                 ///< of the language
     int result = 0;                  ///< components that a macro gives; 0: none
-    bool named = false;              ///< see CompiledCall
+    bool named = false;              ///< it may be a variable as such
     bool turning = false;            ///< names have slots for several numbers of components
 };
 
 /// Registers below this are the stack of expressions.
 inline constexpr std::uint32_t kStackRegisters = 64;
+inline constexpr std::uint32_t kTextRegisters = 32;
 
 }  // namespace parser::blocks

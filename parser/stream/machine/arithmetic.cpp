@@ -1,6 +1,7 @@
-#include "parser/stream/blocks/operands.h"
-#include "parser/stream/expressions/compiled_functions.h"
+#include "parser/stream/machine/operands.h"
+#include "parser/stream/expressions/number_functions.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -108,9 +109,30 @@ const Op* run_function(const Op* op, Machine& m)
     double value = *a;
     if constexpr (f == Kind::Minus) value = -value;
     else if constexpr (f == Kind::Rand) {
-        if (!m.context.random.draw(value, value)) return m.leave(op);
+        if (!m.random.draw(value, value)) return m.leave(op);
     } else if (!function_of_one(f, value)) return m.leave(op);
     m.registers[op->to] = value;
+    return op + 1;
+}
+
+/// A number grows by copies, others by zeros.
+template <Binary f>
+const Op* combine(const Op* op, Machine& m)
+{
+    const std::uint32_t a = op->a, b = op->b;
+    double* const left = m.registers + op->to;
+    const double* const right = left + a;
+    if (a == b || b == 1) {
+        for (std::uint32_t i = 0; i < a; ++i)
+            if (!apply<f>(left[i], right[a == b ? i : 0])) return m.leave(op);
+        return op + 1;
+    }
+    double other[5];
+    const std::uint32_t count = std::max(a, b);
+    for (std::uint32_t i = 0; i < count; ++i) other[i] = i < b ? right[i] : 0.0;
+    for (std::uint32_t i = a; i < count; ++i) left[i] = a == 1 ? left[0] : 0.0;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (!apply<f>(left[i], other[i])) return m.leave(op);
     return op + 1;
 }
 
@@ -234,12 +256,20 @@ Handler function_handler(Kind f, Operand a)
     case Kind::Sin: return pick_function<Kind::Sin>(a);
     case Kind::Sqrt: return pick_function<Kind::Sqrt>(a);
     case Kind::Tan: return pick_function<Kind::Tan>(a);
+    case Kind::Minus: return pick_function<Kind::Minus>(a);
+    case Kind::Rand: return pick_function<Kind::Rand>(a);
     default: return nullptr;
     }
 }
 
-Handler negate_handler(Operand a) { return pick_function<Kind::Minus>(a); }
-
-Handler random_handler(Operand a) { return pick_function<Kind::Rand>(a); }
+Handler combine_handler(Binary f)
+{
+    switch (f) {
+    case Binary::Add: return combine<Binary::Add>;
+    case Binary::Subtract: return combine<Binary::Subtract>;
+    case Binary::Multiply: return combine<Binary::Multiply>;
+    default: return combine<Binary::Divide>;
+    }
+}
 
 }  // namespace parser::blocks

@@ -1,12 +1,12 @@
-#include "parser/stream/blocks/operands.h"
+#include "parser/stream/machine/operands.h"
 #include "parser/stream/expression.h"
 #include "parser/stream/expressions/operand.h"
+#include "parser/stream/expressions/text_functions.h"
 #include "parser/stream/text.h"
 
-#include <algorithm>
 #include <cstdlib>
 
-/// Texts: as string_expression.cpp reads them. What is not plain ASCII is left to it where characters are counted.
+/// Texts.
 namespace parser::blocks {
 namespace {
 
@@ -61,61 +61,41 @@ const Op* number(const Op* op, Machine& m)
 /// vstr: the separator is what stands in the register of the result.
 const Op* tuple(const Op* op, Machine& m)
 {
-    const double* const given = m.registers + op->a;
-    const int count = std::clamp(to_int32(given[0]), 2, 5), known = static_cast<int>(op->b);
-    std::string text;
-    for (int i = 0; i < count; ++i) {
-        if (i > 0) text += m.texts[op->to];
-        add_number_text(text, i < known ? given[1 + i] : 0.0, given[1 + known], given[2 + known]);
-    }
-    m.texts[op->to] = std::move(text);
+    const double *const given = m.registers + op->a, *const behind = given + 1 + op->b;
+    std::string& text = m.texts[op->to];
+    text = tuple_text(given[0], given + 1, static_cast<int>(op->b), text, behind[0], behind[1]);
     return op + 1;
 }
 
 const Op* character(const Op* op, Machine& m)
 {
-    const double code = m.registers[op->a];
-    if (!(code >= 1.0 && code < 128.0)) return m.leave(op);
-    m.texts[op->to].assign(1, static_cast<char>(code));
-    return op + 1;
+    return text_of_code(m.registers[op->a], m.texts[op->to]) ? op + 1 : m.leave(op);
 }
 
 const Op* part(const Op* op, Machine& m)
 {
-    std::string& text = m.texts[op->to];
-    const int first = to_int32(m.registers[op->a]), count = to_int32(m.registers[op->a + 1]);
-    if (!is_ascii(text) || first < 1 || count < 0 ||
-        static_cast<long>(first) + count - 1 > static_cast<long>(text.size()))
-        return m.leave(op);
-    text = text.substr(static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
-    return op + 1;
+    const double* const given = m.registers + op->a;
+    return keep_part(m.texts[op->to], given[0], given[1]) ? op + 1 : m.leave(op);
 }
 
 template <bool upper>
-const Op* change_case(const Op* op, Machine& m)
+const Op* other_case(const Op* op, Machine& m)
 {
     std::string& text = m.texts[op->to];
     if (!is_ascii(text)) return m.leave(op);
-    for (char& c : text) {
-        if (upper && c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
-        if (!upper && c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-    }
+    change_case(text, upper);
     return op + 1;
 }
 
 const Op* length(const Op* op, Machine& m)
 {
-    const std::string& text = m.texts[op->a];
-    if (!is_ascii(text)) return m.leave(op);
-    m.registers[op->to] = static_cast<double>(text.size());
+    m.registers[op->to] = static_cast<double>(length_of(m.texts[op->a]));
     return op + 1;
 }
 
 const Op* first(const Op* op, Machine& m)
 {
-    const std::string& text = m.texts[op->a];
-    if (!is_ascii(text)) return m.leave(op);
-    m.registers[op->to] = text.empty() ? 0.0 : static_cast<unsigned char>(text[0]);
+    m.registers[op->to] = first_of(m.texts[op->a]);
     return op + 1;
 }
 
@@ -127,12 +107,7 @@ const Op* number_in(const Op* op, Machine& m)
 
 const Op* order(const Op* op, Machine& m)
 {
-    const std::string &a = m.texts[op->a], &b = m.texts[op->b];
-    if (!is_ascii(a) || !is_ascii(b)) return m.leave(op);
-    double difference = 0.0;
-    for (std::size_t i = 0; (i < a.size() || i < b.size()) && difference == 0.0; ++i)
-        difference = (i < a.size() ? a[i] : 0) - (i < b.size() ? b[i] : 0);
-    m.registers[op->to] = difference;
+    m.registers[op->to] = order_of(m.texts[op->a], m.texts[op->b]);
     return op + 1;
 }
 
@@ -172,8 +147,8 @@ const Handler kTextNumber = number;
 const Handler kTextTuple = tuple;
 const Handler kTextCharacter = character;
 const Handler kTextPart = part;
-const Handler kTextUpper = change_case<true>;
-const Handler kTextLower = change_case<false>;
+const Handler kTextUpper = other_case<true>;
+const Handler kTextLower = other_case<false>;
 const Handler kTextLength = length;
 const Handler kTextFirst = first;
 const Handler kTextValue = number_in;

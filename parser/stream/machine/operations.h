@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/stream/blocks/program.h"
+#include "parser/stream/machine/program.h"
 
 /// Handlers by what they do and where their operands lie.
 namespace parser::blocks {
@@ -41,28 +41,33 @@ Handler relation_jump_handler(Binary f, Operand a, Operand b, bool sense);
 Handler truth_jump_handler(Operand a, bool sense);
 /// to = a.
 Handler move_handler(Operand a, Target to);
-/// to = f(a), `f` a built-in function of one number.
+/// to = f(a), `f` a built-in function of one number, Rand or (the sign) Minus; null: none of these.
 Handler function_handler(Kind f, Operand a);
-Handler negate_handler(Operand a);
-/// to = rand(a).
-Handler random_handler(Operand a);
+inline bool is_function(Kind f) { return function_handler(f, Operand::Register) != nullptr; }
+/// Registers from `to` on, a components f the b behind them: the shorter side grows. is_sum(f) only.
+Handler combine_handler(Binary f);
 
 // What works on `count` components in registers from `to` on.
 extern const Handler kLoadTuple;      ///< slot a, count b
 extern const Handler kLoadComponent;  ///< slot a, component b
 extern const Handler kStoreTuple;     ///< slot `to`, registers from a on, count b; jump: local
-extern const Handler kAddTuple;       ///< to += a, count b
-extern const Handler kSubtractTuple;  ///< to -= a, count b
-extern const Handler kScaleTuple;     ///< to *= the number in register a, count b
-extern const Handler kMultiplyTuple;  ///< to *= what stands behind it, each count b
 extern const Handler kSplat;          ///< the number in `to`, count b
-extern const Handler kScaledTuple;    ///< to = the number in `to` times what stands behind it, count b
+extern const Handler kSelect;         ///< to = component b of those from `to` on
+extern const Handler kGray;           ///< the same of a colour's brightness
+extern const Handler kNegateTuple;    ///< count b
+extern const Handler kNot;            ///< count b
+extern const Handler kChooseIf;       ///< condition, what it is if true, what if false
+extern const Handler kChooseBySign;   ///< number, what it is below 0, else what; b: another one for above 0
 extern const Handler kLength;         ///< vlength() of three
 extern const Handler kDot;            ///< vdot() of three and three
-extern const Handler kDivideTuple;    ///< to /= the number in register a, count b
-extern const Handler
-    kTrace;  ///< trace() of the object whose name is a: origin and direction become the point; slot b: the normal
-extern const Handler kBorrowed;  ///< operation b of expression a, on a stack whose first free register is `to`
+extern const Handler kCross;
+extern const Handler kRotate;
+extern const Handler kNormalize;
+extern const Handler kCallFunction;  ///< function b of the program, if the name a means it: arguments become components
+extern const Handler kCurve;         ///< the spline a at `to`: b components; jump: of which kind, -1: its own
+extern const Handler kInside;        ///< inside() of the object whose name is a: the point becomes the answer
+/// trace() of the object whose name is a: origin and direction become the point; slot b, if there is one: the normal
+extern const Handler kTrace;
 
 // Arrays: slot a.
 Handler element_handler(Operand subscript);                       ///< to = A[b], one component

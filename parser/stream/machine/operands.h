@@ -1,7 +1,7 @@
 #pragma once
 
-#include "parser/stream/blocks/machine.h"
-#include "parser/stream/blocks/operations.h"
+#include "parser/stream/machine/machine.h"
+#include "parser/stream/machine/operations.h"
 #include "parser/stream/values/elements.h"
 
 /// Where operations find what they work on.
