@@ -41,11 +41,10 @@ public:
         const WorldItem& item = world_.items[index];
         const double limit = rays_.limit[k];
         if (item.all_opaque) {
-            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr, limit).found())
-                block(k);
+            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, limit).found()) block(k);
             return;
         }
-        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr,
+        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_,
                        [&](const Hit& hit) { add(k, hit); });
     }
 
