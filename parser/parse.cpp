@@ -1,5 +1,8 @@
 #include "parser/parse.h"
 
+#include "parser/grammar.h"
+#include "parser/grammar/core/productions.h"
+
 #include "parser/grammar/core/scene_builder.h"
 #include "parser/stream/told_values.h"
 #include "parser/stream/token_stream.h"
@@ -63,6 +66,12 @@ std::string dump_tokens(const std::string& path)
         out += '\n';
     }
     return out;
+}
+
+const std::vector<Production>& grammar()
+{
+    static const std::vector<Production> all = productions_from(scene_text);
+    return all;
 }
 
 }  // namespace parser

@@ -218,7 +218,10 @@ Completion completion_at(Files& files, const std::string& path, std::uint32_t of
         if (behind == Kind::Equal) add_words(out, value_words(), 3);
         else if (asks_for_number(behind)) add_words(out, number_words(), 3);
         else if (brace == kNone) add_words(out, scene_words(), 1);
-        else add_words(out, block_words(block, outer), 1);
+        else {
+            add_words(out, words_behind(behind, block, outer), 0);
+            add_words(out, block_words(block, outer), 1);
+        }
     }
     add_names(out, files, path, offset, prefix);
     return out;

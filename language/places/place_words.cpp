@@ -1,239 +1,263 @@
 #include "language/places/place_words.h"
 
-#include <map>
+#include "parser/grammar.h"
 
+#include <algorithm>
+#include <map>
+#include <set>
+
+/// Words by place, told from the productions of the grammar.
 namespace language {
 namespace {
 
+using parser::Form;
 using parser::Kind;
+using parser::LexicalClass;
+using parser::Production;
 using Words = std::vector<std::string>;
+using Named = std::set<Production (*)()>;
+/// What stands in the braces behind each keyword, in order.
+using Blocks = std::map<Kind, std::vector<Form>>;
 
-Words words_of(std::string_view list)
+void add_word(Words& words, Kind kind)
+{
+    std::string word(parser::spelling(kind));
+    if (parser::is_keyword(kind) && std::find(words.begin(), words.end(), word) == words.end())
+        words.push_back(std::move(word));
+}
+
+bool is_brace(const Form& form, Kind kind) { return form.is == Form::Is::Word && form.word == kind; }
+
+/// One past the brace that closes the one at `at`.
+std::size_t behind_braces(const std::vector<Form>& parts, std::size_t at)
+{
+    for (int depth = 0; at < parts.size(); ++at) {
+        depth += is_brace(parts[at], Kind::LeftBrace) ? 1 : is_brace(parts[at], Kind::RightBrace) ? -1 : 0;
+        if (depth == 0) return at + 1;
+    }
+    return at;
+}
+
+bool begins_with_brace(const Form& form)
+{
+    return is_brace(form, Kind::LeftBrace) ||
+           (form.is == Form::Is::Sequence && !form.parts.empty() && begins_with_brace(form.parts.front()));
+}
+
+/// Expressions are asked for by other means; of colours the words alone count.
+bool is_expression(std::string_view production)
+{
+    return production == "sum" || production == "condition" || production == "text";
+}
+
+/// Words that a form may begin with; false: something has to stand there.
+bool add_first_words(Words& words, const Form& form, Named& seen)
+{
+    if (form.rare) return false;
+    switch (form.is) {
+    case Form::Is::Word: add_word(words, form.word); return false;
+    case Form::Is::Operand: return false;
+    case Form::Is::Named: {
+        if (!seen.insert(form.production).second) return false;
+        const Production inner = form.production();
+        return !is_expression(inner.name) && add_first_words(words, inner.form, seen);
+    }
+    case Form::Is::Sequence:
+        return std::all_of(form.parts.begin(), form.parts.end(),
+                           [&](const Form& part) { return add_first_words(words, part, seen); });
+    default: break;
+    }
+    bool empty = form.is != Form::Is::Choice && form.least == 0;
+    for (const Form& part : form.parts) empty = add_first_words(words, part, seen) || empty;
+    return empty;
+}
+
+/// Words that may stand in a block: each of its items begins with one. Values of items do not count.
+void add_words(Words& words, const Form& form, Named& seen)
+{
+    if (form.rare) return;
+    if (form.is == Form::Is::Word) return add_word(words, form.word);
+    if (form.is == Form::Is::Named) {
+        if (!seen.insert(form.production).second) return;
+        const Production inner = form.production();
+        if (!is_expression(inner.name)) add_words(words, inner.form, seen);
+    }
+    for (const Form& part : form.parts) {
+        add_words(words, part, seen);
+        if (form.is == Form::Is::Sequence && part.is == Form::Is::Word && parser::is_keyword(part.word)) return;
+    }
+}
+
+/// What may follow a keyword within a form, by its first words.
+void add_words_behind(Words& words, const Form& form, Kind keyword, Named& seen)
+{
+    if (form.is == Form::Is::Named && seen.insert(form.production).second) {
+        const Form inner = form.production().form;
+        if (!begins_with_brace(inner)) add_words_behind(words, inner, keyword, seen);
+    }
+    for (std::size_t i = 0; i < form.parts.size(); ++i) {
+        if (form.is != Form::Is::Sequence || form.parts[i].is != Form::Is::Word) {
+            add_words_behind(words, form.parts[i], keyword, seen);
+        } else if (form.parts[i].word == Kind::LeftBrace) {
+            i = behind_braces(form.parts, i) - 1;
+        } else if (form.parts[i].word == keyword) {
+            Named begun;
+            for (std::size_t k = i + 1; k < form.parts.size() && add_first_words(words, form.parts[k], begun); ++k) {}
+        }
+    }
+}
+
+/// Blocks that stand in a form, but not within other blocks. `last`: the keyword before it.
+void add_blocks(Blocks& blocks, const Form& form, Kind last, Named& seen)
+{
+    if (form.is == Form::Is::Named) {
+        const Form inner = form.production().form;
+        if (begins_with_brace(inner) || seen.insert(form.production).second) add_blocks(blocks, inner, last, seen);
+        return;
+    }
+    for (std::size_t i = 0; i < form.parts.size(); ++i) {
+        const Form& part = form.parts[i];
+        if (form.is == Form::Is::Sequence && is_brace(part, Kind::LeftBrace)) {
+            const std::size_t end = behind_braces(form.parts, i);
+            Form inside;
+            inside.parts.assign(form.parts.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                form.parts.begin() + static_cast<std::ptrdiff_t>(end) - 1);
+            blocks[last].push_back(std::move(inside));
+            i = end - 1;
+        } else {
+            add_blocks(blocks, part, last, seen);
+            if (form.is == Form::Is::Sequence && part.is == Form::Is::Word && parser::is_keyword(part.word))
+                last = part.word;
+        }
+    }
+}
+
+Blocks blocks_of(const Form& form)
+{
+    Blocks blocks;
+    Named seen;
+    add_blocks(blocks, form, Kind::EndOfText, seen);
+    return blocks;
+}
+
+/// The blocks in the block of each keyword; EndOfText: outside of all.
+class Places {
+public:
+    Places() { explore(Kind::EndOfText, parser::grammar().front().form); }
+    /// What stands in a block; null: nothing is known. Where the block around it has no such one, or none is known, as
+    /// in a macro, a word means most likely what it means for an object.
+    const Form* inside(Kind block, Kind outer) const
+    {
+        for (const Kind around : {outer, Kind::EndOfText, Kind::Sphere})
+            if (const Form* found = in(around, block)) return found;
+        for (const auto& [around, blocks] : within_)
+            if (const Form* found = in(around, block)) return found;
+        return nullptr;
+    }
+
+private:
+    std::map<Kind, Blocks> within_;
+
+    const Form* in(Kind around, Kind block) const
+    {
+        const auto blocks = within_.find(around);
+        if (blocks == within_.end()) return nullptr;
+        const auto found = blocks->second.find(block);
+        return found == blocks->second.end() ? nullptr : &found->second.front();
+    }
+    void explore(Kind around, const Form& form)
+    {
+        for (auto& [keyword, bodies] : blocks_of(form)) {
+            std::vector<Form>& known = within_[around][keyword];
+            if (!known.empty()) continue;
+            known = bodies;
+            for (const Form& body : bodies) explore(keyword, body);
+        }
+    }
+};
+
+const Form& production(std::string_view name)
+{
+    const auto& all = parser::grammar();
+    return std::find_if(all.begin(), all.end(), [&](const Production& one) { return one.name == name; })->form;
+}
+
+/// Words of the lexer's classes, then those that a production begins with.
+Words beginnings(std::initializer_list<LexicalClass> classes, std::initializer_list<std::string_view> productions)
 {
     Words words;
-    for (std::size_t at = 0; at < list.size();) {
-        const std::size_t end = std::min(list.find(' ', at), list.size());
-        if (end > at) words.emplace_back(list.substr(at, end - at));
-        at = end + 1;
+    for (std::size_t i = 0; i < parser::kKindCount; ++i)
+        if (std::find(classes.begin(), classes.end(), parser::lexical_class(static_cast<Kind>(i))) != classes.end())
+            add_word(words, static_cast<Kind>(i));
+    for (const std::string_view name : productions) {
+        Named seen;
+        add_first_words(words, production(name), seen);
     }
     return words;
 }
 
-// Lists that several blocks share.
-#define WHITTLE_MOVES "translate rotate scale matrix transform "
-#define WHITTLE_COLORS "color rgb rgbf rgbt rgbft srgb srgbf srgbt srgbft red green blue filter transmit "
-#define WHITTLE_LOOK "texture pigment normal finish interior interior_texture material uv_mapping "
-#define WHITTLE_OBJECT                                                                                                 \
-    WHITTLE_LOOK WHITTLE_MOVES "clipped_by bounded_by photons radiosity no_shadow no_image no_reflection "             \
-                               "no_radiosity double_illuminate hollow "                                                \
-                               "inverse cutaway_textures "
-#define WHITTLE_SOLIDS                                                                                                 \
-    "sphere box cylinder cone torus plane prism lathe sor blob text height_field isosurface julia_fractal "            \
-    "parametric superellipsoid sphere_sweep ovus quadric cubic quartic poly polynomial mesh mesh2 bicubic_patch disc " \
-    "polygon triangle smooth_triangle union merge intersection difference object "
-#define WHITTLE_PATTERNS                                                                                               \
-    "agate aoi average boxed bozo brick bumps cells checker crackle cubic cylindrical density_file dents facets "      \
-    "function gradient granite hexagon image_pattern julia leopard magnet mandel marble object onion pavement "        \
-    "pigment_pattern planar quilted radial ripples slope spherical spiral1 spiral2 spotted square tiling "             \
-    "triangular waves wood wrinkles "
-// What patterns of a kind take behind their name.
-#define WHITTLE_PATTERN_ITEMS                                                                                          \
-    "agate_turb brick_size mortar control0 control1 coords exponent exterior interior form metric offset solid size "  \
-    "interpolate number_of_sides number_of_tiles pattern "
-#define WHITTLE_WAVES "ramp_wave triangle_wave sine_wave scallop_wave cubic_wave poly_wave frequency phase "
-#define WHITTLE_TURBULENCE "turbulence octaves omega lambda warp noise_generator "
-#define WHITTLE_NUMBERS                                                                                                \
-    "abs acos acosh asc asin asinh atan atan2 atanh bitwise_and bitwise_or bitwise_xor ceil cos cosh defined degrees " \
-    "dimensions dimension_size div exp file_exists floor int inside ln log max min mod pi pow prod radians rand seed " \
-    "select sin sinh sqrt strcmp strlen sum tan tanh val vdot vlength clock now true false yes no "
-#define WHITTLE_VECTORS "x y z t u v min_extent max_extent trace vaxis_rotate vcross vnormalize vrotate vturbulence "
-#define WHITTLE_TEXTS "chr concat datetime str strlwr strupr substr vstr "
-#define WHITTLE_PIGMENT                                                                                                \
-    WHITTLE_COLORS WHITTLE_PATTERNS WHITTLE_PATTERN_ITEMS                                                              \
-        "color_map pigment_map image_map quick_color uv_mapping " WHITTLE_WAVES WHITTLE_TURBULENCE WHITTLE_MOVES
-#define WHITTLE_NORMAL                                                                                                 \
-    WHITTLE_PATTERNS WHITTLE_PATTERN_ITEMS                                                                             \
-        "bump_map normal_map slope_map bump_size accuracy no_bump_scale uv_mapping " WHITTLE_WAVES WHITTLE_TURBULENCE  \
-            WHITTLE_MOVES
-#define WHITTLE_TEXTURE                                                                                                \
-    "pigment normal finish texture_map tiles material_map no_bump_scale uv_mapping " WHITTLE_PATTERNS WHITTLE_WAVES    \
-        WHITTLE_TURBULENCE WHITTLE_MOVES
-#define WHITTLE_DENSITY                                                                                                \
-    WHITTLE_COLORS WHITTLE_PATTERNS WHITTLE_PATTERN_ITEMS                                                              \
-        "color_map density_map image_map " WHITTLE_WAVES WHITTLE_TURBULENCE WHITTLE_MOVES
-#define WHITTLE_PICTURES "bmp exr gif hdr iff jpeg pgm png pot ppm sys tga tiff "
-
-constexpr std::string_view kDirectives =
-    "declare local undef macro if ifdef ifndef else elseif switch case range break while for end include version "
-    "default debug warning error render statistics fopen fclose read write";
-constexpr std::string_view kScene = WHITTLE_SOLIDS
-    "camera light_source light_group background global_settings fog media rainbow sky_sphere default "
-    "photons";
-constexpr std::string_view kNumbers = WHITTLE_NUMBERS WHITTLE_VECTORS WHITTLE_TEXTS;
-constexpr std::string_view kValues = WHITTLE_NUMBERS WHITTLE_VECTORS WHITTLE_TEXTS WHITTLE_COLORS WHITTLE_SOLIDS
-    "array function spline texture pigment normal finish interior material transform color_map pigment_map "
-    "normal_map slope_map texture_map density media camera fog rainbow sky_sphere light_source";
-
-/// What stands in the block of a keyword; a second table says what differs inside of another block.
-struct Row {
-    Kind block;
-    std::string_view words;
-};
-
-constexpr Row kBlocks[] = {
-    {Kind::GlobalSettings,
-     "adc_bailout ambient_light assumed_gamma charset hf_gray_16 irid_wavelength max_intersections max_trace_level "
-     "mm_per_unit noise_generator number_of_waves photons radiosity subsurface"},
-    {Kind::Camera, "perspective orthographic fisheye ultra_wide_angle omnimax panoramic cylinder spherical mesh_camera "
-                   "location look_at angle right up direction sky aperture blur_samples focal_point confidence "
-                   "variance bokeh normal " WHITTLE_MOVES},
-    {Kind::LightSource, WHITTLE_COLORS
-     "spotlight cylinder point_at radius falloff tightness parallel shadowless area_light adaptive jitter circular "
-     "orient area_illumination fade_distance fade_power media_attenuation media_interaction looks_like "
-     "projected_through photons whittle_directional " WHITTLE_MOVES},
-    {Kind::LightGroup, "light_source light_group global_lights " WHITTLE_SOLIDS WHITTLE_MOVES},
-    {Kind::Background, WHITTLE_COLORS},
-    {Kind::Fog, "fog_type distance fog_offset fog_alt up turbulence turb_depth octaves omega lambda " WHITTLE_COLORS
-                    WHITTLE_MOVES},
-    {Kind::Rainbow, "direction angle width distance jitter up arc_angle falloff_angle color_map"},
-    {Kind::SkySphere, "pigment emission " WHITTLE_MOVES},
-    {Kind::Texture, WHITTLE_TEXTURE},
-    {Kind::InteriorTexture, WHITTLE_TEXTURE},
-    {Kind::Material, "texture interior_texture interior " WHITTLE_MOVES},
-    {Kind::Pigment, WHITTLE_PIGMENT},
-    {Kind::Normal, WHITTLE_NORMAL},
-    {Kind::Finish, "ambient emission diffuse albedo brilliance crand phong phong_size specular roughness metallic "
-                   "reflection reflection_exponent conserve_energy irid subsurface whittle_cool_warm whittle_ink "
-                   "whittle_polished"},
-    {Kind::Irid, "thickness turbulence"},
-    {Kind::Interior,
-     "ior dispersion dispersion_samples caustics fade_distance fade_power fade_color media " WHITTLE_MOVES},
-    {Kind::Media, "absorption emission scattering density method samples intervals ratio confidence variance jitter "
-                  "aa_level aa_threshold collect " WHITTLE_MOVES},
-    {Kind::Scattering, "eccentricity extinction"},
-    {Kind::Density, WHITTLE_DENSITY},
-    {Kind::ColorMap, WHITTLE_COLORS},
-    {Kind::PigmentMap, WHITTLE_PIGMENT},
-    {Kind::NormalMap, WHITTLE_NORMAL},
-    {Kind::TextureMap, WHITTLE_TEXTURE},
-    {Kind::DensityMap, WHITTLE_DENSITY},
-    {Kind::ImageMap, WHITTLE_PICTURES "map_type interpolate once filter transmit gamma premultiplied use_color "
-                                      "use_index"},
-    {Kind::BumpMap, WHITTLE_PICTURES "map_type interpolate once bump_size use_color use_index gamma"},
-    {Kind::MaterialMap, WHITTLE_PICTURES "map_type interpolate once texture gamma use_color use_index"},
-    {Kind::ImagePattern,
-     WHITTLE_PICTURES "map_type interpolate once use_alpha use_color use_index gamma premultiplied"},
-    {Kind::Warp, "repeat offset flip black_hole falloff strength inverse turbulence octaves omega lambda planar "
-                 "cylindrical spherical toroidal cubic orientation dist_exp major_radius " WHITTLE_MOVES},
-    {Kind::Photons, "target refraction reflection collect pass_through"},
-    {Kind::Radiosity, "importance"},
-    {Kind::Transform, WHITTLE_MOVES "inverse"},
-    {Kind::ContainedBy, "sphere box"},
-    {Kind::ClippedBy, "bounded_by " WHITTLE_SOLIDS},
-    {Kind::BoundedBy, "clipped_by " WHITTLE_SOLIDS},
-    {Kind::LooksLike, WHITTLE_SOLIDS},
-    {Kind::ProjectedThrough, WHITTLE_SOLIDS},
-    {Kind::Function, WHITTLE_NUMBERS "x y z u v pattern pigment transform spline internal"},
-    {Kind::Spline, "linear_spline quadratic_spline cubic_spline natural_spline"},
-    // Solids: what each has besides the modifiers of all.
-    {Kind::Sphere, WHITTLE_OBJECT},
-    {Kind::Box, WHITTLE_OBJECT},
-    {Kind::Plane, WHITTLE_OBJECT},
-    {Kind::Disc, WHITTLE_OBJECT},
-    {Kind::Polygon, WHITTLE_OBJECT},
-    {Kind::Triangle, WHITTLE_OBJECT},
-    {Kind::SmoothTriangle, WHITTLE_OBJECT},
-    {Kind::Superellipsoid, WHITTLE_OBJECT},
-    {Kind::Ovus, WHITTLE_OBJECT},
-    {Kind::Quadric, WHITTLE_OBJECT},
-    {Kind::Cubic, "sturm " WHITTLE_OBJECT},
-    {Kind::Quartic, "sturm " WHITTLE_OBJECT},
-    {Kind::Poly, "sturm " WHITTLE_OBJECT},
-    {Kind::Polynomial, "sturm xyz " WHITTLE_OBJECT},
-    {Kind::Cylinder, "open " WHITTLE_OBJECT},
-    {Kind::Cone, "open " WHITTLE_OBJECT},
-    {Kind::Torus, "sturm " WHITTLE_OBJECT},
-    {Kind::Prism,
-     "linear_spline quadratic_spline cubic_spline bezier_spline linear_sweep conic_sweep open sturm " WHITTLE_OBJECT},
-    {Kind::Lathe, "linear_spline quadratic_spline cubic_spline bezier_spline sturm " WHITTLE_OBJECT},
-    {Kind::Sor, "open sturm " WHITTLE_OBJECT},
-    {Kind::SphereSweep, "linear_spline b_spline cubic_spline tolerance " WHITTLE_OBJECT},
-    {Kind::Blob, "threshold sphere cylinder sturm hierarchy " WHITTLE_OBJECT},
-    {Kind::Text, "ttf internal " WHITTLE_OBJECT},
-    {Kind::HeightField, WHITTLE_PICTURES "smooth water_level hierarchy gamma premultiplied function " WHITTLE_OBJECT},
-    {Kind::Isosurface, "function contained_by threshold accuracy max_gradient evaluate open max_trace "
-                       "all_intersections " WHITTLE_OBJECT},
-    {Kind::Parametric, "function contained_by max_gradient accuracy precompute " WHITTLE_OBJECT},
-    {Kind::JuliaFractal, "quaternion hypercomplex sqr cube exp reciprocal sin asin sinh asinh cos acos cosh acosh tan "
-                         "atan tanh atanh ln pwr max_iteration precision slice " WHITTLE_OBJECT},
-    {Kind::BicubicPatch, "type flatness u_steps v_steps uv_vectors " WHITTLE_OBJECT},
-    {Kind::Mesh, "triangle smooth_triangle inside_vector hierarchy " WHITTLE_OBJECT},
-    {Kind::Mesh2, "vertex_vectors normal_vectors uv_vectors texture_list face_indices normal_indices uv_indices "
-                  "inside_vector hierarchy " WHITTLE_OBJECT},
-    {Kind::Union, "split_union light_source " WHITTLE_SOLIDS WHITTLE_OBJECT},
-    {Kind::Merge, WHITTLE_SOLIDS WHITTLE_OBJECT},
-    {Kind::Intersection, WHITTLE_SOLIDS WHITTLE_OBJECT},
-    {Kind::Difference, WHITTLE_SOLIDS WHITTLE_OBJECT},
-    {Kind::Object, "light_source " WHITTLE_SOLIDS WHITTLE_OBJECT},
-    {Kind::Default, "texture pigment normal finish radiosity camera"},
-};
-
-struct InnerRow {
-    Kind outer, block;
-    std::string_view words;
-};
-
-constexpr InnerRow kInner[] = {
-    {Kind::Finish, Kind::Reflection, "fresnel falloff exponent metallic whittle_gloss whittle_schlick " WHITTLE_COLORS},
-    {Kind::GlobalSettings, Kind::Radiosity,
-     "adc_bailout always_sample brightness count error_bound gray_threshold low_error_factor max_sample maximum_reuse "
-     "load_file media minimum_reuse nearest_count normal pretrace_end pretrace_start recursion_limit save_file "
-     "subsurface"},
-    {Kind::GlobalSettings, Kind::Photons,
-     "spacing count gather max_trace_level media jitter autostop expand_thresholds radius adc_bailout save_file "
-     "load_file"},
-    {Kind::GlobalSettings, Kind::Subsurface, "samples radiosity"},
-    {Kind::Finish, Kind::Subsurface, "translucency anisotropy"},
-    {Kind::LightSource, Kind::Photons, "refraction reflection area_light"},
-    {Kind::Blob, Kind::Sphere, "strength texture pigment normal finish " WHITTLE_MOVES},
-    {Kind::Blob, Kind::Cylinder, "strength texture pigment normal finish " WHITTLE_MOVES},
-    {Kind::ContainedBy, Kind::Sphere, ""},
-    {Kind::ContainedBy, Kind::Box, ""},
-};
+const Places& places()
+{
+    static const Places all;
+    return all;
+}
 
 }  // namespace
 
 const Words& directive_words()
 {
-    static const Words words = words_of(kDirectives);
+    static const Words words = [] {
+        Words all;
+        Named seen;
+        const Form& directive = production("directive");
+        add_first_words(all, directive.parts[1], seen);
+        return all;
+    }();
     return words;
 }
 
 const Words& scene_words()
 {
-    static const Words words = words_of(kScene);
+    static const Words words = beginnings({}, {"scene"});
     return words;
 }
 
 const Words& number_words()
 {
-    static const Words words = words_of(kNumbers);
+    static const Words words = beginnings(
+        {LexicalClass::Float, LexicalClass::Vector, LexicalClass::Vector2, LexicalClass::Vector4, LexicalClass::String},
+        {});
     return words;
 }
 
 const Words& value_words()
 {
-    static const Words words = words_of(kValues);
+    static const Words words = beginnings({LexicalClass::Float, LexicalClass::Vector, LexicalClass::Vector2,
+                                           LexicalClass::Vector4, LexicalClass::String, LexicalClass::Color},
+                                          {"value"});
     return words;
 }
 
 Words block_words(Kind block, Kind outer)
 {
-    for (const InnerRow& row : kInner)
-        if (row.outer == outer && row.block == block) return words_of(row.words);
-    for (const Row& row : kBlocks)
-        if (row.block == block) return words_of(row.words);
-    return {};
+    Words words;
+    Named seen;
+    if (const Form* const inside = places().inside(block, outer)) add_words(words, *inside, seen);
+    if (block == Kind::Function) {
+        // An expression of numbers may begin there.
+        const Words numbers = beginnings({LexicalClass::Float, LexicalClass::Vector2}, {});
+        words.insert(words.end(), numbers.begin(), numbers.end());
+        for (const Kind axis : {Kind::X, Kind::Y, Kind::Z}) add_word(words, axis);
+    }
+    return words;
+}
+
+Words words_behind(Kind keyword, Kind block, Kind outer)
+{
+    Words words;
+    Named seen;
+    if (const Form* const inside = places().inside(block, outer)) add_words_behind(words, *inside, keyword, seen);
+    return words;
 }
 
 std::string_view keyword_line(Kind keyword)

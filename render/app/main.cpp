@@ -1,3 +1,4 @@
+#include "parser/grammar.h"
 #include "render/app/benchmark.h"
 #include "render/app/compare_command.h"
 #include "render/app/options/command_line.h"
@@ -53,6 +54,10 @@ int run(const Words& arguments, app::Settings& settings, app::Remains& remains)
     }
     if (app::has_word(arguments, {"--man"})) {
         fmt::print("{}", app::manual_page());
+        return app::kSuccess;
+    }
+    if (app::has_word(arguments, {"--grammar"})) {
+        fmt::print("{}", parser::ebnf(parser::grammar()));
         return app::kSuccess;
     }
     if (app::has_word(arguments, {"--completion=zsh"})) {

@@ -48,8 +48,14 @@ std::vector<Spot> settings_and_lights()
         {Kind::Radiosity, {}, in_object("radiosity {"), {}},
         {Kind::Radiosity, Kind::GlobalSettings, "global_settings { radiosity {", {}},
         {Kind::Subsurface, Kind::GlobalSettings, "global_settings { subsurface {", {}},
-        {Kind::LooksLike, {}, "light_source { 0, rgb 1 looks_like {", {}},
-        {Kind::ProjectedThrough, {}, "light_source { 0, rgb 1 projected_through {", {}},
+        {Kind::LooksLike,
+         {},
+         "light_source { 0, rgb 1 looks_like {",
+         {"light_source { 0, rgb 1 looks_like { sphere { 0, 1 }"}},
+        {Kind::ProjectedThrough,
+         {},
+         "light_source { 0, rgb 1 projected_through {",
+         {"light_source { 0, rgb 1 projected_through { sphere { 0, 1 }"}},
         {Kind::Default, {}, "#default {", {}},
     };
 }
@@ -60,24 +66,33 @@ std::vector<Spot> looks()
         {Kind::Texture, {}, in_object("texture {"), {in_object("texture { agate")}},
         {Kind::InteriorTexture, {}, in_object("interior_texture {"), {in_object("interior_texture { agate")}},
         {Kind::Material, {}, in_object("material {"), {}},
-        {Kind::Pigment, {}, in_pigment(""), {}},
-        {Kind::Normal, {}, in_object("normal {"), {}},
-        {Kind::Finish, {}, in_object("finish {"), {in_object("finish { diffuse")}},
+        {Kind::Pigment, {}, in_pigment(""), {in_pigment("checker")}},
+        {Kind::Normal, {}, in_object("normal {"), {in_object("normal { checker")}},
+        {Kind::Finish, {}, in_object("finish {"), {}},
         {Kind::Reflection, Kind::Finish, in_object("finish { reflection { 0, 1"), {in_object("finish { reflection {")}},
-        {Kind::Irid, {}, in_object("finish { irid { 0.2"), {}},
+        {Kind::Irid, Kind::Finish, in_object("finish { irid { 0.2"), {}},
         {Kind::Subsurface, Kind::Finish, in_object("finish { subsurface {"), {}},
         {Kind::Interior, {}, in_object("interior {"), {}},
         {Kind::Media, {}, "media {", {}},
-        {Kind::Scattering, {}, "media { scattering { 1, rgb 1", {}},
-        {Kind::Density, {}, "media { density {", {}},
+        {Kind::Scattering, {}, "media { scattering { 1, rgb 1", {"media { scattering { 1"}},
+        {Kind::Density, {}, "media { density {", {"media { density { checker"}},
         {Kind::ColorMap, {}, in_pigment("granite color_map { [0"), {}},
-        {Kind::PigmentMap, {}, in_pigment("granite pigment_map { [0"), {}},
-        {Kind::NormalMap, {}, in_object("normal { granite normal_map { [0"), {}},
+        {Kind::PigmentMap,
+         {},
+         in_pigment("granite pigment_map { [0"),
+         {in_pigment("granite pigment_map { [0 checker")}},
+        {Kind::NormalMap,
+         {},
+         in_object("normal { granite normal_map { [0"),
+         {in_object("normal { granite normal_map { [0 checker")}},
         {Kind::TextureMap,
          {},
          in_object("texture { granite texture_map { [0"),
          {in_object("texture { granite texture_map { [0 agate")}},
-        {Kind::DensityMap, {}, "media { density { granite density_map { [0", {}},
+        {Kind::DensityMap,
+         {},
+         "media { density { granite density_map { [0",
+         {"media { density { granite density_map { [0 checker"}},
         {Kind::ImageMap, {}, in_pigment("image_map { " PICTURE), {in_pigment("image_map {")}},
         {Kind::BumpMap, {}, in_object("normal { bump_map { " PICTURE), {in_object("normal { bump_map {")}},
         {Kind::MaterialMap,
@@ -85,6 +100,23 @@ std::vector<Spot> looks()
          in_object("texture { material_map { " PICTURE),
          {in_object("texture { material_map {")}},
         {Kind::ImagePattern, {}, in_pigment("image_pattern { " PICTURE), {in_pigment("image_pattern {")}},
+        {Kind::Slope, {}, in_pigment("slope {"), {in_pigment("slope { x")}},
+        {Kind::Pattern,
+         Kind::Function,
+         "#declare F = function { pattern {",
+         {"#declare F = function { pattern { agate"}},
+        {Kind::Object,
+         Kind::Pigment,
+         in_pigment("object {"),
+         {in_pigment("object { sphere { 0, 1 }"), in_object("texture { object { sphere { 0, 1 }"),
+          in_object("normal { object { sphere { 0, 1 }")}},
+        {Kind::Tiles, {}, in_object("texture { tiles {"), {in_object("texture { tiles { texture { }")}},
+        {Kind::PigmentPattern, {}, in_pigment("pigment_pattern {"), {in_pigment("pigment_pattern { checker")}},
+        {Kind::Bokeh, {}, "camera { bokeh {", {}},
+        {Kind::MeshCamera,
+         {},
+         "camera { mesh_camera { 1, 0",
+         {"camera { mesh_camera { 1, 0 mesh { triangle { 0, x, y } }"}},
         {Kind::Warp,
          {},
          in_pigment("granite warp {"),
@@ -101,8 +133,8 @@ std::vector<Spot> solids()
         {Kind::ContainedBy, {}, "isosurface { function { x } contained_by {", {}},
         {Kind::Sphere, Kind::ContainedBy, "isosurface { function { x } contained_by { sphere { 0, 1", {}},
         {Kind::Box, Kind::ContainedBy, "isosurface { function { x } contained_by { box { 0, 1", {}},
-        {Kind::ClippedBy, {}, in_object("clipped_by {"), {}},
-        {Kind::BoundedBy, {}, in_object("bounded_by {"), {}},
+        {Kind::ClippedBy, {}, in_object("clipped_by {"), {in_object("clipped_by { sphere { 0, 1 }")}},
+        {Kind::BoundedBy, {}, in_object("bounded_by {"), {in_object("bounded_by { sphere { 0, 1 }")}},
         {Kind::Sphere, {}, in_object(""), {}},
         {Kind::Box, {}, "box { 0, 1", {}},
         {Kind::Plane, {}, "plane { y, 0", {}},
@@ -149,6 +181,10 @@ std::vector<Spot> solids()
         {Kind::Intersection, {}, "intersection { sphere { 0, 1 } sphere { x, 1 }", {}},
         {Kind::Difference, {}, "difference { sphere { 0, 1 } sphere { x, 1 }", {}},
         {Kind::Object, {}, "object { sphere { 0, 1 }", {"object {"}},
+        {Kind::Composite, {}, "composite { sphere { 0, 1 }", {}},
+        {Kind::TextureList, Kind::Mesh, "mesh { triangle { 0, x, y texture_list {", {}},
+        {Kind::TextureList, Kind::Mesh2, "mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 1", {}},
+        {Kind::Array, {}, "#declare A = array[1] {", {}},
         {Kind::Spline, {}, "#declare S = spline {", {}},
         {Kind::Function, {}, "#declare F = function {", {}},
     };
@@ -195,12 +231,11 @@ bool begins_expression(const std::string& word)
 
 /// Read for scenes of the nineties, or of every block of a kind though it means something in one alone: not offered.
 const std::set<std::string> kSilent = {
-    "alpha",       "blue",         "bump_size", "caustics",    "color",         "color_map",   "component",
-    "composite",   "density_map",  "dtag",      "filter",      "green",         "hierarchy",   "ior",
-    "light_group", "light_source", "offset",    "pigment_map", "premultiplied", "quick_color", "red",
-    "refraction",  "repeat",       "rgb",       "rgbf",        "rgbft",         "rgbt",        "split_union",
-    "srgb",        "srgbf",        "srgbft",    "srgbt",       "sturm",         "texture",     "transmit",
-    "use_alpha",   "uv_mapping"};
+    "alpha",        "blue",   "bump_size",   "caustics",      "color",       "color_map", "component",  "composite",
+    "density_map",  "dtag",   "facets",      "filter",        "green",       "hierarchy", "ior",        "light_group",
+    "light_source", "offset", "pigment_map", "premultiplied", "quick_color", "red",       "refraction", "repeat",
+    "rgb",          "rgbf",   "rgbft",       "rgbt",          "split_union", "srgb",      "srgbf",      "srgbft",
+    "srgbt",        "sturm",  "texture",     "transmit",      "use_alpha",   "uv_mapping"};
 
 }  // namespace
 
@@ -228,6 +263,18 @@ TEST_CASE("completion offers the words that the grammar reads", "[places][words]
         CHECK(refused == std::vector<std::string>{});
         CHECK(untold == std::vector<std::string>{});
     }
+}
+
+TEST_CASE("completion offers what may stand behind a keyword", "[places][words]")
+{
+    const auto behind = [](Kind keyword, Kind block) {
+        return language::words_behind(keyword, block, Kind::EndOfText);
+    };
+    using Words = std::vector<std::string>;
+    CHECK(behind(Kind::Diffuse, Kind::Finish) == Words{"albedo"});
+    CHECK(behind(Kind::Charset, Kind::GlobalSettings) == Words{"ascii", "utf8", "sys"});
+    CHECK(behind(Kind::DensityFile, Kind::Pigment) == Words{"df3"});
+    CHECK(behind(Kind::Roughness, Kind::Finish).empty());
 }
 
 TEST_CASE("each block that has words is among those that are tried", "[places][words]")

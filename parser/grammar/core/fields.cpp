@@ -11,11 +11,15 @@ namespace {
 
 constexpr std::uint32_t kCoordinates = 3;
 
-function::FunctionPtr read_function(SolidReader& s)
+/// `function { ... }` or the name of one.
+function::FunctionPtr read_function(TokenStream& in)
 {
-    if (s.next_kind() != Kind::Function) s.in().fail_expected("'function' and its body");
-    return read_function_value(s.in());
+    if (in.peek().kind != Kind::Function) in.fail_expected("'function' and its body");
+    return read_function_value(in);
 }
+struct function_form {
+    static Form form() { return Form::named(function_value); }
+};
 
 /// Null: it wants more than a point.
 std::shared_ptr<const csg::Field> field_of(const function::FunctionPtr& function)
@@ -24,24 +28,45 @@ std::shared_ptr<const csg::Field> field_of(const function::FunctionPtr& function
     return std::make_shared<const function::FunctionField>(function);
 }
 
-void read_container(SolidReader& s, scene::Container& to)
-{
-    const auto opened = s.build().open_block("contained_by");
-    if (s.accept(Kind::Sphere)) {
-        const auto inner = s.build().open_block("sphere");
-        read_values(s.in(), to.center, to.radius);
-        to.kind = scene::Container::Kind::Sphere;
-        s.build().close_block("sphere", inner);
-    } else if (s.accept(Kind::Box)) {
-        const auto inner = s.build().open_block("box");
-        read_values(s.in(), to.corner[0], to.corner[1]);
-        to.kind = scene::Container::Kind::Box;
-        s.build().close_block("box", inner);
-    } else {
-        s.in().fail_expected("a sphere or box without modifiers");
+using scene::Container;
+/// A solid without modifiers.
+struct ContainerState : BlockState {
+    ContainerState(SceneBuilder& b, Container& c) : BlockState(b), container(c) {}
+    Container& container;
+};
+struct container_sphere : seq<a_vector, opt_comma, a_number>, item_base {
+    static void act(ContainerState& s)
+    {
+        s.container.radius = s.pop_float();
+        s.container.center = s.pop_vector();
     }
-    s.build().close_block("contained_by", opened);
-}
+};
+struct container_box : seq<a_vector, opt_comma, a_vector>, item_base {
+    static void act(ContainerState& s)
+    {
+        s.container.corner[1] = s.pop_vector();
+        s.container.corner[0] = s.pop_vector();
+    }
+};
+template <Kind keyword, Container::Kind kind, class Values>
+struct container : item<keyword, by_action<block<keyword, no_items, Values>>> {
+    static void act(ContainerState& s)
+    {
+        block<keyword, no_items, Values>::read(s.build, s);
+        s.container.kind = kind;
+    }
+};
+struct container_solid : pegtl::sor<container<Kind::Sphere, Container::Kind::Sphere, container_sphere>,
+                                    container<Kind::Box, Container::Kind::Box, container_box>> {};
+using ContainerBlock = block<Kind::ContainedBy, no_items, container_solid>;
+struct contained_by : item<Kind::ContainedBy, by_action<ContainerBlock>> {
+    template <class State>
+    static void act(State& s)
+    {
+        ContainerState inner(s.build, s.solid.container);
+        ContainerBlock::read(s.build, inner);
+    }
+};
 
 csg::Container container_of(const scene::Container& written)
 {
@@ -57,43 +82,98 @@ void need_positive(SolidReader& s, const char* name, double& value, double usual
     value = usual;
 }
 
-double read_precompute(SolidReader& s, scene::Parametric& surface)
-{
-    const double levels = float_expr(s.in());
-    surface.precomputed.clear();
-    for (;;) {
-        const Kind kind = s.next_kind();
-        if (kind != Kind::X && kind != Kind::Y && kind != Kind::Z) return levels;
-        surface.precomputed += spelling(s.in().next().kind);
-        s.in().accept_comma();
+using scene::Isosurface;
+using scene::Parametric;
+using IsosurfaceState = ParameterState<Isosurface>;
+struct field_function : taker<field_function>, always {
+    static bool take(TokenStream& in, IsosurfaceState& s)
+    {
+        s.solid.function = read_function(in);
+        return true;
     }
-}
+    static Form form() { return function_form::form(); }
+};
+struct evaluate : item<Kind::Evaluate, a_number, opt_comma, a_number, opt_comma, a_number> {
+    static void act(IsosurfaceState& s)
+    {
+        glm::dvec3& growth = s.solid.evaluate.emplace();
+        for (int i = 3; i-- > 0;) growth[i] = s.pop_float();
+    }
+};
+struct max_trace : item<Kind::MaxTrace, a_number> {
+    static void act(IsosurfaceState& s)
+    {
+        s.solid.max_trace = std::clamp(s.pop_int(), 1, Isosurface::kMostTraced);
+        s.solid.all_intersections = false;
+    }
+};
+struct all_intersections : item<Kind::AllIntersections> {
+    static void act(IsosurfaceState& s)
+    {
+        s.solid.max_trace = Isosurface::kMostTraced;
+        s.solid.all_intersections = true;
+    }
+};
+using isosurface_rule =
+    seq<field_function,
+        pegtl::star<
+            pegtl::sor<contained_by, evaluate, max_trace, all_intersections,
+                       member<Kind::Threshold, &Isosurface::threshold>, member<Kind::Accuracy, &Isosurface::accuracy>,
+                       member<Kind::MaxGradient, &Isosurface::max_gradient>, word<Kind::Open, &Isosurface::open>>>>;
+
+struct ParametricState : ParameterState<Parametric> {
+    using ParameterState::ParameterState;
+    std::optional<double> levels;
+};
+struct surface_functions : taker<surface_functions>, always {
+    static bool take(TokenStream& in, ParametricState& s)
+    {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (i > 0) in.accept_comma();
+            s.solid.function[i] = read_function(in);
+        }
+        read_values(in, s.solid.range[0], s.solid.range[1]);
+        return true;
+    }
+    static Form form()
+    {
+        return form_of<
+            seq<function_form, opt_comma, function_form, opt_comma, function_form, a_pair, opt_comma, a_pair>>();
+    }
+};
+struct axis : any_token<Kind::X, Kind::Y, Kind::Z>, item_base {
+    static void act(ParametricState& s) { s.solid.precomputed += spelling(s.stream().taken_last().kind); }
+};
+struct levels : a_number, item_base {
+    static void act(ParametricState& s)
+    {
+        s.levels = s.pop_float();
+        s.solid.precomputed.clear();
+    }
+};
+struct precompute : pegtl::if_must<token<Kind::Precompute>, levels, pegtl::star<axis, opt_comma>> {};
+using parametric_rule =
+    seq<surface_functions,
+        pegtl::star<pegtl::sor<contained_by, precompute, member<Kind::Accuracy, &Parametric::accuracy>,
+                               member<Kind::MaxGradient, &Parametric::max_gradient>>>>;
 
 }  // namespace
 
-bool read_parameters(SolidReader& s, scene::Isosurface& surface)
+template <>
+inline constexpr auto expected<levels> = "the number of levels";
+template <>
+inline constexpr auto expected<container_sphere> = "the centre and the radius";
+template <>
+inline constexpr auto expected<container_box> = "two corners";
+template <>
+inline constexpr auto expected<container_solid> = "a sphere or box without modifiers";
+
+Form parameters_form(const SolidReader*, const Isosurface*, Kind) { return form_of<isosurface_rule>(); }
+Form parameters_form(const SolidReader*, const Parametric*, Kind) { return form_of<parametric_rule>(); }
+
+bool read_parameters(SolidReader& s, Isosurface& surface)
 {
-    using scene::Isosurface;
-    static constexpr auto kFields =
-        std::tuple(field(Kind::Threshold, &Isosurface::threshold), field(Kind::Accuracy, &Isosurface::accuracy),
-                   field(Kind::MaxGradient, &Isosurface::max_gradient), word(Kind::Open, &Isosurface::open));
-    surface.function = read_function(s);
-    for (;;) {
-        if (s.accept(Kind::ContainedBy)) {
-            read_container(s, surface.container);
-        } else if (s.accept(Kind::Evaluate)) {
-            glm::dvec3& growth = surface.evaluate.emplace();
-            read_values(s.in(), growth.x, growth.y, growth.z);
-        } else if (s.accept(Kind::MaxTrace)) {
-            surface.max_trace = std::clamp(whole_number(float_expr(s.in())), 1, Isosurface::kMostTraced);
-            surface.all_intersections = false;
-        } else if (s.accept(Kind::AllIntersections)) {
-            surface.max_trace = Isosurface::kMostTraced;
-            surface.all_intersections = true;
-        } else if (!read_one(s, surface, kFields)) {
-            break;
-        }
-    }
+    read_solid<isosurface_rule>(s, surface);
     csg::IsosurfaceTerms terms;
     terms.field = field_of(surface.function);
     if (!terms.field) return false;
@@ -111,23 +191,12 @@ bool read_parameters(SolidReader& s, scene::Isosurface& surface)
     return true;
 }
 
-bool read_parameters(SolidReader& s, scene::Parametric& surface)
+bool read_parameters(SolidReader& s, Parametric& surface)
 {
-    using scene::Parametric;
     constexpr double kMostLevels = 20.0;
-    static constexpr auto kFields =
-        std::tuple(field(Kind::Accuracy, &Parametric::accuracy), field(Kind::MaxGradient, &Parametric::max_gradient));
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (i > 0) s.in().accept_comma();
-        surface.function[i] = read_function(s);
-    }
-    read_values(s.in(), surface.range[0], surface.range[1]);
-    std::optional<double> levels;
-    for (;;) {
-        if (s.accept(Kind::ContainedBy)) read_container(s, surface.container);
-        else if (s.accept(Kind::Precompute)) levels = read_precompute(s, surface);
-        else if (!read_one(s, surface, kFields)) break;
-    }
+    ParametricState state(s, surface);
+    read_solid<parametric_rule>(state);
+    const std::optional<double>& levels = state.levels;
     csg::ParametricTerms terms;
     for (std::size_t i = 0; i < 3; ++i)
         if (!(terms.field[i] = field_of(surface.function[i]))) return false;

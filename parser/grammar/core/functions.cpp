@@ -1,3 +1,4 @@
+#include "parser/grammar/core/productions.h"
 #include "parser/grammar/core/scene_builder.h"
 #include "parser/base/queries.h"
 #include "render/scene/function.h"
@@ -11,7 +12,23 @@ namespace {
 
 using ObjectPtr = std::shared_ptr<const scene::Object>;
 
+constexpr Kind kOfSurfaces[] = {Kind::Aoi,    Kind::Average, Kind::Pavement,  Kind::Slope,
+                                Kind::Square, Kind::Tiling,  Kind::Triangular};
+bool of_surfaces(Kind pattern)
+{
+    return std::find(std::begin(kOfSurfaces), std::end(kOfSurfaces), pattern) != std::end(kOfSurfaces);
+}
+
 }  // namespace
+
+Production function_pattern_type()
+{
+    Form form = pattern_type().form;
+    std::erase_if(form.parts, [](const Form& part) {
+        return of_surfaces(part.is == Form::Is::Word ? part.word : part.parts.front().word);
+    });
+    return {"function_pattern_type", std::move(form)};
+}
 
 std::optional<function::SceneReference> SceneBuilder::parse_function_thing(TokenStream& stream)
 {
@@ -24,10 +41,7 @@ std::optional<function::SceneReference> SceneBuilder::parse_function_thing(Token
     const scene::SourceRef opened = open_block("pattern");
     scene::Pattern pattern;
     pattern.source = opened;
-    constexpr Kind kOfSurfaces[] = {Kind::Aoi,    Kind::Average, Kind::Pavement,  Kind::Slope,
-                                    Kind::Square, Kind::Tiling,  Kind::Triangular};
-    if (std::find(std::begin(kOfSurfaces), std::end(kOfSurfaces), stream.peek().kind) != std::end(kOfSurfaces))
-        stream.fail_expected("a pattern that a function can have");
+    if (of_surfaces(stream.peek().kind)) stream.fail_expected("a pattern that a function can have");
     if (!read_pattern_type(*this, pattern)) stream.fail_expected("a pattern");
     close_list(*this, pattern);
     while (read_pattern_modifier(*this, pattern)) {}

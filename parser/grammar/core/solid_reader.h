@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/grammar/core/block_reader.h"
+#include "parser/grammar/core/rules.h"
 #include "render/scene/solids.h"
 
 /// Solids whose parameters are structs of their own (render/scene/solids.h).
@@ -8,10 +8,10 @@ namespace parser {
 
 class SolidReader;
 
-/// Declares, for one solid of the list, the function that its grammar file defines: from behind the brace to the first
-/// modifier. It fills the parameters and reader.object().shape; false: such a one cannot be drawn yet.
-/// A friend of a base class is found by its arguments wherever a SolidReader is one of them, so the list of
-/// scene::AnySolid is the only one: a solid without its function does not link, and the linker names it.
+/// Declares, for one solid of the list, the functions that its grammar file defines: what reads it from behind the
+/// brace to the first modifier, and what it reads. It fills the parameters and reader.object().shape; false: such a one
+/// cannot be drawn yet. A friend of a base class is found by its arguments wherever a SolidReader is one of them, so
+/// the list of scene::AnySolid is the only one: a solid without them does not link, and the linker names it.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wnon-template-friend"  // no template is meant
@@ -19,6 +19,7 @@ class SolidReader;
 template <class Solid>
 struct SolidGrammar {
     friend bool read_parameters(SolidReader& reader, Solid& solid);
+    friend Form parameters_form(const SolidReader*, const Solid*, Kind);
 };
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
@@ -28,21 +29,54 @@ struct SolidGrammars;
 template <class... Solids>
 struct SolidGrammars<std::variant<Solids...>> : SolidGrammar<Solids>... {};
 
-class SolidReader : public BlockReader, SolidGrammars<scene::AnySolid> {
+class SolidReader : public BlockState, SolidGrammars<scene::AnySolid> {
 public:
-    SolidReader(SceneBuilder& build, scene::Object& object) : BlockReader(build), object_(object) {}
+    SolidReader(SceneBuilder& builder, scene::Object& object)
+        : BlockState(builder), keyword_(builder.stream().taken_last().kind), source_(stream().last()), object_(object)
+    {}
+    TokenStream& in() { return stream(); }
+    Kind keyword() const { return keyword_; }
+    /// Of the keyword.
+    const scene::SourceRef& source() const { return source_; }
     scene::Object& object() { return object_; }
     /// What is being read: for what is made of it later.
     std::shared_ptr<const scene::WrittenSolid> written;
 
 private:
+    Kind keyword_;
+    scene::SourceRef source_;
     scene::Object& object_;
 };
+
+/// What the rules of a solid's parameters work on.
+template <class Solid>
+struct ParameterState : BlockState {
+    ParameterState(SolidReader& r, Solid& s) : BlockState(r.build), reader(r), solid(s) {}
+    Solid& subject() { return solid; }
+    SolidReader& reader;
+    Solid& solid;
+};
+template <class Rule, class State>
+void read_solid(State& state)
+{
+    TokenInput input(state.stream());
+    pegtl::parse<Rule, action, control>(input, state);
+}
+template <class Rule, class Solid>
+void read_solid(SolidReader& reader, Solid& solid)
+{
+    ParameterState<Solid> state(reader, solid);
+    read_solid<Rule>(state);
+}
 
 /// Reads the parameters of the solid that the keyword names, if it is one, into object.written.
 using SolidHead = bool (*)(SolidReader&);
 /// Null: the keyword names none of them.
 SolidHead solid_head(Kind keyword);
+/// All of them.
+std::vector<Form> written_solids();
+/// A solid's keyword and block.
+Form solid_form(Kind keyword, Form head);
 
 // What the object's solid says of itself.
 bool takes_sturm(const scene::Object& object);
@@ -52,19 +86,30 @@ bool forgets_inverse(const scene::Object& object);
 /// Points of an outline nearer than this are the same, as where it closes.
 inline constexpr double kSamePoint = 1e-10;
 /// How many points or spheres follow.
-int read_count(SolidReader& s);
-/// `open` if `to` is not null, and `sturm` with its flag, which our solvers have no use for.
-void read_open_and_sturm(SolidReader& s, bool* open);
-/// A list of `count` points, by what reads one.
-template <class Point>
-std::vector<Point> read_points(SolidReader& s, int count)
-{
-    std::vector<Point> points;
-    for (int i = 0; i < count; ++i) {
-        s.in().accept_comma();
-        read_value(s.in(), points.emplace_back());
+int read_count(TokenStream& in);
+/// A number of points, then the points. `check` looks at the number.
+template <auto Member, auto check>
+struct counted : taker<counted<Member, check>>, always {
+    static bool take(TokenStream& in, auto& state)
+    {
+        const int count = read_count(in);
+        check(state, count);
+        for (int i = 0; i < count; ++i) {
+            in.accept_comma();
+            read_value(in, member_of<Member>(state).emplace_back());
+        }
+        return true;
     }
-    return points;
-}
+    static Form form()
+    {
+        const typename MemberOf<Member>::type::value_type* const point = nullptr;
+        return Form::sequence(
+            {Form::named(number_form), Form::repeated(Form::sequence({form_of<opt_comma>(), forms::of_value(point)}))});
+    }
+};
+/// Our root solvers have no use for the choice of one.
+using sturms = pegtl::star<ignored<Kind::Sturm>>;
+template <auto open>
+using open_and_sturm = pegtl::star<pegtl::sor<word<Kind::Open, open>, ignored<Kind::Sturm>>>;
 
 }  // namespace parser

@@ -68,7 +68,8 @@ struct matrix : item<Kind::Matrix, matrix_open, pegtl::rep<12, must<matrix_numbe
         s.result = matrix_transform(s, rows, s.stream().last()) * s.result;
     }
 };
-struct transform : item<Kind::Transform> {
+using Shared = std::shared_ptr<const csg::Transform>;
+struct transform : item<Kind::Transform, by_action<pegtl::sor<declared<Shared>, reads<transform_block>>>> {
     static void act(TransformState& s) { s.result = read_transform(s.build) * s.result; }
 };
 struct inverse : item<Kind::Inverse> {
@@ -76,7 +77,21 @@ struct inverse : item<Kind::Inverse> {
 };
 
 using Transformations = table<TransformState, translate, rotate, scale, matrix, transform>;
-using TransformItems = table<TransformState, translate, rotate, scale, matrix, transform, inverse>;
+struct TransformItems {
+    /// Names may stand anywhere in the block.
+    static bool match(SceneBuilder& build, TransformState& s)
+    {
+        const auto declared = build.stream().accept_identifier<Shared>();
+        if (declared) s.result = **declared * s.result;
+        return declared || Known::match(build, s);
+    }
+    static std::vector<Kind> words() { return Known::words(); }
+    static Form form() { return Form::choice({form_of<declared<Shared>>(), Known::form()}); }
+
+private:
+    using Known = either<Transformations, table<TransformState, inverse>>;
+};
+using TransformBlock = block<Kind::Transform, TransformItems>;
 
 }  // namespace
 
@@ -97,19 +112,14 @@ std::optional<csg::Transform> read_transformation(SceneBuilder& build)
     return state.result;
 }
 
+Production transformation() { return {"transformation", Transformations::form()}; }
+Production transform_block() { return {"transform_block", TransformBlock::form()}; }
+
 csg::Transform read_transform(SceneBuilder& build)
 {
-    using Shared = std::shared_ptr<const csg::Transform>;
-    TokenStream& stream = build.stream();
-    if (const auto declared = stream.accept_identifier<Shared>()) return **declared;
+    if (const auto declared = build.stream().accept_identifier<Shared>()) return **declared;
     TransformState state(build);
-    read_block<TransformItems>(build, state, "transform", [&] {
-        // Identifiers may stand anywhere in the block.
-        for (;;) {
-            if (const auto declared = stream.accept_identifier<Shared>()) state.result = **declared * state.result;
-            else if (!TransformItems::match(build, state)) break;
-        }
-    });
+    TransformBlock::read(build, state);
     return state.inverse ? state.result.inverted() : state.result;
 }
 

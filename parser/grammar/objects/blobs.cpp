@@ -11,39 +11,52 @@ namespace {
 using Component = scene::Blob::Component;
 using scene::TexturePtr;
 
-void read_sphere_or_cylinder(SolidReader& s, Component& c)
-{
-    const bool is_sphere = c.kind == Component::Kind::Sphere;
-    const char* name = is_sphere ? "sphere" : "cylinder";
-    const auto opened = s.build().open_block(name);
-    if (is_sphere) read_values(s.in(), c.center, c.radius);
-    else read_values(s.in(), c.center, c.end, c.radius);
-    constexpr double kShortest = 1e-10;  // POV-Ray's (spec 5a, 5.11)
-    if (!is_sphere && glm::distance(c.center, c.end) < kShortest) s.fail("the two ends of this cylinder are one point");
-    s.in().accept_comma();
-    s.accept(Kind::Strength);
-    c.strength = float_expr(s.in());
-    scene::Object modified;
-    read_component_modifiers(s.build(), modified);
-    c.transform = modified.transform;
-    c.texture = modified.texture;
-    s.build().close_block(name, opened);
-}
-
-bool read_component(SolidReader& s, scene::Blob& blob)
-{
-    Component c;
-    if (s.accept(Kind::Component)) {
-        c.kind = Component::Kind::Plain;
-        read_values(s.in(), c.strength, c.radius, c.center);
-    } else {
-        if (s.accept(Kind::Cylinder)) c.kind = Component::Kind::Cylinder;
-        else if (!s.accept(Kind::Sphere)) return false;
-        read_sphere_or_cylinder(s, c);
+struct ComponentState : BlockState {
+    ComponentState(SceneBuilder& b, Component::Kind kind) : BlockState(b) { component.kind = kind; }
+    Component& subject() { return component; }
+    Component component;
+};
+struct cylinder_ends : values<&Component::center, &Component::end, &Component::radius>, item_base {
+    static void act(ComponentState& s)
+    {
+        constexpr double kShortest = 1e-10;  // POV-Ray's (spec 5a, 5.11)
+        if (glm::distance(s.component.center, s.component.end) < kShortest)
+            s.fail("the two ends of this cylinder are one point");
     }
-    blob.components.push_back(std::move(c));
-    return true;
-}
+};
+/// What moves and colours it.
+struct ComponentItems {
+    static bool match(SceneBuilder&, ComponentState& s)
+    {
+        scene::Object modified;
+        read_component_modifiers(s.build, modified);
+        s.component.transform = modified.transform;
+        s.component.texture = modified.texture;
+        return false;
+    }
+    static std::vector<Kind> words() { return {}; }
+    static Form form() { return Form::named(component_modifier); }
+};
+struct strength : seq<opt_comma, opt<token<Kind::Strength>>, values<&Component::strength>>, always {};
+using SphereBlock = block<Kind::Sphere, ComponentItems, values<&Component::center, &Component::radius>, strength>;
+using CylinderBlock = block<Kind::Cylinder, ComponentItems, cylinder_ends, strength>;
+using plain_component = values<&Component::strength, &Component::radius, &Component::center>;
+
+using BlobState = ParameterState<scene::Blob>;
+template <Kind kind, Component::Kind shape, class Inside>
+struct component : item<kind, by_action<Inside>> {
+    static void act(BlobState& s)
+    {
+        ComponentState inner(s.build, shape);
+        if constexpr (requires { Inside::read(s.build, inner); }) Inside::read(s.build, inner);
+        else read_rule<Inside>(s.build, inner);
+        s.solid.components.push_back(std::move(inner.component));
+    }
+};
+using BlobItems = table<BlobState, member<Kind::Threshold, &scene::Blob::threshold>, ignored<Kind::Sturm>,
+                        ignored<Kind::Hierarchy>, component<Kind::Sphere, Component::Kind::Sphere, SphereBlock>,
+                        component<Kind::Cylinder, Component::Kind::Cylinder, CylinderBlock>,
+                        component<Kind::Component, Component::Kind::Plain, plain_component>>;
 
 csg::Blob::Component shape_of(const Component& c)
 {
@@ -93,16 +106,15 @@ scene::Freeform shape_of(std::shared_ptr<const scene::WrittenSolid> written, con
 
 }  // namespace
 
+Form parameters_form(const SolidReader*, const scene::Blob*, Kind) { return Form::repeated(BlobItems::form()); }
+
 bool read_parameters(SolidReader& s, scene::Blob& blob)
 {
     ComponentReceiver receiver(blob);
-    for (;;) {
-        peek_for(s.in(), s.build().receiver, receiver);
-        if (read_one(s, blob, std::tuple(field(Kind::Threshold, &scene::Blob::threshold)))) continue;
-        if (s.accept(Kind::Sturm) || s.accept(Kind::Hierarchy)) optional_flag(s.in());
-        else if (!read_component(s, blob)) break;
-    }
-    if (blob.components.empty()) s.build().fail_unknown("a component of the blob: sphere or cylinder");
+    BlobState state(s, blob);
+    do peek_for(s.in(), s.build.receiver, receiver);
+    while (BlobItems::match(s.build, state));
+    if (blob.components.empty()) s.build.fail_unknown("a component of the blob: sphere or cylinder");
     s.object().shape = shape_of(s.written, blob);
     return true;
 }

@@ -35,7 +35,7 @@ std::optional<Grid> grid_of_function(SolidReader& s, const scene::ImageSource& s
         s.in().fail(s.source(), "a height field has at least 1 and at most 2^30 points");
     const function::FunctionPtr& called = source.function;
     const auto wide = static_cast<std::uint32_t>(columns), deep = static_cast<std::uint32_t>(rows);
-    std::optional<std::vector<std::uint16_t>> levels = sampled_levels(s.build(), called, wide, deep);
+    std::optional<std::vector<std::uint16_t>> levels = sampled_levels(s.build, called, wide, deep);
     if (!levels) return std::nullopt;
     if (const std::size_t channels = sampled_channels(*called); channels > 1) {
         for (std::size_t i = 0; i < levels->size() / channels; ++i) {
@@ -58,23 +58,37 @@ Grid grid_of_picture(SolidReader& s, const scene::ImageSource& source)
     }
 }
 
+using scene::HeightField;
+struct TerrainState : ParameterState<HeightField> {
+    using ParameterState::ParameterState;
+    scene::ImageSource& part(scene::ImageSource*) { return solid.source; }
+};
+struct terrain_source : taker<terrain_source>, always {
+    static bool take(TokenStream&, TerrainState& s)
+    {
+        s.solid.source = read_image_source(s.build);
+        return true;
+    }
+    static Form form() { return image_source_form(); }
+};
+using terrain_rule =
+    seq<terrain_source,
+        pegtl::star<pegtl::sor<
+            ignored<Kind::Hierarchy>, image_gamma, member<Kind::WaterLevel, &HeightField::water_level>,
+            member<Kind::Smooth, &HeightField::smooth>, member<Kind::Premultiplied, &HeightField::premultiplied>>>>;
+
 }  // namespace
 
-bool read_parameters(SolidReader& s, scene::HeightField& terrain)
+Form parameters_form(const SolidReader*, const HeightField*, Kind) { return form_of<terrain_rule>(); }
+
+bool read_parameters(SolidReader& s, HeightField& terrain)
 {
-    using scene::HeightField;
-    static constexpr auto kFields = std::tuple(field(Kind::WaterLevel, &HeightField::water_level),
-                                               field(Kind::Smooth, &HeightField::smooth),
-                                               field(Kind::Premultiplied, &HeightField::premultiplied));
-    terrain.source = read_image_source(s);
-    for (;;) {
-        if (s.accept(Kind::Hierarchy)) optional_flag(s.in());
-        else if (!read_gamma(s, terrain.source.gamma) && !read_one(s, terrain, kFields)) break;
-    }
+    TerrainState state(s, terrain);
+    read_solid<terrain_rule>(state);
     std::optional<Grid> grid = terrain.source.made() ? grid_of_function(s, terrain.source)
                                                      : grid_of_picture(s, terrain.source);
     if (!grid) return false;
-    grid->water = terrain.water_level * (s.build().version() < 200 ? 256.0 : 65536.0);
+    grid->water = terrain.water_level * (s.build.version() < 200 ? 256.0 : 65536.0);
     grid->smooth = terrain.smooth;
     s.object().shape = scene::Freeform{csg::make_freeform<csg::HeightField>(std::move(*grid))};
     return true;

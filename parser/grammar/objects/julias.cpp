@@ -46,47 +46,71 @@ Drawn drawn_of(const scene::JuliaFractal& julia)
         ->drawn;
 }
 
-bool read_function(SolidReader& s, scene::JuliaFractal& julia)
-{
-    const Kind kind = s.next_kind();
-    const auto* found = std::find_if(std::begin(kFunctions), std::end(kFunctions),
-                                     [&](const auto& one) { return one.keyword == kind; });
-    if (found == std::end(kFunctions)) return false;
-    s.in().next();
-    julia.function = found->function;
-    if (kind != Kind::Pwr) return true;
-    s.in().expect(Kind::LeftParen, "'(' after pwr");
-    read_values(s.in(), julia.exponent.x, julia.exponent.y);
-    s.in().expect(Kind::RightParen, "')' after pwr's two numbers");
-    return true;
-}
+struct JuliaState : ParameterState<scene::JuliaFractal> {
+    using ParameterState::ParameterState;
+    bool leaning = true;  ///< each slice into the fourth dimension
+};
+struct slice : item<Kind::Slice, a_vector4, opt_comma, a_number> {
+    static void act(JuliaState& s)
+    {
+        s.solid.slice_distance = s.pop_float();
+        s.solid.slice = s.pop<glm::dvec4>();
+        if (glm::length(*s.solid.slice) == 0.0) s.fail("the slice's normal is zero");
+        s.leaning = s.leaning && !(std::abs(s.solid.slice->w) < kNoSlice);
+    }
+};
+struct max_iteration : item<Kind::MaxIteration, a_number> {
+    static void act(JuliaState& s)
+    {
+        s.solid.max_iteration = static_cast<int>(std::clamp(s.pop_float(), 1.0, kMostIterations));
+    }
+};
+struct precision : item<Kind::Precision, a_number> {
+    static void act(JuliaState& s) { s.solid.precision = std::max(s.pop_float(), 1.0); }
+};
+struct julia_function : taker<julia_function> {
+    static bool take(TokenStream& in, JuliaState& s)
+    {
+        const Kind kind = in.peek().kind;
+        const auto* found = std::find_if(std::begin(kFunctions), std::end(kFunctions),
+                                         [&](const auto& one) { return one.keyword == kind; });
+        if (found == std::end(kFunctions)) return false;
+        in.next();
+        s.solid.function = found->function;
+        if (kind != Kind::Pwr) return true;
+        in.expect(Kind::LeftParen, "'(' after pwr");
+        read_values(in, s.solid.exponent.x, s.solid.exponent.y);
+        in.expect(Kind::RightParen, "')' after pwr's two numbers");
+        return true;
+    }
+    static Form form()
+    {
+        std::vector<Form> all;
+        for (const auto& one : kFunctions)
+            if (one.keyword != Kind::Pwr) all.push_back(Form::token(one.keyword));
+        all.push_back(form_of<seq<token<Kind::Pwr>, token<Kind::LeftParen>, a_number, opt_comma, a_number,
+                                  token<Kind::RightParen>>>());
+        return Form::choice(std::move(all));
+    }
+};
+using scene::JuliaFractal;
+using julia_rule =
+    seq<values<&JuliaFractal::constant>,
+        pegtl::star<
+            pegtl::sor<slice, max_iteration, precision, chosen<Kind::Quaternion, &JuliaFractal::hypercomplex, false>,
+                       chosen<Kind::Hypercomplex, &JuliaFractal::hypercomplex, true>, julia_function>>>;
 
 }  // namespace
 
-bool read_parameters(SolidReader& s, scene::JuliaFractal& julia)
+Form parameters_form(const SolidReader*, const JuliaFractal*, Kind) { return form_of<julia_rule>(); }
+
+bool read_parameters(SolidReader& s, JuliaFractal& julia)
 {
-    read_value(s.in(), julia.constant);
-    bool leaning = true;
-    for (;;) {
-        if (s.accept(Kind::Slice)) {
-            read_values(s.in(), julia.slice.emplace(), julia.slice_distance);
-            if (glm::length(*julia.slice) == 0.0) s.fail("the slice's normal is zero");
-            leaning = leaning && !(std::abs(julia.slice->w) < kNoSlice);
-        } else if (s.accept(Kind::MaxIteration)) {
-            julia.max_iteration = static_cast<int>(std::clamp(float_expr(s.in()), 1.0, kMostIterations));
-        } else if (s.accept(Kind::Precision)) {
-            julia.precision = std::max(float_expr(s.in()), 1.0);
-        } else if (s.accept(Kind::Quaternion)) {
-            julia.hypercomplex = false;
-        } else if (s.accept(Kind::Hypercomplex)) {
-            julia.hypercomplex = true;
-        } else if (!read_function(s, julia)) {
-            break;
-        }
-    }
+    JuliaState state(s, julia);
+    read_solid<julia_rule>(state);
     if (!julia.hypercomplex && julia.function != Function::Sqr && julia.function != Function::Cube)
         s.fail("a quaternion julia_fractal knows sqr and cube alone; see hypercomplex");
-    if (!leaning) s.in().fail(s.source(), "the slice's normal must have a fourth component that is not 0");
+    if (!state.leaning) s.in().fail(s.source(), "the slice's normal must have a fourth component that is not 0");
 
     csg::JuliaTerms terms;
     terms.constant = julia.constant;

@@ -46,35 +46,49 @@ scene::Freeform shape_of(const scene::Lathe& lathe)
     return {csg::make_freeform<csg::Lathe>(pieces, extent, lower.x)};
 }
 
+void need_lathe_points(ParameterState<scene::Lathe>& s, int count)
+{
+    need_points(s, "lathe", s.solid.curve, count, {2, 3, 4});
+}
+using lathe_rule =
+    seq<pegtl::star<curve_word<&scene::Lathe::curve>>, counted<&scene::Lathe::points, need_lathe_points>, sturms>;
+
+void need_sor_points(BlockState& s, int count)
+{
+    if (count < 4) s.fail("a surface of revolution needs at least four points");
+}
+struct sor_points : counted<&scene::Sor::points, need_sor_points>, item_base {
+    static void act(ParameterState<scene::Sor>& s)
+    {
+        const Points& points = s.solid.points;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool between = i >= 2 && i + 1 < points.size();  // the first and the last are control points
+            const bool level = i >= 2 && points[i].y == points[i - 2].y;
+            if (points[i].x < 0.0 || level || (between && points[i].y <= points[i - 1].y))
+                s.fail("the points of a surface of revolution must rise, none at a negative distance from the axis");
+        }
+    }
+};
+using sor_rule = seq<sor_points, open_and_sturm<&scene::Sor::open>>;
+
 }  // namespace
+
+Form parameters_form(const SolidReader*, const scene::Lathe*, Kind) { return form_of<lathe_rule>(); }
+Form parameters_form(const SolidReader*, const scene::Sor*, Kind) { return form_of<sor_rule>(); }
 
 bool read_parameters(SolidReader& s, scene::Lathe& lathe)
 {
-    while (accept_curve(s, lathe.curve)) {}  // the last word counts
-    const int count = read_count(s);
-    need_points(s, "lathe", lathe.curve, count, {2, 3, 4});
-    lathe.points = read_points<glm::dvec2>(s, count);
+    read_solid<lathe_rule>(s, lathe);
     for (std::size_t i = 1; i + 1 < lathe.points.size(); ++i)  // the first and the last may, of every spline
         if (lathe.points[i].x < 0.0) s.fail("a point of a lathe lies at a negative distance from the axis");
-    read_open_and_sturm(s, nullptr);
     s.object().shape = shape_of(lathe);
     return true;
 }
 
 bool read_parameters(SolidReader& s, scene::Sor& sor)
 {
-    const int count = read_count(s);
-    if (count < 4) s.fail("a surface of revolution needs at least four points");
-    sor.points = read_points<glm::dvec2>(s, count);
-    const Points& points = sor.points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool between = i >= 2 && i + 1 < points.size();  // the first and the last are control points
-        const bool level = i >= 2 && points[i].y == points[i - 2].y;
-        if (points[i].x < 0.0 || level || (between && points[i].y <= points[i - 1].y))
-            s.fail("the points of a surface of revolution must rise, none at a negative distance from the axis");
-    }
-    read_open_and_sturm(s, &sor.open);
-    s.object().shape = scene::Freeform{csg::make_freeform<csg::Sor>(points, sor.open)};
+    read_solid<sor_rule>(s, sor);
+    s.object().shape = scene::Freeform{csg::make_freeform<csg::Sor>(sor.points, sor.open)};
     return true;
 }
 

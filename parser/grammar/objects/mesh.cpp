@@ -250,25 +250,44 @@ std::vector<Vector> read_vectors(MeshState& s, const char* what, Read&& read)
     return all;
 }
 
-struct vertex_vectors : item<Kind::VertexVectors> {
+/// `{` how many, then so many of them `}`
+Form list_form(Form one)
+{
+    return Form::braces(
+        {form_of<seq<a_number, opt_comma>>(), Form::repeated(Form::sequence({std::move(one), form_of<opt_comma>()}))});
+}
+Production vector_list() { return {"vector_list", list_form(form_of<a_vector>())}; }
+Production pair_list() { return {"pair_list", list_form(form_of<a_pair>())}; }
+/// Behind the vertices of a face up to three textures.
+Production index_list()
+{
+    return {"index_list", list_form(form_of<seq<a_vector, pegtl::star<opt_comma, a_number>>>())};
+}
+Form one_texture()
+{
+    return Form::choice(
+        {Form::operand("identifier"), Form::sequence({Form::token(Kind::Texture), Form::named(texture_block)})});
+}
+Production texture_list_block() { return {"texture_list_block", list_form(one_texture())}; }
+struct vertex_vectors : item<Kind::VertexVectors, reads<vector_list>> {
     static void act(MeshState& s)
     {
         s.data->vertices = read_vectors<glm::dvec3>(s, "vertex_vectors", [&] { return s.vector(); });
     }
 };
-struct normal_vectors : item<Kind::NormalVectors> {
+struct normal_vectors : item<Kind::NormalVectors, reads<vector_list>> {
     static void act(MeshState& s)
     {
         s.data->normals = read_vectors<glm::dvec3>(s, "normal_vectors", [&] { return s.vector(); });
     }
 };
-struct uv_vectors : item<Kind::UvVectors> {
+struct uv_vectors : item<Kind::UvVectors, reads<pair_list>> {
     static void act(MeshState& s)
     {
         s.data->uvs = read_vectors<glm::dvec2>(s, "uv_vectors", [&] { return s.pair(); });
     }
 };
-struct texture_list : item<Kind::TextureList> {
+struct texture_list : item<Kind::TextureList, reads<texture_list_block>> {
     static void act(MeshState& s)
     {
         TokenStream& in = s.stream();
@@ -283,7 +302,7 @@ struct texture_list : item<Kind::TextureList> {
         s.build.close_block("texture_list", opened);
     }
 };
-struct face_indices : item<Kind::FaceIndices> {
+struct face_indices : item<Kind::FaceIndices, reads<index_list>> {
     static void act(MeshState& s)
     {
         std::vector<Data::Face>& faces = s.data->faces;
@@ -296,7 +315,7 @@ struct face_indices : item<Kind::FaceIndices> {
     }
 };
 template <Kind kind, std::array<std::uint32_t, 3> Data::Face::*member>
-struct more_indices : item<kind> {
+struct more_indices : item<kind, reads<index_list>> {
     static void act(MeshState& s)
     {
         const bool normals = kind == Kind::NormalIndices;
@@ -345,6 +364,32 @@ bool declared_mesh(TokenStream& in, scene::Object& object)
 }
 
 }  // namespace
+
+Production mesh_block()
+{
+    const Form corner_textures =
+        Form::sequence({Form::token(Kind::TextureList), Form::braces({Form::repeated(one_texture())})});
+    const Form more =
+        Form::choice({form_of<seq<token<Kind::UvVectors>, pegtl::rep<3, a_pair, opt_comma>>>(), corner_textures,
+                      Form::sequence({Form::token(Kind::Texture), Form::named(texture_block)})});
+    const auto face = [&](Kind keyword, Form corners) {
+        return Form::sequence({Form::token(keyword), Form::braces({std::move(corners), Form::repeated(more)})});
+    };
+    const Form item = Form::choice({face(Kind::Triangle, form_of<pegtl::rep<3, a_vector, opt_comma>>()),
+                                    face(Kind::SmoothTriangle, form_of<pegtl::rep<6, a_vector, opt_comma>>()),
+                                    form_of<inside_vector>()});
+    return {"mesh_block",
+            Form::braces(
+                {Form::choice({Form::operand("identifier"), Form::repeated(item, 1)}),
+                 Form::repeated(Form::choice({form_of<ignored<Kind::Hierarchy>>(), Form::named(object_modifier)}))})};
+}
+Production mesh2_block()
+{
+    return {"mesh2_block",
+            Form::braces(
+                {Form::choice({Form::operand("identifier"), Form::repeated(Mesh2Items::form())}),
+                 Form::repeated(Form::choice({form_of<ignored<Kind::Hierarchy>>(), Form::named(object_modifier)}))})};
+}
 
 scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source)
 {

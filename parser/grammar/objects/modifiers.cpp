@@ -43,14 +43,14 @@ struct ObjectState : BlockState {
     }
 };
 
-struct texture : item<Kind::Texture> {
+struct texture : item<Kind::Texture, reads<texture_block>> {
     static void act(ObjectState& s)
     {
         const scene::SourceRef at = s.stream().last();
         s.take_texture(layered(s.build, s.object.texture, read_texture(s.build), at));
     }
 };
-struct interior_texture : item<Kind::InteriorTexture> {
+struct interior_texture : item<Kind::InteriorTexture, reads<texture_block>> {
     static void act(ObjectState& s)
     {
         const scene::SourceRef at = s.stream().last();
@@ -58,7 +58,7 @@ struct interior_texture : item<Kind::InteriorTexture> {
         inner = layered(s.build, inner, read_texture(s.build), at);
     }
 };
-struct pigment : item<Kind::Pigment> {
+struct pigment : item<Kind::Pigment, reads<pigment_block>> {
     static void act(ObjectState& s)
     {
         const bool moved = s.object.texture && !s.object.flags.uv_mapping;
@@ -68,7 +68,7 @@ struct pigment : item<Kind::Pigment> {
         });
     }
 };
-struct normal : item<Kind::Normal> {
+struct normal : item<Kind::Normal, reads<normal_block>> {
     static void act(ObjectState& s)
     {
         s.change_top("normal", [&](scene::Layer& top) {
@@ -76,20 +76,20 @@ struct normal : item<Kind::Normal> {
         });
     }
 };
-struct finish : item<Kind::Finish> {
+struct finish : item<Kind::Finish, reads<finish_block>> {
     static void act(ObjectState& s)
     {
         s.change_top("finish", [&](scene::Layer& top) { top.finish = read_finish(s.build, *top.finish); });
     }
 };
-struct interior : item<Kind::Interior> {
+struct interior : item<Kind::Interior, reads<interior_block>> {
     static void act(ObjectState& s)
     {
         std::shared_ptr<const scene::Interior>& own = s.object.details.edit().interior;
         own = std::make_shared<scene::Interior>(read_interior(s.build, own ? *own : scene::Interior{}));
     }
 };
-struct material : item<Kind::Material> {
+struct material : item<Kind::Material, reads<material_block>> {
     static void act(ObjectState& s)
     {
         const scene::ObjectDetails& before = *s.object.details;
@@ -134,7 +134,15 @@ void append(std::vector<scene::Object>& to, std::vector<scene::Object> more)
 {
     for (scene::Object& object : more) to.push_back(std::move(object));
 }
-struct clipped_by : item<Kind::ClippedBy> {
+Production group_block(std::string_view name, Kind other)
+{
+    const Form group =
+        Form::sequence({Form::repeated(Form::named(any_object), 1), Form::repeated(Form::named(transformation))});
+    return {name, Form::braces({Form::choice({Form::token(other), group})})};
+}
+Production clipped_by_block() { return group_block("clipped_by_block", Kind::BoundedBy); }
+Production bounded_by_block() { return group_block("bounded_by_block", Kind::ClippedBy); }
+struct clipped_by : item<Kind::ClippedBy, reads<clipped_by_block>> {
     static void act(ObjectState& s)
     {
         const auto opened = s.build.open_block("clipped_by");
@@ -153,7 +161,7 @@ struct clipped_by : item<Kind::ClippedBy> {
         s.build.close_block("clipped_by", opened);
     }
 };
-struct bounded_by : item<Kind::BoundedBy> {
+struct bounded_by : item<Kind::BoundedBy, reads<bounded_by_block>> {
     static void act(ObjectState& s)
     {
         const auto opened = s.build.open_block("bounded_by");
@@ -178,16 +186,14 @@ struct no_shadow : item<Kind::NoShadow> {
     static void act(ObjectState& s) { s.object.flags.no_shadow = true; }
 };
 template <Kind kind, auto set>
-struct flag : item<kind> {
+struct flag : item<kind, by_action<a_flag>> {
     static void act(ObjectState& s) { set(s.object.flags, optional_flag(s.stream())); }
 };
 using no_image = flag<Kind::NoImage, [](scene::Flags& f, bool on) { f.no_image = on; }>;
 using no_reflection = flag<Kind::NoReflection, [](scene::Flags& f, bool on) { f.no_reflection = on; }>;
 using no_radiosity = flag<Kind::NoRadiosity, [](scene::Flags& f, bool on) { f.no_radiosity = on; }>;
 using double_illuminate = flag<Kind::DoubleIlluminate, [](scene::Flags& f, bool on) { f.double_illuminate = on; }>;
-struct hollow : item<Kind::Hollow> {
-    static void act(ObjectState& s) { s.object.flags.hollow = optional_flag(s.stream()); }
-};
+using hollow = flag<Kind::Hollow, [](scene::Flags& f, bool on) { f.hollow = on; }>;
 struct inverse : item<Kind::Inverse> {
     static void act(ObjectState& s)
     {
@@ -204,19 +210,21 @@ void read_choice(ObjectState& s, const char* name, bool allowed)
     if (!allowed) s.stream().fail(s.stream().last(), std::string("'") + name + "' means nothing for this object");
     optional_flag(s.stream());
 }
-struct sturm : item<Kind::Sturm> {
+struct sturm : item<Kind::Sturm, by_action<a_flag>> {
+    static constexpr bool rare = true;  // means something for few solids
     static void act(ObjectState& s)
     {
         read_choice(s, "sturm", std::holds_alternative<scene::Torus>(s.object.shape) || takes_sturm(s.object));
     }
 };
-struct hierarchy : item<Kind::Hierarchy> {
+struct hierarchy : item<Kind::Hierarchy, by_action<a_flag>> {
+    static constexpr bool rare = true;  // means something for few solids
     static void act(ObjectState& s)
     {
         read_choice(s, "hierarchy", std::holds_alternative<scene::Mesh>(s.object.shape) || takes_hierarchy(s.object));
     }
 };
-struct uv_mapping : item<Kind::UvMapping> {
+struct uv_mapping : item<Kind::UvMapping, by_action<a_flag>> {
     static void act(ObjectState& s)
     {
         s.object.flags.uv_mapping = optional_flag(s.stream());
@@ -224,6 +232,7 @@ struct uv_mapping : item<Kind::UvMapping> {
     }
 };
 struct split_union : item<Kind::SplitUnion, a_number> {
+    static constexpr bool rare = true;  // of unions alone
     static void act(ObjectState& s)
     {
         const bool split = s.pop_float() > 0;
@@ -240,27 +249,27 @@ struct cutaway_textures : item<Kind::CutawayTextures> {
         else s.stream().fail(s.stream().last(), "'cutaway_textures' needs an intersection or difference");
     }
 };
-struct photons : item<Kind::Photons> {
+struct photons : item<Kind::Photons, reads<object_photons_block>> {
     static void act(ObjectState& s)
     {
         std::shared_ptr<const scene::PhotonFlags>& own = s.object.details.edit().photons;
         own = read_photon_flags(s.build, scene::is_light(s.object), own.get());
     }
 };
-struct radiosity : item<Kind::Radiosity> {
+struct radiosity : item<Kind::Radiosity, reads<object_radiosity_block>> {
     static void act(ObjectState& s) { s.object.details.edit().radiosity_importance = read_object_radiosity(s.build); }
 };
 struct dtag : item<Kind::Dtag, a_text> {
+    static constexpr bool rare = true;
     static void act(ObjectState& s) { s.pop_string(); }
 };
 
 struct ModifierItems {
+    using Items = table<ObjectState, texture, interior_texture, pigment, normal, finish, interior, material, clipped_by,
+                        bounded_by, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, hollow,
+                        inverse, sturm, hierarchy, uv_mapping, split_union, cutaway_textures, photons, radiosity, dtag>;
     static bool match(SceneBuilder& build, ObjectState& s)
     {
-        using Items =
-            table<ObjectState, texture, interior_texture, pigment, normal, finish, interior, material, clipped_by,
-                  bounded_by, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, hollow, inverse,
-                  sturm, hierarchy, uv_mapping, split_union, cutaway_textures, photons, radiosity, dtag>;
         if (const auto t = read_transformation(build)) {
             s.object.transform_by(*t);
             return true;
@@ -281,13 +290,23 @@ bool read_modifier(SceneBuilder& build, scene::Object& object)
     return ModifierItems::match(build, s);
 }
 
+Production object_modifier()
+{
+    return {"object_modifier", Form::choice({Form::named(transformation), ModifierItems::Items::form()})};
+}
+
+using ComponentItems = table<ObjectState, texture, pigment, normal, finish>;
+Production component_modifier()
+{
+    return {"component_modifier", Form::choice({Form::named(transformation), ComponentItems::form()})};
+}
+
 void read_component_modifiers(SceneBuilder& build, scene::Object& object)
 {
-    using Items = table<ObjectState, texture, pigment, normal, finish>;
     ObjectState s(build, object);
     for (;;) {
         if (const auto t = read_transformation(build)) object.transform_by(*t);
-        else if (!Items::match(build, s)) return;
+        else if (!ComponentItems::match(build, s)) return;
     }
 }
 

@@ -79,6 +79,54 @@ std::optional<scene::CsgOp> csg_op(Kind keyword)
     }
 }
 
+namespace {
+
+/// Its own objects, then what comes of them.
+template <class More>
+Form csg_form()
+{
+    return Form::braces({Form::optional(Form::operand("identifier")), Form::repeated(Form::named(any_object)),
+                         Form::repeated(Form::choice({form_of<More>(), Form::named(object_modifier)}))});
+}
+Form with_block(Kind keyword, Production (*block)())
+{
+    return Form::sequence({Form::token(keyword), Form::named(block)});
+}
+Production union_block() { return {"union_block", csg_form<seq<token<Kind::SplitUnion>, a_number>>()}; }
+Production cut_block() { return {"cut_block", csg_form<token<Kind::CutawayTextures>>()}; }
+Production object_block()
+{
+    return {"object_block", Form::braces({Form::named(any_object), Form::repeated(Form::named(object_modifier))})};
+}
+Production light_group_block()
+{
+    const Form lights = Form::sequence({Form::token(Kind::GlobalLights), form_of<a_flag>()});
+    return {
+        "light_group_block",
+        Form::braces({Form::optional(Form::operand("identifier")),
+                      Form::repeated(Form::choice({Form::named(any_object), lights, Form::named(transformation)}))})};
+}
+
+}  // namespace
+
+Production any_object()
+{
+    std::vector<Form> all{Form::operand("identifier")}, solids = solids_of_numbers(), written = written_solids();
+    all.insert(all.end(), solids.begin(), solids.end());
+    all.insert(all.end(), written.begin(), written.end());
+    for (const Kind keyword : {Kind::Union, Kind::Intersection, Kind::Difference, Kind::Merge, Kind::Composite}) {
+        const bool cuts = keyword == Kind::Intersection || keyword == Kind::Difference;
+        all.push_back(with_block(keyword, cuts ? cut_block : union_block));
+        all.back().rare = keyword == Kind::Composite;
+    }
+    all.push_back(with_block(Kind::Object, object_block));
+    all.push_back(with_block(Kind::LightGroup, light_group_block));
+    all.push_back(with_block(Kind::LightSource, light_source_block));
+    all.push_back(with_block(Kind::Mesh, mesh_block));
+    all.push_back(with_block(Kind::Mesh2, mesh2_block));
+    return {"object", Form::choice(std::move(all))};
+}
+
 /// Objects, `global_lights` and transformations: it takes no other modifier.
 scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& source)
 {

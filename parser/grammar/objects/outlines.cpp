@@ -11,24 +11,32 @@
 namespace parser {
 namespace {
 
-void read_font(SolidReader& s, scene::Text& text)
-{
-    if (s.accept(Kind::Ttf)) {
-        const scene::SourceRef at = s.in().here();
-        const std::string name = path_expr(s.in());
-        std::string& found = s.build().font_files[name];
-        if (found.empty()) {
-            found = s.in().find_file(name, {".ttf", ".TTF"});
-            if (found.empty()) s.in().fail(at, fmt::format("cannot find the font file '{}'", name));
-            s.in().data_files().push_back(found);
+struct font_of_text : taker<font_of_text>, always {
+    static bool take(TokenStream& in, ParameterState<scene::Text>& s)
+    {
+        if (in.accept(Kind::Internal)) {
+            s.solid.internal_font = number(in);
+            return true;
         }
-        text.font = found;
-    } else if (s.accept(Kind::Internal)) {
-        text.internal_font = float_expr(s.in());
-    } else {
-        s.in().fail_expected("'ttf' and a font's file, or 'internal' and a number");
+        in.expect(Kind::Ttf, "'ttf' and a font's file, or 'internal' and a number");
+        const scene::SourceRef at = in.here();
+        const std::string name = path_expr(in);
+        std::string& found = s.build.font_files[name];
+        if (found.empty()) {
+            found = in.find_file(name, {".ttf", ".TTF"});
+            if (found.empty()) in.fail(at, fmt::format("cannot find the font file '{}'", name));
+            in.data_files().push_back(found);
+        }
+        s.solid.font = found;
+        return true;
     }
-}
+    static Form form()
+    {
+        return form_of<pegtl::sor<seq<token<Kind::Ttf>, a_text>, seq<token<Kind::Internal>, a_number>>>();
+    }
+};
+using text_rule =
+    seq<font_of_text, opt_comma, values<&scene::Text::characters, &scene::Text::thickness, &scene::Text::offset>>;
 
 /// POV-Ray's own faces are files of the package (spec 5b, 11).
 std::string font_path(SolidReader& s, const scene::Text& text)
@@ -48,7 +56,7 @@ scene::Csg shape_of(SolidReader& s, const scene::Text& text)
     const auto file = font_path(s, text);
     std::vector<font::Glyph> glyphs;
     try {
-        glyphs = s.build().fonts.lay_out(file, units_of(text.characters), {text.offset.x, text.offset.y}, unicode);
+        glyphs = s.build.fonts.lay_out(file, units_of(text.characters), {text.offset.x, text.offset.y}, unicode);
     } catch (const std::runtime_error& error) {
         s.in().fail(s.source(), error.what());
     }
@@ -69,11 +77,11 @@ scene::Csg shape_of(SolidReader& s, const scene::Text& text)
 
 }  // namespace
 
+Form parameters_form(const SolidReader*, const scene::Text*, Kind) { return form_of<text_rule>(); }
+
 bool read_parameters(SolidReader& s, scene::Text& text)
 {
-    read_font(s, text);
-    s.in().accept_comma();
-    read_values(s.in(), text.characters, text.thickness, text.offset);
+    read_solid<text_rule>(s, text);
     s.object().shape = shape_of(s, text);
     // POV-Ray turns every text by this much, visible in its normals and extents (spec 5b, 11).
     s.object().transform_by(csg::Transform::rotate_degrees(glm::dvec3(0.001)));

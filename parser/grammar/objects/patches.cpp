@@ -9,48 +9,77 @@ namespace {
 
 using scene::BicubicPatch;
 
-/// The old way: numbers alone.
-void read_old_numbers(SolidReader& s, BicubicPatch& patch)
-{
-    const auto next = [&](auto& to) {
-        read_value(s.in(), to);
-        s.in().accept_comma();
-    };
-    double type = 0.0;
-    next(type);
-    patch.type = whole_number(type);
-    if (type == 2.0 || type == 3.0) next(patch.flatness);
-    else patch.flatness = 0.1;
-    next(patch.u_steps);
-    next(patch.v_steps);
-}
-
-void read_numbers(SolidReader& s, BicubicPatch& patch)
-{
-    static constexpr auto kFields =
-        std::tuple(field(Kind::Flatness, &BicubicPatch::flatness), field(Kind::USteps, &BicubicPatch::u_steps),
-                   field(Kind::VSteps, &BicubicPatch::v_steps), field(Kind::Accuracy, &BicubicPatch::accuracy));
+struct PatchState : ParameterState<BicubicPatch> {
+    using ParameterState::ParameterState;
     bool typed = false;
-    for (;;) {
-        if (s.accept(Kind::Type)) {
-            double type = float_expr(s.in());
-            if (type >= 2.0) {
-                s.in().warn(s.in().last(), "this type of patch is unknown: type 1 is taken");
-                type = 1.0;
-            }
-            patch.type = whole_number(type);
-            typed = true;
-        } else if (!read_one(s, patch, kFields)) {
-            break;
+};
+struct patch_type : item<Kind::Type, a_number, opt_comma> {
+    static void act(PatchState& s)
+    {
+        double type = s.pop_float();
+        if (type >= 2.0) {
+            s.warn("this type of patch is unknown: type 1 is taken");
+            type = 1.0;
         }
-        s.in().accept_comma();
+        s.solid.type = whole_number(type);
+        s.typed = true;
     }
-    if (!typed) s.fail("this bicubic_patch has no type");
-    if (!s.accept(Kind::UvVectors)) return;
-    read_values(s.in(), patch.uv[0], patch.uv[1], patch.uv[2], patch.uv[3]);
-    patch.has_uv = true;
-    s.in().accept_comma();
-}
+};
+template <Kind kind, auto number>
+using patch_number = seq<member<kind, number>, opt_comma>;
+struct patch_numbers : pegtl::star<pegtl::sor<patch_type, patch_number<Kind::Flatness, &BicubicPatch::flatness>,
+                                              patch_number<Kind::USteps, &BicubicPatch::u_steps>,
+                                              patch_number<Kind::VSteps, &BicubicPatch::v_steps>,
+                                              patch_number<Kind::Accuracy, &BicubicPatch::accuracy>>>,
+                       item_base {
+    static void act(PatchState& s)
+    {
+        if (!s.typed) s.fail("this bicubic_patch has no type");
+    }
+};
+struct patch_corners
+    : item<Kind::UvVectors, by_action<a_pair, opt_comma, a_pair, opt_comma, a_pair, opt_comma, a_pair>> {
+    static void act(PatchState& s)
+    {
+        auto& uv = s.solid.uv;
+        read_values(s.stream(), uv[0], uv[1], uv[2], uv[3]);
+        s.solid.has_uv = true;
+        s.stream().accept_comma();
+    }
+};
+/// The old way: numbers alone. The flatness stands in types 2 and 3.
+struct old_numbers : taker<old_numbers> {
+    static bool take(TokenStream& in, PatchState& s)
+    {
+        if (in.peek().kind == Kind::Less || !at_expression(in)) return false;
+        in.warn(in.here(), "'type', 'flatness', 'u_steps' and 'v_steps' should name these numbers");
+        double type = 0.0;
+        read_values(in, type);
+        in.accept_comma();
+        s.solid.type = whole_number(type);
+        s.solid.flatness = 0.1;
+        if (type == 2.0 || type == 3.0) {
+            read_value(in, s.solid.flatness);
+            in.accept_comma();
+        }
+        read_values(in, s.solid.u_steps, s.solid.v_steps);
+        in.accept_comma();
+        return true;
+    }
+    static Form form() { return Form::repeated(form_of<seq<a_number, opt_comma>>(), 1); }
+};
+struct patch_points : taker<patch_points>, always {
+    static bool take(TokenStream& in, PatchState& s)
+    {
+        for (glm::dvec3& point : s.solid.points) {
+            if (&point != &s.solid.points[0]) in.accept_comma();
+            read_value(in, point);
+        }
+        return true;
+    }
+    static Form form() { return form_of<pegtl::rep<16, a_vector, opt_comma>>(); }
+};
+using patch_rule = seq<pegtl::sor<old_numbers, seq<patch_numbers, opt<patch_corners>>>, patch_points>;
 
 csg::BicubicPatch::Input input_of(const BicubicPatch& patch)
 {
@@ -65,19 +94,12 @@ csg::BicubicPatch::Input input_of(const BicubicPatch& patch)
 
 }  // namespace
 
+Form parameters_form(const SolidReader*, const BicubicPatch*, Kind) { return form_of<patch_rule>(); }
+
 bool read_parameters(SolidReader& s, BicubicPatch& patch)
 {
-    if (s.next_kind() != Kind::Less && at_expression(s.in())) {
-        s.in().warn(s.in().here(), "'type', 'flatness', 'u_steps' and 'v_steps' should name these numbers");
-        read_old_numbers(s, patch);
-    } else {
-        read_numbers(s, patch);
-    }
-    read_value(s.in(), patch.points[0]);
-    for (std::size_t k = 1; k < 16; ++k) {
-        s.in().accept_comma();
-        read_value(s.in(), patch.points[k]);
-    }
+    PatchState state(s, patch);
+    read_solid<patch_rule>(state);
     const csg::BicubicPatch described(input_of(patch), csg::BicubicPatch::Later::Divide);
     s.object().shape = scene::Freeform{
         csg::make_freeform_later(described, [input = described.input()] { return csg::BicubicPatch(input); })};

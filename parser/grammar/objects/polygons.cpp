@@ -33,13 +33,19 @@ std::vector<glm::dvec3> closed_loops(const std::vector<glm::dvec3>& points)
     return corners;
 }
 
+void need_three(BlockState& s, int count)
+{
+    if (count < 3) s.fail("a polygon needs at least three points");
+}
+using polygon_rule = counted<&scene::Polygon::points, need_three>;
+
 }  // namespace
+
+Form parameters_form(const SolidReader*, const scene::Polygon*, Kind) { return form_of<polygon_rule>(); }
 
 bool read_parameters(SolidReader& s, scene::Polygon& polygon)
 {
-    const int count = read_count(s);
-    if (count < 3) s.fail("a polygon needs at least three points");
-    polygon.points = read_points<glm::dvec3>(s, count);
+    read_solid<polygon_rule>(s, polygon);
     if (!closed_outline(polygon.points))
         s.in().warn_when_closed(s.source(), "this polygon is not closed: it is closed now");
     s.object().shape = scene::Freeform{csg::make_freeform<csg::Polygon>(closed_loops(polygon.points))};

@@ -17,7 +17,7 @@ std::vector<double> read_coefficients(SolidReader& s, int order)
     std::vector<double> values;
     for (int i = 0; i < count; ++i) {
         if (i > 0) s.in().accept_comma();
-        values.push_back(float_expr(s.in()));
+        values.push_back(number(s.in()));
     }
     s.in().expect(Kind::Greater, fmt::format("'>' after {} coefficients", count));
     return values;
@@ -26,7 +26,7 @@ std::vector<double> read_coefficients(SolidReader& s, int order)
 int read_order(SolidReader& s)
 {
     constexpr int kLeastOrder = 2, kMostOrder = 35;
-    const double order = float_expr(s.in());
+    const double order = number(s.in());
     if (!(order >= kLeastOrder && order < kMostOrder + 1)) s.fail("the order must lie from 2 to 35");
     s.in().accept_comma();
     return static_cast<int>(order);
@@ -42,7 +42,7 @@ std::size_t place(int degree, const std::array<int, 3>& powers)
 void read_terms(SolidReader& s, PolynomialSurface& solid)
 {
     solid.coefficients.resize(static_cast<std::size_t>(PolynomialSurface::count_of(solid.order)));
-    while (s.accept(Kind::Xyz)) {
+    while (s.in().accept(Kind::Xyz)) {
         s.in().expect(Kind::LeftParen, "'(' and the powers of x, y and z");
         glm::dvec3 powers;
         read_values(s.in(), powers.x, powers.y, powers.z);
@@ -52,7 +52,7 @@ void read_terms(SolidReader& s, PolynomialSurface& solid)
         s.in().expect(Kind::RightParen, "')' after the powers");
         s.in().expect(Kind::Colon, "':' and the coefficient");
         const PolynomialSurface::Term term{{whole_number(powers.x), whole_number(powers.y), whole_number(powers.z)},
-                                           float_expr(s.in())};
+                                           number(s.in())};
         solid.terms.push_back(term);
         solid.coefficients[place(solid.order, term.powers)] = term.coefficient;
         s.in().accept_comma();
@@ -61,14 +61,24 @@ void read_terms(SolidReader& s, PolynomialSurface& solid)
 
 }  // namespace
 
+Form parameters_form(const SolidReader*, const PolynomialSurface*, Kind keyword)
+{
+    using terms = pegtl::star<token<Kind::Xyz>, token<Kind::LeftParen>, a_number, opt_comma, a_number, opt_comma,
+                              a_number, token<Kind::RightParen>, token<Kind::Colon>, a_number, opt_comma>;
+    using coefficients = seq<token<Kind::Less>, pegtl::plus<a_number, opt_comma>, token<Kind::Greater>>;
+    if (keyword == Kind::Polynomial) return form_of<seq<a_number, opt_comma, terms, sturms>>();
+    return keyword == Kind::Poly ? form_of<seq<a_number, opt_comma, coefficients, sturms>>()
+                                 : form_of<seq<coefficients, sturms>>();
+}
+
 bool read_parameters(SolidReader& s, PolynomialSurface& solid)
 {
-    if (s.keyword() == "cubic") solid.order = 3;
-    else if (s.keyword() == "quartic") solid.order = 4;
+    if (s.keyword() == Kind::Cubic) solid.order = 3;
+    else if (s.keyword() == Kind::Quartic) solid.order = 4;
     else solid.order = read_order(s);
-    if (s.keyword() == "polynomial") read_terms(s, solid);
+    if (s.keyword() == Kind::Polynomial) read_terms(s, solid);
     else solid.coefficients = read_coefficients(s, solid.order);
-    if (s.accept(Kind::Sturm)) optional_flag(s.in());
+    if (s.in().accept(Kind::Sturm)) optional_flag(s.in());
     for (const double v : solid.coefficients)
         if (!std::isfinite(v)) return false;
     // Of degree 2 as well: a quadric's extents would not be POV-Ray's, which are those of any polynomial.

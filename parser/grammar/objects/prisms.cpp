@@ -64,14 +64,15 @@ Pieces bezier(const Points& p)
 }
 
 /// Outlines of a linear prism close themselves; of the curved ones each begins with a control point and ends with one.
-void check_outlines(SolidReader& s, Curve curve, const Points& p)
+void check_outlines(ParameterState<scene::Prism>& s, Curve curve, const Points& p)
 {
     if (curve == Curve::Linear) {
         for (std::size_t first = 0; first < p.size();) {
             std::size_t last = first + 1;
             while (last < p.size() && !same(p[first], p[last])) ++last;
             if (last >= p.size() && first + 1 < p.size())
-                s.in().warn_when_closed(s.source(), "the outline of this prism is not closed: it is closed now");
+                s.stream().warn_when_closed(s.reader.source(),
+                                            "the outline of this prism is not closed: it is closed now");
             first = last + 1;
         }
     } else if (curve != Curve::Bezier) {
@@ -116,22 +117,26 @@ void make_shape(const scene::Prism& prism, Pieces pieces, scene::Object& object)
     turn.linear = turn.inverse_linear = glm::dmat3({1, 0, 0}, {0, 0, 1}, {0, 1, 0});
 }
 
+using scene::Prism;
+void need_prism_points(ParameterState<Prism>& s, int count)
+{
+    need_points(s, "prism", s.solid.curve, count, {3, 5, 6});
+}
+struct outline : counted<&Prism::points, need_prism_points>, item_base {
+    static void act(ParameterState<Prism>& s) { check_outlines(s, s.solid.curve, s.solid.points); }
+};
+using prism_rule =
+    seq<pegtl::star<pegtl::sor<chosen<Kind::LinearSweep, &Prism::conic, false>,
+                               chosen<Kind::ConicSweep, &Prism::conic, true>, curve_word<&Prism::curve>>>,
+        values<&Prism::low, &Prism::high>, opt_comma, outline, open_and_sturm<&Prism::open>>;
+
 }  // namespace
 
-bool read_parameters(SolidReader& s, scene::Prism& prism)
+Form parameters_form(const SolidReader*, const Prism*, Kind) { return form_of<prism_rule>(); }
+
+bool read_parameters(SolidReader& s, Prism& prism)
 {
-    for (;;) {  // of each pair of words the last counts
-        if (s.accept(Kind::LinearSweep)) prism.conic = false;
-        else if (s.accept(Kind::ConicSweep)) prism.conic = true;
-        else if (!accept_curve(s, prism.curve)) break;
-    }
-    read_values(s.in(), prism.low, prism.high);
-    s.in().accept_comma();
-    const int count = read_count(s);
-    need_points(s, "prism", prism.curve, count, {3, 5, 6});
-    prism.points = read_points<glm::dvec2>(s, count);
-    check_outlines(s, prism.curve, prism.points);
-    read_open_and_sturm(s, &prism.open);
+    read_solid<prism_rule>(s, prism);
     Pieces pieces = outline_of(prism);
     if (prism.curve == Curve::Bezier && pieces.empty())
         s.in().warn_when_closed(s.source(), "an outline of this prism is not closed: it is not drawn");

@@ -1,5 +1,5 @@
 #include "parser/grammar/objects/solids.h"
-#include "parser/grammar/core/rules.h"
+#include "parser/grammar/core/solid_reader.h"
 
 #include <array>
 #include <memory>
@@ -183,6 +183,7 @@ inline constexpr ValueKinds<Rule> kValueKinds;
 struct SolidState;
 struct SolidEntry {
     SolidForm form;
+    Form (*head)();
     bool (*read)(TokenInput&, SolidState&);
     /// Null: nothing follows, nothing is to be said. `good`: what SolidForm::set answered.
     void (*after)(SolidState&, bool good);
@@ -249,6 +250,7 @@ constexpr SolidEntry entry(Kind keyword, decltype(SolidForm::set) set, bool may_
 {
     constexpr const auto& values = kValueKinds<Rule>;
     return {{keyword, {values.kinds.data(), values.count}, may_be_open, set},
+            form_of<Rule>,
             [](TokenInput& input, SolidState& s) { return pegtl::parse<Rule, action, control>(input, s); },
             after};
 }
@@ -287,6 +289,20 @@ void read_values_of(const SolidEntry& solid, SceneBuilder& build, scene::Object&
 }
 
 }  // namespace
+
+std::vector<Form> solids_of_numbers()
+{
+    std::vector<Form> all;
+    for (const SolidEntry& one : kSolids) {
+        Form head = one.head();
+        if (one.form.may_be_open) head = Form::sequence({std::move(head), form_of<opt<token<Kind::Open>>>()});
+        if (one.form.keyword == Kind::Torus) head = Form::sequence({std::move(head), form_of<sturms>()});
+        if (one.form.keyword == Kind::Disc)
+            head = Form::sequence({std::move(head), form_of<opt_comma>(), form_of<opt<a_number>>()});
+        all.push_back(solid_form(one.form.keyword, std::move(head)));
+    }
+    return all;
+}
 
 const SolidForm* solid_form(Kind keyword)
 {

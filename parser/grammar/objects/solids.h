@@ -1,10 +1,11 @@
 #pragma once
 
-#include "parser/lexer/token.h"
+#include "parser/form/form.h"
 #include "render/scene/object.h"
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace parser {
 
@@ -19,6 +20,9 @@ struct SolidForm {
 
 /// Null: no such solid.
 const SolidForm* solid_form(Kind keyword);
+
+/// All of them, their keywords and blocks.
+std::vector<Form> solids_of_numbers();
 
 /// What a word of CSG does to its operands; nothing: it is no such word.
 std::optional<scene::CsgOp> csg_op(Kind keyword);

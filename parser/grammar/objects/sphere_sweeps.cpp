@@ -4,33 +4,40 @@
 #include <fmt/format.h>
 
 namespace parser {
+
+using Swept = scene::SphereSweep::SweptSphere;
+static void read_value(TokenStream& in, Swept& sphere) { read_values(in, sphere.center, sphere.radius); }
+template <>
+struct forms::value<Swept> {
+    static Form form() { return form_of<seq<a_vector, opt_comma, a_number>>(); }
+};
+
 namespace {
 
 using Spline = scene::SphereSweep::Spline;
 
-Spline read_spline(SolidReader& s)
+using scene::SphereSweep;
+struct sweep_spline : pegtl::sor<chosen<Kind::LinearSpline, &SphereSweep::spline, Spline::Linear>,
+                                 chosen<Kind::CubicSpline, &SphereSweep::spline, Spline::Cubic>,
+                                 chosen<Kind::BSpline, &SphereSweep::spline, Spline::B>> {};
+void need_spheres(ParameterState<SphereSweep>& s, int count)
 {
-    if (s.accept(Kind::LinearSpline)) return Spline::Linear;
-    if (s.accept(Kind::CubicSpline)) return Spline::Cubic;
-    if (s.accept(Kind::BSpline)) return Spline::B;
-    s.in().fail_expected("linear_spline, cubic_spline or b_spline");
+    const int least = s.solid.spline == Spline::Linear ? 2 : 4;
+    if (count < least) s.fail(fmt::format("this sphere_sweep needs at least {} spheres", least));
 }
+using sweep_rule = seq<must<sweep_spline>, opt_comma, counted<&SphereSweep::spheres, need_spheres>,
+                       opt<member<Kind::Tolerance, &SphereSweep::tolerance>>>;
 
 }  // namespace
 
-bool read_parameters(SolidReader& s, scene::SphereSweep& sweep)
-{
-    sweep.spline = read_spline(s);
-    s.in().accept_comma();
-    const int least = sweep.spline == Spline::Linear ? 2 : 4, count = read_count(s);
-    if (count < least) s.fail(fmt::format("this sphere_sweep needs at least {} spheres", least));
-    for (int i = 0; i < count; ++i) {
-        s.in().accept_comma();
-        auto& sphere = sweep.spheres.emplace_back();
-        read_values(s.in(), sphere.center, sphere.radius);
-    }
-    read_one(s, sweep, std::tuple(field(Kind::Tolerance, &scene::SphereSweep::tolerance)));
+template <>
+inline constexpr auto expected<sweep_spline> = "linear_spline, cubic_spline or b_spline";
 
+Form parameters_form(const SolidReader*, const SphereSweep*, Kind) { return form_of<sweep_rule>(); }
+
+bool read_parameters(SolidReader& s, SphereSweep& sweep)
+{
+    read_solid<sweep_rule>(s, sweep);
     std::vector<csg::SphereSweep::SweptSphere> spheres;
     for (const auto& sphere : sweep.spheres) spheres.push_back({sphere.center, sphere.radius});
     static constexpr csg::SphereSweep::Spline kSplines[] = {

@@ -4,17 +4,7 @@
 
 namespace parser {
 
-bool accept_curve(SolidReader& s, scene::Curve& curve)
-{
-    if (s.accept(Kind::LinearSpline)) curve = scene::Curve::Linear;
-    else if (s.accept(Kind::QuadraticSpline)) curve = scene::Curve::Quadratic;
-    else if (s.accept(Kind::CubicSpline)) curve = scene::Curve::Cubic;
-    else if (s.accept(Kind::BezierSpline)) curve = scene::Curve::Bezier;
-    else return false;
-    return true;
-}
-
-void need_points(SolidReader& s, const char* what, scene::Curve curve, int count, const int (&least)[3])
+void need_points(BlockState& s, const char* what, scene::Curve curve, int count, const int (&least)[3])
 {
     static constexpr const char* kNames[] = {"a linear", "a quadratic", "a cubic"};
     if (curve == scene::Curve::Bezier) {

@@ -9,10 +9,14 @@ namespace parser {
 using Points = std::vector<glm::dvec2>;
 using Pieces = std::vector<csg::OutlinePiece>;
 
-/// linear_spline and the like if one of them is next.
-bool accept_curve(SolidReader& s, scene::Curve& curve);
+/// The words; of several the last one counts.
+template <auto Member>
+using curve_word = pegtl::sor<chosen<Kind::LinearSpline, Member, scene::Curve::Linear>,
+                              chosen<Kind::QuadraticSpline, Member, scene::Curve::Quadratic>,
+                              chosen<Kind::CubicSpline, Member, scene::Curve::Cubic>,
+                              chosen<Kind::BezierSpline, Member, scene::Curve::Bezier>>;
 /// Fails if a spline of `count` points is too short for `what`; least: of a linear, a quadratic, a cubic one.
-void need_points(SolidReader& s, const char* what, scene::Curve curve, int count, const int (&least)[3]);
+void need_points(BlockState& s, const char* what, scene::Curve curve, int count, const int (&least)[3]);
 /// From p1 to p2, leaving p1 in the direction of p2 - p0.
 csg::OutlinePiece quadratic_piece(const glm::dvec2& p0, const glm::dvec2& p1, const glm::dvec2& p2);
 /// From p1 to p2, a Catmull-Rom spline.

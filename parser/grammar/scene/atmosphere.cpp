@@ -3,43 +3,21 @@
 namespace parser {
 namespace {
 
-struct FogState : BlockState {
-    using BlockState::BlockState;
-    scene::Fog fog;
+using scene::Fog;
+
+struct FogState : StructState<Fog> {
+    using StructState::StructState;
+    void take(const std::shared_ptr<const Fog>& declared) { made = *declared; }
+    /// Only the direction `up` can be turned; a fog has no place to move (spec 2, 16.1).
+    void move(const csg::Transform& by) { made.up = by.vector(made.up); }
+    scene::Turbulence& part(scene::Turbulence*) { return made.turbulence; }
 };
 struct fog_type : item<Kind::FogType, a_number> {
     static void act(FogState& s)
     {
-        s.fog.type = s.pop_int();
-        if (s.fog.type != 1 && s.fog.type != 2) s.stream().warn(s.stream().last(), "this type of fog is unknown");
+        s.made.type = s.pop_int();
+        if (s.made.type != 1 && s.made.type != 2) s.warn("this type of fog is unknown");
     }
-};
-struct distance : item<Kind::Distance, a_number> {
-    static void act(FogState& s) { s.fog.distance = s.pop_float(); }
-};
-struct fog_offset : item<Kind::FogOffset, a_number> {
-    static void act(FogState& s) { s.fog.offset = s.pop_float(); }
-};
-struct fog_alt : item<Kind::FogAlt, a_number> {
-    static void act(FogState& s) { s.fog.altitude = s.pop_float(); }
-};
-struct fog_up : item<Kind::Up, a_vector> {
-    static void act(FogState& s) { s.fog.up = s.pop_vector(); }
-};
-struct turbulence : item<Kind::Turbulence, a_vector> {
-    static void act(FogState& s) { s.fog.turbulence.amount = s.pop_vector(); }
-};
-struct octaves : item<Kind::Octaves, a_number> {
-    static void act(FogState& s) { s.fog.turbulence.octaves = s.pop_int(); }
-};
-struct omega : item<Kind::Omega, a_number> {
-    static void act(FogState& s) { s.fog.turbulence.omega = s.pop_float(); }
-};
-struct lambda : item<Kind::Lambda, a_number> {
-    static void act(FogState& s) { s.fog.turbulence.lambda = s.pop_float(); }
-};
-struct turb_depth : item<Kind::TurbDepth, a_number> {
-    static void act(FogState& s) { s.fog.turb_depth = s.pop_float(); }
 };
 /// A colour has a word before it or is an identifier that holds one: a number alone is the distance (spec 2, 16.1).
 bool at_fog_color(TokenStream& in)
@@ -51,81 +29,81 @@ bool at_fog_color(TokenStream& in)
     return at_color(in) && (!tuple || tuple->count == 5);
 }
 
-struct FogItems {
+/// A colour, or a number alone: the distance.
+struct fog_values {
     static bool match(SceneBuilder& build, FogState& s)
     {
-        using Items = table<FogState, fog_type, distance, fog_offset, fog_alt, fog_up, turbulence, octaves, omega,
-                            lambda, turb_depth>;
-        if (Items::match(build, s)) return true;
-        // Only the direction `up` can be turned; a fog has no place to move (spec 2, 16.1).
-        if (const auto t = read_transformation(build)) {
-            s.fog.up = t->vector(s.fog.up);
-            return true;
-        }
         TokenStream& in = build.stream();
-        if (at_fog_color(in)) s.fog.color = parser::color_expr(in);
-        else if (at_expression(in)) s.fog.distance = float_expr(in);
+        if (at_fog_color(in)) s.made.color = parser::color_expr(in);
+        else if (at_expression(in)) s.made.distance = float_expr(in);
         else return false;
         return true;
     }
+    static std::vector<Kind> words() { return {}; }
+    static Form form() { return Form::choice({form_of<a_color>(), form_of<a_number>()}); }
 };
+using scene::Turbulence;
+using FogItems = either<table<FogState, fog_type, member<Kind::Distance, &Fog::distance>,
+                              member<Kind::FogOffset, &Fog::offset>, member<Kind::FogAlt, &Fog::altitude>,
+                              member<Kind::Up, &Fog::up>, member<Kind::Turbulence, &Turbulence::amount>,
+                              member<Kind::Octaves, &Turbulence::octaves>, member<Kind::Omega, &Turbulence::omega>,
+                              member<Kind::Lambda, &Turbulence::lambda>, member<Kind::TurbDepth, &Fog::turb_depth>>,
+                        moves, fog_values>;
+using FogBlock = block<Kind::Fog, FogItems, opt<declared<std::shared_ptr<const Fog>>>>;
 
-struct SkyState : BlockState {
-    using BlockState::BlockState;
-    scene::SkySphere sky;
-};
-struct pigment : item<Kind::Pigment> {
-    static void act(SkyState& s) { s.sky.layers.push_back(read_pigment(s.build, scene::Pigment{})); }
-};
-struct sky_emission : item<Kind::Emission> {
-    static void act(SkyState& s) { s.sky.emission = parser::rgb_expr(s.stream()).rgb(); }
-};
-struct SkyItems {
-    static bool match(SceneBuilder& build, SkyState& s)
+struct SkyState : StructState<scene::SkySphere> {
+    using StructState::StructState;
+    void take(const std::shared_ptr<const scene::SkySphere>& declared) { made = *declared; }
+    void move(const csg::Transform& by)
     {
-        if (table<SkyState, pigment, sky_emission>::match(build, s)) return true;
-        const auto t = read_transformation(build);
-        if (!t) return false;
-        for (scene::Pigment& layer : s.sky.layers) layer.transform(*t);
-        return true;
+        for (scene::Pigment& layer : made.layers) layer.transform(by);
     }
 };
+struct sky_pigment : item<Kind::Pigment, reads<pigment_block>> {
+    static void act(SkyState& s) { s.made.layers.push_back(read_pigment(s.build, scene::Pigment{})); }
+};
+using SkyBlock = block<Kind::SkySphere,
+                       either<table<SkyState, sky_pigment, member<Kind::Emission, &scene::SkySphere::emission>>, moves>,
+                       opt<declared<std::shared_ptr<const scene::SkySphere>>>>;
+
+/// Black where no colour is given.
+struct background_color : a_color, item_base {
+    static void act(StructState<scene::Color>& s) { s.made = s.pop_color(); }
+};
+using BackgroundBlock = block<Kind::Background, no_items, opt<background_color>>;
 
 }  // namespace
 
-scene::Fog read_fog(SceneBuilder& build)
+Production fog_block() { return {"fog_block", FogBlock::form()}; }
+Production sky_sphere_block() { return {"sky_sphere_block", SkyBlock::form()}; }
+Production background_block() { return {"background_block", BackgroundBlock::form()}; }
+
+Fog read_fog(SceneBuilder& build)
 {
     FogState s(build);
     const scene::SourceRef source = build.stream().last();
-    read_block<FogItems>(build, s, "fog", [&] {
-        if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Fog>>())
-            s.fog = **declared;
-    });
-    s.fog.source = source;
-    if (glm::length(s.fog.up) > 0) s.fog.up = glm::normalize(s.fog.up);
-    return s.fog;
+    FogBlock::read(build, s);
+    s.made.source = source;
+    if (glm::length(s.made.up) > 0) s.made.up = glm::normalize(s.made.up);
+    return s.made;
 }
 
 scene::SkySphere read_sky_sphere(SceneBuilder& build)
 {
     SkyState s(build);
     const scene::SourceRef source = build.stream().last();
-    read_block<SkyItems>(build, s, "sky_sphere", [&] {
-        if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::SkySphere>>())
-            s.sky = **declared;
-    });
-    s.sky.source = source;
-    if (s.sky.layers.empty()) build.stream().fail(source, "this sky_sphere has no pigment");
-    return s.sky;
+    SkyBlock::read(build, s);
+    s.made.source = source;
+    if (s.made.layers.empty()) build.stream().fail(source, "this sky_sphere has no pigment");
+    return s.made;
 }
 
 void read_background(SceneBuilder& build)
 {
-    const auto opened = build.open_block("background");
-    build.description.background = {};  // black where no colour is given
-    if (at_color(build.stream())) build.description.background = parser::color_expr(build.stream());
+    StructState<scene::Color> s(build);
+    BackgroundBlock::read(build, s);
+    build.description.background = s.made;
     build.description.background_given = true;
-    build.close_block("background", opened);
 }
 
 }  // namespace parser

@@ -11,6 +11,7 @@ using Kinds = scene::Camera::Kind;
 
 struct CameraState : BlockState {
     CameraState(SceneBuilder& b, const scene::Camera& base) : BlockState(b), camera(base), old_right(base.right) {}
+    scene::Camera& subject() { return camera; }
     scene::Camera camera;
     glm::dvec3 old_right;
     std::optional<glm::dvec3> look_at, focal_point;
@@ -77,26 +78,9 @@ void set_kind(CameraState& s)
     s.camera.kind = kind;
     if (kind == Kinds::Orthographic && !s.fixed_order) size_orthographic(s);
 }
-struct perspective : item<Kind::Perspective> {
-    static void act(CameraState& s) { set_kind<Kinds::Perspective>(s); }
-};
-struct orthographic : item<Kind::Orthographic> {
-    static void act(CameraState& s) { set_kind<Kinds::Orthographic>(s); }
-};
-struct fisheye : item<Kind::Fisheye> {
-    static void act(CameraState& s) { set_kind<Kinds::Fisheye>(s); }
-};
-struct ultra_wide : item<Kind::UltraWideAngle> {
-    static void act(CameraState& s) { set_kind<Kinds::UltraWideAngle>(s); }
-};
-struct omnimax : item<Kind::Omnimax> {
-    static void act(CameraState& s) { set_kind<Kinds::Omnimax>(s); }
-};
-struct panoramic : item<Kind::Panoramic> {
-    static void act(CameraState& s) { set_kind<Kinds::Panoramic>(s); }
-};
-struct spherical : item<Kind::Spherical> {
-    static void act(CameraState& s) { set_kind<Kinds::Spherical>(s); }
+template <Kind word, Kinds kind>
+struct camera_kind : item<word> {
+    static void act(CameraState& s) { set_kind<kind>(s); }
 };
 struct cylinder_type : seq<a_number> {};
 struct cylinder : item<Kind::Cylinder, cylinder_type> {
@@ -105,24 +89,15 @@ struct cylinder : item<Kind::Cylinder, cylinder_type> {
         set_kind<Kinds::Cylinder>(s);
         s.camera.cylinder_type = s.pop_int();
         if (s.camera.cylinder_type < 1 || s.camera.cylinder_type > 4)
-            s.stream().fail(s.stream().last(), "the cylinder camera's type must be 1, 2, 3 or 4");
+            s.fail("the cylinder camera's type must be 1, 2, 3 or 4");
     }
 };
-struct mesh_camera : item<Kind::MeshCamera> {
+struct mesh_camera : item<Kind::MeshCamera, reads<mesh_camera_block>> {
     static void act(CameraState& s)
     {
         set_kind<Kinds::Mesh>(s);
         s.camera.mesh = read_mesh_camera(s.build);
     }
-};
-struct location : item<Kind::Location, a_vector> {
-    static void act(CameraState& s) { s.camera.location = s.pop_vector(); }
-};
-struct direction : item<Kind::Direction, a_vector> {
-    static void act(CameraState& s) { s.camera.direction = s.pop_vector(); }
-};
-struct sky : item<Kind::Sky, a_vector> {
-    static void act(CameraState& s) { s.camera.sky = s.pop_vector(); }
 };
 struct up : item<Kind::Up, a_vector> {
     static void act(CameraState& s)
@@ -145,7 +120,7 @@ struct look_at : item<Kind::LookAt, a_vector> {
         if (!s.fixed_order) apply_look_at(s, *s.look_at);
     }
 };
-struct angle : item<Kind::Angle> {
+struct angle : item<Kind::Angle, by_action<opt<a_number, another_number>>> {
     static void act(CameraState& s)
     {
         s.angle_written = true;
@@ -153,9 +128,9 @@ struct angle : item<Kind::Angle> {
         if (optional && !at_expression(s.stream())) return;
         read_rule<a_number>(s.build, s);
         const double a = s.pop_float();
-        if (a < 0) s.stream().fail(s.stream().last(), "the camera's angle is negative");
+        if (a < 0) s.fail("the camera's angle is negative");
         const bool flat = s.camera.kind == Kinds::Perspective || s.camera.kind == Kinds::Orthographic;
-        if (flat && a >= 180) s.stream().fail(s.stream().last(), "the camera's angle must be below 180 degrees");
+        if (flat && a >= 180) s.fail("the camera's angle must be below 180 degrees");
         s.angle = a;
         s.camera.angle_deg = a;
         if (s.camera.kind == Kinds::Spherical) {
@@ -169,15 +144,12 @@ struct angle : item<Kind::Angle> {
         if (!s.fixed_order && s.camera.kind == Kinds::Perspective && a > 0) apply_angle(s, a);
     }
 };
-struct aperture : item<Kind::Aperture, a_number> {
-    static void act(CameraState& s) { s.camera.aperture = s.pop_float(); }
-};
-struct blur_samples : item<Kind::BlurSamples, a_number> {
+struct blur_samples : item<Kind::BlurSamples, a_number, by_action<another_number>> {
     static void act(CameraState& s)
     {
         s.camera.blur_samples = s.pop_int();
         s.camera.blur_fewest = 0;
-        if (s.camera.blur_samples <= 0) s.stream().fail(s.stream().last(), "blur_samples must be above 0");
+        if (s.camera.blur_samples <= 0) s.fail("blur_samples must be above 0");
         // `min, max`: the larger number is the limit.
         if (!s.fixed_order) return;
         s.stream().accept_comma();
@@ -193,7 +165,7 @@ struct confidence : item<Kind::Confidence, a_number> {
     {
         const double v = s.pop_float();
         if (v > 0 && v < 1) s.camera.confidence = v;
-        else s.stream().warn(s.stream().last(), "confidence must lie between 0 and 1; the old value stays");
+        else s.warn("confidence must lie between 0 and 1; the old value stays");
     }
 };
 struct variance : item<Kind::Variance, a_number> {
@@ -201,7 +173,7 @@ struct variance : item<Kind::Variance, a_number> {
     {
         const double v = s.pop_float();
         if (v >= 0 && v <= 1) s.camera.variance = v;
-        else s.stream().warn(s.stream().last(), "variance must lie between 0 and 1; the old value stays");
+        else s.warn("variance must lie between 0 and 1; the old value stays");
     }
 };
 struct focal_point : item<Kind::FocalPoint, a_vector> {
@@ -211,17 +183,24 @@ struct focal_point : item<Kind::FocalPoint, a_vector> {
         if (!s.fixed_order) s.camera.focal_distance = glm::length(*s.focal_point - s.camera.location);
     }
 };
-struct bokeh : item<Kind::Bokeh> {
+struct bokeh : item<Kind::Bokeh, reads<bokeh_block>> {
     static void act(CameraState& s) { s.camera.bokeh = read_bokeh(s.build); }
 };
-struct normal : item<Kind::Normal> {
+struct normal : item<Kind::Normal, reads<normal_block>> {
     static void act(CameraState& s) { s.camera.normal = read_normal(s.build, nullptr); }
 };
 
-using CameraKinds = table<CameraState, perspective, orthographic, fisheye, ultra_wide, omnimax, panoramic, spherical,
-                          cylinder, mesh_camera>;
-using CameraItems = table<CameraState, location, direction, sky, up, right, look_at, angle, aperture, blur_samples,
-                          confidence, variance, focal_point, bokeh, normal>;
+using scene::Camera;
+using CameraKinds =
+    table<CameraState, camera_kind<Kind::Perspective, Kinds::Perspective>,
+          camera_kind<Kind::Orthographic, Kinds::Orthographic>, camera_kind<Kind::Fisheye, Kinds::Fisheye>,
+          camera_kind<Kind::UltraWideAngle, Kinds::UltraWideAngle>, camera_kind<Kind::Omnimax, Kinds::Omnimax>,
+          camera_kind<Kind::Panoramic, Kinds::Panoramic>, camera_kind<Kind::Spherical, Kinds::Spherical>, cylinder,
+          mesh_camera>;
+using CameraItems =
+    table<CameraState, up, right, look_at, angle, blur_samples, confidence, variance, focal_point, bokeh, normal,
+          member<Kind::Location, &Camera::location>, member<Kind::Direction, &Camera::direction>,
+          member<Kind::Sky, &Camera::sky>, member<Kind::Aperture, &Camera::aperture>>;
 
 /// Transformations act after everything else, in version 3.5 and later; before, at once.
 struct CameraModifiers {
@@ -254,6 +233,13 @@ void finish_in_fixed_order(CameraState& s)
 
 template <>
 inline constexpr auto expected<cylinder_type> = "the cylinder camera's type, 1 to 4";
+
+Production camera_block()
+{
+    return {"camera_block",
+            Form::braces({Form::optional(Form::operand("identifier")), Form::repeated(CameraKinds::form()),
+                          Form::repeated(either<moves, CameraItems>::form())})};
+}
 
 scene::Camera read_camera(SceneBuilder& build, const scene::Camera& base)
 {

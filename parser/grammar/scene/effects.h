@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/grammar/core/block_reader.h"
+#include "parser/grammar/core/values.h"
 #include "render/scene/effects.h"
 #include "render/scene/media.h"
 #include "render/scene/mesh_camera.h"

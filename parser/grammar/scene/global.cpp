@@ -6,58 +6,45 @@ namespace {
 
 struct GlobalState : BlockState {
     using BlockState::BlockState;
-    scene::GlobalSettings& global() { return build.description.global; }
+    scene::GlobalSettings& subject() { return build.description.global; }
 };
 
-struct adc_bailout : item<Kind::AdcBailout, a_number> {
-    static void act(GlobalState& s) { s.global().adc_bailout = s.pop_float(); }
-};
-struct ambient_light : item<Kind::AmbientLight> {
-    static void act(GlobalState& s) { s.global().ambient_light = parser::rgb_expr(s.stream()).rgb(); }
-};
 /// The first one counts; `srgb` colours are read by it from here on.
-struct assumed_gamma : item<Kind::AssumedGamma> {
+struct assumed_gamma : item<Kind::AssumedGamma, srgb_or_number> {
     static void act(GlobalState& s)
     {
-        scene::AssumedGamma gamma;
-        if (s.stream().accept(Kind::Srgb)) {
-            gamma.kind = scene::AssumedGamma::Kind::Srgb;
-        } else {
-            read_rule<a_number>(s.build, s);
+        scene::AssumedGamma gamma{scene::AssumedGamma::Kind::Srgb};
+        if (s.operands() > 0) {
             gamma = {scene::AssumedGamma::Kind::Power, s.pop_float()};
-            if (!(gamma.exponent > 0)) s.stream().fail(s.stream().last(), "assumed_gamma must be above 0");
+            if (!(gamma.exponent > 0)) s.fail("assumed_gamma must be above 0");
         }
         scene::AssumedGamma& current = s.stream().language().assumed_gamma;
         if (current.kind == scene::AssumedGamma::Kind::Unset) current = gamma;
-        else s.stream().warn(s.stream().last(), "assumed_gamma was set before; the first one stays");
+        else s.warn("assumed_gamma was set before; the first one stays");
     }
 };
-struct charset : item<Kind::Charset> {
+using charset_name = any_token<Kind::Ascii, Kind::Utf8, Kind::Sys>;
+struct charset : item<Kind::Charset, charset_name> {
     static void act(GlobalState& s)
     {
-        TokenStream& in = s.stream();
-        Charset& charset = in.language().charset;
-        if (in.accept(Kind::Utf8)) charset = Charset::Utf8;
-        else if (in.accept(Kind::Ascii)) charset = Charset::Ascii;
-        else if (in.accept(Kind::Sys)) charset = Charset::System;
-        else in.fail_expected("'ascii', 'utf8' or 'sys'");
+        const Kind name = s.stream().taken_last().kind;
+        s.stream().language().charset = name == Kind::Utf8    ? Charset::Utf8
+                                        : name == Kind::Ascii ? Charset::Ascii
+                                                              : Charset::System;
     }
 };
-struct hf_gray_16 : item<Kind::HfGray16> {
+struct hf_gray_16 : item<Kind::HfGray16, by_action<a_flag>> {
     static void act(GlobalState& s)
     {
-        s.stream().warn(s.stream().last(), "hf_gray_16 has no effect");
+        s.warn("hf_gray_16 has no effect");
         optional_flag(s.stream());
     }
-};
-struct irid_wavelength : item<Kind::IridWavelength> {
-    static void act(GlobalState& s) { s.global().irid_wavelength = parser::rgb_expr(s.stream()).rgb(); }
 };
 struct max_intersections : item<Kind::MaxIntersections, a_number> {
     static void act(GlobalState& s)
     {
         s.pop_float();
-        if (s.build.version() >= 370) s.stream().warn(s.stream().last(), "'max_intersections' has no effect");
+        if (s.build.version() >= 370) s.warn("'max_intersections' has no effect");
     }
 };
 constexpr int kMostLevels = 256;
@@ -67,21 +54,18 @@ struct max_trace_level : item<Kind::MaxTraceLevel, a_number> {
         int level = s.pop_int();
         if (level < 1) level = 1;
         if (level > kMostLevels) {
-            s.stream().warn(s.stream().last(), "max_trace_level is limited to 256");
+            s.warn("max_trace_level is limited to 256");
             level = kMostLevels;
         }
-        s.global().max_trace_level = level;
+        s.subject().max_trace_level = level;
     }
-};
-struct mm_per_unit : item<Kind::MmPerUnit, a_number> {
-    static void act(GlobalState& s) { s.global().mm_per_unit = s.pop_float(); }
 };
 struct noise_generator : item<Kind::NoiseGenerator, a_number> {
     static void act(GlobalState& s)
     {
         const int generator = s.pop_int();
-        if (generator < 1 || generator > 3) s.stream().fail(s.stream().last(), "noise_generator must be 1, 2 or 3");
-        s.global().noise_generator = generator;
+        if (generator < 1 || generator > 3) s.fail("noise_generator must be 1, 2 or 3");
+        s.subject().noise_generator = generator;
         s.build.noise_generator_given = true;
     }
 };
@@ -89,8 +73,8 @@ struct number_of_waves : item<Kind::NumberOfWaves, a_number> {
     static void act(GlobalState& s)
     {
         const int waves = s.pop_int();
-        if (waves < 1) s.stream().warn(s.stream().last(), "number_of_waves must be above 0; 1 is used");
-        s.global().number_of_waves = waves < 1 ? 1 : waves;
+        if (waves < 1) s.warn("number_of_waves must be above 0; 1 is used");
+        s.subject().number_of_waves = waves < 1 ? 1 : waves;
     }
 };
 /// Takes the place of an earlier block, which stays the one that is told of.
@@ -100,30 +84,45 @@ void replace(std::optional<Settings>& present, Settings settings)
     if (present) settings.source = present->source;
     present = std::move(settings);
 }
-struct global_radiosity : item<Kind::Radiosity> {
-    static void act(GlobalState& s) { replace(s.global().radiosity, read_global_radiosity(s.build)); }
+struct global_radiosity : item<Kind::Radiosity, reads<global_radiosity_block>> {
+    static void act(GlobalState& s) { replace(s.subject().radiosity, read_global_radiosity(s.build)); }
 };
-struct global_photons : item<Kind::Photons> {
+struct global_photons : item<Kind::Photons, reads<global_photons_block>> {
     static void act(GlobalState& s)
     {
-        replace(s.global().photons, read_global_photons(s.build, s.global().photons.value_or(scene::PhotonSettings{})));
+        replace(s.subject().photons,
+                read_global_photons(s.build, s.subject().photons.value_or(scene::PhotonSettings{})));
     }
 };
-struct global_subsurface : item<Kind::Subsurface> {
-    static void act(GlobalState& s) { replace(s.global().subsurface, read_global_subsurface(s.build)); }
+struct global_subsurface : item<Kind::Subsurface, reads<global_subsurface_block>> {
+    static void act(GlobalState& s) { replace(s.subject().subsurface, read_global_subsurface(s.build)); }
 };
 
-using GlobalItems = table<GlobalState, adc_bailout, ambient_light, assumed_gamma, charset, hf_gray_16, irid_wavelength,
-                          max_intersections, max_trace_level, mm_per_unit, noise_generator, number_of_waves,
-                          global_radiosity, global_photons, global_subsurface>;
+using scene::GlobalSettings;
+using OldSettings = table<GlobalState, max_trace_level, max_intersections>;
+using GlobalItems =
+    either<table<GlobalState, assumed_gamma, charset, hf_gray_16, noise_generator, number_of_waves, global_radiosity,
+                 global_photons, global_subsurface, member<Kind::AdcBailout, &GlobalSettings::adc_bailout>,
+                 member<Kind::AmbientLight, &GlobalSettings::ambient_light>,
+                 member<Kind::IridWavelength, &GlobalSettings::irid_wavelength>,
+                 member<Kind::MmPerUnit, &GlobalSettings::mm_per_unit>>,
+           OldSettings>;
+using GlobalBlock = block<Kind::GlobalSettings, GlobalItems>;
 
 }  // namespace
+
+template <>
+inline constexpr auto expected<charset_name> = "'ascii', 'utf8' or 'sys'";
+
+Production global_settings_block() { return {"global_settings_block", GlobalBlock::form()}; }
 
 void read_global_settings(SceneBuilder& build)
 {
     GlobalState s(build);
-    read_block<GlobalItems>(build, s, "global_settings");
+    GlobalBlock::read(build, s);
 }
+
+Production old_setting() { return {"old_setting", OldSettings::form()}; }
 
 bool read_old_setting(SceneBuilder& build)
 {
@@ -133,7 +132,7 @@ bool read_old_setting(SceneBuilder& build)
     GlobalState s(build);
     if (kind == Kind::MaxTraceLevel && build.version() >= 350)
         in.warn(in.here(), "'max_trace_level' belongs in global_settings");
-    return table<GlobalState, max_trace_level, max_intersections>::match(build, s);
+    return OldSettings::match(build, s);
 }
 
 }  // namespace parser

@@ -13,11 +13,18 @@ using LightKind = scene::Light::Kind;
 struct LightState : BlockState {
     LightState(SceneBuilder& b, scene::Object& o) : BlockState(b), object(o) {}
     scene::Object& object;
+    scene::Light& subject() { return light(); }
+    void take(const std::shared_ptr<const scene::Object>& declared)
+    {
+        if (!scene::is_light(*declared)) fail("this identifier is no light_source");
+        object = *declared;
+    }
+    void move(const csg::Transform& by) { object.transform_by(by); }
     scene::Light& light() { return std::get<scene::Shared<scene::Light>>(object.shape).edit(); }
-    void need_cone(const char* what)
+    void need_cone(std::string_view what)
     {
         if (light().kind == LightKind::Point)
-            stream().fail(stream().last(), std::string("'") + what + "' needs 'spotlight' or 'cylinder' before it");
+            fail("'" + std::string(what) + "' needs 'spotlight' or 'cylinder' before it");
     }
 };
 
@@ -44,17 +51,13 @@ struct shadowless : item<Kind::Shadowless> {
         s.light().shadowless = true;
     }
 };
-struct parallel : item<Kind::Parallel> {
-    static void act(LightState& s) { s.light().parallel = true; }
-};
 /// docs/extensions.md: from so far that it comes from one direction everywhere.
 struct directional : item<Kind::WhittleDirectional, a_vector> {
     static void act(LightState& s)
     {
         s.light().parallel = s.light().directional = true;
         s.light().point_at = s.pop_vector();
-        if (s.light().point_at == glm::dvec3(0))
-            s.stream().fail(s.stream().last(), "the direction of a light must not be <0, 0, 0>");
+        if (s.light().point_at == glm::dvec3(0)) s.fail("the direction of a light must not be <0, 0, 0>");
     }
 };
 struct point_at : item<Kind::PointAt, a_vector> {
@@ -64,32 +67,13 @@ struct point_at : item<Kind::PointAt, a_vector> {
         s.light().point_at = s.pop_vector();
     }
 };
-struct radius : item<Kind::Radius, a_number> {
+template <Kind kind, double scene::Light::*angle>
+struct of_cone : item<kind, a_number> {
     static void act(LightState& s)
     {
-        s.need_cone("radius");
-        s.light().radius_deg = s.pop_float();
+        s.need_cone(spelling(kind));
+        s.light().*angle = s.pop_float();
     }
-};
-struct falloff : item<Kind::Falloff, a_number> {
-    static void act(LightState& s)
-    {
-        s.need_cone("falloff");
-        s.light().falloff_deg = s.pop_float();
-    }
-};
-struct tightness : item<Kind::Tightness, a_number> {
-    static void act(LightState& s)
-    {
-        s.need_cone("tightness");
-        s.light().tightness = s.pop_float();
-    }
-};
-struct light_fade_distance : item<Kind::FadeDistance, a_number> {
-    static void act(LightState& s) { s.light().fade_distance = s.pop_float(); }
-};
-struct light_fade_power : item<Kind::FadePower, a_number> {
-    static void act(LightState& s) { s.light().fade_power = s.pop_float(); }
 };
 
 constexpr int kMostLamps = std::numeric_limits<int>::max();  ///< each way; the least int has no absolute value
@@ -106,8 +90,7 @@ struct area_light : item<Kind::AreaLight, a_vector, second_axis, must<area_size>
         l.axis2 = s.pop_vector();
         l.axis1 = s.pop_vector();
         if (l.adaptive == 0) l.adaptive = 100;
-        if (l.size1 == 0 || l.size2 == 0)
-            s.stream().fail(s.stream().last(), "an area light needs at least one lamp each way");
+        if (l.size1 == 0 || l.size2 == 0) s.fail("an area light needs at least one lamp each way");
     }
 };
 /// What POV-Ray says at the end of the block (3.7).
@@ -129,14 +112,9 @@ void check_circular(LightState& s)
 /// An item that acts on an area light alone.
 void warn_if_no_area(LightState& s, const char* item)
 {
-    if (!s.light().area)
-        s.stream().warn(s.stream().last(),
-                        std::string("'") + item + "' acts on an area_light alone, and none stands before it");
+    if (!s.light().area) s.warn(std::string("'") + item + "' acts on an area_light alone, and none stands before it");
 }
-struct adaptive : item<Kind::Adaptive, a_number> {
-    static void act(LightState& s) { s.light().adaptive = s.pop_int(); }
-};
-struct area_illumination : item<Kind::AreaIllumination> {
+struct area_illumination : item<Kind::AreaIllumination, by_action<a_flag>> {
     static void act(LightState& s)
     {
         warn_if_no_area(s, "area_illumination");
@@ -157,15 +135,6 @@ struct orient : item<Kind::Orient> {
         s.light().orient = true;
     }
 };
-struct jitter : item<Kind::Jitter> {
-    static void act(LightState& s) { s.light().jitter = true; }
-};
-struct media_attenuation : item<Kind::MediaAttenuation> {
-    static void act(LightState& s) { s.light().media_attenuation = optional_flag(s.stream()); }
-};
-struct media_interaction : item<Kind::MediaInteraction> {
-    static void act(LightState& s) { s.light().media_interaction = optional_flag(s.stream()); }
-};
 std::shared_ptr<const scene::Object> read_inner(LightState& s, const char* what)
 {
     const auto opened = s.build.open_block(what);
@@ -179,10 +148,14 @@ std::shared_ptr<const scene::Object> read_inner(LightState& s, const char* what)
     }
     return std::make_shared<scene::Object>(std::move(*object));
 }
-struct looks_like : item<Kind::LooksLike> {
+Production inner_block()
+{
+    return {"inner_block", Form::braces({Form::named(any_object), Form::repeated(Form::named(object_modifier))})};
+}
+struct looks_like : item<Kind::LooksLike, reads<inner_block>> {
     static void act(LightState& s)
     {
-        if (s.light().looks_like) s.stream().fail(s.stream().last(), "a light_source looks like one object only");
+        if (s.light().looks_like) s.fail("a light_source looks like one object only");
         auto object = read_inner(s, "looks_like");
         if (!object) return;
         // The lamp's body stands at the light and does not block it.
@@ -192,17 +165,17 @@ struct looks_like : item<Kind::LooksLike> {
         s.light().looks_like = std::move(body);
     }
 };
-struct projected_through : item<Kind::ProjectedThrough> {
+struct projected_through : item<Kind::ProjectedThrough, reads<inner_block>> {
     static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through"); }
 };
-struct light_photons : item<Kind::Photons> {
+struct light_photons : item<Kind::Photons, reads<light_photons_block>> {
     static void act(LightState& s)
     {
         std::shared_ptr<const scene::PhotonFlags>& own = s.object.details.edit().photons;
         own = read_photon_flags(s.build, true, own.get());
     }
 };
-struct color_map : item<Kind::ColorMap> {
+struct color_map : item<Kind::ColorMap, reads<color_map_block>> {
     static void act(LightState& s)
     {
         glm::vec3 sum(0);
@@ -211,22 +184,34 @@ struct color_map : item<Kind::ColorMap> {
     }
 };
 
-struct LightItems {
-    static bool match(SceneBuilder& build, LightState& s)
+using scene::Light;
+using LightItems = either<
+    table<LightState, directional, spotlight, cylinder, shadowless, point_at, of_cone<Kind::Radius, &Light::radius_deg>,
+          of_cone<Kind::Falloff, &Light::falloff_deg>, of_cone<Kind::Tightness, &Light::tightness>, area_light,
+          area_illumination, circular, orient, looks_like, projected_through, light_photons, color_map,
+          word<Kind::Parallel, &Light::parallel>, member<Kind::FadeDistance, &Light::fade_distance>,
+          member<Kind::FadePower, &Light::fade_power>, member<Kind::Adaptive, &Light::adaptive>,
+          word<Kind::Jitter, &Light::jitter>, member<Kind::MediaAttenuation, &Light::media_attenuation>,
+          member<Kind::MediaInteraction, &Light::media_interaction>>,
+    moves>;
+struct light_location : a_vector, item_base {
+    static void act(LightState& s)
     {
-        using Items = table<LightState, directional, spotlight, cylinder, shadowless, parallel, point_at, radius,
-                            falloff, tightness, light_fade_distance, light_fade_power, area_light, adaptive,
-                            area_illumination, circular, orient, jitter, media_attenuation, media_interaction,
-                            looks_like, projected_through, light_photons, color_map>;
-        if (Items::match(build, s)) return true;
-        const auto t = read_transformation(build);
-        if (t) s.object.transform_by(*t);
-        return t.has_value();
+        s.light().location = s.pop_vector();
+        s.light().point_at = {0, 0, 1};
     }
 };
+struct light_color : a_rgb, item_base {
+    static void act(LightState& s) { s.light().color = s.pop_rgb(); }
+};
+struct declared_light : declared<std::shared_ptr<const scene::Object>> {};
+struct light_head : pegtl::sor<declared_light, seq<light_location, opt_comma, opt<light_color>>> {};
+using LightBlock = block<Kind::LightSource, LightItems, light_head>;
 
 }  // namespace
 
+template <>
+inline constexpr auto expected<light_head> = "the light's location, as in <0, 10, 0>";
 template <>
 inline constexpr auto expected<second_axis> = "the area light's second axis";
 template <>
@@ -234,25 +219,16 @@ inline constexpr auto expected<area_size> = "the area light's number of lamps al
 template <>
 inline constexpr auto expected<must<area_size>> = "the area light's number of lamps along each axis";
 
+Production light_source_block() { return {"light_source_block", LightBlock::form()}; }
+
 scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source)
 {
-    TokenStream& in = build.stream();
     scene::Object object;
     object.source = source;
     object.shape = scene::Light{};
     LightState s(build, object);
-    read_block<LightItems>(build, s, "light_source", [&] {
-        if (const auto declared = in.accept_identifier<std::shared_ptr<const scene::Object>>()) {
-            if (!scene::is_light(**declared)) in.fail(in.last(), "this identifier is no light_source");
-            object = **declared;
-            return;
-        }
-        if (!at_expression(in)) build.fail_unknown("the light's location, as in <0, 10, 0>");
-        s.light().location = parser::vector_expr(in);
-        s.light().point_at = {0, 0, 1};
-        in.accept_comma();
-        s.light().color = at_color(in) ? parser::rgb_expr(in).rgb() : glm::vec3(0);
-    });
+    s.light().color = glm::vec3(0);
+    LightBlock::read(build, s);
     check_circular(s);
     return object;
 }

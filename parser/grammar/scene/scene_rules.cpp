@@ -10,63 +10,63 @@ struct SceneState : BlockState {
     using BlockState::BlockState;
 };
 
-struct camera : item<Kind::Camera> {
+struct camera : item<Kind::Camera, reads<camera_block>> {
     static void act(SceneState& s)
     {
         SceneBuilder& build = s.build;
-        if (build.camera_given && build.version() >= 350)
-            s.stream().warn(s.stream().last(), "more than one camera: the last one counts");
+        if (build.camera_given && build.version() >= 350) s.warn("more than one camera: the last one counts");
         // Before version 3.5 every statement changes the same camera (spec 2, 3.7).
         const bool goes_on = build.version() < 350 && build.camera_given;
         build.description.camera = read_camera(build, goes_on ? build.description.camera : build.default_camera);
         build.camera_given = true;
     }
 };
-struct background : item<Kind::Background> {
+struct background : item<Kind::Background, reads<background_block>> {
     static void act(SceneState& s) { read_background(s.build); }
 };
-struct fog : item<Kind::Fog> {
+struct fog : item<Kind::Fog, reads<fog_block>> {
     static void act(SceneState& s) { s.build.description.fogs.push_back(read_fog(s.build)); }
 };
-struct sky_sphere : item<Kind::SkySphere> {
+struct sky_sphere : item<Kind::SkySphere, reads<sky_sphere_block>> {
     static void act(SceneState& s)
     {
-        if (s.build.description.sky_sphere)
-            s.stream().warn(s.stream().last(), "more than one sky_sphere: the last one counts");
+        if (s.build.description.sky_sphere) s.warn("more than one sky_sphere: the last one counts");
         s.build.description.sky_sphere = read_sky_sphere(s.build);
     }
 };
-struct global_settings : item<Kind::GlobalSettings> {
+struct global_settings : item<Kind::GlobalSettings, reads<global_settings_block>> {
     static void act(SceneState& s)
     {
         if (!s.build.global_settings) s.build.global_settings = s.stream().last();
         read_global_settings(s.build);
     }
 };
-struct default_block : item<Kind::Default> {
+struct default_settings : item<Kind::Default, reads<default_block>> {
     static void act(SceneState& s) { s.build.parse_default(s.stream()); }
 };
-struct scene_media : item<Kind::Media> {
+struct scene_media : item<Kind::Media, reads<media_block>> {
     static void act(SceneState& s) { s.build.description.media.push_back(read_media(s.build)); }
 };
-struct rainbow : item<Kind::Rainbow> {
+struct rainbow : item<Kind::Rainbow, reads<rainbow_block>> {
     static void act(SceneState& s) { s.build.description.rainbows.push_back(read_rainbow(s.build)); }
 };
 /// `declare`, `include` and `version` without their '#' are old, and still understood.
 template <Kind kind>
-struct bare : item<kind> {
+struct bare : item<kind, reads<rest_of_directive>> {
+    static constexpr bool rare = true;
     static void act(SceneState& s) { s.stream().bare_directive(s.stream().taken_last()); }
 };
 struct dtag : item<Kind::Dtag, a_text> {
+    static constexpr bool rare = true;
     static void act(SceneState& s) { s.pop_string(); }
 };
 
-using SceneItems = table<SceneState, camera, background, fog, sky_sphere, global_settings, default_block, rainbow,
+using SceneItems = table<SceneState, camera, background, fog, sky_sphere, global_settings, default_settings, rainbow,
                          scene_media, bare<Kind::Declare>, bare<Kind::Include>, bare<Kind::Version>, dtag>;
 
 // ---- #default -------------------------------------------------------------------------------------------------
 scene::Layer changed(SceneState& s) { return s.build.default_layer(); }
-struct default_texture : item<Kind::Texture> {
+struct default_texture : item<Kind::Texture, reads<texture_block>> {
     static void act(SceneState& s)
     {
         const scene::SourceRef at = s.stream().last();
@@ -77,7 +77,7 @@ struct default_texture : item<Kind::Texture> {
         s.build.set_default_layer(layers->front());
     }
 };
-struct default_pigment : item<Kind::Pigment> {
+struct default_pigment : item<Kind::Pigment, reads<pigment_block>> {
     static void act(SceneState& s)
     {
         scene::Layer layer = changed(s);
@@ -85,7 +85,7 @@ struct default_pigment : item<Kind::Pigment> {
         s.build.set_default_layer(std::move(layer));
     }
 };
-struct default_normal : item<Kind::Normal> {
+struct default_normal : item<Kind::Normal, reads<normal_block>> {
     static void act(SceneState& s)
     {
         scene::Layer layer = changed(s);
@@ -93,7 +93,7 @@ struct default_normal : item<Kind::Normal> {
         s.build.set_default_layer(std::move(layer));
     }
 };
-struct default_finish : item<Kind::Finish> {
+struct default_finish : item<Kind::Finish, reads<finish_block>> {
     static void act(SceneState& s)
     {
         scene::Layer layer = changed(s);
@@ -101,10 +101,10 @@ struct default_finish : item<Kind::Finish> {
         s.build.set_default_layer(std::move(layer));
     }
 };
-struct default_camera : item<Kind::Camera> {
+struct default_camera : item<Kind::Camera, reads<camera_block>> {
     static void act(SceneState& s) { s.build.default_camera = read_camera(s.build, s.build.default_camera); }
 };
-struct default_radiosity : item<Kind::Radiosity> {
+struct default_radiosity : item<Kind::Radiosity, reads<object_radiosity_block>> {
     static void act(SceneState& s)
     {
         s.build.description.default_importance = read_object_radiosity(s.build).value_or(1.0);
@@ -112,6 +112,7 @@ struct default_radiosity : item<Kind::Radiosity> {
 };
 using DefaultItems = table<SceneState, default_texture, default_pigment, default_normal, default_finish, default_camera,
                            default_radiosity>;
+using DefaultBlock = block<Kind::Default, DefaultItems>;
 
 // ---- declared values ------------------------------------------------------------------------------------------
 template <class T>
@@ -122,37 +123,57 @@ Value shared(T value)
 using ValueReader = Value (*)(SceneBuilder&);
 struct ValueEntry {
     Kind keyword;
+    Production (*block)();
     ValueReader read;
 };
 const ValueEntry kValues[] = {
-    {Kind::Texture, [](SceneBuilder& b) -> Value { return read_textures(b); }},
-    {Kind::Pigment,
+    {Kind::Texture, texture_block, [](SceneBuilder& b) -> Value { return read_textures(b); }},
+    {Kind::Pigment, pigment_block,
      [](SceneBuilder& b) -> Value {
          return scene::PigmentPtr(std::make_shared<scene::Pigment>(read_pigment(b, b.default_layer().pigment)));
      }},
-    {Kind::Normal,
+    {Kind::Normal, normal_block,
      [](SceneBuilder& b) -> Value {
          return scene::NormalPtr(std::make_shared<scene::Normal>(read_normal(b, b.default_layer().normal)));
      }},
-    {Kind::Finish, [](SceneBuilder& b) -> Value { return shared(read_finish(b, *b.default_layer().finish)); }},
-    {Kind::Interior, [](SceneBuilder& b) -> Value { return shared(read_interior(b, scene::Interior{})); }},
-    {Kind::Material, [](SceneBuilder& b) -> Value { return shared(read_material(b, Material{})); }},
-    {Kind::ColorMap, [](SceneBuilder& b) -> Value { return shared(read_color_map(b)); }},
-    {Kind::PigmentMap, [](SceneBuilder& b) -> Value { return shared(read_pigment_map(b, false)); }},
-    {Kind::NormalMap, [](SceneBuilder& b) -> Value { return shared(read_normal_map(b, false)); }},
-    {Kind::SlopeMap, [](SceneBuilder& b) -> Value { return shared(read_slope_map(b)); }},
-    {Kind::TextureMap, [](SceneBuilder& b) -> Value { return shared(read_texture_map(b, false)); }},
-    {Kind::Transform, [](SceneBuilder& b) -> Value { return shared(read_transform(b)); }},
-    {Kind::Camera, [](SceneBuilder& b) -> Value { return shared(read_camera(b, b.default_camera)); }},
-    {Kind::Fog, [](SceneBuilder& b) -> Value { return shared(read_fog(b)); }},
-    {Kind::SkySphere, [](SceneBuilder& b) -> Value { return shared(read_sky_sphere(b)); }},
-    {Kind::Media, [](SceneBuilder& b) -> Value { return shared(read_media(b)); }},
-    {Kind::Density, [](SceneBuilder& b) -> Value { return shared(read_density(b)); }},
-    {Kind::DensityMap, [](SceneBuilder& b) -> Value { return shared(read_density_map(b, false)); }},
-    {Kind::Rainbow, [](SceneBuilder& b) -> Value { return shared(read_rainbow(b)); }},
+    {Kind::Finish, finish_block,
+     [](SceneBuilder& b) -> Value { return shared(read_finish(b, *b.default_layer().finish)); }},
+    {Kind::Interior, interior_block,
+     [](SceneBuilder& b) -> Value { return shared(read_interior(b, scene::Interior{})); }},
+    {Kind::Material, material_block, [](SceneBuilder& b) -> Value { return shared(read_material(b, Material{})); }},
+    {Kind::ColorMap, color_map_block, [](SceneBuilder& b) -> Value { return shared(read_color_map(b)); }},
+    {Kind::PigmentMap, pigment_map_block, [](SceneBuilder& b) -> Value { return shared(read_pigment_map(b, false)); }},
+    {Kind::NormalMap, normal_map_block, [](SceneBuilder& b) -> Value { return shared(read_normal_map(b, false)); }},
+    {Kind::SlopeMap, slope_map_block, [](SceneBuilder& b) -> Value { return shared(read_slope_map(b)); }},
+    {Kind::TextureMap, texture_map_block, [](SceneBuilder& b) -> Value { return shared(read_texture_map(b, false)); }},
+    {Kind::Transform, transform_block, [](SceneBuilder& b) -> Value { return shared(read_transform(b)); }},
+    {Kind::Camera, camera_block, [](SceneBuilder& b) -> Value { return shared(read_camera(b, b.default_camera)); }},
+    {Kind::Fog, fog_block, [](SceneBuilder& b) -> Value { return shared(read_fog(b)); }},
+    {Kind::SkySphere, sky_sphere_block, [](SceneBuilder& b) -> Value { return shared(read_sky_sphere(b)); }},
+    {Kind::Media, media_block, [](SceneBuilder& b) -> Value { return shared(read_media(b)); }},
+    {Kind::Density, density_block, [](SceneBuilder& b) -> Value { return shared(read_density(b)); }},
+    {Kind::DensityMap, density_map_block, [](SceneBuilder& b) -> Value { return shared(read_density_map(b, false)); }},
+    {Kind::Rainbow, rainbow_block, [](SceneBuilder& b) -> Value { return shared(read_rainbow(b)); }},
 };
 
 }  // namespace
+
+Production default_block() { return {"default_block", DefaultBlock::form()}; }
+
+Production declared_value()
+{
+    std::vector<Form> all;
+    for (const ValueEntry& one : kValues)
+        all.push_back(Form::sequence({Form::token(one.keyword), Form::named(one.block)}));
+    all.push_back(Form::named(any_object));
+    return {"declared_value", Form::choice(std::move(all))};
+}
+
+Production scene_text()
+{
+    return {"scene", Form::repeated(Form::choice({Form::named(directive), SceneItems::form(), Form::named(old_setting),
+                                                  Form::named(any_object)}))};
+}
 
 bool SceneBuilder::read_statement()
 {
@@ -218,7 +239,7 @@ void SceneBuilder::parse_default(TokenStream&)
 {
     SceneState s(*this);
     default_given = true;
-    read_block<DefaultItems>(*this, s, "default");
+    DefaultBlock::read(*this, s);
 }
 
 std::optional<Value> SceneBuilder::parse_declared_value(TokenStream& stream)

@@ -10,136 +10,109 @@ namespace {
 
 struct FinishState : BlockState {
     using BlockState::BlockState;
+    scene::Finish& subject() { return finish; }
+    scene::Reflection& part(scene::Reflection*) { return finish.reflection; }
     scene::Finish finish;
     bool wrote_diffuse = false;
     bool from_zero =
         false;  ///< `fresnel` stands in this block of a reflection: without a second colour the first is the most
-    glm::vec3 read_rgb() { return parser::rgb_expr(stream()).rgb(); }
-    bool albedo() { return stream().accept(Kind::Albedo); }
-    float number()
-    {
-        read_rule<a_number>(build, *this);
-        return pop_single();
-    }
-    float number_or(float otherwise) { return at_expression(stream()) ? number() : otherwise; }
+    bool two_colors = false;
+    float old_brilliance = 0;  ///< where the block begins
+    void take(const std::shared_ptr<const scene::Finish>& declared) { finish = *declared; }
 };
 
-/// A keyword with a number that a member takes as it is.
-template <Kind kind, float scene::Finish::*member>
-struct number_of : item<kind, a_number> {
-    static void act(FinishState& s) { s.finish.*member = s.pop_single(); }
-};
-struct ambient : item<Kind::Ambient> {
-    static void act(FinishState& s) { s.finish.ambient = s.read_rgb(); }
-};
-struct emission : item<Kind::Emission> {
-    static void act(FinishState& s) { s.finish.emission = s.read_rgb(); }
-};
-struct diffuse : item<Kind::Diffuse> {
+struct diffuse : item<Kind::Diffuse, given<Kind::Albedo>, a_number, next_number_or<0>> {
     static void act(FinishState& s)
     {
-        s.finish.diffuse_albedo = s.albedo() || (s.wrote_diffuse && s.finish.diffuse_albedo);
+        s.finish.diffuse_back = s.pop_single();
+        s.finish.diffuse = s.pop_single();
+        s.finish.diffuse_albedo = s.pop_flag() || (s.wrote_diffuse && s.finish.diffuse_albedo);
         s.wrote_diffuse = true;
-        s.finish.diffuse = s.number();
-        s.stream().accept_comma();
-        s.finish.diffuse_back = s.number_or(0);
     }
 };
-struct phong : item<Kind::Phong> {
+template <Kind kind, float scene::Finish::*size, bool scene::Finish::*albedo>
+struct highlight : item<kind, given<Kind::Albedo>, a_number> {
     static void act(FinishState& s)
     {
-        s.finish.phong_albedo = s.albedo() || s.finish.phong_albedo;
-        s.finish.phong = s.number();
+        s.finish.*size = s.pop_single();
+        s.finish.*albedo = s.pop_flag() || s.finish.*albedo;
     }
 };
-struct specular : item<Kind::Specular> {
-    static void act(FinishState& s)
-    {
-        s.finish.specular_albedo = s.albedo() || s.finish.specular_albedo;
-        s.finish.specular = s.number();
-    }
+template <Kind kind, auto member>
+struct one_or_number : item<kind, number_or<1>> {
+    static void act(FinishState& s) { member_of<member>(s) = s.pop_single(); }
 };
 struct roughness : item<Kind::Roughness, a_number> {
     static void act(FinishState& s)
     {
         s.finish.roughness = s.pop_single();
-        if (s.finish.roughness == 0.0f) s.stream().warn(s.stream().last(), "a roughness of zero");
+        if (s.finish.roughness == 0.0f) s.warn("a roughness of zero");
     }
-};
-struct metallic : item<Kind::Metallic> {
-    static void act(FinishState& s) { s.finish.metallic = s.number_or(1); }
-};
-struct conserve_energy : item<Kind::ConserveEnergy> {
-    static void act(FinishState& s) { s.finish.conserve_energy = true; }
 };
 
-struct fresnel : item<Kind::Fresnel> {
+struct fresnel : item<Kind::Fresnel, number_or<1>> {
     static void act(FinishState& s)
     {
-        s.finish.reflection.fresnel = static_cast<int>(s.number_or(1)) != 0;
+        s.finish.reflection.fresnel = s.pop_int() != 0;
         s.from_zero = s.finish.reflection.fresnel;
     }
-};
-struct falloff : item<Kind::Falloff, a_number> {
-    static void act(FinishState& s) { s.finish.reflection.falloff = s.pop_single(); }
 };
 /// Stored as the power that the reflected colour is raised to: 1/e (spec 3, 7.9).
 float exponent_of(FinishState& s)
 {
     const float e = s.pop_single();
-    if (e == 0) s.stream().fail(s.stream().last(), "the reflection's exponent must not be 0");
+    if (e == 0) s.fail("the reflection's exponent must not be 0");
     return e;
 }
 struct exponent : item<Kind::Exponent, a_number> {
     static void act(FinishState& s) { s.finish.reflection.exponent = exponent_of(s); }
 };
-struct reflection_metallic : item<Kind::Metallic> {
-    static void act(FinishState& s) { s.finish.reflection.metallic = s.number_or(1); }
-};
 /// Words of Whittle's own: docs/extensions.md.
 struct schlick : item<Kind::WhittleSchlick> {
     static void act(FinishState& s) { s.finish.reflection.fresnel = s.finish.reflection.schlick = s.from_zero = true; }
 };
-struct gloss : item<Kind::WhittleGloss, a_number> {
+struct gloss : item<Kind::WhittleGloss, a_number, opt<comma, must<a_number>>> {
     static void act(FinishState& s)
     {
-        constexpr float kMostSamples = 4096;
+        constexpr double kMostSamples = 4096;
         scene::Reflection& r = s.finish.reflection;
+        const double samples = s.operands() == 2 ? s.pop_float() : r.gloss_samples;
         r.gloss = s.pop_single();
-        if (!(r.gloss >= 0)) s.stream().fail(s.stream().last(), "the roughness of a mirror must not be below 0");
-        if (!s.stream().accept_comma()) return;
-        const float samples = s.number();
-        if (!(samples >= 1 && samples <= kMostSamples))
-            s.stream().fail(s.stream().last(), "a glossy mirror takes 1 to 4096 rays");
+        if (!(r.gloss >= 0)) s.fail("the roughness of a mirror must not be below 0");
+        if (!(samples >= 1 && samples <= kMostSamples)) s.fail("a glossy mirror takes 1 to 4096 rays");
         r.gloss_samples = static_cast<int>(samples);
     }
 };
-using ReflectionItems = table<FinishState, fresnel, falloff, exponent, reflection_metallic, schlick, gloss>;
+using scene::Finish;
+using scene::Reflection;
+using ReflectionItems = table<FinishState, fresnel, member<Kind::Falloff, &Reflection::falloff>, exponent,
+                              one_or_number<Kind::Metallic, &Reflection::metallic>, schlick, gloss>;
 
-struct reflection : item<Kind::Reflection> {
+/// The colour seen straight on and at grazing angles; one alone is both.
+struct reflection_colors : seq<a_rgb, opt_comma, opt<a_rgb>>, item_base {
     static void act(FinishState& s)
     {
-        scene::Reflection& r = s.finish.reflection;
+        Reflection& r = s.finish.reflection;
+        s.two_colors = s.operands() == 2;
+        r.max = s.pop_rgb();
+        r.min = s.two_colors ? s.pop_rgb() : r.max;
+    }
+};
+using ReflectionBlock = block<Kind::Reflection, ReflectionItems, opt<reflection_colors>>;
+struct reflection : item<Kind::Reflection, by_action<pegtl::sor<ReflectionBlock, a_rgb>>> {
+    static void act(FinishState& s)
+    {
+        Reflection& r = s.finish.reflection;
         if (s.stream().peek().kind != Kind::LeftBrace) {
-            r.min = r.max = s.read_rgb();
+            r.min = r.max = parser::rgb_expr(s.stream()).rgb();
             r.falloff = 1;
             r.fresnel = false;
             return;
         }
-        bool range = false;
-        const auto opened = s.build.open_block("reflection");
-        if (at_color(s.stream())) {
-            r.min = r.max = s.read_rgb();
-            s.stream().accept_comma();
-            range = at_color(s.stream());
-            if (range) r.max = s.read_rgb();
-        } else {
-            r.min = r.max = glm::vec3(0);
-        }
-        s.from_zero = false;
-        while (ReflectionItems::match(s.build, s)) {}
-        if (s.from_zero && !range) r.min = glm::vec3(0);
-        s.build.close_block("reflection", opened, [] { return ReflectionItems::words(); });
+        r.min = r.max = glm::vec3(0);
+        s.from_zero = s.two_colors = false;
+        ReflectionBlock::read(s.build, s);
+        if (s.from_zero && !s.two_colors) r.min = glm::vec3(0);
     }
 };
 struct polished : item<Kind::WhittlePolished, a_number> {
@@ -147,53 +120,52 @@ struct polished : item<Kind::WhittlePolished, a_number> {
     {
         s.finish.polished = s.pop_single();
         if (!(s.finish.polished > 0 && s.finish.polished < 1))
-            s.stream().fail(s.stream().last(), "the reflectance of a polished surface must lie between 0 and 1");
+            s.fail("the reflectance of a polished surface must lie between 0 and 1");
     }
 };
-struct cool_warm : item<Kind::WhittleCoolWarm> {
+struct cool_warm : item<Kind::WhittleCoolWarm, a_rgb, opt_comma, a_rgb> {
     static void act(FinishState& s)
     {
         s.finish.cool_warm = true;
-        s.finish.cool = s.read_rgb();
-        s.stream().accept_comma();
-        s.finish.warm = s.read_rgb();
+        s.finish.warm = s.pop_rgb();
+        s.finish.cool = s.pop_rgb();
     }
 };
-struct ink : item<Kind::WhittleInk, a_number> {
+struct ink : item<Kind::WhittleInk, a_number, opt<comma, must<a_number>>> {
     static void act(FinishState& s)
     {
+        if (s.operands() == 2) s.finish.ink_crease_deg = s.pop_single();
         s.finish.ink = s.pop_single();
         if (!(s.finish.ink >= 0 && s.finish.ink < 45))
-            s.stream().fail(s.stream().last(), "the width of ink lines is an angle of view in degrees, 0 to 45");
-        if (s.stream().accept_comma()) s.finish.ink_crease_deg = s.number();
+            s.fail("the width of ink lines is an angle of view in degrees, 0 to 45");
     }
 };
 struct reflection_exponent : item<Kind::ReflectionExponent, a_number> {
     static void act(FinishState& s) { s.finish.reflection.exponent = exponent_of(s); }
 };
 
-struct thickness : item<Kind::Thickness, a_number> {
-    static void act(FinishState& s) { s.finish.irid_thickness = s.pop_single(); }
-};
 struct irid_turbulence : item<Kind::Turbulence, a_vector> {
     static void act(FinishState& s) { s.finish.irid_turbulence = static_cast<float>(s.pop_vector().x); }
 };
-struct irid : item<Kind::Irid> {
-    static void act(FinishState& s)
-    {
-        read_block<table<FinishState, thickness, irid_turbulence>>(s.build, s, "irid",
-                                                                   [&] { s.finish.irid = s.number(); });
-    }
+struct irid_amount : a_number, item_base {
+    static void act(FinishState& s) { s.finish.irid = s.pop_single(); }
 };
-struct subsurface : item<Kind::Subsurface> {
+using IridBlock =
+    block<Kind::Irid, table<FinishState, member<Kind::Thickness, &Finish::irid_thickness>, irid_turbulence>,
+          irid_amount>;
+struct irid : item<Kind::Irid, by_action<IridBlock>> {
+    static void act(FinishState& s) { IridBlock::read(s.build, s); }
+};
+struct subsurface : item<Kind::Subsurface, reads<finish_subsurface_block>> {
     static void act(FinishState& s) { s.finish.subsurface = read_finish_subsurface(s.build); }
 };
 /// Keywords that moved to the interior in version 3.1.
 template <Kind kind, float scene::Finish::*member>
 struct moved : item<kind, a_number> {
+    static constexpr bool rare = true;
     static void act(FinishState& s)
     {
-        s.stream().warn(s.stream().last(), std::string(spelling(kind)) + " belongs in an interior");
+        s.warn(std::string(spelling(kind)) + " belongs in an interior");
         s.finish.*member = s.pop_single();
     }
 };
@@ -201,33 +173,45 @@ using ior = moved<Kind::Ior, &scene::Finish::legacy_ior>;
 using caustics = moved<Kind::Caustics, &scene::Finish::legacy_caustics>;
 using refraction = moved<Kind::Refraction, &scene::Finish::legacy_refraction>;
 
-using FinishItems =
-    table<FinishState, ambient, emission, diffuse, phong, specular, roughness, metallic, conserve_energy, reflection,
-          reflection_exponent, irid, subsurface, ior, caustics, refraction, polished, cool_warm, ink,
-          number_of<Kind::Brilliance, &scene::Finish::brilliance>, number_of<Kind::Crand, &scene::Finish::crand>,
-          number_of<Kind::PhongSize, &scene::Finish::phong_size>>;
-
-}  // namespace
-
-scene::Finish read_finish(SceneBuilder& build, const scene::Finish& before)
-{
-    FinishState s(build);
-    const scene::SourceRef source = build.stream().last();
-    float brilliance = 0;
-    read_block<FinishItems>(build, s, "finish", [&] {
-        const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Finish>>();
-        s.finish = declared ? **declared : before;
-        // What earlier statements made of `albedo` stays, whatever sizes are written here (spec 3, 7.1).
-        brilliance = s.finish.brilliance;
+using FinishItems = table<FinishState, diffuse, highlight<Kind::Phong, &Finish::phong, &Finish::phong_albedo>,
+                          highlight<Kind::Specular, &Finish::specular, &Finish::specular_albedo>, roughness,
+                          one_or_number<Kind::Metallic, &Finish::metallic>, reflection, reflection_exponent, irid,
+                          subsurface, ior, caustics, refraction, polished, cool_warm, ink,
+                          word<Kind::ConserveEnergy, &Finish::conserve_energy>, member<Kind::Ambient, &Finish::ambient>,
+                          member<Kind::Emission, &Finish::emission>, member<Kind::Brilliance, &Finish::brilliance>,
+                          member<Kind::Crand, &Finish::crand>, member<Kind::PhongSize, &Finish::phong_size>>;
+struct finish_name : opt<declared<std::shared_ptr<const Finish>>>, item_base {
+    /// What earlier statements made of `albedo` stays, whatever sizes are written here (spec 3, 7.1).
+    static void act(FinishState& s)
+    {
         if (std::exchange(s.finish.phong_albedo, false)) s.finish.phong *= scene::phong_of_albedo(s.finish.phong_size);
         if (std::exchange(s.finish.specular_albedo, false))
             s.finish.specular *= scene::specular_of_albedo(s.finish.roughness);
-    });
+        s.old_brilliance = s.finish.brilliance;
+    }
+};
+using FinishBlock = block<Kind::Finish, FinishItems, finish_name>;
+
+}  // namespace
+
+template <>
+inline constexpr auto expected<finish_name> = "";
+template <>
+inline constexpr auto expected<irid_amount> = "a number";
+
+Production finish_block() { return {"finish_block", FinishBlock::form()}; }
+
+Finish read_finish(SceneBuilder& build, const Finish& before)
+{
+    FinishState s(build);
+    const scene::SourceRef source = build.stream().last();
+    s.finish = before;
+    FinishBlock::read(build, s);
     // Where nothing changes it, it stays as written too: what radiosity gathers goes by that.
-    if (s.finish.diffuse_albedo && !s.wrote_diffuse && s.finish.brilliance != brilliance) {
+    if (s.finish.diffuse_albedo && !s.wrote_diffuse && s.finish.brilliance != s.old_brilliance) {
         s.finish.diffuse_albedo = false;
-        s.finish.diffuse *= scene::diffuse_of_albedo(brilliance);
-        s.finish.diffuse_back *= scene::diffuse_of_albedo(brilliance);
+        s.finish.diffuse *= scene::diffuse_of_albedo(s.old_brilliance);
+        s.finish.diffuse_back *= scene::diffuse_of_albedo(s.old_brilliance);
     }
     s.finish.source = source;
     return s.finish;

@@ -46,27 +46,29 @@ bool has_image_extension(const std::string& name)
     return false;
 }
 
-/// The file of an image's statement; it must exist.
-std::string read_file_name(BlockReader& s, const std::vector<std::string>& extensions)
+/// A file that must exist; its place and path.
+std::pair<scene::SourceRef, std::string> read_file_name(TokenStream& in, const std::vector<std::string>& extensions,
+                                                        const char* what)
 {
-    const scene::SourceRef at = s.in().here();
-    const std::string name = path_expr(s.in());
+    const scene::SourceRef at = in.here();
+    const std::string name = path_expr(in);
     if (extensions.empty() && !has_image_extension(name))
-        s.in().fail(at, fmt::format("the kind of the image '{}' cannot be told from its name", name));
-    std::string path = s.in().find_file(name, extensions);
-    if (path.empty()) s.in().fail(at, fmt::format("cannot find the image file '{}'", name));
-    s.in().data_files().push_back(path);
-    return path;
+        in.fail(at, fmt::format("the kind of the image '{}' cannot be told from its name", name));
+    std::string path = in.find_file(name, extensions);
+    if (path.empty()) in.fail(at, fmt::format("cannot find the {} file '{}'", what, name));
+    in.data_files().push_back(path);
+    return {at, path};
 }
 
 constexpr double kMostTexels = 1 << 28;
 
 /// A function's values as a picture of 16 bits.
-std::shared_ptr<const image::Picture> picture_of(BlockReader& s, const scene::ImageSource& source)
+std::shared_ptr<const image::Picture> picture_of(SceneBuilder& build, const scene::ImageSource& source)
 {
     const double columns = std::trunc(source.size.x + 0.5), rows = std::trunc(source.size.y + 0.5);
     if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= kMostTexels))
-        s.fail("a picture made by a function has at least 1 and at most 2^28 pixels");
+        build.stream().fail(build.stream().last(),
+                            "a picture made by a function has at least 1 and at most 2^28 pixels");
     const function::FunctionPtr& called = source.function;
     auto picture = std::make_shared<image::Picture>();
     picture->width = static_cast<int>(columns);
@@ -74,7 +76,7 @@ std::shared_ptr<const image::Picture> picture_of(BlockReader& s, const scene::Im
     picture->bits = 16;
     picture->channels = static_cast<int>(sampled_channels(*called));
     const auto levels =
-        sampled_levels(s.build(), called, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows));
+        sampled_levels(build, called, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows));
     picture->samples.resize(
         picture->count() *
         sampled_channels(*called));  // stays 0 where the function asks what is not drawn yet; that was told
@@ -84,22 +86,11 @@ std::shared_ptr<const image::Picture> picture_of(BlockReader& s, const scene::Im
     return picture;
 }
 
-/// The source of a pattern's picture, its content included.
-scene::ImageSource read_picture(BlockReader& s)
-{
-    // Up to version 2 an image was laid out along the axes of a vector, as in image_map { <1, -1, 0> gif "a.gif" }; it
-    // is without effect (spec 4, 12.10).
-    if (at_expression(s.in()) && !at_string(s.in())) vector_expr(s.in());
-    scene::ImageSource source = read_image_source(s);
-    source.picture = source.made() ? picture_of(s, source) : s.build().picture(source.path, s.in().last());
-    return source;
-}
-
-std::shared_ptr<const scene::Volume> volume_of(BlockReader& s, const std::string& path, const scene::SourceRef& at)
+std::shared_ptr<const scene::Volume> volume_of(TokenStream& in, const std::string& path, const scene::SourceRef& at)
 {
     std::ifstream file(path, std::ios::binary);
     auto volume = decode_density_file({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
-    if (!volume) s.in().fail(at, fmt::format("'{}' is no density file: its length does not fit its sizes", path));
+    if (!volume) in.fail(at, fmt::format("'{}' is no density file: its length does not fit its sizes", path));
     return volume;
 }
 
@@ -113,66 +104,98 @@ bool set_by_number(Enum& to, const int (&numbers)[count], int number)
     return true;
 }
 
-/// map_type and interpolate, and whether an image_map takes what was written; the other users do not mind (spec
-/// 4, 12.1).
-struct MappingReader {
-    scene::ImageMap& image;
-    bool projection_fits = true, interpolation_fits = true;
+using scene::ImageMap;
 
-    bool read(BlockReader& s)
+struct ImageState : StructState<ImageMap> {
+    using StructState::StructState;
+    scene::ImageSource& part(scene::ImageSource*) { return made.source; }
+    TextureMap materials;
+    /// Whether an image_map takes what was written; the other users do not mind (spec 4, 12.1).
+    bool projection_fits = true, interpolation_fits = true;
+};
+/// The source of a pattern's picture, its content included.
+struct picture : taker<picture>, always {
+    static bool take(TokenStream& in, ImageState& s)
     {
-        if (s.accept(Kind::MapType)) {
-            projection_fits =
-                set_by_number(image.projection, scene::ImageMap::kProjections, whole_number(float_expr(s.in()))) &&
-                projection_fits;
-        } else if (s.accept(Kind::Interpolate)) {
-            const int number = whole_number(float_expr(s.in()));
-            interpolation_fits = set_by_number(image.interpolation, scene::ImageMap::kInterpolations, number) &&
-                                 number != 0 && interpolation_fits;
-        } else {
-            return false;
-        }
+        // Up to version 2 an image was laid out along the axes of a vector, as in image_map { <1, -1, 0> gif "a.gif" };
+        // it is without effect (spec 4, 12.10).
+        if (at_expression(in) && !at_string(in)) vector_expr(in);
+        scene::ImageSource& source = s.made.source = read_image_source(s.build);
+        source.picture = source.made() ? picture_of(s.build, source) : s.build.picture(source.path, in.last());
         return true;
     }
-    void check(BlockReader& s) const
+    static Form form() { return image_source_form(); }
+};
+struct map_type : item<Kind::MapType, a_number> {
+    static void act(ImageState& s)
     {
-        if (!projection_fits) s.fail("map_type of an image_map is 0, 1, 2 or 5");
-        if (!interpolation_fits) s.fail("interpolate of an image_map is 2, 3 or 4");
+        s.projection_fits = set_by_number(s.made.projection, ImageMap::kProjections, s.pop_int()) && s.projection_fits;
     }
 };
-
-bool read_use(BlockReader& s, scene::ImageMap& image, bool alpha)
-{
-    using Use = scene::ImageMap::Use;
-    if (s.accept(Kind::UseIndex)) image.use = Use::Index;
-    else if (s.accept(Kind::UseColor)) image.use = Use::Color;
-    else if (alpha && s.accept(Kind::UseAlpha)) image.use = Use::Alpha;
-    else return false;
-    return true;
-}
-
-/// filter and transmit, of all pixels or of a place in the palette.
-bool read_clarity(BlockReader& s, scene::ImageMap& image)
-{
-    scene::ImageMap::Clarity clarity;
-    if (s.accept(Kind::Filter)) clarity.filter = true;
-    else if (!s.accept(Kind::Transmit)) return false;
-    if (!s.accept(Kind::All)) {
-        if (image.source.made()) s.fail("a picture made by a function has no palette: 'all' is missing");
-        constexpr double kSlack = 0.01;  // POV-Ray's, before it cuts off
-        clarity.place = whole_number(float_expr(s.in()) + kSlack);
-        s.in().accept_comma();
+struct interpolate : item<Kind::Interpolate, a_number> {
+    static void act(ImageState& s)
+    {
+        const int number = s.pop_int();
+        s.interpolation_fits = set_by_number(s.made.interpolation, ImageMap::kInterpolations, number) && number != 0 &&
+                               s.interpolation_fits;
     }
-    clarity.amount = static_cast<float>(float_expr(s.in()));
-    image.clarities.push_back(clarity);
-    return true;
-}
+};
+/// filter and transmit, of all pixels or of a place in the palette.
+template <Kind kind>
+struct clarity : item<kind, by_action<pegtl::sor<token<Kind::All>, a_number>, opt_comma, a_number>> {
+    static void act(ImageState& s)
+    {
+        ImageMap::Clarity clarity;
+        clarity.filter = kind == Kind::Filter;
+        if (!s.stream().accept(Kind::All)) {
+            if (s.made.source.made()) s.fail("a picture made by a function has no palette: 'all' is missing");
+            constexpr double kSlack = 0.01;  // POV-Ray's, before it cuts off
+            clarity.place = whole_number(number(s.stream()) + kSlack);
+            s.stream().accept_comma();
+        }
+        read_value(s.stream(), clarity.amount);
+        s.made.clarities.push_back(clarity);
+    }
+};
+struct image_material : item<Kind::Texture, reads<texture_block>> {
+    static void act(ImageState& s)
+    {
+        s.materials.push_back({static_cast<double>(s.materials.size()), read_texture(s.build)});
+    }
+};
+using Use = ImageMap::Use;
+using PictureItems =
+    table<ImageState, image_gamma, map_type, interpolate, chosen<Kind::UseIndex, &ImageMap::use, Use::Index>,
+          chosen<Kind::UseColor, &ImageMap::use, Use::Color>, word<Kind::Once, &ImageMap::once>,
+          member<Kind::Repeat, &ImageMap::repeat>, member<Kind::Offset, &ImageMap::offset>>;
+using ValueItems =
+    either<PictureItems,
+           table<ImageState, chosen<Kind::UseAlpha, &ImageMap::use, Use::Alpha>,
+                 member<Kind::Premultiplied, &ImageMap::premultiplied>, member<Kind::BumpSize, &ImageMap::bump_size>>>;
+using ColorItems = either<ValueItems, table<ImageState, clarity<Kind::Filter>, clarity<Kind::Transmit>>>;
+/// The textures come last.
+struct MaterialItems {
+    using Materials = table<ImageState, image_material>;
+    static bool match(SceneBuilder& build, ImageState& s)
+    {
+        if (s.materials.empty() && PictureItems::match(build, s)) return true;
+        if (!s.materials.empty() || build.stream().peek().kind == Kind::Texture) return Materials::match(build, s);
+        build.stream().fail_expected("'texture' and the material of the first colour");
+    }
+    static std::vector<Kind> words() { return {}; }
+    static Form form() { return either<PictureItems, Materials>::form(); }
+};
+using ImageMapBlock = block<Kind::ImageMap, ColorItems, picture>;
+using ImageBlock = block<Kind::ImagePattern, ValueItems, picture>;
+using MaterialBlock = block<Kind::MaterialMap, MaterialItems, picture>;
 
-constexpr auto kPlacement = std::tuple(word(Kind::Once, &scene::ImageMap::once),
-                                       field(Kind::Repeat, &scene::ImageMap::repeat),
-                                       field(Kind::Offset, &scene::ImageMap::offset));
-constexpr auto kSettings = std::tuple(field(Kind::Premultiplied, &scene::ImageMap::premultiplied),
-                                      field(Kind::BumpSize, &scene::ImageMap::bump_size));
+template <class Block>
+std::shared_ptr<const ImageMap> read_image(SceneBuilder& build, ImageState& s)
+{
+    s.made.at = build.stream().last();
+    Block::read(build, s, spelling(build.stream().taken_last().kind));
+    return std::make_shared<const ImageMap>(std::move(s.made));
+}
 
 }  // namespace
 
@@ -187,91 +210,78 @@ std::shared_ptr<const image::Picture> SceneBuilder::picture(const std::string& p
     return known;
 }
 
-scene::ImageSource read_image_source(BlockReader& s)
+Form image_source_form()
 {
+    std::vector<Form> all{form_of<a_text>()};
+    for (const ImageKind& kind : image_kinds())
+        all.push_back(Form::sequence({Form::token(kind.keyword), form_of<a_text>()}));
+    all.push_back(Form::sequence(
+        {Form::token(Kind::Function), form_of<seq<a_number, opt_comma, a_number>>(), Form::named(function_block)}));
+    return Form::choice(std::move(all));
+}
+
+scene::ImageSource read_image_source(SceneBuilder& build)
+{
+    TokenStream& in = build.stream();
     scene::ImageSource source;
     for (const ImageKind& kind : image_kinds()) {
-        if (!s.accept(kind.keyword)) continue;
+        if (!in.accept(kind.keyword)) continue;
         source.kind = spelling(kind.keyword);
-        source.path = read_file_name(s, kind.extensions);
+        source.path = read_file_name(in, kind.extensions, "image").second;
         return source;
     }
-    if (s.accept(Kind::Function)) {
+    if (in.accept(Kind::Function)) {
         source.kind = spelling(Kind::Function);
-        read_values(s.in(), source.size.x, source.size.y);
-        s.in().expect(Kind::LeftBrace, "'{' and the function's body");
-        source.function = read_function_body(s.in(), {});
-    } else if (at_string(s.in())) {
+        read_values(in, source.size.x, source.size.y);
+        in.expect(Kind::LeftBrace, "'{' and the function's body");
+        source.function = read_function_body(in, {});
+    } else if (at_string(in)) {
         source.kind = "file";
-        source.path = read_file_name(s, {});
+        source.path = read_file_name(in, {}, "image").second;
     } else {
-        s.in().fail_expected("an image: its kind and its file's name, or 'function'");
+        in.fail_expected("an image: its kind and its file's name, or 'function'");
     }
     return source;
 }
 
-bool read_gamma(BlockReader& s, std::optional<scene::FileGamma>& gamma)
-{
-    if (!s.accept(Kind::Gamma)) return false;
-    gamma.emplace();
-    gamma->srgb = s.accept(Kind::Srgb);
-    if (!gamma->srgb) gamma->exponent = float_expr(s.in());
-    return true;
-}
+Production image_map_block() { return {"image_map_block", ImageMapBlock::form()}; }
+Production image_block() { return {"image_block", ImageBlock::form()}; }
+Production material_map_block() { return {"material_map_block", MaterialBlock::form()}; }
 
-std::shared_ptr<const scene::ImageMap> read_image_block(SceneBuilder& build, bool colors)
+std::shared_ptr<const ImageMap> read_image_block(SceneBuilder& build, bool colors)
 {
-    const auto guard = build.stream().nest();
-    BlockReader s(build);
-    auto image = std::make_shared<scene::ImageMap>();
-    image->at = s.source();
-    MappingReader mapping{*image};
-    s.open();
-    image->source = read_picture(s);
-    while (read_gamma(s, image->source.gamma) || (colors && read_clarity(s, *image)) || mapping.read(s) ||
-           read_use(s, *image, true) || read_one(s, *image, kPlacement) || read_one(s, *image, kSettings)) {}
-    s.close();
-    if (colors) mapping.check(s);
+    ImageState s(build);
+    if (!colors) return read_image<ImageBlock>(build, s);
+    const auto image = read_image<ImageMapBlock>(build, s);
+    if (!s.projection_fits) s.fail("map_type of an image_map is 0, 1, 2 or 5");
+    if (!s.interpolation_fits) s.fail("interpolate of an image_map is 2, 3 or 4");
     return image;
 }
 
-std::shared_ptr<const scene::ImageMap> read_material_map(SceneBuilder& build, TextureMap& materials)
+std::shared_ptr<const ImageMap> read_material_map(SceneBuilder& build, TextureMap& materials)
 {
-    const auto guard = build.stream().nest();
-    BlockReader s(build);
-    auto image = std::make_shared<scene::ImageMap>();
-    image->at = s.source();
-    MappingReader mapping{*image};
-    s.open();
-    image->source = read_picture(s);
-    while (read_gamma(s, image->source.gamma) || mapping.read(s) || read_use(s, *image, false) ||
-           read_one(s, *image, kPlacement)) {}
-    if (s.next_kind() != Kind::Texture) s.in().fail_expected("'texture' and the material of the first colour");
-    while (s.accept(Kind::Texture)) materials.push_back({static_cast<double>(materials.size()), read_texture(build)});
-    s.close();
+    ImageState s(build);
+    auto image = read_image<MaterialBlock>(build, s);
+    materials = std::move(s.materials);
     return image;
 }
 
 std::shared_ptr<const scene::DensityFile> read_density_file(SceneBuilder& build)
 {
-    BlockReader s(build);
+    TokenStream& in = build.stream();
     auto density = std::make_shared<scene::DensityFile>();
-    density->at = s.source();
-    s.in().expect(Kind::Df3, "'df3' and the file's name");
-    const scene::SourceRef at = s.in().here();
-    const std::string name = path_expr(s.in());
-    density->path = s.in().find_file(name, {".df3", ".DF3"});
-    if (density->path.empty()) s.in().fail(at, fmt::format("cannot find the density file '{}'", name));
-    s.in().data_files().push_back(density->path);
-    density->volume = volume_of(s, density->path, at);
-    read_one(s, *density, std::tuple(field(Kind::Interpolate, &scene::DensityFile::interpolation)));
+    density->at = in.last();
+    in.expect(Kind::Df3, "'df3' and the file's name");
+    const auto [at, path] = read_file_name(in, {".df3", ".DF3"}, "density");
+    density->path = path;
+    density->volume = volume_of(in, path, at);
+    if (in.accept(Kind::Interpolate)) read_value(in, density->interpolation);
     return density;
 }
 
 std::shared_ptr<const scene::Object> read_object_pattern(SceneBuilder& build)
 {
-    BlockReader s(build);
-    s.open();
+    build.open_block("object");
     auto object = read_object(build);
     if (!object) build.fail_unknown("an object");
     return std::make_shared<const scene::Object>(std::move(*object));

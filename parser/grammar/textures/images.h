@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/grammar/core/block_reader.h"
+#include "parser/grammar/core/rules.h"
 #include "render/scene/textures/image_map.h"
 
 /// Blocks that name a picture, a volume or an object that a pattern looks its values up in. The keyword has been taken.
@@ -8,9 +8,18 @@ namespace parser {
 
 /// What stands first in an image's block: a kind and a file that must exist, a file whose name tells its kind, or
 /// `function w, h { }`. The picture itself is not read.
-scene::ImageSource read_image_source(BlockReader& s);
-/// `gamma` with a number or srgb if it is next.
-bool read_gamma(BlockReader& s, std::optional<scene::FileGamma>& gamma);
+scene::ImageSource read_image_source(SceneBuilder& build);
+Form image_source_form();
+/// `gamma` with a number or srgb, of a state that has an image's source.
+struct image_gamma : item<Kind::Gamma, srgb_or_number> {
+    template <class State>
+    static void act(State& s)
+    {
+        scene::FileGamma& gamma = s.part(static_cast<scene::ImageSource*>(nullptr)).gamma.emplace();
+        gamma.srgb = s.operands() == 0;
+        if (!gamma.srgb) gamma.exponent = s.pop_float();
+    }
+};
 /// image_map, bump_map, image_pattern: the whole block. `colors`: filter and transmit may stand in it.
 std::shared_ptr<const scene::ImageMap> read_image_block(SceneBuilder& build, bool colors);
 /// `materials`: its textures.

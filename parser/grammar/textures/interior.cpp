@@ -6,74 +6,72 @@ namespace {
 
 struct InteriorState : BlockState {
     using BlockState::BlockState;
+    scene::Interior& subject() { return interior; }
+    void take(const std::shared_ptr<const scene::Interior>& declared) { interior = *declared; }
+    void move(const csg::Transform& by) { interior.transform(by); }  // the media that stand before it
     scene::Interior interior;
-};
-struct ior : item<Kind::Ior, a_number> {
-    static void act(InteriorState& s) { s.interior.ior = s.pop_single(); }
-};
-struct dispersion : item<Kind::Dispersion, a_number> {
-    static void act(InteriorState& s) { s.interior.dispersion = s.pop_single(); }
 };
 struct dispersion_samples : item<Kind::DispersionSamples, a_number> {
     static void act(InteriorState& s)
     {
         s.interior.dispersion_samples = s.pop_int();
-        if (s.interior.dispersion_samples < 2)
-            s.stream().fail(s.stream().last(), "dispersion_samples must be at least 2");
+        if (s.interior.dispersion_samples < 2) s.fail("dispersion_samples must be at least 2");
     }
 };
-struct caustics : item<Kind::Caustics, a_number> {
-    static void act(InteriorState& s) { s.interior.caustics = s.pop_single(); }
-};
-struct fade_distance : item<Kind::FadeDistance, a_number> {
-    static void act(InteriorState& s) { s.interior.fade_distance = s.pop_single(); }
-};
-struct fade_power : item<Kind::FadePower, a_number> {
-    static void act(InteriorState& s) { s.interior.fade_power = s.pop_single(); }
-};
-struct fade_color : item<Kind::FadeColor> {
-    static void act(InteriorState& s) { s.interior.fade_color = parser::rgb_expr(s.stream()).rgb(); }
-};
-struct refraction : item<Kind::Refraction, a_number> {
-    static void act(InteriorState& s) { s.interior.refraction = s.pop_single(); }
-};
-struct media : item<Kind::Media> {
+struct media : item<Kind::Media, reads<media_block>> {
     static void act(InteriorState& s)
     {
         s.interior.media.push_back(std::make_shared<const scene::Media>(read_media(s.build)));
     }
 };
-struct InteriorItems {
-    static bool match(SceneBuilder& build, InteriorState& s)
-    {
-        using Items = table<InteriorState, ior, dispersion, dispersion_samples, caustics, fade_distance, fade_power,
-                            fade_color, refraction, media>;
-        if (Items::match(build, s)) return true;
-        const auto transform = read_transformation(build);
-        if (transform) s.interior.transform(*transform);  // the media that stand before it
-        return transform.has_value();
-    }
+using scene::Interior;
+struct old_refraction : member<Kind::Refraction, &Interior::refraction> {
+    static constexpr bool rare = true;
 };
+using InteriorItems =
+    either<table<InteriorState, dispersion_samples, media, old_refraction, member<Kind::Ior, &Interior::ior>,
+                 member<Kind::Dispersion, &Interior::dispersion>, member<Kind::Caustics, &Interior::caustics>,
+                 member<Kind::FadeDistance, &Interior::fade_distance>, member<Kind::FadePower, &Interior::fade_power>,
+                 member<Kind::FadeColor, &Interior::fade_color>>,
+           moves>;
+using InteriorBlock = block<Kind::Interior, InteriorItems, opt<declared<std::shared_ptr<const Interior>>>>;
 
 struct MaterialState : BlockState {
     using BlockState::BlockState;
     Material material;
+    void take(const std::shared_ptr<const Material>& declared)
+    {
+        const scene::SourceRef opened = stream().last();
+        if (declared->texture) material.texture = layered(build, material.texture, declared->texture, opened);
+        if (declared->interior_texture)
+            material.interior_texture = layered(build, material.interior_texture, declared->interior_texture, opened);
+        // A copy of its own: interiors are told apart by identity.
+        material.interior = declared->interior ? std::make_shared<scene::Interior>(*declared->interior) : nullptr;
+    }
+    /// Moves the textures present, not the interior texture (spec 3, 15.7).
+    void move(const csg::Transform& by)
+    {
+        if (!material.texture) return;
+        auto moved = std::make_shared<scene::Texture>(*material.texture);
+        moved->transform_in_text(by);
+        material.texture = std::move(moved);
+    }
 };
-struct texture : item<Kind::Texture> {
+struct texture : item<Kind::Texture, reads<texture_block>> {
     static void act(MaterialState& s)
     {
         const scene::SourceRef at = s.stream().last();
         s.material.texture = layered(s.build, s.material.texture, read_texture(s.build), at);
     }
 };
-struct interior_texture : item<Kind::InteriorTexture> {
+struct interior_texture : item<Kind::InteriorTexture, reads<texture_block>> {
     static void act(MaterialState& s)
     {
         const scene::SourceRef at = s.stream().last();
         s.material.interior_texture = layered(s.build, s.material.interior_texture, read_texture(s.build), at);
     }
 };
-struct interior : item<Kind::Interior> {
+struct interior : item<Kind::Interior, reads<interior_block>> {
     static void act(MaterialState& s)
     {
         const scene::Interior base = s.material.interior ? *s.material.interior : scene::Interior{};
@@ -81,30 +79,20 @@ struct interior : item<Kind::Interior> {
     }
 };
 
-/// Moves the textures present, not the interior texture (spec 3, 15.7).
-bool transform_material(MaterialState& s)
-{
-    const auto t = read_transformation(s.build);
-    if (!t) return false;
-    if (s.material.texture) {
-        auto moved = std::make_shared<scene::Texture>(*s.material.texture);
-        moved->transform_in_text(*t);
-        s.material.texture = std::move(moved);
-    }
-    return true;
-}
+using MaterialItems = either<table<MaterialState, texture, interior_texture, interior>, moves>;
+using MaterialBlock = block<Kind::Material, MaterialItems, opt<declared<std::shared_ptr<const Material>>>>;
 
 }  // namespace
 
-scene::Interior read_interior(SceneBuilder& build, const scene::Interior& base)
+Production interior_block() { return {"interior_block", InteriorBlock::form()}; }
+Production material_block() { return {"material_block", MaterialBlock::form()}; }
+
+Interior read_interior(SceneBuilder& build, const Interior& base)
 {
     InteriorState s(build);
     s.interior = base;
     const scene::SourceRef source = build.stream().last();
-    read_block<InteriorItems>(build, s, "interior", [&] {
-        if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const scene::Interior>>())
-            s.interior = **declared;
-    });
+    InteriorBlock::read(build, s);
     s.interior.source = source;
     return s.interior;
 }
@@ -113,17 +101,7 @@ Material read_material(SceneBuilder& build, Material current)
 {
     MaterialState s(build);
     s.material = std::move(current);
-    const scene::SourceRef opened = build.open_block("material");
-    if (const auto declared = build.stream().accept_identifier<std::shared_ptr<const Material>>()) {
-        const Material& other = **declared;
-        if (other.texture) s.material.texture = layered(build, s.material.texture, other.texture, opened);
-        if (other.interior_texture)
-            s.material.interior_texture = layered(build, s.material.interior_texture, other.interior_texture, opened);
-        // A copy of its own: interiors are told apart by identity.
-        s.material.interior = other.interior ? std::make_shared<scene::Interior>(*other.interior) : nullptr;
-    }
-    while (table<MaterialState, texture, interior_texture, interior>::match(build, s) || transform_material(s)) {}
-    build.close_block("material", opened);
+    MaterialBlock::read(build, s);
     return s.material;
 }
 

@@ -59,7 +59,26 @@ double read_weight(SceneBuilder& build, bool weights)
     return number ? read_key(build) : 1.0;
 }
 
+/// `{ NAME }` or entries with a key each.
+Form map_form(Form value)
+{
+    const Form entry = Form::sequence({Form::token(Kind::LeftSquare), form_of<a_number>(), form_of<opt_comma>(),
+                                       std::move(value), Form::token(Kind::RightSquare), form_of<opt_comma>()});
+    return Form::braces({Form::choice({Form::operand("identifier"), Form::repeated(entry, 1)})});
+}
+
 }  // namespace
+
+Production color_map_block()
+{
+    const Form old = Form::sequence({form_of<a_number>(), form_of<a_color>(), form_of<a_color>()});
+    return {"color_map_block", map_form(Form::choice({form_of<a_color>(), old}))};
+}
+Production density_map_block() { return {"density_map_block", map_form(Form::named(density_body))}; }
+Production pigment_map_block() { return {"pigment_map_block", map_form(Form::named(pigment_body))}; }
+Production normal_map_block() { return {"normal_map_block", map_form(Form::named(normal_body))}; }
+Production texture_map_block() { return {"texture_map_block", map_form(Form::named(texture_body))}; }
+Production slope_map_block() { return {"slope_map_block", map_form(form_of<a_pair>())}; }
 
 scene::ColorMap read_color_map(SceneBuilder& build)
 {

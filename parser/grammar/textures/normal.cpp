@@ -7,24 +7,18 @@ namespace {
 
 struct NormalState : BlockState {
     using BlockState::BlockState;
+    scene::Normal& subject() { return normal; }
     scene::Normal normal;
 };
-struct bump_size : item<Kind::BumpSize, a_number> {
-    static void act(NormalState& s) { s.normal.amount = s.pop_float(); }
-};
-struct accuracy : item<Kind::Accuracy, a_number> {
-    static void act(NormalState& s) { s.normal.accuracy = s.pop_float(); }
-};
-struct no_bump_scale : item<Kind::NoBumpScale> {
-    static void act(NormalState& s) { s.normal.no_bump_scale = optional_flag(s.stream()); }
-};
-struct normal_map : item<Kind::NormalMap> {
+struct normal_map : item<Kind::NormalMap, reads<normal_map_block>> {
     static void act(NormalState& s) { s.normal.map = read_normal_map(s.build, s.normal.pattern.name == "average"); }
 };
-struct slope_map : item<Kind::SlopeMap> {
+struct slope_map : item<Kind::SlopeMap, reads<slope_map_block>> {
     static void act(NormalState& s) { s.normal.map = read_slope_map(s.build); }
 };
-using NormalItems = table<NormalState, bump_size, accuracy, no_bump_scale, normal_map, slope_map>;
+using NormalItems =
+    table<NormalState, normal_map, slope_map, member<Kind::BumpSize, &scene::Normal::amount>,
+          member<Kind::Accuracy, &scene::Normal::accuracy>, member<Kind::NoBumpScale, &scene::Normal::no_bump_scale>>;
 
 void read_list(NormalState& s, int count)
 {
@@ -82,6 +76,21 @@ void read_head(NormalState& s)
 }
 
 }  // namespace
+
+Production normal_block() { return {"normal_block", Form::braces({Form::named(normal_body)})}; }
+
+Production normal_body()
+{
+    const Form amount = Form::optional(form_of<a_number>());
+    const Form map = Form::sequence({Form::token(Kind::BumpMap), Form::named(image_block), amount});
+    const Form list = Form::repeated(Form::sequence({Form::token(Kind::Normal), Form::named(normal_block)}));
+    const Form pattern =
+        Form::sequence({Form::choice({Form::named(pattern_type), Form::token(Kind::Facets)}), list, amount});
+    const Form head = Form::choice({map, Form::token(Kind::UvMapping), pattern, form_of<a_number>()});
+    const Form items = Form::choice({NormalItems::form(), Form::named(pattern_modifier)});
+    return {"normal_body",
+            Form::sequence({Form::optional(Form::operand("identifier")), Form::optional(head), Form::repeated(items)})};
+}
 
 scene::Normal read_normal_body(SceneBuilder& build, const scene::NormalPtr& base)
 {

@@ -9,12 +9,13 @@ namespace {
 struct ModifierState : BlockState {
     ModifierState(SceneBuilder& b, scene::Pattern& p) : BlockState(b), pattern(p) {}
     scene::Pattern& pattern;
+    scene::Pattern& subject() { return pattern; }
     /// A named parameter counts only for the types that have it; others accept and ignore it, as POV-Ray does.
     void set(std::string_view type, std::size_t index, double value)
     {
         if (pattern.name == type && index < pattern.numbers.size()) pattern.numbers[index] = value;
     }
-    scene::Turbulence& turbulence()
+    scene::Turbulence& part(scene::Turbulence*)
     {
         if (!pattern.turbulence) pattern.turbulence.emplace();
         return *pattern.turbulence;
@@ -25,24 +26,6 @@ bool fractal(const scene::Pattern& p)
     return p.name == "mandel" || p.name == "julia" || p.name == "magnet_mandel" || p.name == "magnet_julia";
 }
 
-struct turbulence : item<Kind::Turbulence, a_vector> {
-    static void act(ModifierState& s) { s.turbulence().amount = s.pop_vector(); }
-};
-struct octaves : item<Kind::Octaves, a_number> {
-    static void act(ModifierState& s) { s.turbulence().octaves = s.pop_int(); }
-};
-struct omega : item<Kind::Omega, a_number> {
-    static void act(ModifierState& s) { s.turbulence().omega = s.pop_float(); }
-};
-struct lambda : item<Kind::Lambda, a_number> {
-    static void act(ModifierState& s) { s.turbulence().lambda = s.pop_float(); }
-};
-struct frequency : item<Kind::Frequency, a_number> {
-    static void act(ModifierState& s) { s.pattern.frequency = s.pop_float(); }
-};
-struct phase : item<Kind::Phase, a_number> {
-    static void act(ModifierState& s) { s.pattern.phase = s.pop_float(); }
-};
 template <Kind kind, scene::WaveForm wave>
 struct wave_form : item<kind> {
     static void act(ModifierState& s) { s.pattern.wave = wave; }
@@ -58,8 +41,7 @@ struct noise_generator : item<Kind::NoiseGenerator, a_number> {
     static void act(ModifierState& s)
     {
         s.pattern.noise_generator = s.pop_int();
-        if (s.pattern.noise_generator < 1 || s.pattern.noise_generator > 3)
-            s.stream().fail(s.stream().last(), "noise_generator must be 1, 2 or 3");
+        if (s.pattern.noise_generator < 1 || s.pattern.noise_generator > 3) s.fail("noise_generator must be 1, 2 or 3");
     }
 };
 struct agate_turb : item<Kind::AgateTurb, a_number> {
@@ -118,7 +100,7 @@ struct exponent : item<Kind::Exponent, a_number> {
 };
 /// `exterior type, factor` of a fractal; one number for a pavement.
 template <Kind kind, std::size_t at, std::size_t pavement_at>
-struct side : item<kind, a_number> {
+struct side : item<kind, a_number, by_action<another_number>> {
     static void act(ModifierState& s)
     {
         const double type = s.pop_float();
@@ -158,120 +140,92 @@ struct WarpState : BlockState {
         return std::get<T>(*step);
     }
 };
-struct RepeatState : BlockState {
-    RepeatState(SceneBuilder& b, scene::RepeatWarp& w) : BlockState(b), warp(w) {}
-    scene::RepeatWarp& warp;
+/// The items of one kind of warp, without braces of their own.
+template <class Struct, class... Items>
+struct WarpItems : table<StructState<Struct>, Items...> {
+    static void read(SceneBuilder& build, Struct& warp)
+    {
+        StructState<Struct> s(build);
+        s.made = warp;
+        while (WarpItems::match(build, s)) {}
+        warp = s.made;
+    }
+    static Form form() { return Form::repeated(table<StructState<Struct>, Items...>::form()); }
 };
-struct repeat_offset : item<Kind::Offset, a_vector> {
-    static void act(RepeatState& s) { s.warp.offset = s.pop_vector(); }
-};
-struct repeat_flip : item<Kind::Flip, a_vector> {
-    static void act(RepeatState& s) { s.warp.flip = s.pop_vector(); }
-};
-struct repeat : item<Kind::Repeat, a_vector> {
+using scene::BlackHoleWarp;
+using scene::MappingWarp;
+using scene::RepeatWarp;
+using scene::Turbulence;
+using RepeatItems =
+    WarpItems<RepeatWarp, member<Kind::Offset, &RepeatWarp::offset>, member<Kind::Flip, &RepeatWarp::flip>>;
+struct repeat : item<Kind::Repeat, a_vector, by_action<RepeatItems>> {
     static void act(WarpState& s)
     {
         scene::RepeatWarp warp;
         warp.width = s.pop_vector();
-        RepeatState inner(s.build, warp);
-        while (table<RepeatState, repeat_offset, repeat_flip>::match(s.build, inner)) {}
+        RepeatItems::read(s.build, warp);
         s.step = warp;
     }
 };
-struct HoleState : BlockState {
-    HoleState(SceneBuilder& b, scene::BlackHoleWarp& w) : BlockState(b), warp(w) {}
-    scene::BlackHoleWarp& warp;
-};
-struct hole_strength : item<Kind::Strength, a_number> {
-    static void act(HoleState& s) { s.warp.strength = s.pop_float(); }
-};
-struct hole_falloff : item<Kind::Falloff, a_number> {
-    static void act(HoleState& s) { s.warp.falloff = s.pop_float(); }
-};
-struct hole_inverse : item<Kind::Inverse> {
-    static void act(HoleState& s) { s.warp.inverse = true; }
-};
-struct hole_repeat : item<Kind::Repeat, a_vector> {
-    static void act(HoleState& s) { s.warp.repeat = s.pop_vector(); }
-};
-struct hole_turbulence : item<Kind::Turbulence, a_vector> {
-    static void act(HoleState& s) { s.warp.turbulence = s.pop_vector(); }
-};
 struct hole_radius : seq<opt_comma, a_number> {};
-struct black_hole : item<Kind::BlackHole, a_vector, hole_radius> {
+using HoleItems =
+    WarpItems<BlackHoleWarp, member<Kind::Strength, &BlackHoleWarp::strength>,
+              member<Kind::Falloff, &BlackHoleWarp::falloff>, word<Kind::Inverse, &BlackHoleWarp::inverse>,
+              member<Kind::Repeat, &BlackHoleWarp::repeat>, member<Kind::Turbulence, &BlackHoleWarp::turbulence>>;
+struct black_hole : item<Kind::BlackHole, a_vector, hole_radius, by_action<HoleItems>> {
     static void act(WarpState& s)
     {
         scene::BlackHoleWarp warp;
         warp.radius = s.pop_float();
         warp.center = s.pop_vector();
-        HoleState inner(s.build, warp);
-        using Items = table<HoleState, hole_strength, hole_falloff, hole_inverse, hole_repeat, hole_turbulence>;
-        while (Items::match(s.build, inner)) {}
+        HoleItems::read(s.build, warp);
         s.step = warp;
     }
 };
-struct TurbulenceState : BlockState {
-    TurbulenceState(SceneBuilder& b, scene::Turbulence& t) : BlockState(b), turbulence(t) {}
-    scene::Turbulence& turbulence;
-};
-struct warp_octaves : item<Kind::Octaves, a_number> {
-    static void act(TurbulenceState& s) { s.turbulence.octaves = s.pop_int(); }
-};
-struct warp_omega : item<Kind::Omega, a_number> {
-    static void act(TurbulenceState& s) { s.turbulence.omega = s.pop_float(); }
-};
-struct warp_lambda : item<Kind::Lambda, a_number> {
-    static void act(TurbulenceState& s) { s.turbulence.lambda = s.pop_float(); }
-};
-struct warp_turbulence : item<Kind::Turbulence, a_vector> {
+using TurbulenceItems = WarpItems<Turbulence, member<Kind::Octaves, &Turbulence::octaves>,
+                                  member<Kind::Omega, &Turbulence::omega>, member<Kind::Lambda, &Turbulence::lambda>>;
+struct warp_turbulence : item<Kind::Turbulence, a_vector, by_action<TurbulenceItems>> {
     static void act(WarpState& s)
     {
         scene::Turbulence warp;
         warp.amount = s.pop_vector();
-        TurbulenceState inner(s.build, warp);
-        while (table<TurbulenceState, warp_octaves, warp_omega, warp_lambda>::match(s.build, inner)) {}
+        TurbulenceItems::read(s.build, warp);
         s.step = warp;
     }
-};
-struct MappingState : BlockState {
-    MappingState(SceneBuilder& b, scene::MappingWarp& w) : BlockState(b), warp(w) {}
-    scene::MappingWarp& warp;
 };
 struct orientation : item<Kind::Orientation, a_vector> {
-    static void act(MappingState& s) { s.warp.orientation = glm::normalize(s.pop_vector()); }
-};
-struct dist_exp : item<Kind::DistExp, a_number> {
-    static void act(MappingState& s) { s.warp.dist_exp = s.pop_float(); }
-};
-struct major_radius : item<Kind::MajorRadius, a_number> {
-    static void act(MappingState& s) { s.warp.major_radius = s.pop_float(); }
+    static void act(StructState<MappingWarp>& s) { s.made.orientation = glm::normalize(s.pop_vector()); }
 };
 using Mapping = scene::MappingWarp::Kind;
-template <Kind kind, Mapping mapping>
-struct mapping_warp : item<kind> {
+using NoItems = WarpItems<MappingWarp>;
+using RoundItems = WarpItems<MappingWarp, orientation, member<Kind::DistExp, &MappingWarp::dist_exp>>;
+using ToroidalItems = WarpItems<MappingWarp, orientation, member<Kind::DistExp, &MappingWarp::dist_exp>,
+                                member<Kind::MajorRadius, &MappingWarp::major_radius>>;
+template <Kind kind, Mapping mapping, class Items, class... Values>
+struct mapping_warp : item<kind, Values..., by_action<Items>> {
     static void act(WarpState& s)
     {
-        scene::MappingWarp warp;
+        MappingWarp warp;
         warp.kind = mapping;
-        TokenStream& in = s.stream();
-        if (mapping == Mapping::Planar && at_expression(in)) {
-            warp.orientation = glm::normalize(parser::vector_expr(in));
-            in.accept_comma();
-            warp.distance = parser::float_expr(in);
+        if (s.operands() == 2) {
+            warp.distance = s.pop_float();
+            warp.orientation = glm::normalize(s.pop_vector());
         }
-        MappingState inner(s.build, warp);
-        if constexpr (mapping == Mapping::Toroidal)
-            while (table<MappingState, orientation, dist_exp, major_radius>::match(s.build, inner)) {}
-        else if constexpr (mapping != Mapping::Planar && mapping != Mapping::Cubic)
-            while (table<MappingState, orientation, dist_exp>::match(s.build, inner)) {}
+        Items::read(s.build, warp);
         s.step = warp;
     }
 };
-using Warps =
-    table<WarpState, repeat, black_hole, warp_turbulence, mapping_warp<Kind::Planar, Mapping::Planar>,
-          mapping_warp<Kind::Cylindrical, Mapping::Cylindrical>, mapping_warp<Kind::Spherical, Mapping::Spherical>,
-          mapping_warp<Kind::Toroidal, Mapping::Toroidal>, mapping_warp<Kind::Cubic, Mapping::Cubic>>;
-struct warp : item<Kind::Warp> {
+using Warps = table<WarpState, repeat, black_hole, warp_turbulence,
+                    mapping_warp<Kind::Planar, Mapping::Planar, NoItems, opt<a_vector, opt_comma, must<a_number>>>,
+                    mapping_warp<Kind::Cylindrical, Mapping::Cylindrical, RoundItems>,
+                    mapping_warp<Kind::Spherical, Mapping::Spherical, RoundItems>,
+                    mapping_warp<Kind::Toroidal, Mapping::Toroidal, ToroidalItems>,
+                    mapping_warp<Kind::Cubic, Mapping::Cubic, NoItems>>;
+Production warp_block()
+{
+    return {"warp_block", Form::braces({Form::choice({Form::named(transformation), Warps::form()})})};
+}
+struct warp : item<Kind::Warp, reads<warp_block>> {
     static void act(ModifierState& s)
     {
         WarpState inner(s.build, s.pattern);
@@ -286,7 +240,9 @@ struct warp : item<Kind::Warp> {
 
 using scene::WaveForm;
 using Modifiers =
-    table<ModifierState, turbulence, octaves, omega, lambda, frequency, phase,
+    table<ModifierState, member<Kind::Turbulence, &Turbulence::amount>, member<Kind::Octaves, &Turbulence::octaves>,
+          member<Kind::Omega, &Turbulence::omega>, member<Kind::Lambda, &Turbulence::lambda>,
+          member<Kind::Frequency, &scene::Pattern::frequency>, member<Kind::Phase, &scene::Pattern::phase>,
           wave_form<Kind::RampWave, WaveForm::Ramp>, wave_form<Kind::SineWave, WaveForm::Sine>,
           wave_form<Kind::TriangleWave, WaveForm::Triangle>, wave_form<Kind::ScallopWave, WaveForm::Scallop>,
           wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator, agate_turb, brick_size, mortar,
@@ -297,6 +253,11 @@ using Modifiers =
 
 template <>
 inline constexpr auto expected<hole_radius> = "the black hole's radius (a number)";
+
+Production pattern_modifier()
+{
+    return {"pattern_modifier", Form::choice({Form::named(transformation), Modifiers::form()})};
+}
 
 bool read_pattern_modifier(SceneBuilder& build, scene::Pattern& pattern)
 {

@@ -102,6 +102,7 @@ struct crackle : item<Kind::Crackle> {
     }
 };
 struct facets : item<Kind::Facets> {
+    static constexpr bool rare = true;  // of normals alone
     static void act(PatternState& s)
     {
         set_type(s, "facets");
@@ -132,8 +133,7 @@ struct tiling : item<Kind::Tiling, tiling_kind> {
     {
         set_type(s, "tiling");
         const double kind = std::trunc(s.pop_float());
-        if (!(kind >= 1 && kind <= 27))
-            s.stream().fail(s.stream().last(), "the kind of tiling must be between 1 and 27");
+        if (!(kind >= 1 && kind <= 27)) s.fail("the kind of tiling must be between 1 and 27");
         s.pattern.numbers = {kind};
     }
 };
@@ -163,19 +163,18 @@ void julia_parameters(PatternState& s, const char* name)
     s.pattern.vector = {c.x, c.y, 0};
     s.pattern.numbers = {s.pop_float(), 2, 1, 1, 0, 1};
 }
-struct mandel : item<Kind::Mandel> {
+struct mandel : item<Kind::Mandel, by_action<iterations>> {
     static void act(PatternState& s) { mandel_parameters(s, "mandel"); }
 };
-struct julia : item<Kind::Julia> {
+struct julia : item<Kind::Julia, by_action<julia_constant, iterations>> {
     static void act(PatternState& s) { julia_parameters(s, "julia"); }
 };
 struct magnet_type : seq<a_number> {};
-struct magnet : item<Kind::Magnet, magnet_type> {
+struct magnet : item<Kind::Magnet, magnet_type, by_action<pegtl::sor<mandel, julia>>> {
     static void act(PatternState& s)
     {
         const double type = s.pop_float();
-        if (static_cast<int>(type) != 1 && static_cast<int>(type) != 2)
-            s.stream().fail(s.stream().last(), "the magnet's type must be 1 or 2");
+        if (static_cast<int>(type) != 1 && static_cast<int>(type) != 2) s.fail("the magnet's type must be 1 or 2");
         if (s.stream().accept(Kind::Mandel)) mandel_parameters(s, "magnet_mandel");
         else if (s.stream().accept(Kind::Julia)) julia_parameters(s, "magnet_julia");
         else s.stream().fail_expected("'mandel' or 'julia' after the magnet's type");
@@ -203,7 +202,10 @@ void slope_parameters(PatternState& s)
     s.pattern.numbers[6] = optional_number(s, 0);
     s.pattern.numbers[7] = optional_number(s, 0);
 }
-struct slope : item<Kind::Slope> {
+/// In braces or without.
+struct slope_values : seq<opt<token<Kind::PointAt>>, a_vector, next_number_or<0>, next_number_or<0>,
+                          opt<token<Kind::Altitude>, a_vector, next_number_or<0>, next_number_or<0>>> {};
+struct slope : item<Kind::Slope, by_action<pegtl::sor<slope_values, seq<open_brace, slope_values, close_brace>>>> {
     static void act(PatternState& s)
     {
         set_type(s, "slope");
@@ -213,7 +215,7 @@ struct slope : item<Kind::Slope> {
         s.build.close_block("slope", opened);
     }
 };
-struct pigment_pattern : item<Kind::PigmentPattern> {
+struct pigment_pattern : item<Kind::PigmentPattern, reads<pigment_block>> {
     static void act(PatternState& s)
     {
         set_type(s, "pigment_pattern");
@@ -221,7 +223,7 @@ struct pigment_pattern : item<Kind::PigmentPattern> {
     }
 };
 
-struct function_pattern : item<Kind::Function> {
+struct function_pattern : item<Kind::Function, reads<function_block>> {
     static void act(PatternState& s)
     {
         set_type(s, "function");
@@ -231,7 +233,7 @@ struct function_pattern : item<Kind::Function> {
             s.stream().fail(s.pattern.source, "a pattern's function must take x, y and z alone");
     }
 };
-struct image_pattern : item<Kind::ImagePattern> {
+struct image_pattern : item<Kind::ImagePattern, reads<image_block>> {
     static void act(PatternState& s)
     {
         set_type(s, "image_pattern");
@@ -239,7 +241,16 @@ struct image_pattern : item<Kind::ImagePattern> {
         s.pattern.frequency = 0;
     }
 };
-struct object : item<Kind::Object> {
+/// What its outside and inside have stands behind the object.
+Production object_list()
+{
+    const Form texture = Form::sequence({Form::token(Kind::Texture), Form::named(texture_block)});
+    const Form pigment = Form::sequence({Form::token(Kind::Pigment), Form::named(pigment_block)});
+    const Form normal = Form::sequence({Form::token(Kind::Normal), Form::named(normal_block)});
+    return {"object_list", Form::braces({Form::named(any_object), Form::repeated(form_of<a_color>()),
+                                         Form::repeated(texture), Form::repeated(pigment), Form::repeated(normal)})};
+}
+struct object : item<Kind::Object, reads<object_list>> {
     static void act(PatternState& s)
     {
         set_type(s, "object");
@@ -247,7 +258,8 @@ struct object : item<Kind::Object> {
         s.pattern.frequency = 0;
     }
 };
-struct density_file : item<Kind::DensityFile> {
+struct density_file
+    : item<Kind::DensityFile, by_action<token<Kind::Df3>, a_text, opt<token<Kind::Interpolate>, a_number>>> {
     static void act(PatternState& s)
     {
         set_type(s, "density_file");
@@ -275,6 +287,13 @@ template <>
 inline constexpr auto expected<julia_constant> = "the julia set's constant, as in <0.353, 0.288>";
 template <>
 inline constexpr auto expected<magnet_type> = "the magnet's type, 1 or 2";
+
+Production pattern_type()
+{
+    std::vector<Form> all{Types::form()};
+    for (const PlainPattern& plain : kPlain) all.push_back(Form::token(plain.keyword));
+    return {"pattern_type", Form::choice(std::move(all))};
+}
 
 bool read_pattern_type(SceneBuilder& build, scene::Pattern& pattern, bool of_normal)
 {

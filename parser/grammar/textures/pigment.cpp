@@ -84,11 +84,10 @@ namespace {
 
 void reject_map(PigmentState& s)
 {
-    if (s.mapless) s.stream().fail(s.stream().last(), "a plain colour and an image_map take no map");
-    if (list_size(s.pattern) > 0)
-        s.stream().fail(s.stream().last(), "'" + s.pattern.name + "' takes a list of colours or pigments, not a map");
+    if (s.mapless) s.fail("a plain colour and an image_map take no map");
+    if (list_size(s.pattern) > 0) s.fail("'" + s.pattern.name + "' takes a list of colours or pigments, not a map");
 }
-struct color_map : item<Kind::ColorMap> {
+struct color_map : item<Kind::ColorMap, reads<color_map_block>> {
     static void act(PigmentState& s)
     {
         reject_map(s);
@@ -96,22 +95,20 @@ struct color_map : item<Kind::ColorMap> {
         s.pigments.clear();
     }
 };
-struct pigment_map : item<Kind::PigmentMap> {
+struct pigment_map : item<Kind::PigmentMap, reads<pigment_map_block>> {
     static void act(PigmentState& s)
     {
         reject_map(s);
-        if (s.density)
-            s.stream().fail(s.stream().last(), "'pigment_map' belongs in a pigment; a density has a density_map");
+        if (s.density) s.fail("'pigment_map' belongs in a pigment; a density has a density_map");
         s.pigments = read_pigment_map(s.build, s.pattern.name == "average");
         s.colors.clear();
     }
 };
-struct density_map : item<Kind::DensityMap> {
+struct density_map : item<Kind::DensityMap, reads<density_map_block>> {
     static void act(PigmentState& s)
     {
         reject_map(s);
-        if (!s.density)
-            s.stream().fail(s.stream().last(), "'density_map' belongs in a density; a pigment has a pigment_map");
+        if (!s.density) s.fail("'density_map' belongs in a density; a pigment has a pigment_map");
         s.pigments = read_density_map(s.build, s.pattern.name == "average");
         s.colors.clear();
     }
@@ -246,6 +243,29 @@ scene::Pigment read_body(SceneBuilder& build, const scene::Pigment& base, bool d
 }
 
 }  // namespace
+
+/// A list of colours or blocks, or the block of an object, follows some patterns.
+template <Production (*body)()>
+Form paint_form(Kind keyword, Kind map, Production (*map_block)())
+{
+    const Form picture = Form::sequence({Form::token(Kind::ImageMap), Form::named(image_map_block)});
+    const Form block = Form::sequence({Form::token(keyword), Form::braces({Form::named(body)})});
+    const Form list = Form::choice({Form::repeated(form_of<a_color>()), Form::repeated(block)});
+    const Form pattern = Form::sequence({Form::named(pattern_type), Form::optional(list)});
+    const Form items = Form::choice({form_of<color_map>(), Form::sequence({Form::token(map), Form::named(map_block)}),
+                                     form_of<quick_color>(), Form::named(pattern_modifier)});
+    const Form head = Form::choice({form_of<a_color>(), picture, Form::token(Kind::UvMapping), pattern});
+    return Form::sequence({Form::optional(Form::operand("identifier")), Form::optional(head), Form::repeated(items)});
+}
+Production pigment_body()
+{
+    return {"pigment_body", paint_form<pigment_body>(Kind::Pigment, Kind::PigmentMap, pigment_map_block)};
+}
+Production pigment_block() { return {"pigment_block", Form::braces({Form::named(pigment_body)})}; }
+Production density_body()
+{
+    return {"density_body", paint_form<density_body>(Kind::Density, Kind::DensityMap, density_map_block)};
+}
 
 scene::Pigment read_pigment_body(SceneBuilder& build, const scene::Pigment& base)
 {

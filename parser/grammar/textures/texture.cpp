@@ -23,38 +23,36 @@ struct TextureState : BlockState {
     }
 };
 
-struct pigment : item<Kind::Pigment> {
+struct pigment : item<Kind::Pigment, reads<pigment_block>> {
     static void act(TextureState& s)
     {
         scene::Layer& top = s.top("pigment");
         top.pigment = read_pigment(s.build, top.pigment);
     }
 };
-struct normal : item<Kind::Normal> {
+struct normal : item<Kind::Normal, reads<normal_block>> {
     static void act(TextureState& s)
     {
         scene::Layer& top = s.top("normal");
         top.normal = std::make_shared<const scene::Normal>(read_normal(s.build, top.normal));
     }
 };
-struct finish : item<Kind::Finish> {
+struct finish : item<Kind::Finish, reads<finish_block>> {
     static void act(TextureState& s)
     {
         scene::Layer& top = s.top("finish");
         top.finish = read_finish(s.build, *top.finish);
     }
 };
-struct no_bump_scale : item<Kind::NoBumpScale> {
-    static void act(TextureState& s) { s.no_bump_scale = optional_flag(s.stream()); }
+struct no_bump_scale : item<Kind::NoBumpScale, a_flag> {
+    static void act(TextureState& s) { s.no_bump_scale = s.pop_flag(); }
 };
-struct texture_map : item<Kind::TextureMap> {
+struct texture_map : item<Kind::TextureMap, reads<texture_map_block>> {
     static void act(TextureState& s)
     {
-        if (!s.patterned())
-            s.stream().fail(s.stream().last(), "a texture_map needs a pattern before it, as in 'gradient y'");
+        if (!s.patterned()) s.fail("a texture_map needs a pattern before it, as in 'gradient y'");
         if (list_size(s.pattern().pattern) > 0)
-            s.stream().fail(s.stream().last(),
-                            "'" + s.pattern().pattern.name + "' takes a list of textures, not a map");
+            s.fail("'" + s.pattern().pattern.name + "' takes a list of textures, not a map");
         s.pattern().map = read_texture_map(s.build, s.pattern().pattern.name == "average");
     }
 };
@@ -190,6 +188,22 @@ void read_old_items(TextureState& s)
 }
 
 }  // namespace
+
+Production texture_block() { return {"texture_block", Form::braces({Form::named(texture_body)})}; }
+
+Production texture_body()
+{
+    const Form texture = Form::sequence({Form::token(Kind::Texture), Form::named(texture_block)});
+    const Form tiles =
+        Form::sequence({Form::token(Kind::Tiles), Form::braces({texture, Form::token(Kind::Tile2), texture})});
+    const Form head = Form::choice({Form::named(pattern_type), tiles, Form::token(Kind::UvMapping),
+                                    Form::sequence({Form::token(Kind::MaterialMap), Form::named(material_map_block)})});
+    const Form items = Form::choice({TextureItems::form(), Form::named(pattern_modifier)});
+    return {"texture_body",
+            Form::choice({Form::repeated(texture, 1),
+                          Form::sequence({Form::optional(Form::operand("identifier")), Form::optional(head),
+                                          Form::repeated(texture), Form::repeated(items)})})};
+}
 
 scene::TexturePtr read_texture_body(SceneBuilder& build)
 {

@@ -154,6 +154,7 @@ constexpr OwnOption kOwnOptions[] = {
     {"benchmark", "", "render POV-Ray's benchmark scene where it is installed, 512x512, antialiased", nullptr},
     {"help", "", "this text", nullptr},
     {"man", "", "print the manual page, in the form that man reads", nullptr},
+    {"grammar", "", "print the scene language as this program reads it, in EBNF", nullptr},
     {"completion", "bash|zsh", "print the completion for a shell, bash if none is named", nullptr, true},
     {"version", "", "print the version", nullptr},
 };

@@ -52,8 +52,8 @@ TEST_CASE("what standard output does not take is an error", "[program][output]")
     write_text(folder / "scene.pov", kPlainScene);
     write_grey(folder / "a.png", 0);
     for (const char* arguments :
-         {"--help", "--version", "--man", "scene.pov --deps", "scene.pov --dump=tokens", "scene.pov --dump=scene",
-          "scene.pov --dump=plan", "scene.pov +W8 +H6 --json=-", "scene.pov +W8 +H6 +O-"}) {
+         {"--help", "--version", "--man", "--grammar", "scene.pov --deps", "scene.pov --dump=tokens",
+          "scene.pov --dump=scene", "scene.pov --dump=plan", "scene.pov +W8 +H6 --json=-", "scene.pov +W8 +H6 +O-"}) {
         const support::Ended ended = run_on_full_device(folder, arguments);
         INFO(arguments << "\n" << ended.err);
         CHECK(ended.status == 1);
