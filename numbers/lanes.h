@@ -87,4 +87,20 @@ inline Double::batch_bool_type lanes_of(std::uint32_t mask)
 #endif
 }
 
+/// Numbers out of a table, by their places.
+inline Double gathered(const double* from, const xsimd::batch<std::uint64_t>& at)
+{
+#if defined(__AVX512F__)
+    return Double(_mm512_i64gather_pd(at.data, from, sizeof(double)));
+#elif defined(__AVX2__)
+    return Double(_mm256_i64gather_pd(from, at.data, sizeof(double)));
+#else
+    alignas(64) std::array<std::uint64_t, static_cast<std::size_t>(kDoubles)> places;
+    alignas(64) std::array<double, static_cast<std::size_t>(kDoubles)> out;
+    at.store_aligned(places.data());
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = from[places[k]];
+    return Double::load_aligned(out.data());
+#endif
+}
+
 }  // namespace csg::lanes

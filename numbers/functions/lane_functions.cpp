@@ -1,0 +1,101 @@
+#include "numbers/functions/lane_functions.h"
+#include "numbers/functions/angles.h"
+#include "numbers/functions/logarithms.h"
+#include "numbers/functions/sines.h"
+
+/// Numbers in lanes: the quick way for all, and one by one those that it is not made for.
+namespace numbers {
+
+namespace {
+
+using csg::lanes::mask;
+
+template <class One, class... V>
+[[gnu::noinline, gnu::cold]] Double one_by_one(Double out, std::uint32_t which, One&& one, const V&... of)
+{
+    for (int lane = 0; lane < csg::lanes::kDoubles; ++lane)
+        if ((which >> lane & 1u) != 0) {
+            const auto n = static_cast<std::size_t>(lane);
+            const auto at = [n](const Double& v) {
+                alignas(64) std::array<double, static_cast<std::size_t>(csg::lanes::kDoubles)> all;
+                v.store_aligned(all.data());
+                return all[n];
+            };
+            alignas(64) std::array<double, static_cast<std::size_t>(csg::lanes::kDoubles)> all;
+            out.store_aligned(all.data());
+            all[n] = one(at(of)...);
+            out = Double::load_aligned(all.data());
+        }
+    return out;
+}
+
+/// The quick values where `plain`, the others by `one`.
+template <class Bool, class One, class... V>
+Double completed(const Double& quick, const Bool& plain, One&& one, const V&... of)
+{
+    constexpr std::uint32_t kAll = (1u << csg::lanes::kDoubles) - 1u;
+    const std::uint32_t left = ~mask(plain) & kAll;
+    if (left == 0) [[likely]]
+        return quick;
+    return one_by_one(quick, left, one, of...);
+}
+
+auto smaller_than(const Double& v, double limit) { return xsimd::abs(v) < Double(limit); }
+
+}  // namespace
+
+#define OF_ONE(name) [](auto... v) { return numbers::name(v...); }
+
+[[gnu::flatten]] Double sin(const Double& x)
+{
+    return completed(quick_sine(x, turned(x)), smaller_than(x, kMostQuickAngle), OF_ONE(sin), x);
+}
+[[gnu::flatten]] Double cos(const Double& x)
+{
+    return completed(quick_cosine(turned(x)), smaller_than(x, kMostQuickAngle), OF_ONE(cos), x);
+}
+[[gnu::flatten]] Double tan(const Double& x)
+{
+    return completed(quick_tangent(x, turned(x)), smaller_than(x, kMostQuickAngle), OF_ONE(tan), x);
+}
+[[gnu::flatten]] Double asin(const Double& x) { return quick_asin(x); }
+[[gnu::flatten]] Double acos(const Double& x) { return quick_acos(x); }
+[[gnu::flatten]] Double atan(const Double& x)
+{
+    return completed(quick_atan(x), smaller_than(x, kMostQuickSize), OF_ONE(atan), x);
+}
+[[gnu::flatten]] Double atan2(const Double& y, const Double& x)
+{
+    const auto plain = in_quick_range(size_of(y)) & in_quick_range(size_of(x));
+    return completed(quick_atan2(y, x), plain, OF_ONE(atan2), y, x);
+}
+[[gnu::flatten]] Double exp(const Double& x)
+{
+    const auto plain = smaller_than(x, kMostQuickExponent);
+    return completed(quick_value(exponential_of(x, Double(0.0))), plain, OF_ONE(exp), x);
+}
+[[gnu::flatten]] Double log(const Double& x) { return completed(quick_logarithm(x), is_plain(x), OF_ONE(log), x); }
+[[gnu::flatten]] Double log10(const Double& x)
+{
+    return completed(quick_logarithm(x, kPerLn10), is_plain(x), OF_ONE(log10), x);
+}
+[[gnu::flatten]] Double pow(const Double& x, const Double& y)
+{
+    const Pair<Double> e = exponent_of(logarithm_of(x, Double(0.0)), y);
+    const auto plain = is_plain(x) & smaller_than(e.high, kMostQuickExponent);
+    return completed(quick_value(exponential_of(e.high, e.low)), plain, OF_ONE(pow), x, y);
+}
+[[gnu::flatten]] Double sinh(const Double& x)
+{
+    return completed(quick_sinh(x), smaller_than(x, kMostQuickExponent), OF_ONE(sinh), x);
+}
+[[gnu::flatten]] Double cosh(const Double& x)
+{
+    return completed(quick_cosh(x), smaller_than(x, kMostQuickExponent), OF_ONE(cosh), x);
+}
+[[gnu::flatten]] Double tanh(const Double& x)
+{
+    return completed(quick_tanh(x), smaller_than(x, kMostQuickExponent), OF_ONE(tanh), x);
+}
+
+}  // namespace numbers
