@@ -1,6 +1,7 @@
 #pragma once
 
 #include "function/program.h"
+#include "numbers/functions/functions.h"
 
 #include <cmath>
 #include <limits>
@@ -41,6 +42,24 @@ inline double remainder_of(double a, double b)
     return std::fmod(a, b);
 }
 
+/// Operators that numbers/functions has for one number and for lanes.
+#define OPERATORS_OF_NUMBERS(ASK)                                                                                      \
+    ASK(Acos, acos)                                                                                                    \
+    ASK(Acosh, acosh)                                                                                                  \
+    ASK(Asin, asin)                                                                                                    \
+    ASK(Asinh, asinh)                                                                                                  \
+    ASK(Atan, atan)                                                                                                    \
+    ASK(Atanh, atanh)                                                                                                  \
+    ASK(Cos, cos)                                                                                                      \
+    ASK(Cosh, cosh)                                                                                                    \
+    ASK(Exp, exp)                                                                                                      \
+    ASK(Ln, log)                                                                                                       \
+    ASK(Log, log10)                                                                                                    \
+    ASK(Sin, sin)                                                                                                      \
+    ASK(Sinh, sinh)                                                                                                    \
+    ASK(Tan, tan)                                                                                                      \
+    ASK(Tanh, tanh)
+
 template <Op op>
 inline double binary(double a, double b)
 {
@@ -59,39 +78,28 @@ inline double binary(double a, double b)
     if constexpr (op == Op::Or) return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
     if constexpr (op == Op::Min) return a <= b ? a : b;
     if constexpr (op == Op::Max) return a < b ? b : a;
-    if constexpr (op == Op::Atan2) return std::atan2(a, b);
+    if constexpr (op == Op::Atan2) return numbers::atan2(a, b);
     if constexpr (op == Op::IntDivide) return truncated(a / b);
     if constexpr (op == Op::Modulo) return remainder_of(a, b);
-    if constexpr (op == Op::Power) return std::pow(a, b);
+    if constexpr (op == Op::Power) return numbers::pow(a, b);
     return 0.0;
 }
 
 template <Op op>
 inline double unary(double a)
 {
+#define ASK(name, function)                                                                                            \
+    if constexpr (op == Op::name) return numbers::function(a);
+    OPERATORS_OF_NUMBERS(ASK)
+#undef ASK
     if constexpr (op == Op::Negate) return -a;
     if constexpr (op == Op::Abs) return std::abs(a);
-    if constexpr (op == Op::Acos) return std::acos(a);
-    if constexpr (op == Op::Acosh) return std::acosh(a);
-    if constexpr (op == Op::Asin) return std::asin(a);
-    if constexpr (op == Op::Asinh) return std::asinh(a);
-    if constexpr (op == Op::Atan) return std::atan(a);
-    if constexpr (op == Op::Atanh) return std::atanh(a);
     if constexpr (op == Op::Ceil) return std::ceil(a);
-    if constexpr (op == Op::Cos) return std::cos(a);
-    if constexpr (op == Op::Cosh) return std::cosh(a);
     if constexpr (op == Op::Degrees) return a / kDegree;
-    if constexpr (op == Op::Exp) return std::exp(a);
     if constexpr (op == Op::Floor) return std::floor(a);
     if constexpr (op == Op::Int) return truncated(a);
-    if constexpr (op == Op::Ln) return std::log(a);
-    if constexpr (op == Op::Log) return std::log10(a);
     if constexpr (op == Op::Radians) return a * kDegree;
-    if constexpr (op == Op::Sin) return std::sin(a);
-    if constexpr (op == Op::Sinh) return std::sinh(a);
     if constexpr (op == Op::Sqrt) return std::sqrt(a);
-    if constexpr (op == Op::Tan) return std::tan(a);
-    if constexpr (op == Op::Tanh) return std::tanh(a);
     return 0.0;
 }
 

@@ -1,4 +1,5 @@
 #include "csg/base/types.h"
+#include "numbers/functions/functions.h"
 
 #include <cmath>
 
@@ -34,7 +35,8 @@ Transform Transform::scale(const glm::dvec3& by)
 Transform Transform::rotate_degrees(const glm::dvec3& angles)
 {
     const glm::dvec3 a = angles * (3.14159265358979323846 / 180.0);
-    const glm::dvec3 c = glm::cos(a), s = glm::sin(a);
+    const glm::dvec3 c(numbers::cos(a.x), numbers::cos(a.y), numbers::cos(a.z)),
+        s(numbers::sin(a.x), numbers::sin(a.y), numbers::sin(a.z));
     // Columns are the images of the axes; no snapping of multiples of 90 degrees, as in POV-Ray (spec 5a, 3.1).
     const glm::dmat3 rx({1, 0, 0}, {0, c.x, s.x}, {0, -s.x, c.x});
     const glm::dmat3 ry({c.y, 0, -s.y}, {0, 1, 0}, {s.y, 0, c.y});

@@ -1,4 +1,5 @@
 #include "csg/solids/solid.h"
+#include "numbers/functions/functions.h"
 
 #include <numbers>
 
@@ -36,7 +37,8 @@ glm::dvec2 Torus::uv(const glm::dvec3& p, std::uint32_t) const
 {
     const glm::dvec3 l = frame.inverse_point(p);
     const double rho = std::sqrt(l.x * l.x + l.z * l.z);
-    return {1.0 - (std::atan2(l.z, l.x) + kPi) / (2.0 * kPi), (std::atan2(l.y, rho - major) + kPi) / (2.0 * kPi)};
+    return {1.0 - (numbers::atan2(l.z, l.x) + kPi) / (2.0 * kPi),
+            (numbers::atan2(l.y, rho - major) + kPi) / (2.0 * kPi)};
 }
 
 glm::dvec3 Triangle::normal(const glm::dvec3& p, std::uint32_t) const

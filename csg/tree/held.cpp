@@ -1,6 +1,7 @@
 #include "csg/tree/held.h"
 
 #include "csg/tree/front.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +57,7 @@ bool held_by(const Program& drawn, const Program& bound, const SolidStore& store
     for (std::uint32_t n = 1; n <= rays; ++n) {
         const double z = 2.0 * spread(n, 7) - 1.0, around = 2.0 * std::numbers::pi * spread(n, 11),
                      r = std::sqrt(1.0 - z * z);
-        const glm::dvec3 direction(r * std::cos(around), r * std::sin(around), z);
+        const glm::dvec3 direction(r * numbers::cos(around), r * numbers::sin(around), z);
         const glm::dvec3 through = box.lower + size * glm::dvec3(spread(n, 2), spread(n, 3), spread(n, 5));
         const Ray ray{through - far * direction, direction};
         const auto [first, last] = visible_crossings(drawn, store, ray, 0.0, 2.0 * far, scratch);

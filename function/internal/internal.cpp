@@ -3,6 +3,7 @@
 #include "function/internal/internal_curves.h"
 #include "function/internal/internal_polynomials.h"
 #include "function/internal/internal_shapes.h"
+#include "numbers/functions/functions.h"
 
 #include <array>
 
@@ -44,7 +45,7 @@ double internal(std::uint32_t n, const double* a, const Host& host, const double
     case 28: return hexagonal(n == 28, a);
     case kHeteroMultifractal: return hetero_mf(a, host);
     case 40: return mesh1(a);
-    case 47: return std::atan2(std::sqrt(a[0] * a[0] + a[2] * a[2]), a[1]);
+    case 47: return numbers::atan2(std::sqrt(a[0] * a[0] + a[2] * a[2]), a[1]);
     case 51: return poly4(a);
     case 52: return polytubes(a);
     case 53: return quantum(a);
@@ -55,11 +56,11 @@ double internal(std::uint32_t n, const double* a, const Host& host, const double
     case 61: return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) - a[3];
     case 62: return spikes(a);
     case 63:
-        return a[1] -
-               a[3] * std::cos(a[4] * a[0]) * std::cos(a[5] * a[2]) * std::exp(-a[6] * (a[0] * a[0] + a[2] * a[2]));
+        return a[1] - a[3] * numbers::cos(a[4] * a[0]) * numbers::cos(a[5] * a[2]) *
+                          numbers::exp(-a[6] * (a[0] * a[0] + a[2] * a[2]));
     case 64: return spiral(a);
     case 68: return superellipsoid(a);
-    case 69: return std::atan2(a[0], a[2]);
+    case 69: return numbers::atan2(a[0], a[2]);
     case 70: return torus(a);
     case kNoise: return host.noise({a[0], a[1], a[2]}, 0);
     case 77: return 0.0;

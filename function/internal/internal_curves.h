@@ -1,6 +1,7 @@
 #pragma once
 
 #include "function/internal/internal_polynomials.h"
+#include "numbers/functions/functions.h"
 
 /// Plane curves that are revolved about y or drawn out along z (spec 5b, 16: the SOR switch).
 namespace function {
@@ -20,7 +21,7 @@ inline CurvePoint on_curve(const double* a, const double* q)
     if (q[0] <= 0.0) return {a[0], a[1]};
     const double rho = std::sqrt(a[0] * a[0] + a[2] * a[2]) - q[1];
     if (q[2] == 0.0) return {rho, a[1]};
-    const double angle = q[2] * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
+    const double angle = q[2] * std::numbers::pi / 180.0, c = numbers::cos(angle), s = numbers::sin(angle);
     return {rho * c - a[1] * s, rho * s + a[1] * c};
 }
 

@@ -1,5 +1,6 @@
 #include "function/internal/internal.h"
 #include "function/internal/internal_shapes.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ int generator(double parameter)
 double hetero_mf(const double* a, const Host& host)
 {
     const int kind = generator(a[8]);
-    const double decay = std::pow(a[4], -a[3]), octaves = std::min(a[5], kMostOctaves);
+    const double decay = numbers::pow(a[4], -a[3]), octaves = std::min(a[5], kMostOctaves);
     const double power = std::max(0.0, std::trunc(a[7]));
     glm::dvec3 p(a[0], a[1], a[2]);
     const auto value = [&] { return 2.0 * host.noise(p, kind) - 1.0 + a[6]; };
@@ -60,7 +61,7 @@ std::vector<double> ridged_weights(double h, double lacunarity, double octaves)
     double frequency = 1.0;
     for (double i = 1.0; i < std::min(octaves, kMostOctaves); i += 1.0) {
         frequency *= lacunarity;
-        weights.push_back(std::pow(frequency, -h));
+        weights.push_back(numbers::pow(frequency, -h));
     }
     return weights;
 }
@@ -79,7 +80,7 @@ double ridged_mf(const double* a, const Host& host, const double* weights)
         p *= a[4];
         frequency *= a[4];
         signal = std::clamp(signal * a[7], 0.0, 1.0) * crest();
-        sum += signal * (weights != nullptr ? *weights++ : std::pow(frequency, -a[3]));
+        sum += signal * (weights != nullptr ? *weights++ : numbers::pow(frequency, -a[3]));
     }
     return sum;
 }

@@ -2,6 +2,7 @@
 
 #include "csg/freeform/field/rounded_box.h"
 #include "function/internal/internal_polynomials.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@ double profile(double a, double b, double kind)
 {
     if (kind == 1.0) return std::sqrt(a * a + b * b);
     if (kind == 0.0) return std::max(std::abs(a), std::abs(b));
-    return std::pow(std::pow(std::abs(a), 2.0 / kind) + std::pow(std::abs(b), 2.0 / kind), kind * 0.5);
+    return numbers::pow(numbers::pow(std::abs(a), 2.0 / kind) + numbers::pow(std::abs(b), 2.0 / kind), kind * 0.5);
 }
 
 /// The three bells along z, y and x that ellipsoids and spikes are made of.
@@ -35,8 +36,8 @@ std::array<double, 3> bells(const double* a)
 {
     const double k = a[3], w = a[4];
     const double x2 = a[0] * a[0], y2 = a[1] * a[1], z2 = a[2] * a[2];
-    return {std::exp(-w * (k * x2 + k * y2 + z2)), std::exp(-w * (k * x2 + y2 + k * z2)),
-            std::exp(-w * (x2 + k * y2 + k * z2))};
+    return {numbers::exp(-w * (k * x2 + k * y2 + z2)), numbers::exp(-w * (k * x2 + y2 + k * z2)),
+            numbers::exp(-w * (x2 + k * y2 + k * z2))};
 }
 
 }  // namespace
@@ -53,16 +54,16 @@ double blob(const double* a)
 double blob2(const double* a)
 {
     const double s = a[1] * a[1] + a[2] * a[2], x = a[0] - a[3];
-    return a[6] - a[5] * (std::exp(-a[4] * (a[0] * a[0] + s)) + std::exp(-a[4] * (x * x + s)));
+    return a[6] - a[5] * (numbers::exp(-a[4] * (a[0] * a[0] + s)) + numbers::exp(-a[4] * (x * x + s)));
 }
 
 double comma(const double* a)
 {
     const double x = a[0] == 0.0 && a[2] == 0.0 ? 1e-4 : a[0], y = a[1], z = a[2], p = a[3];
-    const double theta = std::atan2(z, x);
+    const double theta = numbers::atan2(z, x);
     const double r = std::sqrt((x + p / 4.0) * (x + p / 4.0) + z * z);
     const double lower =
-        std::min(z, 0.5 * p * std::cos(theta / 2.0) - std::sqrt((r - 0.75 * p) * (r - 0.75 * p) + y * y));
+        std::min(z, 0.5 * p * numbers::cos(theta / 2.0) - std::sqrt((r - 0.75 * p) * (r - 0.75 * p) + y * y));
     const double head = 0.5 * p - std::sqrt((x - 0.5 * p) * (x - 0.5 * p) + y * y + z * z);
     return -std::max(lower, head);
 }
@@ -91,13 +92,13 @@ double helical_torus(const double* a)
 {
     const double* p = a + 3;
     const double rho = std::sqrt(a[0] * a[0] + a[2] * a[2]);
-    const double phi = std::atan2(rho == 0.0 ? 1e-6 : a[0], a[2]);
+    const double phi = numbers::atan2(rho == 0.0 ? 1e-6 : a[0], a[2]);
     const double from_ring = rho - p[0];
-    const double tau = std::atan2(from_ring, a[1]);
+    const double tau = numbers::atan2(from_ring, a[1]);
     const double r = std::sqrt(from_ring * from_ring + a[1] * a[1]);
     const double psi = wrapped(phi * p[1] + tau * p[2], 2.0 * pi) - pi;
-    const double groove = std::atan2(psi * p[8], r - p[5]);
-    const double wall = p[3] * std::cos(groove * p[7] + phi * p[9]) + p[4];
+    const double groove = numbers::atan2(psi * p[8], r - p[5]);
+    const double wall = p[3] * numbers::cos(groove * p[7] + phi * p[9]) + p[4];
     const double strand = std::min(std::sqrt((r - p[5]) * (r - p[5]) + p[6] * psi * psi), r + p[5]);
     return -std::max(p[4] + p[5] - p[0] - rho, wall - strand);
 }
@@ -106,10 +107,10 @@ double helix1(const double* a)
 {
     const double* p = a + 3;
     const double rho = std::sqrt(a[0] * a[0] + a[2] * a[2]);
-    const double theta = wrapped(p[0] * std::atan2(a[2], a[0]) + p[0] * p[1] * a[1], 2.0 * pi);
+    const double theta = wrapped(p[0] * numbers::atan2(a[2], a[0]) + p[0] * p[1] * a[1], 2.0 * pi);
     double b = (theta - pi) / (p[4] * p[0] * p[1]), d = rho - p[3];
     if (p[5] != 1.0 && p[6] != 0.0) {
-        const double angle = p[6] * pi / 180.0, c = std::cos(angle), s = std::sin(angle);
+        const double angle = p[6] * pi / 180.0, c = numbers::cos(angle), s = numbers::sin(angle);
         std::tie(d, b) = std::pair(d * c - b * s, d * s + b * c);
     }
     return std::min(p[3] + rho, profile(d, b, p[5])) - p[2];
@@ -118,7 +119,7 @@ double helix1(const double* a)
 double helix2(const double* a)
 {
     const double* p = a + 3;
-    const double c = std::cos(p[1] * a[1]), s = std::sin(p[1] * a[1]);
+    const double c = numbers::cos(p[1] * a[1]), s = numbers::sin(p[1] * a[1]);
     const double x = a[0] - p[3] * c, z = a[2] - p[3] * s;
     return profile(x * c + z * s, -x * s + z * c, p[5]) - p[2];
 }
@@ -132,7 +133,7 @@ double hexagonal(bool y, const double* at)
         a = half - a;
         b = 1.5 - b;
     }
-    if (std::atan2(b, a) < pi / 6.0) return y ? b : a;
+    if (numbers::atan2(b, a) < pi / 6.0) return y ? b : a;
     return y ? std::abs(-half * a + 0.5 * b) : 0.5 * a + half * b;
 }
 
@@ -143,7 +144,7 @@ double mesh1(const double* a)
         const double up = a[1] + offset, across = std::abs(wrapped(along, 2.0 * distance) - distance) * p[2];
         return std::sqrt(p[4] * p[4] * up * up + across * across);
     };
-    const double over = p[3] * std::cos(pi * a[2] / p[1]), under = p[3] * std::cos(pi * a[0] / p[0]);
+    const double over = p[3] * numbers::cos(pi * a[2] / p[1]), under = p[3] * numbers::cos(pi * a[0] / p[0]);
     return std::min({thread(-over, a[0], p[0]), thread(over, a[0] - p[0], p[0]), thread(under, a[2], p[1]),
                      thread(-under, a[2] - p[1], p[1])});
 }
@@ -161,7 +162,8 @@ double polytubes(const double* a)
     const double r = a[4] + a[5] * y + a[6] * y * y + a[7] * y * y * y + a[8] * y * y * y * y;
     double nearest = 10000.0;
     for (double i = 0.0; i < std::trunc(a[3]); i += 1.0) {
-        const double angle = 2.0 * pi * i / a[3], x = a[0] - r * std::sin(angle), z = a[2] - r * std::cos(angle);
+        const double angle = 2.0 * pi * i / a[3], x = a[0] - r * numbers::sin(angle),
+                     z = a[2] - r * numbers::cos(angle);
         nearest = std::min(nearest, std::sqrt(x * x + z * z));
     }
     return nearest;
@@ -171,8 +173,8 @@ double quantum(const double* a)
 {
     const double x = a[0] == 0.0 && a[2] == 0.0 ? 1e-6 : a[0];
     const double rho = std::sqrt(x * x + a[2] * a[2]);
-    const double c = std::cos(std::atan2(rho, a[1])), r = 2.0 * std::sqrt(rho * rho + a[1] * a[1]);
-    const double t = r * r * std::exp(-0.33333333 * r) * (3.0 * c * c - 1.0);
+    const double c = numbers::cos(numbers::atan2(rho, a[1])), r = 2.0 * std::sqrt(rho * rho + a[1] * a[1]);
+    const double t = r * r * numbers::exp(-0.33333333 * r) * (3.0 * c * c - 1.0);
     return -0.1 * (t * t - 12.0);
 }
 
@@ -185,14 +187,14 @@ double spikes(const double* a)
 {
     const auto [e1, e2, e3] = bells(a);
     const double s = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-    return a[5] * (e1 + e2 + e3 - a[7] * std::exp(-a[6] * s));
+    return a[5] * (e1 + e2 + e3 - a[7] * numbers::exp(-a[6] * s));
 }
 
 double spiral(const double* a)
 {
     const double* p = a + 3;
     const double x = a[0] == 0.0 && a[2] == 0.0 ? 1e-6 : a[0];
-    const double r = std::sqrt(x * x + a[2] * a[2]) + p[0] * std::atan2(a[2], x) / (2.0 * pi);
+    const double r = std::sqrt(x * x + a[2] * a[2]) + p[0] * numbers::atan2(a[2], x) / (2.0 * pi);
     const double q = profile(std::fmod(r, p[0]) - p[0] / 2.0, a[1], p[5]);
     const double far = std::sqrt(x * x + a[1] * a[1] + a[2] * a[2]);
     return -std::min(p[2] - far, p[1] - std::min(q, far));
@@ -201,8 +203,8 @@ double spiral(const double* a)
 double superellipsoid(const double* a)
 {
     const double e = 2.0 / a[3], n = 2.0 / a[4];
-    const double round = std::pow(std::pow(std::abs(a[0]), e) + std::pow(std::abs(a[1]), e), a[3] / a[4]);
-    return 1.0 - std::pow(round + std::pow(std::abs(a[2]), n), a[4] * 0.5);
+    const double round = numbers::pow(numbers::pow(std::abs(a[0]), e) + numbers::pow(std::abs(a[1]), e), a[3] / a[4]);
+    return 1.0 - numbers::pow(round + numbers::pow(std::abs(a[2]), n), a[4] * 0.5);
 }
 
 double torus(const double* a)

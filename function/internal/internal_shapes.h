@@ -1,8 +1,8 @@
 #pragma once
 
 #include "function/program.h"
+#include "numbers/functions/functions.h"
 
-#include <cmath>
 
 /// Internal functions that are no polynomials. a: x, y, z, then the parameters (spec 5b, 16).
 namespace function {
@@ -33,7 +33,7 @@ double hetero_mf(const double* a, const Host& host);
 /// number that is mostly 1 or 2.
 inline double hetero_gain(double sum, double power)
 {
-    return power == 1.0 ? sum : power == 2.0 ? sum * sum : std::pow(sum, power);
+    return power == 1.0 ? sum : power == 2.0 ? sum * sum : numbers::pow(sum, power);
 }
 double ridge(const double* a, const Host& host);
 double ridged_mf(const double* a, const Host& host, const double* weights);

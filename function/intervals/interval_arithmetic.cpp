@@ -1,4 +1,5 @@
 #include "function/intervals/interval_arithmetic.h"
+#include "numbers/functions/functions.h"
 
 #include <cmath>
 #include <numbers>
@@ -33,7 +34,7 @@ Interval sine(const Interval& a, double shift)
         const double turn = std::ceil((a.low + shift - place - kSlack) / (2.0 * pi));
         return turn * 2.0 * pi + place <= a.high + shift + kSlack;
     };
-    const double l = std::sin(a.low + shift), h = std::sin(a.high + shift);
+    const double l = numbers::sin(a.low + shift), h = numbers::sin(a.high + shift);
     constexpr double kShiftError = 1e-9;  // of x + shift, generously
     return {holds(-pi / 2) ? -1.0 : std::max(-1.0, std::min(l, h) - kShiftError),
             holds(pi / 2) ? 1.0 : std::min(1.0, std::max(l, h) + kShiftError)};
@@ -42,7 +43,7 @@ Interval sine(const Interval& a, double shift)
 Interval arc_tangent(const Interval& y, const Interval& x)
 {
     if (x.low <= 0.0 && y.contains(0.0)) return widened(-pi, pi);
-    return of_corners(y, x, [](double a, double b) { return std::atan2(a, b); });
+    return of_corners(y, x, [](double a, double b) { return numbers::atan2(a, b); });
 }
 
 Interval modulo(const Interval& a, const Interval& b)
@@ -61,15 +62,15 @@ Interval modulo(const Interval& a, const Interval& b)
 
 Interval power(const Interval& a, const Interval& b)
 {
-    const auto pow = [](double x, double y) { return std::pow(x, y); };
+    const auto pow = [](double x, double y) { return numbers::pow(x, y); };
     if (a.low > 0.0) return of_corners(a, b, pow);
     if (b.point() && b.low == std::floor(b.low) && b.low >= 0.0) {
         if (std::fmod(b.low, 2.0) != 0.0) return of_corners(a, b, pow);
         const double most = std::max(std::abs(a.low), std::abs(a.high)),
                      least = a.contains(0.0) ? 0.0 : std::min(std::abs(a.low), std::abs(a.high));
-        return widened(std::pow(least, b.low), std::pow(most, b.low));
+        return widened(numbers::pow(least, b.low), numbers::pow(most, b.low));
     }
-    if (b.low >= 0.0 && b.point() && a.high >= 0.0) return widened(0.0, std::pow(a.high, b.low));
+    if (b.low >= 0.0 && b.point() && a.high >= 0.0) return widened(0.0, numbers::pow(a.high, b.low));
     return Interval::everything();
 }
 
@@ -156,12 +157,12 @@ Interval interval_unary(Op op, const Interval& a)
     case Op::Cos: return sine(a, pi / 2);
     case Op::Tan: {
         const bool one_branch = std::floor(a.low / pi + 0.5) == std::floor(a.high / pi + 0.5) && std::abs(a.low) < 1e6;
-        const double l = std::tan(a.low), h = std::tan(a.high);
+        const double l = numbers::tan(a.low), h = numbers::tan(a.high);
         return one_branch && l <= h ? widened(l, h) : Interval::everything();
     }
     case Op::Cosh: {
         const Interval s = absolute(a);
-        return widened(std::cosh(s.low), std::cosh(s.high));
+        return widened(numbers::cosh(s.low), numbers::cosh(s.high));
     }
     case Op::Sqrt:
     case Op::Ln:
@@ -171,7 +172,7 @@ Interval interval_unary(Op op, const Interval& a)
     case Op::Atanh: return growing(a, f, -1.0, 1.0);
     case Op::Acos: {
         if (a.high < -1.0 || a.low > 1.0) return Interval::everything();
-        return widened(std::acos(std::min(a.high, 1.0)), std::acos(std::max(a.low, -1.0)));
+        return widened(numbers::acos(std::min(a.high, 1.0)), numbers::acos(std::max(a.low, -1.0)));
     }
     default: return growing(a, f);  // asinh, atan, degrees, exp, radians, sinh, tanh
     }

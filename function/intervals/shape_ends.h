@@ -1,6 +1,7 @@
 #pragma once
 
 #include "function/intervals/ends.h"
+#include "numbers/functions/functions.h"
 
 /// Ranges of the internal functions that are more than polynomials: the formulas of internal_shapes.cpp over intervals
 /// in lanes, written so that a number stands as seldom as may be. What has no room of its own is far below that of
@@ -105,7 +106,7 @@ inline bool helix1_range(const Ends* a, Ends& out)
         const auto one_turn = (to + room < start + Batch(1.0)) & (from - room >= start);
         const Ends turned{xsimd::select(one_turn, from - start - Batch(0.5) - room, Batch(-0.5)),
                           xsimd::select(one_turn, to - start - Batch(0.5) + room, Batch(0.5))};
-        const double angle = p[6].low.get(0) * pi / 180.0, c = std::cos(angle), s = std::sin(angle);
+        const double angle = p[6].low.get(0) * pi / 180.0, c = numbers::cos(angle), s = numbers::sin(angle);
         const Ends b = turned * (2.0 * pi / pitch);
         across = profile(d * c - b * s, d * s + b * c, kind);
     }
@@ -163,7 +164,7 @@ inline bool polytubes_range(const Ends* a, Ends& out)
     out = 10000.0;
     for (double i = 0.0; i < number; i += 1.0) {
         const double angle = 2.0 * std::numbers::pi * i / tubes;
-        out = smaller(out, length(a[0] - r * std::sin(angle), a[2] - r * std::cos(angle)));
+        out = smaller(out, length(a[0] - r * numbers::sin(angle), a[2] - r * numbers::cos(angle)));
     }
     return true;
 }

@@ -3,14 +3,14 @@
 #include "function/internal/internal_shapes.h"
 #include "function/machine.h"
 #include "function/points/outer.h"
+#include "numbers/functions/lane_functions.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace function {
 
-/// Eight numbers. Arithmetic runs in vector registers; what the C library computes is asked lane by lane, so that every
-/// lane has the bits of the scalar result.
+/// Eight numbers. Every lane has the bits of the scalar result.
 struct alignas(64) Eight {
     double v[kLanes];
 };
@@ -82,6 +82,9 @@ struct Rules<Eight> {
         else if constexpr (op == Op::Max)
             return batchwise(a, b, [](Batch x, Batch y) { return xsimd::select(x < y, y, x); });
         else if constexpr (op == Op::Modulo) return modulo(a, b);
+        else if constexpr (op == Op::Atan2)
+            return batchwise(a, b, [](Batch x, Batch y) { return numbers::atan2(x, y); });
+        else if constexpr (op == Op::Power) return batchwise(a, b, [](Batch x, Batch y) { return numbers::pow(x, y); });
         else return lanewise([&](std::size_t i) { return function::binary<op>(a.v[i], b.v[i]); });
     }
 
@@ -89,8 +92,12 @@ struct Rules<Eight> {
     static Eight unary(const Eight& a)
     {
         if constexpr (op == Op::Sqrt) return batchwise(a, a, [](Batch x, Batch) { return xsimd::sqrt(x); });
-        else if constexpr (op == Op::Abs) return batchwise(a, a, [](Batch x, Batch) { return xsimd::abs(x); });
-        else return lanewise([&](std::size_t i) { return function::unary<op>(a.v[i]); });
+        if constexpr (op == Op::Abs) return batchwise(a, a, [](Batch x, Batch) { return xsimd::abs(x); });
+#define ASK(name, function)                                                                                            \
+    if constexpr (op == Op::name) return batchwise(a, a, [](Batch x, Batch) { return numbers::function(x); });
+        OPERATORS_OF_NUMBERS(ASK)
+#undef ASK
+        return lanewise([&](std::size_t i) { return function::unary<op>(a.v[i]); });
     }
 
     /// Runs the branches that some lane takes.
@@ -222,7 +229,7 @@ private:
     static Eight hetero(const Eight* a, const Host& host)
     {
         const int kind = generator(a[8].v[0]);
-        const double lacunarity = a[4].v[0], decay = std::pow(lacunarity, -a[3].v[0]),
+        const double lacunarity = a[4].v[0], decay = numbers::pow(lacunarity, -a[3].v[0]),
                      octaves = std::min(a[5].v[0], kMostOctaves), power = std::max(0.0, std::trunc(a[7].v[0]));
         Eight p[3] = {a[0], a[1], a[2]}, noise, sum;
         const auto ask = [&] { host.noises(p[0].v, p[1].v, p[2].v, kind, noise.v); };

@@ -186,5 +186,27 @@ double half_exponential(double size)
     const int by = std::ilogb(most);
     return std::ldexp(quick_hypot(std::ldexp(most, -by), std::ldexp(least, -by)), by);
 }
+double hypot(double x, double y, double z)
+{
+    const double a = std::abs(x), b = std::abs(y), c = std::abs(z), most = std::fmax(a, std::fmax(b, c));
+    if (most == 0.0) return 0.0;
+    const double u = a / most, v = b / most, w = c / most;
+    return most * std::sqrt(u * u + v * v + w * w);
+}
+
+float exp(float x) { return static_cast<float>(exp(static_cast<double>(x))); }
+[[gnu::flatten]] float pow(float x, float y)
+{
+    const auto base = static_cast<double>(x), power = static_cast<double>(y);
+    // A float needs no more than half of a double's bits.
+    const double e = is_plain(base) ? power * quick_logarithm(base) : kNan;
+    return static_cast<float>(std::abs(e) < kMostQuickExponent ? quick_value(exponential_of(e, 0.0))
+                                                               : pow(base, power));
+}
+float hypot(float x, float y)
+{
+    const auto a = static_cast<double>(x), b = static_cast<double>(y);
+    return static_cast<float>(std::sqrt(a * a + b * b));
+}
 
 }  // namespace numbers

@@ -26,8 +26,10 @@ double acosh(double x);
 double atanh(double x);
 double hypot(double x, double y);
 
-inline float exp(float x) { return static_cast<float>(exp(static_cast<double>(x))); }
-inline float pow(float x, float y) { return static_cast<float>(pow(static_cast<double>(x), static_cast<double>(y))); }
-inline float hypot(float x, float y) { return std::sqrt(x * x + y * y); }
+double hypot(double x, double y, double z);
+
+float exp(float x);
+float pow(float x, float y);
+float hypot(float x, float y);
 
 }  // namespace numbers

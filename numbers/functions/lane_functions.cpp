@@ -97,5 +97,18 @@ auto smaller_than(const Double& v, double limit) { return xsimd::abs(v) < Double
 {
     return completed(quick_tanh(x), smaller_than(x, kMostQuickExponent), OF_ONE(tanh), x);
 }
+[[gnu::flatten]] Double asinh(const Double& x)
+{
+    return completed(quick_asinh(x), smaller_than(x, kMostSquared), OF_ONE(asinh), x);
+}
+[[gnu::flatten]] Double acosh(const Double& x)
+{
+    const auto plain = (Double(1.0) <= x) & (x < Double(kMostSquared));
+    return completed(quick_acosh(x), plain, OF_ONE(acosh), x);
+}
+[[gnu::flatten]] Double atanh(const Double& x)
+{
+    return completed(quick_atanh(x), smaller_than(x, 1.0), OF_ONE(atanh), x);
+}
 
 }  // namespace numbers

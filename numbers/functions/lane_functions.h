@@ -22,5 +22,8 @@ Double pow(const Double& x, const Double& y);
 Double sinh(const Double& x);
 Double cosh(const Double& x);
 Double tanh(const Double& x);
+Double asinh(const Double& x);
+Double acosh(const Double& x);
+Double atanh(const Double& x);
 
 }  // namespace numbers

@@ -1,4 +1,5 @@
 #include "render/light/illuminate.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ double smooth_step(double low, double high, double x)
 double raised(double v, double power)
 {
     if (power == 1.0) return v;
-    return power == 2.0 ? v * v : std::pow(v, power);
+    return power == 2.0 ? v * v : numbers::pow(v, power);
 }
 
 double spot(const Light& light, const Illumination& lit)

@@ -1,9 +1,9 @@
 #include "render/plan/lights.h"
 
 #include "csg/items/depth_range.h"
+#include "numbers/functions/functions.h"
 #include "render/plan/probe.h"
 
-#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -80,8 +80,8 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     case scene::Light::Kind::Spot:
         // Parallel rays all run along the axis, so the cone has no edge; but it does not reach behind the light.
         out.kind = light::Light::Kind::Spot;
-        out.cos_radius = std::cos(description.radius_deg * kDegree);
-        out.cos_falloff = std::cos(description.falloff_deg * kDegree);
+        out.cos_radius = numbers::cos(description.radius_deg * kDegree);
+        out.cos_falloff = numbers::cos(description.falloff_deg * kDegree);
         break;
     case scene::Light::Kind::Cylinder:
         out.kind = light::Light::Kind::Cylinder;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -33,8 +34,8 @@ private:
 /// How much more light is sent back within than comes in: A of spec 6, 5.2. eta: relative index.
 inline double internal_reflection(double eta)
 {
-    const double f = eta < 1.0 ? eta * eta - std::pow(eta, 2.25)
-                               : ((1.0 - 1.0 / eta) + 3.0 * std::pow(1.0 - 1.0 / eta, 4.5)) / 4.0;
+    const double f = eta < 1.0 ? eta * eta - numbers::pow(eta, 2.25)
+                               : ((1.0 - 1.0 / eta) + 3.0 * numbers::pow(1.0 - 1.0 / eta, 4.5)) / 4.0;
     return (1.0 + f) / (1.0 - f);
 }
 

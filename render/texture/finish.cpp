@@ -1,5 +1,6 @@
 #include "render/texture/finish.h"
 
+#include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/fresnel.h"
 
@@ -18,7 +19,7 @@ float opacity(const scene::Color& c, bool legacy)
 double grazing_weight(double cosine)
 {
     if (cosine >= 1.0) return 0.0;
-    const double x = std::acos(std::max(cosine, -1.0)) / (std::numbers::pi / 2.0);
+    const double x = numbers::acos(std::max(cosine, -1.0)) / (std::numbers::pi / 2.0);
     const double q = x - 1.12;
     return std::clamp(0.014567225 / (q * q) - 0.011612903, 0.0, 1.0);
 }
@@ -31,7 +32,7 @@ double highlight_power(double c, double n)
 {
     constexpr double kMost = 1e30;  // white whatever it is multiplied by, and far from what a float holds at most
     if (highlight_vanishes(c, n)) return 0.0;
-    const double power = std::pow(c, n);
+    const double power = numbers::pow(c, n);
     return power > kMost && std::isfinite(power) ? kMost : power;
 }
 
@@ -88,7 +89,7 @@ glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, double
         const double s = finish.fresnel ? (finish.schlick ? schlick_share(eta, c) : fresnel_share(eta, c))
                          : finish.reflection_falloff == 1.0f
                              ? 1.0 - c
-                             : std::pow(1.0 - c, static_cast<double>(finish.reflection_falloff));
+                             : numbers::pow(1.0 - c, static_cast<double>(finish.reflection_falloff));
         return reflectivity_at(finish, pigment, c, static_cast<float>(s));
     }
     if (finish.reflection_metallic != 0.0f) r *= metallic_tint(finish.reflection_metallic, c, pigment);
@@ -108,7 +109,7 @@ glm::vec3 film(const Finish& finish, double h, double cos_light, double cos_view
     for (int k = 0; k < 3; ++k)
         out[k] = static_cast<float>(
             1.0 + static_cast<double>(finish.irid) *
-                      std::cos(kTau * h * (cos_light + cos_view) / static_cast<double>(wavelength[k])));
+                      numbers::cos(kTau * h * (cos_light + cos_view) / static_cast<double>(wavelength[k])));
     return out;
 }
 

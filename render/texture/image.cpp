@@ -1,5 +1,6 @@
 #include "render/texture/image.h"
 
+#include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ double wrapped(double v, double size)
 double around_tube(const glm::dvec3& p)
 {
     const double x = std::sqrt(p.x * p.x + p.z * p.z) - 1.0, r = std::sqrt(x * x + p.y * p.y);
-    const double turned = std::acos(-x / r) / kTau;
+    const double turned = numbers::acos(-x / r) / kTau;
     return p.y > 0.0 ? 1.0 - turned : turned;
 }
 
@@ -37,7 +38,7 @@ bool project(const Image& image, const glm::dvec3& p, const glm::dvec2& size, gl
         const double length = glm::length(p);
         if (length == 0.0) return false;
         at = {beside == 0.0 ? 0.0 : turn(p.x, p.z) * size.x,
-              (0.5 + std::asin(p.y / length) / std::numbers::pi) * size.y};
+              (0.5 + numbers::asin(p.y / length) / std::numbers::pi) * size.y};
         return true;
     }
     case Image::Projection::Cylindrical:

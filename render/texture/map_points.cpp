@@ -101,23 +101,25 @@ bool fold(Double& v, const Pattern& pattern)
 void waved_points(const Pattern& pattern, std::size_t count, Values& values)
 {
     using scene::WaveForm;
-    const bool by_library = pattern.wave == WaveForm::Sine || pattern.wave == WaveForm::Scallop ||
-                            (pattern.wave == WaveForm::Poly && pattern.poly_exponent != 2.0);
     const Double zero(0.0), half(0.5), one(1.0), two(2.0);
     for (std::size_t i = 0; i < count; i += kLanes) {
         Double v = Double::load_aligned(values.data() + i);
-        if (by_library || (pattern.folds && !fold(v, pattern))) {
+        if (pattern.folds && !fold(v, pattern)) {
             for (std::size_t k = i; k < std::min(i + kLanes, count); ++k) values[k] = waved(pattern, values[k]);
             continue;
         }
         v = xsimd::select(v < zero, v - xsimd::floor(v), v);
-        if (pattern.wave == WaveForm::Triangle) {
+        if (pattern.wave == WaveForm::Sine) {
+            v = (one + cycle(v)) / two;
+        } else if (pattern.wave == WaveForm::Scallop) {
+            v = xsimd::abs(cycle(v / two));
+        } else if (pattern.wave == WaveForm::Triangle) {
             const Double o = v - xsimd::floor(v);
             v = xsimd::select(o < half, two * o, two * (one - o));
         } else if (pattern.wave == WaveForm::Cubic) {
             v = v * v * (Double(3.0) - two * v);
         } else if (pattern.wave == WaveForm::Poly) {
-            v = v * v;
+            v = pattern.poly_exponent == 2.0 ? v * v : numbers::pow(v, Double(pattern.poly_exponent));
         }
         v.store_aligned(values.data() + i);
     }

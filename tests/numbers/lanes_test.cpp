@@ -37,8 +37,9 @@ std::vector<LaneFunction> lane_functions()
     {                                                                                                                  \
 #name, [](const Double& x, const Double& y) { return numbers::name(x, y); }                                    \
     }
-    return {OF_ONE(sin), OF_ONE(cos), OF_ONE(tan),   OF_ONE(asin), OF_ONE(acos), OF_ONE(atan), OF_TWO(atan2),
-            OF_ONE(exp), OF_ONE(log), OF_ONE(log10), OF_TWO(pow),  OF_ONE(sinh), OF_ONE(cosh), OF_ONE(tanh)};
+    return {OF_ONE(sin),   OF_ONE(cos),  OF_ONE(tan),   OF_ONE(asin),  OF_ONE(acos), OF_ONE(atan),
+            OF_TWO(atan2), OF_ONE(exp),  OF_ONE(log),   OF_ONE(log10), OF_TWO(pow),  OF_ONE(sinh),
+            OF_ONE(cosh),  OF_ONE(tanh), OF_ONE(asinh), OF_ONE(acosh), OF_ONE(atanh)};
 }
 
 std::uint64_t bits_of(double v) { return std::isnan(v) ? ~std::uint64_t{0} : std::bit_cast<std::uint64_t>(v); }

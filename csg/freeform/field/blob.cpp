@@ -3,6 +3,7 @@
 #include "csg/freeform/shared/similarity.h"
 #include "csg/base/hit.h"
 #include "csg/solids/shared/common.h"
+#include "numbers/functions/functions.h"
 
 namespace csg {
 namespace {
@@ -43,7 +44,7 @@ Blob::Blob(double threshold, const std::vector<Component>& components)
         if (!(component.strength > 0.0)) continue;
         const glm::dvec3 half(0.0, 0.0, 0.5 * component.length);
         if (component.length > 0.0) {
-            extent_.include(extent_of(component.frame, half, std::hypot(component.radius, half.z), false));
+            extent_.include(extent_of(component.frame, half, numbers::hypot(component.radius, half.z), false));
             extent_.include(extent_of(component.frame, 2.0 * half, component.radius, false));
         }
         extent_.include(extent_of(component.frame, glm::dvec3(0.0), component.radius, component.length == 0.0));

@@ -2,6 +2,7 @@
 
 #include "csg/base/points.h"
 #include "csg/freeform/field/julia.h"
+#include "numbers/functions/functions.h"
 
 #include <cmath>
 
@@ -23,19 +24,31 @@ inline Complex operator/(Complex a, Complex b)
 inline Complex times_i(Complex a) { return {-a.im, a.re}; }
 inline Complex exp(Complex a)
 {
-    const double size = std::exp(a.re);
-    return {size * std::cos(a.im), size * std::sin(a.im)};
+    const double size = numbers::exp(a.re);
+    return {size * numbers::cos(a.im), size * numbers::sin(a.im)};
 }
-inline Complex ln(Complex a) { return {std::log(std::hypot(a.re, a.im)), std::atan2(a.im, a.re)}; }
+inline Complex ln(Complex a) { return {numbers::log(numbers::hypot(a.re, a.im)), numbers::atan2(a.im, a.re)}; }
 inline Complex sqrt(Complex a)
 {
-    const double size = std::sqrt(std::hypot(a.re, a.im)), half = 0.5 * std::atan2(a.im, a.re);
-    return {size * std::cos(half), size * std::sin(half)};
+    const double size = std::sqrt(numbers::hypot(a.re, a.im)), half = 0.5 * numbers::atan2(a.im, a.re);
+    return {size * numbers::cos(half), size * numbers::sin(half)};
 }
-inline Complex sin(Complex a) { return {std::sin(a.re) * std::cosh(a.im), std::cos(a.re) * std::sinh(a.im)}; }
-inline Complex cos(Complex a) { return {std::cos(a.re) * std::cosh(a.im), -std::sin(a.re) * std::sinh(a.im)}; }
-inline Complex sinh(Complex a) { return {std::sinh(a.re) * std::cos(a.im), std::cosh(a.re) * std::sin(a.im)}; }
-inline Complex cosh(Complex a) { return {std::cosh(a.re) * std::cos(a.im), std::sinh(a.re) * std::sin(a.im)}; }
+inline Complex sin(Complex a)
+{
+    return {numbers::sin(a.re) * numbers::cosh(a.im), numbers::cos(a.re) * numbers::sinh(a.im)};
+}
+inline Complex cos(Complex a)
+{
+    return {numbers::cos(a.re) * numbers::cosh(a.im), -numbers::sin(a.re) * numbers::sinh(a.im)};
+}
+inline Complex sinh(Complex a)
+{
+    return {numbers::sinh(a.re) * numbers::cos(a.im), numbers::cosh(a.re) * numbers::sin(a.im)};
+}
+inline Complex cosh(Complex a)
+{
+    return {numbers::cosh(a.re) * numbers::cos(a.im), numbers::sinh(a.re) * numbers::sin(a.im)};
+}
 
 inline Complex power(Complex a, const glm::dvec2& exponent)
 {

@@ -1,6 +1,7 @@
 #include "csg/freeform/revolution/axis_ray.h"
 #include "csg/freeform/revolution/lathe_reach.h"
 
+#include "numbers/functions/functions.h"
 #include "numbers/safeguarded_newton.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ double reached(const auto& piece, int k, double level, double lo, double hi, boo
 double turn_about_y(const glm::dvec3& p, double widest)
 {
     if (!(p.x * p.x + p.z * p.z > on_axis(widest))) return 0.0;
-    const double turn = std::atan2(p.z, p.x) / (2.0 * std::numbers::pi);
+    const double turn = numbers::atan2(p.z, p.x) / (2.0 * std::numbers::pi);
     return turn < 0.0 ? turn + 1.0 : turn;
 }
 

@@ -1,5 +1,6 @@
 #include "csg/freeform/surface/superellipsoid.h"
 
+#include "numbers/functions/functions.h"
 #include "numbers/safeguarded_newton.h"
 
 #include <cmath>
@@ -21,7 +22,7 @@ struct Norm {
         const bool swapped = u < v;
         const double most = swapped ? v : u, least = swapped ? u : v;
         if (!(most > 0.0)) return;
-        const double ratio = least / most, power = std::pow(ratio, p), root = std::pow(1.0 + power, 1.0 / p);
+        const double ratio = least / most, power = numbers::pow(ratio, p), root = numbers::pow(1.0 + power, 1.0 / p);
         value = most * root;
         const double by_most = root / (1.0 + power);
         // At 0 the limit: |v| itself where p = 1, flat above, a spike below.
@@ -35,7 +36,7 @@ double norm(double u, double v, double p)
 {
     const double most = std::max(u, v);
     if (!(most > 0.0)) return 0.0;
-    return most * std::pow(1.0 + std::pow(std::min(u, v) / most, p), 1.0 / p);
+    return most * numbers::pow(1.0 + numbers::pow(std::min(u, v) / most, p), 1.0 / p);
 }
 
 /// The rate of |o + t d| from t on.
@@ -55,9 +56,9 @@ Superellipsoid::Superellipsoid(double e, double n)
     : across_(2.0 / e), along_(2.0 / n), convex_(across_ >= 1.0 && along_ >= 1.0)
 {
     if (!convex_) return;
-    const double widest = std::pow(2.0, 1.0 - 1.0 / across_);  // of |x| + |y| where the flat length is 1
+    const double widest = numbers::pow(2.0, 1.0 - 1.0 / across_);  // of |x| + |y| where the flat length is 1
     edge_ = kClear * widest;
-    rim_ = kClear * std::pow(2.0, 1.0 - 1.0 / along_);
+    rim_ = kClear * numbers::pow(2.0, 1.0 - 1.0 / along_);
     // Hoelder: the most of widest h + |z| where h^c + |z|^c is 1.
     const double dual = along_ > 1.0 ? (std::isinf(along_) ? 1.0 : along_ / (along_ - 1.0)) : kInfinity;
     corner_ = kClear * norm(widest, 1.0, dual);

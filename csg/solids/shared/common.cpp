@@ -1,4 +1,5 @@
 #include "csg/solids/shared/common.h"
+#include "numbers/functions/functions.h"
 
 #include <numbers>
 
@@ -8,9 +9,9 @@ glm::dvec2 sphere_uv(const glm::dvec3& n)
 {
     constexpr double kTurn = 2.0 * std::numbers::pi;
     constexpr double kPole = 1e-10;  // of the squared distance from the axis: POV-Ray's (spec 5a, 6)
-    const double v = 0.5 + std::asin(glm::clamp(n.y, -1.0, 1.0)) / std::numbers::pi;
+    const double v = 0.5 + numbers::asin(glm::clamp(n.y, -1.0, 1.0)) / std::numbers::pi;
     if (n.x * n.x + n.z * n.z <= kPole) return {0.0, v};
-    const double u = std::atan2(n.z, n.x) / kTurn;
+    const double u = numbers::atan2(n.z, n.x) / kTurn;
     return {u < 0.0 ? u + 1.0 : u, v};
 }
 
@@ -41,7 +42,7 @@ Aabb transformed_box(const Transform& frame, const Aabb& local)
 Aabb ellipsoid_box(const glm::dmat3& linear, const glm::dvec3& center)
 {
     glm::dvec3 half(0.0);
-    for (int i = 0; i < 3; ++i) half[i] = std::hypot(linear[0][i], linear[1][i], linear[2][i]);
+    for (int i = 0; i < 3; ++i) half[i] = numbers::hypot(linear[0][i], linear[1][i], linear[2][i]);
     return {center - half, center + half};
 }
 

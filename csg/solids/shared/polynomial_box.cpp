@@ -1,4 +1,5 @@
 #include "csg/solids/shared/polynomial_box.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <array>
@@ -35,8 +36,8 @@ Powers powers_of(const Part& of, int degree)
                                                                                                : 0.0;
     for (int n = 1; n <= degree; ++n) {
         const auto k = static_cast<std::size_t>(n);
-        if (n % 2 == 0) out[k] = {std::pow(least, n), std::pow(most, n)};
-        else out[k] = {std::pow(of.low, n), std::pow(of.high, n)};
+        if (n % 2 == 0) out[k] = {numbers::pow(least, n), numbers::pow(most, n)};
+        else out[k] = {numbers::pow(of.low, n), numbers::pow(of.high, n)};
     }
     return out;
 }

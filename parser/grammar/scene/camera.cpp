@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "parser/grammar/scene/effects.h"
 #include "parser/grammar/core/rules.h"
 
@@ -27,7 +28,7 @@ constexpr double kEpsilon = 1e-10;  // POV-Ray's smallest length here (spec 2, 1
 /// The direction's length for a viewing angle; `up` never changes (spec 2, 3.2 step 2).
 void apply_angle(CameraState& s, double angle)
 {
-    const double length = 0.5 * glm::length(s.camera.right) / std::tan(angle * std::numbers::pi / 360.0);
+    const double length = 0.5 * glm::length(s.camera.right) / numbers::tan(angle * std::numbers::pi / 360.0);
     const double old = glm::length(s.camera.direction);
     if (old > 0) s.camera.direction *= length / old;
     s.computed_focus = length;

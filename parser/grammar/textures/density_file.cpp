@@ -17,7 +17,7 @@ std::shared_ptr<const scene::Volume> decode_density_file(const std::vector<std::
     while (width > 0 && (count == 0 || bytes.size() != kHeader + count * width)) width /= 2;
     if (width == 0) return nullptr;
     volume->samples.reserve(count);
-    volume->most = std::exp2(8.0 * static_cast<double>(width)) - 1.0;
+    volume->most = std::ldexp(1.0, 8 * static_cast<int>(width)) - 1.0;
     for (std::size_t i = kHeader; i < bytes.size(); i += width) {
         std::uint32_t level = 0;
         for (std::size_t k = 0; k < width; ++k) level = level << 8 | bytes[i + k];

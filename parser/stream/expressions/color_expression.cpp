@@ -1,7 +1,7 @@
+#include "numbers/functions/functions.h"
 #include "parser/stream/expressions/operand.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace parser {
 namespace {
@@ -12,9 +12,9 @@ double from_srgb(double written, const scene::AssumedGamma& gamma)
 {
     if (gamma.kind == scene::AssumedGamma::Kind::Srgb) return written;
     const auto v = static_cast<float>(written);
-    const float linear = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+    const float linear = v <= 0.04045f ? v / 12.92f : numbers::pow((v + 0.055f) / 1.055f, 2.4f);
     if (gamma.exponent == 1.0) return linear;
-    return std::pow(std::max(linear, 0.0f), 1.0f / static_cast<float>(gamma.exponent));
+    return numbers::pow(std::max(linear, 0.0f), 1.0f / static_cast<float>(gamma.exponent));
 }
 
 struct VectorItem {

@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "parser/stream/expressions/operand.h"
 #include "parser/stream/expressions/text_functions.h"
 #include "parser/stream/values/elements.h"
@@ -27,32 +28,32 @@ double one_argument(TokenStream& stream, const Token& word, double a)
             stream.warn(stream.place(word), std::string(spelling(word.kind)) + " of a number outside -1 to 1");
             a = a < 0 ? -1.0 : 1.0;
         }
-        return word.kind == Kind::Acos ? std::acos(a) : std::asin(a);
-    case Kind::Atan: return std::atan(a);
-    case Kind::Cosh: return std::cosh(a);
-    case Kind::Sinh: return std::sinh(a);
-    case Kind::Tanh: return std::tanh(a);
-    case Kind::Acosh: return std::acosh(a);
-    case Kind::Asinh: return std::asinh(a);
-    case Kind::Atanh: return std::atanh(a);
+        return word.kind == Kind::Acos ? numbers::acos(a) : numbers::asin(a);
+    case Kind::Atan: return numbers::atan(a);
+    case Kind::Cosh: return numbers::cosh(a);
+    case Kind::Sinh: return numbers::sinh(a);
+    case Kind::Tanh: return numbers::tanh(a);
+    case Kind::Acosh: return numbers::acosh(a);
+    case Kind::Asinh: return numbers::asinh(a);
+    case Kind::Atanh: return numbers::atanh(a);
     case Kind::Ceil: return std::ceil(a);
-    case Kind::Cos: return std::cos(a);
+    case Kind::Cos: return numbers::cos(a);
     case Kind::Degrees: return a / kDegree;
-    case Kind::Exp: return std::exp(a);
+    case Kind::Exp: return numbers::exp(a);
     case Kind::Floor: return std::floor(a);
     case Kind::Int: return to_int32(a);
     case Kind::Ln:
         if (a <= 0.0) refuse(" of a number that is not above 0");
-        return std::log(a);
+        return numbers::log(a);
     case Kind::Log:
         if (a <= 0.0) refuse(" of a number that is not above 0");
-        return std::log10(a);
+        return numbers::log10(a);
     case Kind::Radians: return a * kDegree;
-    case Kind::Sin: return std::sin(a);
+    case Kind::Sin: return numbers::sin(a);
     case Kind::Sqrt:
         if (a < 0.0) refuse(" of a number below 0");
         return std::sqrt(a);
-    case Kind::Tan: return std::tan(a);
+    case Kind::Tan: return numbers::tan(a);
     case Kind::Seed:
         stream.random_streams().push_back(static_cast<std::uint32_t>(to_int32(a)));
         return static_cast<double>(stream.random_streams().size() - 1);
@@ -76,12 +77,12 @@ double two_arguments(TokenStream& stream, const Token& word)
     switch (word.kind) {
     case Kind::Atan2:
         if (std::abs(a) <= kSame && std::abs(b) <= kSame) stream.fail(stream.place(word), "atan2 of two zeros");
-        return std::atan2(a, b);
+        return numbers::atan2(a, b);
     case Kind::Div: return to_int32(a / b);
     case Kind::Mod: return std::fmod(a, b);
     default:
         if (a == 0.0 && b == 0.0) stream.fail(stream.place(word), "pow of two zeros");
-        return std::pow(a, b);
+        return numbers::pow(a, b);
     }
 }
 

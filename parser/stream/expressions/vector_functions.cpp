@@ -1,7 +1,7 @@
+#include "numbers/functions/functions.h"
 #include "parser/stream/expressions/operand.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace parser {
@@ -9,7 +9,8 @@ namespace parser {
 glm::dvec3 rotated(glm::dvec3 v, const glm::dvec3& degrees)
 {
     const glm::dvec3 angle = degrees * (std::numbers::pi / 180.0);
-    const glm::dvec3 c = glm::cos(angle), s = glm::sin(angle);
+    const glm::dvec3 c(numbers::cos(angle.x), numbers::cos(angle.y), numbers::cos(angle.z)),
+        s(numbers::sin(angle.x), numbers::sin(angle.y), numbers::sin(angle.z));
     v = {v.x, v.y * c.x - v.z * s.x, v.y * s.x + v.z * c.x};
     v = {v.x * c.y + v.z * s.y, v.y, -v.x * s.y + v.z * c.y};
     return {v.x * c.z - v.y * s.z, v.x * s.z + v.y * c.z, v.z};
@@ -20,8 +21,8 @@ namespace {
 glm::dvec3 rotated_about(const glm::dvec3& v, const glm::dvec3& axis, double degrees)
 {
     const double angle = degrees * (std::numbers::pi / 180.0);
-    const glm::dvec3 k = axis * (1.0 / glm::length(axis)), s = k * std::sin(angle);
-    const double c = std::cos(angle), rest = 1.0 - c;
+    const glm::dvec3 k = axis * (1.0 / glm::length(axis)), s = k * numbers::sin(angle);
+    const double c = numbers::cos(angle), rest = 1.0 - c;
     // The rows of a matrix, as POV-Ray has it: the same to the last digit, and 0 where it prints 0 (spec 1, 5.2).
     const glm::dvec3 x(k.x * k.x + c * (1.0 - k.x * k.x), k.x * k.y * rest + s.z, k.x * k.z * rest - s.y),
         y(k.x * k.y * rest - s.z, k.y * k.y + c * (1.0 - k.y * k.y), k.y * k.z * rest + s.x),

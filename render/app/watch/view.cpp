@@ -1,11 +1,11 @@
 #include "render/app/watch/view.h"
 
+#include "numbers/functions/functions.h"
 #include "render/scene/inside.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -14,7 +14,7 @@ constexpr double kSteepest = 89.0;  // degrees from the horizon: beyond, up and 
 
 glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double degrees)
 {
-    const double angle = glm::radians(degrees), c = std::cos(angle), s = std::sin(angle);
+    const double angle = glm::radians(degrees), c = numbers::cos(angle), s = numbers::sin(angle);
     return c * v + s * glm::cross(axis, v) + (1.0 - c) * glm::dot(axis, v) * axis;
 }
 
@@ -86,7 +86,7 @@ scene::Camera moved(const scene::Camera& camera, const View::Orbit& orbit, doubl
     const glm::dvec3 sky = glm::normalize(camera.sky), ahead = camera.direction / length;
     const glm::dvec3 pivot = camera.location + distance * ahead;
     const glm::dvec3 side = glm::length(camera.right) > 0.0 ? glm::normalize(camera.right) : glm::dvec3(1, 0, 0);
-    const double height = glm::degrees(std::asin(std::clamp(glm::dot(-ahead, sky), -1.0, 1.0)));
+    const double height = glm::degrees(numbers::asin(std::clamp(glm::dot(-ahead, sky), -1.0, 1.0)));
     const double pitch = std::clamp(orbit.pitch_deg, std::min(0.0, -kSteepest - height),
                                     std::max(0.0, kSteepest - height));  // of the eye above the pivot
     // The sign that lifts the eye for either hand of the coordinates.

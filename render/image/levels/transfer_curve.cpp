@@ -1,4 +1,5 @@
 #include "render/image/levels/transfer_curve.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,20 +27,20 @@ float TransferCurve::encode(float x) const
 {
     switch (kind) {
     case Kind::Linear: return x;
-    case Kind::Power: return std::pow(std::max(x, 0.0f), 1.0f / gamma);
+    case Kind::Power: return numbers::pow(std::max(x, 0.0f), 1.0f / gamma);
     case Kind::Srgb: break;
     }
-    return x <= 0.0031308f ? x * 12.92f : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+    return x <= 0.0031308f ? x * 12.92f : 1.055f * numbers::pow(x, 1.0f / 2.4f) - 0.055f;
 }
 
 float TransferCurve::decode(float x) const
 {
     switch (kind) {
     case Kind::Linear: return x;
-    case Kind::Power: return std::pow(std::max(x, 0.0f), gamma);
+    case Kind::Power: return numbers::pow(std::max(x, 0.0f), gamma);
     case Kind::Srgb: break;
     }
-    return x < 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
+    return x < 0.04045f ? x / 12.92f : numbers::pow((x + 0.055f) / 1.055f, 2.4f);
 }
 
 Transcoder::Transcoder(const TransferCurve& working, const TransferCurve& file) : working_(working), file_(file)

@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "numbers/random.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/kernel/air/rainbow.h"
@@ -14,9 +15,9 @@ bool meets(const texture::Rainbow& bow, std::uint32_t number, const glm::dvec3& 
 {
     const double x = glm::dot(d, bow.right), y = glm::dot(d, bow.up), along = glm::dot(d, bow.antisolar);
     const double length = std::sqrt(x * x + y * y);
-    const double from_up = std::abs(std::acos(length > 0.0 ? y / length : y));
+    const double from_up = std::abs(numbers::acos(length > 0.0 ? y / length : y));
     if (!(from_up <= bow.arc) || along < 0.0) return false;
-    place = (std::acos(std::min(along, 1.0)) - (bow.angle - bow.width / 2.0)) / bow.width;
+    place = (numbers::acos(std::min(along, 1.0)) - (bow.angle - bow.width / 2.0)) / bow.width;
     if (bow.jitter > 0.0) place += (2.0 * random_of(random_seed(glm::dvec3(0), d), number, 0) - 1.0) * bow.jitter;
     if (!(place >= 0.0 && place <= 1.0 - kNearlyZero)) return false;
     edge = 0.0;
@@ -47,7 +48,7 @@ Air rainbow_air(const Context& context, const csg::Ray& ray, double length)
         const scene::Color color = color_at(context.scene.textures, bow, place);
         const auto transmit = static_cast<double>(color.transmit);
         const auto keeps =
-            static_cast<float>(std::max(std::exp(-length / bow.distance), edge * (1.0 - transmit) + transmit));
+            static_cast<float>(std::max(numbers::exp(-length / bow.distance), edge * (1.0 - transmit) + transmit));
         const float filter = color.filter * (1.0f - keeps);
         sum.share += keeps * ((1.0f - filter) + filter * color.rgb());
         sum.glow += (1.0f - keeps) * color.rgb();

@@ -1,6 +1,7 @@
 #include "render/kernel/antialias/color_distance.h"
 
 #include "numbers/float_power.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <array>
@@ -37,8 +38,8 @@ float ColorDistance::encode(float value) const
 {
     if (identity_) return value;
     double v = static_cast<double>(value);
-    if (srgb_) v = v <= kSrgbKnee ? v / kSrgbSlope : std::pow((v + kSrgbShift) / kSrgbScale, kSrgbExponent);
-    return static_cast<float>(std::pow(std::max(v, 0.0), exponent_));
+    if (srgb_) v = v <= kSrgbKnee ? v / kSrgbSlope : numbers::pow((v + kSrgbShift) / kSrgbScale, kSrgbExponent);
+    return static_cast<float>(numbers::pow(std::max(v, 0.0), exponent_));
 }
 
 /// Components where they are; the vector is as long as a whole number of registers.

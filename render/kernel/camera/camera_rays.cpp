@@ -1,5 +1,6 @@
 #include "render/kernel/camera/camera_rays.h"
 
+#include "numbers/functions/functions.h"
 #include "numbers/lanes.h"
 #include "render/plan/camera_starts.h"
 #include "render/texture/evaluate.h"
@@ -31,7 +32,7 @@ glm::dvec3 unit(const glm::dvec3& v)
 /// Rotation by `angle` about the unit vector `axis`, in POV-Ray's left-handed sense (as vaxis_rotate).
 glm::dvec3 rotated(const glm::dvec3& v, const glm::dvec3& axis, double angle)
 {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = numbers::cos(angle), s = numbers::sin(angle);
     return v * c + glm::cross(axis, v) * s + axis * (glm::dot(axis, v) * (1 - c));
 }
 
@@ -39,7 +40,7 @@ glm::dvec3 rotated(const glm::dvec3& v, const glm::dvec3& axis, double angle)
 /// from the left half into the lower left quarter, and breaks off below the centre.
 double polar_angle(double a, double b)
 {
-    const double phi = std::atan2(b, a);
+    const double phi = numbers::atan2(b, a);
     return a < 0.0 && b < 0.0 ? phi + 2.0 * kPi : phi;
 }
 
@@ -100,8 +101,8 @@ bool CameraRays::project(double px, double py, int k, csg::Ray& out, glm::dvec2&
     case Kind::UltraWideAngle: {
         const double alpha = u * angle_, beta = v * angle_ * length_up_ / length_right_;
         place = {alpha, beta};
-        out.direction = std::sin(alpha) * unit_right_ + std::sin(beta) * unit_up_ +
-                        std::cos(alpha) * std::cos(beta) * unit_direction_;
+        out.direction = numbers::sin(alpha) * unit_right_ + numbers::sin(beta) * unit_up_ +
+                        numbers::cos(alpha) * numbers::cos(beta) * unit_direction_;
         break;
     }
     case Kind::Omnimax: found = omnimax(u, v, out, place); break;
@@ -154,14 +155,14 @@ void CameraRays::unscaled_perspective(const double* px, const double* py, int co
 
 glm::dvec3 CameraRays::polar(double theta, double a, double b) const
 {
-    const double phi = std::atan2(b, a);
-    return std::sin(theta) * std::cos(phi) * unit_right_ + std::sin(theta) * std::sin(phi) * unit_up_ +
-           std::cos(theta) * unit_direction_;
+    const double phi = numbers::atan2(b, a);
+    return numbers::sin(theta) * numbers::cos(phi) * unit_right_ + numbers::sin(theta) * numbers::sin(phi) * unit_up_ +
+           numbers::cos(theta) * unit_direction_;
 }
 
 bool CameraRays::fisheye(double u, double v, csg::Ray& out, glm::dvec2& place) const
 {
-    const double a = 2 * u * length_right_, b = 2 * v * length_up_, rho = std::hypot(a, b);
+    const double a = 2 * u * length_right_, b = 2 * v * length_up_, rho = numbers::hypot(a, b);
     if (rho > 1) return false;
     place = {polar_angle(a, b), rho * angle_ / 2};
     out.direction = polar(place.y, a, b);
@@ -180,13 +181,14 @@ bool CameraRays::omnimax(double u, double v, csg::Ray& out, glm::dvec2& place) c
     } else {
         b /= q;
     }
-    const double rho = std::hypot(a, b);
+    const double rho = numbers::hypot(a, b);
     if (rho > 1) return false;
     const double rho2 = rho * rho;
     const double theta = rho * (1.411269 + rho2 * (-0.09439 + rho2 * 0.25674));
     place = {polar_angle(a, b), theta};
     // More than 45 degrees below the horizon there is only the projection booth.
-    if (std::sin(std::atan2(b, a)) * std::sin(theta) < std::tan(radians(135)) * std::cos(theta)) return false;
+    if (numbers::sin(numbers::atan2(b, a)) * numbers::sin(theta) < numbers::tan(radians(135)) * numbers::cos(theta))
+        return false;
     out.direction = polar(theta, a, b);
     return true;
 }
@@ -197,8 +199,9 @@ void CameraRays::panoramic(double px, double v, csg::Ray& out, glm::dvec2& place
     constexpr double kVerticalTangent = 2e10;
     const double a = (1 - (px + 0.5) / width_) * kPi, b = v * kPi;
     place = {a, b};
-    const double rise = std::abs(kPi / 2 - std::abs(b)) < kVertical ? std::copysign(kVerticalTangent, b) : std::tan(b);
-    out.direction = std::cos(a) * camera_.right + rise * camera_.up + std::sin(a) * camera_.direction;
+    const double rise = std::abs(kPi / 2 - std::abs(b)) < kVertical ? std::copysign(kVerticalTangent, b)
+                                                                    : numbers::tan(b);
+    out.direction = numbers::cos(a) * camera_.right + rise * camera_.up + numbers::sin(a) * camera_.direction;
 }
 
 void CameraRays::cylinder(double u, double v, csg::Ray& out, glm::dvec2& place) const
@@ -206,11 +209,11 @@ void CameraRays::cylinder(double u, double v, csg::Ray& out, glm::dvec2& place) 
     const double across = u * angle_, along = v * angle_;
     if (camera_.cylinder_type == 1 || camera_.cylinder_type == 3) {
         place = {across, v * length_up_};
-        out.direction = std::sin(across) * unit_right_ + std::cos(across) * unit_direction_;
+        out.direction = numbers::sin(across) * unit_right_ + numbers::cos(across) * unit_direction_;
         (camera_.cylinder_type == 1 ? out.direction : out.origin) += v * length_up_ * unit_up_;
     } else {
         place = {u * length_right_, along};
-        out.direction = std::sin(along) * unit_up_ + std::cos(along) * unit_direction_;
+        out.direction = numbers::sin(along) * unit_up_ + numbers::cos(along) * unit_direction_;
         (camera_.cylinder_type == 2 ? out.direction : out.origin) += u * length_right_ * unit_right_;
     }
 }

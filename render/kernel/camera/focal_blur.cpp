@@ -1,5 +1,6 @@
 #include "render/kernel/camera/focal_blur.h"
 
+#include "numbers/functions/functions.h"
 #include "numbers/lanes.h"
 #include "render/texture/evaluate.h"
 #include "render/plan/textures/chi_square.h"
@@ -95,7 +96,7 @@ void FocalBlur::place_further_samples()
     for (int k = 0; static_cast<int>(places_.size()) < samples_;) {
         const double r = std::sqrt(0.25 * radical_inverse(2, k)),
                      angle = 2.0 * std::numbers::pi * radical_inverse(3, k);
-        const glm::dvec2 g{r * std::cos(angle), r * std::sin(angle)};
+        const glm::dvec2 g{r * numbers::cos(angle), r * numbers::sin(angle)};
         ++k;
         --budget;
         const bool picky = budget > samples_ - static_cast<int>(places_.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/kernel/context/context.h"
 
 /// Ink lines: docs/extensions.md.
@@ -18,7 +19,7 @@ namespace trace {
     const glm::dvec3 w = hit.state.ray.direction;
     const glm::dvec3 u = glm::normalize(glm::cross(w, std::abs(w.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0))),
                      v = glm::cross(w, u);
-    const double aside = std::tan(drawn.ink);
+    const double aside = numbers::tan(drawn.ink);
     for (const glm::dvec3& way : {u, -u, v, -v}) {
         const csg::Ray ray{hit.state.ray.origin, glm::normalize(w + aside * way)};
         const Hit near = context.world.nearest(ray, context.scene.tolerance.hit, csg::kInfinity, bit(hit.state.kind),

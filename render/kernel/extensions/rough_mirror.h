@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/texture/texture_set.h"
 
 #include <algorithm>
@@ -24,9 +25,9 @@ public:
     {
         constexpr double kTurn = 2.0 * std::numbers::pi;
         const auto [a, b] = at;
-        const double cosine = std::pow(1.0 - a, 1.0 / (exponent_ + 1.0)),
+        const double cosine = numbers::pow(1.0 - a, 1.0 / (exponent_ + 1.0)),
                      sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-        glm::dvec3 d = cosine * w_ + sine * (std::cos(kTurn * b) * u_ + std::sin(kTurn * b) * v_);
+        glm::dvec3 d = cosine * w_ + sine * (numbers::cos(kTurn * b) * u_ + numbers::sin(kTurn * b) * v_);
         const double away = glm::dot(d, normal_);
         if (away < 0.0) d -= 2.0 * away * normal_;  // folded back out, as a bent normal's mirrored ray is
         return glm::normalize(d);

@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
 #include "render/kernel/extinction/even_fog.h"
@@ -15,9 +16,9 @@ namespace {
 double mean_density(double a, double b)
 {
     if (a <= 0.0 && b <= 0.0) return 1.0;
-    if (a <= 0.0) return (std::atan(b) - a) / (b - a);
-    if (b <= 0.0) return (std::atan(a) - b) / (a - b);
-    return std::abs(a - b) <= kNearlyZero ? 1.0 / (1.0 + a * a) : (std::atan(a) - std::atan(b)) / (a - b);
+    if (a <= 0.0) return (numbers::atan(b) - a) / (b - a);
+    if (b <= 0.0) return (numbers::atan(a) - b) / (a - b);
+    return std::abs(a - b) <= kNearlyZero ? 1.0 / (1.0 + a * a) : (numbers::atan(a) - numbers::atan(b)) / (a - b);
 }
 
 constexpr double kUnseen = 0x1p-55;  // less than half of the last bit of 1
@@ -34,7 +35,7 @@ double most_turbulence(const texture::Fog& fog)
 /// large enough to change 1.
 double seen_turbulence(const texture::Fog& fog, double length)
 {
-    const double near = fog.turbulent ? std::exp(-length / fog.distance) : 0.0;
+    const double near = fog.turbulent ? numbers::exp(-length / fog.distance) : 0.0;
     return near * most_turbulence(fog) > kUnseen ? near : 0.0;
 }
 
@@ -54,7 +55,7 @@ double fog_transmission(const texture::Fog& fog, const csg::Ray& ray, double len
         const double b = (glm::dot(ray.at(length), fog.up) - fog.offset) / fog.altitude;
         density = mean_density(a, b);
     }
-    return std::max(std::exp(-effective * density / fog.distance), static_cast<double>(fog.color.transmit));
+    return std::max(numbers::exp(-effective * density / fog.distance), static_cast<double>(fog.color.transmit));
 }
 
 double fog_transmission(const Context& context, const texture::Fog& fog, const csg::Ray& ray, double length)

@@ -1,7 +1,7 @@
 #include "render/kernel/extinction/media_mix.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace trace {
 namespace {
@@ -22,7 +22,7 @@ double phase_of(const plan::Media& media, double cosine)
     case Phase::Rayleigh: return 0.799372013 * (1.0 + cosine * cosine);
     case Phase::HenyeyGreenstein: {
         const double g = media.eccentricity;
-        return (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
+        return (1.0 - g * g) / numbers::pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
     }
     }
     return 1.0;

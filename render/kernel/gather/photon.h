@@ -1,5 +1,7 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -45,8 +47,8 @@ inline Photon make_photon(const glm::dvec3& place, const glm::vec3& flux, const 
     const auto step = [](double angle, double sign) {
         return static_cast<std::int8_t>((sign < 0.0 ? -angle : angle) * kSteps);
     };
-    out.latitude = step(std::acos(std::min(flat, 1.0)), back.y);
-    if (flat > 0.0) out.azimuth = step(std::acos(std::clamp(back.x / flat, -1.0, 1.0)), back.z);
+    out.latitude = step(numbers::acos(std::min(flat, 1.0)), back.y);
+    if (flat > 0.0) out.azimuth = step(numbers::acos(std::clamp(back.x / flat, -1.0, 1.0)), back.z);
     return out;
 }
 
@@ -62,7 +64,8 @@ inline glm::vec3 back_of(const Photon& photon)
 {
     constexpr double kStep = std::numbers::pi / 127.0;
     const double latitude = photon.latitude * kStep, azimuth = photon.azimuth * kStep;
-    return {std::cos(latitude) * std::cos(azimuth), std::sin(latitude), std::cos(latitude) * std::sin(azimuth)};
+    return {numbers::cos(latitude) * numbers::cos(azimuth), numbers::sin(latitude),
+            numbers::cos(latitude) * numbers::sin(azimuth)};
 }
 
 }  // namespace trace

@@ -1,5 +1,6 @@
 #include "render/kernel/gather/photon_map.h"
 
+#include "numbers/functions/functions.h"
 #include "render/kernel/gather/photon_search.h"
 
 #include <algorithm>
@@ -115,7 +116,8 @@ double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
     }
     const double average = sum / static_cast<double>(count);
     const auto most = static_cast<double>(gather_most);
-    double radius = media ? std::pow(3.0 * most / (4.0 * kPi * average), 0.3333) : std::sqrt(most / (average * kPi));
+    double radius = media ? numbers::pow(3.0 * most / (4.0 * kPi * average), 0.3333)
+                          : std::sqrt(most / (average * kPi));
     std::size_t sparse = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double here = density(radius);

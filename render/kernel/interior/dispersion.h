@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,7 +24,7 @@ inline float wavelength(int i, int samples)
 /// sides' numbers.
 inline double spectrum_power(double dispersion, float wavelength)
 {
-    return std::pow(dispersion, -(static_cast<double>(wavelength) - kMiddle) / static_cast<double>(kSpectrum));
+    return numbers::pow(dispersion, -(static_cast<double>(wavelength) - kMiddle) / static_cast<double>(kSpectrum));
 }
 
 /// How an interface bends light of a wavelength: `ratio` in the middle of the spectrum.
@@ -62,6 +61,7 @@ inline glm::vec3 hue_up_to(float wavelength)
 {
     static constexpr float kFirst = 375.0f, kStep = 5.0f;
     static constexpr std::array<std::array<float, 3>, 74> kHues = {{
+#include "numbers/functions/functions.h"
 #include "render/kernel/interior/spectral_hue.inc"
     }};
     const float at = std::clamp((wavelength - kFirst) / kStep, 0.0f, static_cast<float>(kHues.size() - 1));

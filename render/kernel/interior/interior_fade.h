@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/plan/interior.h"
 
 #include <cmath>
@@ -18,14 +19,14 @@ inline glm::vec3 interior_fade(const plan::Interior& interior, double distance, 
     if (power >= kExponential) {
         glm::vec3 out;
         for (int k = 0; k < 3; ++k)
-            out[k] =
-                static_cast<float>(std::exp(-(1.0 - static_cast<double>(interior.fade_color[k])) * distance / reach));
+            out[k] = static_cast<float>(
+                numbers::exp(-(1.0 - static_cast<double>(interior.fade_color[k])) * distance / reach));
         return out;
     }
     // Powers that most scenes ask for, without the library.
     const double ways = distance / reach, loss = power == 1.0   ? ways
                                                  : power == 2.0 ? ways * ways
-                                                                : std::pow(ways, power);
+                                                                : numbers::pow(ways, power);
     const auto share = static_cast<float>(1.0 / (1.0 + loss));
     return interior.fade_color + (1.0f - interior.fade_color) * share;
 }

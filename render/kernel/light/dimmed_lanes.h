@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/lane_functions.h"
 #include "render/kernel/tile/hit_mask.h"
 #include "render/kernel/tile/tile_lanes.h"
 
@@ -60,16 +61,11 @@ private:
         return xsimd::select(behind <= zero, zero, factor);
     }
 
-    /// The C library's power but for 1 and 2.
     static Double raised(std::uint32_t in, const Double& v, double power)
     {
         if (power == 1.0) return v;
         if (power == 2.0) return v * v;
-        alignas(64) std::array<double, csg::lanes::kDoubles> each;
-        v.store_aligned(each.data());
-        for (std::size_t lane = 0; lane < each.size(); ++lane)
-            if ((in >> lane & 1u) != 0) each[lane] = std::pow(each[lane], power);
-        return Double::load_aligned(each.data());
+        return numbers::pow(xsimd::select(csg::lanes::lanes_of(in), v, Double(1.0)), Double(power));
     }
 
     const light::Light& light_;

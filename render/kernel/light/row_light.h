@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "numbers/lane_power.h"
 #include "render/kernel/tile/lane_masks.h"
 #include "numbers/random.h"
@@ -8,7 +9,6 @@
 #include "render/kernel/tile/nearly_zero.h"
 
 #include <algorithm>
-#include <cmath>
 
 /// surface_light() for a page of rows, a hit a lane, in the same order of operations.
 namespace trace {
@@ -24,7 +24,7 @@ namespace trace {
     for_each_hit(hits, [&](std::size_t k) {
         const float brilliance = at.finish[k]->brilliance;
         if (brilliance > 0.0f && brilliance < kSteepest) exponent[k] = static_cast<double>(brilliance);
-        else intensity[k] = std::pow(intensity[k], static_cast<double>(brilliance));
+        else intensity[k] = numbers::pow(intensity[k], static_cast<double>(brilliance));
     });
     for (std::size_t i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) {
         if ((hits >> i & kVector) == 0) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/light/illuminate.h"
 #include "render/texture/finish.h"
 
@@ -48,7 +49,7 @@ inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const
     if (diffuse > 0.0) {
         const double facing = std::abs(glm::dot(layer.normal, l));
         double intensity = finish.brilliance == 1.0f ? facing
-                                                     : std::pow(facing, static_cast<double>(finish.brilliance));
+                                                     : numbers::pow(facing, static_cast<double>(finish.brilliance));
         intensity *= diffuse * layer.alpha;
         intensity -= grain;
         sum += static_cast<float>(intensity) * layer.pigment.rgb() * color;

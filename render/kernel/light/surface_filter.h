@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/kernel/context/side_textures.h"
 #include "render/texture/finish.h"
 
@@ -23,7 +24,7 @@ inline glm::vec3 past_layers(const plan::CompiledScene& scene, const texture::Te
         }
         if (power != 0.0f) {
             const glm::dvec3 n = texture::bent_normal(set, layer.normal, normal, p, around, enclosing);
-            const double focus = std::pow(std::abs(glm::dot(n, around.direction)), static_cast<double>(power));
+            const double focus = numbers::pow(std::abs(glm::dot(n, around.direction)), static_cast<double>(power));
             light *= static_cast<float>(1.0 + focus);
         }
     }

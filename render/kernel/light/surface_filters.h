@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/finish.h"
 #include "render/kernel/light/shadow_rays.h"
@@ -133,7 +134,7 @@ private:
         std::size_t i = 0;
         for_each_hit(group, [&](std::size_t k) {
             const glm::dvec3 d = kept_.rays.ray(static_cast<int>(k)).direction;
-            light[i] *= static_cast<float>(1.0 + std::pow(std::abs(glm::dot(n.at(i), d)), power));
+            light[i] *= static_cast<float>(1.0 + numbers::pow(std::abs(glm::dot(n.at(i), d)), power));
             ++i;
         });
     }

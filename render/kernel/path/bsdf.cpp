@@ -1,9 +1,9 @@
 #include "render/kernel/path/bsdf.h"
 
+#include "numbers/functions/functions.h"
 #include "render/kernel/path/directions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace trace::path {
@@ -46,7 +46,7 @@ Response Bsdf::respond(const Lobe& lobe, const glm::dvec3& l) const
     // Light of the other side of the surface itself is no light of this side, however a layer bends its normal.
     if (!(facing > 0.0) || glm::dot(facing_, l) * glm::dot(facing_, lobe.normal) <= 0.0) return {};
     if (lobe.kind == Lobe::Kind::Diffuse) {
-        const double power = lobe.exponent == 1.0 ? facing : std::pow(facing, lobe.exponent);
+        const double power = lobe.exponent == 1.0 ? facing : numbers::pow(facing, lobe.exponent);
         return {static_cast<float>(power / kPi) * lobe.color, (lobe.exponent + 1.0) / (2.0 * kPi) * power};
     }
     glm::vec3 color = lobe.color;
@@ -55,13 +55,13 @@ Response Bsdf::respond(const Lobe& lobe, const glm::dvec3& l) const
     if (lobe.kind == Lobe::Kind::Phong) {
         const double c = texture::phong_cosine(direction_, lobe.normal, l);
         if (!(c > 0.0)) return {};
-        const double power = std::pow(c, lobe.exponent);
+        const double power = numbers::pow(c, lobe.exponent);
         return {static_cast<float>(power / kPi) * color, (lobe.exponent + 1.0) / (2.0 * kPi) * power};
     }
     const glm::dvec3 half = glm::normalize(l - direction_);
     const double c = glm::dot(half, lobe.normal), along = -glm::dot(half, direction_);
     if (!(c > 0.0) || !(along > 1e-9)) return {};
-    const double power = std::pow(c, lobe.exponent);
+    const double power = numbers::pow(c, lobe.exponent);
     return {static_cast<float>(power / kPi) * color, (lobe.exponent + 1.0) / (2.0 * kPi) * power / (4.0 * along)};
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -28,13 +30,14 @@ inline glm::dvec3 around(const glm::dvec3& axis, double cosine, double turn)
 {
     const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), angle = 2.0 * kPi * turn;
     const Across across(axis);
-    return glm::normalize(sine * std::cos(angle) * across.a + sine * std::sin(angle) * across.b + cosine * axis);
+    return glm::normalize(sine * numbers::cos(angle) * across.a + sine * numbers::sin(angle) * across.b +
+                          cosine * axis);
 }
 
 /// With a density of (e + 1) / (2 pi) cos^e around a unit axis.
 inline glm::dvec3 power_direction(const glm::dvec3& axis, double e, const std::array<double, 2>& u)
 {
-    return around(axis, std::pow(1.0 - u[0], 1.0 / (e + 1.0)), u[1]);
+    return around(axis, numbers::pow(1.0 - u[0], 1.0 / (e + 1.0)), u[1]);
 }
 
 }  // namespace trace::path

@@ -1,5 +1,6 @@
 #include "render/kernel/path/path_tracer.h"
 
+#include "numbers/functions/functions.h"
 #include "render/kernel/interior/interior_fade.h"
 #include "render/kernel/air/air_stage.h"
 #include "render/kernel/path/camera_start.h"
@@ -29,7 +30,7 @@ glm::vec3 absorbed(const plan::Interior& interior, double length)
     const glm::vec3 at_reach = interior_fade(interior, reach, false);
     glm::vec3 out;
     for (int k = 0; k < 3; ++k)
-        out[k] = static_cast<float>(std::pow(std::max(0.0, static_cast<double>(at_reach[k])), length / reach));
+        out[k] = static_cast<float>(numbers::pow(std::max(0.0, static_cast<double>(at_reach[k])), length / reach));
     return out;
 }
 

@@ -1,4 +1,5 @@
 #include "render/kernel/path/sources.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,7 @@ struct Around {
         x = glm::dot(from - side.corner, side.a) / radius2;
         y = glm::dot(from - side.corner, side.b) / radius2;
         const double away = std::sqrt(x * x + y * y);
-        half = away > 1.0 ? std::acos(1.0 / away) : 0.0;
+        half = away > 1.0 ? numbers::acos(1.0 / away) : 0.0;
     }
 };
 
@@ -73,12 +74,12 @@ glm::dvec3 Emitter::Face::place(const glm::dvec3& from, const std::array<double,
     }
     case Shape::Ring: {
         const double r = std::sqrt(hole * hole + u[0] * (1.0 - hole * hole)), angle = 2.0 * kPi * u[1];
-        return corner + (r * std::cos(angle)) * a + (r * std::sin(angle)) * b;
+        return corner + (r * numbers::cos(angle)) * a + (r * numbers::sin(angle)) * b;
     }
     case Shape::Side: {
         const Around seen(*this, from);
-        const double angle = std::atan2(seen.y, seen.x) + (2.0 * u[1] - 1.0) * seen.half;
-        const glm::dvec3 out = std::cos(angle) * a + std::sin(angle) * b;
+        const double angle = numbers::atan2(seen.y, seen.x) + (2.0 * u[1] - 1.0) * seen.half;
+        const glm::dvec3 out = numbers::cos(angle) * a + numbers::sin(angle) * b;
         unit = glm::normalize(out);
         return corner + out + u[0] * axis;
     }
@@ -154,8 +155,8 @@ SkyTable::SkyTable(std::size_t columns, std::size_t rows, const std::vector<floa
 
 glm::dvec3 SkyTable::direction(double x, double y)
 {
-    const double ring = std::sin(kPi * y), angle = 2.0 * kPi * x - kPi;
-    return {ring * std::cos(angle), std::cos(kPi * y), ring * std::sin(angle)};
+    const double ring = numbers::sin(kPi * y), angle = 2.0 * kPi * x - kPi;
+    return {ring * numbers::cos(angle), numbers::cos(kPi * y), ring * numbers::sin(angle)};
 }
 
 glm::dvec3 SkyTable::sample(const std::array<double, 2>& u) const
@@ -165,7 +166,7 @@ glm::dvec3 SkyTable::sample(const std::array<double, 2>& u) const
                       column = drawn(column_ends_.data() + row * columns_, columns_, u[1], x);
     const double z = height(row) + y * (height(row + 1) - height(row)), ring = std::sqrt(std::max(0.0, 1.0 - z * z)),
                  angle = 2.0 * kPi * (static_cast<double>(column) + x) / static_cast<double>(columns_) - kPi;
-    return {ring * std::cos(angle), z, ring * std::sin(angle)};
+    return {ring * numbers::cos(angle), z, ring * numbers::sin(angle)};
 }
 
 double SkyTable::density(const glm::dvec3& d) const
@@ -173,8 +174,8 @@ double SkyTable::density(const glm::dvec3& d) const
     const auto cell = [](double at, std::size_t count) {
         return std::min(static_cast<std::size_t>(std::max(0.0, at) * static_cast<double>(count)), count - 1);
     };
-    const std::size_t row = cell(std::acos(std::clamp(d.y, -1.0, 1.0)) / kPi, rows_),
-                      column = cell((std::atan2(d.z, d.x) + kPi) / (2.0 * kPi), columns_);
+    const std::size_t row = cell(numbers::acos(std::clamp(d.y, -1.0, 1.0)) / kPi, rows_),
+                      column = cell((numbers::atan2(d.z, d.x) + kPi) / (2.0 * kPi), columns_);
     const double* ends = column_ends_.data() + row * columns_;
     const double rows = row_ends_[row] - (row > 0 ? row_ends_[row - 1] : 0.0),
                  columns = ends[column] - (column > 0 ? ends[column - 1] : 0.0);

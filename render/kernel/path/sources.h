@@ -2,6 +2,7 @@
 
 #include "csg/base/types.h"
 #include "csg/spans/span.h"
+#include "numbers/functions/functions.h"
 #include "render/kernel/path/directions.h"
 
 #include <cstdint>
@@ -70,7 +71,7 @@ public:
 private:
     double height(std::size_t row) const  ///< where it begins, along y
     {
-        return std::cos(kPi * static_cast<double>(row) / static_cast<double>(rows_));
+        return numbers::cos(kPi * static_cast<double>(row) / static_cast<double>(rows_));
     }
     std::size_t columns_, rows_;
     std::vector<double> row_ends_;     ///< sums of the chances of rows

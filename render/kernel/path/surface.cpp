@@ -1,5 +1,6 @@
 #include "render/kernel/path/surface.h"
 
+#include "numbers/functions/functions.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/finish.h"
 #include "render/texture/fresnel.h"
@@ -45,7 +46,7 @@ void add_own_light(Bsdf& bsdf, const HitContext& hit, const texture::Finish& fin
     add_highlight(Lobe::Kind::Phong, finish.phong, finish.phong_size,
                   2.0 / (static_cast<double>(finish.phong_size) + 1.0));
     add_highlight(Lobe::Kind::Specular, finish.specular, finish.specular_exponent,
-                  4.0 * (2.0 - std::pow(2.0, -n / 2.0)) / (n + 2.0));
+                  4.0 * (2.0 - numbers::pow(2.0, -n / 2.0)) / (n + 2.0));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "render/kernel/photon/photon_air.h"
 
+#include "numbers/functions/functions.h"
 #include "render/kernel/extinction/media_extinction.h"
 #include "render/plan/shines_on.h"
 
@@ -83,9 +84,9 @@ void PhotonAir::cross(const PhotonFlight& flight, const PhotonStretch& stretch, 
             // Where a sub-interval is too short for any, POV-Ray divides by none, and the photon is black from there
             // on.
             for (int c = 0; c < 3; ++c)
-                share[c] *= of.count == 0
-                                ? 0.0f
-                                : static_cast<float>(std::exp(-static_cast<double>(sum[c]) * piece.step / of.count));
+                share[c] *= of.count == 0 ? 0.0f
+                                          : static_cast<float>(
+                                                numbers::exp(-static_cast<double>(sum[c]) * piece.step / of.count));
         }
     color *= share;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/kernel/media/media_scratch.h"
 #include "render/kernel/photon/photon_tracer.h"
 #include "render/kernel/context/context.h"
@@ -25,7 +26,7 @@ inline glm::vec3 photon_flux(const PhotonFlight& flight, const glm::vec3& color,
     for (int i = 0; i < power; ++i) share *= flight.parallel ? flight.step : flight.step * depth;
     const light::Light& light = *flight.light;
     if (light.fade_power > 0.0 && std::abs(light.fade_distance) > kNearlyZero)
-        share *= 2.0 / (1.0 + std::pow(depth / light.fade_distance, light.fade_power));
+        share *= 2.0 / (1.0 + numbers::pow(depth / light.fade_distance, light.fade_power));
     return color * static_cast<float>(share);
 }
 

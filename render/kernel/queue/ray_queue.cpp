@@ -1,5 +1,6 @@
 #include "render/kernel/queue/ray_queue.h"
 
+#include "numbers/functions/functions.h"
 #include "render/texture/evaluate.h"
 #include "render/kernel/tile/air.h"
 
@@ -143,7 +144,7 @@ glm::vec3 raised(const scene::Color& c, float exponent)
 {
     if (exponent == 1.0f) return c.rgb();
     const auto one = [e = static_cast<double>(exponent)](float v) {
-        const double r = std::pow(static_cast<double>(v), e);
+        const double r = numbers::pow(static_cast<double>(v), e);
         return r == r ? static_cast<float>(r) : 0.0f;  // fractional powers of negative colours count as 0
     };
     return {one(c.red), one(c.green), one(c.blue)};

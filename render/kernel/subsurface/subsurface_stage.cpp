@@ -1,5 +1,6 @@
 #include "render/kernel/subsurface/subsurface_stage.h"
 
+#include "numbers/functions/functions.h"
 #include "render/kernel/gather/indirect_light.h"
 #include "render/kernel/media/point_lights.h"
 #include "render/kernel/radiosity/ambient.h"
@@ -326,7 +327,7 @@ private:
                 SubsurfaceSite& site = sites_[owner_[i]];
                 const double length = ways_[owner_[i]].length;
                 for (int c = 0; c < 3; ++c)
-                    site.unscattered[c] += std::exp(-site.matter.extinction[c] * length) *
+                    site.unscattered[c] += numbers::exp(-site.matter.extinction[c] * length) *
                                            static_cast<double>(seen[i].rgb()[c]);
             }
             waiting = 0;
@@ -336,7 +337,7 @@ private:
             const Scattering& matter = sites_[s].matter;
             if (!way.open || !way.same) continue;
             const double least = std::min({matter.extinction.x, matter.extinction.y, matter.extinction.z});
-            if (!(std::exp(-least * way.length) > context_.adc_bailout)) continue;
+            if (!(numbers::exp(-least * way.length) > context_.adc_bailout)) continue;
             const double facing = glm::dot(way.direction, way.normal);
             const glm::dvec3 normal = facing > 0.0 ? -way.normal : way.normal;
             const double c = std::abs(facing), k = 1.0 + matter.eta * matter.eta * (c * c - 1.0);

@@ -1,4 +1,5 @@
 #include "render/picture/passes/pass_rays.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <array>
@@ -52,7 +53,7 @@ std::vector<Pass> passes(double pretrace_start, double pretrace_end, int width, 
     constexpr double kNearlyZero = 1e-10;
     const double most = std::max(width, height), start = most * pretrace_start,
                  end = std::max(1.0, most * pretrace_end);
-    const int count = std::max(1, static_cast<int>(std::floor(std::log2(start / end) + 1.0 - kNearlyZero)) + 1);
+    const int count = std::max(1, static_cast<int>(std::floor(numbers::log2(start / end) + 1.0 - kNearlyZero)) + 1);
     std::vector<Pass> out;
     for (int j = 0; j < count; ++j) out.push_back({j, std::max(std::ldexp(start, -j), end), true});
     out.push_back({count, 1.0, false});

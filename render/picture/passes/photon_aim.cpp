@@ -1,5 +1,6 @@
 #include "render/picture/passes/photon_aim.h"
 
+#include "numbers/functions/functions.h"
 #include "render/light/illuminate.h"
 
 #include <cmath>
@@ -13,7 +14,7 @@ constexpr double kPi = std::numbers::pi, kCenter = 1e-10;
 /// v turned about a unit axis, right-handed.
 glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle)
 {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = numbers::cos(angle), s = numbers::sin(angle);
     return c * v + s * glm::cross(axis, v) + (1.0 - c) * glm::dot(axis, v) * axis;
 }
 
@@ -30,8 +31,10 @@ PhotonAim::PhotonAim(const light::Light& light, const plan::PhotonLight& flags, 
     step_ = target.density * spacing;
     if (!parallel_) step_ /= distance_;
     if (area_) step_ *= std::sqrt(static_cast<double>(light.size1 * light.size2));
-    dtheta_ = parallel_ ? step_ : std::atan(step_);
-    theta_end_ = parallel_ ? target.radius : distance_ >= target.radius ? std::asin(target.radius / distance_) : kPi;
+    dtheta_ = parallel_ ? step_ : numbers::atan(step_);
+    theta_end_ = parallel_                    ? target.radius
+                 : distance_ >= target.radius ? numbers::asin(target.radius / distance_)
+                                              : kPi;
 }
 
 PhotonAim::Frame PhotonAim::frame(const glm::dvec3& from) const
@@ -49,14 +52,14 @@ double PhotonAim::estimate() const
 {
     const double rings = theta_end_ / dtheta_;
     const double many = parallel_ ? kPi * rings * rings
-                                  : 2.0 * kPi * (1.0 - std::cos(theta_end_)) / (dtheta_ * dtheta_);
+                                  : 2.0 * kPi * (1.0 - numbers::cos(theta_end_)) / (dtheta_ * dtheta_);
     return area_ ? many * light_.size1 * light_.size2 : many;
 }
 
 bool PhotonAim::ring(JitterStream& jitter, std::vector<Emission>& out)
 {
     if (!(theta_ < theta_end_)) return false;
-    const double dphi = theta_ < kCenter ? 2.0 * kPi : parallel_ ? dtheta_ / theta_ : dtheta_ / std::sin(theta_);
+    const double dphi = theta_ < kCenter ? 2.0 * kPi : parallel_ ? dtheta_ / theta_ : dtheta_ / numbers::sin(theta_);
     const double start = -kPi + dphi * jitter.draw() * 0.5;
     const double end = 2.0 * kPi + start - dphi * 0.5;
     for (double phi = start; phi < end; phi += dphi) {
@@ -77,7 +80,7 @@ void PhotonAim::send(double theta, double phi, std::vector<Emission>& out) const
         return send_from(foot + turned(frame_.left * theta, l, phi), l, 1.0f, out);
     }
     const auto from = [&](const Frame& frame, const glm::dvec3& origin, float share) {
-        const glm::dvec3 off = std::cos(theta) * frame.toward - std::sin(theta) * frame.left;
+        const glm::dvec3 off = numbers::cos(theta) * frame.toward - numbers::sin(theta) * frame.left;
         send_from(origin, turned(off, frame.toward, phi), share, out);
     };
     if (!area_) return from(frame_, light_.location, 1.0f);

@@ -1,4 +1,5 @@
 #include "render/picture/sampling/denoise.h"
+#include "numbers/functions/functions.h"
 
 #include <tbb/parallel_for.h>
 
@@ -160,7 +161,7 @@ private:
             for (int u = std::max(0, x - kReach); u <= std::min(width_ - 1, x + kReach); ++u) {
                 const Place& other = at(places_, u, v);
                 if (!other.held) continue;
-                const float w = alike(own, other, std::hypot(static_cast<float>(u - x), static_cast<float>(v - y)));
+                const float w = alike(own, other, numbers::hypot(static_cast<float>(u - x), static_cast<float>(v - y)));
                 const float light = bright(other.light);
                 weights += w;
                 sum += w * light;
@@ -178,7 +179,7 @@ private:
         const float normal = sky ? 1.0f : normal_share(std::clamp(cosine / std::max(sizes, 1e-6f), 0.0f, 1.0f));
         const float depth = std::abs(a.depth - b.depth) / (kDepthSteps * a.slope * apart + 1e-3f * a.depth + 1e-12f);
         const glm::vec3 color = a.albedo - b.albedo;
-        return normal * std::exp(-depth - glm::dot(color, color) / (kAlbedoWidth * kAlbedoWidth));
+        return normal * numbers::exp(-depth - glm::dot(color, color) / (kAlbedoWidth * kAlbedoWidth));
     }
 
     void pass(int x, int y, int step, Place& out) const
@@ -199,8 +200,8 @@ private:
                 float w = kSpline[static_cast<std::size_t>(std::abs(i))] *
                           kSpline[static_cast<std::size_t>(std::abs(j))];
                 if (i != 0 || j != 0) {
-                    const float apart = std::hypot(static_cast<float>(u - x), static_cast<float>(v - y));
-                    w *= alike(own, other, apart) * std::exp(-std::abs(bright(other.light) - here) / noise);
+                    const float apart = numbers::hypot(static_cast<float>(u - x), static_cast<float>(v - y));
+                    w *= alike(own, other, apart) * numbers::exp(-std::abs(bright(other.light) - here) / noise);
                 }
                 light += w * other.light;
                 variance += w * w * other.variance;

@@ -1,5 +1,6 @@
 #include "render/picture/sampling/find_sources.h"
 
+#include "numbers/functions/functions.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/finish.h"
 
@@ -270,7 +271,7 @@ std::unique_ptr<const SkyTable> find_sky(const plan::CompiledScene& scene)
     double sum = 0.0, all = 0.0;
     float most = 0.0f;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        const double share = std::sin(kPi * (static_cast<double>(i / columns) + 0.5) / static_cast<double>(rows));
+        const double share = numbers::sin(kPi * (static_cast<double>(i / columns) + 0.5) / static_cast<double>(rows));
         sum += share * static_cast<double>(cells[i]);
         all += share;
         most = std::max(most, cells[i]);

@@ -1,7 +1,7 @@
 #include "render/plan/geometry/unseen_lights.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace plan {
 namespace {
@@ -26,8 +26,8 @@ bool reaches(const light::Light& light, const csg::Aabb& box)
                  radius = (1.0 + kSlack) * 0.5 * glm::length(box.upper - box.lower) + kSlack * kSlack * distance;
     if (!(distance > radius)) return true;
     const double edge = light.cos_radius > 0.0 ? std::min(light.cos_falloff, light.cos_radius) : 0.0;
-    const double widest = std::acos(std::clamp(edge, 0.0, 1.0)) + std::asin(radius / distance) + kSlack;
-    return std::acos(std::clamp(glm::dot(light.axis, to) / distance, -1.0, 1.0)) <= widest;
+    const double widest = numbers::acos(std::clamp(edge, 0.0, 1.0)) + numbers::asin(radius / distance) + kSlack;
+    return numbers::acos(std::clamp(glm::dot(light.axis, to) / distance, -1.0, 1.0)) <= widest;
 }
 
 /// Whether all that a light does is to shine on surfaces, from one point: where its cone ends is known then.

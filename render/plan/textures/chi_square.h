@@ -1,9 +1,20 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
+
 #include <cmath>
+#include <numbers>
 
 /// The bounds that sampling to a `confidence` and `variance` goes by.
 namespace plan {
+
+/// ln of the gamma function of n / 2.
+inline double log_gamma_of_half(int n)
+{
+    double sum = n % 2 == 0 ? 0.0 : 0.5 * numbers::log(std::numbers::pi);
+    for (double k = n / 2.0 - 1.0; k > 0.0; k -= 1.0) sum += numbers::log(k);
+    return sum;
+}
 
 /// Share of a chi-square variable of n degrees of freedom above x: by the series of the incomplete gamma function, or
 /// its continued fraction (Numerical Recipes 6.2).
@@ -11,7 +22,7 @@ inline double chi_square_above(int n, double x)
 {
     const double a = n / 2.0, z = x / 2.0;
     if (z <= 0.0) return 1.0;
-    const double scale = std::exp(a * std::log(z) - z - std::lgamma(a));
+    const double scale = numbers::exp(a * numbers::log(z) - z - log_gamma_of_half(n));
     if (z < a + 1.0) {
         double term = 1.0 / a, sum = term;
         for (double k = a + 1.0; term > sum * 1e-17; k += 1.0) sum += term *= z / k;

@@ -1,4 +1,5 @@
 #include "render/plan/textures/compile_subsurface.h"
+#include "numbers/functions/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ std::vector<glm::dvec3> sphere_directions()
     for (std::uint32_t n = 1; n <= kCycle; ++n) {
         const double x = 2.0 * radical_inverse(n, 2) - 1.0, turn = 2.0 * std::numbers::pi * radical_inverse(n, 3);
         const double around = std::sqrt(1.0 - x * x);
-        out.push_back({x, around * std::cos(turn), around * std::sin(turn)});
+        out.push_back({x, around * numbers::cos(turn), around * numbers::sin(turn)});
     }
     return out;
 }
@@ -38,7 +39,7 @@ std::vector<glm::dvec3> sphere_directions()
 double diffuse_reflectance(double albedo, double internal)
 {
     const double q = std::sqrt(3.0 * (1.0 - albedo));
-    return 0.5 * albedo * (1.0 + std::exp(-4.0 / 3.0 * internal * q)) * std::exp(-q);
+    return 0.5 * albedo * (1.0 + numbers::exp(-4.0 / 3.0 * internal * q)) * numbers::exp(-q);
 }
 
 AlbedoTable::AlbedoTable(double internal)

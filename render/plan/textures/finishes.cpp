@@ -1,8 +1,8 @@
+#include "numbers/functions/functions.h"
 #include "render/plan/textures/compile_subsurface.h"
 #include "render/plan/textures/textures.h"
 #include "render/scene/base/albedo.h"
 
-#include <cmath>
 
 namespace plan {
 
@@ -72,7 +72,7 @@ void TextureCompiler::extend(const scene::Finish& from, texture::Finish& to)
     extension.cool = from.cool;
     extension.warm = from.warm;
     extension.ink = glm::radians(static_cast<double>(from.ink));
-    extension.ink_cosine = std::cos(glm::radians(static_cast<double>(from.ink_crease_deg)));
+    extension.ink_cosine = numbers::cos(glm::radians(static_cast<double>(from.ink_crease_deg)));
     to.own_light = extension.own_light() || extension.ink > 0.0;  // none of them is shaded in lanes
     to.extension = static_cast<std::uint32_t>(out_.extensions.size());
     out_.extensions.push_back(extension);

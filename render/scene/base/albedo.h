@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cmath>
+#include "numbers/functions/functions.h"
+
 
 /// What amounts written with `albedo` are multiplied by: they are shares of the light sent out over all directions
 /// (spec 3, 7.5 and 7.7).
@@ -14,7 +15,7 @@ inline float specular_exponent(float roughness) { return roughness == 0.0f ? 0.0
 inline float specular_of_albedo(float roughness)
 {
     const auto n = static_cast<double>(specular_exponent(roughness));
-    return static_cast<float>((n + 2.0) / (4.0 * (2.0 - std::pow(2.0, -n / 2.0))));
+    return static_cast<float>((n + 2.0) / (4.0 * (2.0 - numbers::pow(2.0, -n / 2.0))));
 }
 
 }  // namespace scene

@@ -1,5 +1,6 @@
 #include "render/texture/noise/nearest_cells.h"
 
+#include "numbers/functions/functions.h"
 #include "numbers/lanes.h"
 #include "csg/base/types.h"
 #include "numbers/lane_power.h"
@@ -45,7 +46,7 @@ double powered_distance(const glm::dvec3& delta, double metric, bool signed_sum)
     if (metric == 1.0 && signed_sum) return -(delta.x + delta.y + delta.z);
     const glm::dvec3 a = glm::abs(delta);
     if (metric == 1.0) return a.x + a.y + a.z;
-    return std::pow(a.x, metric) + std::pow(a.y, metric) + std::pow(a.z, metric);
+    return numbers::pow(a.x, metric) + numbers::pow(a.y, metric) + numbers::pow(a.z, metric);
 }
 
 /// Takes distances in any order.
@@ -154,7 +155,7 @@ Finder nearest_powered(const glm::dvec3& p, CellPoints& cells, double metric, st
     constexpr double kSlack = 1.0 + 1e-6;  // far above the rounding of lengths
     Distances squares;
     measure<true>(p, cells, wanted, squares);
-    const double limit = squares.best[wanted - 1] * std::pow(9.0, std::abs(0.5 - 1.0 / metric)) * kSlack;
+    const double limit = squares.best[wanted - 1] * numbers::pow(9.0, std::abs(0.5 - 1.0 / metric)) * kSlack;
     if (!(limit < kOuterCells) && squares.count == CellPoints::kNear) {
         cells.complete();
         squares.count = CellPoints::kAll;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace texture {
 
@@ -109,7 +108,7 @@ void bend_by_wrinkles(const Normal& normal, const Points& p, Points& n)
     }
 }
 
-/// by_waves of normal.cpp: the sines are the library's, one by one, all else goes in vectors.
+/// by_waves of normal.cpp, in vectors.
 void bend_by_waves(const TextureSet& set, const Normal& normal, const Pattern& pattern, const Points& p, bool waves,
                    Points& n)
 {
@@ -122,13 +121,8 @@ void bend_by_waves(const TextureSet& set, const Normal& normal, const Pattern& p
             const glm::dvec3& at = set.wave_sources[source];
             const Double x = px - Double(at.x), y = py - Double(at.y), z = pz - Double(at.z);
             const Double length = xsimd::sqrt(x * x + y * y + z * z), l = xsimd::select(length == zero, one, length);
-            const Double f(waves ? set.wave_frequencies[source] : 1.0), v = l * frequency * f + phase,
-                                                                        size = xsimd::abs(v);
-            alignas(64) std::array<double, kLanes> s;
-            (Double(kTau) * (size - xsimd::floor(size))).store_aligned(s.data());
-            for (double& angle : s) angle = std::sin(angle);
-            const Double sine = Double::load_aligned(s.data());
-            const Double by = amount * xsimd::select(v >= zero, sine, -sine) / (f * l * count);
+            const Double f(waves ? set.wave_frequencies[source] : 1.0), v = l * frequency * f + phase;
+            const Double by = amount * cycle(v) / (f * l * count);
             nx = nx + by * x;
             ny = ny + by * y;
             nz = nz + by * z;

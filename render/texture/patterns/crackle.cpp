@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "numbers/lanes.h"
 #include "csg/base/types.h"
 #include "render/texture/points/angle.h"
@@ -31,8 +32,8 @@ double value_of(const Pattern& pattern, const std::array<double, 3>& powered, in
     double v = 0.0;
     for (int i = 0; i < count; ++i) {
         double s = powered[static_cast<std::size_t>(i)];
-        if (offset != 0.0) s += metric == 2.0 ? offset * offset : metric == 1.0 ? offset : std::pow(offset, metric);
-        v += pattern.vector[i] * (metric == 2.0 ? std::sqrt(s) : metric == 1.0 ? s : std::pow(s, 1.0 / metric));
+        if (offset != 0.0) s += metric == 2.0 ? offset * offset : metric == 1.0 ? offset : numbers::pow(offset, metric);
+        v += pattern.vector[i] * (metric == 2.0 ? std::sqrt(s) : metric == 1.0 ? s : numbers::pow(s, 1.0 / metric));
     }
     return std::clamp(v, 0.0, 1.0);
 }

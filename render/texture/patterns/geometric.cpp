@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/patterns/patterns.h"
@@ -41,12 +42,12 @@ double radial(const glm::dvec3& p)
 {
     constexpr double kAxis = 0.001;  // POV-Ray's: nearer to the y axis than this counts as on it
     if (std::abs(p.x) < kAxis && std::abs(p.z) < kAxis) return 0.25;
-    return 0.25 + (std::atan2(p.x, p.z) + std::numbers::pi) / kTau;
+    return 0.25 + (numbers::atan2(p.x, p.z) + std::numbers::pi) / kTau;
 }
 
 double leopard(const glm::dvec3& p)
 {
-    const double s = (std::sin(p.x) + std::sin(p.y) + std::sin(p.z)) / 3.0;
+    const double s = (numbers::sin(p.x) + numbers::sin(p.y) + numbers::sin(p.z)) / 3.0;
     return s * s;
 }
 
@@ -90,7 +91,7 @@ double aoi(const Surroundings& around)
     if (!around.surface) return 0.0;
     // The angle itself, also where no_bump_scale leaves the normal longer or shorter; slope takes it as it is.
     const double cosine = glm::dot(around.normal, around.direction) / glm::length(around.normal);
-    return std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi;
+    return numbers::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi;
 }
 
 /// numbers: low, high, point_at, altitude x, y, z, its low and high.
@@ -100,7 +101,7 @@ double slope(const Pattern& pattern, const glm::dvec3& p, const Surroundings& ar
     const auto& n = pattern.numbers;
     const glm::dvec3 toward = n[2] != 0.0 ? pattern.vector - around.point : pattern.vector;
     const double s = std::clamp(glm::dot(around.normal, glm::normalize(toward)), -1.0, 1.0);
-    const double v1 = ranged((2.0 * std::asin(s) / std::numbers::pi + 1.0) / 2.0, n[0], n[1]);
+    const double v1 = ranged((2.0 * numbers::asin(s) / std::numbers::pi + 1.0) / 2.0, n[0], n[1]);
     const glm::dvec3 altitude{n[3], n[4], n[5]};
     const auto wrapped = [](double v) {
         const double w = std::fmod(v, 1.0);

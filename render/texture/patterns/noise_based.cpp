@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
@@ -20,7 +21,7 @@ double turbulence_at(const Pattern& pattern, const glm::dvec3& p)
 double arm_angle(const glm::dvec3& p, double r)
 {
     if (r == 0.0) return 0.0;
-    const double a = std::asin(p.y / r);
+    const double a = numbers::asin(p.y / r);
     return p.x >= 0.0 ? std::numbers::pi / 2 + a : 3 * std::numbers::pi / 2 - a;
 }
 

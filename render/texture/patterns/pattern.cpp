@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/function_host.h"
@@ -24,7 +25,7 @@ double wave(const Pattern& pattern, double v)
     case scene::WaveForm::Triangle: return triangle(v);
     case scene::WaveForm::Scallop: return std::abs(cycle(v / 2.0));
     case scene::WaveForm::Cubic: return v * v * (3.0 - 2.0 * v);
-    case scene::WaveForm::Poly: return pattern.poly_exponent == 2.0 ? v * v : std::pow(v, pattern.poly_exponent);
+    case scene::WaveForm::Poly: return pattern.poly_exponent == 2.0 ? v * v : numbers::pow(v, pattern.poly_exponent);
     }
     return v;
 }

@@ -1,5 +1,6 @@
 #include "render/texture/patterns/penrose.h"
 
+#include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ constexpr double kMargin = 1e-6;  // keeps the ranges of two shapes apart
 /// Sine, cosine and tangent of whole degrees, all multiples of 18, made once.
 struct Degrees {
     explicit Degrees(int degrees)
-        : sine(std::sin(degrees * std::numbers::pi / 180.0)), cosine(std::cos(degrees * std::numbers::pi / 180.0)),
-          tangent(sine / cosine)
+        : sine(numbers::sin(degrees * std::numbers::pi / 180.0)),
+          cosine(numbers::cos(degrees * std::numbers::pi / 180.0)), tangent(sine / cosine)
     {}
     double sine, cosine, tangent;
 };
@@ -49,7 +50,10 @@ double from_line(const Degrees& t, double x0, const glm::dvec2& p)
 /// Whether the point lies below that line, by its slope.
 bool below(const Degrees& t, double x0, const glm::dvec2& p) { return p.y < (p.x - x0) * t.tangent; }
 
-double levels(double size, double growth) { return std::max(0.0, std::ceil(std::log(size) / std::log(growth))); }
+double levels(double size, double growth)
+{
+    return std::max(0.0, std::ceil(numbers::log(size) / numbers::log(growth)));
+}
 
 double low(double a, double b) { return std::min(std::max({0.5 - a / 2.0, 0.5 - b / 2.0, 0.0}), 0.5 - kMargin); }
 double high(double a, double b) { return std::max({1.0 - a / 2.0, 1.0 - b / 2.0, 0.5 + kMargin}); }
@@ -61,7 +65,7 @@ double kites(bool rhombs, glm::dvec2 p)
     p = five_fold(p);
     if (rhombs) p *= kInner;
     const double n = levels(std::abs(p.x * k108.sine - p.y * k108.cosine) / k18.cosine, kGolden * kGolden);
-    p *= std::pow(kGolden, -2.0 * n);
+    p *= numbers::pow(kGolden, -2.0 * n);
     if (std::fmod(n, 2.0) == 1.0) p = upward(right(k36, p));
     bool kite = true;
     for (double level = 0; level < 2.0 * n; ++level) {
@@ -169,7 +173,7 @@ double pentagons(glm::dvec2 p)
 {
     p = five_fold(p);
     const double n = levels(2.0 * p.x * k36.tangent, kGolden * kGolden * kGolden * kGolden);
-    p *= std::pow(kGolden, -4.0 * n);
+    p *= numbers::pow(kGolden, -4.0 * n);
     Piece piece = Piece::A;
     for (double level = 0; level < 4.0 * n; ++level) {
         p = upward(p);

@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 #include "numbers/lanes.h"
 #include "render/texture/evaluate_points.h"
@@ -22,14 +23,14 @@ glm::dvec3 orient(double a, double b, double c, const glm::dvec3& o)
 
 double stretched(double value, double length, double exponent)
 {
-    return exponent == 0.0 ? value : value * std::pow(length, exponent);
+    return exponent == 0.0 ? value : value * numbers::pow(length, exponent);
 }
 
 glm::dvec3 to_spherical(const scene::MappingWarp& w, const glm::dvec3& p)
 {
     const double d = glm::length(p);
     if (d == 0.0) return p;
-    const double latitude = 0.5 + std::asin(p.y / d) / std::numbers::pi;
+    const double latitude = 0.5 + numbers::asin(p.y / d) / std::numbers::pi;
     const bool pole = p.x == 0.0 && p.z == 0.0;
     const double theta = pole ? 0.0 : turn(p.x, p.z);
     return orient(stretched(theta, d, w.dist_exp), stretched(latitude, d, w.dist_exp), d, w.orientation);
@@ -41,7 +42,7 @@ glm::dvec3 to_toroidal(const scene::MappingWarp& w, const glm::dvec3& p)
     if (l == 0.0) return p;
     const double x = l - w.major_radius;
     const double r = std::sqrt(x * x + p.y * p.y);
-    double around = std::acos(-x / r) / kTau;
+    double around = numbers::acos(-x / r) / kTau;
     if (p.y > 0.0) around = 1.0 - around;
     const double theta = turn(p.x, p.z);
     return orient(stretched(theta, r, w.dist_exp), stretched(around, r, w.dist_exp), r, w.orientation);
@@ -106,7 +107,7 @@ struct Apply {
         const glm::dvec3 delta = p - center;
         const double distance = glm::length(delta);
         if (distance >= w.radius) return p;
-        const double pull = std::min(1.0, w.strength * std::pow((w.radius - distance) / w.radius, w.falloff));
+        const double pull = std::min(1.0, w.strength * numbers::pow((w.radius - distance) / w.radius, w.falloff));
         return w.inverse ? p - pull * delta : p + pull * delta;
     }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
+
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -14,7 +16,7 @@ inline constexpr double kTau = 2.0 * std::numbers::pi;
 inline double turn(double x, double z)
 {
     if (z == 0.0) return x > 0.0 ? 0.0 : 0.5;
-    const double a = std::acos(x / std::sqrt(x * x + z * z)) / kTau;
+    const double a = numbers::acos(x / std::sqrt(x * x + z * z)) / kTau;
     return z < 0.0 ? 1.0 - a : a;
 }
 
@@ -38,11 +40,10 @@ inline T turn_sine(const T& v, Select&& select)
     return select(below, -size, size);
 }
 
-/// sin(2 pi v), by way of the fraction: the library's, which POV-Ray asks too. Ripples in glass make another last bit
-/// visible.
+/// sin(2 pi v), by way of the fraction: to the last bit, as POV-Ray's. Ripples in glass make another one visible.
 inline double cycle(double v)
 {
-    return v >= 0.0 ? std::sin(kTau * (v - std::floor(v))) : -std::sin(kTau * (-v - std::floor(-v)));
+    return v >= 0.0 ? numbers::sin(kTau * (v - std::floor(v))) : -numbers::sin(kTau * (-v - std::floor(-v)));
 }
 
 /// The same by turn_sine(), for colours.

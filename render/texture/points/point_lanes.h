@@ -2,7 +2,7 @@
 
 #include "render/texture/points/points.h"
 
-#include "numbers/lanes.h"
+#include "numbers/functions/lane_functions.h"
 #include "render/texture/points/angle.h"
 
 #include <cstddef>
@@ -20,6 +20,12 @@ inline Double series_cycle(const Double& v)
                  s = turn_sine(size - xsimd::floor(size), [](const auto&where, const Double&a, const Double&b) {
                      return xsimd::select(where, a, b);
                  });
+    return xsimd::select(v >= Double(0.0), s, -s);
+}
+
+inline Double cycle(const Double& v)
+{
+    const Double size = xsimd::abs(v), s = numbers::sin(Double(kTau) * (size - xsimd::floor(size)));
     return xsimd::select(v >= Double(0.0), s, -s);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/scene/effects.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ struct BounceRules {
         rules.least_reach = settings.minimum_reuse * doubled;
         rules.most_reach = settings.maximum_reuse * doubled;
         rules.weight = static_cast<float>(
-            std::max(std::pow(0.5 * settings.brightness, bounce + 1), settings.adc_bailout + kShare));
+            std::max(numbers::pow(0.5 * settings.brightness, bounce + 1), settings.adc_bailout + kShare));
         rules.level = static_cast<int>(1.5 * (bounce + 1));
         rules.ball = settings.error_bound * doubled / (bounce == 0 ? 1.0 : 8.0);
         return rules;

@@ -24,7 +24,7 @@ struct CellPlace {
     {
         constexpr double kMostCells = 1e9;
         CellPlace place;
-        double size = radius > 0.0 && radius < 1e9 ? std::exp2(std::floor(std::log2(2.0 * radius))) : 1.0;
+        double size = radius > 0.0 && radius < 1e9 ? std::ldexp(1.0, std::ilogb(2.0 * radius)) : 1.0;
         const glm::dvec3 low = glm::abs(center - radius);
         const double farthest = std::min(glm::max(low.x, glm::max(low.y, low.z)), 1e9);
         while ((farthest + kOrigin) / size > kMostCells) size *= 2.0;

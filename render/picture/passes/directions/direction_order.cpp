@@ -1,3 +1,4 @@
+#include "numbers/functions/functions.h"
 #include "render/kernel/radiosity/samples/direction_order.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ glm::dvec2 in_square(const glm::dvec3& d)
 {
     const double r = std::sqrt(d.x * d.x + d.z * d.z);
     if (r == 0.0) return glm::dvec2(0.5);
-    double turn = std::atan2(d.z, d.x) / (0.25 * std::numbers::pi);  // -4 to 4
+    double turn = numbers::atan2(d.z, d.x) / (0.25 * std::numbers::pi);  // -4 to 4
     glm::dvec2 at;
     if (std::abs(turn) <= 1.0) {
         at = {r, r * turn};

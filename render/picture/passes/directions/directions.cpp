@@ -9,6 +9,7 @@ namespace trace::radiosity {
 namespace {
 
 constexpr std::array<std::array<std::uint8_t, 3>, 1599> kLegacy{{
+#include "numbers/functions/functions.h"
 #include "render/picture/passes/directions/legacy_directions.inc"
 }};
 
@@ -38,7 +39,7 @@ std::vector<glm::dvec3> directions(int pool)
     }
     for (int n = 1; n <= pool; ++n) {
         const double r2 = radical_inverse(2, n), r = std::sqrt(r2), t = 2.0 * std::numbers::pi * radical_inverse(3, n);
-        out.emplace_back(r * std::cos(t), std::sqrt(1.0 - r2), r * std::sin(t));
+        out.emplace_back(r * numbers::cos(t), std::sqrt(1.0 - r2), r * numbers::sin(t));
     }
     return out;
 }
