@@ -1,4 +1,5 @@
 #include "render/texture/points/angle.h"
+#include "numbers/functions/functions.h"
 #include "numbers/lane_power.h"
 #include "render/texture/noise/nearest_cells.h"
 #include "render/texture/noise/noise.h"
@@ -245,8 +246,8 @@ TEST_CASE("the nearest of scattered points are those of a search through all cel
                     const glm::dvec3 at =
                         cell + glm::dvec3(pattern_random(hash), pattern_random(hash + 1), pattern_random(hash + 2));
                     const glm::dvec3 d = glm::abs(p - at);
-                    const auto raised = [metric](double v) {  // steep powers are the library's
-                        return metric > 100.0 ? std::pow(v, metric) : v > 0.0 ? csg::lanes::power(v, metric) : 0.0;
+                    const auto raised = [metric](double v) {  // steep powers are those of numbers/functions
+                        return metric > 100.0 ? numbers::pow(v, metric) : v > 0.0 ? csg::lanes::power(v, metric) : 0.0;
                     };
                     for (int k = 0; k < 3; ++k)
                         REQUIRE(std::abs(raised(d[k]) - std::pow(d[k], metric)) <= 1e-13 * std::pow(d[k], metric));
