@@ -64,6 +64,63 @@ std::string wrapped(const std::string& text, std::size_t indent)
 
 }  // namespace
 
+Form::Form() = default;
+Form::Form(const Form&) = default;
+Form::Form(Form&&) noexcept = default;
+Form& Form::operator=(const Form&) = default;
+Form& Form::operator=(Form&&) noexcept = default;
+Form::~Form() = default;
+
+Form Form::token(Kind kind)
+{
+    Form form;
+    form.is = Is::Word;
+    form.word = kind;
+    return form;
+}
+
+Form Form::operand(std::string_view name)
+{
+    Form form;
+    form.is = Is::Operand;
+    form.name = name;
+    return form;
+}
+
+Form Form::named(Production (*production)())
+{
+    Form form;
+    form.is = Is::Named;
+    form.production = production;
+    return form;
+}
+
+Form Form::sequence(std::vector<Form> parts) { return joined(Is::Sequence, std::move(parts)); }
+
+Form Form::choice(std::vector<Form> parts) { return joined(Is::Choice, std::move(parts)); }
+
+Form Form::optional(Form part)
+{
+    Form form;
+    form.is = Is::Optional;
+    form.parts.push_back(std::move(part));
+    return form;
+}
+
+Form Form::repeated(Form part, int least)
+{
+    Form form = optional(std::move(part));
+    form.is = Is::Repeated;
+    form.least = least;
+    return form;
+}
+
+bool Form::empty() const
+{
+    const bool inner = is == Is::Optional || is == Is::Repeated;
+    return inner ? parts.front().empty() : is == Is::Sequence && parts.empty();
+}
+
 Form Form::joined(Is is, std::vector<Form> parts)
 {
     Form whole;

@@ -32,25 +32,25 @@ struct Form {
     Production (*production)() = nullptr;
     bool rare = false;  ///< understood, but nothing to propose to an author
 
-    static Form token(Kind kind) { return {Is::Word, kind, {}, {}, 0, nullptr, false}; }
-    static Form operand(std::string_view name) { return {Is::Operand, {}, name, {}, 0, nullptr, false}; }
-    static Form named(Production (*production)()) { return {Is::Named, {}, {}, {}, 0, production, false}; }
-    static Form sequence(std::vector<Form> parts) { return joined(Is::Sequence, std::move(parts)); }
-    static Form choice(std::vector<Form> parts) { return joined(Is::Choice, std::move(parts)); }
-    static Form optional(Form part) { return {Is::Optional, {}, {}, {std::move(part)}, 0, nullptr, false}; }
-    static Form repeated(Form part, int least = 0)
-    {
-        return {Is::Repeated, {}, {}, {std::move(part)}, least, nullptr, false};
-    }
+    // None of these is worth its room in the hundreds of rules that call them.
+    Form();
+    Form(const Form&);
+    Form(Form&&) noexcept;
+    Form& operator=(const Form&);
+    Form& operator=(Form&&) noexcept;
+    ~Form();
+    static Form token(Kind kind);
+    static Form operand(std::string_view name);
+    static Form named(Production (*production)());
+    static Form sequence(std::vector<Form> parts);
+    static Form choice(std::vector<Form> parts);
+    static Form optional(Form part);
+    static Form repeated(Form part, int least = 0);
     /// `{` parts `}`
     static Form braces(std::vector<Form> parts);
 
     /// Nothing at all stands there.
-    bool empty() const
-    {
-        const bool inner = is == Is::Optional || is == Is::Repeated;
-        return inner ? parts.front().empty() : is == Is::Sequence && parts.empty();
-    }
+    bool empty() const;
 
 private:
     /// Parts of the same kind become parts of the whole.

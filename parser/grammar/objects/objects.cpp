@@ -12,8 +12,9 @@ namespace {
 using Shared = std::shared_ptr<const scene::Object>;
 
 /// object { NAME or any object statement, modifiers }.
-void read_wrapper(SceneBuilder& build, const scene::SourceRef& source, scene::Object& object)
+void read_wrapper(SceneBuilder& build, Kind, scene::Object& object)
 {
+    const scene::SourceRef source = build.stream().last();
     const auto opened = build.open_block("object");
     if (!read_object(build, object)) build.fail_unknown("an object or the name of one");
     object.source = source;
@@ -88,10 +89,6 @@ Form csg_form()
     return Form::braces({Form::optional(Form::operand("identifier")), Form::repeated(Form::named(any_object)),
                          Form::repeated(Form::choice({form_of<More>(), Form::named(object_modifier)}))});
 }
-Form with_block(Kind keyword, Production (*block)())
-{
-    return Form::sequence({Form::token(keyword), Form::named(block)});
-}
 Production union_block() { return {"union_block", csg_form<seq<token<Kind::SplitUnion>, a_number>>()}; }
 Production cut_block() { return {"cut_block", csg_form<token<Kind::CutawayTextures>>()}; }
 Production object_block()
@@ -108,24 +105,6 @@ Production light_group_block()
 }
 
 }  // namespace
-
-Production any_object()
-{
-    std::vector<Form> all{Form::operand("identifier")}, solids = solids_of_numbers(), written = written_solids();
-    all.insert(all.end(), solids.begin(), solids.end());
-    all.insert(all.end(), written.begin(), written.end());
-    for (const Kind keyword : {Kind::Union, Kind::Intersection, Kind::Difference, Kind::Merge, Kind::Composite}) {
-        const bool cuts = keyword == Kind::Intersection || keyword == Kind::Difference;
-        all.push_back(with_block(keyword, cuts ? cut_block : union_block));
-        all.back().rare = keyword == Kind::Composite;
-    }
-    all.push_back(with_block(Kind::Object, object_block));
-    all.push_back(with_block(Kind::LightGroup, light_group_block));
-    all.push_back(with_block(Kind::LightSource, light_source_block));
-    all.push_back(with_block(Kind::Mesh, mesh_block));
-    all.push_back(with_block(Kind::Mesh2, mesh2_block));
-    return {"object", Form::choice(std::move(all))};
-}
 
 /// Objects, `global_lights` and transformations: it takes no other modifier.
 scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& source)
@@ -218,6 +197,44 @@ void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object)
     build.close_block(name, opened);
 }
 
+namespace {
+
+/// What begins with a keyword of its own and is no solid with parameters.
+template <scene::Object (*read)(SceneBuilder&, const scene::SourceRef&)>
+void read_whole(SceneBuilder& build, Kind, scene::Object& object)
+{
+    object = read(build, build.stream().last());
+}
+constexpr struct {
+    Kind keyword;
+    Production (*block)();
+    void (*read)(SceneBuilder&, Kind, scene::Object&);
+} kBlocks[] = {
+    {Kind::Union, union_block, read_csg},
+    {Kind::Intersection, cut_block, read_csg},
+    {Kind::Difference, cut_block, read_csg},
+    {Kind::Merge, union_block, read_csg},
+    {Kind::Composite, union_block, read_csg},
+    {Kind::Object, object_block, read_wrapper},
+    {Kind::LightGroup, light_group_block, read_whole<read_light_group>},
+    {Kind::LightSource, light_source_block, read_whole<read_light>},
+    {Kind::Mesh, mesh_block, read_whole<read_mesh>},
+    {Kind::Mesh2, mesh2_block, read_whole<read_mesh2>},
+};
+
+}  // namespace
+
+Production any_object()
+{
+    std::vector<Form> all{Form::operand("identifier"), Form::choice(solids_of_numbers()),
+                          Form::choice(written_solids())};
+    for (const auto& one : kBlocks) {
+        all.push_back(Form::sequence({Form::token(one.keyword), Form::named(one.block)}));
+        all.back().rare = one.keyword == Kind::Composite;
+    }
+    return {"object", Form::choice(std::move(all))};
+}
+
 bool read_object(SceneBuilder& build, scene::Object& object)
 {
     TokenStream& in = build.stream();
@@ -238,34 +255,13 @@ bool read_object(SceneBuilder& build, scene::Object& object)
         read_written(build, keyword, object);
         return true;
     }
-    if (csg_op(keyword)) {
+    for (const auto& one : kBlocks) {
+        if (one.keyword != keyword) continue;
         in.next();
-        read_csg(build, keyword, object);
+        one.read(build, keyword, object);
         return true;
     }
-    switch (keyword) {
-    case Kind::Object:
-        in.next();
-        read_wrapper(build, in.last(), object);
-        return true;
-    case Kind::LightGroup:
-        in.next();
-        object = read_light_group(build, in.last());
-        return true;
-    case Kind::LightSource:
-        in.next();
-        object = read_light(build, in.last());
-        return true;
-    case Kind::Mesh:
-        in.next();
-        object = read_mesh(build, in.last());
-        return true;
-    case Kind::Mesh2:
-        in.next();
-        object = read_mesh2(build, in.last());
-        return true;
-    default: return false;
-    }
+    return false;
 }
 
 }  // namespace parser

@@ -44,8 +44,9 @@ struct noise_generator : item<Kind::NoiseGenerator, a_number> {
         if (s.pattern.noise_generator < 1 || s.pattern.noise_generator > 3) s.fail("noise_generator must be 1, 2 or 3");
     }
 };
-struct agate_turb : item<Kind::AgateTurb, a_number> {
-    static void act(ModifierState& s) { s.set("agate", 0, s.pop_float()); }
+template <Kind kind, Kind pattern, std::size_t at>
+struct parameter : item<kind, a_number> {
+    static void act(ModifierState& s) { s.set(spelling(pattern), at, s.pop_float()); }
 };
 struct brick_size : item<Kind::BrickSize, a_vector> {
     static void act(ModifierState& s)
@@ -53,15 +54,6 @@ struct brick_size : item<Kind::BrickSize, a_vector> {
         const glm::dvec3 size = s.pop_vector();
         if (s.pattern.name == "brick") s.pattern.vector = size;
     }
-};
-struct mortar : item<Kind::Mortar, a_number> {
-    static void act(ModifierState& s) { s.set("brick", 0, s.pop_float()); }
-};
-struct control0 : item<Kind::Control0, a_number> {
-    static void act(ModifierState& s) { s.set("quilted", 0, s.pop_float()); }
-};
-struct control1 : item<Kind::Control1, a_number> {
-    static void act(ModifierState& s) { s.set("quilted", 1, s.pop_float()); }
 };
 struct form : item<Kind::Form, a_vector> {
     static void act(ModifierState& s)
@@ -79,17 +71,8 @@ struct metric : item<Kind::Metric, a_number> {
         s.set("facets", 2, v);
     }
 };
-struct offset : item<Kind::Offset, a_number> {
-    static void act(ModifierState& s) { s.set("crackle", 1, s.pop_float()); }
-};
 struct solid : item<Kind::Solid> {
     static void act(ModifierState& s) { s.set("crackle", 2, 1); }
-};
-struct size : item<Kind::Size, a_number> {
-    static void act(ModifierState& s) { s.set("facets", 0, s.pop_float()); }
-};
-struct coords : item<Kind::Coords, a_number> {
-    static void act(ModifierState& s) { s.set("facets", 1, s.pop_float()); }
 };
 struct exponent : item<Kind::Exponent, a_number> {
     static void act(ModifierState& s)
@@ -110,15 +93,6 @@ struct side : item<kind, a_number, by_action<another_number>> {
         s.stream().accept_comma();
         if (at_expression(s.stream())) s.pattern.numbers[at + 1] = parser::float_expr(s.stream());
     }
-};
-struct number_of_sides : item<Kind::NumberOfSides, a_number> {
-    static void act(ModifierState& s) { s.set("pavement", 0, s.pop_float()); }
-};
-struct number_of_tiles : item<Kind::NumberOfTiles, a_number> {
-    static void act(ModifierState& s) { s.set("pavement", 1, s.pop_float()); }
-};
-struct pavement_pattern : item<Kind::Pattern, a_number> {
-    static void act(ModifierState& s) { s.set("pavement", 2, s.pop_float()); }
 };
 /// Of a density_file, whose block has it too; behind a normal's amount it can stand here only.
 struct interpolate : item<Kind::Interpolate, a_number> {
@@ -245,9 +219,13 @@ using Modifiers =
           member<Kind::Frequency, &scene::Pattern::frequency>, member<Kind::Phase, &scene::Pattern::phase>,
           wave_form<Kind::RampWave, WaveForm::Ramp>, wave_form<Kind::SineWave, WaveForm::Sine>,
           wave_form<Kind::TriangleWave, WaveForm::Triangle>, wave_form<Kind::ScallopWave, WaveForm::Scallop>,
-          wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator, agate_turb, brick_size, mortar,
-          control0, control1, form, metric, offset, solid, size, coords, exponent, side<Kind::Exterior, 2, 3>,
-          side<Kind::Interior, 4, 4>, number_of_sides, number_of_tiles, pavement_pattern, interpolate, warp>;
+          wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator,
+          parameter<Kind::AgateTurb, Kind::Agate, 0>, brick_size, parameter<Kind::Mortar, Kind::Brick, 0>,
+          parameter<Kind::Control0, Kind::Quilted, 0>, parameter<Kind::Control1, Kind::Quilted, 1>, form, metric,
+          parameter<Kind::Offset, Kind::Crackle, 1>, solid, parameter<Kind::Size, Kind::Facets, 0>,
+          parameter<Kind::Coords, Kind::Facets, 1>, exponent, side<Kind::Exterior, 2, 3>, side<Kind::Interior, 4, 4>,
+          parameter<Kind::NumberOfSides, Kind::Pavement, 0>, parameter<Kind::NumberOfTiles, Kind::Pavement, 1>,
+          parameter<Kind::Pattern, Kind::Pavement, 2>, interpolate, warp>;
 
 }  // namespace
 

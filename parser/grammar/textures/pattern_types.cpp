@@ -3,6 +3,7 @@
 #include "parser/stream/functions/function.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 /// Pattern keywords with their parameters; what each number means is written in docs/patterns.md.
@@ -40,47 +41,45 @@ constexpr PlainPattern kPlain[] = {
     {Kind::Square, 0.0}, {Kind::Triangular, 0.0}, {Kind::Cubic, 0.0},
 };
 
+/// The same with numbers that modifiers change.
+constexpr struct NumberedPattern {
+    Kind keyword;
+    double frequency;
+    glm::dvec3 vector;
+    std::size_t count;
+    std::array<double, 6> numbers;
+} kNumbered[] = {
+    {Kind::Brick, 0.0, {8, 3, 4.5}, 1, {0.5}},      {Kind::Quilted, 0.0, {}, 2, {1, 1}},
+    {Kind::Crackle, 1.0, {-1, 1, 0}, 3, {2, 0, 0}}, {Kind::Facets, 1.0, {}, 3, {0.1, 0, 2}},
+    {Kind::Pavement, 1.0, {}, 6, {3, 1, 1}},
+};
+
 bool read_plain(PatternState& s)
 {
     const Kind kind = s.stream().peek().kind;
-    for (const PlainPattern& plain : kPlain) {
-        if (plain.keyword != kind) continue;
+    const auto begin = [&](double frequency) {
         s.stream().next();
         set_type(s, spelling(kind));
-        if (plain.frequency != 1.0) s.pattern.frequency = plain.frequency;
+        if (frequency != 1.0) s.pattern.frequency = frequency;
+        return true;
+    };
+    for (const PlainPattern& plain : kPlain)
+        if (plain.keyword == kind) return begin(plain.frequency);
+    for (const NumberedPattern& one : kNumbered) {
+        if (one.keyword != kind) continue;
+        begin(one.frequency);
+        s.pattern.vector = one.vector;
+        s.pattern.numbers.assign(one.numbers.begin(), one.numbers.begin() + static_cast<std::ptrdiff_t>(one.count));
         return true;
     }
     return false;
 }
 
-struct brick : item<Kind::Brick> {
+template <Kind kind>
+struct triangle_wave : item<kind> {
     static void act(PatternState& s)
     {
-        set_type(s, "brick");
-        s.pattern.frequency = 0;
-        s.pattern.vector = {8, 3, 4.5};
-        s.pattern.numbers = {0.5};
-    }
-};
-struct quilted : item<Kind::Quilted> {
-    static void act(PatternState& s)
-    {
-        set_type(s, "quilted");
-        s.pattern.frequency = 0;
-        s.pattern.numbers = {1, 1};
-    }
-};
-struct marble : item<Kind::Marble> {
-    static void act(PatternState& s)
-    {
-        set_type(s, "marble");
-        s.pattern.wave = scene::WaveForm::Triangle;
-    }
-};
-struct wood : item<Kind::Wood> {
-    static void act(PatternState& s)
-    {
-        set_type(s, "wood");
+        set_type(s, spelling(kind));
         s.pattern.wave = scene::WaveForm::Triangle;
     }
 };
@@ -91,22 +90,6 @@ struct agate : item<Kind::Agate> {
         s.pattern.numbers = {1};
         // Always owns a classic turbulence, of amount 0 (spec 4, 5.1).
         if (!s.pattern.turbulence) s.pattern.turbulence.emplace();
-    }
-};
-struct crackle : item<Kind::Crackle> {
-    static void act(PatternState& s)
-    {
-        set_type(s, "crackle");
-        s.pattern.vector = {-1, 1, 0};
-        s.pattern.numbers = {2, 0, 0};
-    }
-};
-struct facets : item<Kind::Facets> {
-    static constexpr bool rare = true;  // of normals alone
-    static void act(PatternState& s)
-    {
-        set_type(s, "facets");
-        s.pattern.numbers = {0.1, 0, 2};
     }
 };
 struct gradient_axis : seq<a_vector> {};
@@ -135,13 +118,6 @@ struct tiling : item<Kind::Tiling, tiling_kind> {
         const double kind = std::trunc(s.pop_float());
         if (!(kind >= 1 && kind <= 27)) s.fail("the kind of tiling must be between 1 and 27");
         s.pattern.numbers = {kind};
-    }
-};
-struct pavement : item<Kind::Pavement> {
-    static void act(PatternState& s)
-    {
-        set_type(s, "pavement");
-        s.pattern.numbers = {3, 1, 1, 0, 0, 0};
     }
 };
 
@@ -269,8 +245,8 @@ struct density_file
     }
 };
 
-using Types = table<PatternState, brick, quilted, marble, wood, agate, crackle, facets, gradient, spiral<Kind::Spiral1>,
-                    spiral<Kind::Spiral2>, tiling, pavement, mandel, julia, magnet, slope, pigment_pattern,
+using Types = table<PatternState, triangle_wave<Kind::Marble>, triangle_wave<Kind::Wood>, agate, gradient,
+                    spiral<Kind::Spiral1>, spiral<Kind::Spiral2>, tiling, mandel, julia, magnet, slope, pigment_pattern,
                     function_pattern, image_pattern, object, density_file>;
 
 }  // namespace
@@ -292,6 +268,10 @@ Production pattern_type()
 {
     std::vector<Form> all{Types::form()};
     for (const PlainPattern& plain : kPlain) all.push_back(Form::token(plain.keyword));
+    for (const NumberedPattern& one : kNumbered) {
+        all.push_back(Form::token(one.keyword));
+        all.back().rare = one.keyword == Kind::Facets;  // of normals alone
+    }
     return {"pattern_type", Form::choice(std::move(all))};
 }
 
