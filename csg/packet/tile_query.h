@@ -5,8 +5,8 @@
 #include "csg/packet/packet_walk.h"
 #include "csg/packet/tile_leaf.h"
 
-/// The two questions a tile asks, in vector lanes where the solid allows it: its test is a template, so that the answers
-/// are those of one ray to the last bit.
+/// The two questions a tile asks, in vector lanes where the solid allows it: its test is a template, so that the
+/// answers are those of one ray to the last bit.
 namespace csg {
 
 /// Which ends of the intervals can be seen between t_min and limit.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "csg/freeform/field/blob_follower.h"
-#include "csg/freeform/field/blob_stretch.h"
 #include "csg/freeform/shared/bernstein_lanes.h"
 
 #include <bit>

@@ -1,9 +1,90 @@
 #pragma once
 
-#include "csg/freeform/shared/bernstein.h"
+#include "csg/base/points.h"
 #include "csg/freeform/field/blob.h"
+#include "csg/freeform/shared/bernstein.h"
+
+/// What a ray, or a ray a lane, has in the reach of a blob's components, and what one needs to follow it.
 
 namespace csg {
+
+/// Where rays are nearest to the middle of a sphere around a field, and half of what they have inside.
+template <class P>
+struct Blob::Chord {
+    using V = lanes::NumberOf<P>;
+
+    V ref, half;
+    V inside2;                ///< reach squared less the distance squared
+    V slope;                  ///< of half the squared distance, at ref: 0 but for rounding
+    lanes::Truth<V> meets{};  ///< the sphere, in the range
+
+    /// \param away     from the middle to where the rays start
+    /// \param inverse  1 over the square of the directions' lengths
+    Chord(const P& away, const P& direction, const V& inverse, const V& from, const V& to, const V& reach2)
+        : ref(lanes::negated(lanes::dot(away, direction)) * inverse)
+    {
+        const P foot = lanes::advanced(away, ref, direction);
+        const V zero(0.0);
+        inside2 = reach2 - lanes::dot(foot, foot);
+        const lanes::Truth<V> in = inside2 > zero;
+        half = lanes::root_of(lanes::choose(in, inside2 * inverse, zero));
+        meets = in & !((ref + half < from) | (ref - half > to));
+        slope = lanes::dot(foot, direction);
+    }
+    /// Of a field that is the sphere.
+    Course<V> course(const Field& field, const V& inverse) const
+    {
+        const double scale = 1.0 / field.reach2;
+        return {ref - half, ref + half, ref, inside2 * scale, -2.0 * scale * slope, -scale / inverse};
+    }
+};
+
+template <class V>
+inline V finite_or(const V& a, const V& other)
+{
+    return lanes::choose(lanes::size_of(a) < V(kInfinity), a, other);
+}
+
+/// What the lines o + t v have between `low` and `high` in the unit sphere. Returns which of them have any in the
+/// range. `top`: the vertex of the field.
+template <class P, class V>
+inline lanes::Truth<V> Blob::in_unit_sphere(const P& o, const P& v, V low, V high, const V& from, const V& to, V& top,
+                                            Course<V>& out)
+{
+    const auto in_range = [&]() -> lanes::Truth<V> { return (low < high) & (!(high < from)) & (!(low > to)); };
+    lanes::Truth<V> met = in_range();
+    if (lanes::mask(met) == 0) return met;
+    const V zero(0.0), a = lanes::dot(v, v);
+    top = finite_or(lanes::choose(a > zero, lanes::negated(lanes::dot(o, v)) / a, zero), zero);
+    const V ref = lanes::smaller(lanes::larger(top, finite_or(low, top)), finite_or(high, top));
+    const P foot = lanes::advanced(o, ref, v);
+    const V w0 = 1.0 - lanes::dot(foot, foot), half = lanes::negated(lanes::dot(foot, v));
+    // Roots of w0 + 2 half s - a s^2.
+    const V discriminant = half * half + a * w0;
+    const lanes::Truth<V> crosses = discriminant > zero, ends = crosses & (a > zero);
+    met = met & (crosses | ((a == zero) & (w0 > zero)));
+    if (lanes::mask(met) == 0) return met;
+    const V q = half + lanes::signed_as(lanes::root_of(lanes::choose(crosses, discriminant, zero)), half);
+    const V s1 = q / a, s2 = lanes::negated(w0) / q;
+    low = lanes::larger(lanes::choose(ends, lanes::larger(low, ref + lanes::smaller(s1, s2)), low), V(-1e300));
+    high = lanes::smaller(lanes::choose(ends, lanes::smaller(high, ref + lanes::larger(s1, s2)), high), V(1e300));
+    out = {low, high, ref, w0, 2.0 * half, lanes::negated(a)};
+    return met & in_range();
+}
+
+/// Calls f(o, v, low, high) for the slices where the nearest point of a capsule's axis is its one end, between them,
+/// and its other end, in the order of lines u + t d that lie in none of them.
+template <class P, class F>
+inline void Blob::each_slice(const Field& field, const P& u, const P& d, F&& f)
+{
+    using V = lanes::NumberOf<P>;
+    const V zero(0.0), least(-kInfinity), most(kInfinity), upper_z = u.z - field.length;
+    const V at_low = lanes::negated(u.z) / d.z, at_high = lanes::negated(upper_z) / d.z;
+    const lanes::Truth<V> up = d.z > zero;
+    f(P{u.x, u.y, lanes::choose(up, u.z, upper_z)}, d, least, lanes::choose(up, at_low, at_high));
+    f(P{u.x, u.y, zero}, P{d.x, d.y, zero}, lanes::smaller(at_low, at_high), lanes::larger(at_low, at_high));
+    f(P{u.x, u.y, lanes::choose(up, upper_z, u.z)}, d, lanes::choose(up, at_high, at_low), most);
+}
 
 /// Bernstein ordinates.
 using Quartic = std::array<double, 5>;

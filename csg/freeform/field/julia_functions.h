@@ -93,21 +93,8 @@ inline Complex value(JuliaTerms::Function f, Complex v, const glm::dvec2& expone
     }
 }
 
-/// A number of four dimensions a lane: what follows is for these and for one, a glm::dvec4.
-struct FourLanes {
-    lanes::Double x, y, z, w;
-
-    friend FourLanes operator+(const FourLanes& a, const glm::dvec4& b)
-    {
-        return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
-    }
-    friend FourLanes operator*(const lanes::Double& k, const FourLanes& a)
-    {
-        return {k * a.x, k * a.y, k * a.z, k * a.w};
-    }
-};
-
-/// |q|^2, added up in POV-Ray's order: the last bit decides whether a ray that comes in on the set finds it there.
+/// |q|^2, of a glm::dvec4 or of one a lane as what follows, added up in POV-Ray's order: the last bit decides whether a
+/// ray that comes in on the set finds it there.
 inline auto norm(const auto& q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
 
 /// The hypercomplex product, which commutes.

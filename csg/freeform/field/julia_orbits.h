@@ -69,7 +69,16 @@ public:
     const Numbers& steps() const { return steps_; }
 
 private:
-    using Four = julia::FourLanes;
+    /// A glm::dvec4 a lane.
+    struct Four {
+        Double x, y, z, w;
+
+        friend Four operator+(const Four& a, const glm::dvec4& b)
+        {
+            return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+        }
+        friend Four operator*(const Double& k, const Four& a) { return {k * a.x, k * a.y, k * a.z, k * a.w}; }
+    };
     static void pick(const Bool& which, const Four& a, Four& b)
     {
         b = {xsimd::select(which, a.x, b.x), xsimd::select(which, a.y, b.y), xsimd::select(which, a.z, b.z),
