@@ -98,18 +98,18 @@ bool cut_edge(const Body& body, const Finish& finish, const glm::dvec3& from, co
     return true;
 }
 
-bool cut_edge(const Body& body, const Finish& finish, const Tetrahedra& all, std::uint64_t edge, EdgeCut& out,
-              std::uint64_t& lost)
+bool cut_edge(const Body& body, const Finish& finish, const std::vector<glm::dvec3>& points,
+              const std::vector<std::uint8_t>& inside, std::uint64_t edge, EdgeCut& out, std::uint64_t& lost)
 {
     thread_local std::vector<Chord> chords;
-    const glm::dvec3 a = all.points[first_of(edge)], b = all.points[second_of(edge)];
+    const glm::dvec3 a = points[first_of(edge)], b = points[second_of(edge)];
     const double length = glm::length(b - a);
     const glm::dvec3 along = (b - a) / length;
     body.chords(a, along, -kRounding * length, (1.0 + kRounding) * length, chords);
     // Ends of chords beyond the range mean nothing.
     out.edge = edge;
-    return cut_edge(body, finish, a, along, 0.0, length, all.inside[first_of(edge)] != 0,
-                    all.inside[second_of(edge)] != 0, chords, out, lost);
+    return cut_edge(body, finish, a, along, 0.0, length, inside[first_of(edge)] != 0, inside[second_of(edge)] != 0,
+                    chords, out, lost);
 }
 
 }  // namespace solid

@@ -47,7 +47,7 @@ bool cut_edge(const Body& body, const Finish& finish, const glm::dvec3& from, co
               std::uint64_t& lost);
 
 /// The same of an edge by itself, whose line is followed.
-bool cut_edge(const Body& body, const Finish& finish, const Tetrahedra& all, std::uint64_t edge, EdgeCut& out,
-              std::uint64_t& lost);
+bool cut_edge(const Body& body, const Finish& finish, const std::vector<glm::dvec3>& points,
+              const std::vector<std::uint8_t>& inside, std::uint64_t edge, EdgeCut& out, std::uint64_t& lost);
 
 }  // namespace solid

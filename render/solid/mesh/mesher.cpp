@@ -1,7 +1,7 @@
 #include "render/solid/mesh/mesher.h"
 
-#include "csg/base/cancel.h"
 #include "render/solid/mesh/patch.h"
+#include "render/solid/mesh/refiner.h"
 #include "render/solid/mesh/sides.h"
 #include "render/solid/mesh/weld.h"
 
@@ -17,12 +17,15 @@ namespace {
 constexpr double kLeastEdge = 3e-4;  // of the body's size: single precision tells no smaller triangles apart
 constexpr double kGrains = 1e-6;     // of the largest coordinate: some units in the last place of single precision
 
-using Clock = std::chrono::steady_clock;
+struct TetrahedronState {
+    CentreCut centre;
+    bool known = false, coarse = false;
+};
 
-class Mesher {
+class Mesher : Refiner<Tetrahedra, TetrahedronState> {
 public:
     Mesher(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
-        : body_(body), options_(options), facts_(facts)
+        : Refiner(body, options, facts), mesh_facts_(facts)
     {
         const glm::dvec3 size = extent.upper - extent.lower;
         const double longest = glm::max(size.x, glm::max(size.y, size.z));
@@ -32,6 +35,7 @@ public:
         const glm::dvec3 far = glm::max(glm::abs(extent.lower), glm::abs(extent.upper));
         finish_.grain = kGrains * glm::max(far.x, glm::max(far.y, far.z));
         finish_.narrow = finish_.off;
+        passing_ = finish_;
         lattice_.step = longest / options.cells;
         for (int k = 0; k < 3; ++k) {
             const auto at = static_cast<std::size_t>(k);
@@ -47,23 +51,7 @@ public:
         space_ = lattice_.tetrahedra();
         find_sides();
         find_lattice_cuts();
-        for (facts_.rounds = 0; facts_.rounds < kMostRefinements; ++facts_.rounds) {
-            if (options_.cancel != nullptr && *options_.cancel) throw csg::Cancelled();
-            collect_active();
-            std::vector<std::pair<std::uint64_t, double>> marks = repeated_cuts();
-            if (marks.empty()) {
-                find_patches();
-                marks = coarse_patches();
-            }
-            if (marks.empty()) break;
-            facts_.late = Clock::now() >= options_.deadline;
-            facts_.full = space_.all.size() + 8 * marks.size() > options_.most_parts;
-            if (facts_.late || facts_.full) break;
-            refine(marks);
-        }
-        collect_active();
-        find_patches();
-        facts_.parts = space_.all.size();
+        refine_all();
         return triangles();
     }
 
@@ -99,7 +87,7 @@ private:
                 for (int y = 0; y <= ny; ++y)
                     for (int x = 0; x <= nx; ++x) {
                         if (lattice_.holds(x - d[0], y - d[1], z - d[2])) continue;  // not where a line begins
-                        follow(x, y, z, d, found.local());
+                        follow_from(x, y, z, d, found.local());
                     }
             });
             for (const auto& part : found) cuts.insert(cuts.end(), part.begin(), part.end());
@@ -107,56 +95,15 @@ private:
         cuts_.add(std::move(cuts));
     }
 
-    void follow(int x, int y, int z, const std::array<int, 3>& d, std::vector<EdgeCut>& found)
+    void follow_from(int x, int y, int z, const std::array<int, 3>& d, std::vector<EdgeCut>& found)
     {
-        thread_local std::vector<Chord> chords;
-        const glm::dvec3 from = lattice_.place(x, y, z), step = lattice_.step * glm::dvec3(d[0], d[1], d[2]);
-        const double length = glm::length(step);
-        body_.chords(from, step / length, -csg::kInfinity, csg::kInfinity, chords);
-        std::uint64_t lost = 0;
-        for (int k = 0;; ++k) {
-            const int px = x + k * d[0], py = y + k * d[1], pz = z + k * d[2];
-            if (!lattice_.holds(px + d[0], py + d[1], pz + d[2])) break;
-            const std::uint32_t a = lattice_.corner(px, py, pz), b = lattice_.corner(px + d[0], py + d[1], pz + d[2]);
-            EdgeCut cut;
-            cut.edge = edge_key(a, b);  // a < b: the directions lead upward
-            if (cut_edge(body_, finish_, from, step / length, k * length, length, space_.inside[a] != 0,
-                         space_.inside[b] != 0, chords, cut, lost))
-                found.push_back(cut);
-        }
-        lost_ += lost;
-    }
-
-    /// Tetrahedra with corners on both sides.
-    void collect_active()
-    {
-        active_.clear();
-        for (std::size_t i = 0; i < space_.all.size(); ++i) {
-            const Tetrahedron& t = space_.all[i];
-            const int sum = space_.inside[t[0]] + space_.inside[t[1]] + space_.inside[t[2]] + space_.inside[t[3]];
-            if (sum != 0 && sum != 4) active_.push_back(static_cast<std::uint32_t>(i));
-        }
-        state_.resize(space_.all.size());
-    }
-
-    /// Edges that the boundary passes again are split where it does.
-    std::vector<std::pair<std::uint64_t, double>> repeated_cuts()
-    {
-        const CutTable::Shares wanted = cuts_.repeated();
-        if (wanted.empty()) return {};
-        CutTable::Shares chosen;
-        std::vector<std::uint8_t> touched(space_.points.size());
-        for (const auto& [edge, share] : wanted) touched[first_of(edge)] = touched[second_of(edge)] = 1;
-        for (const Tetrahedron& t : space_.all) {
-            if (touched[t[0]] + touched[t[1]] + touched[t[2]] + touched[t[3]] < 2) continue;
-            for (const auto& [i, j] : kEdges) {
-                const std::uint32_t a = t[static_cast<std::size_t>(i)], b = t[static_cast<std::size_t>(j)];
-                if (touched[a] == 0 || touched[b] == 0) continue;
-                if (const auto found = wanted.find(edge_key(a, b)); found != wanted.end())
-                    choose_split(space_, found->first, found->second, space_.longest_edge(t), chosen);
-            }
-        }
-        return in_order(chosen);
+        follow(
+            lattice_.place(x, y, z), lattice_.step * glm::dvec3(d[0], d[1], d[2]),
+            [&](int k) {
+                const int px = x + k * d[0], py = y + k * d[1], pz = z + k * d[2];
+                return lattice_.holds(px, py, pz) ? lattice_.corner(px, py, pz) : kNoCorner;
+            },
+            found);
     }
 
     const EdgeCut& cut(std::uint32_t a, std::uint32_t b) const { return cuts_[cuts_.index(edge_key(a, b))]; }
@@ -173,7 +120,7 @@ private:
     }
 
     /// Faces first, as two tetrahedra share one, then what is between them.
-    void find_patches()
+    void find_patches() override
     {
         std::vector<FaceKey> fresh;
         for (const std::uint32_t i : active_) {
@@ -190,26 +137,14 @@ private:
             look_for_cancel();
             for (std::size_t i = range.begin(); i < range.end(); ++i) faces_[first + i] = cut_of_face(fresh[i]);
         });
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, active_.size(), kPartsOfTask), [&](const auto& range) {
-            look_for_cancel();
-            for (std::size_t k = range.begin(); k < range.end(); ++k) {
-                State& state = state_[active_[k]];
-                if (state.known) continue;
-                state.known = true;
-                const Tetrahedron& t = space_.all[active_[k]];
-                bool coarse = false;
-                const Polygon polygon = polygon_of(t, &coarse);
-                state.centre = cut_centre(
-                    body_, finish_,
-                    {space_.points[t[0]], space_.points[t[1]], space_.points[t[2]], space_.points[t[3]]}, polygon);
-                state.coarse = coarse || state.centre.coarse;
-            }
+        each_unknown([&](TetrahedronState& state, const Tetrahedron& t) {
+            bool coarse = false;
+            const Polygon polygon = polygon_of(t, &coarse);
+            state.centre = cut_centre(
+                body_, finish_, {space_.points[t[0]], space_.points[t[1]], space_.points[t[2]], space_.points[t[3]]},
+                polygon);
+            state.coarse = coarse || state.centre.coarse;
         });
-    }
-
-    void look_for_cancel() const
-    {
-        if (options_.cancel != nullptr && *options_.cancel) throw csg::Cancelled();
     }
 
     Polygon polygon_of(const Tetrahedron& t, bool* coarse = nullptr) const
@@ -232,66 +167,6 @@ private:
             out.any_on_face = true;
         }
         return out;
-    }
-
-    std::vector<std::pair<std::uint64_t, double>> coarse_patches()
-    {
-        CutTable::Shares marked;
-        facts_.unresolved = 0;
-        for (const std::uint32_t i : active_) {
-            if (!state_[i].coarse) continue;
-            const std::uint64_t edge = space_.longest_edge(space_.all[i]);
-            if (space_.length2(edge) < finish_.least * finish_.least) ++facts_.unresolved;
-            else marked[edge] = 0.5;
-        }
-        return in_order(marked);
-    }
-
-    void refine(const std::vector<std::pair<std::uint64_t, double>>& marks)
-    {
-        const std::uint32_t first = static_cast<std::uint32_t>(space_.points.size());
-        CutTable::Index middles;
-        for (const auto& [edge, share] : marks) {
-            middles[edge] = static_cast<std::uint32_t>(space_.points.size());
-            const glm::dvec3 a = space_.points[first_of(edge)], b = space_.points[second_of(edge)];
-            space_.points.push_back(a + share * (b - a));
-        }
-        space_.inside.resize(space_.points.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, marks.size(), kPartsOfTask), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const std::uint64_t edge = marks[i].first;
-                const glm::dvec3 a = space_.points[first_of(edge)], b = space_.points[second_of(edge)];
-                space_.inside[first + i] = body_.inside(space_.points[first + i], glm::normalize(b - a)) ? 1 : 0;
-            }
-        });
-        std::vector<std::uint32_t> made;
-        space_.split(middles, made);
-        for (const auto& [edge, middle] : middles) cuts_.forget(edge);
-        state_.resize(space_.all.size());
-        std::vector<std::uint64_t> edges;
-        for (const std::uint32_t i : made) {
-            state_[i] = State{};
-            const Tetrahedron& t = space_.all[i];
-            for (const auto& [k, l] : kEdges) {
-                const std::uint32_t a = t[static_cast<std::size_t>(k)], b = t[static_cast<std::size_t>(l)];
-                if (a >= first || b >= first) edges.push_back(edge_key(a, b));
-            }
-        }
-        std::sort(edges.begin(), edges.end());
-        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-        std::vector<EdgeCut> found(edges.size());
-        std::vector<std::uint8_t> cuts(edges.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), kPartsOfTask), [&](const auto& range) {
-            look_for_cancel();
-            std::uint64_t lost = 0;
-            for (std::size_t i = range.begin(); i < range.end(); ++i)
-                cuts[i] = cut_edge(body_, finish_, space_, edges[i], found[i], lost) ? 1 : 0;
-            lost_ += lost;
-        });
-        std::vector<EdgeCut> fresh;
-        for (std::size_t i = 0; i < edges.size(); ++i)
-            if (cuts[i] != 0) fresh.push_back(found[i]);
-        cuts_.add(std::move(fresh));
     }
 
     TriangleMesh triangles()
@@ -325,29 +200,15 @@ private:
                 if (polygon.count == 4) out.triangles.push_back({v[d], v[d + 2], v[(d + 3) % 4]});
             }
         }
-        facts_.lost = lost_;
-        facts_.joined = weld(out);
-        facts_.specks = drop_specks(out, options_.tolerance);
+        mesh_facts_.joined = weld(out);
+        mesh_facts_.specks = drop_specks(out, options_.tolerance);
         return out;
     }
 
-    struct State {
-        CentreCut centre;
-        bool known = false, coarse = false;
-    };
-
-    const Body& body_;
-    const RefineOptions& options_;
-    MeshFacts& facts_;
-    Finish finish_;
+    MeshFacts& mesh_facts_;
     Lattice lattice_;
-    Tetrahedra space_;
-    CutTable cuts_;
     std::vector<FaceCut> faces_;
     std::unordered_map<FaceKey, std::uint32_t, FaceHash> face_of_;
-    std::vector<std::uint32_t> active_;
-    std::vector<State> state_;  ///< by tetrahedron
-    std::atomic<std::uint64_t> lost_{0};
 };
 
 }  // namespace

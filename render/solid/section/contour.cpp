@@ -1,7 +1,7 @@
 #include "render/solid/section/contour.h"
 
-#include "csg/base/cancel.h"
 #include "render/solid/mesh/patch.h"
+#include "render/solid/mesh/refiner.h"
 #include "render/solid/section/plane_triangles.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -18,11 +18,16 @@ constexpr double kShortest = 0.1;           // of the same: shorter edges are no
 constexpr double kInnerShare = 1e-4;        // of the room in a triangle: corners keep to where they are
 constexpr double kCoordinateGrain = 1e-12;  // of the largest coordinate: rounding of coordinates, with room
 
-class Contour {
+struct TriangleState {
+    FaceCut cut;
+    bool known = false, coarse = false;
+};
+
+class Contour : Refiner<PlaneTriangles, TriangleState> {
 public:
     Contour(const Body& body, const csg::Aabb& extent, const CuttingPlane& plane, const RefineOptions& options,
             RefineFacts& facts)
-        : body_(body), plane_(plane), options_(options), facts_(facts)
+        : Refiner(body, options, facts), plane_(plane)
     {
         const glm::dvec2 lower = plane.flat(extent.lower), size = plane.flat(extent.upper) - lower;
         step_ = std::max(size.x, size.y) / options.cells;
@@ -49,24 +54,7 @@ public:
         make_lattice();
         find_sides();
         find_lattice_cuts();
-        for (facts_.rounds = 0; facts_.rounds < kMostRefinements; ++facts_.rounds) {
-            collect_active();
-            PlaneTriangles::Shares marks = repeated_cuts();
-            if (marks.empty()) {
-                find_patches();
-                marks = coarse_patches();
-            }
-            if (marks.empty()) break;
-            facts_.late = std::chrono::steady_clock::now() >= options_.deadline;
-            facts_.full = space_.all.size() + 4 * marks.size() > options_.most_parts;
-            if (facts_.late || facts_.full) break;
-            space_.spread(marks);
-            refine(marks);
-        }
-        collect_active();
-        find_patches();
-        facts_.parts = space_.all.size();
-        facts_.lost = lost_;
+        refine_all();
         return loops();
     }
 
@@ -111,56 +99,22 @@ private:
             tbb::parallel_for(0, squares_[1] + 1, [&](int y) {
                 look_for_cancel();
                 for (int x = 0; x <= squares_[0]; ++x)
-                    if (!holds(x - d[0], y - d[1])) follow(x, y, d, found.local());  // a line begins here
+                    if (!holds(x - d[0], y - d[1])) follow_from(x, y, d, found.local());  // a line begins here
             });
             for (const auto& part : found) cuts.insert(cuts.end(), part.begin(), part.end());
         }
         cuts_.add(std::move(cuts));
     }
 
-    void follow(int x, int y, const std::array<int, 2>& d, std::vector<EdgeCut>& found)
+    void follow_from(int x, int y, const std::array<int, 2>& d, std::vector<EdgeCut>& found)
     {
-        thread_local std::vector<Chord> chords;
-        const glm::dvec3 from = place(x, y), step = plane_.direction(step_ * glm::dvec2(d[0], d[1]));
-        const double length = glm::length(step);
-        body_.chords(from, step / length, -csg::kInfinity, csg::kInfinity, chords);
-        std::uint64_t lost = 0;
-        for (int k = 0; holds(x + (k + 1) * d[0], y + (k + 1) * d[1]); ++k) {
-            const std::uint32_t a = corner(x + k * d[0], y + k * d[1]),
-                                b = corner(x + (k + 1) * d[0], y + (k + 1) * d[1]);
-            EdgeCut cut;
-            cut.edge = edge_key(a, b);  // a < b: the directions lead upward
-            if (cut_edge(body_, passing_, from, step / length, k * length, length, space_.inside[a] != 0,
-                         space_.inside[b] != 0, chords, cut, lost))
-                found.push_back(cut);
-        }
-        lost_ += lost;
-    }
-
-    /// Triangles with corners on both sides.
-    void collect_active()
-    {
-        look_for_cancel();
-        active_.clear();
-        for (std::size_t i = 0; i < space_.all.size(); ++i) {
-            const PlaneTriangles::Triangle& t = space_.all[i];
-            const int sum = space_.inside[t[0]] + space_.inside[t[1]] + space_.inside[t[2]];
-            if (sum != 0 && sum != 3) active_.push_back(static_cast<std::uint32_t>(i));
-        }
-        state_.resize(space_.all.size());
-    }
-
-    /// Edges that the boundary passes again are split where it does.
-    PlaneTriangles::Shares repeated_cuts()
-    {
-        const CutTable::Shares wanted = cuts_.repeated();
-        CutTable::Shares chosen;
-        if (wanted.empty()) return chosen;
-        for (const PlaneTriangles::Triangle& t : space_.all)
-            for (std::size_t k = 0; k < 3; ++k)
-                if (const auto found = wanted.find(edge_key(t[k], t[(k + 1) % 3])); found != wanted.end())
-                    choose_split(space_, found->first, found->second, space_.longest_edge(t), chosen);
-        return chosen;
+        follow(
+            place(x, y), plane_.direction(step_ * glm::dvec2(d[0], d[1])),
+            [&](int k) {
+                const int px = x + k * d[0], py = y + k * d[1];
+                return holds(px, py) ? corner(px, py) : kNoCorner;
+            },
+            found);
     }
 
     /// The corner that is alone on its side, and the cuts towards the two that follow it.
@@ -179,98 +133,16 @@ private:
         return out;
     }
 
-    void find_patches()
+    void find_patches() override
     {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, active_.size(), kPartsOfTask), [&](const auto& range) {
-            look_for_cancel();
-            for (std::size_t k = range.begin(); k < range.end(); ++k) {
-                State& state = state_[active_[k]];
-                if (state.known) continue;
-                state.known = true;
-                const PlaneTriangles::Triangle& t = space_.all[active_[k]];
-                const Ways ways = ways_of(t);
-                const glm::dvec3 &l = space_.points[t[ways.lone]], &m = space_.points[t[(ways.lone + 1) % 3]],
-                                 &n = space_.points[t[(ways.lone + 2) % 3]];
-                state.cut = cut_face(body_, finish_, l, m, n, space_.inside[t[ways.lone]] != 0,
-                                     cuts_[ways.to_next].place, cuts_[ways.to_last].place);
-            }
+        each_unknown([&](TriangleState& state, const PlaneTriangles::Triangle& t) {
+            const Ways ways = ways_of(t);
+            const glm::dvec3 &l = space_.points[t[ways.lone]], &m = space_.points[t[(ways.lone + 1) % 3]],
+                             &n = space_.points[t[(ways.lone + 2) % 3]];
+            state.cut = cut_face(body_, finish_, l, m, n, space_.inside[t[ways.lone]] != 0, cuts_[ways.to_next].place,
+                                 cuts_[ways.to_last].place);
+            state.coarse = state.cut.coarse;
         });
-    }
-
-    PlaneTriangles::Shares coarse_patches()
-    {
-        PlaneTriangles::Shares out;
-        facts_.unresolved = 0;
-        for (const std::uint32_t i : active_) {
-            if (!state_[i].cut.coarse) continue;
-            const std::uint64_t edge = space_.longest_edge(space_.all[i]);
-            if (space_.length2(edge) < finish_.least * finish_.least) ++facts_.unresolved;
-            else out[edge] = 0.5;
-        }
-        return out;
-    }
-
-    void refine(const PlaneTriangles::Shares& marked)
-    {
-        const std::vector<std::pair<std::uint64_t, double>> marks = in_order(marked);
-        const auto first = static_cast<std::uint32_t>(space_.points.size());
-        PlaneTriangles::Middles middles;
-        for (const auto& [edge, share] : marks) {
-            middles[edge] = static_cast<std::uint32_t>(space_.points.size());
-            const glm::dvec3 a = space_.points[first_of(edge)], b = space_.points[second_of(edge)];
-            space_.points.push_back(a + share * (b - a));
-        }
-        space_.inside.resize(space_.points.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, marks.size(), kPartsOfTask), [&](const auto& range) {
-            look_for_cancel();
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const std::uint64_t edge = marks[i].first;
-                const glm::dvec3 along = space_.points[second_of(edge)] - space_.points[first_of(edge)];
-                space_.inside[first + i] = body_.inside(space_.points[first + i], glm::normalize(along)) ? 1 : 0;
-            }
-        });
-        std::vector<std::uint32_t> made;
-        space_.split(middles, made);
-        for (const auto& [edge, middle] : middles) cuts_.forget(edge);
-        state_.resize(space_.all.size());
-        std::vector<std::uint64_t> edges;
-        for (const std::uint32_t i : made) {
-            state_[i] = State{};
-            const PlaneTriangles::Triangle& t = space_.all[i];
-            for (std::size_t k = 0; k < 3; ++k)
-                if (const std::uint32_t a = t[k], b = t[(k + 1) % 3]; a >= first || b >= first)
-                    edges.push_back(edge_key(a, b));
-        }
-        std::sort(edges.begin(), edges.end());
-        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-        cut_edges(edges);
-    }
-
-    void cut_edges(const std::vector<std::uint64_t>& edges)
-    {
-        std::vector<EdgeCut> found(edges.size());
-        std::vector<std::uint8_t> cuts(edges.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), kPartsOfTask), [&](const auto& range) {
-            look_for_cancel();
-            std::uint64_t lost = 0;
-            std::vector<Chord> chords;
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const std::uint32_t a = first_of(edges[i]), b = second_of(edges[i]);
-                const double length = glm::length(space_.points[b] - space_.points[a]);
-                const glm::dvec3 along = (space_.points[b] - space_.points[a]) / length;
-                body_.chords(space_.points[a], along, -1e-6 * length, (1.0 + 1e-6) * length, chords);
-                found[i].edge = edges[i];
-                cuts[i] = cut_edge(body_, passing_, space_.points[a], along, 0.0, length, space_.inside[a] != 0,
-                                   space_.inside[b] != 0, chords, found[i], lost)
-                              ? 1
-                              : 0;
-            }
-            lost_ += lost;
-        });
-        std::vector<EdgeCut> fresh;
-        for (std::size_t i = 0; i < edges.size(); ++i)
-            if (cuts[i] != 0) fresh.push_back(found[i]);
-        cuts_.add(std::move(fresh));
     }
 
     /// An edge that the boundary passes belongs to two triangles, one of which it leaves and one that it enters there.
@@ -302,29 +174,10 @@ private:
         return out;
     }
 
-    void look_for_cancel() const
-    {
-        if (options_.cancel != nullptr && *options_.cancel) throw csg::Cancelled();
-    }
-
-    struct State {
-        FaceCut cut;
-        bool known = false;
-    };
-
-    const Body& body_;
     const CuttingPlane plane_;
-    const RefineOptions& options_;
-    RefineFacts& facts_;
-    Finish finish_, passing_;  ///< of lines within triangles; of crossings of their edges
     double step_ = 1.0;
     glm::dvec2 origin_{0.0};
     int squares_[2] = {1, 1};
-    PlaneTriangles space_;
-    CutTable cuts_;
-    std::vector<std::uint32_t> active_;
-    std::vector<State> state_;  ///< by triangle
-    std::atomic<std::uint64_t> lost_{0};
 };
 
 }  // namespace
