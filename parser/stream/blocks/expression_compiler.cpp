@@ -1,25 +1,11 @@
 #include "parser/stream/blocks/expression_compiler.h"
 
 #include "parser/stream/expressions/operand.h"
-
-#include <optional>
+#include "parser/stream/functions/function.h"
 
 /// Operators, and where an expression ends.
 namespace parser::blocks {
 namespace {
-
-std::optional<Binary> relation_of(Kind kind)
-{
-    switch (kind) {
-    case Kind::Less: return Binary::Less;
-    case Kind::LessEqual: return Binary::LessEqual;
-    case Kind::Greater: return Binary::Greater;
-    case Kind::GreaterEqual: return Binary::GreaterEqual;
-    case Kind::Equal: return Binary::Equal;
-    case Kind::NotEqual: return Binary::NotEqual;
-    default: return std::nullopt;
-    }
-}
 
 /// Whether an expression surely ends at this token: a name might become a macro, a directive might go on.
 bool ends_surely(Kind kind, bool raw)

@@ -19,4 +19,7 @@ SplinePtr read_spline(TokenStream& stream);
 /// After a spline's name: `( t )` or `( t, type )`.
 Tuple call_spline(TokenStream& stream, const function::Spline& spline, const Token& name);
 
+/// The operator of a comparison; nothing: it is none.
+std::optional<function::Op> relation_of(Kind kind);
+
 }  // namespace parser

@@ -15,17 +15,9 @@ using Op = function::Op;
 
 std::optional<Op> loose_operator(Kind kind, int level)
 {
-    switch (kind) {
-    case Kind::Bar: return level == 0 ? std::optional(Op::Or) : std::nullopt;
-    case Kind::Ampersand: return level == 1 ? std::optional(Op::And) : std::nullopt;
-    case Kind::Less: return level == 2 ? std::optional(Op::Less) : std::nullopt;
-    case Kind::Greater: return level == 2 ? std::optional(Op::Greater) : std::nullopt;
-    case Kind::LessEqual: return level == 2 ? std::optional(Op::LessEqual) : std::nullopt;
-    case Kind::GreaterEqual: return level == 2 ? std::optional(Op::GreaterEqual) : std::nullopt;
-    case Kind::Equal: return level == 2 ? std::optional(Op::Equal) : std::nullopt;
-    case Kind::NotEqual: return level == 2 ? std::optional(Op::NotEqual) : std::nullopt;
-    default: return std::nullopt;
-    }
+    if (level == 2) return relation_of(kind);
+    if (kind != (level == 0 ? Kind::Bar : Kind::Ampersand)) return std::nullopt;
+    return level == 0 ? Op::Or : Op::And;
 }
 
 /// Operator and number of arguments of a built-in function.
@@ -68,6 +60,19 @@ std::optional<BuiltIn> built_in_of(Kind kind)
 }
 
 }  // namespace
+
+std::optional<Op> relation_of(Kind kind)
+{
+    switch (kind) {
+    case Kind::Less: return Op::Less;
+    case Kind::Greater: return Op::Greater;
+    case Kind::LessEqual: return Op::LessEqual;
+    case Kind::GreaterEqual: return Op::GreaterEqual;
+    case Kind::Equal: return Op::Equal;
+    case Kind::NotEqual: return Op::NotEqual;
+    default: return std::nullopt;
+    }
+}
 
 BodyReader::Value BodyReader::read()
 {

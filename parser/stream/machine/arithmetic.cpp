@@ -21,7 +21,6 @@ bool apply(double& a, double b)
         if (b == 0.0) return false;
         a = a / b;
     }
-    if constexpr (f == Binary::Less) a = relation_holds(Kind::Less, a, b) ? 1.0 : 0.0;
     if constexpr (f == Binary::And) a = truth(a) && truth(b) ? 1.0 : 0.0;
     if constexpr (f == Binary::Or) a = truth(a) || truth(b) ? 1.0 : 0.0;
     if constexpr (f == Binary::Min) a = b < a ? b : a;
@@ -136,140 +135,90 @@ const Op* combine(const Op* op, Machine& m)
     return op + 1;
 }
 
+// Tables of the handlers, by what makes one: the last of it varies most quickly.
+constexpr std::size_t kBinaries = 18, kRelations = 6, kPlaces = 3;
+
+template <std::size_t... i>
+constexpr std::array<Handler, sizeof...(i)> binaries(std::index_sequence<i...>)
+{
+    constexpr auto f = [](std::size_t at) { return static_cast<Binary>(at / 27); };
+    constexpr auto to = [=](std::size_t at) { return is_sum(f(at)) ? static_cast<Target>(at % 3) : Target::Register; };
+    return {run_binary<f(i), static_cast<Operand>(i / 9 % 3), static_cast<Operand>(i / 3 % 3), to(i)>...};
+}
+
+template <std::size_t... i>
+constexpr std::array<Handler, sizeof...(i)> relation_jumps(std::index_sequence<i...>)
+{
+    constexpr std::size_t kFirst = static_cast<std::size_t>(Binary::Less);
+    return {run_relation_jump<static_cast<Binary>(kFirst + i / 18), static_cast<Operand>(i / 6 % 3),
+                              static_cast<Operand>(i / 2 % 3), i % 2 != 0>...};
+}
+
+template <std::size_t... i>
+constexpr std::array<Handler, sizeof...(i)> truth_jumps(std::index_sequence<i...>)
+{
+    return {run_truth_jump<static_cast<Operand>(i / 2), i % 2 != 0>...};
+}
+
+template <std::size_t... i>
+constexpr std::array<Handler, sizeof...(i)> moves(std::index_sequence<i...>)
+{
+    return {run_move<static_cast<Operand>(i / 3), static_cast<Target>(i % 3)>...};
+}
+
+constexpr std::array kFunctions = {
+    Kind::Abs,  Kind::Acos,    Kind::Asin,    Kind::Atan, Kind::Cosh,  Kind::Sinh,  Kind::Tanh,
+    Kind::Ceil, Kind::Cos,     Kind::Degrees, Kind::Exp,  Kind::Floor, Kind::Int,   Kind::Ln,
+    Kind::Log,  Kind::Radians, Kind::Sin,     Kind::Sqrt, Kind::Tan,   Kind::Minus, Kind::Rand,
+};
+
+template <std::size_t... i>
+constexpr std::array<Handler, sizeof...(i)> functions(std::index_sequence<i...>)
+{
+    return {run_function<kFunctions[i / 3], static_cast<Operand>(i % 3)>...};
+}
+
 constexpr std::size_t at(Operand o) { return static_cast<std::size_t>(o); }
-
-template <Binary f, Operand A, Operand B>
-constexpr std::array<Handler, 3> to_targets()
-{
-    constexpr bool sum = is_sum(f);
-    return {run_binary<f, A, B, Target::Register>,       run_binary < f, A, B,
-            sum ? Target::Declared : Target::Register >, run_binary < f, A, B,
-            sum ? Target::Local : Target::Register > };
-}
-
-template <Binary f, std::size_t... i>
-Handler pick_binary(Operand a, Operand b, Target to, std::index_sequence<i...>)
-{
-    static constexpr std::array<std::array<Handler, 3>, 9> kAll = {
-        to_targets<f, static_cast<Operand>(i / 3), static_cast<Operand>(i % 3)>()...};
-    return kAll[at(a) * 3 + at(b)][static_cast<std::size_t>(to)];
-}
-
-template <Binary f, std::size_t... i>
-Handler pick_jump(Operand a, Operand b, bool sense, std::index_sequence<i...>)
-{
-    static constexpr std::array<std::array<Handler, 2>, 9> kAll = {std::array<Handler, 2>{
-        run_relation_jump<f, static_cast<Operand>(i / 3), static_cast<Operand>(i % 3), false>,
-        run_relation_jump<f, static_cast<Operand>(i / 3), static_cast<Operand>(i % 3), true>}...};
-    return kAll[at(a) * 3 + at(b)][sense ? 1 : 0];
-}
-
-template <Kind f>
-Handler pick_function(Operand a)
-{
-    static constexpr std::array<Handler, 3> kAll = {run_function<f, Operand::Register>, run_function<f, Operand::Slot>,
-                                                    run_function<f, Operand::Constant>};
-    return kAll[at(a)];
-}
 
 }  // namespace
 
 Handler binary_handler(Binary f, Operand a, Operand b, Target to)
 {
-    constexpr auto all = std::make_index_sequence<9>();
-    switch (f) {
-    case Binary::Add: return pick_binary<Binary::Add>(a, b, to, all);
-    case Binary::Subtract: return pick_binary<Binary::Subtract>(a, b, to, all);
-    case Binary::Multiply: return pick_binary<Binary::Multiply>(a, b, to, all);
-    case Binary::Divide: return pick_binary<Binary::Divide>(a, b, to, all);
-    case Binary::Less: return pick_binary<Binary::Less>(a, b, to, all);
-    case Binary::LessEqual: return pick_binary<Binary::LessEqual>(a, b, to, all);
-    case Binary::Greater: return pick_binary<Binary::Greater>(a, b, to, all);
-    case Binary::GreaterEqual: return pick_binary<Binary::GreaterEqual>(a, b, to, all);
-    case Binary::Equal: return pick_binary<Binary::Equal>(a, b, to, all);
-    case Binary::NotEqual: return pick_binary<Binary::NotEqual>(a, b, to, all);
-    case Binary::And: return pick_binary<Binary::And>(a, b, to, all);
-    case Binary::Or: return pick_binary<Binary::Or>(a, b, to, all);
-    case Binary::Min: return pick_binary<Binary::Min>(a, b, to, all);
-    case Binary::Max: return pick_binary<Binary::Max>(a, b, to, all);
-    case Binary::Modulo: return pick_binary<Binary::Modulo>(a, b, to, all);
-    case Binary::Power: return pick_binary<Binary::Power>(a, b, to, all);
-    case Binary::IntDivide: return pick_binary<Binary::IntDivide>(a, b, to, all);
-    default: return pick_binary<Binary::Atan2>(a, b, to, all);
-    }
+    static constexpr auto kAll = binaries(std::make_index_sequence<kBinaries * kPlaces * kPlaces * kPlaces>());
+    return kAll[27 * static_cast<std::size_t>(f) + 9 * at(a) + 3 * at(b) + static_cast<std::size_t>(to)];
 }
 
 Handler relation_jump_handler(Binary f, Operand a, Operand b, bool sense)
 {
-    constexpr auto all = std::make_index_sequence<9>();
-    switch (f) {
-    case Binary::Less: return pick_jump<Binary::Less>(a, b, sense, all);
-    case Binary::LessEqual: return pick_jump<Binary::LessEqual>(a, b, sense, all);
-    case Binary::Greater: return pick_jump<Binary::Greater>(a, b, sense, all);
-    case Binary::GreaterEqual: return pick_jump<Binary::GreaterEqual>(a, b, sense, all);
-    case Binary::Equal: return pick_jump<Binary::Equal>(a, b, sense, all);
-    default: return pick_jump<Binary::NotEqual>(a, b, sense, all);
-    }
+    static constexpr auto kAll = relation_jumps(std::make_index_sequence<kRelations * kPlaces * kPlaces * 2>());
+    const std::size_t which = static_cast<std::size_t>(f) - static_cast<std::size_t>(Binary::Less);
+    return kAll[18 * which + 6 * at(a) + 2 * at(b) + (sense ? 1 : 0)];
 }
 
 Handler truth_jump_handler(Operand a, bool sense)
 {
-    switch (a) {
-    case Operand::Register:
-        return sense ? run_truth_jump<Operand::Register, true> : run_truth_jump<Operand::Register, false>;
-    case Operand::Slot: return sense ? run_truth_jump<Operand::Slot, true> : run_truth_jump<Operand::Slot, false>;
-    default: return sense ? run_truth_jump<Operand::Constant, true> : run_truth_jump<Operand::Constant, false>;
-    }
+    static constexpr auto kAll = truth_jumps(std::make_index_sequence<kPlaces * 2>());
+    return kAll[2 * at(a) + (sense ? 1 : 0)];
 }
 
 Handler move_handler(Operand a, Target to)
 {
-    constexpr auto row = []<Operand A>() {
-        return std::array<Handler, 3>{run_move<A, Target::Register>, run_move<A, Target::Declared>,
-                                      run_move<A, Target::Local>};
-    };
-    static constexpr std::array<std::array<Handler, 3>, 3> kAll = {row.template operator()<Operand::Register>(),
-                                                                   row.template operator()<Operand::Slot>(),
-                                                                   row.template operator()<Operand::Constant>()};
-    return kAll[at(a)][static_cast<std::size_t>(to)];
+    static constexpr auto kAll = moves(std::make_index_sequence<kPlaces * kPlaces>());
+    return kAll[3 * at(a) + static_cast<std::size_t>(to)];
 }
 
 Handler function_handler(Kind f, Operand a)
 {
-    switch (f) {
-    case Kind::Abs: return pick_function<Kind::Abs>(a);
-    case Kind::Acos: return pick_function<Kind::Acos>(a);
-    case Kind::Asin: return pick_function<Kind::Asin>(a);
-    case Kind::Atan: return pick_function<Kind::Atan>(a);
-    case Kind::Cosh: return pick_function<Kind::Cosh>(a);
-    case Kind::Sinh: return pick_function<Kind::Sinh>(a);
-    case Kind::Tanh: return pick_function<Kind::Tanh>(a);
-    case Kind::Ceil: return pick_function<Kind::Ceil>(a);
-    case Kind::Cos: return pick_function<Kind::Cos>(a);
-    case Kind::Degrees: return pick_function<Kind::Degrees>(a);
-    case Kind::Exp: return pick_function<Kind::Exp>(a);
-    case Kind::Floor: return pick_function<Kind::Floor>(a);
-    case Kind::Int: return pick_function<Kind::Int>(a);
-    case Kind::Ln: return pick_function<Kind::Ln>(a);
-    case Kind::Log: return pick_function<Kind::Log>(a);
-    case Kind::Radians: return pick_function<Kind::Radians>(a);
-    case Kind::Sin: return pick_function<Kind::Sin>(a);
-    case Kind::Sqrt: return pick_function<Kind::Sqrt>(a);
-    case Kind::Tan: return pick_function<Kind::Tan>(a);
-    case Kind::Minus: return pick_function<Kind::Minus>(a);
-    case Kind::Rand: return pick_function<Kind::Rand>(a);
-    default: return nullptr;
-    }
+    static constexpr auto kAll = functions(std::make_index_sequence<kFunctions.size() * kPlaces>());
+    const auto found = std::find(kFunctions.begin(), kFunctions.end(), f);
+    return found == kFunctions.end() ? nullptr : kAll[3 * static_cast<std::size_t>(found - kFunctions.begin()) + at(a)];
 }
 
 Handler combine_handler(Binary f)
 {
-    switch (f) {
-    case Binary::Add: return combine<Binary::Add>;
-    case Binary::Subtract: return combine<Binary::Subtract>;
-    case Binary::Multiply: return combine<Binary::Multiply>;
-    default: return combine<Binary::Divide>;
-    }
+    static constexpr std::array<Handler, 4> kAll = {combine<Binary::Add>, combine<Binary::Subtract>,
+                                                    combine<Binary::Multiply>, combine<Binary::Divide>};
+    return kAll[static_cast<std::size_t>(f)];
 }
 
 }  // namespace parser::blocks

@@ -10,26 +10,8 @@ enum class Operand : std::uint8_t { Register, Slot, Constant };
 /// Where a result goes.
 enum class Target : std::uint8_t { Register, Declared, Local };
 
-enum class Binary : std::uint8_t {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    Equal,
-    NotEqual,
-    And,
-    Or,
-    Min,
-    Max,
-    Modulo,
-    Power,
-    IntDivide,
-    Atan2,
-};
+/// Of two operands: function::is_binary(f).
+using Binary = function::Op;
 constexpr bool is_relation(Binary f) { return f >= Binary::Less && f <= Binary::NotEqual; }
 constexpr bool is_sum(Binary f) { return f <= Binary::Divide; }
 
