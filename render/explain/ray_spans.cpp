@@ -162,6 +162,7 @@ std::vector<Piece> RaySpans::leaf_inside(const scene::Object& object, const csg:
         alone.default_texture = texture;
         scene::Object copy;
         copy.shape = object.shape;
+        if (auto* plane = std::get_if<scene::Plane>(&copy.shape)) plane->moved_clips = false;  // it has none
         copy.transform = parent * *object.transform;
         copy.details.edit().written = object.details->written;
         copy.source = object.source;

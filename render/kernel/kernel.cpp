@@ -9,6 +9,7 @@
 #include "render/kernel/context/shade_tile.h"
 #include "render/kernel/context/context.h"
 #include "render/kernel/interior/start_interiors.h"
+#include "render/kernel/record/recorder.h"
 
 #include <algorithm>
 #include <limits>
@@ -99,6 +100,12 @@ public:
             out.weight += static_cast<double>(filling_.weight[i]);
         }
         return true;
+    }
+
+    void record(Record* into)
+    {
+        recorder_.reset();
+        if (into != nullptr) recorder_ = std::make_unique<Recorder>(scene_, scratch_.shade, *into);
     }
 
     RayCounts counts() const
@@ -267,7 +274,10 @@ private:
         csg::Ray ray;
         const bool has_ray = blur_.ray(camera_, {waiting_.x[i], waiting_.y[i]}, waiting_.n[i], ray);
         starts_.find(static_cast<std::size_t>(rays_.count), ray.origin, clouded_[k]);
-        if (!has_ray) return sums_[k].add({0, 0, 0, 0, 1}, false);
+        if (!has_ray) {
+            tell<&Recorder::no_ray>(scratch_.shade);
+            return sums_[k].add({0, 0, 0, 0, 1}, false);
+        }
         owner_[static_cast<std::size_t>(rays_.count)] = owner_[i];
         place(rays_.count++, ray);
     }
@@ -317,6 +327,7 @@ private:
     HitTile hits_;
     scene::Color colors_[kTileRays];
     std::array<scene::Color*, kTileRays> targets_;
+    std::unique_ptr<Recorder> recorder_;
 };
 
 namespace {
@@ -335,6 +346,7 @@ const KernelTable kTable = {
         return tracer.pretrace(tile, out);
     },
     [](const BlockTracer& tracer) { return tracer.counts(); },
+    [](BlockTracer& tracer, Record* into) { tracer.record(into); },
     [](const plan::CompiledScene& scene, const std::atomic<bool>* cancel) { return new PhotonTracer(scene, cancel); },
     [](PhotonTracer* tracer) { delete tracer; },
     [](PhotonTracer& tracer, const PhotonFlight& flight, std::span<const Emission> photons, const JitterStream* jitter,

@@ -16,6 +16,7 @@ namespace trace {
 
 class BlockTracer;
 class PhotonTracer;
+struct Record;
 struct Emission;
 struct IndirectLight;
 struct PhotonFlight;
@@ -37,6 +38,8 @@ struct KernelTable {
     /// A tile of a pass of radiosity. False: cancelled, as above.
     bool (*pretrace)(BlockTracer& tracer, const radiosity::PassTile& tile, radiosity::TileFindings& out);
     RayCounts (*counts)(const BlockTracer& tracer);
+    /// What the tracer does from now on is written down; null: no more.
+    void (*record)(BlockTracer& tracer, Record* into);
     /// A PhotonTracer belongs to one thread, as a BlockTracer does.
     PhotonTracer* (*make_photons)(const plan::CompiledScene& scene, const std::atomic<bool>* cancel);
     void (*free_photons)(PhotonTracer* tracer);

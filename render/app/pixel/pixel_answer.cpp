@@ -14,12 +14,12 @@ PixelAnswer pixel_answer(const Settings& settings, const scene::Description& des
     options.threads = settings.threads;
     options.isa = isa_of(settings);
     options.cancel = &cancel;
-    const explain::Pixel pixel = explain::explain_pixel(description, compiled, options, x, y);
+    const explain::Pixel pixel = explain::explain_pixel(compiled, options, x, y);
     const image::OutputCurves curves = file_settings(settings, description).encoding.curves;
     const image::Transcoder transcode(curves.working, curves.file);
     PixelAnswer out;
     for (int c = 0; c < 3; ++c) out.shown[c] = image::quantised(transcode.to_file(pixel.rendered[c]), 8);
-    out.text = explain::pixel_text(pixel, description, out.shown);
+    out.text = explain::pixel_text(pixel, description, compiled, out.shown);
     return out;
 }
 

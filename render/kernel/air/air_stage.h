@@ -5,6 +5,7 @@
 #include "render/kernel/extinction/uneven_fog.h"
 #include "render/kernel/media/media_stage.h"
 #include "render/kernel/context/segment_tile.h"
+#include "render/kernel/record/recorder.h"
 
 #include <algorithm>
 
@@ -112,10 +113,13 @@ private:
         for_each_hit(hollow, [&](std::size_t k) { air[k] = {}; });
         MediaStage media(context_, tile_);
         if (!scene.media.media.empty()) media.cross_interiors(hollow & tile_.found());
+        tell<&Recorder::air>(context_.scratch.shade, hollow, RecordedAir::Effect::InteriorMedia);
         const auto length = [&](std::size_t k) { return has(tile_.found(), k) ? tile_.hits.t[k] : kSkyDistance; };
         if (!scene.rainbows.empty())
             for_each_hit(hollow, [&](std::size_t k) { air[k].behind(rainbow_air(context_, tile_.ray(k), length(k))); });
+        tell<&Recorder::air>(context_.scratch.shade, hollow, RecordedAir::Effect::Rainbows);
         if (!scene.atmosphere.empty()) media.cross_atmosphere(hollow);
+        tell<&Recorder::air>(context_.scratch.shade, hollow, RecordedAir::Effect::Media);
         if (scene.fogs.empty()) return;
         alignas(64) TileLanes lengths;
         for_each_hit(hollow, [&](std::size_t k) { lengths[k] = length(k); });

@@ -18,6 +18,7 @@
 namespace trace {
 
 struct AreaScratch;
+class Recorder;
 struct FilterScratch;
 struct RestartedScratch;
 struct SurfaceScratch;
@@ -126,6 +127,8 @@ struct ShadeScratch {
     Kept<AreaScratch> area;
     Kept<FilterScratch> filters;
     Kept<RestartedScratch> restarted;
+
+    Recorder* recorder = nullptr;  ///< hears what stages do (record/recorder.h)
 };
 
 }  // namespace trace

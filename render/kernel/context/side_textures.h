@@ -40,6 +40,11 @@ public:
         if (surface_.part_count != 0) return scene_.part_textures[surface_.first_part + parts_[k].part];
         return k == 0 ? texture_ : surface_.corner_textures[k - 1];
     }
+    /// Of the part or the corner.
+    std::uint32_t number(std::size_t k) const
+    {
+        return surface_.part_count != 0 ? parts_[k].part : static_cast<std::uint32_t>(k);
+    }
     float share(std::size_t k) const
     {
         if (surface_.part_count != 0) return parts_[k].weight;

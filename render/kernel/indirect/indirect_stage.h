@@ -5,6 +5,7 @@
 #include "render/kernel/indirect/photon_light.h"
 #include "render/kernel/context/segment_tile.h"
 #include "render/kernel/radiosity/radiosity_stage.h"
+#include "render/kernel/record/recorder.h"
 #include "render/kernel/subsurface/subsurface_stage.h"
 
 /// Light that comes from no lamp, over a tile's rows: photons, radiosity, light below the surface.
@@ -28,9 +29,11 @@ private:
     [[gnu::noinline]] void add()
     {
         PhotonLightStage(context_, tile_, batch_).run();
+        tell<&Recorder::gains>(context_.scratch.shade, batch_.depths(), RecordedGain::Photons);
         if (const radiosity::Field* field = context_.indirect->radiosity.get();
             field != nullptr && context_.bounce < field->settings().recursion_limit)
             RadiosityStage(context_, tile_, batch_).run();
+        tell<&Recorder::gains>(context_.scratch.shade, batch_.depths(), RecordedGain::Surroundings);
     }
 
     [[gnu::noinline]] void add_below()
@@ -38,6 +41,7 @@ private:
         const radiosity::Field* field = context_.indirect != nullptr ? context_.indirect->radiosity.get() : nullptr;
         if (context_.bounce == 0 || (field != nullptr && field->settings().subsurface))
             add_subsurface_light(context_, tile_, batch_);
+        tell<&Recorder::gains>(context_.scratch.shade, batch_.depths(), RecordedGain::Below);
     }
 
     Context& context_;

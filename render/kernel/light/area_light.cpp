@@ -5,6 +5,7 @@
 #include "render/kernel/light/surface_filters.h"
 #include "render/kernel/extinction/shadow_media.h"
 #include "render/kernel/light/shadow_filter.h"
+#include "render/kernel/record/recorder.h"
 
 #include <algorithm>
 #include <utility>
@@ -224,6 +225,7 @@ void AreaLight::trace_samples()
                                  static_cast<std::uint8_t>(as));
     };
     const HitMask lit = seen & (near | ~ends(Shadow::Blocked)), filtered = seen & ~near & ends(Shadow::Filtered);
+    tell<&Recorder::area_rays>(scratch_, hit_.data(), samples_, lit, filtered);
     if (filtered != 0 && context_.traits.filters_together && !context_.traits.restarts()) find_filters(filtered);
     for (std::size_t i = 0; i < asked_count_; ++i) {
         const Asked& asked = asked_[i];

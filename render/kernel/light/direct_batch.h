@@ -6,6 +6,7 @@
 #include "render/kernel/light/direct_light.h"
 #include "render/kernel/light/row_light.h"
 #include "render/kernel/light/shade_light.h"
+#include "render/kernel/record/recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +95,7 @@ public:
         at.glow.set(k, row.pigment.rgb() * (finish.ambient + finish.emission) * row.alpha);
         at.filter.set(k, row.filter);
         at.alpha[k] = row.alpha;
+        at.passes[k] = {row.pigment.filter, row.pigment.transmit};
         if (!finish.lit()) return;
         if (row.alpha != 0.0f || !context_.traits.clear_surfaces || !finish.dull()) lit_ |= bit;
         if (row.normal != row.raw_normal) {
@@ -256,6 +258,7 @@ public:
                 const glm::dvec3 normal = has(at.bent, k) ? at.normal(k) : scratch_.hits.normal(k);
                 at.gained.set(k, direct_light(context_, {place(k), *at.finish[k], at.scalar_pigment.at(k), normal,
                                                          static_cast<double>(at.alpha[k]), samples(k), grains}));
+                tell<&Recorder::scalar_row>(scratch_, d, k);
             }
         });
     }
@@ -333,6 +336,7 @@ private:
     /// Pigments of hits; of some, `clear`, opacity counts.
     void color(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
+        tell<&Recorder::pigments>(scratch_, at, hits, clear, c);
         if (few(hits)) return color_each(at, hits, clear, c);
         const LaneMask here(hits), counts(clear);
         alignas(64) TileFloats alpha;

@@ -7,6 +7,7 @@
 #include "render/kernel/context/segment_tile.h"
 #include "render/kernel/light/shade_light.h"
 #include "render/kernel/light/shadow_caster.h"
+#include "render/kernel/record/recorder.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/plan/shines_on.h"
 #include "render/kernel/context/photon_shadow.h"
@@ -37,6 +38,7 @@ public:
             if (asks_ == 0) continue;
             scratch_.lamp.photons.of_light(i);
             add(lights[i]);
+            tell<&Recorder::lamp>(scratch_, batch_.depths(), i, asks_);
         }
         if (batch_.scalar() != 0) add_scalar();
     }

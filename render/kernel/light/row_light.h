@@ -6,6 +6,7 @@
 #include "numbers/random.h"
 #include "render/kernel/context/context.h"
 #include "render/kernel/light/highlight_lanes.h"
+#include "render/kernel/record/recorder.h"
 #include "render/kernel/tile/nearly_zero.h"
 
 #include <algorithm>
@@ -82,6 +83,7 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
         const double less = static_cast<double>(at.finish[k]->crand) * random_at(scratch.hits.point(k), grains[k]++);
         diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k] - less);
     });
+    tell<&Recorder::diffuse>(scratch, at, on, diffuse);
     if (shiny != 0) {
         alignas(64) TileLanes found;
         clear_last(rays.count, found);

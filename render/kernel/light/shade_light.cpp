@@ -5,6 +5,7 @@
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/plan/shines_on.h"
 #include "render/kernel/light/shade_light.h"
+#include "render/kernel/record/recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,17 @@ glm::vec3 tone(const ScalarRow& row, const texture::FinishExtension& tones, cons
            (share * (tones.warm + kOfWarm * own) + (1.0f - share) * (tones.cool + kOfCool * own));
 }
 
+/// What of a contribution is diffuse light, for a recorder.
+[[gnu::noinline]] void record_diffuse_part(const Context& context, const ScalarRow& row, const LitLayer& met,
+                                           const glm::dvec3& l, const glm::vec3& color, bool behind,
+                                           double less) noexcept
+{
+    if (context.scratch.shade.recorder == nullptr) return;
+    glm::vec3 part = surface_light(met, l, color, behind, 0.0, less);
+    if (row.finish.irid > 0.0f) part *= film_color(context, row.hit, row.finish, row.normal, l);
+    tell<&Recorder::scalar_diffuse>(context.scratch.shade, part);
+}
+
 glm::vec3 contribution(Context& context, const ScalarRow& row, const light::Light& light,
                        const light::Illumination& lit, const glm::vec3& color, bool behind)
 {
@@ -53,6 +65,7 @@ glm::vec3 contribution(Context& context, const ScalarRow& row, const light::Ligh
     const double strength = behind || light.shadowless || context.bounce > 0 ? 0.0 : highlight(met, lit.direction);
     glm::vec3 sum = surface_light(met, lit.direction, color, behind, strength, less);
     if (finish.irid > 0.0f) sum *= film_color(context, row.hit, finish, row.normal, lit.direction);
+    record_diffuse_part(context, row, met, lit.direction, color, behind, less);
     return sum;
 }
 
@@ -105,6 +118,7 @@ bool reaches(const ScalarRow& row, const light::Light& light, const LightSample&
         if (!reaches(row, light, sample)) continue;
         if (extension.cool_warm) {
             sum += sample.lit.color * tone(row, extension, sample.lit.direction);
+            tell<&Recorder::scalar_lamp>(context.scratch.shade, i, sum);
             continue;
         }
         ground.diffuse = row.finish.diffuse *
@@ -112,6 +126,7 @@ bool reaches(const ScalarRow& row, const light::Light& light, const LightSample&
                                                            glm::dot(row.normal, sample.lit.direction)));
         sum += of_light(context, {row.hit, ground, row.pigment, row.normal, row.alpha, row.samples, row.grains}, light,
                         sample);
+        tell<&Recorder::scalar_lamp>(context.scratch.shade, i, sum);
     }
     return sum;
 }
@@ -125,7 +140,10 @@ glm::vec3 direct_light(Context& context, const ScalarRow& row)
     const auto& lights = context.lights.lights;
     glm::vec3 sum(0);
     for (std::size_t i = 0; i < lights.size(); ++i)
-        if (reaches(row, lights[i], row.samples[i])) sum += of_light(context, row, lights[i], row.samples[i]);
+        if (reaches(row, lights[i], row.samples[i])) {
+            sum += of_light(context, row, lights[i], row.samples[i]);
+            tell<&Recorder::scalar_lamp>(context.scratch.shade, i, sum);
+        }
     return sum;
 }
 

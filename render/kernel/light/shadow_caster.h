@@ -6,6 +6,7 @@
 #include "render/kernel/light/restarted_rays.h"
 #include "render/kernel/light/shadow_filter.h"
 #include "render/kernel/light/shadow_rays.h"
+#include "render/kernel/record/recorder.h"
 
 #include <algorithm>
 #include <limits>
@@ -180,6 +181,7 @@ private:
             context_.world.shadow(beam, context_.scratch.geometry, met.ending.data());
             met.count.fill(0);
         }
+        tell<&Recorder::shadow_rays>(scratch_, in_order);
         const auto hit_of = [&](std::size_t ray) { return in_order ? ray : scratch_.shadow.lane[ray]; };
         const HitMask rays = first_hits(beam.count), blocked = rays & equal(met.ending, Shadow::Blocked);
         const HitMask clear = light.atmosphere ? 0 : rays & equal(met.ending, Shadow::Clear);  // fog dims all of them

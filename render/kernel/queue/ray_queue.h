@@ -103,11 +103,14 @@ public:
     /// Folds the nodes of every tile of which no ray waits any more.
     void fold();
 
-private:
     /// What there was when a tile began.
     struct Frame {
         std::size_t rays, mirrors, nodes, terms, colors;
     };
+    /// Of the tile at hand.
+    const Frame& frame() const { return frames_.back(); }
+
+private:
     /// Rays of a stack; behind them are those of later batches.
     struct Batch {
         std::vector<QueuedRay>* stack;

@@ -4,6 +4,7 @@
 #include "render/kernel/indirect/indirect_stage.h"
 #include "render/kernel/light/light_stage.h"
 #include "render/kernel/air/sky.h"
+#include "render/kernel/record/recorder.h"
 #include "render/kernel/surface/surface_stage.h"
 
 #include <algorithm>
@@ -34,9 +35,11 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     if (missed != 0) {
         std::array<scene::Color, kTileRays> sky;
         sky_colors(context, tile, missed, sky.data());
+        tell<&Recorder::sky>(context.scratch.shade, missed, sky.data());
         for_each_hit(missed, [&](std::size_t k) { put(k, sky[k]); });
     }
     for_each_hit(batch.all_alone(), [&](std::size_t k) { put(k, scene::Color::of(batch.sum(k))); });
+    tell<&Recorder::tile>(context.scratch.shade, tile, batch.depths(), dimmed, batch.all_alone());
     queue.end_tile();
 }
 

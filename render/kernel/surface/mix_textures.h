@@ -2,13 +2,18 @@
 
 #include "render/kernel/context/context.h"
 #include "render/kernel/context/shade_scratch.h"
+#include "render/kernel/record/recorder.h"
 
 namespace trace {
 
 /// Calls shade(entry, slot) for the entries of a texture map that a point shows, whose colours are mixed into `out`.
 template <class Shade>
-void mix_textures(Context& context, const texture::Blend& blend, ColorSlot out, Shade&& shade)
+void mix_textures(Context& context, const texture::Blend& blend, ColorSlot out, Shade&& of_entry)
 {
+    const auto shade = [&](std::uint32_t entry, ColorSlot slot) {
+        tell<&Recorder::entry>(context.scratch.shade, slot, entry, true);
+        of_entry(entry, slot);
+    };
     if (blend.lower == blend.upper) return shade(blend.upper, out);
     RayQueue& queue = context.scratch.shade.queue;
     const ColorSlot upper = queue.new_slot(), lower = queue.new_slot();

@@ -1,5 +1,6 @@
 #include "render/kernel/light/direct_batch.h"
 #include "render/kernel/context/side_textures.h"
+#include "render/kernel/record/recorder.h"
 #include "render/kernel/surface/mix_textures.h"
 #include "render/kernel/surface/shade_surface.h"
 
@@ -31,7 +32,9 @@ void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const 
         const float share = shown.share(k);
         if (static_cast<double>(share) < context.adc_bailout) continue;
         hit.enclosing.count = 0;
-        shade_texture(context, batch, hit, shown.texture(k), p, node.slot_of(k, share));
+        const ColorSlot slot = node.slot_of(k, share);
+        tell<&Recorder::entry>(context.scratch.shade, slot, shown.number(k), false);
+        shade_texture(context, batch, hit, shown.texture(k), p, slot);
     }
 }
 

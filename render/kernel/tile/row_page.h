@@ -73,8 +73,9 @@ struct RowPage {
     TileColors gained, filter;            ///< what the lights have added so far; what the layers above let through
     texture::ColorPoints scalar_pigment;  ///< of the rows of `scalar`
     alignas(64) TileFloats alpha;         ///< opacity; in lanes where there is indirect light
-    alignas(64) TileLanes diffuse;        ///< times the layer's opacity
-    alignas(64) TileLanes nx, ny, nz;     ///< all hits' where some are bent
+    std::array<glm::vec2, csg::kTileRays> passes;  ///< filter and transmit of the pigment; in lanes if recorded
+    alignas(64) TileLanes diffuse;                 ///< times the layer's opacity
+    alignas(64) TileLanes nx, ny, nz;              ///< all hits' where some are bent
 
     glm::dvec3 normal(std::size_t k) const { return {nx[k], ny[k], nz[k]}; }
 };
