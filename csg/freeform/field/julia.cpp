@@ -14,6 +14,13 @@ using Function = JuliaTerms::Function;
 
 constexpr double kQuaternionReach = 2.0, kHyperReach = 4.0;
 
+/// How the size of an orbit's last point n grows with x, y and z; v is the derivative of the orbit (spec 5b, 12.3).
+glm::dvec3 growth(const glm::dvec4& v, const glm::dvec4& n)
+{
+    return {v.x * n.x + v.y * n.y + v.z * n.z + v.w * n.w, -v.y * n.x + v.x * n.y - v.w * n.z + v.z * n.w,
+            -v.z * n.x - v.w * n.y + v.x * n.z + v.y * n.w};
+}
+
 }  // namespace
 
 struct Julia::Orbit {
@@ -72,10 +79,10 @@ Julia::Orbit Julia::follow(glm::dvec4 q) const
         q = next + terms_.constant;
     }
     const glm::dvec4 n = terms_.function == Function::HyperSquare ? factor * q : q;  // POV-Ray forgets it for the cube
-    return {k < terms_.iterations, julia::norm(q), julia::growth<glm::dvec3>(v, n)};
+    return {k < terms_.iterations, julia::norm(q), growth(v, n)};
 }
 
-Julia::Look Julia::look_quaternion(const glm::dvec3& p) const
+Julia::March Julia::look_quaternion(const glm::dvec3& p) const
 {
     glm::dvec4 q = lifted(p);
     const bool square = terms_.function == Function::Square;
@@ -91,12 +98,15 @@ Julia::Look Julia::look_quaternion(const glm::dvec3& p) const
     return {true, step_};
 }
 
-Julia::Look Julia::look(const glm::dvec3& p, const glm::dvec3& way) const
+Julia::March Julia::look(const glm::dvec3& p, const glm::dvec3& way) const
 {
     if (quaternion()) return look_quaternion(p);
     const Orbit orbit = follow(lifted(p));
     if (!orbit.escaped) return {true, step_};
-    return {false, julia::guessed_step(orbit.size, glm::dot(orbit.slope, way), step_)};
+    const double slope = glm::dot(orbit.slope, way), fall = -2.0 * slope, size = orbit.size;
+    const bool guess = slope < julia::kLeastSlope && size > julia::kLeastGuess * step_ * fall &&
+                       size < julia::kMostGuess * step_ * fall;
+    return {false, guess ? size / fall : step_};
 }
 
 void Julia::intersect(const Ray& ray, IntersectionList& out) const
@@ -104,12 +114,34 @@ void Julia::intersect(const Ray& ray, IntersectionList& out) const
     if (whole()) return intersect_whole(ray, out);
     const julia::Way way(ray, radius_, out);
     if (!way.meets) return;
-    julia::March march(way, out);
-    Look at;
-    do {
-        const glm::dvec3 p = way.unit.at(march.wanted());
-        at = march.phase == julia::March::Phase::Halving ? Look{stays(p), step_} : look(p, way.unit.direction);
-    } while (march.settle(at.inside, at.step, step_));
+    const Ray& unit = way.unit;
+    double t = way.begin;
+    March at = look(unit.at(t), unit.direction);
+    if (at.inside) {
+        t += 2.0 * julia::kNearest;
+        at = look(unit.at(t), unit.direction);
+    }
+    if (at.inside && !out.enter(way.world(way.entry), kUndrawnFace)) return;
+    while (true) {
+        double step = std::max(at.step, step_);
+        if (!(step < kInfinity) || !(t + step <= way.end)) break;
+        const March next = look(unit.at(t + step), unit.direction);
+        if (next.inside != at.inside) {
+            double same = t;  // still as it was
+            const double behind = t + step;
+            while (step > way.nearest) {
+                step *= 0.5;
+                if (stays(unit.at(same + step)) == at.inside) same += step;
+            }
+            if (!(at.inside ? out.leave(way.world(same), 0) : out.enter(way.world(same, step), 0))) return;
+            if (out.first_only) return;  // POV-Ray looks no farther, though the crossing may be too near to count
+            t = behind;
+        } else {
+            t += step;
+        }
+        at = next;
+    }
+    if (at.inside) out.leave(way.world(way.exit), kUndrawnFace);
 }
 
 bool Julia::contains(const glm::dvec3& p) const { return stays(p); }
@@ -151,7 +183,7 @@ glm::dvec3 Julia::gradient(const glm::dvec3& p, std::uint32_t) const
         marched = julia::apply(terms_, marched) + terms_.constant;
         q = left ? marched : plain;
     }
-    return julia::growth<glm::dvec3>(v, q);
+    return growth(v, q);
 }
 
 }  // namespace csg

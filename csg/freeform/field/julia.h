@@ -64,7 +64,7 @@ private:
     class Orbits;
     class Ahead;
     class Lanes;
-    struct Look {
+    struct March {
         bool inside;
         double step;  ///< to where the next look is worth while
     };
@@ -75,8 +75,8 @@ private:
     glm::dvec4 plain_start(const glm::dvec3& p) const;
     bool gone(const glm::dvec4& q) const { return !(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w <= escape_); }
     bool stays(const glm::dvec3& p) const;
-    Look look(const glm::dvec3& p, const glm::dvec3& way) const;
-    Look look_quaternion(const glm::dvec3& p) const;
+    March look(const glm::dvec3& p, const glm::dvec3& way) const;
+    March look_quaternion(const glm::dvec3& p) const;
     glm::dvec3 quaternion_slope(glm::dvec4 q) const;
     enum class Where : std::uint8_t { Outside, Inside, CrossesOnce, Unknown };
     Where where(const glm::dvec3& p, const glm::dvec3& half) const;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "csg/base/points.h"
 #include "csg/freeform/field/julia.h"
 #include "numbers/functions/functions.h"
 
@@ -93,38 +92,14 @@ inline Complex value(JuliaTerms::Function f, Complex v, const glm::dvec2& expone
     }
 }
 
-/// |q|^2, of a glm::dvec4 or of one a lane as what follows, added up in POV-Ray's order: the last bit decides whether a
-/// ray that comes in on the set finds it there.
-inline auto norm(const auto& q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
+/// |q|^2, added up in POV-Ray's order: the last bit decides whether a ray that comes in on the set finds it there.
+inline double norm(const glm::dvec4& q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
 
 /// The hypercomplex product, which commutes.
-template <class Q>
-inline Q product(const Q& a, const Q& b)
+inline glm::dvec4 product(const glm::dvec4& a, const glm::dvec4& b)
 {
     return {a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
             a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
-}
-
-template <class Q>
-inline Q cube(const Q& q)
-{
-    const auto n = q.y * q.y + q.z * q.z + q.w * q.w, x2 = q.x * q.x, other = 3.0 * x2 - n;
-    return {q.x * (x2 - 3.0 * n), q.y * other, q.z * other, q.w * other};
-}
-
-template <class Q>
-inline Q square(const Q& q)
-{
-    const auto twice = 2.0 * q.x;
-    return {q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, twice * q.y, twice * q.z, twice * q.w};
-}
-
-/// How the size of an orbit's last point n grows with x, y and z; v is the derivative of the orbit (spec 5b, 12.3).
-template <class P, class Q>
-inline P growth(const Q& v, const Q& n)
-{
-    return {v.x * n.x + v.y * n.y + v.z * n.z + v.w * n.w, v.x * n.y - v.y * n.x - v.w * n.z + v.z * n.w,
-            lanes::negated(v.z * n.x) - v.w * n.y + v.x * n.z + v.y * n.w};
 }
 
 /// 1/q; q itself where there is none.
@@ -141,6 +116,17 @@ inline glm::dvec4 by_parts(JuliaTerms::Function f, const glm::dvec4& q, const gl
 {
     const Complex a = value(f, {q.x - q.w, q.y + q.z}, exponent), b = value(f, {q.x + q.w, q.y - q.z}, exponent);
     return 0.5 * glm::dvec4(a.re + b.re, a.im + b.im, a.im - b.im, b.re - a.re);
+}
+
+inline glm::dvec4 cube(const glm::dvec4& q)
+{
+    const double n = q.y * q.y + q.z * q.z + q.w * q.w, x2 = q.x * q.x, other = 3.0 * x2 - n;
+    return {q.x * (x2 - 3.0 * n), q.y * other, q.z * other, q.w * other};
+}
+
+inline glm::dvec4 square(const glm::dvec4& q)
+{
+    return {q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, 2.0 * q.x * q.y, 2.0 * q.x * q.z, 2.0 * q.x * q.w};
 }
 
 /// f(q). POV-Ray's hypercomplex cube is its square.

@@ -6,9 +6,9 @@
 
 namespace csg {
 
-/// Julia::intersect() of many rays, a ray a lane. What a lane does is told by bits of masks, not by branches as in
-/// julia::March, whose step this is: rays that march and rays that close in on a crossing follow their orbits together,
-/// and to settle them one by one would cost more than half of an orbit. A lane whose ray is done takes the next one.
+/// Julia::intersect() of many rays, a ray a lane: every number comes from the same operations in the same order. What a
+/// lane does is told by bits of masks, not by branches: rays that march and rays that close in on a crossing follow
+/// their orbits together. A lane whose ray is done takes the next one.
 class Julia::Lanes {
 public:
     Lanes(const Julia& set, std::span<const Ray> rays, IntersectionList* out) : set_(set), rays_(rays), out_(out) {}
@@ -174,16 +174,12 @@ private:
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const March& m = marches_[lane];
             const Mask bit = left & (0u - left);
-            using Phase = julia::March::Phase;
-            julia::March rest(m.way, *m.out);
-            rest.t = t_[lane], rest.step = step_[lane], rest.same = same_[lane], rest.behind = behind_[lane];
-            rest.step_behind = m.step_behind, rest.inside_behind = m.inside_behind;
-            rest.inside = (inside_ & bit) != 0;
-            rest.phase = (first_ & bit) != 0     ? Phase::First
-                         : (second_ & bit) != 0  ? Phase::Second
-                         : (halving_ & bit) != 0 ? Phase::Halving
-                                                 : Phase::Stepping;
-            few.add(rest);
+            const Ahead::Phase phase = (first_ & bit) != 0     ? Ahead::Phase::First
+                                       : (second_ & bit) != 0  ? Ahead::Phase::Second
+                                       : (halving_ & bit) != 0 ? Ahead::Phase::Halving
+                                                               : Ahead::Phase::Stepping;
+            few.add({m.way, m.out, t_[lane], step_[lane], same_[lane], behind_[lane], m.step_behind, phase,
+                     (inside_ & bit) != 0, m.inside_behind});
         }
         few.run();
     }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "csg/freeform/field/julia_functions.h"
+#include "numbers/lanes.h"
+#include "csg/freeform/field/julia.h"
 #include "csg/freeform/field/julia_march.h"
 #include "numbers/lane_power.h"
 
@@ -10,8 +11,8 @@
 
 namespace csg {
 
-/// Julia::look() at many places together, each on a ray of its own, a place a lane: orbits that have gone wait for the
-/// others, so that what is told of them is kept aside.
+/// Julia::look() at many places together, each on a ray of its own, a place a lane: every number comes from the same
+/// operations in the same order.
 class Julia::Orbits {
 public:
     using Double = lanes::Double;
@@ -69,15 +70,9 @@ public:
     const Numbers& steps() const { return steps_; }
 
 private:
-    /// A glm::dvec4 a lane.
     struct Four {
         Double x, y, z, w;
-
-        friend Four operator+(const Four& a, const glm::dvec4& b)
-        {
-            return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
-        }
-        friend Four operator*(const Double& k, const Four& a) { return {k * a.x, k * a.y, k * a.z, k * a.w}; }
+        Double norm() const { return x * x + y * y + z * z + w * w; }
     };
     static void pick(const Bool& which, const Four& a, Four& b)
     {
@@ -90,23 +85,38 @@ private:
     {
         Four q[V];
         for (int v = 0; v < V; ++v) q[v] = point(v, load(places, v));
-        const glm::dvec4 constant = set_.terms_.constant;
+        const Double cx(set_.terms_.constant.x), cy(set_.terms_.constant.y), cz(set_.terms_.constant.z),
+            cw(set_.terms_.constant.w);
         switch (set_.terms_.function) {
         case JuliaTerms::Function::Square:
-            return quaternions<V>(q, asked, stepping, 2.0, [&](const Four& p) { return julia::square(p) + constant; });
+            return quaternions<V>(q, asked, stepping, 2.0, [&](const Four& p) {
+                const Double twice = Double(2.0) * p.x;
+                return Four{p.x * p.x - p.y * p.y - p.z * p.z - p.w * p.w + cx, twice * p.y + cy, twice * p.z + cz,
+                            twice * p.w + cw};
+            });
         case JuliaTerms::Function::Cube:
-            return quaternions<V>(q, asked, stepping, 3.0, [&](const Four& p) { return julia::cube(p) + constant; });
+            return quaternions<V>(q, asked, stepping, 3.0, [&](const Four& p) {
+                const Double n = p.y * p.y + p.z * p.z + p.w * p.w, square = p.x * p.x,
+                             other = Double(3.0) * square - n;
+                return Four{p.x * (square - Double(3.0) * n) + cx, p.y * other + cy, p.z * other + cz,
+                            p.w * other + cw};
+            });
         default:
-            return hypercomplex<V>(q, asked, stepping, [&](const Four& p) { return julia::product(p, p) + constant; });
+            return hypercomplex<V>(q, asked, stepping, [&](const Four& p) {
+                const Four s = product(p, p);
+                return Four{s.x + cx, s.y + cy, s.z + cz, s.w + cw};
+            });
         }
     }
 
     Four point(int v, const Double& t) const
     {
-        const lanes::Points from{load(ox_, v), load(oy_, v), load(oz_, v)}, p = lanes::advanced(from, t, direction(v));
-        return {p.x, p.y, p.z, set_.offset_ - lanes::dot(set_.tilt_, p)};
+        const Double x = load(ox_, v) + t * load(dx_, v), y = load(oy_, v) + t * load(dy_, v),
+                     z = load(oz_, v) + t * load(dz_, v);
+        return {x, y, z,
+                Double(set_.offset_) -
+                    (Double(set_.tilt_.x) * x + Double(set_.tilt_.y) * y + Double(set_.tilt_.z) * z)};
     }
-    lanes::Points direction(int v) const { return {load(dx_, v), load(dy_, v), load(dz_, v)}; }
 
     /// Those of the lanes `in` whose orbit has not gone.
     template <int V>
@@ -133,7 +143,7 @@ private:
         for (int k = 0; k < set_.terms_.iterations; ++k) {
             scale *= power;
             for (int v = 0; v < V; ++v) {
-                const Double size = julia::norm(q[v]);
+                const Double size = q[v].norm();
                 size_at[v] = xsimd::select(in[v], size, size_at[v]);
                 scale_at[v] = xsimd::select(in[v], Double(scale), scale_at[v]);
                 in[v] = in[v] & (size <= escape);
@@ -169,6 +179,13 @@ private:
         return x * Double(1.0 / kAt[I]) + Double(kLogarithm[I] - 1.0);
     }
 
+    /// julia::product().
+    static Four product(const Four& a, const Four& b)
+    {
+        return {a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
+                a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
+    }
+
     /// Julia::look() by hypercomplex orbits and their derivatives.
     template <int V, class Next>
     Mask hypercomplex(Four (&q)[V], Mask asked, Mask stepping, Next&& next)
@@ -186,13 +203,13 @@ private:
         Mask staying = asked;
         double factor = 2.0;
         for (int k = 0; k < set_.terms_.iterations; ++k) {
-            for (int v = 0; v < V; ++v) in[v] = in[v] & (julia::norm(q[v]) <= escape);
+            for (int v = 0; v < V; ++v) in[v] = in[v] & (q[v].norm() <= escape);
             staying = lanes_in(in);
             if (staying == 0 || k + 1 == set_.terms_.iterations) break;
             if (k > 0) factor *= 2.0;
             for (int v = 0; v < V; ++v) {
                 if (slopes && k > 0) {
-                    pick(in[v], julia::product(q[v], slope[v]), slope[v]);
+                    pick(in[v], product(q[v], slope[v]), slope[v]);
                     factor_at[v] = xsimd::select(in[v], Double(factor), factor_at[v]);
                 }
                 pick(in[v], next(q[v]), q[v]);
@@ -205,9 +222,16 @@ private:
                 continue;
             }
             const Double f = set_.terms_.function == JuliaTerms::Function::HyperSquare ? factor_at[v] : one;
-            const auto growth = julia::growth<lanes::Points>(slope[v], f * q[v]);
-            const Double found = julia::guessed_step(julia::norm(q[v]), lanes::dot(growth, direction(v)), step);
-            store(steps_, v, pick(part(staying, v), step, found));
+            const Four &s = slope[v], n{f * q[v].x, f * q[v].y, f * q[v].z, f * q[v].w};
+            const Double gx = s.x * n.x + s.y * n.y + s.z * n.z + s.w * n.w,
+                         gy = -s.y * n.x + s.x * n.y - s.w * n.z + s.z * n.w,
+                         gz = -s.z * n.x - s.w * n.y + s.x * n.z + s.y * n.w;
+            const Double along = gx * load(dx_, v) + gy * load(dy_, v) + gz * load(dz_, v), fall = Double(-2.0) * along,
+                         size = q[v].norm();
+            const Bool guess = (along < Double(julia::kLeastSlope)) &
+                               (size > Double(julia::kLeastGuess) * step * fall) &
+                               (size < Double(julia::kMostGuess) * step * fall);
+            store(steps_, v, pick(part(staying, v), step, xsimd::select(guess, size / fall, step)));
         }
         return staying;
     }
