@@ -18,7 +18,7 @@ std::string why_dim(const plan::CompiledScene& scene, const PlaceNames& names, c
                                  [&](const trace::RecordedLamp& lamp) { return lamp.number == number; });
     if (of == hit.lamps.end())
         return plan::shines_on(light, surface) ? "it is not asked: nothing there takes light"
-                                                : "its light_group has no part in this surface";
+                                               : "its light_group has no part in this surface";
     if (trace::dark(of->color)) return "it does not shine here: outside of its cone, or faded";
     const trace::RecordedShadow& shadow = of->shadow;
     const bool away = glm::dot(row.normal, of->direction) < 0.0 && !surface.double_illuminate;

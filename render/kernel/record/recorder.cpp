@@ -87,8 +87,8 @@ void Recorder::diffuse(const RowPage& page, HitMask rows, const TileFloats& amou
 void Recorder::lamp(std::size_t depths, std::size_t number, HitMask asked)
 {
     for_each_hit(asked, [&](std::size_t k) {
-        lamps_[k].push_back(
-            {static_cast<std::uint32_t>(number), scratch_.lamp.light.direction(k), scratch_.lamp.colors[k], shadows_[k]});
+        lamps_[k].push_back({static_cast<std::uint32_t>(number), scratch_.lamp.light.direction(k),
+                             scratch_.lamp.colors[k], shadows_[k]});
         shadows_[k] = {};
     });
     gains(depths, static_cast<std::int32_t>(number));

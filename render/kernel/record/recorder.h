@@ -21,7 +21,7 @@ public:
     void pigments(RowPage& page, HitMask hits, HitMask clear, const texture::ColorPoints& of);
     /// A colour is that of one of several textures.
     void entry(ColorSlot slot, std::uint32_t entry, bool of_map) { entries_.push_back({slot, entry, of_map}); }
-    /// What the shadow rays in ShadeScratch::rays have told. in_order: ray i is hit i's, not ShadeScratch::lane's.
+    /// What the shadow rays in ShadeScratch::shadow have told. in_order: ray i is hit i's, not that of its lane.
     void shadow_rays(bool in_order);
     /// Those to places of an area light, of these hits: which of them see it, and which through something.
     void area_rays(const std::uint32_t* hits, std::size_t count, HitMask lit, HitMask filtered);
