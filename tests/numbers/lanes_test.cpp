@@ -29,7 +29,7 @@ struct LaneFunction {
 
 std::vector<LaneFunction> lane_functions()
 {
-#define OF_ONE(name)                                                                                                   \
+#define FUNCTION_OF_ONE(name)                                                                                          \
     {                                                                                                                  \
 #name, [](const Double& x, const Double&) { return numbers::name(x); }                                         \
     }
@@ -37,9 +37,12 @@ std::vector<LaneFunction> lane_functions()
     {                                                                                                                  \
 #name, [](const Double& x, const Double& y) { return numbers::name(x, y); }                                    \
     }
-    return {OF_ONE(sin),   OF_ONE(cos),  OF_ONE(tan),   OF_ONE(asin),  OF_ONE(acos), OF_ONE(atan),
-            OF_TWO(atan2), OF_ONE(exp),  OF_ONE(log),   OF_ONE(log10), OF_TWO(pow),  OF_ONE(sinh),
-            OF_ONE(cosh),  OF_ONE(tanh), OF_ONE(asinh), OF_ONE(acosh), OF_ONE(atanh)};
+    return {FUNCTION_OF_ONE(sin),   FUNCTION_OF_ONE(cos),  FUNCTION_OF_ONE(tan),
+            FUNCTION_OF_ONE(asin),  FUNCTION_OF_ONE(acos), FUNCTION_OF_ONE(atan),
+            OF_TWO(atan2),          FUNCTION_OF_ONE(exp),  FUNCTION_OF_ONE(log),
+            FUNCTION_OF_ONE(log10), OF_TWO(pow),           FUNCTION_OF_ONE(sinh),
+            FUNCTION_OF_ONE(cosh),  FUNCTION_OF_ONE(tanh), FUNCTION_OF_ONE(asinh),
+            FUNCTION_OF_ONE(acosh), FUNCTION_OF_ONE(atanh)};
 }
 
 std::uint64_t bits_of(double v) { return std::isnan(v) ? ~std::uint64_t{0} : std::bit_cast<std::uint64_t>(v); }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -61,7 +63,6 @@ inline glm::vec3 hue_up_to(float wavelength)
 {
     static constexpr float kFirst = 375.0f, kStep = 5.0f;
     static constexpr std::array<std::array<float, 3>, 74> kHues = {{
-#include "numbers/functions/functions.h"
 #include "render/kernel/interior/spectral_hue.inc"
     }};
     const float at = std::clamp((wavelength - kFirst) / kStep, 0.0f, static_cast<float>(kHues.size() - 1));

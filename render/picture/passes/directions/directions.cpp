@@ -1,4 +1,5 @@
 #include "render/picture/passes/directions/directions.h"
+#include "numbers/functions/functions.h"
 
 #include <array>
 #include <cmath>
@@ -9,7 +10,6 @@ namespace trace::radiosity {
 namespace {
 
 constexpr std::array<std::array<std::uint8_t, 3>, 1599> kLegacy{{
-#include "numbers/functions/functions.h"
 #include "render/picture/passes/directions/legacy_directions.inc"
 }};
 
