@@ -114,7 +114,8 @@ inline Quad off(const csg::Quadric& s, const Quad3& p, std::uint32_t)
     const Quad f = l.x * (s.square.x * l.x + s.mixed.x * l.y + s.mixed.y * l.z + s.linear.x) +
                    l.y * (s.square.y * l.y + s.mixed.z * l.z + s.linear.y) + l.z * (s.square.z * l.z + s.linear.z) +
                    s.constant;
-    const glm::dvec3 g = s.gradient(glm::dvec3(l));
+    const glm::dvec3 g =
+        s.gradient(glm::dvec3(static_cast<double>(l.x), static_cast<double>(l.y), static_cast<double>(l.z)));
     return f / glm::max(glm::length(g), 1e-3);
 }
 inline Quad off(const csg::Disc& s, const Quad3& p, std::uint32_t) { return local(s.frame, p).z; }
