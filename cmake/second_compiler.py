@@ -28,7 +28,7 @@ def main():
         words = re.sub(r" -o \S+ -c ", " -fsyntax-only -Werror ", entry["command"])
         return subprocess.run(words, shell=True, cwd=entry["directory"], capture_output=True, text=True)
 
-    with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         wrong = [run.stderr for run in pool.map(read, commands) if run.returncode != 0]
     print(f"{compiler}: {len(commands)} batches of sources, {len(wrong)} with errors or warnings")
     if wrong or not commands:

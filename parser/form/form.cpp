@@ -47,17 +47,17 @@ std::string wrapped(const std::string& text, std::size_t indent)
     std::string lines;
     std::size_t column = indent;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find(' ', at), text.size());
-        if (!lines.empty() && column + 1 + end - at > kWidth) {
+        const std::size_t blank = std::min(text.find(' ', at), text.size());
+        if (!lines.empty() && column + 1 + blank - at > kWidth) {
             lines += "\n" + std::string(indent + 2, ' ');
             column = indent + 2;
         } else if (!lines.empty()) {
             lines += ' ';
             ++column;
         }
-        lines += text.substr(at, end - at);
-        column += end - at;
-        at = end + 1;
+        lines += text.substr(at, blank - at);
+        column += blank - at;
+        at = blank + 1;
     }
     return lines;
 }
