@@ -135,7 +135,6 @@ private:
     /// So many, with commas between them or without.
     bool numbers(int count);
     bool vector();
-    bool begins_operand() const;
 
     const Token* tokens_;
     std::uint32_t at_, limit_;

@@ -1,4 +1,5 @@
 #include "parser/stream/blocks/expression_compiler.h"
+#include "parser/stream/expressions/operand.h"
 
 #include <numbers>
 
@@ -93,22 +94,6 @@ int ExpressionCompiler::curve(const Token& name, const function::Spline& spline)
     return count;
 }
 
-bool ExpressionCompiler::begins_operand() const
-{
-    switch (kind()) {
-    case Kind::Number:
-    case Kind::LeftParen:
-    case Kind::Plus:
-    case Kind::Minus:
-    case Kind::Exclamation:
-    case Kind::Less: return true;
-    case Kind::Identifier: return true;  // what it is not stops the compilation
-    default: break;
-    }
-    const LexicalClass kind_class = lexical_class(kind());
-    return kind_class != LexicalClass::None && kind_class != LexicalClass::String && kind_class != LexicalClass::Other;
-}
-
 int ExpressionCompiler::literal()
 {
     if (++nesting_ > kDeepestNesting || !number()) return -1;
@@ -117,7 +102,8 @@ int ExpressionCompiler::literal()
     int count = 2;
     for (; count < 5; ++count) {
         take(Kind::Comma);
-        if (!begins_operand()) break;
+        // What a name is not stops the compilation.
+        if (kind() != Kind::Identifier && !begins_operand(kind())) break;
         if (!number()) return -1;
     }
     --nesting_;

@@ -153,32 +153,35 @@ int component_index(Kind kind)
     }
 }
 
-bool at_expression(TokenStream& stream)
+bool begins_operand(Kind kind)
 {
-    const Token& token = stream.peek();
-    switch (token.kind) {
+    switch (kind) {
     case Kind::Number:
     case Kind::LeftParen:
     case Kind::Plus:
     case Kind::Minus:
     case Kind::Exclamation:
     case Kind::Less: return true;
-    case Kind::Identifier: {
-        const Value* value = stream.member_ahead();
-        return value ? holds<Tuple, function::FunctionPtr, SplinePtr>(*value)
-                     : stream.is_new_constant(token) || stream.at_pseudo_scope() != Kind::EndOfText;
+    default: break;
     }
-    case Kind::Local: return stream.at_pseudo_scope() != Kind::EndOfText;
-    default:
-        switch (lexical_class(token.kind)) {
-        case LexicalClass::Float:
-        case LexicalClass::Vector:
-        case LexicalClass::Vector2:
-        case LexicalClass::Vector4:
-        case LexicalClass::Color: return true;
-        default: return false;
-        }
+    switch (lexical_class(kind)) {
+    case LexicalClass::Float:
+    case LexicalClass::Vector:
+    case LexicalClass::Vector2:
+    case LexicalClass::Vector4:
+    case LexicalClass::Color: return true;
+    default: return false;
     }
+}
+
+bool at_expression(TokenStream& stream)
+{
+    const Token& token = stream.peek();
+    if (token.kind == Kind::Local) return stream.at_pseudo_scope() != Kind::EndOfText;
+    if (token.kind != Kind::Identifier) return begins_operand(token.kind);
+    const Value* value = stream.member_ahead();
+    return value ? holds<Tuple, function::FunctionPtr, SplinePtr>(*value)
+                 : stream.is_new_constant(token) || stream.at_pseudo_scope() != Kind::EndOfText;
 }
 
 bool at_string(TokenStream& stream)

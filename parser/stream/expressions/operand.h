@@ -5,6 +5,8 @@
 /// Inside of the expression reader: one operand, and the built-in functions.
 namespace parser {
 
+/// Whether a word or sign that is no name begins a number, a vector or a colour.
+bool begins_operand(Kind kind);
 /// Place of the component that a word behind a period names; -1: none.
 int component_index(Kind word);
 

@@ -162,7 +162,7 @@ bool read_path(Settings& settings, const std::string& path, const std::string& s
 
 bool read_ini_file(Settings& settings, const std::string& name)
 {
-    const std::size_t bracket = name.back() == ']' ? name.rfind('[') : std::string::npos;
+    const std::size_t bracket = name.ends_with(']') ? name.rfind('[') : std::string::npos;
     const std::string section = bracket == std::string::npos ? "" : name.substr(bracket + 1, name.size() - bracket - 2);
     const std::string path = found_file(settings, name.substr(0, bracket));
     if (path.empty()) {
