@@ -161,10 +161,10 @@ void WorldData::finish()
         WorldItem& item = items[i];
         item.all_opaque = all_opaque(*this, item);
         item.simple = item.solid == kNoPart && item.instance == Hit::kNoInstance &&
-                      programs[item.program].products.usable();
-        item.plain = item.simple && programs[item.program].products.term->plain();
+                      programs[item.program].products.simple();
+        item.plain = item.simple && programs[item.program].products.terms[0].plain();
         item.boolean = item.solid == kNoPart && item.instance == Hit::kNoInstance && !item.simple &&
-                       programs[item.program].boolean.usable();
+                       programs[item.program].boolean.in_lanes;
         item.many = many(*this, item);
         const bool weighs = item.many && (item.solid == kNoPart || kind_of(item.solid) == SolidKind::Freeform);
         costly = costly || weighs;

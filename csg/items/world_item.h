@@ -100,12 +100,13 @@ void instance_crossings(const WorldData& world, const WorldItem& item, const Ray
 /// The nearest crossing of an item in [t_min, t_max]; at equal t the last generated (spec 5a, 2.1). `slabs` of the ray,
 /// if they are known. `end`: as of passes().
 inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
-                        Scratch& scratch, double end = kInfinity)
+                        Scratch& scratch, const RaySlabs* slabs = nullptr, double end = kInfinity)
 {
     if (!passes(world, item, ray, t_min, end, scratch)) return {};
     if (item.instance != Hit::kNoInstance) return instance_nearest(world, item, ray, t_min, t_max, scratch);
     if (item.solid == kNoPart) {
-        const Crossing c = nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch);
+        const Crossing c =
+            nearest_visible(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs);
         if (c.part == kNoPart || !(c.t <= t_max)) return {};
         return hit_of(world.store, c);
     }
@@ -128,7 +129,7 @@ inline Hit item_nearest(const WorldData& world, const WorldItem& item, const Ray
 /// All crossings of an item in [t_min, t_max], a shadow ray's whole range, in any order: f(Hit).
 template <class F>
 inline void item_crossings(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
-                           Scratch& scratch, F&& f)
+                           Scratch& scratch, const RaySlabs* slabs, F&& f)
 {
     if (!passes(world, item, ray, t_min, t_max, scratch)) return;
     if (item.instance != Hit::kNoInstance) {
@@ -139,7 +140,7 @@ inline void item_crossings(const WorldData& world, const WorldItem& item, const 
         return;
     }
     if (item.solid == kNoPart) {
-        each_crossing(world.programs[item.program], world.store, ray, t_min, t_max, scratch,
+        each_crossing(world.programs[item.program], world.store, ray, t_min, t_max, scratch, slabs,
                       [&](const Crossing& c) { f(hit_of(world.store, c)); });
         return;
     }

@@ -26,8 +26,8 @@ struct LeafEnd {
 };
 
 /// The crossings of a sum of products for each ray: latest entry and earliest exit of the leaves, then the front moves
-/// through the cuts. Where ends coincide the ray is undecided, as Evaluation knows which of POV-Ray's
-/// faces is seen; all other numbers are the solids' own, so the answers are the same.
+/// through the cuts. Where ProductFront would be undecided the ray is left to it; all other numbers are the solids'
+/// own, so the answers are the same.
 template <class Rays>
 class LaneFront {
 public:
@@ -37,7 +37,7 @@ public:
         : store_(store), slabs_(&slabs), rays_(rays)
     {}
 
-    /// The nearest crossing, for the rays of the mask. The answers are in `t` and `end` until the
+    /// The nearest crossing, for the rays of the mask; the form is simple(). The answers are in `t` and `end` until the
     /// next question.
     void ask(const SumOfProducts& form, RayMask mask)
     {
@@ -47,12 +47,12 @@ public:
         found &= mask & ~undecided;
     }
 
-    /// Both ends of a form whose term is plain(), for the rays found: entry, exit and their codes.
+    /// Both ends of a form whose one term is plain(), for the rays found: entry, exit and their codes.
     void ask_ends(const SumOfProducts& form, RayMask mask)
     {
         undecided = 0;
         find_reach();
-        const RayMask met = meet_leaves(form, *form.term, mask);
+        const RayMask met = meet_leaves(form, form.terms[0], mask);
         undecided &= mask;
         found = met & ~undecided;
     }
@@ -61,7 +61,7 @@ public:
     LeafEnd entry_end(std::size_t ray) const { return LeafEnd(in_end_[ray]); }
     LeafEnd exit_end(std::size_t ray) const { return LeafEnd(out_end_[ray]); }
 
-    /// All crossings: each_crossing() has them for the rays found.
+    /// All crossings of a form that is simple(): each_crossing() has them for the rays found.
     void ask_all(const SumOfProducts& form, RayMask mask)
     {
         mask = intersect(form, mask);
@@ -141,7 +141,7 @@ private:
     {
         if (reach_ >= 0.0) return;
         const glm::dvec3 o = rays_.widest();
-        reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than Evaluation's for directions of unit length
+        reach_ = 1.75 * glm::max(o.x, glm::max(o.y, o.z));  // no less than ProductFront's for directions of unit length
     }
 
     /// Leaves and cuts. Returns the rays that are left; none of them when there are too many cuts.
@@ -149,7 +149,7 @@ private:
     {
         found = undecided = 0;
         find_reach();
-        const ProductTerm& term = *form.term;
+        const ProductTerm& term = form.terms[0];
         mask = meet_leaves(form, term, mask);
         if (mask == 0 || meet_cuts(form, term, mask)) return mask;
         undecided = mask;
@@ -240,9 +240,10 @@ private:
         return true;
     }
 
-    /// The same where the rays form no beam.
+    /// The same where the rays form no beam. False also where a hierarchy serves a ray by itself.
     bool sieve_cuts(const SumOfProducts& form, const ProductTerm& term, RayMask mask)
     {
+        if (term.tree != ProductTerm::kNoTree) return false;
         for (std::uint32_t first = term.cut_first; first < term.cut_last; first += 8) {
             alignas(32) float near[8];
             std::array<RayMask, 8> rays;

@@ -41,10 +41,11 @@ public:
         const WorldItem& item = world_.items[index];
         const double limit = rays_.limit[k];
         if (item.all_opaque) {
-            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, limit).found()) block(k);
+            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr, limit).found())
+                block(k);
             return;
         }
-        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_,
+        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr,
                        [&](const Hit& hit) { add(k, hit); });
     }
 

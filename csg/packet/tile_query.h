@@ -246,11 +246,11 @@ public:
         const WorldItem& item = world_.items[index];
         const double limit = rays_.limit[k];
         if (item.all_opaque) {
-            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, limit).found())
+            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr, limit).found())
                 note_hit(RayMask{1} << i, true);
             return;
         }
-        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_,
+        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr,
                        [&](const Hit& hit) { note_hit(RayMask{1} << i, world_.surface_opaque[hit.surface] != 0); });
     }
 

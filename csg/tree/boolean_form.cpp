@@ -50,7 +50,7 @@ public:
         for (const std::uint32_t leaf : drawing_order(0)) form_.leaves[leaf].rank = rank++;
         std::uint32_t pieces = 0;
         for (const BooleanLeaf& leaf : form_.leaves) pieces += leaf.most_pieces;
-        if (pieces > BooleanForm::kMostPieces) return {};
+        form_.in_lanes = pieces <= BooleanForm::kMostPieces;
         return std::move(form_);
     }
 

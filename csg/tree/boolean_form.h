@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-/// What decides whether an end of a leaf is drawn: which of the other leaves hold the point. For rays of a tile, and
-/// trees that have no sum of products of one term: clips, merges below other operators, cuts of merges
-/// (docs/flat_csg.md).
+/// What decides whether an end of a leaf is drawn: which of the other leaves hold the point. For trees that have no sum
+/// of products: clips, merges below other operators, cuts of merges (docs/flat_csg.md).
 namespace csg {
 
 struct Program;
@@ -37,12 +36,15 @@ struct BooleanLeaf {
 
 struct BooleanForm {
     static constexpr std::uint32_t kMostLeaves = 64;
-    static constexpr std::uint32_t kMostPieces = 64;  ///< of all leaves together
-    static constexpr std::uint32_t kMostOfLeaf = 4;   ///< pieces of one leaf; a ray with more is asked by itself
+    static constexpr std::uint32_t kMostSpans = 64;   ///< of all leaves along one ray; with more it is not decided
+    static constexpr std::uint32_t kMostPieces = 64;  ///< of all leaves together, for rays in lanes
+    static constexpr std::uint32_t kMostOfLeaf = 4;   ///< pieces of one leaf there; a ray with more is asked by itself
     std::vector<BooleanLeaf> leaves;                  ///< bit i of a mask: leaf i. None: the object has no such form
     std::vector<BooleanCondition> conditions;
     std::vector<std::uint8_t>
         first_leaf;  ///< by node, and one past the last: leaves before it in the tree, so a leaf's own bit
+
+    bool in_lanes = false;  ///< its leaves have no more than kMostPieces
 
     bool usable() const { return !leaves.empty(); }
 };

@@ -44,17 +44,6 @@ public:
         return out;
     }
 
-    /// What a leaf's solid holds of the ray, as it is without inversion; in scratch.
-    SpanList spans_of_solid(std::uint32_t leaf)
-    {
-        SpanList out = list(nodes_[leaf].max_spans);
-        with_solid(store_, nodes_[leaf].solid, [&](const auto& solid) {
-            using T = std::decay_t<decltype(solid)>;
-            if constexpr (!std::is_same_v<T, Mesh> && !std::is_same_v<T, Triangle>) plain_spans(solid, out);
-        });
-        return out;
-    }
-
 private:
     using Record = Scratch::Record;
 

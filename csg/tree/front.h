@@ -1,32 +1,37 @@
 #pragma once
 
 // Continues evaluate.h: the queries that callers use.
-#include "csg/tree/evaluate.h"
+#include "csg/tree/boolean_walk.h"
+#include "csg/tree/product_front.h"
 
 namespace csg {
 
-/// The nearest crossing seen with t_min <= t <= t_max; `part` is kNoPart when there is none.
+/// The nearest crossing seen with t_min <= t <= t_max; `part` is kNoPart when there is none. `slabs` of the ray, if
+/// they are known.
 inline Crossing nearest_visible(const Program& program, const SolidStore& store, const Ray& ray, double t_min,
-                                double t_max, Scratch& scratch)
+                                double t_max, Scratch& scratch, const RaySlabs* slabs = nullptr)
 {
-    if (program.nodes.empty()) return {.t = kInfinity};
+    Crossing found{.t = kInfinity};
+    if (program.nodes.empty()) return found;
+    if (program.products.usable()) {
+        const auto answer = ProductFront(program.products, store, ray, slabs, t_min, t_max, scratch).nearest(found);
+        if (answer == ProductFront::Answer::Found) return found;
+        if (answer == ProductFront::Answer::Nothing) return {.t = kInfinity};
+    } else if (program.boolean.usable()) {
+        const ProductAnswer answer = BooleanWalk(program, store, ray, t_min, t_max, scratch).nearest(found);
+        if (answer == ProductAnswer::Found) return found;
+        if (answer == ProductAnswer::Nothing) return {.t = kInfinity};
+    }
     return Evaluation(program, store, ray, t_min, t_max, scratch).nearest();
 }
 
-/// All crossings seen with t_min <= t <= t_max, each once, in any order, in scratch: valid until its next use.
-inline std::pair<Crossing*, Crossing*> each_visible(const Program& program, const SolidStore& store, const Ray& ray,
-                                                    double t_min, double t_max, Scratch& scratch)
-{
-    if (program.nodes.empty()) return {nullptr, nullptr};
-    return Evaluation(program, store, ray, t_min, t_max, scratch).crossings();
-}
-
-/// The same, nearest first.
+/// All crossings seen with t_min <= t <= t_max, nearest first, in scratch: valid until its next use.
 inline std::pair<const Crossing*, const Crossing*> visible_crossings(const Program& program, const SolidStore& store,
                                                                      const Ray& ray, double t_min, double t_max,
                                                                      Scratch& scratch)
 {
-    const auto [begin, end] = each_visible(program, store, ray, t_min, t_max, scratch);
+    if (program.nodes.empty()) return {nullptr, nullptr};
+    const auto [begin, end] = Evaluation(program, store, ray, t_min, t_max, scratch).crossings();
     for (Crossing* a = begin; a != end; ++a)  // few of them, and nearly sorted
         for (Crossing* b = a; b != begin && b->t < (b - 1)->t; --b) std::swap(*b, *(b - 1));
     return {begin, end};
@@ -35,9 +40,32 @@ inline std::pair<const Crossing*, const Crossing*> visible_crossings(const Progr
 /// f(Crossing) for all crossings seen with t_min <= t <= t_max, each once, in any order. f may not use scratch.
 template <class F>
 inline void each_crossing(const Program& program, const SolidStore& store, const Ray& ray, double t_min, double t_max,
-                          Scratch& scratch, F&& f)
+                          Scratch& scratch, const RaySlabs* slabs, F&& f)
 {
-    const auto [first, last] = each_visible(program, store, ray, t_min, t_max, scratch);
+    if (program.nodes.empty()) return;
+    if (program.products.usable()) {
+        ProductFront front(program.products, store, ray, slabs, t_min, t_max, scratch);
+        if (program.products.terms.size() == 1 &&
+            program.products.terms[0].plain()) {  // decided before it emits anything
+            if (front.crossings(f) != ProductFront::Answer::Undecided) return;
+        } else {
+            scratch.prepare(program);
+            if (front.crossings([&](const Crossing& c) { scratch.add_once(c); }) != ProductFront::Answer::Undecided) {
+                const auto [first, last] = scratch.crossings();
+                for (const Crossing* c = first; c != last; ++c) f(*c);
+                return;
+            }
+        }
+    } else if (program.boolean.usable()) {
+        if (BooleanWalk(program, store, ray, t_min, t_max, scratch).crossings([&](const Crossing& c) {
+                scratch.add(c);
+            })) {
+            const auto [first, last] = scratch.crossings();
+            for (const Crossing* c = first; c != last; ++c) f(*c);
+            return;
+        }
+    }
+    const auto [first, last] = Evaluation(program, store, ray, t_min, t_max, scratch).crossings();
     for (const Crossing* c = first; c != last; ++c) f(*c);
 }
 

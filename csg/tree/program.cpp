@@ -316,6 +316,12 @@ void Scratch::grow(const Program& program)
     records_ = std::make_unique<Record[]>(record_capacity_);
 }
 
+void Scratch::grow_pieces(std::size_t count)
+{
+    piece_capacity_ = count;
+    pieces_ = std::make_unique<ProductPiece[]>(count);
+}
+
 bool contains(const Program& program, const SolidStore& store, const glm::dvec3& p)
 {
     return !program.nodes.empty() && contains(program.nodes, 0, store, p);

@@ -58,10 +58,10 @@ struct alignas(64) OperandSieve {
 struct Program {
     std::vector<Node> nodes;  ///< empty: nothing to draw, nothing inside
     std::vector<OperandSieve> sieves;
-    Aabb bounds;                        ///< world box of everything drawn; empty when nothing is
-    bool inside_beyond = false;         ///< the solid goes on outside the bounds
-    SumOfProducts products;             ///< the same as an intersection less cuts, where it can be written so
-    BooleanForm boolean;                ///< and what decides which ends are drawn, where its leaves are few and simple
+    Aabb bounds;                 ///< world box of everything drawn; empty when nothing is
+    bool inside_beyond = false;  ///< the solid goes on outside the bounds
+    SumOfProducts products;      ///< the same as a union of terms, where it can be written so
+    BooleanForm boolean;         ///< otherwise what decides which ends are drawn, where its leaves are few and simple
     std::uint32_t span_memory = 0;      ///< spans of scratch one query needs
     std::uint32_t crossing_memory = 0;  ///< crossings of scratch one query needs
 };
@@ -95,6 +95,19 @@ public:
         record_top_ = 0;
     }
 
+    /// Room for so many pieces of a sum of products, valid until the next call.
+    ProductPiece* product_pieces(std::uint32_t count)
+    {
+        if (count > piece_capacity_) grow_pieces(count);
+        return pieces_.get();
+    }
+
+    ProductCandidate* product_candidates(std::uint32_t count)
+    {
+        if (count > candidates_.size()) candidates_.resize(count);
+        return candidates_.data();
+    }
+
     /// A list of hits to be filled by whoever asks; kept for its memory.
     std::vector<Hit>& hits() { return hits_; }
     /// Another, for what instances are asked for meanwhile.
@@ -119,6 +132,20 @@ public:
     /// Looked at by every question to a World.
     CancelWatch cancel;
 
+    /// Keeps a crossing.
+    void add(const Crossing& c) { crossings_[crossing_top_++] = c; }
+    /// Keeps a crossing unless it is there already: terms share solids.
+    void add_once(const Crossing& c)
+    {
+        for (std::uint32_t i = 0; i < crossing_top_; ++i)
+            if (crossings_[i].t == c.t && crossings_[i].part == c.part && crossings_[i].face == c.face) return;
+        crossings_[crossing_top_++] = c;
+    }
+    std::pair<const Crossing*, const Crossing*> crossings() const
+    {
+        return {crossings_.get(), crossings_.get() + crossing_top_};
+    }
+
     /// What an operator remembers of one operand while it works.
     struct Record {
         SpanList spans;
@@ -129,16 +156,20 @@ public:
 
 private:
     friend class Evaluation;
+    friend class BooleanWalk;
     void grow(const Program& program);
+    void grow_pieces(std::size_t count);
     std::unique_ptr<Span[]> spans_;
     std::unique_ptr<Crossing[]> crossings_;
     std::unique_ptr<Record[]> records_;
+    std::unique_ptr<ProductPiece[]> pieces_;
     std::unique_ptr<RayBatch> batch_;
     std::vector<Hit> hits_, instance_hits_;
     std::vector<OrderedItem> ordered_items_;
     std::vector<std::uint32_t> tied_items_;
     std::vector<Hit> tied_hits_;
-    std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0;
+    std::vector<ProductCandidate> candidates_;
+    std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;
     std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;
 };
 

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace csg {
 namespace {
 
-constexpr std::size_t kMostInCut = 8;
+constexpr std::size_t kMostTerms = 256, kMostCutsMultiplied = 65536, kMostInCut = 8;
+/// From so many cuts on a hierarchy finds them faster than one box after the other.
+constexpr std::size_t kManyCuts = 32;
 
 /// A cut while it is worked out: leaves by node index.
 using Group = std::vector<std::uint32_t>;
@@ -18,6 +21,7 @@ struct DraftTerm {
     Group leaves;
     std::vector<Group> cuts;
 };
+using DraftTerms = std::vector<DraftTerm>;
 
 enum class Shape { Convex, Spans, Unfit };
 
@@ -43,9 +47,12 @@ public:
 
     SumOfProducts run()
     {
+        const auto terms = nodes_[0].op == Op::Merge ? merge_of(0) : terms_of(0);
+        if (!terms || terms->empty() || terms->size() > kMostTerms) return {};
         form_.merged = nodes_[0].op == Op::Merge;
-        const auto term = form_.merged ? merge_of(0) : term_of(0);
-        return term && add(*term) ? std::move(form_) : SumOfProducts{};
+        for (const DraftTerm& term : *terms)
+            if (!add(term)) return {};
+        return std::move(form_);
     }
 
 private:
@@ -60,7 +67,7 @@ private:
                std::all_of(group.begin(), group.end(), [&](std::uint32_t i) { return shape(i) == Shape::Convex; });
     }
 
-    std::optional<DraftTerm> term_of(std::uint32_t i) const
+    std::optional<DraftTerms> terms_of(std::uint32_t i) const
     {
         const Node& node = nodes_[i];
         switch (node.op) {
@@ -69,9 +76,9 @@ private:
             DraftTerm term;
             if (node.inverted) term.cuts.push_back({i});
             else term.leaves.push_back(i);
-            return term;
+            return DraftTerms{std::move(term)};
         }
-        case Op::Union: return nodes_[i + 1].end == node.end ? term_of(i + 1) : std::nullopt;
+        case Op::Union: return sum(i);
         case Op::Intersection: return product(i);
         case Op::Merge: return subtracted_intersection(i);
         case Op::Clip:
@@ -80,14 +87,35 @@ private:
         return std::nullopt;
     }
 
-    std::optional<DraftTerm> product(std::uint32_t i) const
+    std::optional<DraftTerms> sum(std::uint32_t i) const
     {
-        DraftTerm all;
+        DraftTerms all;
         for (std::uint32_t k = i + 1; k < nodes_[i].end; k = nodes_[k].end) {
-            const auto term = term_of(k);
-            if (!term) return std::nullopt;
-            append(all, *term);
+            auto terms = terms_of(k);
+            if (!terms || all.size() + terms->size() > kMostTerms) return std::nullopt;
+            std::move(terms->begin(), terms->end(), std::back_inserter(all));
         }
+        return all;
+    }
+
+    std::optional<DraftTerms> product(std::uint32_t i) const
+    {
+        DraftTerms all(1);
+        for (std::uint32_t k = i + 1; k < nodes_[i].end; k = nodes_[k].end) {
+            const auto terms = terms_of(k);
+            if (!terms || all.size() * terms->size() > kMostTerms) return std::nullopt;
+            if (terms->size() == 1) {
+                for (DraftTerm& term : all) append(term, terms->front());
+                continue;
+            }
+            DraftTerms multiplied;
+            for (const DraftTerm& a : all)
+                for (const DraftTerm& b : *terms) append(multiplied.emplace_back(a), b);
+            all = std::move(multiplied);
+        }
+        std::size_t cuts = 0;
+        for (const DraftTerm& term : all) cuts += term.cuts.size();
+        if (cuts > kMostCutsMultiplied && all.size() > 1) return std::nullopt;
         return all;
     }
 
@@ -98,7 +126,7 @@ private:
     }
 
     /// A merge of inverted leaves is the inverse of their intersection: one cut.
-    std::optional<DraftTerm> subtracted_intersection(std::uint32_t i) const
+    std::optional<DraftTerms> subtracted_intersection(std::uint32_t i) const
     {
         Group group;
         for (std::uint32_t k = i + 1; k < nodes_[i].end; k = nodes_[k].end) {
@@ -106,24 +134,25 @@ private:
             group.push_back(k);
         }
         if (!fit_for_cut(group)) return std::nullopt;
-        return DraftTerm{{}, {group}};
+        return DraftTerms{DraftTerm{{}, {group}}};
     }
 
     /// A merge at the top: its operands, solids or intersections of convex ones, become the cuts of one term.
-    std::optional<DraftTerm> merge_of(std::uint32_t i) const
+    std::optional<DraftTerms> merge_of(std::uint32_t i) const
     {
         DraftTerm all;
         for (std::uint32_t k = i + 1; k < nodes_[i].end; k = nodes_[k].end) {
-            const auto term = nodes_[k].op == Op::Merge ? merge_of(k) : term_of(k);
-            if (!term) return std::nullopt;
+            const auto terms = nodes_[k].op == Op::Merge ? merge_of(k) : terms_of(k);
+            if (!terms || terms->size() != 1) return std::nullopt;
+            const DraftTerm& term = terms->front();
             if (nodes_[k].op == Op::Merge) {
-                append(all, *term);
+                append(all, term);
             } else {
-                if (!term->cuts.empty() || !fit_for_cut(term->leaves)) return std::nullopt;
-                all.cuts.push_back(term->leaves);
+                if (!term.cuts.empty() || !fit_for_cut(term.leaves)) return std::nullopt;
+                all.cuts.push_back(term.leaves);
             }
         }
-        return all;
+        return DraftTerms{std::move(all)};
     }
 
     ProductLeaf leaf(std::uint32_t i) const
@@ -143,9 +172,8 @@ private:
         return common;
     }
 
-    void put_cut_box(std::size_t place, const Aabb& box)
+    static void put(std::vector<BoxBlock>& blocks, std::size_t place, const Aabb& box)
     {
-        std::vector<BoxBlock>& blocks = form_.cut_boxes;
         if (place / 8 >= blocks.size()) {
             BoxBlock& fresh = blocks.emplace_back();
             for (int row = 0; row < 6; ++row)
@@ -164,48 +192,78 @@ private:
         return enough ? f : std::nextafter(f, towards * std::numeric_limits<float>::infinity());
     }
 
-    /// False: it has no such form, or nothing is in it.
     bool add(const DraftTerm& draft)
     {
         Group leaves = draft.leaves;
-        // The one that is not convex comes last, and has to be a quadric.
-        const auto convex = [&](std::uint32_t i) { return shape(i) == Shape::Convex; };
-        const auto spans = std::stable_partition(leaves.begin(), leaves.end(), convex);
-        if (leaves.end() - spans > 1) return false;
-        if (spans != leaves.end() && kind_of(nodes_[*spans].solid) != SolidKind::Quadric) return false;
+        const auto spans = static_cast<std::size_t>(
+            std::count_if(leaves.begin(), leaves.end(), [&](std::uint32_t i) { return shape(i) == Shape::Spans; }));
+        if (spans > 1) return false;
+        // The one that is not convex comes last: its spans are clipped to what the others leave.
+        std::stable_partition(leaves.begin(), leaves.end(), [&](std::uint32_t i) { return shape(i) == Shape::Convex; });
 
         const Aabb own = common_box(leaves);
-        if (own.empty() && !leaves.empty()) return false;
-        ProductTerm& term = form_.term.emplace();
+        if (own.empty() && !leaves.empty()) return true;  // nothing in it
+        ProductTerm term;
+        term.first = static_cast<std::uint32_t>(form_.leaves.size());
         for (const std::uint32_t i : leaves) form_.leaves.push_back(leaf(i));
         term.last = static_cast<std::uint32_t>(form_.leaves.size());
-        term.convex = spans == leaves.end();
+        term.convex = spans == 0;
         add_cuts(term, draft.cuts, own);
+        put(form_.term_boxes, form_.terms.size(), leaves.empty() ? Aabb::everything() : own);
+        form_.terms.push_back(term);
         return true;
     }
 
     void add_cuts(ProductTerm& term, const std::vector<Group>& all, const Aabb& within)
     {
-        term.wide_cuts = true;
-        for (const Group& group : all) {
+        std::vector<Group> groups;
+        for (const Group& group : all)
+            if (!common_box(group).intersected(within).empty()) groups.push_back(group);
+        term.wide_cuts = std::all_of(groups.begin(), groups.end(),
+                                     [&](const Group& group) { return common_box(group).holds(within); });
+        const auto known = known_cuts_.find(groups);
+        if (known != known_cuts_.end()) {
+            term.cut_first = known->second.cut_first;
+            term.cut_last = known->second.cut_last;
+            term.tree = known->second.tree;
+            term.bounded_cuts = known->second.bounded_cuts;
+            return;
+        }
+        form_.cuts.resize((form_.cuts.size() + 7) / 8 * 8);
+        term.cut_first = static_cast<std::uint32_t>(form_.cuts.size());
+        std::vector<BvhInput> inputs;
+        std::uint32_t spans = 1;
+        for (const Group& group : groups) {
             const Aabb box = common_box(group);
-            if (box.intersected(within).empty()) continue;
-            term.wide_cuts = term.wide_cuts && box.holds(within);
+            put(form_.cut_boxes, form_.cuts.size(), box);
+            inputs.push_back({box, LeafKind::Item, static_cast<std::uint32_t>(form_.cuts.size()), 0xff});
             term.bounded_cuts = term.bounded_cuts && box.finite();
-            put_cut_box(form_.cuts.size(), box);
             form_.cuts.push_back(
                 {static_cast<std::uint32_t>(form_.leaves.size()), static_cast<std::uint32_t>(group.size())});
             for (const std::uint32_t i : group) form_.leaves.push_back(leaf(i));
+            spans += shape(group.front()) == Shape::Convex ? 1 : kProductSpans;
         }
         term.cut_last = static_cast<std::uint32_t>(form_.cuts.size());
+        form_.span_memory = std::max(form_.span_memory, spans);
+        if (term.bounded_cuts && groups.size() >= kManyCuts) {
+            term.tree = static_cast<std::uint32_t>(form_.trees.size());
+            form_.trees.push_back(build_bvh(std::move(inputs)));
+        }
+        known_cuts_.emplace(std::move(groups), term);
     }
 
     const std::vector<Node>& nodes_;
     const SolidStore& store_;
     SumOfProducts form_;
+    std::map<std::vector<Group>, ProductTerm> known_cuts_;
 };
 
 }  // namespace
+
+bool SumOfProducts::simple() const
+{
+    return terms.size() == 1 && (terms[0].convex || kind_of(leaves[terms[0].last - 1].solid) == SolidKind::Quadric);
+}
 
 SumOfProducts sum_of_products(const Program& program, const SolidStore& store)
 {

@@ -60,10 +60,10 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
         const WorldItem& item = world.items[i];
         if ((item.visible & world.shadow_kinds) == 0) return;
         if (item.all_opaque && !world.faithful) {
-            if (item_nearest(world, item, ray, t_min, t_max, scratch, t_max).found()) found = Shadow::Blocked;
+            if (item_nearest(world, item, ray, t_min, t_max, scratch, &slabs, t_max).found()) found = Shadow::Blocked;
             return;
         }
-        item_crossings(world, item, ray, t_min, t_max, scratch, take);
+        item_crossings(world, item, ray, t_min, t_max, scratch, &slabs, take);
     };
     const auto sphere = [&](std::uint32_t i, double near, double far) {
         const WorldItem& item = world.items[i];
@@ -154,7 +154,7 @@ void instance_crossings(const WorldData& world, const WorldItem& item, const Ray
     const RaySlabs slabs(local.ray);
     const auto keep = [&](const Hit& hit) { out.push_back(here(world, item, local.length, hit, t_min, t_max)); };
     const auto each = [&](std::uint32_t i) {
-        item_crossings(*one.world, one.world->items[i], local.ray, from, to, scratch, keep);
+        item_crossings(*one.world, one.world->items[i], local.ray, from, to, scratch, &slabs, keep);
     };
     const auto sphere = [&](std::uint32_t i, double near, double far) {
         const PartId solid = one.world->items[i].solid;
@@ -187,7 +187,8 @@ Hit World::first_in_reach(const Ray& ray, double t_min, double t_max, std::uint8
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
         if ((item.visible & kind_bit) != 0)
-            item_crossings(world, item, ray, t_min, best.limit, scratch, [&](const Hit& hit) { offer(hit, i); });
+            item_crossings(world, item, ray, t_min, best.limit, scratch, &slabs,
+                           [&](const Hit& hit) { offer(hit, i); });
     };
     const auto sphere = [&](std::uint32_t i, double near, double far) {
         const WorldItem& item = world.items[i];
@@ -211,7 +212,7 @@ Hit World::first_in_order(const Ray& ray, double t_min, double t_max, std::uint8
     const RaySlabs slabs(ray);
     Nearest best(ray, t_max);
     const auto ask = [&](std::uint32_t i) {
-        best.offer(item_nearest(world, world.items[i], ray, t_min, best.limit, scratch), i);
+        best.offer(item_nearest(world, world.items[i], ray, t_min, best.limit, scratch, &slabs), i);
     };
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
@@ -243,7 +244,8 @@ Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_b
     Nearest best(ray, t_max);
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
-        if ((item.visible & kind_bit) != 0) best.offer(item_nearest(world, item, ray, t_min, best.limit, scratch), i);
+        if ((item.visible & kind_bit) != 0)
+            best.offer(item_nearest(world, item, ray, t_min, best.limit, scratch, &slabs), i);
     };
     walk_nearest(world, ray, slabs, t_min, kind_bit, best, each);
     if (!world.ordered.empty() && best.hit.found() && before_box(world, best.item, ray, t_min, best.hit.t))
@@ -286,7 +288,7 @@ Hit World::first_tested(const Ray& ray, double t_min, std::uint8_t kind_bit, Scr
     };
     const auto each = [&](std::uint32_t i) {
         if ((world.items[i].visible & kind_bit) != 0)
-            offer(item_nearest(world, world.items[i], ray, t_min, limit, scratch), i);
+            offer(item_nearest(world, world.items[i], ray, t_min, limit, scratch, &slabs), i);
     };
     const auto sphere = [&](std::uint32_t i, double near, double far) {
         const WorldItem& item = world.items[i];

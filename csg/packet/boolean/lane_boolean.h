@@ -4,7 +4,6 @@
 #include "csg/packet/boolean/lane_states.h"
 #include "csg/packet/lanes/lane_solids.h"
 #include "csg/packet/lanes/lane_torus.h"
-#include "csg/tree/evaluate.h"
 #include "csg/tree/face_held.h"
 #include "csg/tree/program.h"
 #include "csg/packet/lanes/tile_rays.h"
@@ -12,11 +11,10 @@
 /// A CSG object's boolean form against a tile of rays, in vector lanes.
 namespace csg {
 
-/// The crossings of a boolean form for each ray, as Evaluation finds them: the pieces of all leaves, and for each end
+/// The crossings of a boolean form for each ray, as BooleanWalk finds them: the pieces of all leaves, and for each end
 /// of a piece which of the other leaves hold it. Solids without a test in lanes are asked ray by ray; what is made of
-/// their pieces goes in lanes all the same. Of two ends in one place each is seen or not as SpanList::contains() has it
-/// of a leaf: by whether the other belongs to its solid. More ends in one place that matter to one another are
-/// undecided.
+/// their pieces goes in lanes all the same. Where BooleanWalk does not decide about ends in one place neither does
+/// this, so the answers are the same.
 template <class Rays>
 class LaneBoolean {
 public:
@@ -234,9 +232,9 @@ private:
         each_ray(mask, [&](std::size_t ray) {
             if (rays_.limit[ray] < 0.0) return;
             scratch.fetched.select(places_ != nullptr ? places_[ray] : static_cast<int>(ray));
-            Evaluation alone(*program_, store_, rays_.ray(static_cast<int>(ray)), rays_.t_min[ray], rays_.limit[ray],
-                             scratch);
-            const SpanList spans = alone.spans_of_solid(leaf.node);
+            const SpanList spans = BooleanWalk(*program_, store_, rays_.ray(static_cast<int>(ray)), rays_.t_min[ray],
+                                               rays_.limit[ray], scratch)
+                                       .spans_of(leaf);
             if (spans.empty()) return;
             held |= RayMask{1} << ray;
             if (spans.size() > most) {
@@ -271,7 +269,7 @@ private:
         Bool some(false);
         each_end(i, [&](std::uint32_t p, std::size_t side, Double at, Bool in_range) {
             const Double own(static_cast<double>(form_->leaves[piece_[p].leaf].rank));
-            // Ends of lower rank in the same place are looked at too: all of them have to be decided.
+            // Ends of lower rank in the same place are looked at too: BooleanWalk has to decide all of them.
             const Bool reached = in_range & (at <= t);
             if (lanes::mask(reached) == 0) return;
             look(i, piece_[p], side, at);
@@ -328,8 +326,8 @@ private:
         return load(piece_[p].face[side], i) != Double(static_cast<double>(kUndrawnFace));
     }
 
-    /// Which of the leaves that matter hold the points at t, and where more ends are in the same place than are
-    /// decided.
+    /// Which of the leaves that matter hold the points at t, as BooleanWalk has it, and where more ends are in the same
+    /// place than it decides.
     void look(int i, const Piece& end_of, std::size_t side, Double t)
     {
         const BooleanLeaf& own = form_->leaves[end_of.leaf];

@@ -35,8 +35,9 @@ std::string flat(const csg::SumOfProducts& form)
     const std::size_t cuts = static_cast<std::size_t>(
         std::count_if(form.cuts.begin(), form.cuts.end(), [](const csg::ProductCut& cut) { return cut.count != 0; }));
     if (form.merged) return fmt::format(", merge of {} solids", cuts);
-    if (form.term->plain()) return ", convex";
-    return fmt::format(", flat: 1 term, {} cut{}", cuts, cuts == 1 ? "" : "s");
+    if (form.simple() && form.terms[0].plain()) return ", convex";
+    return fmt::format(", flat: {} term{}, {} cut{}", form.terms.size(), form.terms.size() == 1 ? "" : "s", cuts,
+                       cuts == 1 ? "" : "s");
 }
 
 void program(const csg::SolidStore& store, const csg::Program& p, std::string& text)
