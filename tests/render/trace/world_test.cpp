@@ -31,7 +31,7 @@ csg::Shadow shadow_by_force(const csg::WorldData& world, const csg::Ray& ray, do
     csg::Shadow found = csg::Shadow::Clear;
     for (const csg::WorldItem& item : world.items) {
         if ((item.visible & kShadow) == 0) continue;
-        csg::item_crossings(world, item, ray, t_min, t_max, scratch, [&](const csg::Hit& hit) {
+        csg::item_crossings(world, item, ray, t_min, t_max, scratch, nullptr, [&](const csg::Hit& hit) {
             if (world.surface_opaque[hit.surface] != 0) found = csg::Shadow::Blocked;
             else if (found == csg::Shadow::Clear) found = csg::Shadow::Filtered;
         });
