@@ -15,10 +15,10 @@ if(WHITTLE_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)  # counts branches; the target that has no main links the rest
 endif()
 
-# Eight sources of a target at a time: less than half of the compiler's work. Names in unnamed namespaces must differ within
+# Twenty sources of a target at a time: NNN of the compiler's work. Names in unnamed namespaces must differ within
 # a folder; -DCMAKE_UNITY_BUILD=OFF while one file is worked on.
 set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile several sources at a time")
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 20)
 
 # Levels of x86-64 that get a kernel module of their own.
 set(WHITTLE_ISA_LEVELS v2 v3 v4 CACHE STRING "levels of x86-64 to build")

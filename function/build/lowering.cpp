@@ -9,7 +9,7 @@ namespace function {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr std::uint32_t kWidth = 5;  // registers of a SceneReference's result
+constexpr std::uint32_t kReferenceRegisters = 5;  // registers of a SceneReference's result
 
 /// Calls f(operand) for every node that `node` reads or hangs on.
 template <class F>
@@ -147,7 +147,7 @@ private:
             for (const std::uint32_t v : n.operands) f_.arguments.push_back(register_of(v));
             if (n.op == Op::SceneReference) {  // its registers stay its own: components are read at any time
                 register_[i] = next_;
-                next_ += kWidth;
+                next_ += kReferenceRegisters;
             } else {
                 register_[i] = fresh();
             }

@@ -68,9 +68,8 @@ struct Rules<LinePolynomial> {
 bool evaluate_along(const Function& function, const csg::FieldStretch& stretch, csg::FieldPolynomial& out)
 {
     constexpr double kLimit = 10.0;  // where the library's polynomials are cut off
-    constexpr std::uint32_t kCoordinates = 3;
-    if (function.parameters > kCoordinates) return false;
-    LinePolynomial arguments[kCoordinates];
+    if (function.parameters > 3) return false;
+    LinePolynomial arguments[3];
     for (std::uint32_t i = 0; i < function.parameters; ++i) {
         const auto k = static_cast<int>(i);
         arguments[i] = {stretch.from[k], stretch.way[k], stretch.room[k]};

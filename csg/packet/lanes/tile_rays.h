@@ -168,7 +168,7 @@ struct alignas(64) TileRays : Origins {
     {
         using lanes::Double;
         // The box is rounded outward to single precision; this covers the roundings of the slabs in double.
-        constexpr double kWider = 1.0 + 1e-12;
+        constexpr double kRoundedSlabs = 1.0 + 1e-12;
         RayMask mask = 0;
         each_vector(asked, [&](int i) {
             const auto from = Origins::origins(i);
@@ -182,7 +182,7 @@ struct alignas(64) TileRays : Origins {
             const Double near = xsimd::max(xsimd::max(xsimd::min(ax, bx), xsimd::min(ay, by)),
                                            xsimd::max(xsimd::min(az, bz), Double::load_aligned(t_min.data() + i)));
             const Double far = xsimd::min(xsimd::min(xsimd::max(ax, bx), xsimd::max(ay, by)), xsimd::max(az, bz));
-            const Double end = xsimd::min(far * Double(kWider), Double::load_aligned(limit.data() + i));
+            const Double end = xsimd::min(far * Double(kRoundedSlabs), Double::load_aligned(limit.data() + i));
             mask |= static_cast<RayMask>(lanes::mask(near <= end)) << i;
         });
         return mask & asked;

@@ -22,7 +22,7 @@ std::string roff(std::string_view text)
     return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-std::string entry(const std::string& name, std::string_view meaning)
+std::string man_entry(const std::string& name, std::string_view meaning)
 {
     return ".TP\n.B " + roff(name) + "\n" + roff(meaning) + "\n";
 }
@@ -70,11 +70,11 @@ takes up again and which goes when the picture is there.
 std::string options_part()
 {
     std::string page = ".SH OPTIONS\n";
-    for (const OwnOption& option : own_options()) page += entry(option.form(), option.meaning);
+    for (const OwnOption& option : own_options()) page += man_entry(option.form(), option.meaning);
     page += ".SH SWITCHES\n";
     for (const Switch& one : switch_table()) {
         const SwitchText shown = text_of(one);
-        if (!shown.form.empty()) page += entry(shown.form, shown.meaning);
+        if (!shown.form.empty()) page += man_entry(shown.form, shown.meaning);
     }
     return page;
 }
@@ -90,7 +90,7 @@ std::string keywords_part()
                              Part{State::NotYet, " (without effect for now)"}})
         for (const Option& option : option_table())
             if (option.state == part.state)
-                page += entry(std::string(option.keyword), std::string(option.meaning) + part.remark);
+                page += man_entry(std::string(option.keyword), std::string(option.meaning) + part.remark);
     return page;
 }
 
@@ -104,10 +104,10 @@ std::string manual_page()
         page += fmt::format(".br\n.B whittle {}\n{}\n", command.name, roff(command.synopsis));
     page += kDescription;
     page += ".SH COMMANDS\n";
-    for (const SubCommand& command : kSubCommands) page += entry(std::string(command.name), command.meaning);
+    for (const SubCommand& command : kSubCommands) page += man_entry(std::string(command.name), command.meaning);
     page += options_part() + keywords_part();
     page += ".SH EXIT STATUS\n";
-    for (const ExitStatus& status : kExitStatuses) page += entry(status.number, status.meaning);
+    for (const ExitStatus& status : kExitStatuses) page += man_entry(status.number, status.meaning);
     page += ".PP\nOf compare: 0 the pictures agree, 1 they differ, 2 they cannot be compared.\n.PP\nOf lint: 0 nothing "
             "was found, 1 something was, 2 the scene cannot be read.\n";
     return page + kFiles + ".SH SEE ALSO\n.BR povray (1)\n";

@@ -30,7 +30,7 @@ void keep_message(png_structp png, png_const_charp message)
 void ignore_warning(png_structp, png_const_charp) {}
 
 /// What stands before the samples.
-struct Header {
+struct PngHeader {
     png_uint_32 width, height;
     int bits, color_type;
     png_byte significant_bits;
@@ -40,7 +40,7 @@ struct Header {
 };
 
 /// Chunks are put one by one: their order is not the same in each version of libpng.
-void write_header(png_structp png, png_infop info, const Header& header)
+void write_header(png_structp png, png_infop info, const PngHeader& header)
 {
     png_set_IHDR(png, info, header.width, header.height, header.bits, header.color_type, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -56,7 +56,7 @@ void write_header(png_structp png, png_infop info, const Header& header)
     std::array<png_byte, 4> significant{};
     significant.fill(header.significant_bits);
     put("sBIT", significant.data(), png_get_channels(png, info));
-    constexpr std::size_t kMost = 79;  // of text: our own name and version
+    constexpr std::size_t kLongest = 79;  // of text: our own name and version
     std::array<png_byte, 9 + kMost> text{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0};
     const std::size_t length = std::min(std::strlen(header.software), kMost);
     std::memcpy(text.data() + 9, header.software, length);
@@ -77,7 +77,7 @@ struct PngWriter::Encoder {
     ~Encoder() { png_destroy_write_struct(&png, &info); }
 
     // False if libpng failed: it leaves by longjmp, so nothing with a destructor may be made in these three.
-    bool begin(const Header& header, int effort)
+    bool begin(const PngHeader& header, int effort)
     {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, file.get());
@@ -117,7 +117,7 @@ PngWriter::PngWriter(const std::string& path, const FileShape& shape, PngEffort 
     constexpr std::array kColorTypes{PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                      PNG_COLOR_TYPE_RGB_ALPHA};
     const bool eight_bits = shape.bits <= 8;
-    const Header header{static_cast<png_uint_32>(shape.width),
+    const PngHeader header{static_cast<png_uint_32>(shape.width),
                         static_cast<png_uint_32>(shape.height),
                         eight_bits ? 8 : 16,
                         kColorTypes.at(static_cast<std::size_t>(shape.channels - 1)),

@@ -99,7 +99,8 @@ void PhotonMap::take(std::vector<Photon> photons)
 
 double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
 {
-    constexpr double kEverywhere = 1e7, kPi = std::numbers::pi;
+    constexpr double kEverywhere = 1e7;
+    using std::numbers::pi;
     const std::size_t count = std::clamp<std::size_t>(photons_.size() / 20, 100, 1000);
     NearPhotons near;
     const auto density = [&](double radius) {
@@ -107,7 +108,7 @@ double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
         PhotonSearch<false>(places_, boxes_, photons_[which].place(), {}, gather_most).find_in_order(radius, near);
         const auto number = static_cast<double>(near.found.size());
         const double r = std::sqrt(near.radius2);
-        return media ? 3.0 * number / (4.0 * kPi * r * r * r) : number / (kPi * r * r);
+        return media ? 3.0 * number / (4.0 * pi * r * r * r) : number / (pi * r * r);
     };
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -116,8 +117,8 @@ double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
     }
     const double average = sum / static_cast<double>(count);
     const auto most = static_cast<double>(gather_most);
-    double radius = media ? numbers::pow(3.0 * most / (4.0 * kPi * average), 0.3333)
-                          : std::sqrt(most / (average * kPi));
+    double radius = media ? numbers::pow(3.0 * most / (4.0 * pi * average), 0.3333)
+                          : std::sqrt(most / (average * pi));
     std::size_t sparse = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double here = density(radius);
