@@ -57,8 +57,8 @@ void write_header(png_structp png, png_infop info, const PngHeader& header)
     significant.fill(header.significant_bits);
     put("sBIT", significant.data(), png_get_channels(png, info));
     constexpr std::size_t kLongest = 79;  // of text: our own name and version
-    std::array<png_byte, 9 + kMost> text{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0};
-    const std::size_t length = std::min(std::strlen(header.software), kMost);
+    std::array<png_byte, 9 + kLongest> text{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0};
+    const std::size_t length = std::min(std::strlen(header.software), kLongest);
     std::memcpy(text.data() + 9, header.software, length);
     put("tEXt", text.data(), 9 + length);
 }
