@@ -1,10 +1,14 @@
 #include "csg/freeform/surface/polygon.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace csg {
 namespace {
 
 constexpr double kSame = 1e-10;      // corners apart, squared; a corner off the plane; a ray along it (spec 5b, 4)
 constexpr double kLeastEdge = 1e-3;  // a thinner box is widened by this on both sides
+constexpr std::size_t kMostBands = 256, kMostPlaces = 16;  // of an edge, on the average
 
 }  // namespace
 
@@ -44,28 +48,73 @@ void Polygon::find_plane(const std::vector<glm::dvec3>& corners)
         if (std::abs(local.z) > kSame) return;
         flat.emplace_back(local.x, local.y);
     }
-    corners_ = std::move(flat);
+    add_edges(flat);
+    sort_into_bands();
+}
+
+/// Of all loops, but those along the first axis, which no point lies beside.
+void Polygon::add_edges(const std::vector<glm::dvec2>& corners)
+{
+    for (std::size_t first = 0; first < corners.size();) {
+        std::size_t i = first;
+        do {
+            if (corners[i].y != corners[i + 1].y) edges_.push_back({corners[i], corners[i + 1]});
+        } while (++i + 1 < corners.size() && corners[i] != corners[first]);
+        first = i + 1;
+    }
+}
+
+std::size_t Polygon::band_of(double y) const
+{
+    return std::min(static_cast<std::size_t>((y - low_) * bands_per_unit_), ends_.size() - 1);
+}
+
+/// About one edge begins in a band: what a point is asked for does not grow with the corners.
+void Polygon::sort_into_bands()
+{
+    if (edges_.empty()) return;
+    low_ = kInfinity, high_ = -kInfinity;
+    for (const Edge& e : edges_) {
+        low_ = std::min({low_, e.a.y, e.b.y});
+        high_ = std::max({high_, e.a.y, e.b.y});
+    }
+    const auto each_band = [&](const Edge& e, auto&& f) {
+        for (std::size_t k = band_of(std::min(e.a.y, e.b.y)); k <= band_of(std::max(e.a.y, e.b.y)); ++k) f(k);
+    };
+    std::size_t places;
+    ends_.resize(2 * std::min(edges_.size(), kMostBands));
+    do {
+        ends_.resize(ends_.size() / 2);
+        bands_per_unit_ = static_cast<double>(ends_.size()) / (high_ - low_);
+        if (!std::isfinite(bands_per_unit_)) bands_per_unit_ = 0.0;
+        places = 0;
+        for (const Edge& e : edges_) each_band(e, [&](std::size_t) { ++places; });
+    } while (places > kMostPlaces * edges_.size() && ends_.size() > 1);
+    std::vector<std::vector<Edge>> bands(ends_.size());
+    for (const Edge& e : edges_) each_band(e, [&](std::size_t k) { bands[k].push_back(e); });
+    edges_.clear();
+    for (std::size_t band = 0; band < bands.size(); ++band) {
+        edges_.insert(edges_.end(), bands[band].begin(), bands[band].end());
+        ends_[band] = edges_.size();
+    }
 }
 
 bool Polygon::holds(const glm::dvec2& q) const
 {
+    if (!(q.y >= low_ && q.y <= high_)) return false;
+    const std::size_t band = band_of(q.y);
     bool inside = false;
-    for (std::size_t first = 0; first < corners_.size();) {
-        std::size_t i = first;
-        do {
-            const glm::dvec2 &a = corners_[i], &b = corners_[i + 1];
-            const bool above_a = a.y >= q.y, above_b = b.y >= q.y;
-            if (above_a != above_b && ((b.y - q.y) * (a.x - b.x) >= (b.x - q.x) * (a.y - b.y)) == above_b)
-                inside = !inside;
-        } while (++i + 1 < corners_.size() && corners_[i] != corners_[first]);
-        first = i + 1;
+    for (std::size_t i = band == 0 ? 0 : ends_[band - 1]; i < ends_[band]; ++i) {
+        const auto& [a, b] = edges_[i];
+        const bool above_a = a.y >= q.y, above_b = b.y >= q.y;
+        if (above_a != above_b && ((b.y - q.y) * (a.x - b.x) >= (b.x - q.x) * (a.y - b.y)) == above_b) inside = !inside;
     }
     return inside;
 }
 
 void Polygon::intersect(const Ray& ray, IntersectionList& out) const
 {
-    if (corners_.empty()) return;
+    if (edges_.empty()) return;
     const glm::dvec3 o = glm::transpose(axes_) * (ray.origin - origin_), d = glm::transpose(axes_) * ray.direction;
     if (std::abs(d.z) < kSame * std::sqrt(glm::dot(d, d))) return;
     const double t = -o.z / d.z;

@@ -24,13 +24,22 @@ public:
     static constexpr bool kClosed = false, kInverseClosed = false;
 
 private:
+    struct Edge {
+        glm::dvec2 a, b;
+    };
+
     void find_plane(const std::vector<glm::dvec3>& corners);
+    void add_edges(const std::vector<glm::dvec2>& corners);
+    void sort_into_bands();
+    std::size_t band_of(double y) const;
     bool holds(const glm::dvec2& q) const;
 
     glm::dvec3 origin_{0.0};
-    glm::dmat3 axes_{1.0};             ///< columns: two of the plane, its normal
-    std::vector<glm::dvec2> corners_;  ///< empty: nothing to draw
-    Aabb corner_box_, box_;            ///< the second a little thick
+    glm::dmat3 axes_{1.0};           ///< columns: two of the plane, its normal
+    std::vector<Edge> edges_;        ///< band by band, those that reach into it; empty: nothing to draw
+    std::vector<std::size_t> ends_;  ///< of the bands, in edges_
+    double low_ = 0.0, high_ = 0.0, bands_per_unit_ = 0.0;
+    Aabb corner_box_, box_;  ///< the second a little thick
 };
 
 }  // namespace csg
