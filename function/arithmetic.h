@@ -2,6 +2,7 @@
 
 #include "function/program.h"
 #include "numbers/functions/functions.h"
+#include "numbers/remainder.h"
 
 #include <cmath>
 #include <limits>
@@ -16,30 +17,6 @@ inline constexpr double kDegree = 0.01745329251994329576;
 inline double truncated(double v)
 {
     return v > -2147483649.0 && v < 2147483648.0 ? std::trunc(v) + 0.0 : -2147483648.0;
-}
-
-#ifdef __FMA__
-/// What std::fmod() answers where `known`: products and differences that are rounded once are exact if the quotient is
-/// a whole number that a double holds. It is one too great where it was rounded up.
-inline double fused_remainder(double a, double b, bool& known)
-{
-    constexpr double kMost = 0x1p52;
-    const double size = std::abs(a), by = std::abs(b), quotient = std::trunc(size / by),
-                 rest = std::fma(-quotient, by, size);
-    known = quotient < kMost && by < kMost;
-    return std::copysign(rest < 0.0 ? rest + by : rest, a);
-}
-#endif
-
-/// std::fmod(), which goes through the quotient bit by bit.
-inline double remainder_of(double a, double b)
-{
-#ifdef __FMA__
-    bool known;
-    const double rest = fused_remainder(a, b, known);
-    if (known) return rest;
-#endif
-    return std::fmod(a, b);
 }
 
 /// Operators that numbers/functions has for one number and for lanes.
@@ -80,7 +57,7 @@ inline double binary(double a, double b)
     if constexpr (op == Op::Max) return a < b ? b : a;
     if constexpr (op == Op::Atan2) return numbers::atan2(a, b);
     if constexpr (op == Op::IntDivide) return truncated(a / b);
-    if constexpr (op == Op::Modulo) return remainder_of(a, b);
+    if constexpr (op == Op::Modulo) return numbers::fmod(a, b);
     if constexpr (op == Op::Power) return numbers::pow(a, b);
     return 0.0;
 }

@@ -300,6 +300,13 @@ private:
 
 }  // namespace
 
+bool fits_hierarchy(const Aabb& box)
+{
+    constexpr double kWidest = 1e30;
+    return box.finite() && glm::all(glm::lessThan(glm::abs(box.lower), glm::dvec3(kWidest))) &&
+           glm::all(glm::lessThan(glm::abs(box.upper), glm::dvec3(kWidest)));
+}
+
 Bvh build_bvh(std::vector<BvhInput> inputs)
 {
     Bvh out;

@@ -54,7 +54,7 @@ inline float asked_at(const BvhNode& node, std::uint32_t child, float near)
 
 /// One thing to be put in the tree.
 struct BvhInput {
-    Aabb bounds;  ///< finite
+    Aabb bounds;  ///< fits_hierarchy()
     LeafKind kind = LeafKind::Item;
     std::uint32_t index = 0;  ///< among its kind, whatever the caller means by it
     std::uint8_t visible = 0xff;
@@ -69,6 +69,9 @@ struct Bvh {
     Aabb bounds;
     int depth = 0;  ///< levels of nodes
 };
+
+/// Whether a box is one of those that build_bvh() takes: not too wide for single precision.
+bool fits_hierarchy(const Aabb& box);
 
 /// Builds by binned surface area heuristic. Deterministic.
 Bvh build_bvh(std::vector<BvhInput> inputs);

@@ -82,14 +82,6 @@ bool quick(const WorldItem& item)
     return kind == SolidKind::Box || kind == SolidKind::OrientedBox;
 }
 
-/// A box too wide for single precision counts as unbounded.
-bool fits(const Aabb& box)
-{
-    constexpr double kWidest = 1e30;
-    return box.finite() && glm::all(glm::lessThan(glm::abs(box.lower), glm::dvec3(kWidest))) &&
-           glm::all(glm::lessThan(glm::abs(box.upper), glm::dvec3(kWidest)));
-}
-
 void fill_spheres(WorldData& world)
 {
     const auto& first = world.bvh.sphere_first;
@@ -176,7 +168,7 @@ void WorldData::finish()
         const Aabb box = drawn_bounds(*this, item);
         if (box.empty() && drop_empty) continue;
         if (weighs) costly_bounds.include(box);
-        if (fits(box)) inputs.push_back({box, leaf_kind(item), i, item.visible, quick(item)});
+        if (fits_hierarchy(box)) inputs.push_back({box, leaf_kind(item), i, item.visible, quick(item)});
         else unbounded.push_back(i);
     }
     bvh = build_bvh(std::move(inputs));

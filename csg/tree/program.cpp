@@ -273,10 +273,22 @@ void add_sieves(Program& program)
     }
 }
 
+/// Whether p lies outside of the node's box; not if it is no number.
+bool beyond(const Node& node, const glm::dvec3& p)
+{
+    bool out = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        out |= p[axis] < static_cast<double>(node.lower[k]) || p[axis] > static_cast<double>(node.upper[k]);
+    }
+    return out;
+}
+
 /// Whether p is inside node i.
 bool contains(const std::vector<Node>& nodes, std::uint32_t i, const SolidStore& store, const glm::dvec3& p)
 {
     const Node& node = nodes[i];
+    if (node.test_box && beyond(node, p)) return node.inside_beyond;
     if (node.op == Op::Leaf)
         return with_solid(store, node.solid, [&](const auto& solid) {
             return node.inverted ? solid.contains_inverted(p) : solid.contains(p);

@@ -54,6 +54,8 @@ public:
 
     /// Whether it may hold any point of the box; certain if it says no.
     bool item_may_hold(std::uint32_t item, const Aabb& box) const;
+    /// A box around the solid of one item, as item_holds() has it.
+    Aabb inside_bounds(std::uint32_t item) const;
     /// Puts items in the order in which POV-Ray finds that they hold a point; as they are declared where there is none.
     void in_test_order(std::vector<std::uint32_t>& items) const;
 

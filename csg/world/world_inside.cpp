@@ -38,23 +38,26 @@ bool World::item_holds_start(std::uint32_t index, const glm::dvec3& point) const
                                                    : item_holds(index, point);
 }
 
-bool World::item_may_hold(std::uint32_t index, const Aabb& box) const
+Aabb World::inside_bounds(std::uint32_t index) const
 {
     const WorldItem& item = data_->items[index];
-    if (item.unclipped != WorldItem::kNoProgram) return true;
     if (item.instance != Hit::kNoInstance) {
         const Instance& one = data_->instances[item.instance];
-        const Aabb own = transformed_box(one.frame.inverted(), box);
-        for (std::uint32_t i = 0; i < one.world->items.size(); ++i)
-            if (World(*one.world).item_may_hold(i, own)) return true;
-        return false;
+        Aabb all;
+        for (std::uint32_t i = 0; i < one.world->items.size(); ++i) all.include(World(*one.world).inside_bounds(i));
+        return all.empty() || !all.finite() ? all : transformed_box(one.frame, all);
     }
     if (item.solid == kNoPart) {
         const Program& program = data_->programs[item.program];
-        return program.inside_beyond || !program.bounds.intersected(box).empty();
+        return program.inside_beyond ? Aabb::everything() : program.bounds;
     }
-    return item.inverted || with_solid(data_->store, item.solid,
-                                       [&](const auto& solid) { return !solid.bounds().intersected(box).empty(); });
+    return item.inverted ? Aabb::everything()
+                         : with_solid(data_->store, item.solid, [](const auto& solid) { return solid.bounds(); });
+}
+
+bool World::item_may_hold(std::uint32_t index, const Aabb& box) const
+{
+    return data_->items[index].unclipped != WorldItem::kNoProgram || !inside_bounds(index).intersected(box).empty();
 }
 
 void World::in_test_order(std::vector<std::uint32_t>& items) const

@@ -3,6 +3,7 @@
 #include "csg/freeform/field/rounded_box.h"
 #include "function/internal/internal_polynomials.h"
 #include "numbers/functions/functions.h"
+#include "numbers/remainder.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@ using std::numbers::pi;
 /// Remainder in [0, d).
 double wrapped(double v, double d)
 {
-    const double m = std::fmod(v, d);
+    const double m = numbers::fmod(v, d);
     return m < 0.0 ? m + d : m;
 }
 
@@ -127,8 +128,8 @@ double helix2(const double* a)
 double hexagonal(bool y, const double* at)
 {
     const double half = std::numbers::sqrt3 / 2.0;
-    double a = std::abs(std::fmod(std::abs(at[0]), 2.0 * half) - half),
-           b = std::abs(std::fmod(std::abs(at[1]), 3.0) - 1.5);
+    double a = std::abs(numbers::fmod(std::abs(at[0]), 2.0 * half) - half),
+           b = std::abs(numbers::fmod(std::abs(at[1]), 3.0) - 1.5);
     if (a * a + b * b > (half - a) * (half - a) + (1.5 - b) * (1.5 - b)) {
         a = half - a;
         b = 1.5 - b;
@@ -195,7 +196,7 @@ double spiral(const double* a)
     const double* p = a + 3;
     const double x = a[0] == 0.0 && a[2] == 0.0 ? 1e-6 : a[0];
     const double r = std::sqrt(x * x + a[2] * a[2]) + p[0] * numbers::atan2(a[2], x) / (2.0 * pi);
-    const double q = profile(std::fmod(r, p[0]) - p[0] / 2.0, a[1], p[5]);
+    const double q = profile(numbers::fmod(r, p[0]) - p[0] / 2.0, a[1], p[5]);
     const double far = std::sqrt(x * x + a[1] * a[1] + a[2] * a[2]);
     return -std::min(p[2] - far, p[1] - std::min(q, far));
 }

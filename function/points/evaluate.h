@@ -14,8 +14,10 @@ Values evaluate_all(const Function& function, const double* arguments, const Hos
 /// Its first component.
 double evaluate(const Function& function, const double* arguments, const Host& host);
 
-/// The first component at eight points: arguments[i][lane]. Equal to evaluate() bit for bit.
-void evaluate_lanes(const Function& function, const double (*arguments)[kLanes], const Host& host, double* out);
+/// The first `components` at eight points: arguments[i][lane], out[component * kLanes + lane]. Equal to evaluate_all()
+/// bit for bit.
+void evaluate_lanes(const Function& function, const double (*arguments)[kLanes], const Host& host,
+                    std::uint32_t components, double* out);
 
 /// Any host for functions that ask nothing of the scene.
 const Host& no_host();

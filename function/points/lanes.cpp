@@ -45,12 +45,12 @@ Eight modulo(const Eight& a, const Eight& b)
     unsigned good = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {  // the compiler makes vectors of it
         bool known;
-        out.v[i] = fused_remainder(a.v[i], b.v[i], known);
+        out.v[i] = numbers::fused_remainder(a.v[i], b.v[i], known);
         good += known ? 1u : 0u;
     }
     if (good == kLanes) return out;
 #endif
-    return lanewise([&](std::size_t i) { return std::fmod(a.v[i], b.v[i]); });
+    return lanewise([&](std::size_t i) { return numbers::fmod(a.v[i], b.v[i]); });
 }
 
 }  // namespace
@@ -259,14 +259,15 @@ private:
     static constexpr std::size_t kMostParameters = 16;
 };
 
-void evaluate_lanes(const Function& function, const double (*arguments)[kLanes], const Host& host, double* out)
+void evaluate_lanes(const Function& function, const double (*arguments)[kLanes], const Host& host,
+                    std::uint32_t components, double* out)
 {
     Frame<Eight> frame(function);
     Eight* r = frame.registers();
     for (std::uint32_t i = 0; i < function.parameters; ++i)
         std::copy_n(arguments[i], kLanes, r[function.first_parameter() + i].v);
     Machine<Eight>(function, r, host).run(0, static_cast<std::uint32_t>(function.code.size()));
-    std::copy_n(r[function.result].v, kLanes, out);
+    for (std::uint32_t k = 0; k < components; ++k) std::copy_n(r[function.result + k].v, kLanes, out + k * kLanes);
 }
 
 }  // namespace function

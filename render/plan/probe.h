@@ -1,6 +1,7 @@
 #pragma once
 
 #include "function/points/evaluate.h"
+#include "csg/world/inside_index.h"
 #include "render/plan/compiled_scene.h"
 
 #include <memory>
@@ -30,6 +31,7 @@ public:
 
 private:
     CompiledScene compiled_;
+    csg::InsideIndex inside_;
     std::unique_ptr<csg::Scratch> scratch_;
 };
 

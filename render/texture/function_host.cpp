@@ -106,8 +106,8 @@ function::Evaluators evaluators()
             [](const Function& called, const double* a, const Host& host) {
                 return here(host, [&](const Host& own) { return function::evaluate_all(called, a, own); });
             },
-            [](const Function& called, const double(*a)[8], const Host& host, double* out) {
-                here(host, [&](const Host& own) { function::evaluate_lanes(called, a, own, out); });
+            [](const Function& called, const double(*a)[8], const Host& host, std::uint32_t components, double* out) {
+                here(host, [&](const Host& own) { function::evaluate_lanes(called, a, own, components, out); });
             },
             function::evaluate_intervals, function::evaluate_along};  // which ask nothing of the scene
 }

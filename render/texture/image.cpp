@@ -1,6 +1,7 @@
 #include "render/texture/image.h"
 
 #include "numbers/functions/functions.h"
+#include "numbers/remainder.h"
 #include "render/texture/points/angle.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 double wrapped(double v, double size)
 {
-    const double r = std::fmod(v, size);
+    const double r = numbers::fmod(v, size);
     return r < 0.0 ? r + size : r;
 }
 
@@ -32,7 +33,7 @@ bool project(const Image& image, const glm::dvec3& p, const glm::dvec2& size, gl
     switch (image.projection) {
     case Image::Projection::Planar:
         if (image.once && (p.x < 0.0 || p.x > 1.0 || p.y < 0.0 || p.y > 1.0)) return false;
-        at = {std::fmod(p.x * size.x, size.x), std::fmod(p.y * size.y, size.y)};
+        at = {numbers::fmod(p.x * size.x, size.x), numbers::fmod(p.y * size.y, size.y)};
         return true;
     case Image::Projection::Spherical: {
         const double length = glm::length(p);
@@ -43,7 +44,7 @@ bool project(const Image& image, const glm::dvec3& p, const glm::dvec2& size, gl
     }
     case Image::Projection::Cylindrical:
         if (beside == 0.0 || (image.once && (p.y < 0.0 || p.y > 1.0))) return false;
-        at = {turn(p.x, p.z) * size.x, std::fmod(p.y * size.y, size.y)};
+        at = {turn(p.x, p.z) * size.x, numbers::fmod(p.y * size.y, size.y)};
         return true;
     case Image::Projection::Torus:
         if (beside == 0.0) return false;
@@ -85,6 +86,7 @@ std::size_t texel_at(const Image& image, long column, long row)
     const auto inside = [once = image.once](long v, std::uint32_t size) {
         const auto n = static_cast<long>(size);
         if (once) return std::clamp(v, 0L, n - 1);
+        if (v >= 0 && v < n) return v;  // nearly always: a division is what most of this would take
         const long r = v % n;
         return r < 0 ? r + n : r;
     };
@@ -186,8 +188,11 @@ scene::Color image_color(const Image& image, const glm::dvec2& place)
             static_cast<float>(sum[3]), static_cast<float>(sum[4])};
 }
 
-scene::Color image_pigment(const Image& image, const glm::dvec2& place)
+scene::Color image_shown(const Image& image, const glm::dvec3& p)
 {
+    constexpr scene::Color kNoColor{1, 1, 1, 0, 1};  // spec 4, 11
+    glm::dvec2 place;
+    if (!image_place(image, p, place)) return kNoColor;
     scene::Color c = image_color(image, place);
     // POV-Ray divides what it has interpolated, and `transmit all` counts (measured).
     if (const float alpha = 1.0f - c.transmit; image.premultiplied && alpha != 0.0f) {

@@ -38,8 +38,8 @@ bool image_place(const Image& image, const glm::dvec3& p, glm::dvec2& place);
 
 /// At a place within the picture, interpolated (spec 4, 12.2).
 scene::Color image_color(const Image& image, const glm::dvec2& place);
-/// What an image_map shows there: straight colours.
-scene::Color image_pigment(const Image& image, const glm::dvec2& place);
+/// What an image_map shows at a point of pattern space: straight colours, or nothing where the picture is not.
+scene::Color image_shown(const Image& image, const glm::dvec3& p);
 
 /// The same for places in the palette; without one 255 times red. Truncated.
 int image_index(const Image& image, const glm::dvec2& place);

@@ -39,8 +39,6 @@ scene::Color divided(const scene::Color& sum, float weights)
 
 namespace {
 
-constexpr scene::Color kNoColor{1, 1, 1, 0, 1};  // of a picture where it is not (spec 4, 11)
-
 scene::Color average_color(const TextureSet& set, const Pigment& pigment, const glm::dvec3& p,
                            const Surroundings& around)
 {
@@ -65,11 +63,7 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm
         return pigment_color(set, set.children[pigment.first], {around.uv.x, around.uv.y, 0.0}, around);
     const Pattern& pattern = set.patterns[pigment.pattern];
     const glm::dvec3 q = warp_point(set, pattern, p);
-    if (pigment.kind == Pigment::Kind::Image) {
-        glm::dvec2 place;
-        const Image& image = set.images[pattern.data];
-        return image_place(image, q, place) ? image_pigment(image, place) : kNoColor;
-    }
+    if (pigment.kind == Pigment::Kind::Image) return image_shown(set.images[pattern.data], q);
     if (pigment.kind == Pigment::Kind::Average) return average_color(set, pigment, q, around);
     const Blend blend = blend_at(set, pigment.first, pigment.count, pattern_value(set, pattern, q, around));
     if (pigment.kind == Pigment::Kind::ColorMap) {

@@ -16,19 +16,22 @@ namespace {
 void check_lanes(const function::Function& f, std::mt19937& random, double range)
 {
     std::uniform_real_distribution<double> any(-range, range);
-    double arguments[64][kLanes], out[kLanes];
+    double arguments[64][kLanes], out[std::tuple_size_v<function::Values>][kLanes];
     for (std::uint32_t i = 0; i < f.parameters; ++i)
         for (double& a : arguments[i]) a = any(random);
     const function_test::NoiseHost host;
-    function::evaluate_lanes(f, arguments, host, out);
+    function::evaluate_lanes(f, arguments, host, f.components, out[0]);
     for (int lane = 0; lane < kLanes; ++lane) {
         std::vector<double> one;
         for (std::uint32_t i = 0; i < f.parameters; ++i) one.push_back(arguments[i][lane]);
-        const double alone = function::evaluate(f, one.data(), host);
-        const bool same = std::memcmp(&alone, &out[lane], sizeof alone) == 0 ||
-                          (alone != alone && out[lane] != out[lane]);
-        INFO("lane " << lane << ": " << out[lane] << ", alone " << alone);
-        REQUIRE(same);
+        const function::Values all = function::evaluate_all(f, one.data(), host);
+        REQUIRE((all[0] == function::evaluate(f, one.data(), host) || all[0] != all[0]));
+        for (std::size_t k = 0; k < f.components; ++k) {
+            const bool same = std::memcmp(&all[k], &out[k][lane], sizeof(double)) == 0 ||
+                              (all[k] != all[k] && out[k][lane] != out[k][lane]);
+            INFO("lane " << lane << ", component " << k << ": " << out[k][lane] << ", alone " << all[k]);
+            REQUIRE(same);
+        }
     }
 }
 

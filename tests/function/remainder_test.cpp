@@ -1,4 +1,4 @@
-#include "function/arithmetic.h"
+#include "numbers/remainder.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +12,7 @@ TEST_CASE("remainders have the bits of fmod()", "[function]")
     std::mt19937_64 random(5);
     const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
     const auto check = [](double a, double b) {
-        const double wanted = std::fmod(a, b), got = function::remainder_of(a, b);
+        const double wanted = std::fmod(a, b), got = numbers::fmod(a, b);
         if (std::memcmp(&wanted, &got, sizeof got) == 0 || (wanted != wanted && got != got)) return;
         FAIL(a << " % " << b << ": " << got << ", " << wanted);
     };
@@ -28,5 +28,5 @@ TEST_CASE("remainders have the bits of fmod()", "[function]")
     const double odd[] = {0.0, -0.0, 1.0, -1.0, 5e-324, -3e-310, 1e-308, 1e300, 1.7e308, INFINITY, -INFINITY, NAN, 0.1};
     for (const double a : odd)
         for (const double b : odd) check(a, b);
-    CHECK(function::remainder_of(-1.0, 0.3) == std::fmod(-1.0, 0.3));
+    CHECK(numbers::fmod(-1.0, 0.3) == std::fmod(-1.0, 0.3));
 }

@@ -1,3 +1,4 @@
+#include "numbers/remainder.h"
 #include "parser/stream/expressions/number_functions.h"
 #include "parser/stream/expressions/text_functions.h"
 #include "parser/stream/expressions/fixed_text.h"
@@ -111,15 +112,15 @@ TEST_CASE("mod() of whole numbers is the library's", "[parser][expression]")
     for (int i = 0; i < 200'000; ++i) {
         const double b = whole(), times = static_cast<double>(random() % 1000);
         const double a = i % 5 == 0 ? b * times : i % 7 == 0 ? whole() / 8.0 : whole();
-        const double ours = parser::remainder_of(a, b), theirs = std::fmod(a, b);
+        const double ours = numbers::fmod(a, b), theirs = std::fmod(a, b);
         INFO(a << " and " << b);
         REQUIRE((std::isnan(theirs) ? std::isnan(ours)
                                     : std::bit_cast<std::uint64_t>(ours) == std::bit_cast<std::uint64_t>(theirs)));
     }
-    CHECK(std::signbit(parser::remainder_of(-6.0, 3.0)));
-    CHECK(std::isnan(parser::remainder_of(6.0, 0.0)));
-    CHECK(std::isnan(parser::remainder_of(INFINITY, 3.0)));
-    CHECK(parser::remainder_of(5.0, INFINITY) == 5.0);
+    CHECK(std::signbit(numbers::fmod(-6.0, 3.0)));
+    CHECK(std::isnan(numbers::fmod(6.0, 0.0)));
+    CHECK(std::isnan(numbers::fmod(INFINITY, 3.0)));
+    CHECK(numbers::fmod(5.0, INFINITY) == 5.0);
 }
 
 TEST_CASE("numbers are written as the library writes them", "[parser][expression]")

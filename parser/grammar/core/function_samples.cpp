@@ -40,10 +40,6 @@ std::optional<std::vector<std::uint16_t>> sampled_levels(SceneBuilder& build, co
     for (std::uint32_t y = 0; y < rows; ++y)
         for (std::uint32_t x = 0; x < columns; ++x) {
             const glm::dvec3 at{x / (columns - 1.0), y / (rows - 1.0), 0.0};
-            if (!called->asks_scene) {
-                add(function::evaluate_all(*called, &at.x, function::no_host()));
-                continue;
-            }
             points.push_back(at);
             if (points.size() < kMostAsked && (y + 1 < rows || x + 1 < columns)) continue;
             values.resize(points.size());

@@ -109,9 +109,12 @@ std::optional<function::Values> SceneBuilder::evaluate(const function::FunctionP
 bool SceneBuilder::evaluate(const function::FunctionPtr& called, std::span<const glm::dvec3> points,
                             std::span<function::Values> values)
 {
-    SceneQueries* asked = queries();
-    if (asked) asked->evaluate(called, points, values, description);
-    return asked != nullptr;
+    if (SceneQueries* asked = queries()) asked->evaluate(called, points, values, description);
+    else if (called->asks_scene) return false;
+    else
+        for (std::size_t i = 0; i < points.size(); ++i)
+            values[i] = function::evaluate_all(*called, &points[i].x, function::no_host());
+    return true;
 }
 
 }  // namespace parser

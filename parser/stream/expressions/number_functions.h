@@ -1,6 +1,7 @@
 #pragma once
 
 #include "numbers/functions/functions.h"
+#include "numbers/remainder.h"
 #include "parser/stream/expressions/operand.h"
 
 #include <cmath>
@@ -52,22 +53,6 @@ inline bool function_of_one(Kind kind, double& a)
     }
 }
 
-/// std::fmod; of whole numbers by one division, which takes a fifth of the time.
-inline double remainder_of(double a, double b)
-{
-    constexpr double kExact = 9007199254740992.0;  // 2^53
-    if (std::abs(a) < kExact && std::abs(b) < kExact && b != 0.0) {
-        const auto whole_a = static_cast<double>(static_cast<std::int64_t>(a));
-        const auto whole_b = static_cast<double>(static_cast<std::int64_t>(b));
-        if (whole_a == a && whole_b == b) {
-            const auto times = static_cast<double>(static_cast<std::int64_t>(std::abs(a / b)));
-            const double rest = std::abs(a) - times * std::abs(b);  // exact; below 0 if the quotient was rounded up
-            return std::copysign(rest < 0.0 ? rest + std::abs(b) : rest, a);
-        }
-    }
-    return std::fmod(a, b);
-}
-
 /// `kind` of two numbers.
 inline bool function_of_two(Kind kind, double& a, double b)
 {
@@ -77,7 +62,7 @@ inline bool function_of_two(Kind kind, double& a, double b)
         a = numbers::atan2(a, b);
         return true;
     case Kind::Div: a = to_int32(a / b); return true;
-    case Kind::Mod: a = remainder_of(a, b); return true;
+    case Kind::Mod: a = numbers::fmod(a, b); return true;
     default:
         if (a == 0.0 && b == 0.0) return false;
         a = numbers::pow(a, b);

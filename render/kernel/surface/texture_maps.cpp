@@ -3,6 +3,7 @@
 #include "render/kernel/surface/mix_textures.h"
 #include "render/kernel/surface/prefetch_pigments.h"
 #include "render/kernel/surface/shade_surface.h"
+#include "render/texture/points/entries.h"
 
 #include <algorithm>
 #include <bit>
@@ -115,20 +116,12 @@ void TextureMaps::look_up_map(const Context& context, std::size_t at, const Seen
     texture::Values values;
     begin_map(set, at, seen, q);
     pattern_values(set, pattern, q, seen.around, values);
-    std::array<HitMask, 2> ends{~HitMask{0}, 0};
     auto& blends = maps_[textures_[at].first].blends;
-    for (std::size_t i = 0; i < q.size(); ++i) {
+    for (std::size_t i = 0; i < q.size(); ++i)
         blends[i] = texture::blend_at(set, texture.first, texture.count, values[i]);
-        ends = {std::min<HitMask>(ends[0], blends[i].lower), std::max<HitMask>(ends[1], blends[i].upper)};
-    }
     const Seen within{q, seen.around, normals, bent_within(context, texture, seen, normals), true};
     const HitMask all = first_hits(q.count);
-    for (auto entry = static_cast<std::uint32_t>(ends[0]); entry <= ends[1]; ++entry) {
-        const auto& found = maps_[textures_[at].first].blends;
-        HitMask picked = 0;
-        for (std::size_t i = 0; i < q.size(); ++i)
-            picked |= HitMask{found[i].lower == entry || found[i].upper == entry} << i;
-        if (picked == 0) continue;
+    texture::each_entry(blends, q.size(), [&](std::uint32_t entry, HitMask picked) {
         const HitMask those = deposited(picked, hits);
         std::uint32_t place;
         if (picked == all) {
@@ -139,7 +132,7 @@ void TextureMaps::look_up_map(const Context& context, std::size_t at, const Seen
                             {part.points, part.around, part.normals, within.map, true});
         }
         entries_[textures_[at].entries + entry - texture.first] = place;
-    }
+    });
 }
 
 void TextureMaps::look_up_layers(const Context& context, std::size_t at, const Seen& seen)

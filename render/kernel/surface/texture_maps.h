@@ -5,6 +5,7 @@
 #include "render/kernel/tile/layer_points.h"
 
 #include <bit>
+#include <deque>
 #include <vector>
 
 namespace trace {
@@ -66,7 +67,7 @@ private:
 
     std::vector<Place> textures_;
     std::vector<std::uint32_t> entries_;  ///< of maps: places of their textures, or texture::kNone
-    std::vector<Map> maps_;               ///< so many of them in use, as of layers; they stay for the next tile
+    std::deque<Map> maps_;                ///< so many of them in use, as of layers; they stay for the next tile
     std::vector<LayerPoints> layers_;
     std::size_t maps_used_ = 0, layers_used_ = 0;
 };

@@ -35,7 +35,8 @@ CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSett
 }  // namespace
 
 ObjectProbe::ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global)
-    : compiled_(compile_alone(object, global)), scratch_(std::make_unique<csg::Scratch>())
+    : compiled_(compile_alone(object, global)), inside_(compiled_.world().data()),
+      scratch_(std::make_unique<csg::Scratch>())
 {}
 ObjectProbe::~ObjectProbe() = default;
 
@@ -56,13 +57,7 @@ double ObjectProbe::depth(const csg::Ray& ray) const
     return hit.found() ? hit.t : -1.0;
 }
 
-bool ObjectProbe::inside(const glm::dvec3& point) const
-{
-    thread_local std::vector<std::uint32_t> found;
-    found.clear();
-    compiled_.world().containing(point, found);
-    return !found.empty();
-}
+bool ObjectProbe::inside(const glm::dvec3& point) const { return inside_.holds(point); }
 
 glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)
 {
@@ -93,12 +88,13 @@ void FunctionProbe::evaluate(std::span<const glm::dvec3> points, std::span<funct
     const function::Function& called = *set_.functions.back();
     const texture::FunctionHost host(set_);
     std::size_t first = 0;
-    for (; called.components == 1 && first + function::kLanes <= points.size(); first += function::kLanes) {
-        double arguments[3][function::kLanes], out[function::kLanes];
+    for (; first + function::kLanes <= points.size(); first += function::kLanes) {
+        double arguments[3][function::kLanes], out[std::tuple_size_v<function::Values>][function::kLanes];
         for (std::size_t k = 0; k < function::kLanes; ++k)
             for (int axis = 0; axis < 3; ++axis) arguments[axis][k] = points[first + k][axis];
-        function::in_use().lanes(called, arguments, host, out);
-        for (std::size_t k = 0; k < function::kLanes; ++k) values[first + k] = {out[k]};
+        function::in_use().lanes(called, arguments, host, called.components, out[0]);
+        for (std::size_t k = 0; k < function::kLanes; ++k)
+            for (std::size_t part = 0; part < called.components; ++part) values[first + k][part] = out[part][k];
     }
     for (; first < points.size(); ++first) values[first] = evaluate(&points[first].x);
 }

@@ -1,3 +1,4 @@
+#include "numbers/remainder.h"
 #include "render/texture/points/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
 
@@ -39,8 +40,8 @@ double exterior(const Pattern& pattern, int k, Complex z)
     case 4: return f * z.a * z.a;
     case 5: return f * z.b * z.b;
     case 6: return f * std::sqrt(z.square());
-    case 7: return std::trunc(f) == 0.0 ? 0.0 : std::fmod(k, std::trunc(f)) / f;
-    case 8: return std::trunc(1.0 + f) == 0.0 ? 0.0 : std::fmod(k, std::trunc(1.0 + f)) / f;
+    case 7: return std::trunc(f) == 0.0 ? 0.0 : numbers::fmod(k, std::trunc(f)) / f;
+    case 8: return std::trunc(1.0 + f) == 0.0 ? 0.0 : numbers::fmod(k, std::trunc(1.0 + f)) / f;
     default: return 0.0;
     }
 }

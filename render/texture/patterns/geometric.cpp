@@ -1,4 +1,5 @@
 #include "numbers/functions/functions.h"
+#include "numbers/remainder.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/patterns/patterns.h"
@@ -33,10 +34,10 @@ double planar(const glm::dvec3& p) { return inside_out(std::abs(p.y)); }
 double gradient(const Pattern& pattern, const glm::dvec3& p)
 {
     const double d = glm::dot(p, pattern.vector);
-    return d > 1.0 ? std::fmod(d, 1.0) : d;
+    return d > 1.0 ? numbers::fmod(d, 1.0) : d;
 }
 
-double onion(const glm::dvec3& p) { return std::fmod(glm::length(p), 1.0); }
+double onion(const glm::dvec3& p) { return numbers::fmod(glm::length(p), 1.0); }
 
 double radial(const glm::dvec3& p)
 {
@@ -104,7 +105,7 @@ double slope(const Pattern& pattern, const glm::dvec3& p, const Surroundings& ar
     const double v1 = ranged((2.0 * numbers::asin(s) / std::numbers::pi + 1.0) / 2.0, n[0], n[1]);
     const glm::dvec3 altitude{n[3], n[4], n[5]};
     const auto wrapped = [](double v) {
-        const double w = std::fmod(v, 1.0);
+        const double w = numbers::fmod(v, 1.0);
         return v < 0.0 ? w + 1.0 : w;
     };
     if (altitude == glm::dvec3(0)) return v1 == 1.0 ? v1 - kTiny : wrapped(v1);

@@ -1,4 +1,5 @@
 #include "numbers/functions/functions.h"
+#include "numbers/remainder.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/function_host.h"
@@ -14,7 +15,7 @@ double folded(double v)
 {
     const double size = std::abs(v);
     if (size < kModulus) return v;
-    return size < 2.0 * kModulus ? std::copysign(size - kModulus, v) : std::fmod(v, kModulus);
+    return size < 2.0 * kModulus ? std::copysign(size - kModulus, v) : numbers::fmod(v, kModulus);
 }
 
 double wave(const Pattern& pattern, double v)
@@ -35,12 +36,10 @@ double grey_of(const TextureSet& set, const Pattern& pattern, const glm::dvec3& 
     return static_cast<double>(scene::grey(pigment_color(set, pattern.pigment, p, around).rgb()));
 }
 
-/// A user function; what is above 1 counts from 0 again (spec 4, 5.2).
 double function_value(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p)
 {
     const double at[] = {p.x, p.y, p.z};
-    const double v = function::evaluate(*set.functions[pattern.function], at, FunctionHost(set));
-    return v > 1.0 ? std::fmod(v, 1.0) : v;
+    return wrapped_value(function::evaluate(*set.functions[pattern.function], at, FunctionHost(set)));
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 #include "render/texture/points/angle.h"
 #include "render/texture/evaluate_points.h"
+#include "render/texture/function_host.h"
 #include "render/texture/map_points.h"
 #include "render/texture/noise/noise_points.h"
+#include "render/texture/points/entries.h"
 #include "render/texture/points/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -148,6 +151,22 @@ void grey_values(const TextureSet& set, const Pattern& pattern, const Points& p,
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = static_cast<double>(scene::grey(colors.at(i).rgb()));
 }
 
+/// A user function, eight points at a time.
+void function_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out)
+{
+    const function::Function& function = *set.functions[pattern.function];
+    const FunctionHost host(set);
+    static_assert(kMostPoints % function::kLanes == 0);
+    for (std::size_t i = 0; i < p.size(); i += function::kLanes) {
+        double at[3][function::kLanes];
+        std::copy_n(p.x.data() + i, function::kLanes, at[0]);
+        std::copy_n(p.y.data() + i, function::kLanes, at[1]);
+        std::copy_n(p.z.data() + i, function::kLanes, at[2]);
+        function::evaluate_lanes(function, at, host, 1, out.data() + i);
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = wrapped_value(out[i]);
+}
+
 /// Where a map of colours shows its first or its last one.
 FlatEnds flat_ends(const float* keys, const scene::Color* colors, std::uint32_t entries)
 {
@@ -206,6 +225,7 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Brick: return brick_values(pattern, p, out);
     case PatternKind::Gradient: return gradient_values(pattern, p, out);
     case PatternKind::Onion: return onion_values(p, out);
+    case PatternKind::Function: return function_values(set, pattern, p, out);
     case PatternKind::PigmentPattern: return grey_values(set, pattern, p, around, out);
     case PatternKind::Crackle: return crackle_values(pattern, p, out);
     case PatternKind::Mandel:
@@ -255,26 +275,19 @@ using Blends = std::array<Blend, kMostPoints>;
 /// Each child for the points that need it, once; then the mixture.
 void mapped_colors(const TextureSet& set, const Blends& blends, const Points& p, const Around& around, ColorPoints& out)
 {
-    std::uint32_t first = blends[0].lower, last = blends[0].upper;
-    for (std::size_t i = 1; i < p.size(); ++i) {
-        first = std::min(first, blends[i].lower);
-        last = std::max(last, blends[i].upper);
-    }
     ColorPoints upper, found;
     Group group;
-    for (std::uint32_t entry = first; entry <= last; ++entry) {
+    each_entry(blends, p.size(), [&](std::uint32_t entry, std::uint64_t which) {
         group.points.count = 0;
         group.points.density = p.density;
-        for (std::size_t i = 0; i < p.size(); ++i)
-            if (blends[i].lower == entry || blends[i].upper == entry) group.add(p, around, i);
-        if (group.points.count == 0) continue;
+        for (; which != 0; which &= which - 1) group.add(p, around, static_cast<std::size_t>(std::countr_zero(which)));
         group.points.pad();
         pigment_colors(set, set.children[entry], group.points, group.around, found);
         for (std::size_t k = 0; k < group.points.size(); ++k) {
             const std::size_t i = group.owner[k];
             (blends[i].lower == entry ? out : upper).set(i, found.at(k));
         }
-    }
+    });
     for (std::size_t i = 0; i < p.size(); ++i)
         if (blends[i].lower != blends[i].upper) out.set(i, mix(out.at(i), upper.at(i), blends[i].share));
 }
@@ -327,17 +340,18 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
         places.pad();
         return pigment_colors(set, set.children[pigment.first], places, around, out);
     }
+    if (pigment.kind == Pigment::Kind::Solid) return out.fill(pigment.color);
     const bool color_map = pigment.kind == Pigment::Kind::ColorMap;
-    if (!color_map && pigment.kind != Pigment::Kind::PigmentMap && pigment.kind != Pigment::Kind::Average) {
-        if (pigment.kind == Pigment::Kind::Solid) return out.fill(pigment.color);
-        for (std::size_t i = 0; i < p.size(); ++i) out.set(i, pigment_color(set, index, p.at(i), *around[i]));
-        return;
-    }
     const Pattern& pattern = set.patterns[pigment.pattern];
     Points q;
     q.take(p);
     warp_points(set, pattern, q, color_map ? live_components(pattern) : kAllLive);
     if (pigment.kind == Pigment::Kind::Average) return average_colors(set, pigment, q, around, out);
+    if (pigment.kind == Pigment::Kind::Image) {
+        const Image& image = set.images[pattern.data];
+        for (std::size_t i = 0; i < q.size(); ++i) out.set(i, image_shown(image, q.at(i)));
+        return;
+    }
     Values values;
     raw_values(set, pattern, q, around, color_map ? raw_flat_ends(set, pigment, pattern) : FlatEnds{}, values);
     if (color_map && all_equal(values, q.size()))  // as beside a ball of density

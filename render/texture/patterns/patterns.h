@@ -4,6 +4,8 @@
 #include "render/texture/evaluate.h"
 #include "render/texture/points/points.h"
 
+#include <cmath>
+
 /// Raw values of the patterns, one function each, by family. Formulas and ranges: spec 4, section 5.
 /// `p` is the warped point; parameters as in docs/patterns.md.
 namespace texture {
@@ -11,6 +13,9 @@ namespace texture {
 // looked up
 /// numbers: interpolate.
 double density(const Pattern& pattern, const scene::Volume& volume, const glm::dvec3& p);
+
+/// What a user function tells: above 1 it counts from 0 again (spec 4, 5.2). v - trunc(v) is fmod(v, 1), to the bit.
+inline double wrapped_value(double v) { return v > 1.0 ? v - std::trunc(v) : v; }
 
 // noise based
 double bozo(const Pattern& pattern, const glm::dvec3& p);

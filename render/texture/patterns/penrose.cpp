@@ -1,6 +1,7 @@
 #include "render/texture/patterns/penrose.h"
 
 #include "numbers/functions/functions.h"
+#include "numbers/remainder.h"
 #include "render/texture/points/angle.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ double kites(bool rhombs, glm::dvec2 p)
     if (rhombs) p *= kInner;
     const double n = levels(std::abs(p.x * k108.sine - p.y * k108.cosine) / k18.cosine, kGolden * kGolden);
     p *= numbers::pow(kGolden, -2.0 * n);
-    if (std::fmod(n, 2.0) == 1.0) p = upward(right(k36, p));
+    if (numbers::fmod(n, 2.0) == 1.0) p = upward(right(k36, p));
     bool kite = true;
     for (double level = 0; level < 2.0 * n; ++level) {
         p = upward(p);

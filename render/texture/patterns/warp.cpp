@@ -63,6 +63,13 @@ glm::dvec3 to_cubic(const glm::dvec3& p)
     return {1.0 - eighth(p.x / a.z), kThird + kThird * half(p.y / a.z), a.z};
 }
 
+/// The square of a distance at which a black hole surely moves nothing: most are far off, and no root is asked.
+double beyond(const scene::BlackHoleWarp& w)
+{
+    constexpr double kRoundings = 1.0 + 1e-12;
+    return w.radius * w.radius * kRoundings;
+}
+
 struct Apply {
     glm::dvec3 p;
 
@@ -105,7 +112,9 @@ struct Apply {
             center += w.repeat * block;
         }
         const glm::dvec3 delta = p - center;
-        const double distance = glm::length(delta);
+        const double square = glm::dot(delta, delta);
+        if (square > beyond(w)) return p;
+        const double distance = std::sqrt(square);
         if (distance >= w.radius) return p;
         const double pull = std::min(1.0, w.strength * numbers::pow((w.radius - distance) / w.radius, w.falloff));
         return w.inverse ? p - pull * delta : p + pull * delta;
@@ -202,8 +211,28 @@ struct ApplyToAll {
         p.pad();
     }
 
+    void operator()(const scene::BlackHoleWarp& w) const
+    {
+        if (w.repeat != glm::dvec3(0)) return one_by_one(w);
+        const Double x(w.center.x), y(w.center.y), z(w.center.z), far(beyond(w));
+        for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+            const Double dx = get(p.x, i) - x, dy = get(p.y, i) - y, dz = get(p.z, i) - z;
+            const auto out = dx * dx + dy * dy + dz * dz > far;
+            if (xsimd::all(out)) continue;
+            for (std::size_t k = i; k < std::min(i + csg::lanes::kDoubles, p.size()); ++k) p.set(k, Apply{p.at(k)}(w));
+        }
+        p.pad();
+    }
+
     template <class Other>
     void operator()(const Other& warp) const
+    {
+        one_by_one(warp);
+    }
+
+private:
+    template <class Other>
+    void one_by_one(const Other& warp) const
     {
         for (std::size_t i = 0; i < p.size(); ++i) p.set(i, Apply{p.at(i)}(warp));
         p.pad();

@@ -1,6 +1,7 @@
 #include "tests/render/trace/random_world.h"
 
 #include "csg/items/world_item.h"
+#include "csg/world/inside_index.h"
 
 #include <catch2/catch.hpp>
 
@@ -116,6 +117,27 @@ csg::RayTile any_tile(Rng& rng, int k)
 }
 
 }  // namespace
+
+TEST_CASE("what holds a point is found by the hierarchy as by a loop over all items", "[trace][world]")
+{
+    int inside = 0, outside = 0;
+    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        csg::WorldData data;
+        random_world::fill(data, rng, 1 + static_cast<int>(rng.below(150)));
+        const csg::InsideIndex index(data);
+        std::vector<std::uint32_t> holders;
+        for (int i = 0; i < 500; ++i) {
+            const glm::dvec3 point = rng.point(rng.below(8) == 0 ? 300.0 : 12.0);
+            csg::World(data).containing(point, holders);
+            REQUIRE(index.holds(point) == !holders.empty());
+            ++(holders.empty() ? outside : inside);
+        }
+    }
+    CHECK(inside > 1000);
+    CHECK(outside > 1000);
+}
 
 TEST_CASE("the hierarchy finds what a loop over all items finds", "[trace][world]")
 {
