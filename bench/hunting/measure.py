@@ -21,7 +21,8 @@ class Program:
         return [self.command, f"+I{file}", f"+O{file}.{self.name}.png", f"+W{size[0]}", f"+H{size[1]}", "-A", "-D", "-P", "+FN8", "+WT1", *options]
 
     def run(self, folder, file, size, options, limit):
-        return speed.execute(self.line(file, size, options), folder, limit)
+        """At most `limit` processor seconds, and ten times as long by the wall."""
+        return speed.execute(["prlimit", f"--cpu={limit:.0f}", "--", *self.line(file, size, options)], folder, 10 * limit)
 
 
 def programs(options):
@@ -34,8 +35,15 @@ def prepare(folder):
     scenes.write_companions(folder)
 
 
+def overlong(failure):
+    """Whether a program was ended for its time: by SIGXCPU, or SIGKILL."""
+    return "exit status -24" in str(failure) or "ended after" in str(failure)
+
+
 def failed(failure):
     """The end of what was said, in a line."""
+    if overlong(failure):
+        return "does not end in time"
     said = [line.strip() for line in str(failure).splitlines() if line.strip()]
     wrong = [line for line in said if re.search("error", line, re.I)] or said[-1:]
     return wrong[0][-300:]
@@ -60,10 +68,16 @@ def measured(options, folder, kind, seed):
 
 
 def both(options, folder, file, more, povray, whittle):
+    if options.haste:
+        try:
+            if whittle.run(folder, file, LARGE, more, options.limit).cpu < QUICK / options.haste:
+                return {"state": "fast"}
+        except speed.Failure:
+            pass  # POV-Ray tells whether it is a scene at all
     try:
         small = povray.run(folder, file, SMALL, more, options.limit / 3)
     except speed.Failure as failure:
-        return {"state": "long" if "ended after" in str(failure) else "refused", "why": failed(failure)}
+        return {"state": "long"} if overlong(failure) else {"state": "refused", "why": failed(failure)}
     try:
         ours = whittle.run(folder, file, SMALL, more, options.limit)
     except speed.Failure as failure:
@@ -79,8 +93,8 @@ def both(options, folder, file, more, povray, whittle):
         return numbers("small", small, ours, agree)
     try:
         theirs = povray.run(folder, file, LARGE, more, options.limit)
-    except speed.Failure as failure:
-        return {"state": "long", "why": failed(failure)}
+    except speed.Failure:
+        return {"state": "long"}
     if theirs.cpu < QUICK:
         return {"state": "quick"}
     try:
