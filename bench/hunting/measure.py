@@ -37,7 +37,7 @@ def prepare(folder):
 
 def overlong(failure):
     """Whether a program was ended for its time: by SIGXCPU, or SIGKILL."""
-    return "exit status -24" in str(failure) or "ended after" in str(failure)
+    return any(end in str(failure) for end in ("exit status -24", "exit status -9", "ended after"))
 
 
 def failed(failure):
@@ -109,6 +109,18 @@ def numbers(size, theirs, ours, agree):
                 povray_mb=megabytes(theirs), whittle_mb=megabytes(ours), agree=agree and round(agree, 4))
 
 
+def readable(name):
+    """A function's name without its arguments; of what a variant calls, the type at its place."""
+    if "__gen_vtable_impl" in name:
+        visitor, types, place = re.search(r"\(\*\)\(([\w:]+)", name), re.search(r"std::variant<(.*?)>", name), re.search(r"(\d+)ul>", name)
+        if visitor and types and place:
+            return f"{visitor[1]} of {types[1].split(', ')[int(place[1])] if int(place[1]) < types[1].count(',') + 1 else place[1]}"
+    name = name.replace("(anonymous namespace)::", "")
+    while (shorter := re.sub(r"<[^<>]*>|\([^()]*\)", "", name)) != name:
+        name = shorter
+    return name[:100]
+
+
 def profile(options, folder, kind, seed):
     """The three functions in which Whittle is longest, each with its share."""
     text, more = compose.text(kind, seed)
@@ -122,4 +134,4 @@ def profile(options, folder, kind, seed):
     said = subprocess.run(["perf", "report", "-i", str(data), "--no-children", "--sort", "symbol", "--stdio", "--percent-limit", "1"], stdout=subprocess.PIPE,
                           stderr=subprocess.DEVNULL, text=True, check=False).stdout
     found = re.findall(r"^\s+([0-9.]+)%\s+\[.\]\s+(.*?)\s{2,}", said + "\n", re.M)
-    return [f"{share}% {name}" for share, name in found[:3]]
+    return [f"{share}% {readable(name)}" for share, name in found[:3]]
