@@ -1,4 +1,5 @@
 // Difference, union and intersection in one another, six levels deep and three wide: 729 balls, most of which no ray needs.
+// Whole runs at 320x240 on 28 Nov 2026: POV-Ray 3.93 s, Whittle 6.15 s.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 1.5, -5> look_at 0 angle 45 }
