@@ -1,13 +1,15 @@
 #!/usr/bin/python3
-"""Trace and parse times against POV-Ray over whole collections of scenes.
+"""Trace and parse times, and those of whole runs, against POV-Ray over whole collections of scenes.
 
-usage: bench/phases.py [SCENE...] [--effects] [--folder FOLDER]... [--own-only] [--threads 1] [--runs 3]
-                       [--clock cpu|wall] [--bar 6] [--least 2.5]
+usage: bench/phases.py [SCENE...] [--total] [--effects] [--folder FOLDER]... [--own-only] [--threads 1] [--runs 3]
+                       [--clock cpu|wall] [--slow 0.2] [--bar 6] [--least 2.5]
                        [--cache FILE] [--json FILE] [--markdown FILE] [--csv FILE]
 
 Measured are the scenes of `scenes/phases`, the eight of `bench/run.py` and those of every FOLDER (that of the package
 povray-examples if none is given) which POV-Ray traces for --slow seconds or more. A scene of a folder whose picture is
 not POV-Ray's is left out and listed; one of ours that differs is a failure. bench/README.md says what each clock tells.
+--total: what counts is the whole run, from its start to its end: reading, bounding or plan, photons, radiosity, tracing and
+the file, for --slow too. The table has the peak memory beside it.
 SCENE picks scenes by their name in the table; * and ? stand for any letters.
 --effects: nine scenes of povray-examples whose light scatters and bounces, with one thread and two, medians of five
 runs, and a bar of 5 for each of them; what else is given goes before that. The table names two whose pictures differ for a
@@ -26,6 +28,7 @@ import shutil
 import statistics
 import sys
 import tempfile
+import typing
 
 import run as eight
 import speed
@@ -47,6 +50,14 @@ COMMON = ["-D", "-P", "+FN8"]
 STAGE = r"{} Time:.*?\(([0-9.]+) seconds\)\s*using \d+ thread\(s\) with ([0-9.]+) CPU-seconds"
 PARSE, TRACE = ("Parse", "Bounding"), ("Photon", "Radiosity", "Trace")
 NOISE = 0.01  # as docs/parity.md: so much less than POV-Ray with itself still matches
+
+
+class Times(typing.NamedTuple):
+    """Seconds of one run, and the most memory that it had in bytes."""
+    parse: float  # all before tracing
+    trace: float
+    total: float
+    memory: int
 
 
 class Scene:
@@ -98,39 +109,43 @@ def povray_seconds(said, stages, clock):
 
 
 def povray_run(options, scene, path, threads, picture, more=(), clock=None):
-    """(parse seconds, trace seconds) of one run, by the clock of the options if none is named."""
+    """Times of one run, by the clock of the options if none is named."""
     command = [options.povray, f"+I{path.name}", f"+O{picture}", *scene.options, *COMMON, f"+WT{threads}", *more]
+    run = speed.execute(command, path.parent, options.limit)
     # A stage's text must not reach into the next one's: POV-Ray says "No photons" where none were shot.
-    said = re.sub(r"(Photon|Radiosity) Time:\s+No \w+", "", speed.execute(command, path.parent, options.limit).said)
-    return tuple(povray_seconds(said, stages, clock or options.clock) for stages in (PARSE, TRACE))
+    said = re.sub(r"(Photon|Radiosity) Time:\s+No \w+", "", run.said)
+    clock = clock or options.clock
+    parse, trace = (povray_seconds(said, stages, clock) for stages in (PARSE, TRACE))
+    # By the wall, POV-Ray's whole run has most of a second in which it sleeps: its stages are what it does.
+    return Times(parse, trace, run.cpu if clock == "cpu" else parse + trace, run.memory)
 
 
 def whittle_run(options, scene, path, threads, picture):
-    """(parse seconds, trace seconds, what it was warned of leaving out) of one run."""
+    """Times of one run, and what it was warned of leaving out."""
     report = f"{picture}.json"
     command = [options.whittle, f"+I{path.name}", f"+O{picture}", *scene.options, *COMMON, f"+WT{threads}",
                f"--json={report}"]
-    speed.execute(command, path.parent, options.limit)
+    run = speed.execute(command, path.parent, options.limit)
     frame = json.loads(pathlib.Path(report).read_text())["frames"][0]
     seconds = "cpu_seconds" if options.clock == "cpu" else "seconds"
-    parse, plan, trace = (frame["phases"][f"{phase}_{seconds}"] for phase in ("parse", "plan", "trace"))
+    parse, plan, trace, write = (frame["phases"][f"{phase}_{seconds}"] for phase in ("parse", "plan", "trace", "write"))
     left_out = sorted({message["text"].split(":")[0] for message in frame["messages"]
                        if message["severity"] == "warning" and "without it" in message["text"]})
-    return parse + plan, trace, left_out
+    return Times(parse + plan, trace, run.cpu if options.clock == "cpu" else parse + plan + trace + write, run.memory), left_out
 
 
 class Scan:
-    """How long POV-Ray traces each scene, kept in a file: it does not change, and asking takes minutes."""
+    """How long each scene takes POV-Ray, kept in a file: it does not change, and asking takes minutes."""
 
     def __init__(self, file):
         self.file = file
         self.known = json.loads(pathlib.Path(file).read_text()) if file and os.path.exists(file) else {}
 
-    def entry(self, scene, compute):
-        """{"trace": s} or {"error": text} of the scene; `compute` is called if it is not known."""
+    def entry(self, scene, phase, compute):
+        """{"trace": s, "total": s} or {"error": text} of the scene; `compute` is called if the phase is not known."""
         state = scene.path.stat()
         key = f"{scene.path} {' '.join(scene.options)} {state.st_size} {int(state.st_mtime)}"
-        if key not in self.known:
+        if not {phase, "error"} & self.known.get(key, {}).keys():
             self.known[key] = compute()
             self.save()
         return self.known[key]
@@ -143,16 +158,17 @@ class Scan:
 
 
 def slow_scenes(options, scenes, scan, copies, root, picture):
-    """The scenes of a folder that POV-Ray traces long enough."""
+    """The scenes of a folder that take POV-Ray long enough."""
     for number, scene in enumerate(scenes, 1):
         def compute():
             try:
-                return dict(trace=povray_run(options, scene, copies.place(scene, root), 1, picture, clock="cpu")[1])
+                times = povray_run(options, scene, copies.place(scene, root), 1, picture, clock="cpu")
+                return dict(trace=times.trace, total=times.total)
             except speed.Failure as failure:
                 return dict(error=str(failure))
-        entry = scan.entry(scene, compute)
-        print(f"scan {number} of {len(scenes)}: {scene.name} {entry.get('trace', 'fails')}", file=sys.stderr)
-        if entry.get("trace", 0) >= options.slow:
+        entry = scan.entry(scene, options.phase, compute)
+        print(f"scan {number} of {len(scenes)}: {scene.name} {entry.get(options.phase, 'fails')}", file=sys.stderr)
+        if entry.get(options.phase, 0) >= options.slow:
             yield scene, entry
 
 
@@ -164,25 +180,27 @@ def measure(options, scene, entry, paths, threads, folder):
     povray, whittle, row = [], [], dict(scene=scene.name, threads=threads, own=scene.own)
     for turn in range(options.runs):  # in turn, so that both see the same machine
         povray.append(povray_run(options, scene, paths[0], threads, theirs))
-        whittle.append(whittle_run(options, scene, paths[1], threads, ours))
+        times, left_out = whittle_run(options, scene, paths[1], threads, ours)
+        whittle.append(times)
         if turn:
             continue
         agree = speed.agreement(options.whittle, theirs, ours)[0]
-        whole = not whittle[0][2]  # what is left out explains a difference: POV-Ray with itself need not be asked
+        whole = not left_out  # what is left out explains a difference: POV-Ray with itself need not be asked
         if agree < MATCH and whole and "self" not in entry:
             again = f"{folder}/again.png"
             povray_run(options, scene, paths[0], 1, again, ["+BS8"])
             entry["self"] = speed.agreement(options.whittle, theirs, again)[0]
         matches = agree >= MATCH or whole and agree >= entry["self"] - NOISE
         explained = not matches and options.effects and agree >= DIFFER.get(scene.name, MATCH)
-        row.update(agree=round(agree, 4), own_agree=entry.get("self"), left_out=whittle[0][2], explained=explained,
+        row.update(agree=round(agree, 4), own_agree=entry.get("self"), left_out=left_out, explained=explained,
                    matches=matches or explained)
         if not row["matches"] and not scene.own:
             break  # what is not the same picture has no speed
-    for place, phase in enumerate(("parse", "trace")):
-        for who, times in (("povray", povray), ("whittle", whittle)):
-            row[f"{who}_{phase}_s"] = round(statistics.median(time[place] for time in times), 4)
-    row["ratio"] = round(row["povray_trace_s"] / max(row["whittle_trace_s"], 1e-4), 2)
+    for who, runs in (("povray", povray), ("whittle", whittle)):
+        for phase in ("parse", "trace", "total"):
+            row[f"{who}_{phase}_s"] = round(statistics.median(getattr(run, phase) for run in runs), 4)
+        row[f"{who}_mb"] = round(max(run.memory for run in runs) / 2**20, 1)
+    row["ratio"] = round(row[f"povray_{options.phase}_s"] / max(row[f"whittle_{options.phase}_s"], 1e-4), 2)
     return row
 
 
@@ -191,6 +209,7 @@ def arguments():
     parser.add_argument("scenes", nargs="*", metavar="SCENE")
     parser.add_argument("--folder", type=pathlib.Path, action="append", metavar="FOLDER",
                         help=f"a collection of scenes ({EXAMPLES})")
+    parser.add_argument("--total", dest="phase", action="store_const", const="total", default="trace", help="whole runs count, not tracing alone")
     parser.add_argument("--effects", action="store_true", help="nine scenes whose light scatters and bounces")
     parser.add_argument("--own-only", action="store_true", help="the scenes of this folder alone")
     parser.add_argument("--threads", type=int, nargs="+", help="(1)")
@@ -250,25 +269,25 @@ def main():
                         failures.append((scene.name, str(failure)))
                         continue
                     scan.save()
-                    times = f"{row['povray_trace_s']:.3f} / {row['whittle_trace_s']:.3f}"
+                    times = " / ".join(f"{row[f'{who}_{options.phase}_s']:.3f}" for who in ("povray", "whittle"))
                     print(f"{times} = {row['ratio']:.2f} {remark(row)}", file=sys.stderr)
                     (rows if row["matches"] or scene.own else excluded).append(row)
 
     rows.sort(key=lambda row: row["ratio"])
     excluded.sort(key=lambda row: row["agree"])
-    told = summary(rows)
-    print(plain(rows))
+    told = summary(rows, options.phase)
+    print(plain(rows, options.phase))
     print("\n".join(f"{title}: {value}" for title, value in told.items()))
     if excluded:
         print(f"left out, other pictures: {', '.join(row['scene'] for row in excluded)}")
     if options.markdown:
-        text = markdown(rows) + "\n\n" + "\n".join(f"- {title}: {value}" for title, value in told.items()) + "\n"
+        text = markdown(rows, options.phase) + "\n\n" + "\n".join(f"- {title}: {value}" for title, value in told.items()) + "\n"
         if excluded:
-            text += "\nLeft out, as their pictures differ:\n\n" + markdown(excluded) + "\n"
+            text += "\nLeft out, as their pictures differ:\n\n" + markdown(excluded, options.phase) + "\n"
         pathlib.Path(options.markdown).write_text(text)
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(dict(
-            clock=options.clock, runs=options.runs, summary=told, scenes=rows, excluded=excluded,
+            phase=options.phase, clock=options.clock, runs=options.runs, summary=told, scenes=rows, excluded=excluded,
             failures=[dict(scene=name, text=text) for name, text in failures]), indent=1) + "\n")
     if options.csv and rows:
         with open(options.csv, "w", newline="") as file:

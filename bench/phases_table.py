@@ -16,42 +16,51 @@ def remark(row):
     return "; ".join(parts)
 
 
-COLUMNS = [("scene", "scene", "s"), ("threads", "threads", "d"), ("povray_trace_s", "POV-Ray s", ".3f"),
-           ("whittle_trace_s", "ours s", ".3f"), ("ratio", "ratio", ".2f"), ("agree", "agree", ".4f"),
-           ("povray_parse_s", "parse, POV-Ray s", ".3f"), ("whittle_parse_s", "ours s", ".3f")]
+def columns(phase):
+    """(key, title, format) of what the markdown shows: the phase that counts, and the reading before it or what it is made of."""
+    beside = {"trace": [("parse_s", "parse", ".3f")], "total": [("parse_s", "parse", ".3f"), ("trace_s", "trace", ".3f"), ("mb", "memory", ".0f")]}[phase]
+    pairs = [(f"{who}_{key}", f"{title}, POV-Ray {unit}" if who == "povray" else f"ours {unit}", form)
+             for key, title, form in beside for unit in ("MB" if key == "mb" else "s",) for who in ("povray", "whittle")]
+    return [("scene", "scene", "s"), ("threads", "threads", "d"), (f"povray_{phase}_s", "POV-Ray s", ".3f"),
+            (f"whittle_{phase}_s", "ours s", ".3f"), ("ratio", "ratio", ".2f"), ("agree", "agree", ".4f"), *pairs]
 
 
-def markdown(rows):
-    lines = ["| " + " | ".join(title for _, title, _ in COLUMNS) + " | |",
-             "|---|" + "---:|" * (len(COLUMNS) - 1) + "---|"]
+def markdown(rows, phase):
+    shown = columns(phase)
+    lines = ["| " + " | ".join(title for _, title, _ in shown) + " | |", "|---|" + "---:|" * (len(shown) - 1) + "---|"]
     for row in rows:
-        lines.append("| " + " | ".join(format(row[key], form) for key, _, form in COLUMNS) + f" | {remark(row)} |")
+        lines.append("| " + " | ".join(format(row[key], form) for key, _, form in shown) + f" | {remark(row)} |")
     return "\n".join(lines)
 
 
-def plain(rows):
+def plain(rows, phase):
     width = max((len(row["scene"]) for row in rows), default=5)
-    lines = [f"{'scene':<{width}} {'threads':>7} {'POV-Ray s':>10} {'ours s':>9} {'ratio':>8} {'agree':>7}"]
+    memory = f" {'POV-Ray MB':>10} {'ours MB':>8}" if phase == "total" else ""
+    lines = [f"{'scene':<{width}} {'threads':>7} {'POV-Ray s':>10} {'ours s':>9} {'ratio':>8} {'agree':>7}{memory}"]
     for row in rows:
-        times = f"{row['povray_trace_s']:>10.3f} {row['whittle_trace_s']:>9.3f} {row['ratio']:>8.2f}"
-        line = f"{row['scene']:<{width}} {row['threads']:>7} {times} {row['agree']:>7.4f}  {remark(row)}"
+        times = f"{row[f'povray_{phase}_s']:>10.3f} {row[f'whittle_{phase}_s']:>9.3f} {row['ratio']:>8.2f}"
+        peaks = f" {row['povray_mb']:>10.0f} {row['whittle_mb']:>8.0f}" if memory else ""
+        line = f"{row['scene']:<{width}} {row['threads']:>7} {times} {row['agree']:>7.4f}{peaks}  {remark(row)}"
         lines.append(line.rstrip())
     return "\n".join(lines)
 
 
-def summary(rows):
+def summary(rows, phase):
     """What all rows together tell, {title: number or text}; the worst row is the first."""
     if not rows:
         return {}
     ratios = [row["ratio"] for row in rows]
-    povray, whittle = (sum(row[f"{who}_trace_s"] for row in rows) for who in ("povray", "whittle"))
+    povray, whittle = (sum(row[f"{who}_{phase}_s"] for row in rows) for who in ("povray", "whittle"))
     parse = [sum(row[f"{who}_parse_s"] for row in rows) for who in ("povray", "whittle")]
-    longest = max(rows, key=lambda row: row["whittle_trace_s"])
+    longest = max(rows, key=lambda row: row[f"whittle_{phase}_s"])
+    memory = max(rows, key=lambda row: row["whittle_mb"] - row["povray_mb"])
     return {"pairs": len(rows),
             "geometric mean": round(statistics.geometric_mean(ratios), 2),
+            "tenth of the scenes below": round(sorted(ratios)[len(ratios) // 10], 2),
             "total ratio": round(povray / whittle, 2),
-            "POV-Ray trace s": round(povray, 1),
-            "ours trace s": round(whittle, 1),
+            f"POV-Ray {phase} s": round(povray, 1),
+            f"ours {phase} s": round(whittle, 1),
             "total ratio of parsing": round(parse[0] / max(parse[1], 1e-4), 2),
             "least ratio": f"{rows[0]['ratio']} ({rows[0]['scene']})",
-            "our longest": f"{longest['whittle_trace_s']:.3f} s ({longest['scene']})"}
+            "our longest": f"{longest[f'whittle_{phase}_s']:.3f} s ({longest['scene']})",
+            "most memory above POV-Ray's": f"{memory['whittle_mb'] - memory['povray_mb']:.0f} MB ({memory['scene']})"}
