@@ -77,11 +77,11 @@ std::uint32_t TextureCompiler::keep_map(const std::vector<MapEntry>& entries)
     return count_of(first);
 }
 
-std::uint32_t TextureCompiler::pattern(const scene::Pattern& description)
+std::uint32_t TextureCompiler::pattern(const scene::Pattern& description, const csg::Transform* by)
 {
     const auto kind = pattern_kind(description.name);
     if (!kind) return texture::kNone;
-    texture::Pattern compiled = compile_pattern(description, *kind, scene_.global.noise_generator, out_.warps);
+    texture::Pattern compiled = compile_pattern(description, by, *kind, scene_.global.noise_generator, out_.warps);
     if (*kind == texture::PatternKind::PigmentPattern) {
         if (!description.pigment) return texture::kNone;
         compiled.pigment = part(description.pigment);
@@ -118,7 +118,7 @@ std::uint32_t TextureCompiler::function(const function::FunctionPtr& description
     return index;
 }
 
-std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)
+std::uint32_t TextureCompiler::pigment(const scene::Pigment& description, const csg::Transform* by)
 {
     // A quick colour with a component of exactly -1 counts as not given (spec 3, 16).
     const auto& quick = description.quick_color;
@@ -127,7 +127,7 @@ std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)
     } else if (const auto* color = std::get_if<scene::Color>(&description.kind)) {
         out_.pigments.push_back({texture::Pigment::Kind::Solid, *color});
     } else {
-        return pigment_map(*std::get<scene::Shared<scene::PatternedPigment>>(description.kind));
+        return pigment_map(*std::get<scene::Shared<scene::PatternedPigment>>(description.kind), by);
     }
     return count_of(out_.pigments.size() - 1);
 }
@@ -165,11 +165,11 @@ std::vector<TextureCompiler::MapEntry> TextureCompiler::entries_of(const std::ve
     return entries;
 }
 
-std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& description)
+std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& description, const csg::Transform* by)
 {
     using Kind = texture::Pigment::Kind;
     texture::Pigment out;
-    out.pattern = pattern(description.pattern);
+    out.pattern = pattern(description.pattern, by);
     if (description.pattern.name == "image_map") {
         out.kind = Kind::Image;
         out_.pigments.push_back(out);
@@ -205,14 +205,14 @@ std::uint32_t TextureCompiler::color_map(const scene::ColorMap& description)
     return keep_map(entries_of(description));
 }
 
-std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_bump_scale)
+std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_bump_scale, const csg::Transform* by)
 {
     using Map = texture::Normal::Map;
     texture::Normal out;
     out.no_bump_scale = description.no_bump_scale || no_bump_scale;
     out.amount = csg::single(description.amount);
     out.accuracy = csg::single(description.accuracy);
-    out.pattern = pattern(description.pattern);
+    out.pattern = pattern(description.pattern, by);
     if (out.pattern == texture::kNone) {
         if (!description.pattern.name.empty())
             note("normal '" + description.pattern.name + "'", description.pattern.source);
@@ -243,7 +243,7 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
     return count_of(out_.normals.size() - 1);
 }
 
-std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& description)
+std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& description, const csg::Transform* by)
 {
     texture::Texture out;
     std::vector<texture::Layer> compiled;
@@ -252,8 +252,8 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
     out.lit = false;
     for (const scene::Layer& from : description) {
         texture::Layer to;
-        to.pigment = pigment(from.pigment);
-        if (from.normal && quality_.normals) to.normal = normal(*from.normal, false);
+        to.pigment = pigment(from.pigment, by);
+        if (from.normal && quality_.normals) to.normal = normal(*from.normal, false, by);
         to.finish = finish(from.finish);
         out.opaque = out.opaque || pigment_opaque(to.pigment);
         const bool clear = lets_light_through(from.pigment);  // asked of each layer: it remembers what it finds
@@ -270,18 +270,18 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
     return count_of(out_.textures.size() - 1);
 }
 
-std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& description)
+std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& description, const csg::Transform* by)
 {
     using Kind = texture::Texture::Kind;
     texture::Texture out;
     out.kind = Kind::Map;
     out.opaque = out.stops_light = false;  // never classified opaque (spec 3, 13.2)
     out.no_bump_scale = description.no_bump_scale;
-    out.pattern = pattern(description.pattern);
+    out.pattern = pattern(description.pattern, by);
     out.count = count_of(description.map.size());
     if (out.count == 0) return texture::kNone;
     out.first =
-        keep_map(entries_of(description.map, [this](const scene::TexturePtr& entry) { return texture(entry); }));
+        keep_map(entries_of(description.map, [this](const scene::TexturePtr& entry) { return texture({entry}); }));
     if (out.pattern == texture::kNone) {
         note("pattern '" + description.pattern.name + "' of a texture (its first entry is shown)",
              description.pattern.source);
@@ -295,15 +295,16 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     return count_of(out_.textures.size() - 1);
 }
 
-std::uint32_t TextureCompiler::texture(const scene::TexturePtr& description)
+std::uint32_t TextureCompiler::texture(const PlacedTexture& placed)
 {
-    if (!description) return texture::kNone;
-    const auto known = known_.find(description);
+    if (!placed) return texture::kNone;
+    const auto known = known_.find(placed);
     if (known != known_.end()) return known->second;
-    const auto* plain = std::get_if<std::vector<scene::Layer>>(&description->kind);
-    const std::uint32_t index = plain ? layers(*plain)
-                                      : patterned(*std::get<scene::Shared<scene::PatternedTexture>>(description->kind));
-    known_.emplace(description, index);
+    const auto* plain = std::get_if<std::vector<scene::Layer>>(&placed.texture->kind);
+    const std::uint32_t index =
+        plain ? layers(*plain, placed.by)
+              : patterned(*std::get<scene::Shared<scene::PatternedTexture>>(placed.texture->kind), placed.by);
+    known_.emplace(placed, index);
     return index;
 }
 
