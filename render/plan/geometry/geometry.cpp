@@ -9,7 +9,6 @@
 #include "render/plan/lights.h"
 #include "render/plan/compile_photons.h"
 #include "render/plan/geometry/solids.h"
-#include "render/plan/geometry/transform_key.h"
 #include "render/plan/textures/uv_use.h"
 
 #include <algorithm>
@@ -79,10 +78,10 @@ void GeometryCompiler::expect(std::size_t statements)
 
 void GeometryCompiler::add(const scene::Object& object)
 {
-    default_texture_ = description_.default_of(object);
+    default_texture_ = {description_.default_of(object)};
     automatic_interiors_.clear();
     light_groups_.clear();
-    if (!interior_copies_.empty()) interior_copies_ = {};
+    interior_copies_.clear();
     collect_lights(object, {});
     add_top(object, {});
     ++statement_;
@@ -122,10 +121,12 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
 {
     Inherited own = above;
     own.uv_mapping = object.flags.uv_mapping || (!object.texture && above.uv_mapping);
-    const auto in_world = [&](const scene::TexturePtr& t) { return own.uv_mapping ? t : moved(t, above.to_world); };
-    if (object.details->interior) own.legacy_finish = nullptr;
+    const auto in_world = [&](const scene::TexturePtr& t) {
+        return own.uv_mapping ? PlacedTexture{t} : moved(t, above.to_world);
+    };
+    if (object.details->interior) own.legacy_finish = {};
     if (object.texture) own.texture = in_world(object.texture);
-    if (object.texture && carries_legacy_finish(own.texture)) own.legacy_finish = own.texture;
+    if (object.texture && carries_legacy_finish(own.texture.texture)) own.legacy_finish = own.texture;
     if (object.details->interior_texture) own.interior_texture = in_world(object.details->interior_texture);
     if (object.flags.hollow) own.hollow = object.flags.hollow;
     own.no_shadow = above.no_shadow || shadowless(object);
@@ -164,11 +165,9 @@ GeometryCompiler::Inherited GeometryCompiler::within(const scene::Object& operan
 std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const csg::Transform& to_world)
 {
     if (sharing_ != nullptr) sharing_->fails = true;  // each copy has lights of its own
-    std::vector<LightGroup>& known = light_groups_[key_of(&object, to_world)];
-    for (const LightGroup& group : known)
-        if (group.object == &object && same(group.to_world, to_world)) return group.number;
-    known.push_back({&object, to_world, ++light_group_count_});
-    return light_group_count_;
+    std::uint32_t& known = light_groups_(&object, to_world).value;
+    if (known == 0) known = ++light_group_count_;
+    return known;
 }
 
 void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
@@ -258,9 +257,9 @@ csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited&
 {
     if (const auto* freeform = std::get_if<scene::Freeform>(&object.shape))
         return world_solid(scene::Freeform{fields_.linked(freeform->shape)}, own.to_world);
-    const bool on_surface =
-        std::holds_alternative<scene::Sphere>(object.shape) &&
-        (own.uv_mapping || uses_uv(own.texture ? own.texture : default_texture_) || uses_uv(own.interior_texture));
+    const bool on_surface = std::holds_alternative<scene::Sphere>(object.shape) &&
+                            (own.uv_mapping || uses_uv((own.texture ? own.texture : default_texture_).texture) ||
+                             uses_uv(own.interior_texture.texture));
     return world_solid(object.shape, own.to_world, on_surface);
 }
 
@@ -320,7 +319,7 @@ csg::SurfaceId GeometryCompiler::shape_surface(const scene::Object& object, cons
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
     if (freeform == nullptr || !freeform->part_textures || freeform->part_textures->empty()) return surface(own);
     Inherited outside = own;
-    outside.interior_texture = nullptr;  // POV-Ray shows the parts on both sides (spec 5a, 5.11)
+    outside.interior_texture = {};  // POV-Ray shows the parts on both sides (spec 5a, 5.11)
     std::vector<std::uint32_t> parts;
     for (const scene::TexturePtr& texture : *freeform->part_textures) {
         if (texture) parts.push_back(textures_.texture(moved(texture, own.to_world)));

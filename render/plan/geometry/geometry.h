@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/plan/compiled_scene.h"
+#include "render/plan/geometry/transform_key.h"
 #include "render/plan/textures/fields.h"
 #include "render/plan/textures/interiors.h"
 #include "render/plan/textures/textures.h"
@@ -43,10 +44,10 @@ private:
         csg::Transform to_world;  ///< of the space that the node's transformation maps into
         scene::BoxGrowth parent_growth,
             growth;  ///< of boxes turned into the world from the space of the node's parent, from its own
-        scene::TexturePtr texture, interior_texture;
+        PlacedTexture texture, interior_texture;
         std::shared_ptr<const scene::Interior> interior;
         std::uint32_t interior_copy = 0;  ///< interior_copy()
-        scene::TexturePtr legacy_finish;  ///< of the object that gave the interior, if an old finish keyword changes it
+        PlacedTexture legacy_finish;      ///< of the object that gave the interior, if an old finish keyword changes it
         std::optional<bool> hollow;
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
         bool no_radiosity = false;
@@ -84,7 +85,7 @@ private:
     csg::Tree csg_tree(const scene::Csg& csg, const Inherited& own);
     csg::Tree cut_parts(const scene::Csg& csg, const scene::Csg& parts, const scene::Object& whole,
                         const Inherited& own, const Inherited& of_whole);
-    scene::TexturePtr cut_texture(const scene::Object& object, const Inherited& own);
+    PlacedTexture cut_texture(const scene::Object& object, const Inherited& own);
     csg::Tree clip_tree(const scene::Object& clip, const csg::Transform& to_world);
     void collect_lights(const scene::Object& object, const Inherited& above);
     /// The number of a light_group that stands there, from 1.
@@ -95,7 +96,7 @@ private:
 
     /// `corners`: what the second and the third corner of a mesh's faces show, if another texture. `parts`: compiled
     /// textures of a shape's parts.
-    csg::SurfaceId surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners = {},
+    csg::SurfaceId surface(const Inherited& own, const std::array<PlacedTexture, 2>& corners = {},
                            const std::vector<std::uint32_t>& parts = {});
     /// Of an object's own shape; the parts of a freeform shape may differ.
     csg::SurfaceId shape_surface(const scene::Object& object, const Inherited& own);
@@ -108,10 +109,12 @@ private:
     };
     const SharedMesh& shared_mesh(const std::shared_ptr<const scene::MeshData>& mesh);
     csg::PartId mesh_part(const scene::Mesh& mesh, const Inherited& own, bool textures_stay);
-    bool opaque_mesh(const std::vector<std::array<scene::TexturePtr, 3>>& slots, const Inherited& own);
-    csg::SurfaceId mesh_surface(const std::array<scene::TexturePtr, 3>& corners, const Inherited& own);
-    std::uint32_t interior(const Inherited& own, const scene::TexturePtr& texture);
-    scene::TexturePtr moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
+    bool opaque_mesh(const std::vector<std::array<PlacedTexture, 3>>& slots, const Inherited& own);
+    csg::SurfaceId mesh_surface(const std::array<PlacedTexture, 3>& corners, const Inherited& own);
+    std::uint32_t interior(const Inherited& own, const PlacedTexture& texture);
+    PlacedTexture moved(const scene::TexturePtr& texture, const csg::Transform& to_world);
+    /// As one that is written where it stands.
+    scene::TexturePtr written_there(const PlacedTexture& placed);
     std::shared_ptr<const scene::Interior> moved(const std::shared_ptr<const scene::Interior>& interior,
                                                  const csg::Transform& to_world);
     /// Which copy of an interior is that of an object that stands there: each copy of an object has one of its own
@@ -125,7 +128,7 @@ private:
     /// A surface of a shared object, in that object's space.
     struct SharedSurface {
         Inherited own;
-        std::array<scene::TexturePtr, 2> corners;
+        std::array<PlacedTexture, 2> corners;
     };
     /// An object that many statements show.
     struct Shared {
@@ -137,8 +140,7 @@ private:
         bool fails = false;                                          ///< it cannot be shared
     };
     void make_shared_world(const scene::Object& object, Shared& shared);
-    csg::SurfaceId shared_surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
-                                  bool has_parts);
+    csg::SurfaceId shared_surface(const Inherited& own, const std::array<PlacedTexture, 2>& corners, bool has_parts);
 
     const scene::Description& description_;
     const Options& options_;
@@ -152,7 +154,7 @@ private:
     Shared* sharing_ = nullptr;               ///< the shared object at hand, whose surfaces are only noted
     std::map<std::pair<const void*, int>, Shared> shared_;  ///< by operands and operation
     std::uint32_t statement_ = 0;                           ///< at hand, by number
-    scene::TexturePtr default_texture_;                     ///< of the statement at hand
+    PlacedTexture default_texture_;                         ///< of the statement at hand
     std::uint32_t object_ = 0;                              ///< Surface::object at hand
     bool clipping_ = false;                                 ///< inside a clip: nothing is drawn, no surface is made
     /// Of the unions that the object at hand was an operand of; nested: POV-Ray keeps them whole, so it stands at no
@@ -167,33 +169,16 @@ private:
     bool bounds_inside_ = false;  ///< some operand of the CSG object at hand reaches beyond its own bounds
     csg::Aabb starts_;            ///< camera_starts()
     /// Interiors made for the statement at hand where the text gives none: by texture with a legacy finish, else null.
-    std::map<const scene::Texture*, std::uint32_t> automatic_interiors_;
-    struct LightGroup {
-        const scene::Object* object;
-        csg::Transform to_world;
-        std::uint32_t number;
-    };
-    std::unordered_map<std::size_t, std::vector<LightGroup>> light_groups_;  ///< of the statement at hand
+    std::map<PlacedTexture, std::uint32_t> automatic_interiors_;
+    ByPlace<std::uint32_t> light_groups_;  ///< of the statement at hand; 0: none yet
     std::uint32_t light_group_count_ = 0;
     using SurfaceKey = std::array<std::uint32_t, 11>;
     std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;
     std::map<std::vector<std::uint32_t>, std::uint32_t> known_parts_;  ///< to Surface::first_part
-    struct Moved {
-        csg::Transform by;
-        scene::TexturePtr from, to;
-    };
-    std::unordered_map<std::size_t, std::vector<Moved>> moved_;  ///< by key_of()
-    struct MovedInterior {
-        csg::Transform by;
-        std::shared_ptr<const scene::Interior> from, to;
-    };
-    std::unordered_map<std::size_t, std::vector<MovedInterior>> moved_interiors_;
-    struct InteriorCopy {
-        csg::Transform at;
-        const scene::Interior* interior;
-        std::uint32_t number;
-    };
-    std::unordered_map<std::size_t, std::vector<InteriorCopy>> interior_copies_;  ///< of the statement at hand
+    ByPlace<std::monostate> places_;                                   ///< PlacedTexture::by
+    std::map<PlacedTexture, scene::TexturePtr> written_;
+    ByPlace<std::shared_ptr<const scene::Interior>> moved_interiors_;
+    ByPlace<std::optional<std::uint32_t>> interior_copies_;  ///< of the statement at hand
     std::uint32_t interior_copy_count_ = 0;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
     std::shared_ptr<PhotonPlan> photons_;  ///< null: the scene has none

@@ -32,7 +32,7 @@ csg::Tree GeometryCompiler::cut_parts(const scene::Csg& csg, const scene::Csg& p
 {
     csg::Tree made;
     made.op = csg::Tree::Op::Union;
-    const auto cut = [&](csg::Tree from, const scene::TexturePtr& texture) {
+    const auto cut = [&](csg::Tree from, const PlacedTexture& texture) {
         csg::Tree difference;
         difference.op = csg::Tree::Op::Difference;
         difference.operands.push_back(std::move(from));
@@ -44,7 +44,7 @@ csg::Tree GeometryCompiler::cut_parts(const scene::Csg& csg, const scene::Csg& p
                     tree(cutter, within(cutter, takes_cut_texture(cutter, true) ? later : own)));
         made.operands.push_back(std::move(difference));
     };
-    std::vector<std::pair<csg::Tree, scene::TexturePtr>> known;
+    std::vector<std::pair<csg::Tree, PlacedTexture>> known;
     for (const scene::Object& part : *parts.operands) {
         if (is_light(part)) continue;
         const Inherited mine = within(part, of_whole);
@@ -59,24 +59,24 @@ csg::Tree GeometryCompiler::cut_parts(const scene::Csg& csg, const scene::Csg& p
             csg::Tree both;
             both.op = csg::Tree::Op::Intersection;
             both.operands = {a, b};
-            cut(std::move(both), average(a_texture, b_texture));
+            cut(std::move(both), {average(written_there(a_texture), written_there(b_texture))});
         }
     return made;
 }
 
 /// What a cut through `object` shows under cutaway_textures (spec 5a, 8.3), as far as one texture can say it: its own
 /// or the first that its operands have.
-scene::TexturePtr GeometryCompiler::cut_texture(const scene::Object& object, const Inherited& own)
+PlacedTexture GeometryCompiler::cut_texture(const scene::Object& object, const Inherited& own)
 {
     if (own.texture) return own.texture;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
-    if (csg == nullptr) return nullptr;
+    if (csg == nullptr) return {};
     for (const scene::Object& operand : *csg->operands) {
         if (is_light(operand)) continue;
-        const scene::TexturePtr found = cut_texture(operand, below(operand, own));
+        const PlacedTexture found = cut_texture(operand, below(operand, own));
         if (found || csg->op == scene::CsgOp::Difference) return found;
     }
-    return nullptr;
+    return {};
 }
 
 }  // namespace plan

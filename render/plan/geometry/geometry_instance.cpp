@@ -34,28 +34,6 @@ bool tied_to_scene(const csg::SolidStore& store)
                        [](const csg::Freeform& solid) { return solid.has_open_surface(); });
 }
 
-/// A texture that is moved to the same place once for an instance, however many surfaces show it.
-class TexturesOfInstance {
-public:
-    explicit TexturesOfInstance(const csg::Transform& frame) : frame_(frame) {}
-
-    scene::TexturePtr operator()(const scene::TexturePtr& texture)
-    {
-        if (!texture || texture->alike_everywhere()) return texture;
-        scene::TexturePtr& known = known_[texture.get()];
-        if (!known) {
-            auto copy = std::make_shared<scene::Texture>(*texture);
-            copy->transform(frame_);
-            known = std::move(copy);
-        }
-        return known;
-    }
-
-private:
-    const csg::Transform& frame_;
-    std::map<const scene::Texture*, scene::TexturePtr> known_;
-};
-
 }  // namespace
 
 bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited& own)
@@ -67,28 +45,28 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
     if (own.photon_density > 0.0) return false;  // each of its parts may be a target of its own
     // A sphere that shows its own coordinates is stored otherwise; whether an inner texture is asked in shadows of a
     // mesh hangs on its other textures.
-    if (own.uv_mapping || uses_uv(own.texture ? own.texture : default_texture_) || own.interior_texture) return false;
+    if (own.uv_mapping || uses_uv((own.texture ? own.texture : default_texture_).texture) || own.interior_texture)
+        return false;
     Shared& shared = shared_[{csg.operands.get(), static_cast<int>(csg.op)}];
     shared.operands = csg.operands;
     if (++shared.shown <= kFewest || shared.fails) return false;
     if (!shared.world) make_shared_world(object, shared);
     if (shared.fails) return false;
     object_ = add_object(object, own);
-    TexturesOfInstance moved(own.to_world);
     const std::uint32_t first_copy = interior_copy_count_;
     interior_copy_count_ += shared.interior_copies;
     std::vector<csg::SurfaceId> surfaces;
     for (const SharedSurface& known : shared.surfaces) {
         Inherited here = own;
-        const auto in_world = [&](const scene::TexturePtr& texture) {
-            return known.own.uv_mapping ? texture : moved(texture);
+        const auto in_world = [&](const PlacedTexture& there) {
+            return known.own.uv_mapping ? there : moved(there.texture, own.to_world);
         };
         if (known.own.texture) here.texture = in_world(known.own.texture);
         if (known.own.interior_texture) here.interior_texture = in_world(known.own.interior_texture);
-        if (known.own.interior) here.legacy_finish = nullptr;
+        if (known.own.interior) here.legacy_finish = {};
         if (known.own.legacy_finish) here.legacy_finish = in_world(known.own.legacy_finish);
         if (known.own.interior) {
-            here.interior = this->moved(known.own.interior, own.to_world);
+            here.interior = moved(known.own.interior, own.to_world);
             here.interior_copy = first_copy + known.own.interior_copy - shared.first_interior_copy;
         }
         if (known.own.hollow) here.hollow = known.own.hollow;
@@ -128,7 +106,7 @@ void GeometryCompiler::make_shared_world(const scene::Object& object, Shared& sh
     if (!shared.fails) shared.world = std::move(world);
 }
 
-csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
+csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std::array<PlacedTexture, 2>& corners,
                                                 bool has_parts)
 {
     sharing_->fails |= has_parts;  // their textures are compiled already, and in one place

@@ -55,9 +55,9 @@ csg::PartId GeometryCompiler::mesh_part(const scene::Mesh& mesh, const Inherited
     if (mesh_is_solid(*mesh.data)) made.inside_vector = mesh.data->inside_vector;
     if (sharing_ != nullptr && own.uv_mapping && !textures_stay) sharing_->fails = true;  // copies move them on
     const auto in_world = [&](const scene::TexturePtr& texture) {
-        return texture && !textures_stay && !clipping_ ? moved(texture, own.to_world) : texture;
+        return texture && !textures_stay && !clipping_ ? moved(texture, own.to_world) : PlacedTexture{texture};
     };
-    std::vector<std::array<scene::TexturePtr, 3>> slots;
+    std::vector<std::array<PlacedTexture, 3>> slots;
     for (const auto& [first, second, third] : shared.slots)
         slots.push_back({in_world(first), in_world(second), in_world(third)});
     Inherited faces = own;
@@ -70,25 +70,25 @@ csg::PartId GeometryCompiler::mesh_part(const scene::Mesh& mesh, const Inherited
 }
 
 /// Whether a mesh and all of its faces are opaque, so that its `interior_texture` lets no light through (spec 3, 13.2).
-bool GeometryCompiler::opaque_mesh(const std::vector<std::array<scene::TexturePtr, 3>>& slots, const Inherited& own)
+bool GeometryCompiler::opaque_mesh(const std::vector<std::array<PlacedTexture, 3>>& slots, const Inherited& own)
 {
     if (!own.interior_texture || clipping_) return false;  // nothing would change
     if (sharing_ != nullptr) {                             // copies may have other textures
         sharing_->fails = true;
         return false;
     }
-    const auto opaque = [&](const scene::TexturePtr& texture) {
+    const auto opaque = [&](const PlacedTexture& texture) {
         const std::uint32_t known = textures_.texture(texture);
         return known == kNone || out_.textures.textures[known].stops_light;
     };
     if (!opaque(own.texture ? own.texture : default_texture_)) return false;
     for (const auto& corners : slots)
-        for (const scene::TexturePtr& texture : corners)
+        for (const PlacedTexture& texture : corners)
             if (texture && !opaque(texture)) return false;
     return true;
 }
 
-csg::SurfaceId GeometryCompiler::mesh_surface(const std::array<scene::TexturePtr, 3>& corners, const Inherited& own)
+csg::SurfaceId GeometryCompiler::mesh_surface(const std::array<PlacedTexture, 3>& corners, const Inherited& own)
 {
     std::array<Inherited, 3> of_corner{own, own, own};
     for (std::size_t k = 0; k < 3; ++k)

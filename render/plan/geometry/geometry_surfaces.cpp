@@ -1,5 +1,4 @@
 #include "render/plan/geometry/geometry.h"
-#include "render/plan/geometry/transform_key.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,11 +14,11 @@ bool carries_legacy_finish(const scene::TexturePtr& texture)
     return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f;
 }
 
-csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<scene::TexturePtr, 2>& corners,
+csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<PlacedTexture, 2>& corners,
                                          const std::vector<std::uint32_t>& parts)
 {
     if (sharing_ != nullptr) return shared_surface(own, corners, !parts.empty());
-    const scene::TexturePtr& texture = own.texture ? own.texture : default_texture_;
+    const PlacedTexture& texture = own.texture ? own.texture : default_texture_;
     Surface s;
     s.texture = textures_.texture(texture);
     s.interior_texture = own.interior_texture ? textures_.texture(own.interior_texture) : kNone;
@@ -56,17 +55,17 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
     return known->second;
 }
 
-std::uint32_t GeometryCompiler::interior(const Inherited& own, const scene::TexturePtr& texture)
+std::uint32_t GeometryCompiler::interior(const Inherited& own, const PlacedTexture& texture)
 {
     std::uint32_t index = kNone;
-    const bool carries = carries_legacy_finish(texture);
-    const scene::Texture* by = carries || !own.legacy_finish ? texture.get() : own.legacy_finish.get();
+    const bool carries = carries_legacy_finish(texture.texture);
+    const PlacedTexture& by = carries || !own.legacy_finish ? texture : own.legacy_finish;
     if (own.interior) {
-        index = interiors_.interior(*own.interior, own.interior_copy, by);
+        index = interiors_.interior(*own.interior, own.interior_copy, by.texture.get());
     } else {
-        const scene::Texture* key = carries || own.legacy_finish ? by : nullptr;
+        const PlacedTexture key = carries || own.legacy_finish ? by : PlacedTexture{};
         const auto known = automatic_interiors_.find(key);
-        index = known != automatic_interiors_.end() ? known->second : interiors_.automatic(by);
+        index = known != automatic_interiors_.end() ? known->second : interiors_.automatic(by.texture.get());
         if (known == automatic_interiors_.end()) automatic_interiors_.emplace(key, index);
     }
     out_.interiors[index].hollow = own.hollow.value_or(false);  // the last one that shares it decides (spec 5a, 10.3)
@@ -81,35 +80,41 @@ std::shared_ptr<const scene::Interior> GeometryCompiler::moved(const std::shared
     if (to_world.identity() ||
         std::none_of(media.begin(), media.end(), [](const auto& one) { return depends_on_place(*one); }))
         return interior;
-    std::vector<MovedInterior>& known = moved_interiors_[key_of(interior.get(), to_world)];
-    for (const MovedInterior& m : known)
-        if (m.from == interior && same(m.by, to_world)) return m.to;
-    auto copy = std::make_shared<scene::Interior>(*interior);
-    copy->transform(to_world);
-    known.push_back({to_world, interior, copy});
-    return copy;
+    std::shared_ptr<const scene::Interior>& known = moved_interiors_(interior.get(), to_world).value;
+    if (!known) {
+        auto copy = std::make_shared<scene::Interior>(*interior);
+        copy->transform(to_world);
+        known = std::move(copy);
+    }
+    return known;
 }
 
 std::uint32_t GeometryCompiler::interior_copy(const scene::Interior& interior, const csg::Transform& to_world)
 {
-    std::vector<InteriorCopy>& known = interior_copies_[key_of(&interior, to_world)];
-    for (const InteriorCopy& copy : known)
-        if (copy.interior == &interior && same(copy.at, to_world)) return copy.number;
-    known.push_back({to_world, &interior, interior_copy_count_});
-    return interior_copy_count_++;
+    std::optional<std::uint32_t>& known = interior_copies_(&interior, to_world).value;
+    if (!known) known = interior_copy_count_++;
+    return *known;
 }
 
 /// The texture in world space; equal for equal transformations, so that copies share it.
-scene::TexturePtr GeometryCompiler::moved(const scene::TexturePtr& texture, const csg::Transform& to_world)
+PlacedTexture GeometryCompiler::moved(const scene::TexturePtr& texture, const csg::Transform& to_world)
 {
-    if (!texture || to_world.identity() || texture->alike_everywhere()) return texture;
-    std::vector<Moved>& known = moved_[key_of(texture.get(), to_world)];
-    for (const Moved& m : known)
-        if (m.from == texture && same(m.by, to_world)) return m.to;
-    auto copy = std::make_shared<scene::Texture>(*texture);
-    copy->transform(to_world);
-    known.push_back({to_world, texture, copy});
-    return copy;
+    if (!texture || to_world.identity() || texture->alike_everywhere()) return {texture};
+    const PlacedTexture placed{texture, &places_(nullptr, to_world).at};
+    if (sharing_ != nullptr) return {written_there(placed)};  // copies move it on
+    return placed;
+}
+
+scene::TexturePtr GeometryCompiler::written_there(const PlacedTexture& placed)
+{
+    if (placed.by == nullptr) return placed.texture;
+    scene::TexturePtr& known = written_[placed];
+    if (!known) {
+        auto copy = std::make_shared<scene::Texture>(*placed.texture);
+        copy->transform(*placed.by);
+        known = std::move(copy);
+    }
+    return known;
 }
 
 }  // namespace plan

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <unordered_map>
 
 /// Keys of things by where they stand, so that copies share what is made of them.
 namespace plan {
@@ -27,5 +28,32 @@ inline std::size_t key_of(const void* thing, const csg::Transform& t)
     add(&t.offset[0], 3);
     return key;
 }
+
+/// What is known of things by where they stand.
+template <class Value>
+class ByPlace {
+public:
+    struct Entry {
+        const void* thing;
+        csg::Transform at;
+        Value value{};
+    };
+    /// The one of equal transformations, which stays where it is; a new one's value is a Value{}.
+    Entry& operator()(const void* thing, const csg::Transform& at)
+    {
+        const std::size_t key = key_of(thing, at);
+        const auto [begin, end] = known_.equal_range(key);
+        for (auto known = begin; known != end; ++known)
+            if (known->second.thing == thing && same(known->second.at, at)) return known->second;
+        return known_.emplace(key, Entry{thing, at})->second;
+    }
+    void clear()
+    {
+        if (!known_.empty()) known_ = {};  // its buckets too, which each clearing goes through
+    }
+
+private:
+    std::unordered_multimap<std::size_t, Entry> known_;
+};
 
 }  // namespace plan

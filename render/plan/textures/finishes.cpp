@@ -6,8 +6,11 @@
 
 namespace plan {
 
-std::uint32_t TextureCompiler::finish(const scene::Finish& from)
+std::uint32_t TextureCompiler::finish(const scene::Shared<scene::Finish>& description)
 {
+    const scene::Finish& from = *description;
+    const auto [known, fresh] = known_finishes_.emplace(&from, static_cast<std::uint32_t>(out_.finishes.size()));
+    if (!fresh) return known->second;
     texture::Finish to;
     if (ambient_) to.ambient = from.ambient * scene_.global.ambient_light;
     else to.ambient = glm::vec3(0);
@@ -48,7 +51,7 @@ std::uint32_t TextureCompiler::finish(const scene::Finish& from)
     }
     extend(from, to);
     out_.finishes.push_back(to);
-    return static_cast<std::uint32_t>(out_.finishes.size() - 1);
+    return known->second;
 }
 
 void TextureCompiler::extend(const scene::Finish& from, texture::Finish& to)

@@ -91,8 +91,8 @@ std::optional<texture::PatternKind> pattern_kind(const std::string& keyword)
     return found == kKinds.end() ? std::nullopt : std::optional(found->second);
 }
 
-texture::Pattern compile_pattern(const scene::Pattern& description, texture::PatternKind kind, int scene_generator,
-                                 std::vector<texture::Warp>& warps)
+texture::Pattern compile_pattern(const scene::Pattern& description, const csg::Transform* by, texture::PatternKind kind,
+                                 int scene_generator, std::vector<texture::Warp>& warps)
 {
     texture::Pattern out;
     out.kind = kind;
@@ -105,7 +105,13 @@ texture::Pattern compile_pattern(const scene::Pattern& description, texture::Pat
     out.folds = out.frequency != 0.0;
     set_numbers(description, out);
     out.first_warp = static_cast<std::uint32_t>(warps.size());
-    for (const scene::WarpStep& step : description.warps) std::visit(CompileWarp{warps}, step);
+    auto step = description.warps.begin();
+    if (by != nullptr) {  // as scene::Pattern::transform puts it there
+        const auto* front = step != description.warps.end() ? std::get_if<csg::Transform>(&*step) : nullptr;
+        CompileWarp{warps}(front != nullptr ? *by * *front : *by);
+        if (front != nullptr) ++step;
+    }
+    for (; step != description.warps.end(); ++step) std::visit(CompileWarp{warps}, *step);
     out.warp_count = static_cast<std::uint32_t>(warps.size()) - out.first_warp;
     if (description.turbulence) {
         out.has_turbulence = true;

@@ -12,7 +12,7 @@ std::optional<texture::PatternKind> pattern_kind(const std::string& keyword);
 
 /// Modifiers and parameters in the precision that POV-Ray keeps them in (spec 4, 1.2). Warps are appended to `warps`.
 /// `scene_generator` stands in for a pattern without its own.
-texture::Pattern compile_pattern(const scene::Pattern& description, texture::PatternKind kind, int scene_generator,
-                                 std::vector<texture::Warp>& warps);
+texture::Pattern compile_pattern(const scene::Pattern& description, const csg::Transform* by, texture::PatternKind kind,
+                                 int scene_generator, std::vector<texture::Warp>& warps);
 
 }  // namespace plan

@@ -8,6 +8,8 @@
 #include "render/texture/noise/noise.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace plan {
 namespace {
@@ -15,6 +17,12 @@ namespace {
 constexpr int kLegacyVersion = 370;  // formulas of before hold below it
 
 std::uint32_t count_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& all, std::size_t first, std::size_t count)
+{
+    return {reinterpret_cast<const char*>(all.data() + first), count * sizeof(T)};
+}
 
 }  // namespace
 
@@ -39,24 +47,44 @@ void TextureCompiler::note(const std::string& what, const scene::SourceRef& sour
     notes_.push_back({what, source});
 }
 
-std::uint32_t TextureCompiler::reserve_map(std::size_t count)
+std::uint32_t TextureCompiler::keep_map(const std::vector<MapEntry>& entries)
 {
-    const std::uint32_t first = count_of(out_.keys.size());
-    out_.keys.resize(first + count);
-    out_.colors.resize(first + count);
-    out_.children.resize(first + count, texture::kNone);
-    out_.slopes.resize(first + count);
-    return first;
+    const std::size_t first = out_.keys.size(), count = entries.size();
+    for (const MapEntry& entry : entries) {
+        out_.keys.push_back(entry.key);
+        out_.colors.push_back(entry.color);
+        out_.children.push_back(entry.child);
+        out_.slopes.push_back(entry.slope);
+    }
+    const auto bytes = [&](std::size_t from) {
+        return std::array{bytes_of(out_.keys, from, count), bytes_of(out_.colors, from, count),
+                          bytes_of(out_.children, from, count), bytes_of(out_.slopes, from, count)};
+    };
+    const auto written = bytes(first);
+    std::size_t hash = 0;
+    for (const std::string_view part : written) hash = 31 * hash + std::hash<std::string_view>()(part);
+    const auto [begin, end] = known_maps_.equal_range(hash);
+    for (auto known = begin; known != end; ++known) {
+        const auto [at, length] = known->second;
+        if (length != count || bytes(at) != written) continue;
+        out_.keys.resize(first);
+        out_.colors.resize(first);
+        out_.children.resize(first);
+        out_.slopes.resize(first);
+        return at;
+    }
+    known_maps_.emplace(hash, std::pair(count_of(first), count_of(count)));
+    return count_of(first);
 }
 
-std::uint32_t TextureCompiler::pattern(const scene::Pattern& description)
+std::uint32_t TextureCompiler::pattern(const scene::Pattern& description, const csg::Transform* by)
 {
     const auto kind = pattern_kind(description.name);
     if (!kind) return texture::kNone;
-    texture::Pattern compiled = compile_pattern(description, *kind, scene_.global.noise_generator, out_.warps);
+    texture::Pattern compiled = compile_pattern(description, by, *kind, scene_.global.noise_generator, out_.warps);
     if (*kind == texture::PatternKind::PigmentPattern) {
         if (!description.pigment) return texture::kNone;
-        compiled.pigment = pigment(*description.pigment);
+        compiled.pigment = part(description.pigment);
     }
     if (*kind == texture::PatternKind::Function) {
         compiled.function = description.function ? function(description.function) : texture::kNone;
@@ -90,7 +118,7 @@ std::uint32_t TextureCompiler::function(const function::FunctionPtr& description
     return index;
 }
 
-std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)
+std::uint32_t TextureCompiler::pigment(const scene::Pigment& description, const csg::Transform* by)
 {
     // A quick colour with a component of exactly -1 counts as not given (spec 3, 16).
     const auto& quick = description.quick_color;
@@ -99,16 +127,49 @@ std::uint32_t TextureCompiler::pigment(const scene::Pigment& description)
     } else if (const auto* color = std::get_if<scene::Color>(&description.kind)) {
         out_.pigments.push_back({texture::Pigment::Kind::Solid, *color});
     } else {
-        return pigment_map(*std::get<scene::Shared<scene::PatternedPigment>>(description.kind));
+        return pigment_map(*std::get<scene::Shared<scene::PatternedPigment>>(description.kind), by);
     }
     return count_of(out_.pigments.size() - 1);
 }
 
-std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& description)
+std::uint32_t TextureCompiler::part(const scene::PigmentPtr& description)
+{
+    if (const auto known = known_pigments_.find(description); known != known_pigments_.end()) return known->second;
+    const std::uint32_t index = pigment(*description);
+    known_pigments_.emplace(description, index);
+    return index;
+}
+
+std::uint32_t TextureCompiler::part(const scene::NormalPtr& description, bool no_bump_scale)
+{
+    const std::pair key(description, no_bump_scale);
+    if (const auto known = known_normals_.find(key); known != known_normals_.end()) return known->second;
+    const std::uint32_t index = normal(*description, no_bump_scale);
+    known_normals_.emplace(key, index);
+    return index;
+}
+
+std::vector<TextureCompiler::MapEntry> TextureCompiler::entries_of(const scene::ColorMap& map)
+{
+    std::vector<MapEntry> entries;
+    for (const auto& entry : map) entries.push_back({static_cast<float>(entry.key), entry.value});
+    return entries;
+}
+
+template <class Part, class Compile>
+std::vector<TextureCompiler::MapEntry> TextureCompiler::entries_of(const std::vector<scene::MapEntry<Part>>& map,
+                                                                   Compile&& compile)
+{
+    std::vector<MapEntry> entries;
+    for (const auto& entry : map) entries.push_back({static_cast<float>(entry.key), {}, compile(entry.value)});
+    return entries;
+}
+
+std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& description, const csg::Transform* by)
 {
     using Kind = texture::Pigment::Kind;
     texture::Pigment out;
-    out.pattern = pattern(description.pattern);
+    out.pattern = pattern(description.pattern, by);
     if (description.pattern.name == "image_map") {
         out.kind = Kind::Image;
         out_.pigments.push_back(out);
@@ -116,20 +177,12 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
     }
     const auto* colors = std::get_if<scene::ColorMap>(&description.map);
     const auto* pigments = std::get_if<scene::PigmentMap>(&description.map);
-    out.count = count_of(colors ? colors->size() : pigments->size());
-    out.first = reserve_map(out.count);
+    const std::vector<MapEntry> entries =
+        colors ? entries_of(*colors)
+               : entries_of(*pigments, [this](const scene::PigmentPtr& entry) { return part(entry); });
+    out.count = count_of(entries.size());
+    out.first = keep_map(entries);
     out.kind = colors ? Kind::ColorMap : Kind::PigmentMap;
-    for (std::uint32_t i = 0; i < out.count; ++i) {
-        const std::uint32_t at = out.first + i;
-        if (colors) {
-            out_.keys[at] = static_cast<float>((*colors)[i].key);
-            out_.colors[at] = (*colors)[i].value;
-        } else {
-            out_.keys[at] = static_cast<float>((*pigments)[i].key);
-            const std::uint32_t child = pigment(*(*pigments)[i].value);
-            out_.children[at] = child;
-        }
-    }
     if (out.count == 0) {
         out = {};
     } else if (out.pattern == texture::kNone) {
@@ -149,22 +202,17 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
 
 std::uint32_t TextureCompiler::color_map(const scene::ColorMap& description)
 {
-    const std::uint32_t first = reserve_map(description.size());
-    for (std::uint32_t i = 0; i < description.size(); ++i) {
-        out_.keys[first + i] = static_cast<float>(description[i].key);
-        out_.colors[first + i] = description[i].value;
-    }
-    return first;
+    return keep_map(entries_of(description));
 }
 
-std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_bump_scale)
+std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_bump_scale, const csg::Transform* by)
 {
     using Map = texture::Normal::Map;
     texture::Normal out;
     out.no_bump_scale = description.no_bump_scale || no_bump_scale;
     out.amount = csg::single(description.amount);
     out.accuracy = csg::single(description.accuracy);
-    out.pattern = pattern(description.pattern);
+    out.pattern = pattern(description.pattern, by);
     if (out.pattern == texture::kNone) {
         if (!description.pattern.name.empty())
             note("normal '" + description.pattern.name + "'", description.pattern.source);
@@ -175,22 +223,19 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
         out.map = kind == texture::PatternKind::Average ? Map::Average
                   : kind == texture::PatternKind::Uv    ? Map::Uv
                                                         : Map::Normals;
-        out.count = count_of(map->size());
-        out.first = reserve_map(out.count);
-        for (std::uint32_t i = 0; i < out.count; ++i) {
-            out_.keys[out.first + i] = static_cast<float>((*map)[i].key);
-            const std::uint32_t child = normal(*(*map)[i].value, out.no_bump_scale);
-            if (child == texture::kNone) return texture::kNone;  // noted where it was found
-            out_.children[out.first + i] = child;
-        }
+        const std::vector<MapEntry> entries =
+            entries_of(*map, [&](const scene::NormalPtr& entry) { return part(entry, out.no_bump_scale); });
+        for (const MapEntry& entry : entries)
+            if (entry.child == texture::kNone) return texture::kNone;  // noted where it was found
+        out.count = count_of(entries.size());
+        out.first = keep_map(entries);
     } else if (const auto* slopes = std::get_if<std::vector<scene::MapEntry<glm::dvec2>>>(&description.map)) {
         out.map = Map::Slopes;
-        out.count = count_of(slopes->size());
-        out.first = reserve_map(out.count);
-        for (std::uint32_t i = 0; i < out.count; ++i) {
-            out_.keys[out.first + i] = static_cast<float>((*slopes)[i].key);
-            out_.slopes[out.first + i] = (*slopes)[i].value;
-        }
+        std::vector<MapEntry> entries;
+        for (const auto& [key, value] : *slopes)
+            entries.push_back({static_cast<float>(key), {}, texture::kNone, value});
+        out.count = count_of(entries.size());
+        out.first = keep_map(entries);
     }
     if (description.pattern.name == "bump_map") out.map = Map::Image;
     else if (out.map != Map::None && out.count == 0) return texture::kNone;
@@ -198,7 +243,7 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
     return count_of(out_.normals.size() - 1);
 }
 
-std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& description)
+std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& description, const csg::Transform* by)
 {
     texture::Texture out;
     std::vector<texture::Layer> compiled;
@@ -207,9 +252,9 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
     out.lit = false;
     for (const scene::Layer& from : description) {
         texture::Layer to;
-        to.pigment = pigment(from.pigment);
-        if (from.normal && quality_.normals) to.normal = normal(*from.normal, false);
-        to.finish = finish(*from.finish);
+        to.pigment = pigment(from.pigment, by);
+        if (from.normal && quality_.normals) to.normal = normal(*from.normal, false, by);
+        to.finish = finish(from.finish);
         out.opaque = out.opaque || pigment_opaque(to.pigment);
         const bool clear = lets_light_through(from.pigment);  // asked of each layer: it remembers what it finds
         out.stops_light = out.stops_light || out.opaque || !clear;
@@ -225,22 +270,18 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
     return count_of(out_.textures.size() - 1);
 }
 
-std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& description)
+std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& description, const csg::Transform* by)
 {
     using Kind = texture::Texture::Kind;
     texture::Texture out;
     out.kind = Kind::Map;
     out.opaque = out.stops_light = false;  // never classified opaque (spec 3, 13.2)
     out.no_bump_scale = description.no_bump_scale;
-    out.pattern = pattern(description.pattern);
+    out.pattern = pattern(description.pattern, by);
     out.count = count_of(description.map.size());
     if (out.count == 0) return texture::kNone;
-    out.first = reserve_map(out.count);
-    for (std::uint32_t i = 0; i < out.count; ++i) {
-        out_.keys[out.first + i] = static_cast<float>(description.map[i].key);
-        const std::uint32_t child = texture(description.map[i].value);
-        out_.children[out.first + i] = child;
-    }
+    out.first =
+        keep_map(entries_of(description.map, [this](const scene::TexturePtr& entry) { return texture({entry}); }));
     if (out.pattern == texture::kNone) {
         note("pattern '" + description.pattern.name + "' of a texture (its first entry is shown)",
              description.pattern.source);
@@ -254,16 +295,16 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     return count_of(out_.textures.size() - 1);
 }
 
-std::uint32_t TextureCompiler::texture(const scene::TexturePtr& description)
+std::uint32_t TextureCompiler::texture(const PlacedTexture& placed)
 {
-    if (!description) return texture::kNone;
-    const auto known = known_.find(description.get());
+    if (!placed) return texture::kNone;
+    const auto known = known_.find(placed);
     if (known != known_.end()) return known->second;
-    const auto* plain = std::get_if<std::vector<scene::Layer>>(&description->kind);
-    const std::uint32_t index = plain ? layers(*plain)
-                                      : patterned(*std::get<scene::Shared<scene::PatternedTexture>>(description->kind));
-    known_.emplace(description.get(), index);
-    alive_.push_back(description);
+    const auto* plain = std::get_if<std::vector<scene::Layer>>(&placed.texture->kind);
+    const std::uint32_t index =
+        plain ? layers(*plain, placed.by)
+              : patterned(*std::get<scene::Shared<scene::PatternedTexture>>(placed.texture->kind), placed.by);
+    known_.emplace(placed, index);
     return index;
 }
 

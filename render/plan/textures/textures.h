@@ -5,10 +5,21 @@
 #include "render/texture/sky.h"
 #include "render/texture/texture_set.h"
 
+#include <compare>
+#include <map>
 #include <string>
 #include <unordered_map>
 
 namespace plan {
+
+/// A texture of the text and where it stands. Few textures differ from each other by more than that, and a copy of the
+/// text for each takes more room than what is made of it.
+struct PlacedTexture {
+    scene::TexturePtr texture;
+    const csg::Transform* by = nullptr;  ///< moves it there; null: as written. Of equal ones one is named
+    explicit operator bool() const { return texture != nullptr; }
+    friend auto operator<=>(const PlacedTexture&, const PlacedTexture&) = default;
+};
 
 /// Turns descriptions of textures into the flat set, each shared description once.
 class TextureCompiler {
@@ -18,27 +29,40 @@ public:
                     std::vector<scene::Unsupported>& notes);
 
     /// Index into TextureSet::textures, or texture::kNone for a null pointer.
-    std::uint32_t texture(const scene::TexturePtr& description);
-    /// Index into TextureSet::pigments.
-    std::uint32_t pigment(const scene::Pigment& description);
+    std::uint32_t texture(const PlacedTexture& placed);
+    /// Index into TextureSet::pigments. by: see PlacedTexture, also below.
+    std::uint32_t pigment(const scene::Pigment& description, const csg::Transform* by = nullptr);
     /// First of the map's entries in TextureSet::keys and colors.
     std::uint32_t color_map(const scene::ColorMap& description);
     /// Index into TextureSet::normals; texture::kNone if it cannot be evaluated (noted).
-    std::uint32_t normal(const scene::Normal& description, bool no_bump_scale);
+    std::uint32_t normal(const scene::Normal& description, bool no_bump_scale, const csg::Transform* by = nullptr);
     /// Index into TextureSet::functions; texture::kNone if it needs a pattern that cannot be evaluated (noted).
     std::uint32_t function(const function::FunctionPtr& description);
 
 private:
-    std::uint32_t compile(const scene::Texture& description);
-    std::uint32_t layers(const std::vector<scene::Layer>& description);
-    std::uint32_t patterned(const scene::PatternedTexture& description);
-    std::uint32_t pigment_map(const scene::PatternedPigment& description);
+    struct MapEntry {
+        float key = 0;
+        scene::Color color;
+        std::uint32_t child = texture::kNone;
+        glm::dvec2 slope{0};
+    };
+    static std::vector<MapEntry> entries_of(const scene::ColorMap& map);
+    template <class Part, class Compile>
+    static std::vector<MapEntry> entries_of(const std::vector<scene::MapEntry<Part>>& map, Compile&& compile);
+    /// First of the entries in the set, where equal maps share theirs.
+    std::uint32_t keep_map(const std::vector<MapEntry>& entries);
+    /// A pigment or a normal inside of another: all that use a declared one share it, wherever they stand, for what is
+    /// moved is the outer one's pattern.
+    std::uint32_t part(const scene::PigmentPtr& description);
+    std::uint32_t part(const scene::NormalPtr& description, bool no_bump_scale);
+    std::uint32_t layers(const std::vector<scene::Layer>& description, const csg::Transform* by);
+    std::uint32_t patterned(const scene::PatternedTexture& description, const csg::Transform* by);
+    std::uint32_t pigment_map(const scene::PatternedPigment& description, const csg::Transform* by);
     void extend(const scene::Finish& from, texture::Finish& to);
-    std::uint32_t finish(const scene::Finish& description);
-    std::uint32_t pattern(const scene::Pattern& description);
+    std::uint32_t finish(const scene::Shared<scene::Finish>& description);
+    std::uint32_t pattern(const scene::Pattern& description, const csg::Transform* by = nullptr);
     /// Index of what the pattern looks its value up in; texture::kNone for those that look nothing up.
     std::uint32_t pattern_data(const scene::Pattern& description, texture::PatternKind kind);
-    std::uint32_t reserve_map(std::size_t count);
     void note(const std::string& what, const scene::SourceRef& source);
     bool pigment_opaque(std::uint32_t index) const;
     /// By POV-Ray's judgement (shadow_opacity.cpp), which changes from one question to the next.
@@ -52,11 +76,20 @@ private:
     bool ambient_;  ///< finishes have theirs: radiosity takes its place since 3.7 (spec 6, 4.2)
     texture::TextureSet& out_;
     std::vector<scene::Unsupported>& notes_;
-    std::unordered_map<const scene::Texture*, std::uint32_t> known_;
+    struct HashOfPlaced {
+        std::size_t operator()(const PlacedTexture& t) const
+        {
+            return std::hash<scene::TexturePtr>()(t.texture) ^ 0x9e3779b97f4a7c15u * std::hash<const void*>()(t.by);
+        }
+    };
+    std::unordered_map<PlacedTexture, std::uint32_t, HashOfPlaced> known_;
+    std::unordered_map<scene::PigmentPtr, std::uint32_t> known_pigments_;       ///< inside of others
+    std::map<std::pair<scene::NormalPtr, bool>, std::uint32_t> known_normals_;  ///< the same
+    std::unordered_map<const scene::Finish*, std::uint32_t> known_finishes_;    ///< of textures in known_
+    std::unordered_multimap<std::size_t, std::pair<std::uint32_t, std::uint32_t>> known_maps_;  ///< to first, count
     std::unordered_map<function::FunctionPtr, std::uint32_t> known_functions_;
     std::unordered_map<std::shared_ptr<const void>, std::uint32_t> known_data_;
     std::unordered_map<const scene::Pigment*, bool> judged_;  ///< entries of maps: whether they let light through
-    std::vector<scene::TexturePtr> alive_;  ///< keeps the keys of known_ and judged_ from being reused
 };
 
 /// alpha_output: the picture is written with an alpha channel (+UA).

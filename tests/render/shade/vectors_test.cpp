@@ -52,7 +52,7 @@ texture::Pattern compiled(const scene::Pattern& description, texture::TextureSet
 {
     const auto kind = plan::pattern_kind(description.name.empty() ? "bozo" : description.name);
     REQUIRE(kind);
-    return plan::compile_pattern(description, *kind, 2, set.warps);
+    return plan::compile_pattern(description, nullptr, *kind, 2, set.warps);
 }
 
 }  // namespace
