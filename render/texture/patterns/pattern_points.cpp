@@ -227,6 +227,9 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Onion: return onion_values(p, out);
     case PatternKind::Function: return function_values(set, pattern, p, out);
     case PatternKind::PigmentPattern: return grey_values(set, pattern, p, around, out);
+    case PatternKind::Leopard: return leopard_values(p, out);
+    case PatternKind::Ripples: return ripples_values(set, pattern, p, out);
+    case PatternKind::Waves: return waves_values(set, pattern, p, out);
     case PatternKind::Crackle: return crackle_values(pattern, p, out);
     case PatternKind::Mandel:
     case PatternKind::Julia: return power_set_values(pattern, p, out);

@@ -52,6 +52,10 @@ double cells(const glm::dvec3& p);
 double quilted(const Pattern& pattern, const glm::dvec3& p);
 double ripples(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p);
 double waves(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p);
+/// The same of each point; padded.
+void leopard_values(const Points& p, Values& out);
+void ripples_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out);
+void waves_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out);
 double aoi(const Surroundings& around);
 double slope(const Pattern& pattern, const glm::dvec3& p, const Surroundings& around);
 

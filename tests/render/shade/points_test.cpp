@@ -15,16 +15,22 @@ namespace {
 Pattern random_pattern(Rng& rng, TextureSet& set)
 {
     using K = PatternKind;
-    constexpr std::array kKinds{K::Bozo,   K::Dents,       K::Granite, K::Wrinkles,      K::Agate,   K::Marble,
-                                K::Wood,   K::Crackle,     K::Crackle, K::Mandel,        K::Julia,   K::Gradient,
-                                K::Planar, K::Cylindrical, K::Checker, K::Leopard,       K::Spiral1, K::Cells,
-                                K::Square, K::Brick,       K::Onion,   K::PigmentPattern};
+    constexpr std::array kKinds{K::Bozo,   K::Dents,       K::Granite, K::Wrinkles,       K::Agate,   K::Marble,
+                                K::Wood,   K::Crackle,     K::Crackle, K::Mandel,         K::Julia,   K::Gradient,
+                                K::Planar, K::Cylindrical, K::Checker, K::Leopard,        K::Spiral1, K::Cells,
+                                K::Square, K::Brick,       K::Onion,   K::PigmentPattern, K::Ripples, K::Waves};
     constexpr std::array kMetrics{2.0, 2.0, 1.0, 3.0, 1.5, 0.7, 130.0};
     Pattern p;
     p.kind = kKinds[static_cast<std::size_t>(rng.below(kKinds.size()))];
     if (p.kind == K::PigmentPattern) {
         if (set.pigments.empty()) p.kind = K::Onion;
         else p.pigment = static_cast<std::uint32_t>(rng.below(static_cast<int>(set.pigments.size())));
+    }
+    if (set.wave_sources.empty()) {
+        constexpr int kSources = 5;
+        set.wave_sources.resize(kSources);
+        set.wave_frequencies.resize(kSources);
+        wave_sources(kSources, set.wave_sources.data(), set.wave_frequencies.data());
     }
     p.noise_generator = static_cast<std::uint8_t>(1 + rng.below(3));
     p.wave = static_cast<scene::WaveForm>(rng.below(5));
@@ -48,13 +54,18 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
     else p.numbers = {rng.uniform(0.0, 2.0)};
     p.first_warp = static_cast<std::uint32_t>(set.warps.size());
     p.warp_count = static_cast<std::uint32_t>(rng.below(3));
-    for (std::uint32_t i = 0; i < p.warp_count; ++i) switch (rng.below(3)) {
+    for (std::uint32_t i = 0; i < p.warp_count; ++i) switch (rng.below(4)) {
         case 0:
             set.warps.push_back(Affine{glm::dmat3(rng.vector(1.0), rng.vector(1.0), rng.vector(1.0)), rng.vector(1.0)});
             break;
         case 1:
             set.warps.push_back(
                 scene::Turbulence{rng.flip() ? glm::dvec3(0, 0.5, 0) : rng.vector(1.0), 1 + rng.below(6)});
+            break;
+        case 2:
+            set.warps.push_back(scene::BlackHoleWarp{rng.vector(1.0), rng.uniform(0.1, 3.0), rng.uniform(0.5, 2.0),
+                                                     rng.uniform(0.5, 2.0), rng.flip(),
+                                                     rng.flip() ? glm::dvec3(0) : glm::dvec3(0.0, 2.0, 1.5)});
             break;
         default: set.warps.push_back(scene::RepeatWarp{{0, 1.5, 0}, {0.3, 0, 0}, {0, 1, 0}});
         }
