@@ -31,12 +31,15 @@ struct Polynomial {
         if (!(length > 0.0)) return;
         const glm::dvec3 d = given.direction / length;
         const double shift = -glm::dot(given.origin, d);  // start near the frame's origin
-        PolynomialShape::Along c{};
         const glm::dvec3 p = given.origin + shift * d;
+        double lo = -kInfinity, hi = kInfinity;
+        shape->clip(p, d, lo, hi);
+        if (!(lo < hi)) return;
+        PolynomialShape::Along c;
         shape->along(p, d, c);
         const int degree = shape->degree_along(p, d, c);
         double roots[PolynomialShape::kMostDegree];
-        const int count = degree > 0 ? sign_changes(c, degree, roots) : 0;
+        const int count = shape->changes(c, degree, lo, hi, roots);
         const double last = c[static_cast<std::size_t>(degree)];
         bool inside = degree % 2 == 0 ? last <= 0.0 : last > 0.0;  // where t goes to minus infinity
         double in = -kInfinity;

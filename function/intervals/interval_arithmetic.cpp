@@ -92,8 +92,9 @@ Interval absolute(const Interval& a)
 
 Interval widened(double low, double high)
 {
-    if (std::isnan(low) || std::isnan(high)) return Interval::everything();
-    return {low - (std::abs(low) * kRelative + kAbsolute), high + (std::abs(high) * kRelative + kAbsolute)};
+    // Of an end that is infinite on the wrong side nothing is left, as of what is no number.
+    const double l = low - (std::abs(low) * kRelative + kAbsolute), h = high + (std::abs(high) * kRelative + kAbsolute);
+    return std::isnan(l) || std::isnan(h) ? Interval::everything() : Interval{l, h};
 }
 
 Interval operator+(const Interval& a, const Interval& b) { return widened(a.low + b.low, a.high + b.high); }

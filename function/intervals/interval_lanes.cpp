@@ -5,6 +5,8 @@
 #include "function/intervals/interval_rules.h"
 #include "function/intervals/shape_ends.h"
 #include "function/lone_internal.h"
+#include "numbers/functions/lane_functions.h"
+#include "numbers/lane_arithmetic.h"
 
 #include <numbers>
 
@@ -108,6 +110,17 @@ EightIntervals modulo(const EightIntervals& a, const EightIntervals& b)
     return batchwise(a, a, [&](const Ends& x, const Ends&) { return modulo(x, divisor); });
 }
 
+/// f grows with its argument on [from, to]; outside it has no value.
+template <class F>
+EightIntervals growing(const EightIntervals& a, F&& f, double from = -kInf, double to = kInf)
+{
+    return batchwise(a, a, [&](const Ends& x, const Ends&) {
+        const Batch least(from), most(to);
+        const Ends w = widened(f(csg::lanes::larger(x.low, least)), f(csg::lanes::smaller(x.high, most)));
+        return or_all((x.high < least) | (x.low > most), -kInf, kInf, w);
+    });
+}
+
 template <>
 struct Rules<EightIntervals> {
     static EightIntervals constant(double c) { return c; }
@@ -130,6 +143,7 @@ struct Rules<EightIntervals> {
         else return each_lane([&](std::size_t i) { return interval_binary(op, a.lane(i), b.lane(i)); });
     }
 
+#define OF_BATCH(name) [](const Batch& v) { return numbers::name(v); }
     template <Op op>
     static EightIntervals unary(const EightIntervals& a)
     {
@@ -142,8 +156,23 @@ struct Rules<EightIntervals> {
         else if constexpr (op == Op::Sin || op == Op::Cos)
             return batchwise(
                 a, a, [](const Ends& x, const Ends&) { return sine(x, op == Op::Sin ? 0.0 : std::numbers::pi / 2); });
+        else if constexpr (op == Op::Cosh)
+            return batchwise(a, a, [](const Ends& x, const Ends&) {
+                const Ends s = absolute(x);
+                return widened(numbers::cosh(s.low), numbers::cosh(s.high));
+            });
+        else if constexpr (op == Op::Ln) return growing(a, OF_BATCH(log), 0.0);
+        else if constexpr (op == Op::Log) return growing(a, OF_BATCH(log10), 0.0);
+        else if constexpr (op == Op::Acosh) return growing(a, OF_BATCH(acosh), 1.0);
+        else if constexpr (op == Op::Asin) return growing(a, OF_BATCH(asin), -1.0, 1.0);
+        else if constexpr (op == Op::Atanh) return growing(a, OF_BATCH(atanh), -1.0, 1.0);
+        else if constexpr (op == Op::Asinh) return growing(a, OF_BATCH(asinh));
+        else if constexpr (op == Op::Atan) return growing(a, OF_BATCH(atan));
+        else if constexpr (op == Op::Sinh) return growing(a, OF_BATCH(sinh));
+        else if constexpr (op == Op::Tanh) return growing(a, OF_BATCH(tanh));
         else return each_lane([&](std::size_t i) { return interval_unary(op, a.lane(i)); });
     }
+#undef OF_BATCH
 
     /// Every branch that can be taken, lane by lane.
     static void select(Machine<EightIntervals>& m, const Branching& b, std::uint32_t dst)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "numbers/functions/tables.h"
 
 /// Exponential and hyperbolic functions: e^x is 2^(k / 128) of a table times e^r of an r below 0.003.
@@ -86,17 +87,23 @@ inline Pair<V> power_of_e(const V& x)
 {
     return quick_pair(exponential_of(x, V(0.0)));
 }
+/// Both share the exponentials.
+template <class V>
+inline SineAndCosine<V> quick_hyperbolic(const V& x)
+{
+    const V a = size_of(x);
+    const Pair<V> up = power_of_e(a), down = power_of_e(V(0.0) - a);
+    return {signed_as(V(0.5) * twice_sinh(a, up, down).high, x), V(0.5) * twice_cosh(up, down).high};
+}
 template <class V>
 inline V quick_sinh(const V& x)
 {
-    const V a = size_of(x);
-    return signed_as(V(0.5) * twice_sinh(a, power_of_e(a), power_of_e(V(0.0) - a)).high, x);
+    return quick_hyperbolic(x).sine;
 }
 template <class V>
 inline V quick_cosh(const V& x)
 {
-    const V a = size_of(x);
-    return V(0.5) * twice_cosh(power_of_e(a), power_of_e(V(0.0) - a)).high;
+    return quick_hyperbolic(x).cosine;
 }
 template <class V>
 inline V quick_tanh(const V& x)

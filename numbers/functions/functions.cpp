@@ -59,6 +59,13 @@ double special_power(double x, double y)
 {
     return of_angle(x, [&](const Turned<double>& of) { return quick_cosine(of); });
 }
+[[gnu::flatten]] SineAndCosine<double> sine_and_cosine(double x)
+{
+    if (!(std::abs(x) < kMostQuickAngle)) [[unlikely]]
+        return {sin(x), cos(x)};
+    const Turned<double> of = turned(x);
+    return {quick_sine(x, of), quick_cosine(of)};
+}
 [[gnu::flatten]] double tan(double x)
 {
     return of_angle(x, [&](const Turned<double>& of) { return quick_tangent(x, of); });
@@ -151,6 +158,12 @@ double half_exponential(double size)
     if (std::abs(x) < kMostQuickExponent) [[likely]]
         return quick_cosh(x);
     return std::isnan(x) ? x : half_exponential(std::abs(x));
+}
+[[gnu::flatten]] SineAndCosine<double> hyperbolic(double x)
+{
+    if (std::abs(x) < kMostQuickExponent) [[likely]]
+        return quick_hyperbolic(x);
+    return {sinh(x), cosh(x)};
 }
 [[gnu::flatten]] double tanh(double x) { return std::isnan(x) ? x : quick_tanh(x); }
 

@@ -28,6 +28,14 @@ double hypot(double x, double y);
 
 double hypot(double x, double y, double z);
 
+/// Of one number, or the hyperbolic ones: together they take little longer than one.
+template <class V>
+struct SineAndCosine {
+    V sine, cosine;
+};
+SineAndCosine<double> sine_and_cosine(double x);
+SineAndCosine<double> hyperbolic(double x);
+
 float exp(float x);
 float pow(float x, float y);
 float hypot(float x, float y);

@@ -111,4 +111,22 @@ auto smaller_than(const Double& v, double limit) { return xsimd::abs(v) < Double
     return completed(quick_atanh(x), smaller_than(x, 1.0), OF_ONE(atanh), x);
 }
 
+[[gnu::flatten]] Double hypot(const Double& x, const Double& y)
+{
+    const Double a = size_of(x), b = size_of(y);
+    return completed(quick_hypot(a, b), in_quick_range(a) & in_quick_range(b), OF_ONE(hypot), x, y);
+}
+[[gnu::flatten]] SineAndCosine<Double> sine_and_cosine(const Double& x)
+{
+    const Turned<Double> of = turned(x);
+    const auto plain = smaller_than(x, kMostQuickAngle);
+    return {completed(quick_sine(x, of), plain, OF_ONE(sin), x), completed(quick_cosine(of), plain, OF_ONE(cos), x)};
+}
+[[gnu::flatten]] SineAndCosine<Double> hyperbolic(const Double& x)
+{
+    const SineAndCosine<Double> of = quick_hyperbolic(x);
+    const auto plain = smaller_than(x, kMostQuickExponent);
+    return {completed(of.sine, plain, OF_ONE(sinh), x), completed(of.cosine, plain, OF_ONE(cosh), x)};
+}
+
 }  // namespace numbers

@@ -25,5 +25,8 @@ Double tanh(const Double& x);
 Double asinh(const Double& x);
 Double acosh(const Double& x);
 Double atanh(const Double& x);
+Double hypot(const Double& x, const Double& y);
+SineAndCosine<Double> sine_and_cosine(const Double& x);
+SineAndCosine<Double> hyperbolic(const Double& x);
 
 }  // namespace numbers

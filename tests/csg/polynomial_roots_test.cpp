@@ -1,4 +1,5 @@
 #include "csg/freeform/shared/bernstein.h"
+#include "csg/solids/shared/polynomial_between.h"
 #include "numbers/polynomial_roots.h"
 #include "numbers/safeguarded_newton.h"
 #include "tests/csg/degrees.h"
@@ -84,6 +85,61 @@ TEST_CASE("sign changes are the roots that were multiplied out", "[csg][polynomi
         for (int i = 0; i < count; ++i)
             REQUIRE(std::abs(found[i] - known.roots[static_cast<std::size_t>(i)]) < slack * known.scale);
     });
+}
+
+TEST_CASE("sign changes in a range that holds them all are those that turning points tell", "[csg][polynomial]")
+{
+    int unsure = 0, sure = 0, none = 0;
+    csg_test::each_degree(5, 15, 2000, [&](int degree, Rng& rng) {
+        const Known known = known_roots(rng, degree);
+        double wanted[PolynomialShape::kMostDegree], found[PolynomialShape::kMostDegree];
+        const int all = sign_changes(known.c, degree, wanted);
+        double lo = -detail::root_bound(known.c, degree), hi = -lo;
+        if (rng.coin()) {
+            const double middle = all == 0 ? known.scale * rng.uniform(-5, 5) : 0.0;
+            lo = (all == 0 ? middle : wanted[0]) - known.scale * rng.uniform(0.01, 2.0);
+            hi = (all == 0 ? middle : wanted[all - 1]) + known.scale * rng.uniform(0.01, 2.0);
+        }
+        const int count = sign_changes_between(known.c, degree, lo, hi, found);
+        if (count == kUnsureChanges) {
+            ++unsure;
+            return;
+        }
+        ++sure;
+        none += all == 0 ? 1 : 0;
+        REQUIRE(count == all);
+        for (int i = 0; i < count; ++i) {
+            // As near to 0 as rounding lets it be known; how far that is along t is another question.
+            double value = 0.0, size = 0.0;
+            for (int k = degree; k >= 0; --k) {
+                value = value * found[i] + known.c[static_cast<std::size_t>(k)];
+                size = size * std::abs(found[i]) + std::abs(known.c[static_cast<std::size_t>(k)]);
+            }
+            REQUIRE(std::abs(value) <= 4 * degree * 0x1p-53 * size);
+            REQUIRE(std::abs(found[i] - wanted[i]) < 0.05 * known.scale);
+        }
+    });
+    INFO("unsure " << unsure << ", sure " << sure << ", without roots " << none);
+    CHECK(sure > 8'000);  // of 22,000: high degrees so far from 0 lose most of their digits
+    CHECK(none > 1'000);
+}
+
+TEST_CASE("two roots that are nearly one are left to turning points", "[csg][polynomial]")
+{
+    for (std::uint32_t seed = 0; seed < 500; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        // (t - x)^2 times what has no real root.
+        Product product;
+        const double x = rng.uniform(-0.9, 0.9);
+        product.pair(x, rng.coin() ? 0.0 : 1e-9);
+        for (int i = rng.below(4) + 2; i > 0; --i) product.pair(rng.uniform(-1.0, 1.0), rng.uniform(0.5, 1.0));
+        const PolynomialShape::Along c = product.rounded();
+        int degree = PolynomialShape::kMostDegree;
+        while (c[static_cast<std::size_t>(degree)] == 0.0) --degree;
+        double found[PolynomialShape::kMostDegree];
+        REQUIRE(sign_changes_between(c, degree, -1.0, 1.0, found) == kUnsureChanges);
+    }
 }
 
 TEST_CASE("roots of sizes from 1e-6 to 1e12 are found together, up to degree 35", "[csg][polynomial]")

@@ -92,6 +92,31 @@ TEST_CASE("polynomial: a torus as a quartic meets rays where the torus does", "[
     CHECK(met > 1000);
 }
 
+TEST_CASE("polynomial: the box of a high degree is nearly as tight as can be", "[csg][solid]")
+{
+    for (const int degree : {6, 8, 10, 12}) {
+        INFO("degree " << degree);
+        std::vector<double> c(static_cast<std::size_t>((degree + 1) * (degree + 2) * (degree + 3) / 6));
+        c[term(degree, degree, 0, 0)] = c[term(degree, 0, degree, 0)] = c[term(degree, 0, 0, degree)] = 1.0;
+        c[term(degree, 2, 2, 2)] = -1.7;
+        c[term(degree, 3, 1, 0)] = 0.5;
+        c[term(degree, 0, 1, 4)] = -0.3;
+        c.back() = -0.4;
+        const PolynomialShape shape(degree, c);
+        glm::dvec3 most(0.0);
+        Rng rng(1);
+        for (int i = 0; i < 200'000; ++i) {
+            const glm::dvec3 p{rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5)};
+            if (shape.value(p) <= 0.0) most = glm::max(most, glm::abs(p));
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            const double reach = std::max(shape.box().upper[axis], -shape.box().lower[axis]);
+            CHECK(reach > most[axis]);
+            CHECK(reach < 1.25 * most[axis]);
+        }
+    }
+}
+
 TEST_CASE("polynomial: the box of what has an end is near it, and holds it", "[csg][solid]")
 {
     // (x^2 + y^2 + z^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2), a torus.

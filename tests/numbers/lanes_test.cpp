@@ -37,12 +37,32 @@ std::vector<LaneFunction> lane_functions()
     {                                                                                                                  \
 #name, [](const Double& x, const Double& y) { return numbers::name(x, y); }                                    \
     }
-    return {FUNCTION_OF_ONE(sin),   FUNCTION_OF_ONE(cos),  FUNCTION_OF_ONE(tan),
-            FUNCTION_OF_ONE(asin),  FUNCTION_OF_ONE(acos), FUNCTION_OF_ONE(atan),
-            OF_TWO(atan2),          FUNCTION_OF_ONE(exp),  FUNCTION_OF_ONE(log),
-            FUNCTION_OF_ONE(log10), OF_TWO(pow),           FUNCTION_OF_ONE(sinh),
-            FUNCTION_OF_ONE(cosh),  FUNCTION_OF_ONE(tanh), FUNCTION_OF_ONE(asinh),
-            FUNCTION_OF_ONE(acosh), FUNCTION_OF_ONE(atanh)};
+#define OF_BOTH(name, both, part)                                                                                      \
+    {                                                                                                                  \
+#name, [](const Double& x, const Double&) { return numbers::both(x).part; }                                    \
+    }
+    return {FUNCTION_OF_ONE(sin),
+            FUNCTION_OF_ONE(cos),
+            FUNCTION_OF_ONE(tan),
+            FUNCTION_OF_ONE(asin),
+            FUNCTION_OF_ONE(acos),
+            FUNCTION_OF_ONE(atan),
+            OF_TWO(atan2),
+            FUNCTION_OF_ONE(exp),
+            FUNCTION_OF_ONE(log),
+            FUNCTION_OF_ONE(log10),
+            OF_TWO(pow),
+            FUNCTION_OF_ONE(sinh),
+            FUNCTION_OF_ONE(cosh),
+            FUNCTION_OF_ONE(tanh),
+            FUNCTION_OF_ONE(asinh),
+            FUNCTION_OF_ONE(acosh),
+            FUNCTION_OF_ONE(atanh),
+            OF_TWO(hypot),
+            OF_BOTH(sin, sine_and_cosine, sine),
+            OF_BOTH(cos, sine_and_cosine, cosine),
+            OF_BOTH(sinh, hyperbolic, sine),
+            OF_BOTH(cosh, hyperbolic, cosine)};
 }
 
 std::uint64_t bits_of(double v) { return std::isnan(v) ? ~std::uint64_t{0} : std::bit_cast<std::uint64_t>(v); }
@@ -92,4 +112,21 @@ TEST_CASE("functions have the same bits on every machine", "[numbers]")
     }
     // Another one after a change to the functions on purpose, which changes pictures too.
     CHECK(digest == 0x1ae509b6088c7c3au);
+}
+
+TEST_CASE("two functions together have the bits that each has alone", "[numbers]")
+{
+    numbers_test::Rng rng(8);
+    const auto check = [](double x) {
+        INFO(x);
+        const auto turn = numbers::sine_and_cosine(x), growth = numbers::hyperbolic(x);
+        REQUIRE(bits_of(turn.sine) == bits_of(numbers::sin(x)));
+        REQUIRE(bits_of(turn.cosine) == bits_of(numbers::cos(x)));
+        REQUIRE(bits_of(growth.sine) == bits_of(numbers::sinh(x)));
+        REQUIRE(bits_of(growth.cosine) == bits_of(numbers::cosh(x)));
+    };
+    for (const double x : numbers_test::special_numbers()) check(x);
+    for (const auto& f : numbers_test::functions())
+        if (f.name == "sin" || f.name == "sinh")
+            for (int i = 0; i < 20'000; ++i) check(f.argument(rng).x);
 }

@@ -49,8 +49,7 @@ public:
 
     const JuliaTerms& terms() const { return terms_; }
     void intersect(const Ray& ray, IntersectionList& out) const;
-    /// Polynomials; of the other functions the C library works out most.
-    bool intersects_many() const { return polynomial() && !terms_.whole; }
+    bool intersects_many() const { return terms_.function != JuliaTerms::Function::Reciprocal && !whole(); }
     void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;

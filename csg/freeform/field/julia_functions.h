@@ -1,83 +1,124 @@
 #pragma once
 
 #include "csg/freeform/field/julia.h"
-#include "numbers/functions/functions.h"
+#include "numbers/functions/lane_functions.h"
+#include "numbers/lane_arithmetic.h"
 
 #include <cmath>
 
 /// f of q -> f(q) + constant, in four dimensions (spec 5b, 12.1).
 namespace csg::julia {
 
-/// Complex numbers without the checks for what is no number.
+/// Complex numbers without the checks for what is no number; of one double or of lanes of them, to the same bits.
+template <class T>
 struct Complex {
-    double re = 0.0, im = 0.0;
+    T re, im;
 };
-inline Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
-inline Complex operator-(Complex a, Complex b) { return {a.re - b.re, a.im - b.im}; }
-inline Complex operator*(Complex a, Complex b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
-inline Complex operator/(Complex a, Complex b)
+template <class T>
+inline Complex<T> operator+(const Complex<T>& a, const Complex<T>& b)
 {
-    const double n = b.re * b.re + b.im * b.im;
+    return {a.re + b.re, a.im + b.im};
+}
+template <class T>
+inline Complex<T> operator-(const Complex<T>& a, const Complex<T>& b)
+{
+    return {a.re - b.re, a.im - b.im};
+}
+template <class T>
+inline Complex<T> operator*(const Complex<T>& a, const Complex<T>& b)
+{
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+template <class T>
+inline Complex<T> operator/(const Complex<T>& a, const Complex<T>& b)
+{
+    const T n = b.re * b.re + b.im * b.im;
     return {(a.re * b.re + a.im * b.im) / n, (a.im * b.re - a.re * b.im) / n};
 }
-inline Complex times_i(Complex a) { return {-a.im, a.re}; }
-inline Complex exp(Complex a)
+template <class T>
+inline Complex<T> times_i(const Complex<T>& a)
 {
-    const double size = numbers::exp(a.re);
-    return {size * numbers::cos(a.im), size * numbers::sin(a.im)};
+    return {lanes::negated(a.im), a.re};
 }
-inline Complex ln(Complex a) { return {numbers::log(numbers::hypot(a.re, a.im)), numbers::atan2(a.im, a.re)}; }
-inline Complex sqrt(Complex a)
+template <class T>
+inline Complex<T> of_polar(const T& size, const T& angle)
 {
-    const double size = std::sqrt(numbers::hypot(a.re, a.im)), half = 0.5 * numbers::atan2(a.im, a.re);
-    return {size * numbers::cos(half), size * numbers::sin(half)};
+    const auto turn = numbers::sine_and_cosine(angle);
+    return {size * turn.cosine, size * turn.sine};
 }
-inline Complex sin(Complex a)
+template <class T>
+inline Complex<T> exp(const Complex<T>& a)
 {
-    return {numbers::sin(a.re) * numbers::cosh(a.im), numbers::cos(a.re) * numbers::sinh(a.im)};
+    return of_polar(T(numbers::exp(a.re)), a.im);
 }
-inline Complex cos(Complex a)
+template <class T>
+inline Complex<T> ln(const Complex<T>& a)
 {
-    return {numbers::cos(a.re) * numbers::cosh(a.im), -numbers::sin(a.re) * numbers::sinh(a.im)};
+    return {numbers::log(numbers::hypot(a.re, a.im)), numbers::atan2(a.im, a.re)};
 }
-inline Complex sinh(Complex a)
+template <class T>
+inline Complex<T> sqrt(const Complex<T>& a)
 {
-    return {numbers::sinh(a.re) * numbers::cos(a.im), numbers::cosh(a.re) * numbers::sin(a.im)};
+    return of_polar(T(lanes::root_of(numbers::hypot(a.re, a.im))), T(T(0.5) * numbers::atan2(a.im, a.re)));
 }
-inline Complex cosh(Complex a)
+template <class T>
+inline Complex<T> sin(const Complex<T>& a)
 {
-    return {numbers::cosh(a.re) * numbers::cos(a.im), numbers::sinh(a.re) * numbers::sin(a.im)};
+    const auto turn = numbers::sine_and_cosine(a.re), growth = numbers::hyperbolic(a.im);
+    return {turn.sine * growth.cosine, turn.cosine * growth.sine};
+}
+template <class T>
+inline Complex<T> cos(const Complex<T>& a)
+{
+    const auto turn = numbers::sine_and_cosine(a.re), growth = numbers::hyperbolic(a.im);
+    return {turn.cosine * growth.cosine, lanes::negated(turn.sine) * growth.sine};
+}
+template <class T>
+inline Complex<T> sinh(const Complex<T>& a)
+{
+    const auto growth = numbers::hyperbolic(a.re), turn = numbers::sine_and_cosine(a.im);
+    return {growth.sine * turn.cosine, growth.cosine * turn.sine};
+}
+template <class T>
+inline Complex<T> cosh(const Complex<T>& a)
+{
+    const auto growth = numbers::hyperbolic(a.re), turn = numbers::sine_and_cosine(a.im);
+    return {growth.cosine * turn.cosine, growth.sine * turn.sine};
 }
 
-inline Complex power(Complex a, const glm::dvec2& exponent)
+template <class T>
+inline Complex<T> power(const Complex<T>& a, const glm::dvec2& exponent)
 {
     constexpr double kLeastExponent = -690.0;  // e to it is taken for 0
-    if (a.re == 0.0 && a.im == 0.0) return {};
-    const Complex e = Complex{exponent.x, exponent.y} * ln(a);
-    return e.re < kLeastExponent ? Complex{} : exp(e);
+    const T zero(0.0);
+    const Complex<T> e = Complex<T>{T(exponent.x), T(exponent.y)} * ln(a), out = exp(e);
+    const auto none = ((a.re == zero) & (a.im == zero)) | (e.re < T(kLeastExponent));
+    return {lanes::choose(none, zero, out.re), lanes::choose(none, zero, out.im)};
 }
 
-inline Complex value(JuliaTerms::Function f, Complex v, const glm::dvec2& exponent)
+template <class T>
+inline Complex<T> value(JuliaTerms::Function f, const Complex<T>& v, const glm::dvec2& exponent)
 {
     using F = JuliaTerms::Function;
-    const Complex one{1.0, 0.0};
+    const Complex<T> one{T(1.0), T(0.0)};
+    const T half(0.5);
     switch (f) {
     case F::Exp: return exp(v);
     case F::Ln: return ln(v);
     case F::Sin: return sin(v);
     case F::Asin: {
-        const Complex l = ln(times_i(v) + sqrt(one - v * v));
-        return {l.im, -l.re};
+        const Complex<T> l = ln(times_i(v) + sqrt(one - v * v));
+        return {l.im, lanes::negated(l.re)};
     }
     case F::Cos: return cos(v);
     case F::Acos: {
-        const Complex l = ln(v + sqrt(v * v - one));
-        return {l.im, -l.re};
+        const Complex<T> l = ln(v + sqrt(v * v - one));
+        return {l.im, lanes::negated(l.re)};
     }
     case F::Tan: return sin(v) / cos(v);
     case F::Atan: {
-        const Complex l = ln((one - times_i(v)) / (one + times_i(v)));
-        return {-0.5 * l.im, 0.5 * l.re};
+        const Complex<T> l = ln((one - times_i(v)) / (one + times_i(v)));
+        return {lanes::negated(half) * l.im, half * l.re};
     }
     case F::Sinh: return sinh(v);
     case F::Asinh: return ln(v + sqrt(v * v + one));
@@ -85,8 +126,8 @@ inline Complex value(JuliaTerms::Function f, Complex v, const glm::dvec2& expone
     case F::Acosh: return ln(v + sqrt(v * v - one));
     case F::Tanh: return sinh(v) / cosh(v);
     case F::Atanh: {
-        const Complex l = ln((one + v) / (one - v));
-        return {0.5 * l.re, 0.5 * l.im};
+        const Complex<T> l = ln((one + v) / (one - v));
+        return {half * l.re, half * l.im};
     }
     default: return power(v, exponent);
     }
@@ -112,10 +153,14 @@ inline glm::dvec4 reciprocal(const glm::dvec4& q)
     return glm::dvec4(q.x * m - q.w * k, -q.y * m - q.z * k, -q.z * m - q.y * k, q.w * m - q.x * k) / determinant;
 }
 
-inline glm::dvec4 by_parts(JuliaTerms::Function f, const glm::dvec4& q, const glm::dvec2& exponent)
+template <class Four>
+inline Four by_parts(JuliaTerms::Function f, const Four& q, const glm::dvec2& exponent)
 {
-    const Complex a = value(f, {q.x - q.w, q.y + q.z}, exponent), b = value(f, {q.x + q.w, q.y - q.z}, exponent);
-    return 0.5 * glm::dvec4(a.re + b.re, a.im + b.im, a.im - b.im, b.re - a.re);
+    using T = std::decay_t<decltype(q.x)>;
+    const Complex<T> a = value<T>(f, {q.x - q.w, q.y + q.z}, exponent),
+                     b = value<T>(f, {q.x + q.w, q.y - q.z}, exponent);
+    const T half(0.5);
+    return Four{half * (a.re + b.re), half * (a.im + b.im), half * (a.im - b.im), half * (b.re - a.re)};
 }
 
 inline glm::dvec4 cube(const glm::dvec4& q)

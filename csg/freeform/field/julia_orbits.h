@@ -2,6 +2,7 @@
 
 #include "numbers/lanes.h"
 #include "csg/freeform/field/julia.h"
+#include "csg/freeform/field/julia_functions.h"
 #include "csg/freeform/field/julia_march.h"
 #include "numbers/lane_power.h"
 
@@ -101,10 +102,19 @@ private:
                 return Four{p.x * (square - Double(3.0) * n) + cx, p.y * other + cy, p.z * other + cz,
                             p.w * other + cw};
             });
-        default:
-            return hypercomplex<V>(q, asked, stepping, [&](const Four& p) {
+        case JuliaTerms::Function::HyperSquare:
+        case JuliaTerms::Function::HyperCube:
+            return hypercomplex<V>(q, asked, stepping, [&](const Four& p, Four& rate) {
+                rate = p;
                 const Four s = product(p, p);
                 return Four{s.x + cx, s.y + cy, s.z + cz, s.w + cw};
+            });
+        default:
+            // As Julia::plain_start() has it.
+            for (int v = 0; v < V; ++v) q[v].z = pick(part(stepping, v), q[v].z, q[v].y);
+            return hypercomplex<V>(q, asked, stepping, [&](const Four& p, Four& rate) {
+                rate = julia::by_parts(set_.terms_.function, p, set_.terms_.exponent);
+                return Four{rate.x + cx, rate.y + cy, rate.z + cz, rate.w + cw};
             });
         }
     }
@@ -208,11 +218,14 @@ private:
             if (staying == 0 || k + 1 == set_.terms_.iterations) break;
             if (k > 0) factor *= 2.0;
             for (int v = 0; v < V; ++v) {
+                if (V > 1 && part(staying, v) == 0) continue;
+                Four rate;
+                const Four then = next(q[v], rate);
                 if (slopes && k > 0) {
-                    pick(in[v], product(q[v], slope[v]), slope[v]);
+                    pick(in[v], product(rate, slope[v]), slope[v]);
                     factor_at[v] = xsimd::select(in[v], Double(factor), factor_at[v]);
                 }
-                pick(in[v], next(q[v]), q[v]);
+                pick(in[v], then, q[v]);
             }
         }
         const Mask asking = stepping & ~staying;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "numbers/polynomial_along.h"
+#include "csg/solids/shared/polynomial_along.h"
+#include "csg/solids/shared/polynomial_between.h"
 #include "numbers/polynomial_roots.h"
 #include "csg/base/types.h"
 
@@ -39,6 +40,29 @@ public:
         }
     }
 
+    /// Cuts lo to hi down to where o + t d is in the box; hi is not above lo where it never is.
+    void clip(const glm::dvec3& o, const glm::dvec3& d, double& lo, double& hi) const
+    {
+        if (!boxed_) return;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (box_.lower[axis] - o[axis]) / d[axis], b = (box_.upper[axis] - o[axis]) / d[axis];
+            // Of no number the one before remains.
+            lo = std::max(lo, std::min(a, b));
+            hi = std::min(hi, std::max(a, b));
+        }
+    }
+
+    /// sign_changes() of along()'s, whose degree is degree_along()'s; all are between lo and hi.
+    int changes(const Along& c, int degree, double lo, double hi, double (&out)[kMostDegree]) const
+    {
+        if (degree <= 0) return 0;
+        if (degree > kLow) {
+            if (!boxed_) hi = detail::root_bound(c, degree), lo = -hi;
+            if (const int count = sign_changes_between(c, degree, lo, hi, out); count != kUnsureChanges) return count;
+        }
+        return sign_changes(c, degree, out);
+    }
+
     /// A root of along()'s, one step of Newton's nearer: asked at the point itself, where no powers of t cancel each
     /// other. Such coefficients of degree 35 leave 1e-10, the point 1e-15. Low degrees lose too little to be worth it.
     double polished(const glm::dvec3& o, const glm::dvec3& d, double t) const
@@ -75,61 +99,20 @@ private:
         const detail::Powers<degree> found = detail::along<0, degree>(next, {{o.x, o.y, o.z}, {d.x, d.y, d.z}});
         std::copy(found.begin(), found.end(), out.begin());
     }
-    void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
-    {
-        along_any(o, d, out, [](double v) { return v; });
-    }
-    /// The polynomial with `of` each coefficient.
+    void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out) const;
+    void sizes_along(const glm::dvec3& o, const glm::dvec3& d, Along& out) const;
+    /// The terms' sum with `of` each coefficient.
+    template <int blocks, class F>
+    void sum_along(const glm::dvec3& o, const glm::dvec3& d, Along& out, F&& of) const;
     template <class F>
-    void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out, F&& of) const
-    {
-        // Horner's scheme in x, whose coefficients are polynomials of y and z, and so on; numbers here are polynomials
-        // of t. Most high degrees have few terms: what has not begun yet costs nothing.
-        const double* next = coefficients_.data();
-        Sum in_x;
-        for (int i = degree_; i >= 0; --i) {
-            Sum in_y;
-            for (int j = degree_ - i; j >= 0; --j) {
-                Sum in_z;
-                for (int k = degree_ - i - j; k >= 0; --k) {
-                    const double c = of(*next++);
-                    in_z.times(o.z, d.z);
-                    if (c != 0.0) in_z.add(&c, 0);
-                }
-                in_y.times(o.y, d.y);
-                in_y.add(in_z.c.data(), in_z.degree);
-            }
-            in_x.times(o.x, d.x);
-            in_x.add(in_y.c.data(), in_y.degree);
-        }
-        std::fill_n(out.begin(), degree_ + 1, 0.0);
-        std::copy_n(in_x.c.begin(), in_x.degree + 1, out.begin());
-    }
-    /// A polynomial of t; degree -1 for none yet.
-    struct Sum {
-        Along c;
-        int degree = -1;
-
-        void times(double o, double d)
-        {
-            if (degree < 0) return;
-            c[at(degree + 1)] = c[at(degree)] * d;
-            for (int i = degree; i > 0; --i) c[at(i)] = c[at(i)] * o + c[at(i - 1)] * d;
-            c[0] *= o;
-            ++degree;
-        }
-        void add(const double* other, int other_degree)
-        {
-            for (; degree < other_degree; ++degree) c[at(degree + 1)] = 0.0;
-            for (int i = 0; i <= other_degree; ++i) c[at(i)] += other[i];
-        }
-    };
+    void each_width(F&& f) const;
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
     int degree_;
     std::vector<double> coefficients_;
     std::vector<Term> terms_;  ///< those that are not 0, above degree kLow
     Aabb box_;
+    bool boxed_ = false;         ///< the box is finite
     double leading_size_ = 0.0;  ///< sum of the sizes of the coefficients of the highest degree
 };
 

@@ -41,7 +41,11 @@ TEST_CASE("many rays of a julia fractal are told what each is told alone", "[csg
 {
     if (!runs_here()) return;
     using Function = JuliaTerms::Function;
-    for (const Function function : {Function::Square, Function::Cube, Function::HyperSquare, Function::HyperCube}) {
+    for (const Function function :
+         {Function::Square, Function::Cube, Function::HyperSquare, Function::HyperCube, Function::Exp, Function::Ln,
+          Function::Sin, Function::Asin, Function::Cos, Function::Acos, Function::Tan, Function::Atan, Function::Sinh,
+          Function::Asinh, Function::Cosh, Function::Acosh, Function::Tanh, Function::Atanh, Function::Power}) {
+        INFO("function " << static_cast<int>(function));
         int ends = 0;
         for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(60)); ++seed) {
             Rng rng(seed + 1000);
@@ -50,6 +54,7 @@ TEST_CASE("many rays of a julia fractal are told what each is told alone", "[csg
             terms.constant = function <= Function::Cube ? glm::dvec4(-0.2, 0.6, 0.2, 0.2)
                                                         : glm::dvec4(0.3, 0.2, -0.4, 0.1);
             if (rng.coin()) terms.constant *= rng.uniform(0.2, 1.0);
+            terms.exponent = {rng.uniform(-1.0, 3.0), rng.uniform(-0.4, 0.4)};
             terms.iterations = 1 + rng.below(9);
             terms.precision = rng.uniform(5.0, 60.0);
             if (rng.coin()) {
