@@ -138,6 +138,7 @@ private:
     /// An object that many statements show.
     struct Shared {
         std::size_t shown = 0;                                       ///< so often so far
+        std::size_t solids = 0;                                      ///< of it, known from the second time on
         std::shared_ptr<const std::vector<scene::Object>> operands;  ///< keeps the address that it is known by
         std::shared_ptr<const csg::WorldData> world;                 ///< null: not made yet
         std::vector<SharedSurface> surfaces;                         ///< by the world's SurfaceId

@@ -13,13 +13,17 @@ constexpr std::size_t kFewest = 256;
 /// Objects of fewer solids take little more room than an instance does.
 constexpr std::size_t kSmallest = 8;
 
-bool enough(const scene::Csg& csg, std::size_t& left)
+/// Copies of large objects share theirs as soon as they would be so many solids: some 100 MB, and half a second.
+constexpr std::size_t kMostFlat = 1u << 18;
+
+std::size_t solids_of(const scene::Csg& csg)
 {
+    std::size_t count = 0;
     for (const scene::Object& operand : *csg.operands) {
         const auto* inner = std::get_if<scene::Csg>(&operand.shape);
-        if (inner != nullptr ? enough(*inner, left) : !is_light(operand) && --left == 0) return true;
+        count += inner != nullptr ? solids_of(*inner) : is_light(operand) ? 0 : 1;
     }
-    return false;
+    return count;
 }
 
 /// Whether some solid looks at the scene's own axes or lengths: an inside_vector does not turn with its mesh, and what
@@ -48,7 +52,9 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
         return false;
     Shared& shared = shared_[{csg.operands.get(), static_cast<int>(csg.op)}];
     shared.operands = csg.operands;
-    if (++shared.shown <= kFewest || shared.fails) return false;
+    if (++shared.shown == 2) shared.solids = solids_of(csg);
+    const bool flat = shared.shown <= kFewest && shared.shown * shared.solids <= kMostFlat;
+    if (flat || shared.fails) return false;
     if (!shared.world) make_shared_world(object, shared);
     if (shared.fails) return false;
     object_ = add_object(object, own);
@@ -81,11 +87,8 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
 
 void GeometryCompiler::make_shared_world(const scene::Object& object, Shared& shared)
 {
-    std::size_t left = kSmallest;
-    if (!enough(std::get<scene::Csg>(object.shape), left)) {
-        shared.fails = true;
-        return;
-    }
+    shared.fails = shared.solids < kSmallest;
+    if (shared.fails) return;
     auto world = std::make_shared<csg::WorldData>();
     csg::WorldData* const outside = std::exchange(world_, world.get());
     const OuterBounds outer_bounds = std::exchange(outer_bounds_, {});
