@@ -9,7 +9,6 @@
 #include "render/plan/lights.h"
 #include "render/plan/compile_photons.h"
 #include "render/plan/geometry/solids.h"
-#include "render/plan/textures/uv_use.h"
 
 #include <algorithm>
 #include <utility>
@@ -258,8 +257,8 @@ csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited&
     if (const auto* freeform = std::get_if<scene::Freeform>(&object.shape))
         return world_solid(scene::Freeform{fields_.linked(freeform->shape)}, own.to_world);
     const bool on_surface = std::holds_alternative<scene::Sphere>(object.shape) &&
-                            (own.uv_mapping || uses_uv((own.texture ? own.texture : default_texture_).texture) ||
-                             uses_uv(own.interior_texture.texture));
+                            (own.uv_mapping || uv_use_.of((own.texture ? own.texture : default_texture_).texture) ||
+                             uv_use_.of(own.interior_texture.texture));
     return world_solid(object.shape, own.to_world, on_surface);
 }
 

@@ -5,8 +5,10 @@
 #include "render/plan/textures/fields.h"
 #include "render/plan/textures/interiors.h"
 #include "render/plan/textures/textures.h"
+#include "render/plan/textures/uv_use.h"
 
 #include <map>
+#include <tuple>
 #include <unordered_map>
 
 namespace plan {
@@ -130,12 +132,17 @@ private:
         Inherited own;
         std::array<PlacedTexture, 2> corners;
     };
+    /// All that tells two of them apart.
+    using SharedKey = std::tuple<std::array<PlacedTexture, 5>, const scene::Interior*, std::uint32_t,
+                                 std::optional<bool>, std::optional<float>, std::uint32_t>;
     /// An object that many statements show.
     struct Shared {
         std::size_t shown = 0;                                       ///< so often so far
+        std::size_t solids = 0;                                      ///< of it, known from the second time on
         std::shared_ptr<const std::vector<scene::Object>> operands;  ///< keeps the address that it is known by
         std::shared_ptr<const csg::WorldData> world;                 ///< null: not made yet
         std::vector<SharedSurface> surfaces;                         ///< by the world's SurfaceId
+        std::map<SharedKey, csg::SurfaceId> known;                   ///< of them
         std::uint32_t first_interior_copy = 0, interior_copies = 0;  ///< of its parts; each instance has as many
         bool fails = false;                                          ///< it cannot be shared
     };
@@ -148,6 +155,7 @@ private:
     CompiledScene& out_;
     InteriorCompiler interiors_;
     FieldLinker fields_;
+    UvUse uv_use_;
 
     csg::Pruning pruning_{options_.lean.takes(LeanStep::Operands)};
     csg::WorldData* world_ = &out_.geometry;  ///< where solids and items go

@@ -1,5 +1,4 @@
 #include "render/plan/geometry/geometry.h"
-#include "render/plan/textures/uv_use.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,13 +13,17 @@ constexpr std::size_t kFewest = 256;
 /// Objects of fewer solids take little more room than an instance does.
 constexpr std::size_t kSmallest = 8;
 
-bool enough(const scene::Csg& csg, std::size_t& left)
+/// Copies of large objects share theirs as soon as they would be so many solids: some 100 MB, and half a second.
+constexpr std::size_t kMostFlat = 1u << 18;
+
+std::size_t solids_of(const scene::Csg& csg)
 {
+    std::size_t count = 0;
     for (const scene::Object& operand : *csg.operands) {
         const auto* inner = std::get_if<scene::Csg>(&operand.shape);
-        if (inner != nullptr ? enough(*inner, left) : !is_light(operand) && --left == 0) return true;
+        count += inner != nullptr ? solids_of(*inner) : is_light(operand) ? 0 : 1;
     }
-    return false;
+    return count;
 }
 
 /// Whether some solid looks at the scene's own axes or lengths: an inside_vector does not turn with its mesh, and what
@@ -45,11 +48,13 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
     if (own.photon_density > 0.0) return false;  // each of its parts may be a target of its own
     // A sphere that shows its own coordinates is stored otherwise; whether an inner texture is asked in shadows of a
     // mesh hangs on its other textures.
-    if (own.uv_mapping || uses_uv((own.texture ? own.texture : default_texture_).texture) || own.interior_texture)
+    if (own.uv_mapping || uv_use_.of((own.texture ? own.texture : default_texture_).texture) || own.interior_texture)
         return false;
     Shared& shared = shared_[{csg.operands.get(), static_cast<int>(csg.op)}];
     shared.operands = csg.operands;
-    if (++shared.shown <= kFewest || shared.fails) return false;
+    if (++shared.shown == 2) shared.solids = solids_of(csg);
+    const bool flat = shared.shown <= kFewest && shared.shown * shared.solids <= kMostFlat;
+    if (flat || shared.fails) return false;
     if (!shared.world) make_shared_world(object, shared);
     if (shared.fails) return false;
     object_ = add_object(object, own);
@@ -82,11 +87,8 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
 
 void GeometryCompiler::make_shared_world(const scene::Object& object, Shared& shared)
 {
-    std::size_t left = kSmallest;
-    if (!enough(std::get<scene::Csg>(object.shape), left)) {
-        shared.fails = true;
-        return;
-    }
+    shared.fails = shared.solids < kSmallest;
+    if (shared.fails) return;
     auto world = std::make_shared<csg::WorldData>();
     csg::WorldData* const outside = std::exchange(world_, world.get());
     const OuterBounds outer_bounds = std::exchange(outer_bounds_, {});
@@ -110,19 +112,19 @@ csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std:
                                                 bool has_parts)
 {
     sharing_->fails |= has_parts;  // their textures are compiled already, and in one place
-    const SharedSurface made{own, corners};
-    std::vector<SharedSurface>& known = sharing_->surfaces;
-    const auto same = std::find_if(known.begin(), known.end(), [&](const SharedSurface& other) {
-        const Inherited &a = own, &b = other.own;
-        return a.texture == b.texture && a.interior_texture == b.interior_texture && a.interior == b.interior &&
-               a.legacy_finish == b.legacy_finish && a.interior_copy == b.interior_copy && a.hollow == b.hollow &&
-               a.no_shadow == b.no_shadow && a.no_image == b.no_image && a.no_reflection == b.no_reflection &&
-               a.no_radiosity == b.no_radiosity && a.importance == b.importance &&
-               a.double_illuminate == b.double_illuminate && a.uv_mapping == b.uv_mapping && corners == other.corners;
-    });
-    if (same != known.end()) return static_cast<csg::SurfaceId>(same - known.begin());
-    known.push_back(made);
-    return static_cast<csg::SurfaceId>(known.size() - 1);
+    const std::uint32_t flags = (own.no_shadow ? 1u : 0u) | (own.no_image ? 2u : 0u) | (own.no_reflection ? 4u : 0u) |
+                                (own.no_radiosity ? 8u : 0u) | (own.double_illuminate ? 16u : 0u) |
+                                (own.uv_mapping ? 32u : 0u);
+    const auto [known, fresh] =
+        sharing_->known.try_emplace({{own.texture, own.interior_texture, own.legacy_finish, corners[0], corners[1]},
+                                     own.interior.get(),
+                                     own.interior_copy,
+                                     own.hollow,
+                                     own.importance,
+                                     flags},
+                                    static_cast<csg::SurfaceId>(sharing_->surfaces.size()));
+    if (fresh) sharing_->surfaces.push_back({own, corners});
+    return known->second;
 }
 
 }  // namespace plan

@@ -15,8 +15,9 @@ enum class Light : std::uint8_t { Comes, Stops, Opaque };
 std::vector<Light> light_through(const texture::TextureSet& set)
 {
     std::vector<Light> out;
+    const std::vector<bool> dark = dark_textures(set);
     for (std::uint32_t i = 0; i < set.textures.size(); ++i)
-        out.push_back(set.textures[i].stops_light ? Light::Opaque : dark_texture(set, i) ? Light::Stops : Light::Comes);
+        out.push_back(set.textures[i].stops_light ? Light::Opaque : dark[i] ? Light::Stops : Light::Comes);
     return out;
 }
 

@@ -20,14 +20,13 @@ bool is_clear(const scene::Color& color)
 
 }  // namespace
 
-bool TextureCompiler::pigment_opaque(std::uint32_t index) const
+bool TextureCompiler::opaque(const texture::Pigment& pigment) const
 {
-    const texture::Pigment& pigment = out_.pigments[index];
     if (pigment.kind == texture::Pigment::Kind::Solid) return !is_clear(pigment.color);
     if (pigment.kind == texture::Pigment::Kind::Image) return out_.images[out_.patterns[pigment.pattern].data].opaque;
     for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
         const bool opaque = pigment.kind == texture::Pigment::Kind::ColorMap ? !is_clear(out_.colors[i])
-                                                                             : pigment_opaque(out_.children[i]);
+                                                                             : opaque_pigments_[out_.children[i]];
         if (!opaque) return false;
     }
     return true;

@@ -73,8 +73,19 @@ std::uint32_t TextureCompiler::keep_map(const std::vector<MapEntry>& entries)
         out_.slopes.resize(first);
         return at;
     }
-    known_maps_.emplace(hash, std::pair(count_of(first), count_of(count)));
+    known_maps_.emplace(hash, MapRange{count_of(first), count_of(count)});
     return count_of(first);
+}
+
+template <class Make>
+TextureCompiler::MapRange TextureCompiler::map_of(const void* description, const csg::Transform* by, Make&& make)
+{
+    if (by == nullptr) {
+        const std::vector<MapEntry> entries = make();
+        return {keep_map(entries), count_of(entries.size())};
+    }
+    if (const auto known = placed_maps_.find(description); known != placed_maps_.end()) return known->second;
+    return placed_maps_.emplace(description, map_of(description, nullptr, make)).first->second;
 }
 
 std::uint32_t TextureCompiler::pattern(const scene::Pattern& description, const csg::Transform* by)
@@ -123,12 +134,17 @@ std::uint32_t TextureCompiler::pigment(const scene::Pigment& description, const 
     // A quick colour with a component of exactly -1 counts as not given (spec 3, 16).
     const auto& quick = description.quick_color;
     if (quick && !quality_.patterns && quick->red != -1.0f && quick->green != -1.0f && quick->blue != -1.0f) {
-        out_.pigments.push_back({texture::Pigment::Kind::Solid, *quick});
+        return add({texture::Pigment::Kind::Solid, *quick});
     } else if (const auto* color = std::get_if<scene::Color>(&description.kind)) {
-        out_.pigments.push_back({texture::Pigment::Kind::Solid, *color});
-    } else {
-        return pigment_map(*std::get<scene::Shared<scene::PatternedPigment>>(description.kind), by);
+        return add({texture::Pigment::Kind::Solid, *color});
     }
+    return pigment_map(*std::get<scene::Shared<scene::PatternedPigment>>(description.kind), by);
+}
+
+std::uint32_t TextureCompiler::add(const texture::Pigment& pigment)
+{
+    opaque_pigments_.push_back(opaque(pigment));
+    out_.pigments.push_back(pigment);
     return count_of(out_.pigments.size() - 1);
 }
 
@@ -172,16 +188,16 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
     out.pattern = pattern(description.pattern, by);
     if (description.pattern.name == "image_map") {
         out.kind = Kind::Image;
-        out_.pigments.push_back(out);
-        return count_of(out_.pigments.size() - 1);
+        return add(out);
     }
     const auto* colors = std::get_if<scene::ColorMap>(&description.map);
     const auto* pigments = std::get_if<scene::PigmentMap>(&description.map);
-    const std::vector<MapEntry> entries =
-        colors ? entries_of(*colors)
-               : entries_of(*pigments, [this](const scene::PigmentPtr& entry) { return part(entry); });
-    out.count = count_of(entries.size());
-    out.first = keep_map(entries);
+    const MapRange map = map_of(&description, by, [&] {
+        return colors ? entries_of(*colors)
+                      : entries_of(*pigments, [this](const scene::PigmentPtr& entry) { return part(entry); });
+    });
+    out.first = map.first;
+    out.count = map.count;
     out.kind = colors ? Kind::ColorMap : Kind::PigmentMap;
     if (out.count == 0) {
         out = {};
@@ -196,8 +212,7 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
         if (kind == texture::PatternKind::Average) out.kind = Kind::Average;
         if (kind == texture::PatternKind::Uv) out.kind = Kind::Uv;
     }
-    out_.pigments.push_back(out);
-    return count_of(out_.pigments.size() - 1);
+    return add(out);
 }
 
 std::uint32_t TextureCompiler::color_map(const scene::ColorMap& description)
@@ -223,12 +238,14 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
         out.map = kind == texture::PatternKind::Average ? Map::Average
                   : kind == texture::PatternKind::Uv    ? Map::Uv
                                                         : Map::Normals;
-        const std::vector<MapEntry> entries =
-            entries_of(*map, [&](const scene::NormalPtr& entry) { return part(entry, out.no_bump_scale); });
-        for (const MapEntry& entry : entries)
-            if (entry.child == texture::kNone) return texture::kNone;  // noted where it was found
-        out.count = count_of(entries.size());
-        out.first = keep_map(entries);
+        const MapRange range = map_of(&description, by, [&] {
+            return entries_of(*map, [&](const scene::NormalPtr& entry) { return part(entry, out.no_bump_scale); });
+        });
+        out.first = range.first;
+        out.count = range.count;
+        const auto entry = out_.children.begin() + out.first;
+        if (std::find(entry, entry + out.count, texture::kNone) != entry + out.count)
+            return texture::kNone;  // noted where it was found
     } else if (const auto* slopes = std::get_if<std::vector<scene::MapEntry<glm::dvec2>>>(&description.map)) {
         out.map = Map::Slopes;
         std::vector<MapEntry> entries;
@@ -255,7 +272,7 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
         to.pigment = pigment(from.pigment, by);
         if (from.normal && quality_.normals) to.normal = normal(*from.normal, false, by);
         to.finish = finish(from.finish);
-        out.opaque = out.opaque || pigment_opaque(to.pigment);
+        out.opaque = out.opaque || opaque_pigments_[to.pigment];
         const bool clear = lets_light_through(from.pigment);  // asked of each layer: it remembers what it finds
         out.stops_light = out.stops_light || out.opaque || !clear;
         out.lit = out.lit || out_.finishes[to.finish].lit();
@@ -281,7 +298,9 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
     out.count = count_of(description.map.size());
     if (out.count == 0) return texture::kNone;
     out.first =
-        keep_map(entries_of(description.map, [this](const scene::TexturePtr& entry) { return texture({entry}); }));
+        map_of(&description, by, [&] {
+            return entries_of(description.map, [this](const scene::TexturePtr& entry) { return texture({entry}); });
+        }).first;
     if (out.pattern == texture::kNone) {
         note("pattern '" + description.pattern.name + "' of a texture (its first entry is shown)",
              description.pattern.source);

@@ -51,6 +51,13 @@ private:
     static std::vector<MapEntry> entries_of(const std::vector<scene::MapEntry<Part>>& map, Compile&& compile);
     /// First of the entries in the set, where equal maps share theirs.
     std::uint32_t keep_map(const std::vector<MapEntry>& entries);
+    struct MapRange {
+        std::uint32_t first = 0, count = 0;
+    };
+    /// Of the entries that make() makes of what the description has. All places of a texture share it, see
+    /// PlacedTexture.
+    template <class Make>
+    MapRange map_of(const void* description, const csg::Transform* by, Make&& make);
     /// A pigment or a normal inside of another: all that use a declared one share it, wherever they stand, for what is
     /// moved is the outer one's pattern.
     std::uint32_t part(const scene::PigmentPtr& description);
@@ -64,7 +71,9 @@ private:
     /// Index of what the pattern looks its value up in; texture::kNone for those that look nothing up.
     std::uint32_t pattern_data(const scene::Pattern& description, texture::PatternKind kind);
     void note(const std::string& what, const scene::SourceRef& source);
-    bool pigment_opaque(std::uint32_t index) const;
+    /// Puts it into the set, after those inside of it.
+    std::uint32_t add(const texture::Pigment& pigment);
+    bool opaque(const texture::Pigment& pigment) const;
     /// By POV-Ray's judgement (shadow_opacity.cpp), which changes from one question to the next.
     bool lets_light_through(const scene::Pigment& pigment);
     bool entry_lets_light_through(const scene::Pigment& entry);
@@ -86,9 +95,11 @@ private:
     std::unordered_map<scene::PigmentPtr, std::uint32_t> known_pigments_;       ///< inside of others
     std::map<std::pair<scene::NormalPtr, bool>, std::uint32_t> known_normals_;  ///< the same
     std::unordered_map<const scene::Finish*, std::uint32_t> known_finishes_;    ///< of textures in known_
-    std::unordered_multimap<std::size_t, std::pair<std::uint32_t, std::uint32_t>> known_maps_;  ///< to first, count
+    std::unordered_multimap<std::size_t, MapRange> known_maps_;                 ///< to first, count
+    std::unordered_map<const void*, MapRange> placed_maps_;  ///< by description, of textures in known_
     std::unordered_map<function::FunctionPtr, std::uint32_t> known_functions_;
     std::unordered_map<std::shared_ptr<const void>, std::uint32_t> known_data_;
+    std::vector<bool> opaque_pigments_;                       ///< by index
     std::unordered_map<const scene::Pigment*, bool> judged_;  ///< entries of maps: whether they let light through
 };
 

@@ -11,10 +11,10 @@ namespace {
 
 using texture::TextureSet;
 
-/// As the layers are gone through for one crossing, so that the bits are the same.
-bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
+/// As the layers are gone through for one crossing, so that the bits are the same. dark: of the texture.
+bool plain_filter(const TextureSet& set, std::uint32_t index, bool dark, glm::vec3& filter)
 {
-    if (dark_texture(set, index)) {
+    if (dark) {
         filter = glm::vec3(0);
         return true;
     }
@@ -30,7 +30,7 @@ bool plain_filter(const TextureSet& set, std::uint32_t index, glm::vec3& filter)
 }
 
 /// What the textures that a surface shows look at.
-LookedAt looked_at(const CompiledScene& scene, const Surface& surface, TextureInputs& looks)
+LookedAt looked_at(const CompiledScene& scene, const Surface& surface, const TextureInputs& looks)
 {
     LookedAt out = looks.of_texture(surface.texture);
     out |= looks.of_texture(surface.interior_texture);
@@ -202,7 +202,8 @@ SceneTraits find_traits(const CompiledScene& scene)
                       std::all_of(scene.fogs.begin(), scene.fogs.end(), texture::even);
     const auto& finishes = scene.textures.finishes;
     traits.fresnel = std::any_of(finishes.begin(), finishes.end(), [](const auto& finish) { return finish.fresnel; });
-    TextureInputs texture_looks(scene.textures);
+    const TextureInputs texture_looks(scene.textures);
+    const std::vector<bool> dark = dark_textures(scene.textures);
     const bool grain = grain_in_lanes(scene);
     const bool every_detail = !scene.options.lean.takes(LeanStep::HitDetails);
     traits.clear_surfaces = scene.options.lean.takes(LeanStep::ClearSurfaces) && !scene.options.grain_stream &&
@@ -254,7 +255,7 @@ SceneTraits find_traits(const CompiledScene& scene)
         const bool focused = surface.interior != kNone && scene.interiors[surface.interior].caustics_power != 0.0f;
         if (surface.texture == kNone) continue;
         if (inner != surface.texture) continue;
-        const bool plain = plain_filter(scene.textures, surface.texture, all[i].filter);
+        const bool plain = plain_filter(scene.textures, surface.texture, dark[surface.texture], all[i].filter);
         all[i].steady_filter = plain && !focused;
         const bool dimmed = surface.interior != kNone && traits.dimming[surface.interior] != 0;
         all[i].filters_alone = all[i].steady_filter && !dimmed;

@@ -29,42 +29,49 @@ bool looks_at_normal(const Pattern& p) { return p.kind == PatternKind::Slope || 
 }  // namespace
 
 TextureInputs::TextureInputs(const TextureSet& set)
-    : set_(set), any_{any_uv(set), std::any_of(set.patterns.begin(), set.patterns.end(), looks_at_normal), false},
-      known_(set.textures.size()), seen_(set.textures.size())
-{}
-
-LookedAt TextureInputs::of_texture(std::uint32_t index)
+    : set_(set), any_{any_uv(set), std::any_of(set.patterns.begin(), set.patterns.end(), looks_at_normal), false}
 {
-    if (index == texture::kNone || !(any_.uv || any_.around)) return {};
-    LookedAt out = of_part(index);
+    if (!(any_.uv || any_.around)) return;
+    for (const Pigment& pigment : set.pigments) pigments_.push_back(looks_of(pigment));
+    for (const Normal& normal : set.normals) normals_.push_back(looks_of(normal));
+    for (const Texture& texture : set.textures) parts_.push_back(looks_of(texture));
+}
+
+LookedAt TextureInputs::of_pigment(std::uint32_t index) const
+{
+    return pigments_.empty() ? LookedAt{} : pigments_[index];
+}
+
+LookedAt TextureInputs::of_texture(std::uint32_t index) const
+{
+    if (index == texture::kNone || parts_.empty()) return {};
+    LookedAt out = parts_[index];
     const Texture& texture = set_.textures[index];
     if (texture.kind == Texture::Kind::Map) {
         out.bent = false;
         for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i)
-            out.bent |= of_part(set_.children[i]).bent;
+            out.bent |= parts_[set_.children[i]].bent;
     }
     return out;
 }
 
-LookedAt TextureInputs::of_part(std::uint32_t index)
+LookedAt TextureInputs::looks_of(const Texture& texture) const
 {
-    if (seen_[index]) return known_[index];
-    const Texture& texture = set_.textures[index];
     LookedAt out;
     if (texture.kind == Texture::Kind::Layers) {
         for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
-            out |= of_pigment(set_.layers[i].pigment);
-            out |= of_normal(set_.layers[i].normal);
+            const texture::Layer& layer = set_.layers[i];
+            out |= pigments_[layer.pigment];
+            if (layer.normal != texture::kNone) out |= normals_[layer.normal];
         }
     } else {
         const bool uv = texture.kind == Texture::Kind::Uv;
         if (texture.kind == Texture::Kind::Map) out = of_pattern(texture.pattern);
         out.uv |= uv;
         const std::uint32_t count = uv ? 1 : texture.count;
-        for (std::uint32_t i = texture.first; i < texture.first + count; ++i) out |= of_part(set_.children[i]);
+        for (std::uint32_t i = texture.first; i < texture.first + count; ++i) out |= parts_[set_.children[i]];
     }
-    seen_[index] = true;
-    return known_[index] = out;
+    return out;
 }
 
 LookedAt TextureInputs::of_pattern(std::uint32_t index) const
@@ -72,37 +79,34 @@ LookedAt TextureInputs::of_pattern(std::uint32_t index) const
     if (index == texture::kNone) return {};
     const Pattern& pattern = set_.patterns[index];
     if (pattern.kind == PatternKind::Function) return any_;
-    if (pattern.kind == PatternKind::PigmentPattern) return of_pigment(pattern.pigment);
+    if (pattern.kind == PatternKind::PigmentPattern) return pigments_[pattern.pigment];
     const bool looks = looks_at_normal(pattern);
     return {pattern.kind == PatternKind::Uv, looks, looks};
 }
 
-LookedAt TextureInputs::of_pigment(std::uint32_t index) const
+LookedAt TextureInputs::looks_of(const Pigment& pigment) const
 {
     using Kind = Pigment::Kind;
-    const Pigment& pigment = set_.pigments[index];
     const bool uv = pigment.kind == Kind::Uv;
     if (pigment.kind == Kind::Solid || pigment.kind == Kind::Image) return {};
     LookedAt out = uv || pigment.kind == Kind::Average ? LookedAt{} : of_pattern(pigment.pattern);
     out.uv |= uv;
     if (pigment.kind == Kind::ColorMap) return out;
     const std::uint32_t count = uv ? 1 : pigment.count;
-    for (std::uint32_t i = pigment.first; i < pigment.first + count; ++i) out |= of_pigment(set_.children[i]);
+    for (std::uint32_t i = pigment.first; i < pigment.first + count; ++i) out |= pigments_[set_.children[i]];
     return out;
 }
 
-LookedAt TextureInputs::of_normal(std::uint32_t index) const
+LookedAt TextureInputs::looks_of(const Normal& normal) const
 {
     using Map = Normal::Map;
-    if (index == texture::kNone) return {};
-    const Normal& normal = set_.normals[index];
     const bool uv = normal.map == Map::Uv;
     if (normal.map == Map::Image) return {};
     LookedAt out = uv || normal.map == Map::Average ? LookedAt{} : of_pattern(normal.pattern);
     out.uv |= uv;
     if (normal.map == Map::None || normal.map == Map::Slopes) return out;
     const std::uint32_t count = uv ? 1 : normal.count;
-    for (std::uint32_t i = normal.first; i < normal.first + count; ++i) out |= of_normal(set_.children[i]);
+    for (std::uint32_t i = normal.first; i < normal.first + count; ++i) out |= normals_[set_.children[i]];
     return out;
 }
 

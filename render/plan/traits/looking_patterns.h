@@ -21,25 +21,26 @@ struct LookedAt {
     }
 };
 
-/// What the textures of a scene look at, each gone through once. Functions see no surface, so that what they ask is not
-/// bent; of the rest they are taken to look at what anything of the scene does.
+/// What the textures of a scene look at, each gone through once: what is inside of a map stands before it in the set.
+/// Functions see no surface, so that what they ask is not bent; of the rest they are taken to look at what anything of
+/// the scene does.
 class TextureInputs {
 public:
     explicit TextureInputs(const texture::TextureSet& set);
 
     /// Of a surface's texture; texture::kNone: nothing.
-    LookedAt of_texture(std::uint32_t index);
+    LookedAt of_texture(std::uint32_t index) const;
     LookedAt of_pigment(std::uint32_t index) const;
 
 private:
-    LookedAt of_part(std::uint32_t index);
+    LookedAt looks_of(const texture::Texture& texture) const;  ///< as a part of another
+    LookedAt looks_of(const texture::Pigment& pigment) const;
+    LookedAt looks_of(const texture::Normal& normal) const;
     LookedAt of_pattern(std::uint32_t index) const;
-    LookedAt of_normal(std::uint32_t index) const;
 
     const texture::TextureSet& set_;
-    LookedAt any_;                 ///< of all patterns, never bent
-    std::vector<LookedAt> known_;  ///< by texture, as a part of another, where seen_
-    std::vector<bool> seen_;
+    LookedAt any_;                                      ///< of all patterns, never bent
+    std::vector<LookedAt> pigments_, normals_, parts_;  ///< by index; empty where nothing looks at anything
 };
 
 }  // namespace plan

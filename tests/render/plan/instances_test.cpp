@@ -49,6 +49,18 @@ TEST_CASE("copies beyond the first share the parts of an object", "[plan][instan
     CHECK(compiled(600, true).geometry.instances.empty());
 }
 
+TEST_CASE("large objects share their parts from fewer copies on", "[plan][instances]")
+{
+    const auto copies = [](int solids) {
+        const std::string text = "#version 3.7; #declare T = union { #for (I, 1, " + std::to_string(solids) +
+                                 ") sphere { I*y, 0.1 } #end }\n#for (I, 1, 5) object { T translate I*x } #end";
+        return plan::compile(parser::parse_text(text, "test.pov", {}).scene, {}).geometry.instances.size();
+    };
+    CHECK(copies(50'000) == 0);
+    CHECK(copies(70'000) == 2);
+    CHECK(copies(140'000) == 4);
+}
+
 TEST_CASE("what looks at the scene's own axes or lengths is not shared", "[plan][instances]")
 {
     const auto copies = [](const std::string& part) {

@@ -77,3 +77,16 @@ TEST_CASE("copies share their textures where they stand in the same place", "[pl
     CHECK(textures(20, "translate 5*y") == textures(10, "translate 5*y"));
     CHECK(textures(20, "translate I*y") == textures(10, "translate I*y") + 20);
 }
+
+TEST_CASE("a nest that names what is inside of it twice is gone through once", "[plan][textures]")
+{
+    constexpr int kDepth = 60;  // 2^60 leaves
+    const std::string loop = "#for (I, 1, " + std::to_string(kDepth) + ") ";
+    const std::string declared = "#declare P = pigment { slope y } #declare N = normal { bumps } " + loop +
+                                 "#declare P = pigment { checker pigment { P } pigment { P } scale 1/2 } #end " + loop +
+                                 "#declare N = normal { wood normal_map { [0 N] [1 N] } } #end";
+    const plan::CompiledScene scene = wearing(declared, 3, "pigment { P scale I } normal { N scale I }");
+    CHECK(scene.textures.pigments.size() < 3 * kDepth);
+    CHECK(scene.textures.normals.size() < 3 * kDepth);
+    CHECK(scene.traits.surfaces[0].looked_around);
+}
