@@ -118,13 +118,13 @@ PngWriter::PngWriter(const std::string& path, const FileShape& shape, PngEffort 
                                      PNG_COLOR_TYPE_RGB_ALPHA};
     const bool eight_bits = shape.bits <= 8;
     const PngHeader header{static_cast<png_uint_32>(shape.width),
-                        static_cast<png_uint_32>(shape.height),
-                        eight_bits ? 8 : 16,
-                        kColorTypes.at(static_cast<std::size_t>(shape.channels - 1)),
-                        static_cast<png_byte>(shape.bits),
-                        shape.curve.kind == TransferCurve::Kind::Srgb,
-                        static_cast<double>(shape.curve.approximate_gamma()),
-                        shape.software};
+                           static_cast<png_uint_32>(shape.height),
+                           eight_bits ? 8 : 16,
+                           kColorTypes.at(static_cast<std::size_t>(shape.channels - 1)),
+                           static_cast<png_byte>(shape.bits),
+                           shape.curve.kind == TransferCurve::Kind::Srgb,
+                           static_cast<double>(shape.curve.approximate_gamma()),
+                           shape.software};
     encoder_->bits = shape.bits;
     encoder_->row.resize(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.channels) *
                          (eight_bits ? 1 : 2));

@@ -117,8 +117,7 @@ double PhotonMap::estimated_radius(bool media, LibraryRandom& random) const
     }
     const double average = sum / static_cast<double>(count);
     const auto most = static_cast<double>(gather_most);
-    double radius = media ? numbers::pow(3.0 * most / (4.0 * pi * average), 0.3333)
-                          : std::sqrt(most / (average * pi));
+    double radius = media ? numbers::pow(3.0 * most / (4.0 * pi * average), 0.3333) : std::sqrt(most / (average * pi));
     std::size_t sparse = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double here = density(radius);

@@ -18,8 +18,8 @@ Double cycles(const Double& v)
 }
 
 /// The sum over all sources of wave(i, distance from the i-th), of each point.
-template <class Wave>
-void sum_over_sources(const TextureSet& set, const Points& p, Wave&& wave, Values& out)
+template <class F>
+void sum_over_sources(const TextureSet& set, const Points& p, F&& wave, Values& out)
 {
     const Double zero(0.0), one(1.0);
     for (std::size_t k = 0; k < p.size(); k += kLanes) {
