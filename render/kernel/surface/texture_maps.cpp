@@ -3,7 +3,7 @@
 #include "render/kernel/surface/mix_textures.h"
 #include "render/kernel/surface/prefetch_pigments.h"
 #include "render/kernel/surface/shade_surface.h"
-#include "render/texture/points/entries.h"
+#include "render/texture/entries.h"
 
 #include <algorithm>
 #include <bit>

@@ -3,7 +3,7 @@
 #include "render/texture/function_host.h"
 #include "render/texture/map_points.h"
 #include "render/texture/noise/noise_points.h"
-#include "render/texture/points/entries.h"
+#include "render/texture/entries.h"
 #include "render/texture/points/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
 

@@ -40,19 +40,17 @@ struct Waves final : Field {
 TEST_CASE("many rays of a julia fractal are told what each is told alone", "[csg][many][julia]")
 {
     if (!runs_here()) return;
-    using Function = JuliaTerms::Function;
-    for (const Function function :
-         {Function::Square, Function::Cube, Function::HyperSquare, Function::HyperCube, Function::Exp, Function::Ln,
-          Function::Sin, Function::Asin, Function::Cos, Function::Acos, Function::Tan, Function::Atan, Function::Sinh,
-          Function::Asinh, Function::Cosh, Function::Acosh, Function::Tanh, Function::Atanh, Function::Power}) {
+    using Kind = JuliaTerms::Function;
+    for (const Kind function : {Kind::Square, Kind::Cube, Kind::HyperSquare, Kind::HyperCube, Kind::Exp, Kind::Ln,
+                                Kind::Sin, Kind::Asin, Kind::Cos, Kind::Acos, Kind::Tan, Kind::Atan, Kind::Sinh,
+                                Kind::Asinh, Kind::Cosh, Kind::Acosh, Kind::Tanh, Kind::Atanh, Kind::Power}) {
         INFO("function " << static_cast<int>(function));
         int ends = 0;
         for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(share(60)); ++seed) {
             Rng rng(seed + 1000);
             JuliaTerms terms;
             terms.function = function;
-            terms.constant = function <= Function::Cube ? glm::dvec4(-0.2, 0.6, 0.2, 0.2)
-                                                        : glm::dvec4(0.3, 0.2, -0.4, 0.1);
+            terms.constant = function <= Kind::Cube ? glm::dvec4(-0.2, 0.6, 0.2, 0.2) : glm::dvec4(0.3, 0.2, -0.4, 0.1);
             if (rng.coin()) terms.constant *= rng.uniform(0.2, 1.0);
             terms.exponent = {rng.uniform(-1.0, 3.0), rng.uniform(-0.4, 0.4)};
             terms.iterations = 1 + rng.below(9);

@@ -10,14 +10,14 @@ using support::run_program;
 
 namespace {
 
-const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 }\ncamera { location -4*z look_at 0 }\n";
+const std::string kHeading = "#version 3.7; global_settings { assumed_gamma 1 }\ncamera { location -4*z look_at 0 }\n";
 
 }  // namespace
 
 TEST_CASE("paths take samples, an error or a time as other pictures do", "[program][path]")
 {
     const support::TemporaryFolder folder;
-    support::write_text(folder / "s.pov", kHead + "background { rgb .5 }\nlight_source { <3,5,-5> rgb 1 }\n"
+    support::write_text(folder / "s.pov", kHeading + "background { rgb .5 }\nlight_source { <3,5,-5> rgb 1 }\n"
                                                   "sphere { 0, 1 pigment { rgb .8 } }\n");
     const auto ended = [&](std::vector<std::string> words) {
         words.insert(words.begin(), {"s.pov", "+W32", "+H24", "-D", "--integrator=path"});
@@ -35,9 +35,9 @@ TEST_CASE("paths take samples, an error or a time as other pictures do", "[progr
 TEST_CASE("paths tell of what they cannot do", "[program][path]")
 {
     const support::TemporaryFolder folder;
-    support::write_text(folder / "dark.pov", kHead + "sphere { 0, 1 pigment { rgb .8 } finish { ambient 1 } }\n");
+    support::write_text(folder / "dark.pov", kHeading + "sphere { 0, 1 pigment { rgb .8 } finish { ambient 1 } }\n");
     support::write_text(folder / "sky.pov",
-                        kHead + "sky_sphere { pigment { image_map { hdr \"sky.hdr\" map_type 1 } } }\n");
+                        kHeading + "sky_sphere { pigment { image_map { hdr \"sky.hdr\" map_type 1 } } }\n");
     support::write_text(folder / "sky.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\nand no more");
     const auto ended = [&](const std::vector<std::string>& words) {
         return run_program(folder.path(), WHITTLE_PROGRAM, words);
@@ -60,7 +60,7 @@ TEST_CASE("paths tell of what they cannot do", "[program][path]")
 TEST_CASE("a report by paths measures the rest against them", "[program][report][path]")
 {
     const support::TemporaryFolder folder;
-    support::write_text(folder / "s.pov", kHead + "background { rgb .5 }\nsphere { 0, 1 pigment { rgb .8 } }\n");
+    support::write_text(folder / "s.pov", kHeading + "background { rgb .5 }\nsphere { 0, 1 pigment { rgb .8 } }\n");
     const auto ended = run_program(folder.path(), WHITTLE_PROGRAM,
                                    {"report", "s.pov", "-o", "r.html", "+W16", "+H12", "--povray=off",
                                     "--integrator=path", "--truth-error=1", "--truth-seconds=2"});
