@@ -18,7 +18,7 @@ TEST_CASE("paths take samples, an error or a time as other pictures do", "[progr
 {
     const support::TemporaryFolder folder;
     support::write_text(folder / "s.pov", kHeading + "background { rgb .5 }\nlight_source { <3,5,-5> rgb 1 }\n"
-                                                  "sphere { 0, 1 pigment { rgb .8 } }\n");
+                                                     "sphere { 0, 1 pigment { rgb .8 } }\n");
     const auto ended = [&](std::vector<std::string> words) {
         words.insert(words.begin(), {"s.pov", "+W32", "+H24", "-D", "--integrator=path"});
         return run_program(folder.path(), WHITTLE_PROGRAM, words);
