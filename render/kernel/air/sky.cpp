@@ -75,7 +75,7 @@ scene::Color sky_color(const Context& context, const csg::Ray& ray, bool mirrore
 
 namespace {
 
-constexpr std::size_t kMostLayers = 16;  ///< looked up together
+constexpr std::size_t kMostLayers = 32;  ///< looked up together
 using LayerColors = std::array<texture::ColorPoints, kMostLayers>;
 
 /// layered_sky() of many rays of one kind.
