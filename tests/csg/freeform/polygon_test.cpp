@@ -48,8 +48,9 @@ TEST_CASE("a polygon holds what an odd number of its edges lies beside", "[csg][
                 all.push_back(all[all.size() - loop.size()]);
             }
             const csg::Polygon polygon(all);
+            const int points = corners > 100 ? 200 : 1000;
             int looked = 0;
-            for (int i = 0; i < 3000; ++i) {
+            for (int i = 0; i < points; ++i) {
                 const glm::dvec2 q{1.1 * unit(random), 1.1 * flat * unit(random)};
                 const std::optional<bool> wanted = odd(loops, q);
                 if (!wanted) continue;
@@ -61,6 +62,6 @@ TEST_CASE("a polygon holds what an odd number of its edges lies beside", "[csg][
                 REQUIRE(met == *wanted);
                 ++looked;
             }
-            CHECK(looked > 2000);
+            CHECK(looked > points / 2);
         }
 }
