@@ -18,7 +18,8 @@ inline double fused_remainder(double a, double b, bool& known)
 }
 #endif
 
-/// Not inline: clang takes the library's call for an instruction, and asks it beforehand in case it is wanted.
+/// Not inline: clang treats the call as an instruction without side effects and would run it whether it is needed or
+/// not.
 [[gnu::noinline]] inline double library_fmod(double a, double b) { return std::fmod(a, b); }
 
 /// std::fmod(), to the bit: by fused products, or of whole numbers by one division, which takes a fifth of the time of

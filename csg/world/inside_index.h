@@ -7,7 +7,8 @@
 
 namespace csg {
 
-/// Whether a point lies inside of anything of a world, asked so often that the items near it are found by a hierarchy.
+/// Tells whether a point lies inside any item of a world. A hierarchy finds the items near it, for callers that ask
+/// often.
 class InsideIndex {
 public:
     /// \param world outlives this

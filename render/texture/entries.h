@@ -7,8 +7,8 @@
 
 namespace texture {
 
-/// Calls f(entry, which) for each entry of a map that one of the first `count` (at most 64, at least one) of the blends
-/// looks at, in order; bit i of `which`: blends[i] does.
+/// Calls f(entry, which), in order, for each entry of a map that some of the first `count` blends look at (1 to 64 of
+/// them); bit i of `which` is set if blends[i] does.
 template <class Blends, class F>
 inline void each_entry(const Blends& blends, std::size_t count, F&& f)
 {

@@ -52,7 +52,7 @@ void Polygon::find_plane(const std::vector<glm::dvec3>& corners)
     sort_into_bands();
 }
 
-/// Of all loops, but those along the first axis, which no point lies beside.
+/// Edges along the first axis are left out: a point is never counted as beside one.
 void Polygon::add_edges(const std::vector<glm::dvec2>& corners)
 {
     for (std::size_t first = 0; first < corners.size();) {
@@ -69,7 +69,7 @@ std::size_t Polygon::band_of(double y) const
     return std::min(static_cast<std::size_t>((y - low_) * bands_per_unit_), ends_.size() - 1);
 }
 
-/// About one edge begins in a band: what a point is asked for does not grow with the corners.
+/// A point looks at the edges of its band alone. There are as many bands as edges, so more corners do not cost more.
 void Polygon::sort_into_bands()
 {
     if (edges_.empty()) return;

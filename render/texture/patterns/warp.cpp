@@ -63,7 +63,7 @@ glm::dvec3 to_cubic(const glm::dvec3& p)
     return {1.0 - eighth(p.x / a.z), kThird + kThird * half(p.y / a.z), a.z};
 }
 
-/// The square of a distance at which a black hole surely moves nothing: most are far off, and no root is asked.
+/// A squared distance beyond which a black hole moves nothing. Most points are that far off, and need no square root.
 double beyond(const scene::BlackHoleWarp& w)
 {
     constexpr double kRoundings = 1.0 + 1e-12;
