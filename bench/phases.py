@@ -2,7 +2,8 @@
 """Trace and parse times, and those of whole runs, against POV-Ray over whole collections of scenes.
 
 usage: bench/phases.py [SCENE...] [--total] [--effects] [--folder FOLDER]... [--own-only] [--threads 1] [--runs 3]
-                       [--clock cpu|wall] [--slow 0.2] [--bar 6] [--least 2.5]
+                       [--clock cpu|wall] [--slow 0.2] [--size 320x240] [--antialias THRESHOLD] [--draw N --seed 1]
+                       [--bar 6] [--least 2.5]
                        [--cache FILE] [--json FILE] [--markdown FILE] [--csv FILE]
 
 Measured are the scenes of `scenes/phases`, the eight of `bench/run.py` and those of every FOLDER (that of the package
@@ -11,6 +12,8 @@ not POV-Ray's is left out and listed; one of ours that differs is a failure. ben
 --total: what counts is the whole run, from its start to its end: reading, bounding or plan, photons, radiosity, tracing and
 the file, for --slow too. The table has the peak memory beside it.
 SCENE picks scenes by their name in the table; * and ? stand for any letters.
+--draw: N scenes of the folders at random, the same for the same --seed, with --size and --antialias as people render them:
+bench/README.md has the line. What does not end within --limit seconds in POV-Ray is told and does not count.
 --effects: nine scenes of povray-examples whose light scatters and bounces, with one thread and two, medians of five
 runs, and a bar of 5 for each of them; what else is given goes before that. The table names two whose pictures differ for a
 cause that docs/parity.md tells.
@@ -23,6 +26,7 @@ import fnmatch
 import json
 import os
 import pathlib
+import random
 import re
 import shutil
 import statistics
@@ -35,7 +39,6 @@ import speed
 from phases_table import MATCH, markdown, plain, remark, summary
 
 EXAMPLES = "/usr/share/doc/povray/examples"
-SIZE = ["+W320", "+H240", "-A"]  # of the scenes of a folder, which have no line of options
 # Those of --effects: media, radiosity, photons, light below surfaces, and all together. Some take POV-Ray a minute
 # at SIZE.
 EFFECTS = {"advanced/mediasky": None, "interior/media/media4": (640, 480), "radiosity/cornell": None,
@@ -60,6 +63,10 @@ class Times(typing.NamedTuple):
     memory: int
 
 
+class NotByPovray(speed.Failure):
+    """A scene that POV-Ray refuses, or does not end in time."""
+
+
 class Scene:
     """A scene, its name in the table and the options that both programs render it with."""
 
@@ -78,11 +85,26 @@ def own_scenes():
         yield Scene(name, speed.HERE / f"scenes/{name}.pov", [f"+W{width}", f"+H{height}", "-A"], True)
 
 
-def folder_scenes(folder, effects):
+def folder_scenes(folder, options):
+    """The scenes of a folder, which have no line of options of their own."""
+    antialias = f"+A{options.antialias}" if options.antialias else "-A"
     for path in sorted(folder.rglob("*.pov")):
         name = str(path.relative_to(folder).with_suffix(""))
-        size = EFFECTS.get(name) if effects else None
-        yield Scene(name, path, [f"+W{size[0]}", f"+H{size[1]}", "-A"] if size else SIZE, False)
+        width, height = options.effects and EFFECTS.get(name) or options.size
+        yield Scene(name, path, [f"+W{width}", f"+H{height}", antialias], False)
+
+
+def drawn(folders, number, seed):
+    """The same scenes of all folders for the same seed, whatever else is asked of them."""
+    everything = [(root, scene) for root, scenes in folders for scene in scenes]
+    chosen = set(random.Random(seed).sample(range(len(everything)), min(number, len(everything))))
+    kept = [pair for place, pair in enumerate(everything) if place in chosen]
+    return [(root, [scene for its, scene in kept if its == root]) for root, _ in folders]
+
+
+def width_and_height(text):
+    width, height = text.split("x")
+    return int(width), int(height)
 
 
 class Copies:
@@ -111,7 +133,10 @@ def povray_seconds(said, stages, clock):
 def povray_run(options, scene, path, threads, picture, more=(), clock=None):
     """Times of one run, by the clock of the options if none is named."""
     command = [options.povray, f"+I{path.name}", f"+O{picture}", *scene.options, *COMMON, f"+WT{threads}", *more]
-    run = speed.execute(command, path.parent, options.limit)
+    try:
+        run = speed.execute(command, path.parent, options.limit)
+    except speed.Failure as failure:
+        raise NotByPovray(str(failure)) from None
     # A stage's text must not reach into the next one's: POV-Ray says "No photons" where none were shot.
     said = re.sub(r"(Photon|Radiosity) Time:\s+No \w+", "", run.said)
     clock = clock or options.clock
@@ -216,6 +241,10 @@ def arguments():
     parser.add_argument("--runs", type=int, help="of each, of which the median counts (3)")
     parser.add_argument("--clock", choices=["cpu", "wall"], default="cpu")
     parser.add_argument("--slow", type=float, default=0.2, help="POV-Ray's least seconds for a scene of a folder (0.2)")
+    parser.add_argument("--size", type=width_and_height, default=(320, 240), help="of the pictures of a folder (320x240)")
+    parser.add_argument("--antialias", type=float, metavar="THRESHOLD", help="of the pictures of a folder (none)")
+    parser.add_argument("--draw", type=int, metavar="N", help="so many scenes of the folders at random, however long they take, and none of this folder")
+    parser.add_argument("--seed", type=int, default=1, help="of the draw (1)")
     parser.add_argument("--limit", type=float, default=600, help="most seconds for a run (600)")
     parser.add_argument("--bar", type=float, help="least geometric mean (6)")
     parser.add_argument("--least", type=float, help="least ratio of a scene (2.5)")
@@ -243,17 +272,19 @@ def main():
     def wanted(scene):
         return not options.scenes or any(fnmatch.fnmatchcase(scene.name, name) for name in options.scenes)
 
-    groups = [(None, [scene for scene in own_scenes() if wanted(scene)])]
-    groups += [(folder, [scene for scene in folder_scenes(folder, options.effects) if wanted(scene)])
-               for folder in folders]
+    groups = [(folder, [scene for scene in folder_scenes(folder, options) if wanted(scene)]) for folder in folders]
+    if options.draw:
+        groups = drawn(groups, options.draw, options.seed)
+    else:
+        groups.insert(0, (None, [scene for scene in own_scenes() if wanted(scene)]))
     if not any(scenes for _, scenes in groups):
         parser.error("no such scene")
 
-    scan, rows, excluded, failures = Scan(options.cache), [], [], []
+    scan, rows, excluded, failures, skipped = Scan(options.cache), [], [], [], []
     with tempfile.TemporaryDirectory() as scratch:
         povrays, ours = Copies(scratch, "povray"), Copies(scratch, "whittle")
         for root, scenes in groups:
-            if root is None:
+            if root is None or options.draw:
                 picked = [(scene, {}) for scene in scenes]
             else:
                 picked = list(slow_scenes(options, scenes, scan, povrays, root, f"{scratch}/scan.png"))
@@ -266,7 +297,8 @@ def main():
                         row = measure(options, scene, entry, paths, threads, scratch)
                     except speed.Failure as failure:
                         print(failure, file=sys.stderr)
-                        failures.append((scene.name, str(failure)))
+                        unmeasured = options.draw and isinstance(failure, NotByPovray)
+                        (skipped if unmeasured else failures).append((scene.name, str(failure)))
                         continue
                     scan.save()
                     times = " / ".join(f"{row[f'{who}_{options.phase}_s']:.3f}" for who in ("povray", "whittle"))
@@ -280,6 +312,8 @@ def main():
     print("\n".join(f"{title}: {value}" for title, value in told.items()))
     if excluded:
         print(f"left out, other pictures: {', '.join(row['scene'] for row in excluded)}")
+    if skipped:
+        print(f"left out, POV-Ray refuses them or does not end: {', '.join(name for name, _ in skipped)}")
     if options.markdown:
         text = markdown(rows, options.phase) + "\n\n" + "\n".join(f"- {title}: {value}" for title, value in told.items()) + "\n"
         if excluded:
