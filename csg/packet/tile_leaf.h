@@ -60,6 +60,7 @@ struct TileLeaf {
             return;
         }
         if (kind_of(item.solid) == SolidKind::Torus && !guarded && torus(index, mask)) return;
+        if (kind_of(item.solid) == SolidKind::Quadric && !guarded) return quadric(index, mask);
         if (serves_instance(item, mask)) return within(index, mask);
         const bool mesh = serves_mesh(item, mask);
         if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many || mesh))
@@ -239,6 +240,26 @@ private:
             query.solid(index, ends.met[which], [&](int i) { return ends.piece(which, i); });
         for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));
         return true;
+    }
+
+    /// Its second spans are kept while the first are looked at.
+    void quadric(std::uint32_t index, RayMask mask) const
+    {
+        const Quadric& solid = world.store.all<Quadric>()[index_of(world.items[index].solid)];
+        std::array<lanes::Intervals, kTileRays / lanes::kDoubles> beyond;
+        RayMask unclear = 0, twice = 0;
+        lanes::with_spans(solid, rays, [&](const auto& both) {
+            query.solid(index, mask, [&](int i) {
+                lanes::Intervals& second = beyond[static_cast<std::size_t>(i) / lanes::kDoubles];
+                const lanes::Intervals own = both(i, second);
+                unclear |= RayMask{lanes::mask(own.unclear)} << i & mask;
+                twice |= RayMask{lanes::mask(second.met)} << i & mask;
+                return own;
+            });
+        });
+        if (twice != 0)
+            query.solid(index, twice, [&](int i) { return beyond[static_cast<std::size_t>(i) / lanes::kDoubles]; });
+        for (; unclear != 0; unclear &= unclear - 1) each(index, std::countr_zero(unclear));
     }
 
     /// A lone triangle without a guard, as all are that leaves of triangles hold.

@@ -193,15 +193,16 @@ private:
     {
         RayMask held = 0;
         Piece &first = next_piece(k), &second = next_piece(k);
-        each_vector(mask, [&](int i) {
-            lanes::Intervals beyond;
-            const lanes::Intervals own = lanes::Test<Quadric, decltype(rays_.origins(i))>(quadric, rays_.origins(i))
-                                             .both(rays_.directions(i), beyond);
-            const RayMask unclear = bits(own.unclear, i);
-            undecided |= unclear;
-            held |= unclear;
-            if (lanes::mask(own.met) != 0) held |= put(first, own, i);
-            if (lanes::mask(beyond.met) != 0) held |= put(second, beyond, i);
+        lanes::with_spans(quadric, rays_, [&](const auto& both) {
+            each_vector(mask, [&](int i) {
+                lanes::Intervals beyond;
+                const lanes::Intervals own = both(i, beyond);
+                const RayMask unclear = bits(own.unclear, i);
+                undecided |= unclear;
+                held |= unclear;
+                if (lanes::mask(own.met) != 0) held |= put(first, own, i);
+                if (lanes::mask(beyond.met) != 0) held |= put(second, beyond, i);
+            });
         });
         if (second.rays == 0) --pieces_;  // it has none without the first
         if (first.rays == 0) --pieces_;

@@ -60,6 +60,20 @@ private:
     P start_;
 };
 
+/// Calls f(both), where both(i, second) gives Test<Quadric>::both() of the rays from i on.
+template <class Rays, class F>
+inline void with_spans(const Quadric& quadric, const Rays& rays, F&& f)
+{
+    if constexpr (Rays::kShared) {
+        const Test<Quadric, glm::dvec3> test(quadric, rays.origin);
+        f([&](int i, Intervals& second) { return test.both(rays.directions(i), second); });
+    } else {
+        f([&](int i, Intervals& second) {
+            return Test<Quadric, Points>(quadric, rays.origins(i)).both(rays.directions(i), second);
+        });
+    }
+}
+
 /// Whether with_test() gives one interval for every ray.
 inline bool has_test(const SolidStore& store, PartId part)
 {
