@@ -6,7 +6,8 @@
 /// Exponential and hyperbolic functions: e^x is 2^(k / 128) of a table times e^r of an r below 0.003.
 namespace numbers {
 
-inline constexpr double kMostQuickExponent = 708.0;  // e^x and e^-x are normal numbers
+inline constexpr double kMostQuickExponent = 708.0;                      // e^x and e^-x are normal numbers
+inline constexpr double kLeastExponent = -746.0, kMostExponent = 710.0;  // beyond them e^x is 0 and infinite
 
 /// (high + low) 2^floor(step / 128); low is below 2^-8 of high. `step` counts in the number's low 51 bits.
 template <class V, class W = decltype(words_of(std::declval<V>()))>

@@ -104,7 +104,7 @@ double special_power(double x, double y)
     if (std::abs(x) < kMostQuickExponent) [[likely]]
         return quick_value(exponential_of(x, 0.0));
     if (std::isnan(x)) return x;
-    return x > 710.0 ? kInf : x < -746.0 ? 0.0 : value(exponential_of(x, 0.0));
+    return x > kMostExponent ? kInf : x < kLeastExponent ? 0.0 : value(exponential_of(x, 0.0));
 }
 
 [[gnu::flatten]] double log(double x)
@@ -132,8 +132,8 @@ double special_power(double x, double y)
     if (x < 0.0 && !is_whole(y)) return kNan;
     const double sign = x < 0.0 && is_odd(y) ? -1.0 : 1.0;
     const Pair<double> e = exponent_of(logarithm_of_size(std::abs(x)), y);
-    if (e.high > 710.0) return sign * kInf;
-    return e.high < -746.0 ? sign * 0.0 : sign * value(exponential_of(e.high, e.low));
+    if (e.high > kMostExponent) return sign * kInf;
+    return e.high < kLeastExponent ? sign * 0.0 : sign * value(exponential_of(e.high, e.low));
 }
 
 namespace {

@@ -40,6 +40,17 @@ Double completed(const Double& quick, const Bool& plain, One&& one, const V&... 
     return one_by_one(quick, left, one, of...);
 }
 
+/// e^x out of its quick value; beyond the ends of a double it needs no other.
+template <class Bool, class One, class... V>
+Double exponential_value(const Double& x, const Double& quick, const Bool& plain, One&& one, const V&... of)
+{
+    const auto none = x<Double(kLeastExponent), infinite = x> Double(kMostExponent);
+    const Double ended = xsimd::select(none, Double(0.0), Double(std::numeric_limits<double>::infinity()));
+    const auto outside = none | infinite;
+    const auto quickly = xsimd::abs(x) < Double(kMostQuickExponent);
+    return completed(xsimd::select(outside, ended, quick), plain & (outside | quickly), one, of...);
+}
+
 auto smaller_than(const Double& v, double limit) { return xsimd::abs(v) < Double(limit); }
 
 }  // namespace
@@ -71,8 +82,7 @@ auto smaller_than(const Double& v, double limit) { return xsimd::abs(v) < Double
 }
 [[gnu::flatten]] Double exp(const Double& x)
 {
-    const auto plain = smaller_than(x, kMostQuickExponent);
-    return completed(quick_value(exponential_of(x, Double(0.0))), plain, OF_ONE(exp), x);
+    return exponential_value(x, quick_value(exponential_of(x, Double(0.0))), x == x, OF_ONE(exp), x);
 }
 [[gnu::flatten]] Double log(const Double& x) { return completed(quick_logarithm(x), is_plain(x), OF_ONE(log), x); }
 [[gnu::flatten]] Double log10(const Double& x)
@@ -82,8 +92,10 @@ auto smaller_than(const Double& v, double limit) { return xsimd::abs(v) < Double
 [[gnu::flatten]] Double pow(const Double& x, const Double& y)
 {
     const Pair<Double> e = exponent_of(logarithm_of(x, Double(0.0)), y);
-    const auto plain = is_plain(x) & smaller_than(e.high, kMostQuickExponent);
-    return completed(quick_value(exponential_of(e.high, e.low)), plain, OF_ONE(pow), x, y);
+    const auto of_nothing = (x == Double(0.0)) & (signed_as(Double(1.0), x) > Double(0.0)) & (y > Double(0.0));
+    const Double exponent = xsimd::select(of_nothing, Double(-std::numeric_limits<double>::infinity()), e.high);
+    const Double quick = quick_value(exponential_of(e.high, e.low));
+    return exponential_value(exponent, quick, is_plain(x) | of_nothing, OF_ONE(pow), x, y);
 }
 [[gnu::flatten]] Double sinh(const Double& x)
 {
