@@ -10,223 +10,229 @@
 namespace texture {
 namespace {
 
-/// Own complex number: std::complex handles infinities at a cost that these loops need not pay.
-struct Complex {
-    double a = 0, b = 0;
-    double square() const { return a * a + b * b; }
+/// Complex numbers in lanes, without the infinities that std::complex looks after.
+struct Number {
+    Double a, b;
 };
-Complex operator+(Complex x, Complex y) { return {x.a + y.a, x.b + y.b}; }
-Complex operator-(Complex x, Complex y) { return {x.a - y.a, x.b - y.b}; }
-Complex operator*(Complex x, Complex y) { return {x.a * y.a - x.b * y.b, x.a * y.b + x.b * y.a}; }
-Complex operator*(double s, Complex y) { return {s * y.a, s * y.b}; }
-Complex operator/(Complex x, Complex y)
+Number operator+(const Number& x, const Number& y) { return {x.a + y.a, x.b + y.b}; }
+Number operator-(const Number& x, const Number& y) { return {x.a - y.a, x.b - y.b}; }
+Number operator*(const Number& x, const Number& y) { return {x.a * y.a - x.b * y.b, x.a * y.b + x.b * y.a}; }
+Number operator*(double s, const Number& y) { return {Double(s) * y.a, Double(s) * y.b}; }
+Number operator/(const Number& x, const Number& y)
 {
-    const double q = y.square();
+    const Double q = y.a * y.a + y.b * y.b;
     return {(x.a * y.a + x.b * y.b) / q, (x.b * y.a - x.a * y.b) / q};
 }
+Number whole(double a) { return {Double(a), Double(0.0)}; }
 
-constexpr double kEscape = 4.0;                 // |z|^2 of mandel and julia
-constexpr double kMagnetEscape = 10000.0;       // |z|^2 of the magnets
-constexpr double kMagnetFixed = 1.0 / 10000.0;  // |z - 1|^2 below which a magnet has converged
-
-double exterior(const Pattern& pattern, int k, Complex z)
+/// What is told of a point that has escaped in step k, with z there.
+double exterior(const Pattern& pattern, int k, double a, double b)
 {
     const double f = pattern.numbers[3];
     switch (static_cast<int>(pattern.numbers[2])) {
     case 0: return f;
     case 1: return k / pattern.numbers[0];
-    case 2: return f * z.a;
-    case 3: return f * z.b;
-    case 4: return f * z.a * z.a;
-    case 5: return f * z.b * z.b;
-    case 6: return f * std::sqrt(z.square());
+    case 2: return f * a;
+    case 3: return f * b;
+    case 4: return f * a * a;
+    case 5: return f * b * b;
+    case 6: return f * std::sqrt(a * a + b * b);
     case 7: return std::trunc(f) == 0.0 ? 0.0 : numbers::fmod(k, std::trunc(f)) / f;
     case 8: return std::trunc(1.0 + f) == 0.0 ? 0.0 : numbers::fmod(k, std::trunc(1.0 + f)) / f;
     default: return 0.0;
     }
 }
 
-double interior(const Pattern& pattern, double smallest, Complex z)
+/// What is told of a point that never escapes. \param smallest the least |z|^2 that it had
+double interior(const Pattern& pattern, double smallest, double a, double b)
 {
     const double f = pattern.numbers[5];
     switch (static_cast<int>(pattern.numbers[4])) {
     case 0: return f;
     case 1: return f * std::sqrt(smallest);
-    case 2: return f * z.a;
-    case 3: return f * z.b;
-    case 4: return f * z.a * z.a;
-    case 5: return f * z.b * z.b;
-    case 6: return z.a * z.a + z.b * z.b * f;
+    case 2: return f * a;
+    case 3: return f * b;
+    case 4: return f * a * a;
+    case 5: return f * b * b;
+    case 6: return a * a + b * b * f;
     default: return 0.0;
     }
 }
 
-template <class Step, class Escaped>
-double iterate(const Pattern& pattern, Complex z, double smallest, Step step, Escaped escaped)
-{
-    const int n = static_cast<int>(pattern.numbers[0]);
-    for (int k = 0; k < n; ++k) {
-        z = step(z);
-        smallest = std::min(smallest, z.square());
-        if (escaped(z)) return exterior(pattern, k, z);
+/// z on its way, with the squares of its parts, which both its size and most rules ask for.
+struct Orbit {
+    Number z;
+    Double a2, b2, size;
+    explicit Orbit(const Number& at) : z(at), a2(at.a * at.a), b2(at.b * at.b), size(a2 + b2) {}
+    Number square() const
+    {
+        const Double product = z.a * z.b;
+        return {a2 - b2, product + product};
     }
-    return interior(pattern, smallest, z);
-}
+};
 
-Complex to_power(Complex z, int exponent)
-{
-    Complex r = z;
-    for (int i = 1; i < exponent; ++i) r = r * z;
-    return r;
-}
-
-double power_set(const Pattern& pattern, Complex z, Complex c)
-{
-    const int exponent = static_cast<int>(pattern.numbers[1]);
-    return iterate(
-        pattern, z, z.square(), [c, exponent](Complex w) { return to_power(w, exponent) + c; },
-        [](Complex w) { return w.square() > kEscape; });
-}
-
-double magnet(const Pattern& pattern, Complex z, double smallest, Complex c)
-{
-    const Complex one{1, 0}, two{2, 0};
-    const auto first = [c, one, two](Complex w) {
-        const Complex q = (w * w + c - one) / (2.0 * w + c - two);
-        return q * q;
-    };
-    const Complex c1 = c - one, c2 = c - two, c12 = c1 * c2;
-    const auto second = [c1, c2, c12, one](Complex w) {
-        const Complex q = (w * w * w + 3.0 * c1 * w + c12) / (3.0 * w * w + 3.0 * c2 * w + c12 + one);
-        return q * q;
-    };
-    const auto escaped = [one](Complex w) { return w.square() > kMagnetEscape || (w - one).square() < kMagnetFixed; };
-    return pattern.numbers[6] == 2.0 ? iterate(pattern, z, smallest, second, escaped)
-                                     : iterate(pattern, z, smallest, first, escaped);
-}
-
-}  // namespace
-
-double mandel(const Pattern& pattern, const glm::dvec3& p) { return power_set(pattern, {p.x, p.y}, {p.x, p.y}); }
-
-namespace {
-
-using csg::lanes::Double;
-
-/// power_set of as many points as there are lanes, in the same order of operations; the point itself may be the
-/// constant. Squares: the exponent is 2, and products that are alike are made once.
+/// z^exponent + c. Squares: the exponent is 2.
 template <bool Squares>
-struct Orbits {
-    Double a, b, of_a, of_b;        ///< z, and what is added to each of its powers
-    Double a2, b2, size, smallest;  ///< squares of the parts of z; their sum, and the least that it was
-    std::uint32_t inside;           ///< lanes that have not escaped
-
-    Orbits(const Pattern& pattern, const Double& x, const Double& y, std::uint32_t lanes)
-        : a(x), b(y), of_a(x), of_b(y), a2(x * x), b2(y * y), size(a2 + b2), smallest(size), inside(lanes)
+struct PowerRule {
+    Number c;
+    int exponent;
+    PowerRule(const Pattern& pattern, const Number& of) : c(of), exponent(static_cast<int>(pattern.numbers[1])) {}
+    Number next(const Orbit& at) const
     {
-        if (pattern.kind != PatternKind::Mandel) of_a = Double(pattern.vector.x), of_b = Double(pattern.vector.y);
+        if constexpr (Squares) return at.square() + c;
+        Number r = at.z;
+        for (int i = 1; i < exponent; ++i) r = r * at.z;
+        return r + c;
     }
+    static auto escaped(const Orbit& at) { return at.size > Double(4.0); }
+};
 
-    /// The lanes that escape now. A lane that is out stays out: its size grows or is no number.
-    [[gnu::always_inline]] std::uint32_t step(int exponent)
+struct MagnetRule {
+    static constexpr double kFar = 10000.0, kFixed = 1.0 / 10000.0;  // |z|^2, and |z - 1|^2 where it has converged
+    static auto escaped(const Orbit& at)
     {
-        Double ra = a, rb = b;
-        if constexpr (Squares) {
-            const Double product = a * b;
-            ra = a2 - b2;
-            rb = product + product;
-        } else {
-            for (int i = 1; i < exponent; ++i) {
-                const Double next = ra * a - rb * b;
-                rb = ra * b + rb * a;
-                ra = next;
-            }
-        }
-        a = ra + of_a;
-        b = rb + of_b;
-        a2 = a * a;
-        b2 = b * b;
-        size = a2 + b2;
-        smallest = xsimd::select(size < smallest, size, smallest);
-        const std::uint32_t fresh = csg::lanes::mask(size > Double(kEscape)) & inside;
+        const Double off = at.z.a - Double(1.0);
+        return (at.size > Double(kFar)) | (off * off + at.b2 < Double(kFixed));
+    }
+};
+
+/// ((z^2 + c - 1) / (2z + c - 2))^2
+struct FirstMagnet : MagnetRule {
+    Number c;
+    FirstMagnet(const Pattern&, const Number& of) : c(of) {}
+    Number next(const Orbit& at) const
+    {
+        const Number q = (at.square() + c - whole(1)) / (2.0 * at.z + c - whole(2));
+        return q * q;
+    }
+};
+
+/// ((z^3 + 3 (c - 1) z + (c - 1) (c - 2)) / (3 z^2 + 3 (c - 2) z + (c - 1) (c - 2) + 1))^2
+struct SecondMagnet : MagnetRule {
+    Number c1, c2, c12;
+    SecondMagnet(const Pattern&, const Number& of) : c1(of - whole(1)), c2(of - whole(2)), c12(c1 * c2) {}
+    Number next(const Orbit& at) const
+    {
+        const Number above = at.square() * at.z + 3.0 * c1 * at.z + c12;
+        const Number q = above / (3.0 * at.z * at.z + 3.0 * c2 * at.z + c12 + whole(1));
+        return q * q;
+    }
+};
+
+/// As many points as there are lanes, each on its own way.
+template <class Rule>
+struct Walk {
+    Rule rule;
+    Orbit at;
+    Double smallest;
+    std::uint32_t inside;  ///< lanes that have not escaped
+
+    Walk(const Pattern& pattern, const Number& start, const Number& c, const Double& least, std::uint32_t lanes)
+        : rule(pattern, c), at(start), smallest(least), inside(lanes)
+    {}
+    /// The lanes that escape now.
+    [[gnu::always_inline]] std::uint32_t step()
+    {
+        at = Orbit(rule.next(at));
+        smallest = xsimd::select(at.size < smallest, at.size, smallest);
+        const std::uint32_t fresh = csg::lanes::mask(Rule::escaped(at)) & inside;
         inside &= ~fresh;
         return fresh;
     }
 };
 
-/// value(z, the least square of its length) of some lanes.
-template <class Value>
-void put_lanes(const Double& a, const Double& b, const Double& smallest, std::uint32_t lanes, double* out,
-               Value&& value)
+/// value(a, b, the least |z|^2) of some lanes.
+template <class Rule, class Value>
+void put_lanes(const Walk<Rule>& walk, std::uint32_t lanes, double* out, Value&& value)
 {
-    alignas(64) double za[kLanes], zb[kLanes], least[kLanes];
-    a.store_aligned(za);
-    b.store_aligned(zb);
-    smallest.store_aligned(least);
+    alignas(64) double a[kLanes], b[kLanes], least[kLanes];
+    walk.at.z.a.store_aligned(a);
+    walk.at.z.b.store_aligned(b);
+    walk.smallest.store_aligned(least);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
-        out[i] = value(Complex{za[i], zb[i]}, least[i]);
+        out[i] = value(a[i], b[i], least[i]);
     }
 }
 
-template <bool Squares>
-[[gnu::noinline]] void put_escaped(const Pattern& pattern, int k, const Orbits<Squares> orbits, std::uint32_t lanes,
+template <class Rule>
+[[gnu::noinline]] void put_escaped(const Pattern& pattern, int k, const Walk<Rule> walk, std::uint32_t lanes,
                                    double* out)
 {
-    put_lanes(orbits.a, orbits.b, orbits.smallest, lanes, out,
-              [&](Complex z, double) { return exterior(pattern, k, z); });
+    put_lanes(walk, lanes, out, [&](double a, double b, double) { return exterior(pattern, k, a, b); });
 }
 
-/// Two vectors of points in turn: a step waits for the one before it.
-template <bool Squares>
-void power_set_points(const Pattern& pattern, const Points& p, double* out)
+/// Two vectors of points in turn: a step waits for the one before it. \param start (point) -> a walk
+template <class Rule, class Start>
+void walk_all(const Pattern& pattern, const Points& p, double* out, Start&& start)
 {
-    const int exponent = static_cast<int>(pattern.numbers[1]), n = static_cast<int>(pattern.numbers[0]);
+    const int n = static_cast<int>(pattern.numbers[0]);
     static_assert(kMostPoints % (2 * kLanes) == 0);
-    for (std::size_t i = 0; i < p.size(); i += 2 * kLanes) {
-        const auto lanes = [&](std::size_t at) {
-            return at < p.size() ? (1u << std::min(kLanes, p.size() - at)) - 1u : 0u;
-        };
-        Orbits<Squares> first(pattern, get(p.x, i), get(p.y, i), lanes(i));
+    const auto walk_from = [&](std::size_t i) {
         // A vector behind the last point is anything; nobody asks for it.
-        Orbits<Squares> second(pattern, get(p.x, i + kLanes), get(p.y, i + kLanes), lanes(i + kLanes));
+        const std::uint32_t lanes = i < p.size() ? (1u << std::min(kLanes, p.size() - i)) - 1u : 0u;
+        return start(Number{get(p.x, i), get(p.y, i)}, lanes);
+    };
+    for (std::size_t i = 0; i < p.size(); i += 2 * kLanes) {
+        Walk<Rule> first = walk_from(i), second = walk_from(i + kLanes);
         for (int k = 0; k < n && (first.inside | second.inside) != 0; ++k) {
-            const std::uint32_t fresh = first.step(exponent), others = second.step(exponent);
+            const std::uint32_t fresh = first.step(), others = second.step();
             if ((fresh | others) == 0) continue;
             if (fresh != 0) put_escaped(pattern, k, first, fresh, out + i);
             if (others != 0) put_escaped(pattern, k, second, others, out + i + kLanes);
         }
-        const auto put_inside = [&](const Orbits<Squares>& of, double* to) {
-            put_lanes(of.a, of.b, of.smallest, of.inside, to,
-                      [&](Complex z, double least) { return interior(pattern, least, z); });
+        const auto put_inside = [&](const Walk<Rule>& of, double* to) {
+            put_lanes(of, of.inside, to,
+                      [&](double a, double b, double least) { return interior(pattern, least, a, b); });
         };
         put_inside(first, out + i);
         put_inside(second, out + i + kLanes);
     }
 }
 
+Number constant_of(const Pattern& pattern) { return {Double(pattern.vector.x), Double(pattern.vector.y)}; }
+
+template <class Rule>
+void power_set(const Pattern& pattern, const Points& p, double* out)
+{
+    const bool julia = pattern.kind == PatternKind::Julia;
+    walk_all<Rule>(pattern, p, out, [&](const Number& at, std::uint32_t lanes) {
+        return Walk<Rule>(pattern, at, julia ? constant_of(pattern) : at, Orbit(at).size, lanes);
+    });
+}
+
+template <class Rule>
+void magnet(const Pattern& pattern, const Points& p, double* out)
+{
+    const bool julia = pattern.kind == PatternKind::MagnetJulia;
+    walk_all<Rule>(pattern, p, out, [&](const Number& at, std::uint32_t lanes) {
+        if (julia) return Walk<Rule>(pattern, at, constant_of(pattern), Orbit(at).size, lanes);
+        return Walk<Rule>(pattern, whole(0), at, Double(MagnetRule::kFar), lanes);
+    });
+}
+
 }  // namespace
 
-void power_set_values(const Pattern& pattern, const Points& p, Values& out)
+void fractal_values(const Pattern& pattern, const Points& p, Values& out)
 {
-    if (static_cast<int>(pattern.numbers[1]) == 2) power_set_points<true>(pattern, p, out.data());
-    else power_set_points<false>(pattern, p, out.data());
+    if (pattern.kind == PatternKind::Mandel || pattern.kind == PatternKind::Julia) {
+        if (static_cast<int>(pattern.numbers[1]) == 2) power_set<PowerRule<true>>(pattern, p, out.data());
+        else power_set<PowerRule<false>>(pattern, p, out.data());
+    } else if (pattern.numbers[6] == 2.0) {
+        magnet<SecondMagnet>(pattern, p, out.data());
+    } else {
+        magnet<FirstMagnet>(pattern, p, out.data());
+    }
 }
 
-double julia(const Pattern& pattern, const glm::dvec3& p)
+double fractal(const Pattern& pattern, const glm::dvec3& p)
 {
-    return power_set(pattern, {p.x, p.y}, {pattern.vector.x, pattern.vector.y});
-}
-
-double magnet_mandel(const Pattern& pattern, const glm::dvec3& p)
-{
-    return magnet(pattern, {}, kMagnetEscape, {p.x, p.y});
-}
-
-double magnet_julia(const Pattern& pattern, const glm::dvec3& p)
-{
-    const Complex z{p.x, p.y};
-    return magnet(pattern, z, z.square(), {pattern.vector.x, pattern.vector.y});
+    Points one;
+    one.add(p);
+    one.pad();
+    Values out;
+    fractal_values(pattern, one, out);
+    return out[0];
 }
 
 }  // namespace texture

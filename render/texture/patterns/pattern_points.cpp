@@ -232,7 +232,9 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Waves: return waves_values(set, pattern, p, out);
     case PatternKind::Crackle: return crackle_values(pattern, p, out);
     case PatternKind::Mandel:
-    case PatternKind::Julia: return power_set_values(pattern, p, out);
+    case PatternKind::Julia:
+    case PatternKind::MagnetMandel:
+    case PatternKind::MagnetJulia: return fractal_values(pattern, p, out);
     default: break;
     }
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = raw_pattern(set, pattern, p.at(i), *around[i]);
@@ -252,7 +254,9 @@ unsigned live_components(const Pattern& pattern)
     case PatternKind::Cylindrical:
     case PatternKind::Radial: return 5;
     case PatternKind::Mandel:
-    case PatternKind::Julia: return 3;
+    case PatternKind::Julia:
+    case PatternKind::MagnetMandel:
+    case PatternKind::MagnetJulia: return 3;
     case PatternKind::Marble: return pattern.has_turbulence ? kAllLive : 1u;
     default: return kAllLive;
     }

@@ -75,12 +75,9 @@ double crackle(const Pattern& pattern, const glm::dvec3& p);
 /// crackle of each point; padded.
 void crackle_values(const Pattern& pattern, const Points& p, Values& out);
 
-// fractals
-double mandel(const Pattern& pattern, const glm::dvec3& p);
-double julia(const Pattern& pattern, const glm::dvec3& p);
-/// mandel or julia of each point; padded.
-void power_set_values(const Pattern& pattern, const Points& p, Values& out);
-double magnet_mandel(const Pattern& pattern, const glm::dvec3& p);
-double magnet_julia(const Pattern& pattern, const glm::dvec3& p);
+/// mandel, julia and the magnets.
+double fractal(const Pattern& pattern, const glm::dvec3& p);
+/// fractal of each point; padded.
+void fractal_values(const Pattern& pattern, const Points& p, Values& out);
 
 }  // namespace texture
