@@ -21,14 +21,15 @@ public:
         if (!(x > 0.0f)) return 0;  // NaN too
         const std::uint32_t place = std::bit_cast<std::uint32_t>(x) >> kShift;
         std::size_t level = place <= kFirst ? 0 : levels_[place < kEnd ? place - kFirst : kEnd - 1 - kFirst];
+        level += x >= begins_[level] ? 1 : 0;  // most groups begin one level at most: no branch to guess
         while (x >= begins_[level]) ++level;
         return static_cast<std::uint16_t>(level);
     }
 
 private:
-    /// Floats between 2^-24 and 1 in groups of one exponent and 6 bits of the mantissa; level 1 of a gamma of 2.2
+    /// Floats between 2^-24 and 1 in groups of one exponent and 7 bits of the mantissa; level 1 of a gamma of 2.2
     /// begins at 2^-20.
-    static constexpr int kShift = 17;
+    static constexpr int kShift = 16;
     static constexpr std::uint32_t kFirst = std::bit_cast<std::uint32_t>(0x1p-24f) >> kShift,
                                    kEnd = (std::bit_cast<std::uint32_t>(1.0f) >> kShift) + 1;
 
