@@ -121,7 +121,7 @@ private:
         if (!scene.atmosphere.empty()) media.cross_atmosphere(hollow);
         tell<&Recorder::air>(context_.scratch.shade, hollow, RecordedAir::Effect::Media);
         if (scene.fogs.empty()) return;
-        alignas(64) TileLanes lengths;
+        alignas(64) TileLanes lengths{};
         for_each_hit(hollow, [&](std::size_t k) { lengths[k] = length(k); });
         add_fogs(context_, tile_.rays, hollow, lengths, air);
     }

@@ -1,4 +1,6 @@
+#include "csg/base/points.h"
 #include "numbers/functions/functions.h"
+#include "numbers/functions/lane_functions.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
 #include "render/kernel/extinction/even_fog.h"
@@ -12,13 +14,19 @@
 namespace trace {
 namespace {
 
-/// Mean density of ground fog along a segment between two heights (spec 2, 16.2).
-double mean_density(double a, double b)
+using csg::lanes::choose;
+using csg::lanes::Double;
+
+/// Mean density of ground fog along a segment between two heights (spec 2, 16.2). V is double or lanes::Double.
+template <class V>
+V mean_density(const V& a, const V& b)
 {
-    if (a <= 0.0 && b <= 0.0) return 1.0;
-    if (a <= 0.0) return (numbers::atan(b) - a) / (b - a);
-    if (b <= 0.0) return (numbers::atan(a) - b) / (a - b);
-    return std::abs(a - b) <= kNearlyZero ? 1.0 / (1.0 + a * a) : (numbers::atan(a) - numbers::atan(b)) / (a - b);
+    const V none(0.0), full(1.0), apart = a - b;
+    const auto below_a = a <= none, below_b = b <= none;
+    const auto bent = [](const auto& below, const V& height) { return choose(below, height, numbers::atan(height)); };
+    const auto level = !below_a & !below_b & (csg::lanes::size_of(apart) <= V(kNearlyZero));
+    const V mean = choose(level, full / (full + a * a), (bent(below_a, a) - bent(below_b, b)) / apart);
+    return choose(below_a & below_b, full, mean);
 }
 
 constexpr double kUnseen = 0x1p-55;  // less than half of the last bit of 1
@@ -32,11 +40,12 @@ double most_turbulence(const texture::Fog& fog)
 }
 
 /// How much of its turbulence a fog shows at the end of a length; 0: none. Far behind the fog's distance no noise is
-/// large enough to change 1.
-double seen_turbulence(const texture::Fog& fog, double length)
+/// large enough to change 1. \param most most_turbulence()
+template <class V>
+V seen_turbulence(const texture::Fog& fog, double most, const V& length)
 {
-    const double near = fog.turbulent ? numbers::exp(-length / fog.distance) : 0.0;
-    return near * most_turbulence(fog) > kUnseen ? near : 0.0;
+    const V near = numbers::exp(-length / V(fog.distance));
+    return choose(near * V(most) > V(kUnseen), near, V(0.0));
 }
 
 /// Where turbulence is asked for.
@@ -45,28 +54,35 @@ glm::dvec3 turbulent_place(const texture::Fog& fog, const csg::Ray& ray, double 
     return ray.at(length / 2.0) * fog.turbulence.amount;
 }
 
-/// near: seen_turbulence(); turbulence: the sum at its place, of any value where that is 0.
-double fog_transmission(const texture::Fog& fog, const csg::Ray& ray, double length, double near, double turbulence)
+/// near: seen_turbulence(); turbulence: the sum at its place, of any value where that is 0. P and D: of a ray or of a
+/// ray a lane.
+template <class P, class D, class V>
+V fog_transmission(const texture::Fog& fog, const P& origin, const D& direction, const V& length, const V& near,
+                   const V& turbulence)
 {
-    double effective = length, density = 1.0;
-    if (near > 0.0) effective = length * (1.0 - near * std::min(1.0, fog.turb_depth * turbulence));
+    const V full(1.0), none(0.0), lifted = V(fog.turb_depth) * turbulence;
+    const V effective = choose(near > none, length * (full - near * choose(lifted < full, lifted, full)), length);
+    V density = full;
     if (fog.ground) {
-        const double a = (glm::dot(ray.origin, fog.up) - fog.offset) / fog.altitude;
-        const double b = (glm::dot(ray.at(length), fog.up) - fog.offset) / fog.altitude;
+        const V offset(fog.offset), altitude(fog.altitude);
+        const V a = (csg::lanes::dot(origin, fog.up) - offset) / altitude;
+        const V b = (csg::lanes::dot(csg::lanes::advanced(origin, length, direction), fog.up) - offset) / altitude;
         density = mean_density(a, b);
     }
-    return std::max(numbers::exp(-effective * density / fog.distance), static_cast<double>(fog.color.transmit));
+    const V passes = numbers::exp(-effective * density / V(fog.distance)),
+            clear(static_cast<double>(fog.color.transmit));
+    return choose(passes < clear, clear, passes);
 }
 
 double fog_transmission(const Context& context, const texture::Fog& fog, const csg::Ray& ray, double length)
 {
     if (even(fog)) return trace::fog_transmission(fog, length);
-    const double near = seen_turbulence(fog, length);
+    const double near = fog.turbulent ? seen_turbulence(fog, most_turbulence(fog), length) : 0.0;
     const scene::Turbulence& t = fog.turbulence;
     const double n = near > 0.0 ? texture::scalar_turbulence(turbulent_place(fog, ray, length), t.octaves, t.lambda,
                                                              t.omega, context.scene.textures.noise_generator)
                                 : 0.0;
-    return fog_transmission(fog, ray, length, near, n);
+    return fog_transmission(fog, ray.origin, ray.direction, length, near, n);
 }
 
 void add_fog(const texture::Fog& fog, double transmission, Air& air)
@@ -76,28 +92,52 @@ void add_fog(const texture::Fog& fog, double transmission, Air& air)
     air.share *= a * ((1.0f - fog.color.filter) + fog.color.filter * fog.color.rgb());
 }
 
+template <class F>
+void each_vector(const csg::RayTile& rays, F&& f)
+{
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); i += csg::lanes::kDoubles) f(i);
+}
+
+/// The sum of a fog's turbulence for the rays that are near enough to show it.
+void find_turbulence(const Context& context, const texture::Fog& fog, const csg::RayTile& rays, HitMask hits,
+                     const TileLanes& length, const TileLanes& near, TileLanes& out)
+{
+    texture::Points places;
+    HitMask asked = 0;
+    for_each_hit(hits, [&](std::size_t k) {
+        if (!(near[k] > 0.0)) return;
+        asked |= HitMask{1} << k;
+        places.add(turbulent_place(fog, rays.ray(static_cast<int>(k)), length[k]));
+    });
+    if (asked == 0) return;
+    places.pad();
+    texture::Values found;
+    const scene::Turbulence& t = fog.turbulence;
+    texture::scalar_turbulence_points(places, t.octaves, t.lambda, t.omega, context.scene.textures.noise_generator,
+                                      found);
+    std::size_t next = 0;
+    for_each_hit(asked, [&](std::size_t k) { out[k] = found[next++]; });
+}
+
 /// A fog that is not the same everywhere, over the lengths of many rays.
 void add_uneven_fog(const Context& context, const texture::Fog& fog, const csg::RayTile& rays, HitMask hits,
                     const TileLanes& length, std::array<Air, csg::kTileRays>& air)
 {
-    std::array<double, csg::kTileRays> near;
-    texture::Points places;
-    texture::Values turbulence;
-    for_each_hit(hits, [&](std::size_t k) {
-        near[k] = seen_turbulence(fog, length[k]);
-        if (near[k] > 0.0) places.add(turbulent_place(fog, rays.ray(static_cast<int>(k)), length[k]));
-    });
-    if (places.count != 0) {
-        places.pad();
-        const scene::Turbulence& t = fog.turbulence;
-        texture::scalar_turbulence_points(places, t.octaves, t.lambda, t.omega, context.scene.textures.noise_generator,
-                                          turbulence);
+    alignas(64) TileLanes near{}, lifts{}, passes;
+    if (fog.turbulent) {
+        const double most = most_turbulence(fog);
+        each_vector(rays, [&](std::size_t i) {
+            seen_turbulence(fog, most, Double::load_aligned(&length[i])).store_aligned(&near[i]);
+        });
+        find_turbulence(context, fog, rays, hits, length, near, lifts);
     }
-    std::size_t next = 0;
-    for_each_hit(hits, [&](std::size_t k) {
-        const double n = near[k] > 0.0 ? turbulence[next++] : 0.0;
-        add_fog(fog, fog_transmission(fog, rays.ray(static_cast<int>(k)), length[k], near[k], n), air[k]);
+    each_vector(rays, [&](std::size_t i) {
+        const auto load = [i](const auto& row) { return Double::load_aligned(&row[i]); };
+        const csg::lanes::Points origin{load(rays.ox), load(rays.oy), load(rays.oz)};
+        const csg::lanes::Directions direction{load(rays.dx), load(rays.dy), load(rays.dz)};
+        fog_transmission(fog, origin, direction, load(length), load(near), load(lifts)).store_aligned(&passes[i]);
     });
+    for_each_hit(hits, [&](std::size_t k) { add_fog(fog, passes[k], air[k]); });
 }
 
 }  // namespace
